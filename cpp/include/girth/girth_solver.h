@@ -1,0 +1,83 @@
+// The intrinsic girth function at single vertices, and the loop that measures it.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "girth/surface_mesh.h"
+#include "girth/surface_point.h"
+
+namespace girth {
+
+/// How the shortest loop came about (paper, section 3.1, figure 1).
+enum class LoopKind : std::uint8_t {
+  /// The frontier of the growing geodesic disk touched itself head-on: a loop around the surface.
+  Loop = 0,
+  /// The whole frontier closed upon one farthest point: the "loop" is out and back again.
+  Antipodal = 1,
+};
+
+/// "loop" or "antipodal".
+std::string_view toString(LoopKind kind);
+
+/// The girth at a vertex.
+struct GirthValue {
+  /// I(p), in model units.
+  double length{0};
+  LoopKind kind{LoopKind::Loop};
+};
+
+/// The shortest geodesic loop based at a vertex.
+struct GirthLoop {
+  /// I(p), in model units.
+  double length{0};
+  LoopKind kind{LoopKind::Loop};
+  /// The vertex p where the loop starts and ends.
+  Index base{0};
+  /// The loop from p round to p: p, the edges it crosses and vertices it passes in order, p. Between
+  /// neighbours it is straight inside one face or along one edge. An antipodal loop runs to
+  /// `midpoint` and back the same way, and there the midpoint is one of the points.
+  std::vector<SurfacePoint> points;
+  /// q, the point farthest from p on the loop: length / 2 from p both ways, and both are shortest.
+  SurfacePoint midpoint;
+  /// Angle at p between the loop's two ends, inside the surface, on the smaller side, in radians. At
+  /// least π: the loop is a closed geodesic. 0: antipodal.
+  double angle{0};
+};
+
+/// The loop's points in space; the first equals the last.
+std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop);
+
+/// Computes I(p) by exact propagation of geodesic windows from p with early termination (paper,
+/// sections 4.3 and 4.4, Algorithm 2), every loop proven by the distance of its midpoint.
+///
+/// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it. Time and
+/// memory of a call grow with the windows inside the disk of radius I(p)/2, about O(n^1.5) for the
+/// usual mesh of n faces where the disk is large.
+class GirthSolver {
+ public:
+  explicit GirthSolver(const SurfaceMesh& mesh);
+  ~GirthSolver();
+  GirthSolver(GirthSolver&&) noexcept;
+  GirthSolver& operator=(GirthSolver&&) noexcept;
+
+  /// I(p) for vertex p. Error: VERTEX_OUT_OF_RANGE.
+  Result<GirthValue> value(Index vertex);
+  /// I(p) with its loop. Error: VERTEX_OUT_OF_RANGE.
+  Result<GirthLoop> loop(Index vertex);
+
+  /// Windows propagated by the last call.
+  std::size_t windowCount() const;
+  /// Bytes of scratch memory held now.
+  std::size_t memoryBytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// One loop, for a single use.
+Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Index vertex);
+
+}  // namespace girth

@@ -1,0 +1,67 @@
+// Reading models: bytes in, a surface out, with a way back to the file's own vertices.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/surface_mesh.h"
+
+namespace girth::io {
+
+enum class Format : std::uint8_t { Glb, Gltf, Obj };
+
+/// "GLB", "glTF" or "OBJ".
+std::string_view toString(Format format);
+
+/// What a file says, before any cleaning.
+struct TriangleSoup {
+  Format format{Format::Obj};
+  /// x, y, z per vertex of the file, in its order; glTF in world space, in metres, in the order of a
+  /// depth-first walk of the scene.
+  std::vector<double> positions;
+  /// Three vertices per triangle; polygons are triangulated.
+  std::vector<Index> triangles;
+};
+
+/// A surface and how the file's vertices map onto it.
+struct LoadedMesh {
+  SurfaceMesh mesh;
+  Format format{Format::Obj};
+  /// For each vertex of the file, its vertex on the surface; kNoIndex where no face uses it.
+  std::vector<Index> vertexOfInput;
+  /// For each vertex of the surface, the first vertex of the file that it comes from.
+  std::vector<Index> inputOfVertex;
+  /// Vertices of the file that were welded onto an earlier one at exactly the same position.
+  Index weldedVertices{0};
+  /// Vertices of the file that no face uses, left out.
+  Index unreferencedVertices{0};
+  /// "metre" for glTF, otherwise empty: the file does not say.
+  std::string unit;
+};
+
+/// Brings a file that a model refers to by a relative name; nothing if it is not to be had.
+using ResourceReader = std::function<std::optional<std::vector<std::byte>>(std::string_view name)>;
+
+/// Reads bytes. The format is recognised by content; `name` only breaks ties and is used in messages.
+/// Touches no file system. Memory in proportion to the bytes. Errors: EMPTY_FILE, UNKNOWN_FORMAT,
+/// MALFORMED_FILE (element: byte or line), UNSUPPORTED_FEATURE, MISSING_RESOURCE, NON_FINITE_POSITION,
+/// INDEX_OUT_OF_RANGE, EMPTY_MESH, LIMIT_EXCEEDED.
+Result<TriangleSoup> readSoup(std::span<const std::byte> bytes, std::string_view name,
+                              const ResourceReader& resources = {});
+
+/// Welds vertices at exactly equal positions, leaves out vertices that no face uses, and makes a surface.
+/// Errors: those of SurfaceMesh::fromArrays, with elements in the file's own numbering.
+Result<LoadedMesh> weld(TriangleSoup soup);
+
+/// readSoup, then weld.
+Result<LoadedMesh> readMesh(std::span<const std::byte> bytes, std::string_view name,
+                            const ResourceReader& resources = {});
+
+}  // namespace girth::io

@@ -1,0 +1,14 @@
+// The paper's naive algorithm (section 4.2): the yardstick for tests and benchmarks.
+#pragma once
+
+#include "girth/girth_solver.h"
+#include "girth/surface_mesh.h"
+
+namespace girth {
+
+/// I(p) by computing the whole exact distance field of p, keeping every window, and testing every
+/// mesh edge and every pair of windows that meet from opposite sides. O(n^3 log n) time and O(n^2)
+/// memory at worst. Error: VERTEX_OUT_OF_RANGE.
+Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex);
+
+}  // namespace girth
