@@ -1,0 +1,116 @@
+// The kernel's public API: everything that the page, the element and npm users see of the computation.
+// No three.js, no DOM. Names are those of the C++ core. Lengths are in the model's own units.
+
+/** How the shortest loop came about: round the surface, or out and back to the farthest point. */
+export type LoopKind = 'loop' | 'antipodal';
+
+/** A failure: the code of the table in `error_codes.def`, the element, the words and the remedy. */
+export interface GirthErrorFields {
+  code: string;
+  /** The first offending vertex, face, line or byte, as the message says; -1 where there is none. */
+  element: number;
+  message: string;
+  hint: string;
+}
+
+export interface KernelOptions {
+  /** Parallel workers or threads; 'auto' is one per core, at most 8. */
+  threads?: number | 'auto';
+  /**
+   * 'auto': threads of one module where the page is cross-origin isolated, otherwise a pool of
+   * single-threaded workers. Both give the same bits. Asking for 'threads' where the page is not
+   * isolated falls back to the pool with one warning.
+   */
+  mode?: 'auto' | 'threads' | 'pool';
+}
+
+/** Plain arrays as a mesh: x, y, z per vertex and three vertices per triangle. */
+export interface MeshArrays {
+  positions: Float64Array | Float32Array;
+  indices: Uint32Array | Uint16Array;
+}
+
+/** A file, an address, raw bytes with a name, or arrays. */
+export type MeshSource = Blob | string | URL | { bytes: ArrayBuffer; name: string } | MeshArrays;
+
+export interface CallOptions {
+  /** Aborting really stops the work; the promise is rejected with a GirthError of code CANCELLED. */
+  signal?: AbortSignal;
+}
+
+/** Values finished since the last report; values[i] and kinds[i] belong to vertex vertices[i]. */
+export interface PartialField {
+  vertices: Uint32Array;
+  values: Float64Array;
+  /** 0: loop, 1: antipodal. */
+  kinds: Uint8Array;
+}
+
+export interface FieldOptions extends CallOptions {
+  /** The finished share in [0, 1]; never falls; ends with 1. */
+  onProgress?: (fraction: number) => void;
+  /** New values, coarse to fine: each batch is spread over the whole surface. */
+  onPartial?: (partial: PartialField) => void;
+}
+
+export interface Field {
+  name: 'igf';
+  /** One per vertex of the surface. */
+  values: Float64Array;
+  /** 0: loop, 1: antipodal; one per vertex. */
+  kinds: Uint8Array;
+  /** Smallest and largest value. */
+  range: [number, number];
+  /** 'm' for glTF, '' where the file does not say. */
+  unit: string;
+}
+
+export interface Loop {
+  /** The girth I(p). */
+  length: number;
+  kind: LoopKind;
+  /** The vertex p. */
+  vertex: number;
+  /** x, y, z per point, from p round to p. */
+  polyline: Float32Array;
+  /** x, y, z of the point of the loop farthest from p. */
+  midpoint: [number, number, number];
+  /** Angle at p between the loop's ends, in radians. */
+  angle: number;
+  unit: string;
+}
+
+export interface MeshInfo {
+  name: string;
+  format: 'GLB' | 'glTF' | 'OBJ' | 'arrays';
+  vertexCount: number;
+  faceCount: number;
+  edgeCount: number;
+  components: number;
+  /** One per component. */
+  genus: number[];
+  area: number;
+  unit: string;
+  /** Vertices of the input that were welded onto an earlier one at the same position. */
+  weldedVertices: number;
+  unreferencedVertices: number;
+}
+
+export interface Mesh {
+  readonly info: MeshInfo;
+  /** The surface to draw and pick on: positions are x, y, z per vertex. Do not modify. */
+  readonly geometry: { positions: Float32Array; indices: Uint32Array };
+  /** The surface's vertex for each vertex of the input; 0xFFFFFFFF where no face uses it. */
+  readonly vertexOfInput: Uint32Array;
+  field(name: 'igf', options?: FieldOptions): Promise<Field>;
+  /** The loop at a vertex. Served at once, also while a field is being computed. */
+  loop(vertex: number, options?: CallOptions): Promise<Loop>;
+  dispose(): void;
+}
+
+export interface Kernel {
+  readonly mode: 'threads' | 'pool';
+  readonly threads: number;
+  load(source: MeshSource, options?: CallOptions): Promise<Mesh>;
+  dispose(): void;
+}
