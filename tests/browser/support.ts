@@ -1,0 +1,115 @@
+// What every browser test needs: a static server with the headers under test, and Chromium.
+
+import { createReadStream } from 'node:fs';
+import { stat } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { extname, resolve, sep } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium, type Browser, type Page } from 'playwright-core';
+
+/** The top of the repository. */
+export const repository = fileURLToPath(new URL('../..', import.meta.url));
+
+/** A policy under which no eval, no inline script and no blob worker runs. */
+export const strictPolicy =
+  "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:";
+
+export interface ServeOptions {
+  /** Send the two headers that make a page cross-origin isolated, so that it may use threads. */
+  isolated?: boolean;
+  /** A Content-Security-Policy, for example `strictPolicy`. */
+  policy?: string;
+  /** Pages that need no file: path, for example '/test.html', to HTML. */
+  pages?: Record<string, string>;
+}
+
+export interface StaticServer {
+  /** Without a slash at the end. */
+  url: string;
+  /** Paths asked for so far, in order. */
+  requests: string[];
+  close(): Promise<void>;
+}
+
+const mediaTypes: Record<string, string> = {
+  '.css': 'text/css',
+  '.glb': 'model/gltf-binary',
+  '.gltf': 'model/gltf+json',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.json': 'application/json',
+  '.map': 'application/json',
+  '.mjs': 'text/javascript',
+  '.obj': 'text/plain',
+  '.png': 'image/png',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+};
+
+/** Serves a folder like a plain static host: no special headers unless asked for. */
+export async function serve(folder: string, options: ServeOptions = {}): Promise<StaticServer> {
+  const root = resolve(folder);
+  const requests: string[] = [];
+  const headers: Record<string, string> = { 'Cache-Control': 'no-store' };
+  if (options.isolated) {
+    headers['Cross-Origin-Opener-Policy'] = 'same-origin';
+    headers['Cross-Origin-Embedder-Policy'] = 'require-corp';
+  }
+  if (options.policy) headers['Content-Security-Policy'] = options.policy;
+
+  const server = createServer(async (request, response) => {
+    const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
+    requests.push(path);
+    const page = options.pages?.[path];
+    if (page !== undefined) {
+      response.writeHead(200, { ...headers, 'Content-Type': mediaTypes['.html']! }).end(page);
+      return;
+    }
+    const file = resolve(root, `.${path.endsWith('/') ? `${path}index.html` : path}`);
+    const found = file.startsWith(root + sep) && (await stat(file).catch(() => undefined))?.isFile();
+    if (!found) {
+      response.writeHead(404, headers).end('not found');
+      return;
+    }
+    const type = mediaTypes[extname(file)] ?? 'application/octet-stream';
+    response.writeHead(200, { ...headers, 'Content-Type': type });
+    createReadStream(file).pipe(response);
+  });
+  await new Promise<void>((done) => server.listen(0, '127.0.0.1', done));
+  const { port } = server.address() as AddressInfo;
+  return {
+    url: `http://127.0.0.1:${port}`,
+    requests,
+    close: () =>
+      new Promise<void>((done) => {
+        server.close(() => done());
+        server.closeAllConnections();
+      }),
+  };
+}
+
+/** Chromium without a window; `CHROMIUM` names another one than Debian's. */
+export function launchChromium(): Promise<Browser> {
+  return chromium.launch({
+    executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
+    args: [
+      '--no-sandbox',
+      '--disable-gpu',
+      '--disable-quic',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--disable-sync',
+    ],
+  });
+}
+
+/** What went wrong on a page that nobody caught: errors, console errors, violations of the policy. */
+export function complaintsOf(page: Page): string[] {
+  const complaints: string[] = [];
+  page.on('pageerror', (error) => complaints.push(`uncaught: ${error.message}`));
+  page.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(`console: ${message.text()}`);
+  });
+  return complaints;
+}
