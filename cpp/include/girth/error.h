@@ -1,6 +1,7 @@
 // Failures are values: what went wrong, at which element, and what to do about it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>

@@ -1,0 +1,212 @@
+#include "girth/surface_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "mesh/angles.h"
+#include "mesh/vector.h"
+
+namespace girth {
+
+namespace {
+
+/// A face whose smallest height is below this share of its longest side has no area to speak of: its
+/// shape would be made of rounding errors.
+constexpr double kFlattestFace = 1e-12;
+
+std::string faceText(Index face) { return "face " + std::to_string(face); }
+
+std::string edgeText(Index a, Index b) {
+  return "edge " + std::to_string(a) + "-" + std::to_string(b);
+}
+
+/// Checks what can be said of the arrays alone.
+std::optional<Error> findBadElement(std::span<const double> positions,
+                                    std::span<const Index> triangles) {
+  const std::size_t vertices = positions.size() / 3, faces = triangles.size() / 3;
+  if (faces == 0 || triangles.size() % 3 != 0 || positions.size() % 3 != 0) {
+    return makeError(ErrorCode::EmptyMesh, -1,
+                     faces == 0 ? "the mesh has no faces" : "the arrays are not whole triples");
+  }
+  // Halfedge numbers and a flag bit must fit into an Index.
+  if (triangles.size() >= 0x7FFFFFFFu || vertices >= 0x7FFFFFFFu) {
+    return makeError(ErrorCode::LimitExceeded, -1, "the mesh has over 700 million faces");
+  }
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (!std::isfinite(positions[i])) {
+      return makeError(ErrorCode::NonFinitePosition, static_cast<std::int64_t>(i / 3),
+                       "vertex " + std::to_string(i / 3) + " has a coordinate that is not a number");
+    }
+  }
+  for (std::size_t f = 0; f < faces; ++f) {
+    const Index a = triangles[3 * f], b = triangles[3 * f + 1], c = triangles[3 * f + 2];
+    const Index largest = std::max({a, b, c});
+    if (largest >= vertices) {
+      return makeError(ErrorCode::IndexOutOfRange, static_cast<std::int64_t>(f),
+                       faceText(static_cast<Index>(f)) + " names vertex " + std::to_string(largest) +
+                           " of " + std::to_string(vertices));
+    }
+    if (a == b || b == c || c == a) {
+      return makeError(ErrorCode::DegenerateFace, static_cast<std::int64_t>(f),
+                       faceText(static_cast<Index>(f)) + " repeats vertex " +
+                           std::to_string(a == b || a == c ? a : b));
+    }
+  }
+  return std::nullopt;
+}
+
+/// Pairs the halfedges of every edge. `from` holds the start of each halfedge.
+std::optional<Error> pairHalfedges(const std::vector<Index>& from, std::vector<Index>& twin) {
+  const auto count = static_cast<Index>(from.size());
+  const auto to = [&](Index h) { return from[SurfaceMesh::next(h)]; };
+  // Halfedges sorted by edge: equal keys stand together, in the order of their numbers.
+  std::vector<std::pair<std::uint64_t, Index>> order(count);
+  for (Index h = 0; h < count; ++h) {
+    const std::uint64_t low = std::min(from[h], to(h)), high = std::max(from[h], to(h));
+    order[h] = {low << 32 | high, h};
+  }
+  std::sort(order.begin(), order.end());
+
+  twin.assign(count, kNoIndex);
+  Index worst = kNoIndex;  // the first halfedge, by number, with anything wrong
+  ErrorCode code{};
+  std::size_t faces = 0;
+  for (std::size_t i = 0, end; i < count; i = end) {
+    for (end = i + 1; end < count && order[end].first == order[i].first;) ++end;
+    const Index a = order[i].second;
+    const bool paired = end - i == 2 && from[a] != from[order[i + 1].second];
+    if (paired) {
+      twin[a] = order[i + 1].second;
+      twin[twin[a]] = a;
+    } else if (a < worst) {
+      worst = a;
+      faces = end - i;
+      code = faces == 1   ? ErrorCode::OpenEdge
+             : faces == 2 ? ErrorCode::InconsistentOrientation
+                          : ErrorCode::NonManifoldEdge;
+    }
+  }
+  if (worst == kNoIndex) return std::nullopt;
+  std::string where = edgeText(from[worst], to(worst)) + " of " + faceText(worst / 3);
+  if (code == ErrorCode::OpenEdge) return makeError(code, worst, where + " has no face on its other side");
+  if (code == ErrorCode::NonManifoldEdge) {
+    return makeError(code, worst, where + " has " + std::to_string(faces) + " faces");
+  }
+  return makeError(code, worst, where + " runs the same way in both of its faces");
+}
+
+}  // namespace
+
+Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
+                                            std::span<const Index> triangles) {
+  if (auto error = findBadElement(positions, triangles)) return *std::move(error);
+
+  SurfaceMesh mesh;
+  mesh.from_.assign(triangles.begin(), triangles.end());
+  mesh.positions_.resize(positions.size() / 3);
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    mesh.positions_[v] = {positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]};
+  }
+  const Index vertices = mesh.vertexCount(), halfedges = mesh.halfedgeCount();
+
+  // Lengths, angles and areas. Products of coordinates are formed at a scale near 1, a power of two
+  // away, so that models of any size neither overflow nor lose bits.
+  double extent = 0;
+  for (const double x : positions) extent = std::max(extent, std::fabs(x));
+  int exponent = 0;
+  std::frexp(extent, &exponent);
+  const double shrink = std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));
+  mesh.length_.resize(halfedges);
+  mesh.cornerAngle_.resize(halfedges);
+  mesh.totalAngle_.assign(vertices, 0.0);
+  double scaledArea = 0, scaledLength = 0;
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    Vec3 corner[3], side[3];
+    double length[3];
+    for (int k = 0; k < 3; ++k) corner[k] = shrink * mesh.positions_[mesh.from_[3 * f + k]];
+    for (int k = 0; k < 3; ++k) side[k] = corner[(k + 1) % 3] - corner[k];
+    for (int k = 0; k < 3; ++k) length[k] = norm(side[k]);
+    const double doubleArea = norm(cross(side[0], side[1]));
+    const double longest = std::max({length[0], length[1], length[2]});
+    const double shortest = std::min({length[0], length[1], length[2]});
+    if (!(doubleArea > kFlattestFace * longest * longest) || !(shortest > 0)) {
+      return makeError(ErrorCode::DegenerateFace, f, faceText(f) + " has no area");
+    }
+    for (Index k = 0; k < 3; ++k) {
+      const Index h = 3 * f + k;
+      mesh.length_[h] = length[k] / shrink;
+      mesh.cornerAngle_[h] = angleOf(-dot(side[k], side[(k + 2) % 3]), doubleArea);
+      mesh.totalAngle_[mesh.from_[h]] += mesh.cornerAngle_[h];
+      scaledLength += length[k];
+    }
+    scaledArea += doubleArea / 2;
+  }
+  mesh.area_ = scaledArea / shrink / shrink;
+  mesh.meanEdgeLength_ = scaledLength / halfedges / shrink;
+
+  if (auto error = pairHalfedges(mesh.from_, mesh.twin_)) return *std::move(error);
+
+  // Every vertex must have one fan of faces.
+  std::vector<Index> degree(vertices, 0);
+  mesh.outgoing_.assign(vertices, kNoIndex);
+  for (Index h = halfedges; h-- > 0;) {
+    ++degree[mesh.from_[h]];
+    mesh.outgoing_[mesh.from_[h]] = h;
+  }
+  for (Index v = 0; v < vertices; ++v) {
+    if (degree[v] == 0) {
+      return makeError(ErrorCode::UnreferencedVertex, v,
+                       "vertex " + std::to_string(v) + " belongs to no face");
+    }
+    Index fan = 0;
+    Index h = mesh.outgoing_[v];
+    do {
+      ++fan;
+      h = mesh.twin_[previous(h)];
+    } while (h != mesh.outgoing_[v]);
+    if (fan != degree[v]) {
+      return makeError(ErrorCode::NonManifoldVertex, v,
+                       "vertex " + std::to_string(v) + " joins parts that touch only there");
+    }
+  }
+
+  // Components by flooding, and the genus of each from V − E + F = 2 − 2g.
+  mesh.component_.assign(vertices, kNoIndex);
+  std::vector<Index> front;
+  for (Index seed = 0; seed < vertices; ++seed) {
+    if (mesh.component_[seed] != kNoIndex) continue;
+    const Index number = mesh.componentCount();
+    std::int64_t vertexTotal = 0, halfedgeTotal = 0;
+    mesh.component_[seed] = number;
+    front.assign(1, seed);
+    while (!front.empty()) {
+      const Index v = front.back();
+      front.pop_back();
+      ++vertexTotal;
+      Index h = mesh.outgoing_[v];
+      do {
+        ++halfedgeTotal;
+        const Index w = mesh.to(h);
+        if (mesh.component_[w] == kNoIndex) {
+          mesh.component_[w] = number;
+          front.push_back(w);
+        }
+        h = mesh.twin_[previous(h)];
+      } while (h != mesh.outgoing_[v]);
+    }
+    const std::int64_t euler = vertexTotal - halfedgeTotal / 2 + halfedgeTotal / 3;
+    mesh.componentGenus_.push_back(static_cast<Index>((2 - euler) / 2));
+  }
+  return mesh;
+}
+
+double SurfaceMesh::area(Index face) const {
+  const auto [a, b, c] = faceVertices(face);
+  return norm(cross(positions_[b] - positions_[a], positions_[c] - positions_[a])) / 2;
+}
+
+}  // namespace girth
