@@ -1,0 +1,38 @@
+# The packages that the project is built with. A missing one is named with its Debian package.
+
+# A package with a CMake config of its own: `girth_find_package(GTest libgtest-dev GIRTH_BUILD_TESTS)`.
+macro(girth_find_package name debianPackage option)
+  find_package(${name} QUIET)
+  if(NOT ${name}_FOUND)
+    message(FATAL_ERROR "${name} is missing. On Debian and Ubuntu: apt-get install ${debianPackage}. "
+                        "To build without it: -D${option}=OFF.")
+  endif()
+endmacro()
+
+# girth_single_headers: the headers that a reader compiles into itself. They are linked into a folder
+# of the build tree, because a cross compiler must not see the rest of /usr/include.
+function(girth_add_single_headers)
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/single_headers")
+  file(MAKE_DIRECTORY "${folder}")
+  foreach(entry "tiny_gltf.h libtinygltf-dev" "tiny_obj_loader.h libtinyobjloader-dev"
+                "nlohmann/json.hpp nlohmann-json3-dev")
+    separate_arguments(entry)
+    list(GET entry 0 header)
+    list(GET entry 1 debianPackage)
+    string(MAKE_C_IDENTIFIER "GIRTH_${header}_FOLDER" variable)
+    # The emsdk toolchain re-roots searches into its own system root.
+    find_path(${variable} "${header}" PATHS /usr/include /usr/local/include
+              NO_CMAKE_FIND_ROOT_PATH)
+    mark_as_advanced(${variable})
+    if(NOT ${variable})
+      message(FATAL_ERROR "The header ${header} is missing. On Debian and Ubuntu: apt-get install "
+                          "${debianPackage}. Elsewhere: -D${variable}=<the folder it lies in>.")
+    endif()
+    string(REGEX REPLACE "/.*" "" top "${header}")
+    file(CREATE_LINK "${${variable}}/${top}" "${folder}/${top}" SYMBOLIC)
+  endforeach()
+  add_library(girth_single_headers INTERFACE)
+  target_include_directories(girth_single_headers SYSTEM INTERFACE "${folder}")
+endfunction()
+
+girth_add_single_headers()

@@ -1,0 +1,45 @@
+# What all targets have in common.
+
+# The language, the warnings, and arithmetic that gives the same bits everywhere.
+function(girth_configure target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(
+    ${target}
+    PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+            $<$<BOOL:${GIRTH_WERROR}>:-Werror>)
+endfunction()
+
+# A library of the project: `girth_library(core SOURCES ... [PUBLIC core ...] [PRIVATE target ...])`
+# makes girth_core, alias girth::core; PUBLIC names other libraries of the project. Under Emscripten
+# there is a second one for the module with threads, girth_core_threads, alias girth::core_threads.
+function(girth_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(suffixes "none")
+  if(EMSCRIPTEN)
+    list(APPEND suffixes "_threads")
+  endif()
+  foreach(suffix IN LISTS suffixes)
+    string(REPLACE "none" "" suffix "${suffix}")
+    set(target girth_${name}${suffix})
+    add_library(${target} STATIC ${arg_SOURCES})
+    add_library(girth::${name}${suffix} ALIAS ${target})
+    girth_configure(${target})
+    target_include_directories(
+      ${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/cpp/include>"
+                       "$<INSTALL_INTERFACE:include>")
+    foreach(library IN LISTS arg_PUBLIC)
+      target_link_libraries(${target} PUBLIC girth_${library}${suffix})
+    endforeach()
+    foreach(library IN LISTS arg_PRIVATE)
+      target_link_libraries(${target} PRIVATE "$<BUILD_INTERFACE:${library}>")
+    endforeach()
+    if(EMSCRIPTEN)
+      target_compile_options(${target} PUBLIC -fexceptions -msimd128)
+    endif()
+    if(suffix STREQUAL "_threads")
+      target_compile_options(${target} PUBLIC -pthread)
+    endif()
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  endforeach()
+endfunction()
