@@ -1,0 +1,149 @@
+// girth.mjs, the module without threads: reads files, and computes values and loops vertex by vertex.
+// Each worker of a pool has one, and so has the worker that answers for the pointer.
+
+#include <emscripten/bind.h>
+
+#include <optional>
+#include <utility>
+
+#include "boundary.h"
+#include "girth/girth_field.h"
+#include "girth/girth_solver.h"
+#include "girth/io/read_mesh.h"
+
+using emscripten::val;
+
+namespace girth::bind {
+namespace {
+
+/// A surface and the solver that works on it.
+class Surface {
+ public:
+  explicit Surface(SurfaceMesh mesh) : mesh_(std::move(mesh)), solver_(mesh_) {}
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
+  const SurfaceMesh& mesh() const { return mesh_; }
+
+  /// I(v) for a Uint32Array of vertices: {values, kinds}, or the first error.
+  val values(const val& vertices) {
+    return guarded([&] {
+      const std::vector<Index> wanted = copyIn<Index>(vertices);
+      std::vector<double> lengths;
+      std::vector<std::uint8_t> kinds;
+      lengths.reserve(wanted.size());
+      kinds.reserve(wanted.size());
+      for (const Index vertex : wanted) {
+        const Result<GirthValue> girth = solver_.value(vertex);
+        if (!girth) return toJs(girth.error());
+        lengths.push_back(girth.value().length);
+        kinds.push_back(static_cast<std::uint8_t>(girth.value().kind));
+      }
+      val result = val::object();
+      result.set("values", copyOut<double>("Float64Array", lengths));
+      result.set("kinds", copyOut<std::uint8_t>("Uint8Array", kinds));
+      return result;
+    });
+  }
+
+  /// The loop at a vertex, as `Loop` of types.ts without the unit, or an error.
+  val loop(Index vertex) {
+    return guarded([&] {
+      const Result<GirthLoop> found = solver_.loop(vertex);
+      if (!found) return toJs(found.error());
+      const GirthLoop& girth = found.value();
+      std::vector<float> points;
+      for (const Vec3& p : polyline(mesh_, girth)) {
+        points.insert(points.end(), {static_cast<float>(p.x), static_cast<float>(p.y),
+                                     static_cast<float>(p.z)});
+      }
+      const Vec3 q = positionOf(mesh_, girth.midpoint);
+      val midpoint = val::array();
+      midpoint.set(0, q.x);
+      midpoint.set(1, q.y);
+      midpoint.set(2, q.z);
+      val result = val::object();
+      result.set("length", girth.length);
+      result.set("kind", std::string(toString(girth.kind)));
+      result.set("vertex", girth.base);
+      result.set("polyline", copyOut<float>("Float32Array", points));
+      result.set("midpoint", midpoint);
+      result.set("angle", girth.angle);
+      return result;
+    });
+  }
+
+  /// All vertices, coarse to fine, as Uint32Array.
+  val order() const {
+    return guarded([&] { return copyOut<Index>("Uint32Array", coarseToFineOrder(mesh_)); });
+  }
+
+ private:
+  SurfaceMesh mesh_;
+  GirthSolver solver_;
+};
+
+/// {surface, positions, indices, components, genus, area}; the surface is the caller's to delete.
+val describe(std::shared_ptr<Surface> surface) {
+  const SurfaceMesh& mesh = surface->mesh();
+  std::vector<double> positions;
+  positions.reserve(3 * std::size_t{mesh.vertexCount()});
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3& p = mesh.position(v);
+    positions.insert(positions.end(), {p.x, p.y, p.z});
+  }
+  std::vector<Index> indices;
+  indices.reserve(mesh.halfedgeCount());
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h) indices.push_back(mesh.from(h));
+  val genus = val::array();
+  for (Index c = 0; c < mesh.componentCount(); ++c) genus.set(c, mesh.genus(c));
+
+  val result = val::object();
+  result.set("positions", copyOut<double>("Float64Array", positions));
+  result.set("indices", copyOut<Index>("Uint32Array", indices));
+  result.set("components", mesh.componentCount());
+  result.set("genus", genus);
+  result.set("area", mesh.area());
+  result.set("surface", std::move(surface));
+  return result;
+}
+
+/// A surface from the bytes of a file (a Uint8Array): `describe`, and what reading did; or an error.
+val readSurface(const val& bytes, const std::string& name) {
+  return guarded([&] {
+    const std::vector<std::uint8_t> content = copyIn<std::uint8_t>(bytes);
+    Result<io::LoadedMesh> loaded =
+        io::readMesh(std::as_bytes(std::span<const std::uint8_t>(content)), name);
+    if (!loaded) return toJs(loaded.error());
+    io::LoadedMesh& read = loaded.value();
+    val result = describe(std::make_shared<Surface>(std::move(read.mesh)));
+    result.set("format", std::string(io::toString(read.format)));
+    result.set("unit", read.unit);
+    result.set("vertexOfInput", copyOut<Index>("Uint32Array", read.vertexOfInput));
+    result.set("weldedVertices", read.weldedVertices);
+    result.set("unreferencedVertices", read.unreferencedVertices);
+    return result;
+  });
+}
+
+/// A surface from a Float64Array and a Uint32Array: `describe`, or an error.
+val surfaceFromArrays(const val& positions, const val& indices) {
+  return guarded([&] {
+    Result<SurfaceMesh> mesh = surfaceOf(positions, indices);
+    if (!mesh) return toJs(mesh.error());
+    return describe(std::make_shared<Surface>(std::move(mesh).value()));
+  });
+}
+
+EMSCRIPTEN_BINDINGS(girth) {
+  emscripten::class_<Surface>("Surface")
+      .smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
+      .function("values", &Surface::values)
+      .function("loop", &Surface::loop)
+      .function("order", &Surface::order);
+  emscripten::function("readSurface", &readSurface);
+  emscripten::function("surfaceFromArrays", &surfaceFromArrays);
+}
+
+}  // namespace
+}  // namespace girth::bind

@@ -1,0 +1,82 @@
+// girth-threads.mjs, the module with threads: whole fields, for pages that are cross-origin isolated.
+
+#include <emscripten/bind.h>
+
+#include <atomic>
+#include <utility>
+
+#include "boundary.h"
+#include "girth/girth_field.h"
+
+using emscripten::val;
+
+namespace girth::bind {
+namespace {
+
+/// Set from JavaScript, in another thread, through the view that `cancelFlag` returns.
+std::atomic<bool> cancelled{false};
+static_assert(sizeof(cancelled) == 1 && std::atomic<bool>::is_always_lock_free);
+
+/// One byte of the shared memory: 1 stops the field that is being computed.
+val cancelFlag() {
+  return val(emscripten::typed_memory_view(1, reinterpret_cast<std::uint8_t*>(&cancelled)));
+}
+
+std::span<const std::uint8_t> asBytes(std::span<const LoopKind> kinds) {
+  return {reinterpret_cast<const std::uint8_t*>(kinds.data()), kinds.size()};
+}
+
+class Surface {
+ public:
+  explicit Surface(SurfaceMesh mesh) : mesh_(std::move(mesh)) {}
+
+  /// I(v) for all vertices: {values, kinds, complete}, or an error. Calls `onProgress(fraction)` and
+  /// `onPartial({vertices, values, kinds})` meanwhile, and returns early once the flag is set.
+  val field(unsigned threads, const val& onProgress, const val& onPartial) const {
+    return guarded([&] {
+      ExecutionContext context;
+      context.threads = threads;
+      context.cancel = &cancelled;
+      context.onProgress = [&](double fraction) { onProgress(fraction); };
+      const GirthField field =
+          girthField(mesh_, GirthMethod::Exact, context, [&](const GirthPartial& partial) {
+            val report = val::object();
+            report.set("vertices", copyOut<Index>("Uint32Array", partial.vertices));
+            report.set("values", copyOut<double>("Float64Array", partial.values));
+            report.set("kinds", copyOut<std::uint8_t>("Uint8Array", asBytes(partial.kinds)));
+            onPartial(report);
+          });
+      val result = val::object();
+      result.set("values", copyOut<double>("Float64Array", field.values));
+      result.set("kinds", copyOut<std::uint8_t>("Uint8Array", asBytes(field.kinds)));
+      result.set("complete", field.complete());
+      return result;
+    });
+  }
+
+ private:
+  SurfaceMesh mesh_;
+};
+
+/// {surface} from a Float64Array and a Uint32Array, or an error; the surface is the caller's to
+/// delete.
+val surfaceFromArrays(const val& positions, const val& indices) {
+  return guarded([&] {
+    Result<SurfaceMesh> mesh = surfaceOf(positions, indices);
+    if (!mesh) return toJs(mesh.error());
+    val result = val::object();
+    result.set("surface", std::make_shared<Surface>(std::move(mesh).value()));
+    return result;
+  });
+}
+
+EMSCRIPTEN_BINDINGS(girthThreads) {
+  emscripten::class_<Surface>("Surface")
+      .smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
+      .function("field", &Surface::field);
+  emscripten::function("surfaceFromArrays", &surfaceFromArrays);
+  emscripten::function("cancelFlag", &cancelFlag);
+}
+
+}  // namespace
+}  // namespace girth::bind
