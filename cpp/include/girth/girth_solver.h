@@ -5,10 +5,15 @@
 #include <string_view>
 #include <vector>
 
+#include "girth/execution.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
 
 namespace girth {
+
+namespace geodesic {
+class Unfolding;
+}
 
 /// How the shortest loop came about (paper, section 3.1, figure 1).
 enum class LoopKind : std::uint8_t {
@@ -59,13 +64,15 @@ class GirthSolver {
  public:
   explicit GirthSolver(const SurfaceMesh& mesh);
   ~GirthSolver();
+  /// A solver that shares the prepared faces with the solvers of other threads; for the library's own use.
+  explicit GirthSolver(std::shared_ptr<const geodesic::Unfolding> unfolding);
   GirthSolver(GirthSolver&&) noexcept;
   GirthSolver& operator=(GirthSolver&&) noexcept;
 
-  /// I(p) for vertex p. Error: VERTEX_OUT_OF_RANGE.
-  Result<GirthValue> value(Index vertex);
-  /// I(p) with its loop. Error: VERTEX_OUT_OF_RANGE.
-  Result<GirthLoop> loop(Index vertex);
+  /// I(p) for vertex p. Of the context, only `cancel` matters. Errors: VERTEX_OUT_OF_RANGE, CANCELLED.
+  Result<GirthValue> value(Index vertex, const ExecutionContext& context = {});
+  /// I(p) with its loop. The same context and errors.
+  Result<GirthLoop> loop(Index vertex, const ExecutionContext& context = {});
 
   /// Windows propagated by the last call.
   std::size_t windowCount() const;

@@ -1,6 +1,7 @@
 // The paper's naive algorithm (section 4.2): the yardstick for tests and benchmarks.
 #pragma once
 
+#include "girth/execution.h"
 #include "girth/girth_solver.h"
 #include "girth/surface_mesh.h"
 
@@ -8,7 +9,8 @@ namespace girth {
 
 /// I(p) by computing the whole exact distance field of p, keeping every window, and testing every
 /// mesh edge and every pair of windows that meet from opposite sides. O(n^3 log n) time and O(n^2)
-/// memory at worst. Error: VERTEX_OUT_OF_RANGE.
-Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex);
+/// memory at worst. Errors: VERTEX_OUT_OF_RANGE, CANCELLED.
+Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
+                              const ExecutionContext& context = {});
 
 }  // namespace girth

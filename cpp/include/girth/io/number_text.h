@@ -1,0 +1,19 @@
+// Numbers as text and back: exact, and the same in every locale and on every platform.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace girth::io {
+
+/// The number that `text` is, all of it, rounded correctly: decimal digits with an optional sign,
+/// point and exponent. "nan" and "inf" give what they say, and so does a number too large for a
+/// double: infinity. Nothing where the text is not a number.
+std::optional<double> parseNumber(std::string_view text);
+
+/// The shortest of 15, 16 or 17 significant digits that reads back as the same double. "nan", "inf"
+/// and "-inf" for what is not finite.
+std::string formatNumber(double value);
+
+}  // namespace girth::io

@@ -1,0 +1,195 @@
+#include "girth/girth_field.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+#include "geodesic/unfolding.h"
+#include "girth/naive_girth.h"
+
+namespace girth {
+
+namespace {
+
+/// How often the calling thread reports.
+constexpr auto kReportInterval = std::chrono::milliseconds(40);
+
+/// What the threads share: they take vertices from `order` in turn and mark them done.
+struct Work {
+  const SurfaceMesh& mesh;
+  GirthMethod method;
+  const ExecutionContext& context;
+  std::vector<Index> order;
+  GirthField field;
+
+  std::atomic<std::size_t> taken{0};
+  std::atomic<std::size_t> done{0}, windows{0};
+  std::vector<std::atomic<bool>> finished;  // by place in `order`
+};
+
+/// The life of one thread: vertices, one after the other, until none are left; `afterEach` after each.
+template <class AfterEach>
+void computeVertices(Work& work, const std::shared_ptr<const geodesic::Unfolding>& unfolding,
+                     AfterEach afterEach) {
+  GirthSolver solver(unfolding);
+  std::size_t windows = 0;
+  while (!work.context.cancelled()) {
+    const std::size_t place = work.taken.fetch_add(1, std::memory_order_relaxed);
+    if (place >= work.order.size()) break;
+    const Index v = work.order[place];
+    const auto girth = work.method == GirthMethod::Naive ? naiveGirth(work.mesh, v, work.context)
+                                                         : solver.value(v, work.context);
+    if (!girth) break;  // cancelled: the vertices are in range
+    work.field.values[v] = girth.value().length;
+    work.field.kinds[v] = girth.value().kind;
+    windows += solver.windowCount();
+    work.finished[place].store(true, std::memory_order_release);
+    work.done.fetch_add(1, std::memory_order_relaxed);
+    afterEach();
+  }
+  work.windows.fetch_add(windows, std::memory_order_relaxed);
+}
+
+/// Hands on what was finished since the last time, in order; a vertex still in work does not hold up
+/// those behind it.
+class Reporter {
+ public:
+  Reporter(Work& work, const std::function<void(const GirthPartial&)>& onPartial)
+      : work_(work), onPartial_(onPartial), reported_(work.order.size(), false) {}
+
+  void report() {
+    if (onPartial_) {
+      vertices_.clear();
+      values_.clear();
+      kinds_.clear();
+      const std::size_t end = std::min(work_.taken.load(), work_.order.size());
+      for (std::size_t place = begin_; place < end; ++place) {
+        if (reported_[place] || !work_.finished[place].load(std::memory_order_acquire)) continue;
+        reported_[place] = true;
+        vertices_.push_back(work_.order[place]);
+        values_.push_back(work_.field.values[vertices_.back()]);
+        kinds_.push_back(work_.field.kinds[vertices_.back()]);
+      }
+      while (begin_ < end && reported_[begin_]) ++begin_;
+      if (!vertices_.empty()) onPartial_({vertices_, values_, kinds_});
+    }
+    const double fraction =
+        static_cast<double>(work_.done.load()) / static_cast<double>(work_.order.size());
+    if (work_.context.onProgress && fraction > fraction_) work_.context.onProgress(fraction);
+    fraction_ = std::max(fraction_, fraction);
+  }
+
+ private:
+  Work& work_;
+  const std::function<void(const GirthPartial&)>& onPartial_;
+  std::vector<bool> reported_;
+  std::size_t begin_{0};  // everything before has been reported
+  double fraction_{0};
+  std::vector<Index> vertices_;
+  std::vector<double> values_;
+  std::vector<LoopKind> kinds_;
+};
+
+/// The calling thread only reports, so that callbacks come from it alone.
+void runThreads(Work& work, const std::shared_ptr<const geodesic::Unfolding>& unfolding,
+                unsigned threads, Reporter& reporter) {
+  std::mutex mutex;
+  std::condition_variable ended;
+  unsigned running = threads;
+  std::vector<std::thread> workers;
+  for (unsigned i = 0; i < threads; ++i) {
+    workers.emplace_back([&] {
+      computeVertices(work, unfolding, [] {});
+      const std::lock_guard lock(mutex);
+      if (--running == 0) ended.notify_one();
+    });
+  }
+  {
+    std::unique_lock lock(mutex);
+    while (!ended.wait_for(lock, kReportInterval, [&] { return running == 0; })) {
+      lock.unlock();
+      reporter.report();
+      lock.lock();
+    }
+  }
+  for (std::thread& worker : workers) worker.join();
+}
+
+}  // namespace
+
+GirthField girthField(const SurfaceMesh& mesh, GirthMethod method, const ExecutionContext& context,
+                      const std::function<void(const GirthPartial&)>& onPartial) {
+  Work work{mesh, method, context, coarseToFineOrder(mesh), {}, {}, {}, {},
+            std::vector<std::atomic<bool>>(mesh.vertexCount())};
+  work.field.values.assign(mesh.vertexCount(), std::numeric_limits<double>::quiet_NaN());
+  work.field.kinds.assign(mesh.vertexCount(), LoopKind::Loop);
+
+  const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
+  const unsigned wanted =
+      context.threads > 0 ? context.threads : std::max(1u, std::thread::hardware_concurrency());
+  const unsigned threads = std::min(wanted, mesh.vertexCount());
+  Reporter reporter(work, onPartial);
+  if (threads == 1) {
+    // No thread of its own: so it runs where there are none, as in the single-threaded WebAssembly module.
+    auto last = std::chrono::steady_clock::now();
+    computeVertices(work, unfolding, [&] {
+      const auto now = std::chrono::steady_clock::now();
+      if (now - last < kReportInterval) return;
+      last = now;
+      reporter.report();
+    });
+  } else {
+    runThreads(work, unfolding, threads, reporter);
+  }
+  reporter.report();
+  work.field.computed = work.done.load();
+  work.field.windows = work.windows.load();
+  return std::move(work.field);
+}
+
+std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh) {
+  // Along a space-filling curve (Morton's) neighbours on the curve are neighbours in space; taking its
+  // places in bit-reversed order spreads every prefix evenly over the curve.
+  Vec3 low = mesh.position(0), high = low;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3& p = mesh.position(v);
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const auto cell = [&](double x, double start) {
+    return static_cast<std::uint64_t>((x - start) / extent * 0x1FFFFF);
+  };
+  const auto spread = [](std::uint64_t x) {  // 21 bits, two zeros after each
+    x = (x | x << 32) & 0x1F00000000FFFFull;
+    x = (x | x << 16) & 0x1F0000FF0000FFull;
+    x = (x | x << 8) & 0x100F00F00F00F00Full;
+    x = (x | x << 4) & 0x10C30C30C30C30C3ull;
+    return (x | x << 2) & 0x1249249249249249ull;
+  };
+  const Index count = mesh.vertexCount();
+  std::vector<std::pair<std::uint64_t, Index>> curve(count);
+  for (Index v = 0; v < count; ++v) {
+    const Vec3& p = mesh.position(v);
+    curve[v] = {spread(cell(p.x, low.x)) | spread(cell(p.y, low.y)) << 1 |
+                    spread(cell(p.z, low.z)) << 2,
+                v};
+  }
+  std::sort(curve.begin(), curve.end());
+
+  unsigned bits = 0;
+  while ((std::uint64_t{1} << bits) < count) ++bits;
+  std::vector<Index> order;
+  order.reserve(count);
+  for (std::uint64_t i = 0; i < std::uint64_t{1} << bits; ++i) {
+    std::uint64_t reversed = 0;
+    for (unsigned b = 0; b < bits; ++b) reversed |= (i >> b & 1) << (bits - 1 - b);
+    if (reversed < count) order.push_back(curve[reversed].second);
+  }
+  return order;
+}
+
+}  // namespace girth
