@@ -1,0 +1,10 @@
+import { chair } from './chair.ts';
+import { cup } from './cup.ts';
+import { dumbbell } from './dumbbell.ts';
+import { handles } from './handles.ts';
+import type { Model } from './model.ts';
+import { octopus } from './octopus.ts';
+import { vessel } from './vessel.ts';
+
+/** In the order in which the page offers them. */
+export const models: readonly Model[] = [chair, octopus, handles, dumbbell, cup, vessel];

@@ -1,0 +1,27 @@
+// The pinned loops, each with its length and a cross.
+
+import { type GirthViewer, type PinnedLoop, formatLength } from '../src/element/index.js';
+import { byId, make } from './dom.js';
+
+function row(viewer: GirthViewer, { id, vertex, loop }: PinnedLoop): HTMLElement {
+  const length = formatLength(loop.length, viewer.lengthFormat);
+  const remove = make(
+    'button',
+    { type: 'button', 'aria-label': `Remove loop ${id}, ${length}`, title: 'Remove' },
+    '✕',
+  );
+  remove.addEventListener('click', () => viewer.unpin(id));
+  const kind = loop.kind === 'loop' ? `vertex ${vertex}` : 'there and back';
+  return make('li', {}, make('i', {}, String(id)), make('b', {}, length), make('span', {}, kind), remove);
+}
+
+/** Keeps the list as the element has it. */
+export function listPinnedLoops(viewer: GirthViewer): void {
+  const list = byId('loops');
+  const hint = byId('no-loops');
+  const refresh = (): void => {
+    list.replaceChildren(...viewer.pinned.map((pinned) => row(viewer, pinned)));
+    hint.hidden = viewer.pinned.length > 0;
+  };
+  for (const event of ['load', 'field', 'pick']) viewer.addEventListener(event, refresh);
+}

@@ -1,0 +1,45 @@
+// What went wrong, in words, where the user looks.
+
+import type { GirthErrorFields } from '../kernel/types.js';
+import { make } from './dom.js';
+
+/** The first letter large, a full stop at the end. */
+function sentence(text: string): string {
+  const trimmed = text.trim();
+  if (!trimmed) return '';
+  return trimmed[0]!.toUpperCase() + trimmed.slice(1) + (/[.!?]$/.test(trimmed) ? '' : '.');
+}
+
+export class MessageBox {
+  readonly element = make('div', { class: 'message', role: 'alert' });
+  private readonly what = make('p');
+  private readonly remedy = make('p');
+
+  constructor() {
+    const close = make(
+      'button',
+      { class: 'cross', type: 'button', 'aria-label': 'Dismiss the message' },
+      '✕',
+    );
+    close.addEventListener('click', () => this.clear());
+    this.element.append(make('div', {}, this.what, this.remedy), close);
+    this.clear();
+  }
+
+  /** `name` is the file's; `kept` says that the model before is still there. */
+  show(name: string, error: GirthErrorFields, kept: boolean): void {
+    this.element.hidden = false;
+    this.element.dataset['code'] = error.code;
+    this.what.textContent = `${name ? `${name} could not be used. ` : ''}${sentence(error.message)}`;
+    this.remedy.textContent = [
+      error.hint ? `What helps: ${error.hint.replace(/[.\s]+$/, '')}.` : '',
+      kept ? 'The former model is still here.' : '',
+    ]
+      .filter(Boolean)
+      .join(' ');
+  }
+
+  clear(): void {
+    this.element.hidden = true;
+  }
+}

@@ -1,0 +1,71 @@
+// Words on the surface: the length beside the pointer, and a tag on every pinned loop.
+
+import type { Loop } from '../kernel/types.js';
+import { type LengthFormat, type ScreenPoint, formatLength } from '../view/index.js';
+import { make } from './dom.js';
+
+/** CSS pixels between the pointer and the length. */
+const gap = 18;
+
+export const antipodalWords = 'There and back to the farthest point; no loop here is shorter.';
+
+export class Readout {
+  readonly element = make('div', { class: 'readout' });
+  private readonly length = make('b');
+  private readonly kind = make('span');
+  private readonly words = make('small', {}, antipodalWords);
+
+  constructor() {
+    this.element.append(this.length, this.kind, this.words);
+    this.clear();
+  }
+
+  show(loop: Loop, format: LengthFormat): void {
+    this.element.hidden = false;
+    this.element.dataset['vertex'] = String(loop.vertex);
+    this.element.dataset['length'] = String(loop.length);
+    this.element.dataset['kind'] = loop.kind;
+    this.length.textContent = formatLength(loop.length, format);
+    this.kind.textContent = loop.kind === 'loop' ? 'loop' : 'there and back';
+    this.words.hidden = loop.kind === 'loop';
+  }
+
+  /** Beside a point of the canvas of the given size, on the side where there is room. */
+  place(x: number, y: number, width: number, height: number): void {
+    const { offsetWidth, offsetHeight } = this.element;
+    const right = x + gap + offsetWidth > width - 4;
+    const left = right ? Math.max(4, x - gap - offsetWidth) : x + gap;
+    const above = y - gap - offsetHeight;
+    const top = above < 4 ? Math.min(height - offsetHeight - 4, y + gap) : above;
+    this.element.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
+  }
+
+  clear(): void {
+    this.element.hidden = true;
+  }
+}
+
+export class PinTag {
+  readonly element = make('div', { class: 'tag' });
+  private readonly length = make('span');
+
+  constructor(
+    readonly number: number,
+    private readonly loop: Loop,
+    remove: () => void,
+  ) {
+    const cross = make('button', { class: 'cross', type: 'button' }, '✕');
+    cross.setAttribute('aria-label', `Remove pinned loop ${number}`);
+    cross.addEventListener('click', remove);
+    this.element.append(make('i', {}, String(number)), this.length, cross);
+  }
+
+  setFormat(format: LengthFormat): void {
+    this.length.textContent = formatLength(this.loop.length, format);
+  }
+
+  place(point: ScreenPoint): void {
+    this.element.classList.toggle('behind', !point.visible);
+    this.element.style.transform = `translate(${Math.round(point.x + 12)}px, ${Math.round(point.y - 14)}px)`;
+  }
+}

@@ -1,0 +1,170 @@
+// The element's style. A page may set the custom properties on the element.
+
+export const style = /* css */ `
+:host {
+  --girth-paper: #fbfbfa;
+  --girth-ink: #1c1d21;
+  --girth-quiet: #5d6069;
+  --girth-line: #d9dade;
+  --girth-accent: #c2410c;
+  --girth-on-accent: #ffffff;
+  display: block;
+  position: relative;
+  min-block-size: 12rem;
+  aspect-ratio: 4 / 3;
+  overflow: hidden;
+  background: var(--girth-paper);
+  color: var(--girth-ink);
+  font: 13px/1.4 system-ui, sans-serif;
+  font-variant-numeric: tabular-nums;
+}
+@media (prefers-color-scheme: dark) {
+  :host {
+    --girth-paper: #16171a;
+    --girth-ink: #ededf0;
+    --girth-quiet: #a2a5ae;
+    --girth-line: #33353b;
+    --girth-accent: #ff9466;
+    --girth-on-accent: #1c1d21;
+  }
+}
+:host([hidden]), [hidden] { display: none !important; }
+
+canvas {
+  position: absolute;
+  inset: 0;
+  inline-size: 100%;
+  block-size: 100%;
+  touch-action: none;
+  cursor: grab;
+  outline: none;
+}
+canvas:active { cursor: grabbing; }
+canvas.picking { cursor: crosshair; }
+canvas:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: -3px; }
+
+button {
+  font: inherit;
+  color: inherit;
+  background: none;
+  border: 0;
+  border-radius: 6px;
+  cursor: pointer;
+  padding: 0 8px;
+  min-block-size: 28px;
+}
+button:hover { background: color-mix(in srgb, currentColor 12%, transparent); }
+button:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: 1px; }
+button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
+
+.plate {
+  background: color-mix(in srgb, var(--girth-paper) 86%, transparent);
+  border-radius: 8px;
+}
+
+.legend {
+  position: absolute;
+  inset-inline-start: 12px;
+  inset-block-end: 56px;
+  margin: 0;
+  padding: 8px 12px 14px 10px;
+  pointer-events: none;
+}
+.legend-title { color: var(--girth-quiet); margin-block-end: 12px; }
+.legend-body { position: relative; display: flex; block-size: clamp(72px, 20vh, 150px); }
+.legend-bar { inline-size: 10px; border-radius: 5px; }
+.legend-scale { position: relative; inline-size: 8.5ch; }
+.legend-tick {
+  position: absolute;
+  inset-inline-start: 8px;
+  transform: translateY(50%);
+  line-height: 1;
+  white-space: nowrap;
+}
+
+.status {
+  position: absolute;
+  inset-inline: 12px;
+  inset-block-end: 12px;
+  block-size: 36px;
+  display: flex;
+  align-items: center;
+  gap: 12px;
+  pointer-events: none;
+}
+.status > * { pointer-events: auto; }
+.progress { display: flex; align-items: center; gap: 4px 12px; padding-inline: 12px 4px; block-size: 36px; }
+.track {
+  inline-size: clamp(80px, 24vw, 240px);
+  block-size: 4px;
+  border-radius: 2px;
+  background: color-mix(in srgb, var(--girth-ink) 16%, transparent);
+  overflow: hidden;
+}
+.bar { block-size: 100%; background: var(--girth-accent); transform-origin: 0 50%; transform: scaleX(0); }
+.share { min-inline-size: 4ch; text-align: end; }
+.left { min-inline-size: 11ch; color: var(--girth-quiet); white-space: nowrap; }
+.partial { display: flex; align-items: center; gap: 8px; padding-inline: 12px 4px; block-size: 36px; white-space: nowrap; }
+.partial button { color: var(--girth-accent); font-weight: 600; }
+
+.message {
+  position: absolute;
+  inset-block-start: 12px;
+  inset-inline: 12px;
+  margin-inline: auto;
+  max-inline-size: 34rem;
+  inline-size: fit-content;
+  display: flex;
+  align-items: flex-start;
+  gap: 8px;
+  padding: 10px 8px 10px 14px;
+  background: var(--girth-paper);
+  border: 1px solid var(--girth-line);
+  border-inline-start: 3px solid var(--girth-accent);
+  border-radius: 8px;
+  box-shadow: 0 6px 24px rgb(0 0 0 / 0.14);
+}
+.message p { margin: 0; padding-block: 4px; overflow-wrap: anywhere; }
+.message p + p { padding-block-start: 0; color: var(--girth-quiet); }
+
+.readout {
+  position: absolute;
+  inset: 0 auto auto 0;
+  max-inline-size: 17rem;
+  padding: 6px 12px;
+  border-radius: 8px;
+  background: rgb(20 21 24 / 0.9);
+  color: #fff;
+  pointer-events: none;
+  white-space: nowrap;
+  will-change: transform;
+}
+.readout b { font-size: 15px; font-weight: 650; }
+.readout span { color: #d2d4da; margin-inline-start: 6px; }
+.readout small { display: block; font-size: 12px; color: #d2d4da; white-space: normal; inline-size: 15rem; }
+
+.tag {
+  position: absolute;
+  inset: 0 auto auto 0;
+  display: flex;
+  align-items: center;
+  border-radius: 14px;
+  padding-inline-start: 10px;
+  background: rgb(20 21 24 / 0.86);
+  color: #fff;
+  white-space: nowrap;
+  will-change: transform;
+}
+.tag.behind { opacity: 0.45; }
+.tag i { font-style: normal; color: #ffb08a; margin-inline-end: 6px; font-weight: 650; }
+.tag button { border-radius: 14px; }
+.tag button:focus-visible { outline-color: #ffb08a; }
+
+.quiet-live {
+  position: absolute;
+  inline-size: 1px;
+  block-size: 1px;
+  overflow: hidden;
+  clip-path: inset(50%);
+}
+`;

@@ -1,0 +1,69 @@
+// Colour maps for scalar fields, as tables of sRGB bytes.
+
+import {
+  interpolateCividis,
+  interpolateMagma,
+  interpolatePlasma,
+  interpolateTurbo,
+  interpolateViridis,
+} from 'd3-scale-chromatic';
+
+/** Entries of a colour table. */
+export const colormapSize = 256;
+
+const interpolators = {
+  viridis: interpolateViridis,
+  cividis: interpolateCividis,
+  plasma: interpolatePlasma,
+  magma: interpolateMagma,
+  turbo: interpolateTurbo,
+} as const;
+
+export type ColormapName = keyof typeof interpolators;
+
+/** The names, the default first. All but turbo also read in order of lightness. */
+export const colormapNames = Object.keys(interpolators) as ColormapName[];
+
+export function isColormapName(name: string | null | undefined): name is ColormapName {
+  return name !== null && name !== undefined && Object.hasOwn(interpolators, name);
+}
+
+/** sRGB bytes of a CSS colour as d3 writes it: `#rrggbb` or `rgb(r, g, b)`. */
+function parseColour(css: string): [number, number, number] {
+  if (css.startsWith('#')) {
+    const code = Number.parseInt(css.slice(1), 16);
+    return [code >> 16, (code >> 8) & 255, code & 255];
+  }
+  const [r = 0, g = 0, b = 0] = (css.match(/\d+/g) ?? []).map(Number);
+  return [r, g, b];
+}
+
+const tables = new Map<ColormapName, Uint8Array>();
+
+/** `colormapSize` colours as r, g, b, a bytes (a = 255), lowest value first. Do not modify. */
+export function colormapTable(name: ColormapName): Uint8Array {
+  let table = tables.get(name);
+  if (!table) {
+    table = new Uint8Array(4 * colormapSize);
+    for (let i = 0; i < colormapSize; ++i) {
+      table.set([...parseColour(interpolators[name](i / (colormapSize - 1))), 255], 4 * i);
+    }
+    tables.set(name, table);
+  }
+  return table;
+}
+
+/** The CSS colour at a fraction of the map; fractions outside [0, 1] take the nearest end. */
+export function colourAt(name: ColormapName, fraction: number): string {
+  const clamped = Math.min(1, Math.max(0, Number.isNaN(fraction) ? 0 : fraction));
+  const i = 4 * Math.round(clamped * (colormapSize - 1));
+  const table = colormapTable(name);
+  return `rgb(${table[i]} ${table[i + 1]} ${table[i + 2]})`;
+}
+
+/** A CSS gradient of the whole map in the given direction, for example 'to top'. */
+export function colormapGradient(name: ColormapName, direction: string): string {
+  const stops = 32;
+  const colours = Array.from({ length: stops + 1 }, (_, i) => colourAt(name, i / stops));
+  return `linear-gradient(${direction}, ${colours.join(', ')})`;
+}

@@ -1,0 +1,127 @@
+// A soft shadow on the ground under a model: where it stands, at a glance.
+
+import {
+  DataTexture,
+  LinearFilter,
+  Mesh,
+  PlaneGeometry,
+  RedFormat,
+  ShaderMaterial,
+  type Sphere,
+  UnsignedByteType,
+} from 'three';
+
+const cells = 96;
+
+/**
+ * Faces splatted straight down onto a square grid, fainter the higher they are, and blurred.
+ * `cells` by `cells` bytes, row by row along x, rows along z.
+ */
+export function* splatShadow(
+  positions: Float32Array,
+  indices: Uint32Array,
+  centre: readonly [number, number],
+  ground: number,
+  halfWidth: number,
+  height: number,
+): Generator<void, Uint8Array> {
+  let grid = new Float32Array(cells * cells);
+  const cell = (value: number, middle: number): number =>
+    ((value - middle) / (2 * halfWidth) + 0.5) * cells;
+  for (let f = 0; f < indices.length; f += 3) {
+    const [a, b, c] = [3 * indices[f]!, 3 * indices[f + 1]!, 3 * indices[f + 2]!];
+    const level = (positions[a + 1]! + positions[b + 1]! + positions[c + 1]!) / 3 - ground;
+    const strength = Math.max(0, 1 - level / (0.75 * height)) ** 2;
+    if (strength <= 0) continue;
+    const x = [a, b, c].map((i) => cell(positions[i]!, centre[0]));
+    const z = [a, b, c].map((i) => cell(positions[i + 2]!, centre[1]));
+    const low = (values: number[]): number => Math.max(0, Math.floor(Math.min(...values)));
+    const high = (values: number[]): number => Math.min(cells - 1, Math.floor(Math.max(...values)));
+    const area = (x[1]! - x[0]!) * (z[2]! - z[0]!) - (x[2]! - x[0]!) * (z[1]! - z[0]!);
+    for (let j = low(z); j <= high(z); ++j) {
+      for (let i = low(x); i <= high(x); ++i) {
+        let inside = true;
+        // Small faces count wherever they touch; large ones where they cover the cell's middle.
+        for (let k = 0; k < 3 && Math.abs(area) > 4; ++k) {
+          const n = (k + 1) % 3;
+          const side =
+            (x[n]! - x[k]!) * (j + 0.5 - z[k]!) - (i + 0.5 - x[k]!) * (z[n]! - z[k]!);
+          if (side * area < 0) inside = false;
+        }
+        if (inside) grid[j * cells + i] = Math.max(grid[j * cells + i]!, strength);
+      }
+    }
+    if (f % 6144 === 0) yield;
+  }
+  for (let pass = 0; pass < 3; ++pass) {
+    grid = blurRows(blurRows(grid));
+    yield;
+  }
+  return Uint8Array.from(grid, (value) => Math.min(255, 255 * value));
+}
+
+/** Running mean along each row, written transposed: twice gives both directions. */
+function blurRows(grid: Float32Array): Float32Array<ArrayBuffer> {
+  const radius = 3;
+  const blurred = new Float32Array(grid.length);
+  for (let row = 0; row < cells; ++row) {
+    let sum = 0;
+    for (let i = -radius; i < cells; ++i) {
+      if (i + radius < cells) sum += grid[row * cells + i + radius]!;
+      if (i - radius - 1 >= 0) sum -= grid[row * cells + i - radius - 1]!;
+      if (i >= 0) blurred[i * cells + row] = sum / (2 * radius + 1);
+    }
+  }
+  return blurred;
+}
+
+export class GroundShadow {
+  readonly object: Mesh<PlaneGeometry, ShaderMaterial>;
+  private readonly texture: DataTexture;
+
+  constructor(grid: Uint8Array, bounds: Sphere, ground: number, halfWidth: number) {
+    this.texture = new DataTexture(
+      grid as Uint8Array<ArrayBuffer>,
+      cells,
+      cells,
+      RedFormat,
+      UnsignedByteType,
+    );
+    this.texture.minFilter = this.texture.magFilter = LinearFilter;
+    this.texture.needsUpdate = true;
+    const plane = new PlaneGeometry(2 * halfWidth, 2 * halfWidth);
+    // The grid's rows run along z: lie the plane down so that its v axis does too.
+    plane.rotateX(-Math.PI / 2);
+    this.object = new Mesh(
+      plane,
+      new ShaderMaterial({
+        transparent: true,
+        depthWrite: false,
+        uniforms: { grid: { value: this.texture } },
+        vertexShader: /* glsl */ `
+          varying vec2 vPlace;
+          void main() {
+            vPlace = vec2(uv.x, 1.0 - uv.y);
+            gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+          }
+        `,
+        fragmentShader: /* glsl */ `
+          uniform sampler2D grid;
+          varying vec2 vPlace;
+          void main() {
+            gl_FragColor = vec4(0.0, 0.0, 0.02, 0.34 * texture2D(grid, vPlace).r);
+          }
+        `,
+      }),
+    );
+    this.object.position.set(bounds.center.x, ground - 0.004 * bounds.radius, bounds.center.z);
+    this.object.renderOrder = -1;
+  }
+
+  dispose(): void {
+    this.texture.dispose();
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+    this.object.removeFromParent();
+  }
+}

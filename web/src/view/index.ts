@@ -1,0 +1,29 @@
+// What the element uses to show fields and loops.
+
+export { type Adjacency, buildAdjacency } from './adjacency.js';
+export {
+  type ColormapName,
+  colormapGradient,
+  colormapNames,
+  colourAt,
+  isColormapName,
+} from './colormaps.js';
+export { splitCreases } from './creases.js';
+export { FieldPreview } from './field-preview.js';
+export { GroundShadow, splatShadow } from './ground-shadow.js';
+export { type Histogram, extent, histogram, median } from './histogram.js';
+export { Latest } from './latest.js';
+export { Legend } from './legend.js';
+export { LoopBand } from './loop-band.js';
+export {
+  type LengthFormat,
+  formatCount,
+  formatLength,
+  formatNumber,
+  lengthFormat,
+  roundTicks,
+} from './numbers.js';
+export { type ScreenPoint, Stage } from './stage.js';
+export { Surface, borrowedWeight, computedWeight } from './surface.js';
+export { TimeLeft, formatSeconds } from './time-left.js';
+export { inSlices } from './time-slices.js';

@@ -1,0 +1,68 @@
+// The legend of a scalar field: the colour map with numbers and the unit.
+
+import { type ColormapName, colormapGradient } from './colormaps.js';
+import { type LengthFormat, formatNumber, roundTicks } from './numbers.js';
+
+export interface LegendContent {
+  title: string;
+  colormap: ColormapName;
+  /** The values at the ends of the colour map. */
+  range: readonly [number, number];
+  /** The field's smallest and largest value: the ends say so where there is more beyond. */
+  extent: readonly [number, number];
+  format: LengthFormat;
+}
+
+/** Share of the bar next to each end that is kept free of inner ticks. */
+const endZone = 0.1;
+
+export class Legend {
+  readonly element = document.createElement('figure');
+  private readonly title = document.createElement('figcaption');
+  private readonly bar = document.createElement('div');
+  private readonly scale = document.createElement('div');
+  private shown = '';
+
+  constructor() {
+    this.element.className = 'legend';
+    this.element.hidden = true;
+    this.title.className = 'legend-title';
+    this.bar.className = 'legend-bar';
+    this.scale.className = 'legend-scale';
+    const body = document.createElement('div');
+    body.className = 'legend-body';
+    body.append(this.bar, this.scale);
+    this.element.append(this.title, body);
+  }
+
+  update(content: LegendContent | undefined): void {
+    this.element.hidden = !content;
+    const key = JSON.stringify(content);
+    if (!content || key === this.shown) return;
+    this.shown = key;
+    const { title, colormap, range, extent, format } = content;
+    this.title.textContent = format.unit ? `${title}, ${format.unit}` : title;
+    this.bar.style.background = colormapGradient(colormap, 'to top');
+    const [low, high] = range;
+    const inner = roundTicks(low, high, 4).filter((tick) => {
+      const place = (tick - low) / (high - low);
+      return place > endZone && place < 1 - endZone;
+    });
+    const beyond = (sign: string, more: boolean): string => (more ? `${sign}\u2009` : '');
+    this.scale.replaceChildren(
+      tickAt(1, beyond('≥', extent[1] > high) + formatNumber(high, format)),
+      ...inner
+        .reverse()
+        .map((tick) => tickAt((tick - low) / (high - low), formatNumber(tick, format))),
+      tickAt(0, beyond('≤', extent[0] < low) + formatNumber(low, format)),
+    );
+  }
+}
+
+function tickAt(place: number, text: string): HTMLElement {
+  const tick = document.createElement('span');
+  tick.className = 'legend-tick';
+  tick.style.bottom = `${(100 * place).toFixed(2)}%`;
+  tick.textContent = text;
+  return tick;
+}

@@ -1,0 +1,61 @@
+// Lengths as people read them: one unit and one number of decimals for a whole field, so that
+// numbers keep their width while they change.
+
+/** How the lengths of one field are written. */
+export interface LengthFormat {
+  /** Written after the number; '' where the file does not say its unit. */
+  unit: string;
+  /** Multiplies a length in model units. */
+  scale: number;
+  decimals: number;
+}
+
+const minus = '\u2212';
+const thinSpace = '\u202f';
+
+/**
+ * The format for lengths up to `largest` (model units, of unit `unit`): four significant digits at
+ * that length. Metres become millimetres below 10 cm, and kilometres from 1 km.
+ */
+export function lengthFormat(largest: number, unit: string): LengthFormat {
+  const size = Number.isFinite(largest) && largest > 0 ? largest : 1;
+  let scale = 1;
+  let written = unit;
+  if (unit === 'm' && size < 0.1) [scale, written] = [1000, 'mm'];
+  else if (unit === 'm' && size >= 1000) [scale, written] = [0.001, 'km'];
+  const decimals = Math.min(12, Math.max(0, 3 - Math.floor(Math.log10(size * scale))));
+  return { unit: written, scale, decimals };
+}
+
+/** The number alone, in the format's unit. */
+export function formatNumber(length: number, format: LengthFormat): string {
+  return (length * format.scale).toFixed(format.decimals).replace('-', minus);
+}
+
+/** The number with its unit. */
+export function formatLength(length: number, format: LengthFormat): string {
+  const number = formatNumber(length, format);
+  return format.unit ? `${number}${thinSpace}${format.unit}` : number;
+}
+
+/** A whole number with commas between thousands. */
+export function formatCount(count: number): string {
+  return count.toLocaleString('en-US');
+}
+
+/**
+ * Round numbers inside [low, high], ascending, at steps of 1, 2 or 5 times a power of ten; about
+ * `wanted` of them, never more than twice as many.
+ */
+export function roundTicks(low: number, high: number, wanted: number): number[] {
+  const width = high - low;
+  if (!(width > 0) || !Number.isFinite(width)) return [];
+  const raw = width / Math.max(1, wanted);
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= raw * 0.999) ?? raw;
+  const ticks: number[] = [];
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + width * 1e-9; ++i) {
+    ticks.push(i * step);
+  }
+  return ticks;
+}

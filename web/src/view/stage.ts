@@ -1,0 +1,267 @@
+// The scene, the camera and the canvas. Draws only when something has changed.
+
+import { Group, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { GroundShadow } from './ground-shadow.js';
+import type { LoopBand } from './loop-band.js';
+import type { Surface } from './surface.js';
+
+/** Smallest of the two viewing angles, in degrees. */
+const viewingAngle = 28;
+/** Milliseconds between two frames of a surface that only turns by itself. */
+const turningInterval = 30;
+
+export interface StageEvents {
+  /** Before a frame is drawn; returns true to ask for another one. */
+  beforeFrame(): boolean;
+  /** After a frame is drawn. */
+  afterFrame(): void;
+  /** The camera was moved by hand for the first time since it began to turn by itself. */
+  touched(): void;
+}
+
+/** A point of the surface on the canvas, in CSS pixels from its top left corner. */
+export interface ScreenPoint {
+  x: number;
+  y: number;
+  /** False where the surface hides the point or it is outside of the canvas. */
+  visible: boolean;
+}
+
+export class Stage {
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly bands = new Group();
+  private readonly bandSet = new Set<LoopBand>();
+  private readonly camera = new PerspectiveCamera(viewingAngle, 1, 0.01, 100);
+  private readonly controls: OrbitControls;
+  private readonly raycaster = new Raycaster();
+  private surface: Surface | undefined;
+  private shadow: GroundShadow | undefined;
+  private width = 1;
+  private height = 1;
+  private requested = 0;
+  private dirty = false;
+  private lastFrame = 0;
+  private resting = true;
+  private turnsByItself = false;
+
+  /** Throws where the browser has no WebGL 2. */
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly events: StageEvents,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
+    this.renderer.setClearColor(0x000000, 0);
+    this.scene.add(this.bands);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.14;
+    this.controls.rotateSpeed = 0.9;
+    this.controls.autoRotateSpeed = 1.1;
+    this.controls.addEventListener('start', () => this.touch());
+    this.controls.addEventListener('change', () => this.invalidate());
+  }
+
+  /** Shows a surface from the standard direction, in place of the one before. */
+  show(surface: Surface | undefined): void {
+    this.surface?.dispose();
+    this.setShadow(undefined);
+    this.surface = surface;
+    if (surface) {
+      this.scene.add(surface.object);
+      this.resetView();
+    }
+    this.invalidate();
+  }
+
+  setShadow(shadow: GroundShadow | undefined): void {
+    this.shadow?.dispose();
+    this.shadow = shadow;
+    if (shadow) this.scene.add(shadow.object);
+    this.invalidate();
+  }
+
+  add(band: LoopBand): void {
+    band.setPixelRatio(this.renderer.getPixelRatio());
+    this.bandSet.add(band);
+    this.bands.add(band.object);
+    this.invalidate();
+  }
+
+  remove(band: LoopBand): void {
+    this.bandSet.delete(band);
+    band.dispose();
+    this.invalidate();
+  }
+
+  /** The canvas's size in CSS pixels and the screen's pixels per CSS pixel. */
+  resize(width: number, height: number, pixelRatio: number): void {
+    this.width = Math.max(1, width);
+    this.height = Math.max(1, height);
+    this.renderer.setPixelRatio(Math.min(2, pixelRatio));
+    this.renderer.setSize(this.width, this.height, false);
+    for (const band of this.bandSet) band.setPixelRatio(this.renderer.getPixelRatio());
+    const aspect = this.width / this.height;
+    const half = Math.tan((viewingAngle * Math.PI) / 360);
+    this.camera.aspect = aspect;
+    this.camera.fov = (360 / Math.PI) * Math.atan(aspect < 1 ? half / aspect : half);
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  /** Nothing is drawn while resting, for example out of view. */
+  rest(resting: boolean): void {
+    this.resting = resting;
+    if (!resting) this.invalidate();
+  }
+
+  /** Whether motion goes on after the hand has stopped. */
+  setDamping(damping: boolean): void {
+    this.controls.enableDamping = damping;
+  }
+
+  /** Turns slowly until touched. */
+  set turning(turning: boolean) {
+    this.turnsByItself = turning;
+    this.controls.autoRotate = turning;
+    this.invalidate();
+  }
+
+  get turning(): boolean {
+    return this.turnsByItself;
+  }
+
+  /** Ends the turning. */
+  touch(): void {
+    if (!this.turnsByItself) return;
+    this.turning = false;
+    this.events.touched();
+  }
+
+  /** Asks for a frame. */
+  invalidate(): void {
+    this.dirty = true;
+    this.schedule();
+  }
+
+  /** The vertex under a point of the window. */
+  pick(clientX: number, clientY: number): number | undefined {
+    if (!this.surface) return undefined;
+    const box = this.canvas.getBoundingClientRect();
+    const place = new Vector2(
+      (2 * (clientX - box.left)) / box.width - 1,
+      1 - (2 * (clientY - box.top)) / box.height,
+    );
+    this.raycaster.setFromCamera(place, this.camera);
+    return this.surface.pick(this.raycaster.ray);
+  }
+
+  project(point: Vector3): ScreenPoint {
+    const { x, y, z } = point.clone().project(this.camera);
+    const inside = Math.abs(x) <= 1 && Math.abs(y) <= 1 && z > -1 && z < 1;
+    return {
+      x: (0.5 + 0.5 * x) * this.width,
+      y: (0.5 - 0.5 * y) * this.height,
+      visible: inside && !this.surface?.hides(point, this.camera.position),
+    };
+  }
+
+  /** Back to the standard direction and distance. */
+  resetView(): void {
+    const { surface } = this;
+    if (!surface) return;
+    const { center, radius } = surface.bounds;
+    const distance = (1.08 * radius) / Math.sin((viewingAngle * Math.PI) / 360);
+    this.controls.target.copy(center);
+    this.camera.position
+      .setFromSphericalCoords(distance, (68 * Math.PI) / 180, (32 * Math.PI) / 180)
+      .add(center);
+    this.controls.minDistance = 0.15 * radius;
+    this.controls.maxDistance = 4 * distance;
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /** Turns the camera about the surface, to the right and up, in radians. */
+  orbit(right: number, up: number): void {
+    this.touch();
+    const arm = this.camera.position.clone().sub(this.controls.target);
+    const radius = arm.length();
+    const polar = Math.acos(Math.min(1, Math.max(-1, arm.y / radius))) - up;
+    const azimuth = Math.atan2(arm.x, arm.z) + right;
+    arm.setFromSphericalCoords(radius, Math.min(Math.PI - 0.01, Math.max(0.01, polar)), azimuth);
+    this.camera.position.copy(this.controls.target).add(arm);
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /** Multiplies the distance to the surface. */
+  zoom(factor: number): void {
+    this.touch();
+    const arm = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
+    arm.clampLength(this.controls.minDistance, this.controls.maxDistance);
+    this.camera.position.copy(this.controls.target).add(arm);
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /** The picture as it is now, as a PNG with a transparent background. */
+  snapshot(): Promise<Blob> {
+    this.draw();
+    return new Promise((resolve, reject) => {
+      this.canvas.toBlob(
+        (blob) => (blob ? resolve(blob) : reject(new Error('the canvas is empty'))),
+        'image/png',
+      );
+    });
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.requested);
+    this.resting = true;
+    for (const band of this.bandSet) band.dispose();
+    this.bandSet.clear();
+    this.show(undefined);
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
+  private schedule(): void {
+    if (this.requested || this.resting) return;
+    this.requested = requestAnimationFrame((now) => this.frame(now));
+  }
+
+  private frame(now: number): void {
+    this.requested = 0;
+    const again = this.events.beforeFrame();
+    const elapsed = now - this.lastFrame;
+    if (!this.dirty && this.turnsByItself && elapsed < turningInterval) {
+      this.schedule();
+      return;
+    }
+    this.dirty = false;
+    this.lastFrame = now;
+    // Reports 'change', which asks for the next frame, as long as the camera still moves.
+    this.controls.update(Math.min(0.1, elapsed / 1000));
+    const moving = this.dirty;
+    this.draw();
+    this.dirty = moving && !this.turnsByItself;
+    if (again) this.invalidate();
+    else if (moving) this.schedule();
+  }
+
+  private draw(): void {
+    const { surface, camera } = this;
+    if (surface) {
+      const { center, radius } = surface.bounds;
+      const distance = camera.position.distanceTo(center);
+      camera.near = Math.max(0.02 * radius, distance - 1.2 * radius);
+      camera.far = distance + 3 * radius;
+      camera.updateProjectionMatrix();
+    }
+    this.renderer.render(this.scene, camera);
+    this.events.afterFrame();
+  }
+}

@@ -1,0 +1,31 @@
+// Long work on the main thread, in slices short enough for a frame.
+
+/** Milliseconds of work between two looks at the event queue. */
+const slice = 8;
+
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(undefined);
+  });
+}
+
+/** Runs a generator to its end, letting the page breathe in between; throws when aborted. */
+export async function inSlices<Result>(
+  work: Generator<void, Result>,
+  signal?: AbortSignal,
+): Promise<Result> {
+  for (;;) {
+    const end = performance.now() + slice;
+    do {
+      const step = work.next();
+      if (step.done) return step.value;
+    } while (performance.now() < end);
+    await nextTask();
+    signal?.throwIfAborted();
+  }
+}
