@@ -31,12 +31,14 @@ export class HalfedgeMesh {
     this.faceCount = indices.length / 3;
     for (let h = 0; h < indices.length; ++h) {
       const key = this.origin[h]! * vertices + this.target(h);
-      if (halfedgeOf.has(key)) throw new Error(`two faces have the edge ${this.origin[h]} ${this.target(h)}`);
+      if (halfedgeOf.has(key))
+        throw new Error(`two faces have the edge ${this.origin[h]} ${this.target(h)}`);
       halfedgeOf.set(key, h);
     }
     for (let h = 0; h < indices.length; ++h) {
       const other = halfedgeOf.get(this.target(h) * vertices + this.origin[h]!);
-      if (other === undefined) throw new Error(`edge ${this.origin[h]} ${this.target(h)} has one face only`);
+      if (other === undefined)
+        throw new Error(`edge ${this.origin[h]} ${this.target(h)} has one face only`);
       this.twin[h] = other;
     }
   }
@@ -85,7 +87,10 @@ export class HalfedgeMesh {
   length(h: number): number {
     const a = this.origin[h]!;
     const b = this.target(h);
-    return Math.hypot(this.x[b]! - this.x[a]!, this.y[b]! - this.y[a]!, this.z[b]! - this.z[a]!);
+    const dx = this.x[b]! - this.x[a]!;
+    const dy = this.y[b]! - this.y[a]!;
+    const dz = this.z[b]! - this.z[a]!;
+    return Math.sqrt(dx * dx + dy * dy + dz * dz);
   }
 
   addVertex(x: number, y: number, z: number): number {
@@ -189,12 +194,12 @@ export class HalfedgeMesh {
     return removed;
   }
 
-  /** Calls with the vertices next to v. */
-  around(v: number, visit: (neighbour: number, halfedge: number) => void): void {
+  /** Calls with each vertex next to v. */
+  around(v: number, visit: (neighbour: number) => void): void {
     const start = this.outgoing[v]!;
     let h = start;
     do {
-      visit(this.target(h), h);
+      visit(this.target(h));
       h = this.rotated(h);
     } while (h !== start);
   }

@@ -42,7 +42,8 @@ export function polygonise(solid: Implicit, box: Box, cell: number): Triangles {
       for (let i = 0; i < nx; ++i, ++n) {
         const value = solid(box.min[0] + i * cell, box.min[1] + j * cell, box.min[2] + k * cell);
         const side = i === 0 || j === 0 || k === 0 || i === nx - 1 || j === ny - 1 || k === nz - 1;
-        if (side && value <= 0) throw new Error(`the solid leaves its box at grid point ${i}, ${j}, ${k}`);
+        if (side && value <= 0)
+          throw new Error(`the solid leaves its box at grid point ${i}, ${j}, ${k}`);
         values[n] = value;
       }
     }

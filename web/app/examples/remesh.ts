@@ -9,7 +9,14 @@ import { gradient, type Implicit } from './implicit.ts';
 import { HalfedgeMesh, removed } from './halfedges.ts';
 import { grade, relativeLengths, type Sizing } from './sizing.ts';
 import type { Triangles } from './polygonise.ts';
-import { cosine, cosineAt, faceArea, faceNormal, triangleNormal, vertexNormal } from './triangles.ts';
+import {
+  cosine,
+  cosineAt,
+  faceArea,
+  faceNormal,
+  triangleNormal,
+  vertexNormal,
+} from './triangles.ts';
 
 const rounds = 14;
 const finishingRounds = 10;
@@ -28,22 +35,17 @@ export function remesh(
   const step = 0.25 * Math.sqrt((area(mesh) / faces) * (4 / Math.sqrt(3)));
   project(mesh, solid, step);
   // Faces obtained per face that the lengths ask for; learnt from round to round.
-  let yieldOfLengths = 1;
+  let surplus = 1;
   for (let round = 0; round < rounds; ++round) {
-    const relative = relativeLengths(mesh, solid, sizing, step);
-    const first = expectedFaces(mesh, relative);
-    grade(mesh, relative, Math.sqrt((first * yieldOfLengths) / faces));
-    const expected = expectedFaces(mesh, relative);
-    const scale = Math.sqrt((expected * yieldOfLengths) / faces);
-    const lengths = Array.from(relative, (length) => length * scale);
+    const lengths = wantedLengths(mesh, solid, faces / surplus, sizing, step);
     splitLong(mesh, lengths);
     collapseShort(mesh, lengths);
     flipTowardsSix(mesh);
     relax(mesh, lengths);
     project(mesh, solid, step);
-    yieldOfLengths *= Math.sqrt(mesh.faceCount / faces);
+    surplus *= Math.sqrt(mesh.faceCount / faces);
   }
-  const lengths = relativeLengths(mesh, solid, sizing, step);
+  const lengths = wantedLengths(mesh, solid, faces, sizing, step);
   for (let round = 0; round < finishingRounds; ++round) {
     flipTowardsDelaunay(mesh);
     relax(mesh, lengths);
@@ -51,6 +53,20 @@ export function remesh(
   }
   flipTowardsDelaunay(mesh);
   return mesh.triangles();
+}
+
+/** Edge length per vertex such that the surface takes about `faces` equilateral triangles. */
+function wantedLengths(
+  mesh: HalfedgeMesh,
+  solid: Implicit,
+  faces: number,
+  sizing: Sizing,
+  step: number,
+): number[] {
+  const relative = relativeLengths(mesh, solid, sizing, step);
+  grade(mesh, relative, Math.sqrt(expectedFaces(mesh, relative) / faces));
+  const scale = Math.sqrt(expectedFaces(mesh, relative) / faces);
+  return Array.from(relative, (length) => length * scale);
 }
 
 function area(mesh: HalfedgeMesh): number {
@@ -66,7 +82,11 @@ function expectedFaces(mesh: HalfedgeMesh, lengths: Float64Array): number {
   let sum = 0;
   for (let h = 0; h < mesh.halfedgeSlots; h += 3) {
     if (mesh.origin[h] === removed) continue;
-    const [a, b, c] = [0, 1, 2].map((k) => lengths[mesh.origin[h + k]!]!) as [number, number, number];
+    const [a, b, c] = [0, 1, 2].map((k) => lengths[mesh.origin[h + k]!]!) as [
+      number,
+      number,
+      number,
+    ];
     sum += faceArea(mesh, h) / ((Math.sqrt(3) / 4) * ((a + b + c) / 3) ** 2);
   }
   return sum;

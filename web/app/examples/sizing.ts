@@ -37,10 +37,23 @@ export function relativeLengths(
 }
 
 /**
- * Lets the lengths, `scale` times the relative ones, change no faster from vertex to vertex than the
- * grading allows.
+ * Evens out the lengths between neighbours, then lets them, times `scale`, change no faster from vertex
+ * to vertex than the grading allows.
  */
 export function grade(mesh: HalfedgeMesh, lengths: Float64Array, scale: number): void {
+  for (let pass = 0; pass < 3; ++pass) {
+    const before = lengths.slice();
+    for (let v = 0; v < lengths.length; ++v) {
+      if (mesh.outgoing[v] === removed) continue;
+      let sum = 0;
+      let count = 0;
+      mesh.around(v, (neighbour) => {
+        sum += before[neighbour]!;
+        ++count;
+      });
+      lengths[v] = (before[v]! + sum / count) / 2;
+    }
+  }
   for (let pass = 0; pass < 4; ++pass) {
     for (let h = 0; h < mesh.halfedgeSlots; ++h) {
       const a = mesh.origin[h]!;

@@ -3,9 +3,8 @@
 /** A point of a tube's guide: x, y, z and the radius there. */
 export type Station = readonly [number, number, number, number];
 
-/** Of the polyline that stands for the curve. */
-const segmentsPerTube = 48;
-const segmentsPerChunk = 4;
+/** Of the polyline that stands for the curve; a power of two. */
+const segments = 128;
 
 /**
  * Beyond this distance, in metres, values are lower bounds only. No blend may be wider, so that none
@@ -20,17 +19,15 @@ export const nearby = 0.07;
 export class Tube {
   /** x, y, z, radius per point of the polyline. */
   private readonly points: Float64Array;
-  /** Centre and radius of a ball around each chunk of segments, the tube's own radius included. */
-  private readonly bounds: Float64Array;
-  /** The same around the whole tube. */
-  private readonly ball: Float64Array;
-  private readonly segments: number;
+  /**
+   * Centre and radius of a ball around each part of the tube: a binary tree with the whole at place 1,
+   * the halves of part i at 2i and 2i + 1, and single segments at the end.
+   */
+  private readonly balls: Float64Array;
 
   constructor(stations: readonly Station[]) {
     this.points = spline(stations);
-    this.segments = this.points.length / 4 - 1;
-    this.bounds = boundingBalls(this.points, this.segments, segmentsPerChunk);
-    this.ball = boundingBalls(this.points, this.segments, this.segments);
+    this.balls = boundingBalls(this.points);
   }
 
   /**
@@ -38,58 +35,74 @@ export class Tube {
    * where it is above `nearby`.
    */
   distance(x: number, y: number, z: number): number {
-    const { points, bounds, segments } = this;
-    const whole = distanceToBall(this.ball, 0, x, y, z);
-    if (whole > nearby) return whole;
-    let best = Infinity;
-    for (let chunk = 0, first = 0; first < segments; chunk += 4, first += segmentsPerChunk) {
-      const least = distanceToBall(bounds, chunk, x, y, z);
-      if (least >= best) continue;
-      if (least > nearby) {
-        best = least;
-        continue;
-      }
-      const last = Math.min(first + segmentsPerChunk, segments);
-      for (let i = 4 * first; i < 4 * last; i += 4) {
-        const ax = points[i]!;
-        const ay = points[i + 1]!;
-        const az = points[i + 2]!;
-        const ux = points[i + 4]! - ax;
-        const uy = points[i + 5]! - ay;
-        const uz = points[i + 6]! - az;
-        const px = x - ax;
-        const py = y - ay;
-        const pz = z - az;
-        let t = (px * ux + py * uy + pz * uz) / (ux * ux + uy * uy + uz * uz);
-        t = t < 0 ? 0 : t > 1 ? 1 : t;
-        const dx = px - t * ux;
-        const dy = py - t * uy;
-        const dz = pz - t * uz;
-        const radius = points[i + 3]! + t * (points[i + 7]! - points[i + 3]!);
-        const value = Math.sqrt(dx * dx + dy * dy + dz * dz) - radius;
-        if (value < best) best = value;
-      }
+    return this.smallest(1, this.leastDistance(1, x, y, z), x, y, z, Infinity);
+  }
+
+  /** The smaller of `best` and the distance to part i, which is known to be at least `least`. */
+  private smallest(
+    i: number,
+    least: number,
+    x: number,
+    y: number,
+    z: number,
+    best: number,
+  ): number {
+    if (least >= best) return best;
+    if (least > nearby) return least;
+    if (i >= segments) return Math.min(best, this.segmentDistance(i - segments, x, y, z));
+    const first = this.leastDistance(2 * i, x, y, z);
+    const second = this.leastDistance(2 * i + 1, x, y, z);
+    if (first < second) {
+      const value = this.smallest(2 * i, first, x, y, z, best);
+      return this.smallest(2 * i + 1, second, x, y, z, value);
     }
-    return best;
+    const value = this.smallest(2 * i + 1, second, x, y, z, best);
+    return this.smallest(2 * i, first, x, y, z, value);
+  }
+
+  private leastDistance(i: number, x: number, y: number, z: number): number {
+    const { balls } = this;
+    const dx = x - balls[4 * i]!;
+    const dy = y - balls[4 * i + 1]!;
+    const dz = z - balls[4 * i + 2]!;
+    return Math.sqrt(dx * dx + dy * dy + dz * dz) - balls[4 * i + 3]!;
+  }
+
+  private segmentDistance(segment: number, x: number, y: number, z: number): number {
+    const { points } = this;
+    const i = 4 * segment;
+    const ux = points[i + 4]! - points[i]!;
+    const uy = points[i + 5]! - points[i + 1]!;
+    const uz = points[i + 6]! - points[i + 2]!;
+    const px = x - points[i]!;
+    const py = y - points[i + 1]!;
+    const pz = z - points[i + 2]!;
+    const share = (px * ux + py * uy + pz * uz) / (ux * ux + uy * uy + uz * uz);
+    const t = share < 0 ? 0 : share > 1 ? 1 : share;
+    const dx = px - t * ux;
+    const dy = py - t * uy;
+    const dz = pz - t * uz;
+    const radius = points[i + 3]! + t * (points[i + 7]! - points[i + 3]!);
+    return Math.sqrt(dx * dx + dy * dy + dz * dz) - radius;
   }
 }
 
+/** Evenly spaced points of the curve, with the radius as fourth coordinate. */
 function spline(stations: readonly Station[]): Float64Array {
-  const spans = stations.length - 1;
-  const segmentsPerSpan = Math.ceil(segmentsPerTube / spans);
   const knots = [0];
-  for (let i = 0; i < spans; ++i) {
+  for (let i = 0; i + 1 < stations.length; ++i) {
     const [a, b] = [stations[i]!, stations[i + 1]!];
     knots.push(knots[i]! + Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
   }
-  const points = new Float64Array(4 * (spans * segmentsPerSpan + 1));
+  const points = new Float64Array(4 * (segments + 1));
   for (let k = 0; k < 4; ++k) {
     const values = stations.map((station) => station[k]!);
     const second = secondDerivatives(knots, values);
-    for (let j = 0; j <= spans * segmentsPerSpan; ++j) {
-      const i = Math.min(Math.floor(j / segmentsPerSpan), spans - 1);
+    for (let j = 0, i = 0; j <= segments; ++j) {
+      const place = (j / segments) * knots[knots.length - 1]!;
+      while (i + 2 < knots.length && place > knots[i + 1]!) ++i;
       const width = knots[i + 1]! - knots[i]!;
-      const b = (j - i * segmentsPerSpan) / segmentsPerSpan;
+      const b = (place - knots[i]!) / width;
       const a = 1 - b;
       const bend = ((a * a * a - a) * second[i]! + (b * b * b - b) * second[i + 1]!) / 6;
       points[4 * j + k] = a * values[i]! + b * values[i + 1]! + bend * width * width;
@@ -115,32 +128,21 @@ function secondDerivatives(knots: number[], values: number[]): number[] {
   return second;
 }
 
-/** Centre and radius of a ball around each run of `length` segments. */
-function boundingBalls(points: Float64Array, segments: number, length: number): Float64Array {
-  const chunks = Math.ceil(segments / length);
-  const bounds = new Float64Array(4 * chunks);
-  for (let chunk = 0; chunk < chunks; ++chunk) {
-    const first = chunk * length;
-    const last = Math.min(first + length, segments);
-    for (let k = 0; k < 3; ++k) {
-      bounds[4 * chunk + k] = (points[4 * first + k]! + points[4 * last + k]!) / 2;
-    }
-    for (let i = 4 * first; i <= 4 * last; i += 4) {
+function boundingBalls(points: Float64Array): Float64Array {
+  const balls = new Float64Array(8 * segments);
+  for (let i = 2 * segments - 1; i > 0; --i) {
+    let [first, last] = [i, i + 1];
+    while (first < segments) [first, last] = [2 * first, 2 * last];
+    const [from, to] = [4 * (first - segments), 4 * (last - segments)];
+    for (let k = 0; k < 3; ++k) balls[4 * i + k] = (points[from + k]! + points[to + k]!) / 2;
+    for (let at = from; at <= to; at += 4) {
       const far = Math.hypot(
-        points[i]! - bounds[4 * chunk]!,
-        points[i + 1]! - bounds[4 * chunk + 1]!,
-        points[i + 2]! - bounds[4 * chunk + 2]!,
+        points[at]! - balls[4 * i]!,
+        points[at + 1]! - balls[4 * i + 1]!,
+        points[at + 2]! - balls[4 * i + 2]!,
       );
-      bounds[4 * chunk + 3] = Math.max(bounds[4 * chunk + 3]!, far + points[i + 3]!);
+      balls[4 * i + 3] = Math.max(balls[4 * i + 3]!, far + points[at + 3]!);
     }
   }
-  return bounds;
-}
-
-/** Negative inside the ball. */
-function distanceToBall(balls: Float64Array, at: number, x: number, y: number, z: number): number {
-  const dx = x - balls[at]!;
-  const dy = y - balls[at + 1]!;
-  const dz = z - balls[at + 2]!;
-  return Math.sqrt(dx * dx + dy * dy + dz * dz) - balls[at + 3]!;
+  return balls;
 }

@@ -38,7 +38,11 @@ const sideBar = round(
   [0.17, 0.175, -0.005, 0.0145],
   [0.153, 0.175, -0.182, 0.011],
 );
-const crossBar = round([0.172, 0.175, -0.005, 0.011], [0, 0.175, -0.005, 0.0145], [-0.172, 0.175, -0.005, 0.011]);
+const crossBar = round(
+  [0.172, 0.175, -0.005, 0.011],
+  [0, 0.175, -0.005, 0.0145],
+  [-0.172, 0.175, -0.005, 0.011],
+);
 
 const post = round(
   [0.158, 0.44, -0.152, 0.016],
@@ -68,10 +72,7 @@ const rail: Implicit = (x, y, z) => {
   return bar(x, up / railHeight, z + 0.25 * up);
 };
 
-const sides = mirrored(
-  0.02,
-  smoothUnion(0.02, frontLeg, backLeg, sideBar, post, spindle(0.5)),
-);
+const sides = mirrored(0.02, smoothUnion(0.02, frontLeg, backLeg, sideBar, post, spindle(0.5)));
 const middle = smoothUnion(0.02, crossBar, spindle(0));
 
 export const chair: Model = {

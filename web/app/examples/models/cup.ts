@@ -58,7 +58,8 @@ const mug: Implicit = (x, y, z) => {
 export const cup: Model = {
   name: 'cup',
   title: 'Cup',
-  about: 'The ear has a short girth all along, while bands on the thin wall have to go over the rim.',
+  about:
+    'The ear has a short girth all along, while bands on the thin wall have to go over the rim.',
   genus: 1,
   faces: 9000,
   solid: mug,

@@ -16,14 +16,14 @@ interface Arm {
 }
 
 const arms: Arm[] = [
-  { heading: 22, length: 0.42, sway: -30, curl: 330, lift: 0.01 },
-  { heading: 66, length: 0.36, sway: 25, curl: -300, lift: 0.05 },
-  { heading: 112, length: 0.38, sway: -25, curl: 280, lift: 0 },
-  { heading: 158, length: 0.42, sway: 30, curl: -340, lift: 0.02 },
-  { heading: 202, length: 0.38, sway: -28, curl: 300, lift: 0.06 },
-  { heading: 247, length: 0.4, sway: 30, curl: -250, lift: 0 },
-  { heading: 293, length: 0.4, sway: -30, curl: 260, lift: 0.01 },
-  { heading: 338, length: 0.37, sway: 28, curl: -310, lift: 0.05 },
+  { heading: 24, length: 0.4, sway: -24, curl: 320, lift: 0.01 },
+  { heading: 66, length: 0.36, sway: 14, curl: -300, lift: 0.05 },
+  { heading: 114, length: 0.38, sway: -14, curl: 280, lift: 0 },
+  { heading: 156, length: 0.41, sway: -20, curl: -330, lift: 0.02 },
+  { heading: 202, length: 0.37, sway: -26, curl: 300, lift: 0.06 },
+  { heading: 247, length: 0.4, sway: 18, curl: -250, lift: 0 },
+  { heading: 291, length: 0.38, sway: -18, curl: -280, lift: 0.01 },
+  { heading: 336, length: 0.37, sway: 22, curl: -310, lift: 0.05 },
 ];
 
 const root = 0.03;
@@ -32,14 +32,16 @@ const steps = 28;
 
 function arm({ heading, length, sway, curl, lift }: Arm): Implicit {
   const stations: Station[] = [];
-  let x = 0.03 * Math.cos((heading * Math.PI) / 180);
-  let z = 0.03 * Math.sin((heading * Math.PI) / 180);
+  let x = 0.04 * Math.cos((heading * Math.PI) / 180);
+  let z = 0.04 * Math.sin((heading * Math.PI) / 180);
   for (let i = 0; i <= steps; ++i) {
     const t = i / steps;
     const radius = tip + (root - tip) * (1 - t) ** 1.15;
-    const y = radius + 0.075 * Math.max(1 - t / 0.42, 0) ** 2 + lift * smoothStep((t - 0.45) / 0.55);
+    const y =
+      radius + 0.075 * Math.max(1 - t / 0.42, 0) ** 2 + lift * smoothStep((t - 0.45) / 0.55);
     stations.push([x, y, z, radius]);
-    const degrees = heading + sway * Math.sin(1.6 * Math.PI * t) + curl * Math.max((t - 0.4) / 0.6, 0) ** 2.4;
+    const degrees =
+      heading + sway * Math.sin(1.6 * Math.PI * t) + curl * Math.max((t - 0.4) / 0.6, 0) ** 2.4;
     x += (length / steps) * Math.cos((degrees * Math.PI) / 180);
     z += (length / steps) * Math.sin((degrees * Math.PI) / 180);
   }
@@ -57,20 +59,30 @@ const mantle = ellipsoid([0, 0.085, 0], [0.072, 0.1, 0.07]);
 const leaning: Implicit = (x, y, z) => {
   const u = y - 0.125;
   const w = z + 0.005;
-  return mantle(x, u * Math.cos(lean) - w * Math.sin(lean), w * Math.cos(lean) + u * Math.sin(lean));
+  return mantle(
+    x,
+    u * Math.cos(lean) - w * Math.sin(lean),
+    w * Math.cos(lean) + u * Math.sin(lean),
+  );
 };
 const head = ellipsoid([0, 0.105, 0.01], [0.058, 0.05, 0.055]);
 const body = smoothUnion(0.05, leaning, head);
 const limbs = smoothUnion(0.022, arm(arms[0]!), ...arms.slice(1).map(arm));
-const eyes = smoothUnion(0.004, sphere([0.041, 0.143, 0.044], 0.017), sphere([-0.041, 0.143, 0.044], 0.017));
+const eyes = smoothUnion(
+  0.004,
+  sphere([0.041, 0.143, 0.044], 0.017),
+  sphere([-0.041, 0.143, 0.044], 0.017),
+);
 
 export const octopus: Model = {
   name: 'octopus',
   title: 'Octopus',
-  about: 'Along an arm the band shrinks towards the tip, and the field jumps where it would slip off.',
+  about:
+    'Along an arm the band shrinks towards the tip, and the field jumps where it would slip off.',
   genus: 0,
   faces: 10000,
-  solid: (x, y, z) => smoothMin(smoothMin(body(x, y, z), limbs(x, y, z), 0.045), eyes(x, y, z), 0.012),
+  solid: (x, y, z) =>
+    smoothMin(smoothMin(body(x, y, z), limbs(x, y, z), 0.045), eyes(x, y, z), 0.012),
   box: { min: [-0.42, -0.012, -0.42], max: [0.42, 0.34, 0.42] },
   cell: 0.0065,
   sizing: { gentle: 0.05, finest: 0.42 },
