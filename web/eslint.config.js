@@ -1,0 +1,60 @@
+// One linter for the whole repository. The layers' arrows are checked here as well as by the
+// separate tsconfigs: kernel ◄─ view ◄─ element ◄─ app.
+
+import eslint from '@eslint/js';
+import { defineConfig } from 'eslint/config';
+import tseslint from 'typescript-eslint';
+
+const layers = ['kernel', 'view', 'element', 'app', 'examples', 'tests', 'scripts'];
+
+/** The modules that a layer must not import, with the reason. */
+function forbid(files, ...patterns) {
+  return {
+    files,
+    rules: { '@typescript-eslint/no-restricted-imports': ['error', { patterns }] },
+  };
+}
+
+const three = { regex: '^three', message: 'Only the view knows three.js.' };
+
+export default defineConfig(
+  { ignores: ['build*/', 'dist/', 'web/src/kernel/wasm/', 'web/app/public/'] },
+  eslint.configs.recommended,
+  {
+    files: ['**/*.ts'],
+    extends: [tseslint.configs.recommendedTypeChecked],
+    languageOptions: {
+      parserOptions: { project: layers.map((layer) => `./tsconfig.${layer}.json`), tsconfigRootDir: import.meta.dirname },
+    },
+    rules: {
+      '@typescript-eslint/no-unused-vars': ['error', { argsIgnorePattern: '^_' }],
+      '@typescript-eslint/consistent-type-imports': 'error',
+    },
+  },
+  {
+    files: ['**/*.mjs', '**/*.js'],
+    languageOptions: { globals: { console: 'readonly', process: 'readonly', URL: 'readonly' } },
+  },
+  { plugins: { '@typescript-eslint': tseslint.plugin } },
+  forbid(['web/src/kernel/**'], three, {
+    regex: '/(view|element|app)/',
+    message: 'The kernel knows neither view, element nor page.',
+  }),
+  forbid(
+    ['web/src/view/**'],
+    {
+      regex: '/kernel/(?!types\\.js$)',
+      message: 'The view knows only the types of the kernel.',
+    },
+    { regex: '/kernel/', allowTypeImports: true, message: 'The view knows only the types.' },
+    { regex: '/(element|app)/', message: 'The view knows neither element nor page.' },
+  ),
+  forbid(['web/src/element/**'], three, {
+    regex: '/app/',
+    message: 'The element does not know the page.',
+  }),
+  forbid(['web/app/**'], three, {
+    regex: '/src/(?!(kernel|element)/index\\.(js|ts)$)',
+    message: 'The page uses public exports only.',
+  }),
+);

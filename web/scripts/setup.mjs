@@ -1,0 +1,105 @@
+// Installs what is missing: Debian packages and npm packages. Runs before anything is installed, and so
+// uses nothing but Node.js.
+
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { findEmscripten } from './emscripten.mjs';
+import { Complaint, outputOf, repository, run, script } from './run.mjs';
+
+/** On other systems than Debian: what each thing is recognised by, a program or a header. */
+const elsewhere = [
+  ['a C++20 compiler', ['c++', 'g++', 'clang++']],
+  ['CMake', ['cmake']],
+  ['Ninja', ['ninja']],
+  ['Chromium (or set CHROMIUM to its path)', [process.env.CHROMIUM ?? 'chromium', 'chromium']],
+  ['clang-format', ['clang-format']],
+  ['clang-tidy', ['clang-tidy']],
+  ['Eigen 3', ['eigen3/Eigen/Core']],
+  ['Spectra', ['Spectra/SymEigsSolver.h']],
+  ['tinygltf', ['tiny_gltf.h']],
+  ['tinyobjloader', ['tiny_obj_loader.h']],
+  ['nlohmann-json', ['nlohmann/json.hpp']],
+  ['CLI11', ['CLI/CLI.hpp']],
+  ['GoogleTest', ['gtest/gtest.h']],
+  ['google-benchmark', ['benchmark/benchmark.h']],
+];
+
+function isDebian() {
+  if (!existsSync('/etc/os-release') || !existsSync('/usr/bin/dpkg-query')) return false;
+  return /^ID(_LIKE)?=.*\b(debian|ubuntu)\b/m.test(readFileSync('/etc/os-release', 'utf8'));
+}
+
+/** @param {string} name a program, or a header where it ends in .h or .hpp or has a folder */
+function isPresent(name) {
+  if (name.startsWith('/')) return existsSync(name);
+  const isHeader = name.includes('/') || name.endsWith('.h');
+  const folders = isHeader
+    ? ['/usr/include', '/usr/local/include', '/opt/homebrew/include']
+    : (process.env.PATH ?? '').split(':');
+  return folders.some((folder) => existsSync(join(folder, name)));
+}
+
+function checkElsewhere() {
+  const missing = elsewhere.filter(([, names]) => !names.some(isPresent)).map(([what]) => what);
+  if (!findEmscripten()) missing.push('Emscripten 3.1.6 or newer');
+  if (missing.length > 0) {
+    throw new Complaint(
+      `this is not Debian, so nothing is installed here. Missing: ${missing.join(', ')}.`,
+    );
+  }
+}
+
+function installDebianPackages() {
+  const wanted = readFileSync(new URL('debian-packages.txt', import.meta.url), 'utf8')
+    .split('\n')
+    .filter((line) => line !== '' && !line.startsWith('#'));
+  const states = outputOf('dpkg-query', ['-W', '-f', '${Package} ${db:Status-Status}\n']) ?? '';
+  const installed = new Set(
+    states.split('\n').flatMap((line) => (line.endsWith(' installed') ? line.split(' ')[0] : [])),
+  );
+  const missing = wanted.filter(
+    (name) => !installed.has(name) && !(name === 'emscripten' && findEmscripten()),
+  );
+  if (missing.length === 0) return;
+
+  const isRoot = process.getuid?.() === 0;
+  if (!isRoot && outputOf('sudo', ['--version']) === undefined) {
+    throw new Complaint(`missing; as root: apt-get install ${missing.join(' ')}`);
+  }
+  console.log(`girth: installing ${missing.join(' ')}`);
+  /** @param {string[]} args */
+  const aptGet = (args) => {
+    const command = ['env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get', '-q', '-y', ...args];
+    const [program, ...rest] = isRoot ? command : ['sudo', ...command];
+    run(/** @type {string} */ (program), rest);
+  };
+  aptGet(['update']);
+  aptGet(['install', '--no-install-recommends', ...missing]);
+}
+
+/**
+ * Whether the folder of npm packages holds exactly what the lock file says; what is only for other
+ * platforms may be absent.
+ */
+function npmPackagesAreFresh() {
+  const present = join(repository, 'node_modules/.package-lock.json');
+  if (!existsSync(present)) return false;
+  /** @type {(path: string) => Record<string, { version?: string, optional?: boolean }>} */
+  const packagesOf = (path) => JSON.parse(readFileSync(path, 'utf8')).packages;
+  const have = packagesOf(present);
+  const want = packagesOf(join(repository, 'package-lock.json'));
+  return Object.entries(want).every(
+    ([name, { version, optional }]) =>
+      name === '' || have[name]?.version === version || (optional && !have[name]),
+  );
+}
+
+/** Installs what is missing, or says what is. */
+export function setUp() {
+  if (isDebian()) installDebianPackages();
+  else checkElsewhere();
+  if (!npmPackagesAreFresh()) run('npm', ['ci', '--no-audit', '--no-fund']);
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await script(setUp);

@@ -1,0 +1,26 @@
+// The page: built into build/page, served by `npm start`.
+
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+
+// With these two, and only with these, a page may use threads that share memory.
+const headers = {
+  'Cross-Origin-Opener-Policy': 'same-origin',
+  'Cross-Origin-Embedder-Policy': 'require-corp',
+};
+
+export default defineConfig({
+  root: fileURLToPath(new URL('app', import.meta.url)),
+  base: './',
+  build: {
+    outDir: fileURLToPath(new URL('../build/page', import.meta.url)),
+    emptyOutDir: true,
+    target: 'es2022',
+    // Modules and workers stay files of their own: a strict content security policy allows no data: address.
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 2000,
+  },
+  worker: { format: 'es' },
+  server: { headers },
+  preview: { headers },
+});
