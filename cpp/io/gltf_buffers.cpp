@@ -1,0 +1,172 @@
+#include "gltf_buffers.h"
+
+#include <cstdint>
+#include <string_view>
+
+#include "text.h"
+
+namespace girth::io {
+namespace {
+
+Error malformed(std::string message) {
+  return makeError(ErrorCode::MalformedFile, -1, std::move(message));
+}
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+int base64Digit(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  if (c == '+' || c == '-') return 62;
+  if (c == '/' || c == '_') return 63;
+  return -1;
+}
+
+std::optional<std::vector<std::byte>> base64Decoded(std::string_view text) {
+  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+  std::vector<std::byte> bytes;
+  bytes.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    const int digit = base64Digit(c);
+    if (digit < 0) return std::nullopt;
+    bits = (bits << 6 | static_cast<std::uint32_t>(digit)) & 0xFFFFFFu;
+    count += 6;
+    if (count >= 8) {
+      count -= 8;
+      bytes.push_back(static_cast<std::byte>(bits >> count & 0xFFu));
+    }
+  }
+  return bytes;
+}
+
+/// The content of a data: URI.
+std::optional<std::vector<std::byte>> dataOf(std::string_view uri) {
+  const std::size_t comma = uri.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const std::string_view head = uri.substr(0, comma);
+  const std::string_view body = uri.substr(comma + 1);
+  constexpr std::string_view kBase64 = ";base64";
+  if (head.size() >= kBase64.size() && head.substr(head.size() - kBase64.size()) == kBase64) {
+    return base64Decoded(body);
+  }
+  const std::string text = percentDecoded(body);
+  const auto* first = reinterpret_cast<const std::byte*>(text.data());
+  return std::vector<std::byte>(first, first + text.size());
+}
+
+}  // namespace
+
+std::string percentDecoded(std::string_view uri) {
+  std::string text;
+  text.reserve(uri.size());
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    if (uri[i] == '%' && i + 2 < uri.size() && hexDigit(uri[i + 1]) >= 0 &&
+        hexDigit(uri[i + 2]) >= 0) {
+      text += static_cast<char>(hexDigit(uri[i + 1]) * 16 + hexDigit(uri[i + 2]));
+      i += 2;
+    } else {
+      text += uri[i];
+    }
+  }
+  return text;
+}
+
+bool staysInside(std::string_view name) {
+  if (name.empty() || name.front() == '/' || name.front() == '\\') return false;
+  if (name.find('\0') != std::string_view::npos) return false;
+  // A scheme or a drive; a colon has no other place in the names of buffers.
+  if (name.find(':') != std::string_view::npos) return false;
+  while (true) {
+    const std::size_t end = name.find_first_of("/\\");
+    if (name.substr(0, end) == "..") return false;
+    if (end == std::string_view::npos) return true;
+    name.remove_prefix(end + 1);
+  }
+}
+
+GltfBuffers::GltfBuffers(const GltfDocument& document, std::span<const std::byte> binary,
+                         const ResourceReader& resources, SoupBudget& budget)
+    : document_(document), binary_(binary), resources_(resources), budget_(budget) {}
+
+Result<std::span<const std::byte>> GltfBuffers::resource(const std::string& uri,
+                                                         std::size_t index) {
+  if (const auto found = fetched_.find(uri); found != fetched_.end()) {
+    return std::span<const std::byte>(found->second);
+  }
+  const std::string name = percentDecoded(uri);
+  const auto error = [&](const std::string& message) {
+    return makeError(ErrorCode::MissingResource, static_cast<std::int64_t>(index), message);
+  };
+  if (!staysInside(name)) {
+    return error("it refers to " + inQuotes(name) + ", which is not a file beside the model");
+  }
+  auto bytes = resources_ ? resources_(name) : std::nullopt;
+  // Some exporters do not escape, and so a file's name may contain a percent sign.
+  if (!bytes && resources_ && name != uri && staysInside(uri)) bytes = resources_(uri);
+  if (!bytes) return error("it refers to the file " + inQuotes(name) + ", which is missing");
+  budget_.allowFor(bytes->size());
+  return std::span<const std::byte>(fetched_.emplace(uri, std::move(*bytes)).first->second);
+}
+
+Result<std::span<const std::byte>> GltfBuffers::buffer(std::size_t index) {
+  const GltfBufferSource& source = document_.buffers[index];
+  const std::string where = "buffer " + std::to_string(index);
+  std::span<const std::byte> bytes;
+  if (source.uri.empty()) {
+    if (!source.fallbackFor.empty()) {
+      return makeError(ErrorCode::UnsupportedFeature, static_cast<std::int64_t>(index),
+                       "its geometry is compressed with the glTF extension " +
+                           inQuotes(source.fallbackFor) + ", which is not read");
+    }
+    if (index != 0) return malformed(where + " has no uri");
+    if (binary_.empty()) return malformed(where + " has neither a uri nor a binary chunk");
+    bytes = binary_;
+  } else if (source.uri.rfind("data:", 0) == 0) {
+    auto found = decoded_.find(index);
+    if (found == decoded_.end()) {
+      auto data = dataOf(source.uri);
+      if (!data) return malformed(where + " has a data: URI that is not valid");
+      found = decoded_.emplace(index, std::move(*data)).first;
+    }
+    bytes = found->second;
+  } else {
+    auto fetched = resource(source.uri, index);
+    if (!fetched) return fetched.error();
+    bytes = fetched.value();
+  }
+  if (source.byteLength > bytes.size()) {
+    return malformed(where + " promises " + std::to_string(source.byteLength) +
+                     " bytes, but there are " + std::to_string(bytes.size()));
+  }
+  return bytes.first(static_cast<std::size_t>(source.byteLength));
+}
+
+Result<std::span<const std::byte>> GltfBuffers::view(int index, const std::string& user) {
+  const auto& views = document_.model.bufferViews;
+  const std::string where = "buffer view " + std::to_string(index);
+  if (index < 0 || static_cast<std::size_t>(index) >= views.size()) {
+    return malformed(user + " refers to " + where + ", which does not exist");
+  }
+  const auto& view = views[static_cast<std::size_t>(index)];
+  if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= document_.buffers.size()) {
+    return malformed(where + " refers to buffer " + std::to_string(view.buffer) +
+                     ", which does not exist");
+  }
+  auto bytes = buffer(static_cast<std::size_t>(view.buffer));
+  if (!bytes) return bytes.error();
+  const std::span<const std::byte> all = bytes.value();
+  if (view.byteOffset > all.size() || view.byteLength > all.size() - view.byteOffset) {
+    return malformed(where + " reaches beyond the end of buffer " + std::to_string(view.buffer));
+  }
+  return all.subspan(view.byteOffset, view.byteLength);
+}
+
+}  // namespace girth::io

@@ -1,0 +1,17 @@
+// glTF 2.0 and GLB to triangles.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "girth/io/read_mesh.h"
+
+namespace girth::io {
+
+/// Reads a GLB file: see readSoup.
+Result<TriangleSoup> readGlb(std::span<const std::byte> bytes, const ResourceReader& resources);
+
+/// Reads a glTF document in JSON: see readSoup.
+Result<TriangleSoup> readGltf(std::span<const std::byte> bytes, const ResourceReader& resources);
+
+}  // namespace girth::io
