@@ -200,7 +200,7 @@ export async function createKernel({ pace = 10 } = {}): Promise<Kernel> {
           hint: 'export the model again',
         });
       }
-      return new FakeMesh(name, torus(120, 40), pace);
+      return new FakeMesh(name, torus(64, 24), pace);
     },
     dispose: () => undefined,
   };

@@ -105,7 +105,7 @@ export class HalfedgeMesh {
   split(h: number, x: number, y: number, z: number): number {
     const { origin, twin, outgoing } = this;
     const t = twin[h]!;
-    const [h1, h2, t1, t2] = [this.next(h), this.previous(h), this.next(t), this.previous(t)];
+    const [h1, h2, t2] = [this.next(h), this.previous(h), this.previous(t)];
     const [b, c, d] = [origin[t]!, origin[h2]!, origin[t2]!];
     const [outer, lower] = [twin[h1]!, twin[t2]!];
     const m = this.addVertex(x, y, z);
@@ -145,7 +145,10 @@ export class HalfedgeMesh {
     outgoing[d] = t;
   }
 
-  /** Whether the edge of h can be shrunk to a point, or flipped, and the mesh stay manifold. */
+  /**
+   * Whether the edge of h can be shrunk to a point with the mesh staying manifold and no vertex getting
+   * fewer than four neighbours.
+   */
   canCollapse(h: number): boolean {
     const a = this.origin[h]!;
     const b = this.target(h);
@@ -155,8 +158,8 @@ export class HalfedgeMesh {
     });
     return (
       common === 2 &&
-      this.valence(this.opposite(h)) > 3 &&
-      this.valence(this.opposite(this.twin[h]!)) > 3
+      this.valence(this.opposite(h)) > 4 &&
+      this.valence(this.opposite(this.twin[h]!)) > 4
     );
   }
 

@@ -86,18 +86,3 @@ export function smoothIntersection(blend: number, a: Implicit, b: Implicit): Imp
 export function mirrored(blend: number, solid: Implicit): Implicit {
   return (x, y, z) => smoothMin(solid(x, y, z), solid(-x, y, z), blend);
 }
-
-/** Writes the gradient at a point to `out`: forward differences from `value`, the value there. */
-export function gradient(
-  solid: Implicit,
-  value: number,
-  x: number,
-  y: number,
-  z: number,
-  step: number,
-  out: Float64Array,
-): void {
-  out[0] = (solid(x + step, y, z) - value) / step;
-  out[1] = (solid(x, y + step, z) - value) / step;
-  out[2] = (solid(x, y, z + step) - value) / step;
-}

@@ -36,18 +36,7 @@ export function polygonise(solid: Implicit, box: Box, cell: number): Triangles {
   const count = [0, 1, 2].map((k) => Math.ceil((box.max[k]! - box.min[k]!) / cell) + 1);
   const [nx, ny, nz] = count as [number, number, number];
   const strides = [1, nx, nx * ny];
-  const values = new Float64Array(nx * ny * nz);
-  for (let k = 0, n = 0; k < nz; ++k) {
-    for (let j = 0; j < ny; ++j) {
-      for (let i = 0; i < nx; ++i, ++n) {
-        const value = solid(box.min[0] + i * cell, box.min[1] + j * cell, box.min[2] + k * cell);
-        const side = i === 0 || j === 0 || k === 0 || i === nx - 1 || j === ny - 1 || k === nz - 1;
-        if (side && value <= 0)
-          throw new Error(`the solid leaves its box at grid point ${i}, ${j}, ${k}`);
-        values[n] = value;
-      }
-    }
-  }
+  const values = sample(solid, box, cell, [nx, ny, nz]);
 
   const positions: number[] = [];
   const indices: number[] = [];
@@ -127,6 +116,48 @@ export function polygonise(solid: Implicit, box: Box, cell: number): Triangles {
   }
 
   return { positions, indices };
+}
+
+/** Points of the grid along each side of a block that is looked at as a whole first. */
+const block = 4;
+
+/** Bound on how fast a solid's value changes with distance. */
+const steepest = 1.5;
+
+/** The solid at the points of the grid; of blocks that the surface cannot reach, the sign only. */
+function sample(
+  solid: Implicit,
+  { min }: Box,
+  cell: number,
+  [nx, ny, nz]: readonly [number, number, number],
+): Float64Array {
+  const values = new Float64Array(nx * ny * nz);
+  const middle = ((block - 1) / 2) * cell;
+  const far = steepest * Math.sqrt(3) * middle;
+  for (let k0 = 0; k0 < nz; k0 += block) {
+    for (let j0 = 0; j0 < ny; j0 += block) {
+      for (let i0 = 0; i0 < nx; i0 += block) {
+        const [x, y, z] = [min[0] + i0 * cell, min[1] + j0 * cell, min[2] + k0 * cell];
+        const whole = solid(x + middle, y + middle, z + middle);
+        for (let k = k0; k < Math.min(k0 + block, nz); ++k) {
+          for (let j = j0; j < Math.min(j0 + block, ny); ++j) {
+            for (let i = i0; i < Math.min(i0 + block, nx); ++i) {
+              const value =
+                Math.abs(whole) > far
+                  ? whole
+                  : solid(min[0] + i * cell, min[1] + j * cell, min[2] + k * cell);
+              const side = [i, j, k, nx - 1 - i, ny - 1 - j, nz - 1 - k].includes(0);
+              if (side && value <= 0) {
+                throw new Error(`the solid leaves its box at grid point ${i}, ${j}, ${k}`);
+              }
+              values[i + nx * (j + ny * k)] = value;
+            }
+          }
+        }
+      }
+    }
+  }
+  return values;
 }
 
 function isEven(permutation: number[]): boolean {

@@ -5,7 +5,7 @@
 // mesh deformation', 2013). Everything runs in the order of the arrays: the same input gives the same
 // mesh to the last bit.
 
-import { gradient, type Implicit } from './implicit.ts';
+import type { Implicit } from './implicit.ts';
 import { HalfedgeMesh, removed } from './halfedges.ts';
 import { grade, relativeLengths, type Sizing } from './sizing.ts';
 import type { Triangles } from './polygonise.ts';
@@ -18,8 +18,8 @@ import {
   vertexNormal,
 } from './triangles.ts';
 
-const rounds = 14;
-const finishingRounds = 10;
+const rounds = 10;
+const finishingRounds = 6;
 
 /**
  * The same closed surface with about `faces` triangles, its vertices on the zero set of `solid`; genus and
@@ -43,7 +43,7 @@ export function remesh(
     flipTowardsSix(mesh);
     relax(mesh, lengths);
     project(mesh, solid, step);
-    surplus *= Math.sqrt(mesh.faceCount / faces);
+    surplus *= (mesh.faceCount / faces) ** 0.8;
   }
   const lengths = wantedLengths(mesh, solid, faces, sizing, step);
   for (let round = 0; round < finishingRounds; ++round) {
@@ -235,20 +235,20 @@ function relax(mesh: HalfedgeMesh, lengths: ArrayLike<number>): void {
 
 const normal = new Float64Array(3);
 
-/** Moves each vertex onto the surface by Newton's method along the gradient. */
+/**
+ * Moves each vertex onto the surface along the mesh's normal. The solid's value is about the distance, so
+ * that a few steps of that length come close; what is left goes in the next round.
+ */
 function project(mesh: HalfedgeMesh, solid: Implicit, step: number): void {
   for (let v = 0; v < mesh.vertexSlots; ++v) {
     if (mesh.outgoing[v] === removed) continue;
-    for (let i = 0; i < 3; ++i) {
-      const [x, y, z] = [mesh.x[v]!, mesh.y[v]!, mesh.z[v]!];
-      const value = solid(x, y, z);
-      if (Math.abs(value) < 1e-4 * step) break;
-      gradient(solid, value, x, y, z, 1e-3 * step, normal);
-      const [nx, ny, nz] = normal as unknown as [number, number, number];
-      const share = value / Math.max(nx * nx + ny * ny + nz * nz, 0.1);
-      mesh.x[v] = x - share * nx;
-      mesh.y[v] = y - share * ny;
-      mesh.z[v] = z - share * nz;
+    vertexNormal(mesh, v, normal);
+    for (let i = 0; i < 4; ++i) {
+      const value = solid(mesh.x[v]!, mesh.y[v]!, mesh.z[v]!);
+      if (Math.abs(value) < 1e-2 * step) break;
+      mesh.x[v] = mesh.x[v]! - value * normal[0]!;
+      mesh.y[v] = mesh.y[v]! - value * normal[1]!;
+      mesh.z[v] = mesh.z[v]! - value * normal[2]!;
     }
   }
 }

@@ -13,7 +13,7 @@ export interface Sizing {
 }
 
 /** Lengths may grow by this share of the distance. */
-const grading = 0.25;
+const grading = 0.2;
 
 /**
  * The relative edge length per vertex, in (0, 1]. It goes with the square root of the smaller radius of

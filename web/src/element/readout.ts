@@ -48,6 +48,7 @@ export class Readout {
 export class PinTag {
   readonly element = make('div', { class: 'tag' });
   private readonly length = make('span');
+  private size: { width: number; height: number } | undefined;
 
   constructor(
     readonly number: number,
@@ -62,10 +63,15 @@ export class PinTag {
 
   setFormat(format: LengthFormat): void {
     this.length.textContent = formatLength(this.loop.length, format);
+    this.size = undefined;
   }
 
-  place(point: ScreenPoint): void {
+  /** Beside a point of the canvas of the given size, never cut off by its edge. */
+  place(point: ScreenPoint, width: number, height: number): void {
+    this.size ??= { width: this.element.offsetWidth, height: this.element.offsetHeight };
+    const left = Math.max(4, Math.min(width - this.size.width - 4, point.x + 12));
+    const top = Math.max(4, Math.min(height - this.size.height - 4, point.y - 14));
     this.element.classList.toggle('behind', !point.visible);
-    this.element.style.transform = `translate(${Math.round(point.x + 12)}px, ${Math.round(point.y - 14)}px)`;
+    this.element.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
   }
 }

@@ -13,6 +13,7 @@ export const style = /* css */ `
   min-block-size: 12rem;
   aspect-ratio: 4 / 3;
   overflow: hidden;
+  container-type: inline-size;
   background: var(--girth-paper);
   color: var(--girth-ink);
   font: 13px/1.4 system-ui, sans-serif;
@@ -64,22 +65,48 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
 
 .legend {
   position: absolute;
-  inset-inline-start: 12px;
-  inset-block-end: 56px;
+  inset-inline-start: 16px;
+  inset-block-end: 64px;
   margin: 0;
-  padding: 8px 12px 14px 10px;
   pointer-events: none;
+  text-shadow: 0 0 2px var(--girth-paper), 0 0 3px var(--girth-paper), 0 0 4px var(--girth-paper),
+    0 0 6px var(--girth-paper), 0 0 8px var(--girth-paper);
 }
-.legend-title { color: var(--girth-quiet); margin-block-end: 12px; }
-.legend-body { position: relative; display: flex; block-size: clamp(72px, 20vh, 150px); }
-.legend-bar { inline-size: 10px; border-radius: 5px; }
-.legend-scale { position: relative; inline-size: 8.5ch; }
+.legend-title { margin-block-end: 10px; color: var(--girth-quiet); }
+.legend-bar {
+  position: relative;
+  inline-size: 10px;
+  block-size: clamp(72px, 18vh, 150px);
+  border-radius: 5px;
+  background: linear-gradient(to top, var(--colours));
+}
 .legend-tick {
   position: absolute;
-  inset-inline-start: 8px;
+  inset-inline-start: 18px;
+  inset-block-end: calc(100% * var(--place));
   transform: translateY(50%);
   line-height: 1;
   white-space: nowrap;
+}
+/* A narrow element lays the legend down, so that it leaves the surface its room. */
+@container (max-width: 520px) {
+  .legend { inset-inline: 20px; inset-block-end: 50px; display: flex; align-items: flex-start; gap: 16px; }
+  .legend-title { margin: 0; white-space: nowrap; margin-block-start: -5px; }
+  .legend-bar {
+    flex: 1;
+    inline-size: auto;
+    block-size: 8px;
+    margin-block-end: 20px;
+    background: linear-gradient(to right, var(--colours));
+  }
+  .legend-tick {
+    inset-inline-start: calc(100% * var(--place));
+    inset-block: 14px auto;
+    transform: translateX(-50%);
+  }
+  .legend-tick:first-child { transform: translateX(-100%); }
+  .legend-tick:last-child { transform: none; }
+  .legend-tick.inner { display: none; }
 }
 
 .status {

@@ -177,7 +177,6 @@ export class GirthViewer extends HTMLElement {
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(style);
     root.adoptedStyleSheets = [sheet];
-    this.legend.element.classList.add('plate');
     root.append(
       this.canvas,
       this.legend.element,
@@ -811,7 +810,9 @@ export class GirthViewer extends HTMLElement {
   private afterFrame(): void {
     const { stage } = this;
     if (!stage) return;
-    for (const pin of this.pins) pin.tag.place(stage.project(pin.midpoint));
+    for (const pin of this.pins) {
+      pin.tag.place(stage.project(pin.midpoint), this.clientWidth, this.clientHeight);
+    }
     if (!this.pointer || this.pointer.type === 'touch') this.placeReadout();
   }
 

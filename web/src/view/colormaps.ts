@@ -61,9 +61,8 @@ export function colourAt(name: ColormapName, fraction: number): string {
   return `rgb(${table[i]} ${table[i + 1]} ${table[i + 2]})`;
 }
 
-/** A CSS gradient of the whole map in the given direction, for example 'to top'. */
-export function colormapGradient(name: ColormapName, direction: string): string {
+/** The whole map as evenly spaced stops of a CSS gradient, lowest value first. */
+export function colormapStops(name: ColormapName): string {
   const stops = 32;
-  const colours = Array.from({ length: stops + 1 }, (_, i) => colourAt(name, i / stops));
-  return `linear-gradient(${direction}, ${colours.join(', ')})`;
+  return Array.from({ length: stops + 1 }, (_, i) => colourAt(name, i / stops)).join(', ');
 }

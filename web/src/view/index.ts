@@ -3,7 +3,6 @@
 export { type Adjacency, buildAdjacency } from './adjacency.js';
 export {
   type ColormapName,
-  colormapGradient,
   colormapNames,
   colourAt,
   isColormapName,

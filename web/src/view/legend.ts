@@ -1,6 +1,6 @@
 // The legend of a scalar field: the colour map with numbers and the unit.
 
-import { type ColormapName, colormapGradient } from './colormaps.js';
+import { type ColormapName, colormapStops } from './colormaps.js';
 import { type LengthFormat, formatNumber, roundTicks } from './numbers.js';
 
 export interface LegendContent {
@@ -20,7 +20,6 @@ export class Legend {
   readonly element = document.createElement('figure');
   private readonly title = document.createElement('figcaption');
   private readonly bar = document.createElement('div');
-  private readonly scale = document.createElement('div');
   private shown = '';
 
   constructor() {
@@ -28,11 +27,7 @@ export class Legend {
     this.element.hidden = true;
     this.title.className = 'legend-title';
     this.bar.className = 'legend-bar';
-    this.scale.className = 'legend-scale';
-    const body = document.createElement('div');
-    body.className = 'legend-body';
-    body.append(this.bar, this.scale);
-    this.element.append(this.title, body);
+    this.element.append(this.title, this.bar);
   }
 
   update(content: LegendContent | undefined): void {
@@ -42,18 +37,20 @@ export class Legend {
     this.shown = key;
     const { title, colormap, range, extent, format } = content;
     this.title.textContent = format.unit ? `${title}, ${format.unit}` : title;
-    this.bar.style.background = colormapGradient(colormap, 'to top');
+    this.bar.style.setProperty('--colours', colormapStops(colormap));
     const [low, high] = range;
     const inner = roundTicks(low, high, 4).filter((tick) => {
       const place = (tick - low) / (high - low);
       return place > endZone && place < 1 - endZone;
     });
     const beyond = (sign: string, more: boolean): string => (more ? `${sign}\u2009` : '');
-    this.scale.replaceChildren(
+    this.bar.replaceChildren(
       tickAt(1, beyond('≥', extent[1] > high) + formatNumber(high, format)),
-      ...inner
-        .reverse()
-        .map((tick) => tickAt((tick - low) / (high - low), formatNumber(tick, format))),
+      ...inner.reverse().map((value) => {
+        const tick = tickAt((value - low) / (high - low), formatNumber(value, format));
+        tick.classList.add('inner');
+        return tick;
+      }),
       tickAt(0, beyond('≤', extent[0] < low) + formatNumber(low, format)),
     );
   }
@@ -62,7 +59,7 @@ export class Legend {
 function tickAt(place: number, text: string): HTMLElement {
   const tick = document.createElement('span');
   tick.className = 'legend-tick';
-  tick.style.bottom = `${(100 * place).toFixed(2)}%`;
+  tick.style.setProperty('--place', place.toFixed(4));
   tick.textContent = text;
   return tick;
 }

@@ -26,9 +26,11 @@ const lift = 0.002;
 /** The strokes of a band from the bottom up; widths in CSS pixels. */
 const strokes = [
   { part: 'hidden', width: 3, opacity: 0.22 },
-  { part: 'shadow', width: 15, opacity: 0.1 },
-  { part: 'shadow', width: 11, opacity: 0.16 },
-  { part: 'shadow', width: 7.5, opacity: 0.3 },
+  { part: 'shadow', width: 16, opacity: 0.05 },
+  { part: 'shadow', width: 13.5, opacity: 0.07 },
+  { part: 'shadow', width: 11, opacity: 0.1 },
+  { part: 'shadow', width: 8.5, opacity: 0.16 },
+  { part: 'shadow', width: 6, opacity: 0.3 },
   { part: 'band', width: 3.6, opacity: 1 },
 ] as const;
 

@@ -55,7 +55,7 @@ function smoothStep(t: number): number {
 
 /** Body upright and leaning back, drawn in its own axes. */
 const lean = 0.38;
-const mantle = ellipsoid([0, 0.085, 0], [0.072, 0.1, 0.07]);
+const mantle = ellipsoid([0, 0.095, 0], [0.084, 0.118, 0.082]);
 const leaning: Implicit = (x, y, z) => {
   const u = y - 0.125;
   const w = z + 0.005;
@@ -83,7 +83,7 @@ export const octopus: Model = {
   faces: 10000,
   solid: (x, y, z) =>
     smoothMin(smoothMin(body(x, y, z), limbs(x, y, z), 0.045), eyes(x, y, z), 0.012),
-  box: { min: [-0.42, -0.012, -0.42], max: [0.42, 0.34, 0.42] },
-  cell: 0.0065,
-  sizing: { gentle: 0.05, finest: 0.42 },
+  box: { min: [-0.42, -0.012, -0.42], max: [0.42, 0.36, 0.42] },
+  cell: 0.007,
+  sizing: { gentle: 0.09, finest: 0.4 },
 };
