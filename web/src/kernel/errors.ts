@@ -1,0 +1,63 @@
+// The kernel's failures. The codes are those of the C++ core (`error_codes.def`).
+
+import type { GirthErrorFields } from './types.js';
+
+/**
+ * The codes that can arise outside the C++ core, with the remedies of `error_codes.def`; a test
+ * keeps the two alike. All other codes come from the core, with their hints.
+ */
+export const hints = {
+  USAGE: 'see girth --help',
+  VERTEX_OUT_OF_RANGE: 'vertices are numbered from 0 to the vertex count minus one',
+  FILE_NOT_FOUND: 'check the path',
+  FILE_UNREADABLE: 'check that it is a file that you may read',
+  CANCELLED: 'what was computed before is kept',
+  OUT_OF_MEMORY: 'use a smaller model or fewer threads',
+  INTERNAL: 'please report this with the model',
+} as const;
+
+/** Every failure of the kernel. `code` is stable; `message` and `hint` are for people. */
+export class GirthError extends Error implements GirthErrorFields {
+  override readonly name = 'GirthError';
+  readonly code: string;
+  /** The first offending vertex, face, line or byte, as the message says; -1 where there is none. */
+  readonly element: number;
+  /** What to do about it. */
+  readonly hint: string;
+
+  constructor(fields: GirthErrorFields, options?: ErrorOptions) {
+    super(fields.message, options);
+    this.code = fields.code;
+    this.element = fields.element;
+    this.hint = fields.hint;
+  }
+}
+
+/** A failure that arose outside the C++ core. */
+export function failure(
+  code: keyof typeof hints,
+  message: string,
+  options?: ErrorOptions & { element?: number; hint?: string },
+): GirthError {
+  const { element = -1, hint = hints[code] } = options ?? {};
+  return new GirthError({ code, element, message, hint }, options);
+}
+
+/** The work was stopped. `reason` is that of the AbortSignal, kept as the error's cause. */
+export function cancelled(message = 'cancelled', reason?: unknown): GirthError {
+  return failure('CANCELLED', message, reason === undefined ? undefined : { cause: reason });
+}
+
+/** Whatever was thrown, as fields: JavaScript and wasm say "out of memory" in several ways. */
+export function fieldsOf(thrown: unknown): GirthErrorFields {
+  if (thrown instanceof GirthError) {
+    const { code, element, message, hint } = thrown;
+    return { code, element, message, hint };
+  }
+  const text = thrown instanceof Error ? thrown.message : String(thrown);
+  const memory =
+    /out of memory|allocation failed|could not allocate|memory access|Array buffer alloc/i;
+  const code =
+    memory.test(text) && !/access out of bounds/.test(text) ? 'OUT_OF_MEMORY' : 'INTERNAL';
+  return { code, element: -1, message: text, hint: hints[code] };
+}

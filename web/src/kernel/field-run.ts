@@ -1,0 +1,95 @@
+// One computation of a field, apart from who computes it: collects what is finished, reports it
+// evenly, and ends exactly once, also when it is stopped.
+
+import type { SurfaceSource } from './worker-client.js';
+import type { FieldOptions, PartialField } from './types.js';
+
+/** Reports closer together than this are put together: the page draws each of them. */
+const reportMilliseconds = 40;
+
+export interface FieldValues {
+  values: Float64Array<ArrayBuffer>;
+  kinds: Uint8Array<ArrayBuffer>;
+}
+
+/** Computes whole fields, one at a time. */
+export interface FieldEngine {
+  /**
+   * Calls `run.add` with new values until all are there. When `signal` fires it stops the work;
+   * the promise may settle later than that, once the workers are free again.
+   */
+  compute(surface: SurfaceSource, run: FieldRun, signal: AbortSignal): Promise<void>;
+}
+
+export class FieldRun {
+  readonly values: Float64Array<ArrayBuffer>;
+  readonly kinds: Uint8Array<ArrayBuffer>;
+  readonly #options: FieldOptions;
+  readonly #now: () => number;
+  #done = 0;
+  #progress = 0;
+  #unreported: PartialField[] = [];
+  #reportedAt = -Infinity;
+
+  constructor(vertexCount: number, options: FieldOptions, now = () => performance.now()) {
+    this.values = new Float64Array(vertexCount);
+    this.kinds = new Uint8Array(vertexCount);
+    this.#options = options;
+    this.#now = now;
+  }
+
+  get complete(): boolean {
+    return this.#done === this.values.length;
+  }
+
+  /** Takes finished values. No vertex comes twice. */
+  add(partial: PartialField): void {
+    partial.vertices.forEach((vertex, i) => {
+      this.values[vertex] = partial.values[i]!;
+      this.kinds[vertex] = partial.kinds[i]!;
+    });
+    this.#done += partial.vertices.length;
+    this.#unreported.push(partial);
+    if (this.complete || this.#now() - this.#reportedAt >= reportMilliseconds) this.flush();
+  }
+
+  /** Reports what has not been reported. */
+  flush(): void {
+    if (this.#unreported.length === 0) return;
+    const partials = this.#unreported;
+    this.#unreported = [];
+    this.#reportedAt = this.#now();
+    this.#options.onPartial?.(partials.length === 1 ? partials[0]! : joined(partials));
+    const progress = this.#done / this.values.length;
+    if (progress > this.#progress) {
+      this.#progress = progress;
+      this.#options.onProgress?.(progress);
+    }
+  }
+
+  range(): [number, number] {
+    let [low, high] = [Infinity, -Infinity];
+    for (const value of this.values) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+    return [low, high];
+  }
+}
+
+function joined(partials: PartialField[]): PartialField {
+  const count = partials.reduce((sum, { vertices }) => sum + vertices.length, 0);
+  const whole = {
+    vertices: new Uint32Array(count),
+    values: new Float64Array(count),
+    kinds: new Uint8Array(count),
+  };
+  let at = 0;
+  for (const { vertices, values, kinds } of partials) {
+    whole.vertices.set(vertices, at);
+    whole.values.set(values, at);
+    whole.kinds.set(kinds, at);
+    at += vertices.length;
+  }
+  return whole;
+}

@@ -1,0 +1,254 @@
+// Kernels and meshes: who does what. Nothing is computed on the page's own thread.
+
+import { linked, untilAborted } from './abort.js';
+import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
+import { FieldRun, type FieldEngine } from './field-run.js';
+import { LoopQueue } from './loop-queue.js';
+import { PoolEngine } from './pool-engine.js';
+import type { OpenedSurface, SingleOperations, ThreadsOperations } from './protocol.js';
+import { contentOf } from './source.js';
+import { ThreadsEngine } from './threads-engine.js';
+import type {
+  CallOptions,
+  Field,
+  FieldOptions,
+  Kernel,
+  KernelOptions,
+  Loop,
+  Mesh,
+  MeshSource,
+} from './types.js';
+import { WorkerClient, type SurfaceSource } from './worker-client.js';
+import { moduleWorkers, type WorkerFactory } from './workers.js';
+
+/** More workers than this cost more memory than they save time. */
+const mostThreads = 8;
+
+/**
+ * Starts the workers and waits until one of them can read models. Fails with a GirthError where
+ * workers or WebAssembly are not to be had.
+ */
+export function createKernel(options: KernelOptions = {}): Promise<Kernel> {
+  return openKernel(options, moduleWorkers);
+}
+
+/** `createKernel` with other workers. */
+export async function openKernel(
+  options: KernelOptions,
+  factory: WorkerFactory,
+): Promise<KernelOfWorkers> {
+  const threads = threadsOf(options.threads);
+  const interactive = new WorkerClient<SingleOperations>(() => factory.single());
+  const isolated = globalThis.crossOriginIsolated === true;
+  if (options.mode === 'threads' && !isolated) {
+    warnOnce(
+      'Girth: this page is not cross-origin isolated; a pool of workers is used instead of threads.',
+    );
+  }
+
+  let host: WorkerClient<ThreadsOperations> | undefined;
+  if (isolated && options.mode !== 'pool') {
+    host = new WorkerClient<ThreadsOperations>(() => factory.threads(), threads);
+  }
+  try {
+    const [, hostFailure] = await Promise.all([
+      interactive.start(),
+      host?.start().then(
+        () => undefined,
+        (thrown: unknown) => fieldsOf(thrown),
+      ),
+    ]);
+    if (host && !hostFailure) {
+      const engine = new ThreadsEngine(host, threads);
+      return new KernelOfWorkers('threads', threads, interactive, [host], engine);
+    }
+    if (hostFailure) {
+      warnOnce(
+        `Girth: threads are not to be had (${hostFailure.message}); a pool of workers is used.`,
+      );
+    }
+  } catch (thrown) {
+    const error = new GirthError(fieldsOf(thrown), { cause: thrown });
+    host?.terminate(error);
+    interactive.terminate(error);
+    throw error;
+  }
+
+  const pool = Array.from(
+    { length: threads },
+    () => new WorkerClient<SingleOperations>(() => factory.single()),
+  );
+  // They load while the page fetches its model; a failure shows when they are needed.
+  for (const worker of pool) void worker.start().catch(() => undefined);
+  return new KernelOfWorkers('pool', threads, interactive, pool, new PoolEngine(pool));
+}
+
+function threadsOf(wanted: number | 'auto' = 'auto'): number {
+  const cores = wanted === 'auto' ? (globalThis.navigator?.hardwareConcurrency ?? 1) : wanted;
+  const whole = Number.isFinite(cores) ? Math.floor(cores) : 1;
+  return Math.max(1, wanted === 'auto' ? Math.min(whole, mostThreads) : Math.min(whole, 64));
+}
+
+const warned = new Set<string>();
+function warnOnce(text: string): void {
+  if (warned.has(text)) return;
+  warned.add(text);
+  console.warn(text);
+}
+
+type AnyWorker = Pick<WorkerClient<SingleOperations>, 'drop' | 'terminate'>;
+
+export class KernelOfWorkers implements Kernel {
+  readonly mode: 'threads' | 'pool';
+  readonly threads: number;
+  readonly #interactive: WorkerClient<SingleOperations>;
+  readonly #workers: readonly AnyWorker[];
+  readonly #engine: FieldEngine;
+  readonly #loops: LoopQueue;
+  readonly #life = new AbortController();
+  #lastSurface = 0;
+  /** Settles when the last field that was asked for has left the workers. */
+  #fields: Promise<unknown> = Promise.resolve();
+
+  constructor(
+    mode: 'threads' | 'pool',
+    threads: number,
+    interactive: WorkerClient<SingleOperations>,
+    computing: readonly AnyWorker[],
+    engine: FieldEngine,
+  ) {
+    this.mode = mode;
+    this.threads = threads;
+    this.#interactive = interactive;
+    this.#workers = [interactive, ...computing];
+    this.#engine = engine;
+    this.#loops = new LoopQueue(interactive);
+  }
+
+  async load(source: MeshSource, options: CallOptions = {}): Promise<Mesh> {
+    const opened = await this.#work([options.signal], async (signal) => {
+      const number = ++this.#lastSurface;
+      const content = await contentOf(source, signal);
+      if (signal.aborted) throw cancelled();
+      const reading =
+        'arrays' in content
+          ? this.#interactive.request(
+              'take',
+              { surface: number, ...content },
+              { transfer: [content.arrays.positions.buffer, content.arrays.indices.buffer] },
+            )
+          : this.#interactive.request(
+              'read',
+              { surface: number, ...content },
+              { transfer: [content.bytes] },
+            );
+      const surface = await reading;
+      this.#interactive.has(number);
+      // Nobody waits for it any more.
+      if (signal.aborted) this.#interactive.drop(number);
+      return { number, ...surface };
+    });
+    return new MeshOfWorkers(this, opened);
+  }
+
+  /** The field of a mesh; fields are computed one after the other, each by all workers. */
+  field(
+    surface: SurfaceSource,
+    unit: string,
+    life: AbortSignal,
+    options: FieldOptions,
+  ): Promise<Field> {
+    const run = new FieldRun(surface.arrays.positions.length / 3, options);
+    return this.#work([options.signal, life], async (signal) => {
+      // The caller keeps what is finished; a disposed mesh has no use for it.
+      signal.addEventListener('abort', () => {
+        if (options.signal?.aborted && !life.aborted) run.flush();
+      });
+      const turn = this.#fields.then(async () => {
+        if (!signal.aborted) await this.#engine.compute(surface, run, signal);
+      });
+      this.#fields = turn.catch(() => undefined);
+      await turn;
+      return { name: 'igf', values: run.values, kinds: run.kinds, range: run.range(), unit };
+    });
+  }
+
+  loop(surface: SurfaceSource, vertex: number, life: AbortSignal, options: CallOptions) {
+    return this.#work([options.signal, life], (signal) =>
+      this.#loops.loop(surface, vertex, signal),
+    );
+  }
+
+  drop(surface: number): void {
+    for (const worker of this.#workers) worker.drop(surface);
+  }
+
+  dispose(): void {
+    const reason = 'the kernel has been disposed of';
+    this.#life.abort(reason);
+    for (const worker of this.#workers) worker.terminate(cancelled(reason));
+  }
+
+  /** Runs work that ends with CANCELLED when a signal fires or the kernel is disposed of. */
+  async #work<T>(
+    signals: (AbortSignal | undefined)[],
+    work: (signal: AbortSignal) => Promise<T>,
+  ): Promise<T> {
+    const { signal, release } = linked([...signals, this.#life.signal]);
+    try {
+      return await untilAborted(
+        signal.aborted ? new Promise<T>(() => undefined) : work(signal),
+        signal,
+      );
+    } catch (thrown) {
+      throw thrown instanceof GirthError
+        ? thrown
+        : new GirthError(fieldsOf(thrown), { cause: thrown });
+    } finally {
+      release();
+    }
+  }
+}
+
+class MeshOfWorkers implements Mesh {
+  readonly info: Mesh['info'];
+  readonly geometry: Mesh['geometry'];
+  readonly vertexOfInput: Uint32Array;
+  readonly #kernel: KernelOfWorkers;
+  readonly #surface: SurfaceSource;
+  readonly #life = new AbortController();
+
+  constructor(kernel: KernelOfWorkers, opened: OpenedSurface & { number: number }) {
+    const { number, info, arrays, drawn, vertexOfInput } = opened;
+    this.#kernel = kernel;
+    this.#surface = { number, arrays };
+    this.info = info;
+    this.geometry = { positions: drawn, indices: arrays.indices };
+    this.vertexOfInput = vertexOfInput;
+  }
+
+  async field(name: 'igf', options: FieldOptions = {}): Promise<Field> {
+    if (name !== 'igf') {
+      throw failure('USAGE', `there is no field '${String(name)}'`, { hint: "use 'igf'" });
+    }
+    return this.#kernel.field(this.#surface, this.info.unit, this.#life.signal, options);
+  }
+
+  async loop(vertex: number, options: CallOptions = {}): Promise<Loop> {
+    const { vertexCount, unit } = this.info;
+    if (!Number.isInteger(vertex) || vertex < 0 || vertex >= vertexCount) {
+      const message = `vertex ${vertex} of ${vertexCount} does not exist`;
+      throw failure('VERTEX_OUT_OF_RANGE', message, {
+        element: Number.isInteger(vertex) ? vertex : -1,
+      });
+    }
+    const found = await this.#kernel.loop(this.#surface, vertex, this.#life.signal, options);
+    return { ...found, unit };
+  }
+
+  dispose(): void {
+    if (this.#life.signal.aborted) return;
+    this.#life.abort('the mesh has been disposed of');
+    this.#kernel.drop(this.#surface.number);
+  }
+}

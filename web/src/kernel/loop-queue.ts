@@ -1,0 +1,48 @@
+// The loops under the pointer: one request at a time goes to the worker, the newest first, and those
+// that have been aborted meanwhile never run.
+
+import type { Answer, SingleOperations } from './protocol.js';
+import type { SurfaceSource, WorkerClient } from './worker-client.js';
+
+type FoundLoop = Answer<SingleOperations, 'loop'>;
+
+interface Waiting {
+  surface: SurfaceSource;
+  vertex: number;
+  signal: AbortSignal;
+  resolve(loop: FoundLoop): void;
+  reject(error: unknown): void;
+}
+
+export class LoopQueue {
+  readonly #worker: WorkerClient<SingleOperations>;
+  #waiting: Waiting[] = [];
+  #running = false;
+
+  constructor(worker: WorkerClient<SingleOperations>) {
+    this.#worker = worker;
+  }
+
+  /** The loop; a promise that never settles where the signal fires before its turn. */
+  loop(surface: SurfaceSource, vertex: number, signal: AbortSignal): Promise<FoundLoop> {
+    return new Promise((resolve, reject) => {
+      this.#waiting.push({ surface, vertex, signal, resolve, reject });
+      void this.#run();
+    });
+  }
+
+  async #run(): Promise<void> {
+    if (this.#running) return;
+    this.#running = true;
+    for (let next; (next = this.#newest());) {
+      const { surface, vertex, resolve, reject } = next;
+      await this.#worker.requestOn(surface, 'loop', { vertex }).then(resolve, reject);
+    }
+    this.#running = false;
+  }
+
+  #newest(): Waiting | undefined {
+    this.#waiting = this.#waiting.filter(({ signal }) => !signal.aborted);
+    return this.#waiting.pop();
+  }
+}

@@ -1,0 +1,84 @@
+// What page and workers say to each other. The page asks and each request is answered once; while it
+// computes, a worker may report. All content is copied or transferred, never shared, with one
+// exception: the flag that cancels the threads.
+
+import type { GirthErrorFields, Loop, MeshInfo, PartialField } from './types.js';
+
+/** A surface's exact arrays: every worker that gets them makes the same surface, bit for bit. */
+export interface SurfaceArrays {
+  positions: Float64Array<ArrayBuffer>;
+  indices: Uint32Array<ArrayBuffer>;
+}
+
+/** A surface that a worker has made, with what the page needs of it. */
+export interface OpenedSurface {
+  info: MeshInfo;
+  arrays: SurfaceArrays;
+  /** The positions once more, for drawing. */
+  drawn: Float32Array<ArrayBuffer>;
+  vertexOfInput: Uint32Array<ArrayBuffer>;
+}
+
+/** Values of some vertices, in the order in which they were asked for. */
+export interface Values {
+  values: Float64Array<ArrayBuffer>;
+  kinds: Uint8Array<ArrayBuffer>;
+  /** How long the worker took, in milliseconds. */
+  milliseconds: number;
+}
+
+/** One byte of shared memory: 1 stops the field that the threads are computing. */
+export interface CancelFlag {
+  buffer: SharedArrayBuffer;
+  byteOffset: number;
+}
+
+/** What every worker can be asked: its arguments and its answer. `surface` is the page's number. */
+export interface CommonOperations {
+  /** Loads the module; must be the first request. */
+  start: [{ threads: number }, { cancelFlag?: CancelFlag }];
+  /** Makes a surface of the arrays of another worker. */
+  adopt: [{ surface: number; arrays: SurfaceArrays }, object];
+  /** Frees a surface; an unknown one is no error. */
+  drop: [{ surface: number }, object];
+}
+
+/** A worker with the module without threads. */
+export interface SingleOperations extends CommonOperations {
+  /** Reads a file's bytes. */
+  read: [{ surface: number; bytes: ArrayBuffer; name: string }, OpenedSurface];
+  /** Takes the caller's arrays as they are. */
+  take: [{ surface: number; arrays: SurfaceArrays }, OpenedSurface];
+  order: [{ surface: number }, { order: Uint32Array<ArrayBuffer> }];
+  values: [{ surface: number; vertices: Uint32Array<ArrayBuffer> }, Values];
+  loop: [{ surface: number; vertex: number }, Omit<Loop, 'unit'>];
+}
+
+/** The worker that hosts the module with threads. */
+export interface ThreadsOperations extends CommonOperations {
+  /** Reports while it runs, and answers early once the flag is set. */
+  field: [
+    { surface: number; threads: number },
+    { values: Float64Array; kinds: Uint8Array; complete: boolean },
+  ];
+}
+
+/** The arguments and the answer of an operation of a table like those above. */
+export type Arguments<T, K extends keyof T> = T[K] extends [infer A extends object, object] ? A : never;
+export type Answer<T, K extends keyof T> = T[K] extends [object, infer R extends object] ? R : never;
+
+/** Page to worker. `id` counts up from 1. */
+export interface Request {
+  id: number;
+  operation: string;
+  arguments: object;
+}
+
+/** A worker's report on the request that it is working on. */
+export type Report = { progress: number } | { partial: PartialField };
+
+/** Worker to page. After a `fatal` error the worker is of no more use. */
+export type Reply =
+  | { id: number; report: Report }
+  | { id: number; answer: object }
+  | { id: number; error: GirthErrorFields; fatal: boolean };

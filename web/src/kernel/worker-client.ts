@@ -1,0 +1,178 @@
+// The page's side of one worker: requests and answers as promises, surfaces handed over once, and a
+// worker that has died replaced on the next request.
+
+import { failure, fieldsOf, GirthError } from './errors.js';
+import type {
+  Answer,
+  Arguments,
+  CommonOperations,
+  Reply,
+  Report,
+  Request,
+  SurfaceArrays,
+} from './protocol.js';
+
+/** The part of `Worker` that is used here. */
+export interface WorkerLike {
+  postMessage(message: Request, transfer: ArrayBuffer[]): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<Reply>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+  onmessageerror: ((event: MessageEvent) => void) | null;
+}
+
+/** A surface as the page knows it. */
+export interface SurfaceSource {
+  number: number;
+  arrays: SurfaceArrays;
+}
+
+interface Pending {
+  resolve(answer: object): void;
+  reject(error: GirthError): void;
+  onReport?: ((report: Report) => void) | undefined;
+}
+
+export class WorkerClient<T extends CommonOperations> {
+  readonly #create: () => WorkerLike;
+  readonly #threads: number;
+  #worker: WorkerLike | undefined;
+  #closed: GirthError | undefined;
+  #started: Promise<Answer<CommonOperations, 'start'>> | undefined;
+  #lastId = 0;
+  readonly #pending = new Map<number, Pending>();
+  /** Surfaces that the present worker has or is about to have. */
+  readonly #surfaces = new Map<number, Promise<object>>();
+
+  /** Nothing happens before `start` or the first request. */
+  constructor(create: () => WorkerLike, threads = 1) {
+    this.#create = create;
+    this.#threads = threads;
+  }
+
+  /** Starts the worker and loads its module, unless that has been done. */
+  start(): Promise<Answer<CommonOperations, 'start'>> {
+    if (this.#closed) return Promise.reject(this.#closed);
+    if (!this.#started) {
+      try {
+        this.#worker = this.#create();
+      } catch (thrown) {
+        return Promise.reject(failure('INTERNAL', `a worker cannot be made: ${String(thrown)}`));
+      }
+      const worker = this.#worker;
+      worker.onmessage = ({ data }) => this.#receive(data);
+      worker.onerror = (event) => {
+        event.preventDefault?.();
+        const fields = fieldsOf(event.message || 'its script or its module could not be loaded');
+        this.#die(new GirthError({ ...fields, message: `a worker has failed: ${fields.message}` }));
+      };
+      worker.onmessageerror = () =>
+        this.#die(failure('OUT_OF_MEMORY', 'a message of a worker could not be received'));
+      this.#started = this.#post('start', { threads: this.#threads }, []);
+      // Requests that wait for the start report its failure; one that nobody waits for is no news.
+      this.#started.catch(() => undefined);
+    }
+    return this.#started;
+  }
+
+  /** Asks the worker. `transfer` lists buffers that it may take away from the page. */
+  async request<K extends keyof T & string>(
+    operation: K,
+    args: Arguments<T, K>,
+    { transfer = [], onReport }: { transfer?: ArrayBuffer[]; onReport?: (r: Report) => void } = {},
+  ): Promise<Answer<T, K>> {
+    await this.start();
+    return (await this.#post(operation, args, transfer, onReport)) as Answer<T, K>;
+  }
+
+  /** Asks the worker about a surface, which it is given first if it does not have it. */
+  async requestOn<K extends keyof T & string>(
+    surface: SurfaceSource,
+    operation: K,
+    args: Omit<Arguments<T, K>, 'surface'>,
+    options: { onReport?: (report: Report) => void } = {},
+  ): Promise<Answer<T, K>> {
+    await this.adopt(surface);
+    const whole = { ...args, surface: surface.number } as Arguments<T, K>;
+    return this.request(operation, whole, options);
+  }
+
+  /** Gives the worker a surface, once. */
+  async adopt({ number, arrays }: SurfaceSource): Promise<void> {
+    await this.start();
+    let adopted = this.#surfaces.get(number);
+    if (!adopted) {
+      adopted = this.#post('adopt', { surface: number, arrays }, []);
+      this.#surfaces.set(number, adopted);
+      adopted.catch(() => this.#surfaces.delete(number));
+    }
+    await adopted;
+  }
+
+  /** Notes that the worker has made a surface by itself. */
+  has(surface: number): void {
+    this.#surfaces.set(surface, Promise.resolve({}));
+  }
+
+  /** Frees a surface in the worker. */
+  drop(surface: number): void {
+    if (!this.#surfaces.delete(surface)) return;
+    void this.#post('drop', { surface }, []).catch(() => undefined);
+  }
+
+  /** Ends the worker at once and for good; what is pending fails with `error`. */
+  terminate(error: GirthError): void {
+    this.#closed = error;
+    this.#die(error);
+  }
+
+  #post(
+    operation: string,
+    args: object,
+    transfer: ArrayBuffer[],
+    onReport?: (report: Report) => void,
+  ): Promise<object> {
+    const worker = this.#worker;
+    if (!worker) return Promise.reject(failure('INTERNAL', 'the worker has ended'));
+    const id = ++this.#lastId;
+    return new Promise((resolve, reject) => {
+      this.#pending.set(id, { resolve, reject, onReport });
+      try {
+        worker.postMessage({ id, operation, arguments: args }, transfer);
+      } catch (thrown) {
+        this.#pending.delete(id);
+        reject(new GirthError(fieldsOf(thrown), { cause: thrown }));
+      }
+    });
+  }
+
+  #receive(reply: Reply): void {
+    const pending = this.#pending.get(reply.id);
+    if (!pending) return;
+    if ('report' in reply) {
+      pending.onReport?.(reply.report);
+      return;
+    }
+    this.#pending.delete(reply.id);
+    if ('answer' in reply) {
+      pending.resolve(reply.answer);
+      return;
+    }
+    const error = new GirthError(reply.error);
+    pending.reject(error);
+    if (reply.fatal) this.#die(error);
+  }
+
+  #die(error: GirthError): void {
+    const worker = this.#worker;
+    if (!worker) return;
+    worker.onmessage = worker.onerror = worker.onmessageerror = null;
+    worker.terminate();
+    this.#worker = undefined;
+    this.#started = undefined;
+    this.#surfaces.clear();
+    const pending = [...this.#pending.values()];
+    this.#pending.clear();
+    for (const { reject } of pending) reject(error);
+  }
+}

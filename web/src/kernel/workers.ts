@@ -1,0 +1,14 @@
+// The kernel's workers, each made by an expression that Vite and webpack recognise.
+
+import type { WorkerLike } from './worker-client.js';
+
+/** Makes the workers of a kernel; tests bring their own. */
+export interface WorkerFactory {
+  single(): WorkerLike;
+  threads(): WorkerLike;
+}
+
+export const moduleWorkers: WorkerFactory = {
+  single: () => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }),
+  threads: () => new Worker(new URL('./threads-worker.js', import.meta.url), { type: 'module' }),
+};
