@@ -24,7 +24,10 @@ export default defineConfig(
     files: ['**/*.ts'],
     extends: [tseslint.configs.recommendedTypeChecked],
     languageOptions: {
-      parserOptions: { project: layers.map((layer) => `./tsconfig.${layer}.json`), tsconfigRootDir: import.meta.dirname },
+      parserOptions: {
+        project: layers.map((layer) => `./tsconfig.${layer}.json`),
+        tsconfigRootDir: import.meta.dirname,
+      },
     },
     rules: {
       '@typescript-eslint/no-unused-vars': ['error', { argsIgnorePattern: '^_' }],
@@ -54,7 +57,7 @@ export default defineConfig(
     message: 'The element does not know the page.',
   }),
   forbid(['web/app/**'], three, {
-    regex: '/src/(?!(kernel|element)/index\\.(js|ts)$)',
+    regex: '/src/(?!(kernel/(index|types)|element/index)\\.(js|ts)$)',
     message: 'The page uses public exports only.',
   }),
 );

@@ -11,38 +11,42 @@ import { refresh } from './stale.mjs';
 const configuration = ['package-lock.json', 'web/tsconfig.base.json'];
 
 /**
- * Configures a build tree unless it is, and builds it; Ninja knows what is stale.
- * @param {string} tree
- * @param {string} compiler
- * @param {{ program: string, args: string[], env: NodeJS.ProcessEnv }} cmake
+ * A build tree of CMake. Configuring sees to it that the tree is for this compiler; after that, Ninja
+ * knows what is stale.
+ * @param {{ tree: string, compiler?: string, wrapper?: string[], env?: NodeJS.ProcessEnv }} tree
  */
-function cmakeBuild(tree, compiler, { program, args, env }) {
+function configure({ tree, compiler = '', wrapper = [], env = process.env }) {
   const cache = join(repository, tree, 'CMakeCache.txt');
   const isConfigured =
     existsSync(join(repository, tree, 'build.ninja')) &&
     readFileSync(cache, 'utf8').includes(compiler);
-  if (!isConfigured) {
-    rmSync(cache, { force: true });
-    const warnings = `-DGIRTH_WERROR=${process.env.CI ? 'ON' : 'OFF'}`;
-    run(program, [...args, '-S', '.', '-B', tree, '-G', 'Ninja', warnings], { env });
-  }
-  run('cmake', ['--build', tree], { env });
+  const warnings = process.env.CI ? ['-DGIRTH_WERROR=ON'] : [];
+  if (isConfigured && warnings.length === 0) return;
+  if (!isConfigured) rmSync(cache, { force: true });
+  const [program = '', ...args] = [...wrapper, 'cmake', '-S', '.', '-B', tree, '-G', 'Ninja'];
+  run(program, [...args, ...warnings], { env, quiet: isConfigured });
+}
+
+/** The native build tree, ready to be built and to be looked at by clang-tidy. */
+export function configureNative() {
+  configure({ tree: 'build/native' });
 }
 
 /** The libraries, the command, the tests and the benchmarks. */
 export function buildNative() {
-  cmakeBuild('build/native', '', { program: 'cmake', args: [], env: process.env });
+  configureNative();
+  run('cmake', ['--build', 'build/native']);
 }
 
 /** Both WebAssembly modules. */
 export function buildWasm() {
   const emscripten = findEmscripten();
   if (!emscripten) throw new Complaint('Emscripten (em++) is missing');
-  cmakeBuild('build/wasm', join(emscripten.folder, 'em++'), {
-    program: join(emscripten.folder, 'emcmake'),
-    args: ['cmake'],
-    env: emscriptenEnvironment(emscripten),
-  });
+  const env = emscriptenEnvironment(emscripten);
+  const { folder } = emscripten;
+  const wrapper = [join(folder, 'emcmake')];
+  configure({ tree: 'build/wasm', compiler: join(folder, 'em++'), wrapper, env });
+  run('cmake', ['--build', 'build/wasm'], { env });
 }
 
 /** The built-in example models. */
@@ -70,7 +74,8 @@ export async function buildPage() {
     name: 'page',
     inputs: [...configuration, 'web/vite.app.config.ts', 'web/src', 'web/app'],
     outputs: ['build/page/index.html'],
-    make: () => runTool('vite', ['build', '--config', 'web/vite.app.config.ts']),
+    make: () =>
+      runTool('vite', ['build', '--config', 'web/vite.app.config.ts', '--logLevel', 'warn']),
   });
 }
 
@@ -83,9 +88,24 @@ export async function buildPackage() {
     outputs: ['dist/kernel/index.js', 'dist/element.js', 'dist/girth-viewer.js'],
     make: () => {
       rmSync(join(repository, 'dist'), { recursive: true, force: true });
-      const vite = ['build', '--config', 'web/vite.package.config.ts', '--mode'];
-      runTool('vite', [...vite, 'element']);
-      runTool('vite', [...vite, 'bundle']);
+      // Not bundled: whoever bundles the package recognises the workers and the modules by the way
+      // in which the kernel names them.
+      runTool('tsc', [
+        ...['--project', 'web/tsconfig.kernel.json', '--emitDeclarationOnly', 'false'],
+        ...['--composite', 'false', '--incremental', 'false', '--outDir', 'dist'],
+      ]);
+      cpSync(join(repository, 'web/src/kernel/wasm'), join(repository, 'dist/kernel/wasm'), {
+        recursive: true,
+      });
+      runTool('tsc', ['--build', 'web/tsconfig.element.json']);
+      for (const layer of ['view', 'element']) {
+        cpSync(join(repository, 'build/types', layer), join(repository, 'dist', layer), {
+          recursive: true,
+        });
+      }
+      const vite = ['build', '--config', 'web/vite.package.config.ts', '--logLevel', 'warn'];
+      runTool('vite', [...vite, '--mode', 'element']);
+      runTool('vite', [...vite, '--mode', 'bundle']);
     },
   });
 }
@@ -101,7 +121,8 @@ const builds = {
 async function main() {
   const wanted = process.argv.slice(2);
   const unknown = wanted.find((name) => !(name in builds));
-  if (unknown) throw new Complaint(`build: no ${unknown}; there are ${Object.keys(builds).join(', ')}`);
+  if (unknown)
+    throw new Complaint(`build: no ${unknown}; there are ${Object.keys(builds).join(', ')}`);
   setUp();
   for (const [name, build] of Object.entries(builds)) {
     if (wanted.length === 0 || wanted.includes(name)) await build();

@@ -1,7 +1,7 @@
 // Which Emscripten compiles: the newest em++ on the PATH, be it Debian's or an emsdk's.
 
 import { existsSync, realpathSync } from 'node:fs';
-import { delimiter, dirname, join } from 'node:path';
+import { delimiter, join } from 'node:path';
 import { outputOf } from './run.mjs';
 
 /** Debian 12's; older ones are not tried. */

@@ -7,7 +7,10 @@ import { pathToFileURL } from 'node:url';
 import { findEmscripten } from './emscripten.mjs';
 import { Complaint, outputOf, repository, run, script } from './run.mjs';
 
-/** On other systems than Debian: what each thing is recognised by, a program or a header. */
+/**
+ * On other systems than Debian: what each thing is recognised by, a program or a header.
+ * @type {[string, string[]][]}
+ */
 const elsewhere = [
   ['a C++20 compiler', ['c++', 'g++', 'clang++']],
   ['CMake', ['cmake']],

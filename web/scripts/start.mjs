@@ -43,7 +43,10 @@ async function main() {
       ...(plain ? { headers: {} } : {}),
     },
   });
-  for (const url of [...(server.resolvedUrls?.local ?? []), ...(server.resolvedUrls?.network ?? [])]) {
+  for (const url of [
+    ...(server.resolvedUrls?.local ?? []),
+    ...(server.resolvedUrls?.network ?? []),
+  ]) {
     console.log(`Girth is at ${url}`);
   }
 }

@@ -1,0 +1,35 @@
+// The npm package, in two builds. Mode `element`: dist/element.js, which imports the kernel's modules
+// beside it and the three.js of whoever uses it. Mode `bundle`: dist/girth-viewer.js with all inside,
+// for a page with one script line. The kernel's own modules are not bundled: see the package build.
+
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+
+const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
+
+export default defineConfig(({ mode }) => {
+  const isBundle = mode === 'bundle';
+  return {
+    root: path('src'),
+    base: './',
+    publicDir: false,
+    build: {
+      outDir: path('../dist'),
+      emptyOutDir: false,
+      target: 'es2022',
+      assetsInlineLimit: 0,
+      modulePreload: false,
+      chunkSizeWarningLimit: 2000,
+      rolldownOptions: {
+        input: { [isBundle ? 'girth-viewer' : 'element']: path('src/element/index.ts') },
+        preserveEntrySignatures: 'strict',
+        external: isBundle ? [] : [/^three(\/|$)/, path('src/kernel/index.ts')],
+        output: {
+          entryFileNames: '[name].js',
+          ...(isBundle ? {} : { paths: { [path('src/kernel/index.ts')]: './kernel/index.js' } }),
+        },
+      },
+    },
+    worker: { format: 'es' },
+  };
+});
