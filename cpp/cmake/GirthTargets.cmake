@@ -27,7 +27,8 @@ function(girth_library name)
     girth_configure(${target})
     target_include_directories(
       ${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/cpp/include>"
-                       "$<INSTALL_INTERFACE:include>")
+                       "$<INSTALL_INTERFACE:include>"
+                PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
     foreach(library IN LISTS arg_PUBLIC)
       target_link_libraries(${target} PUBLIC girth_${library}${suffix})
     endforeach()
