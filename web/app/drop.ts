@@ -3,7 +3,9 @@
 const modelEnding = /\.(glb|gltf|obj)$/i;
 
 /** The one to open of several files: the first that is a model by its name, or simply the first. */
-export function chooseModel<Named extends { name: string }>(files: readonly Named[]): Named | undefined {
+export function chooseModel<Named extends { name: string }>(
+  files: readonly Named[],
+): Named | undefined {
   return files.find((file) => modelEnding.test(file.name)) ?? files[0];
 }
 

@@ -1,6 +1,6 @@
 // One line about the model.
 
-import type { MeshInfo } from '../src/kernel/types.js';
+import type { MeshInfo } from '../src/kernel/index.js';
 import { formatCount } from '../src/element/index.js';
 import { make } from './dom.js';
 

@@ -12,7 +12,14 @@ function row(viewer: GirthViewer, { id, vertex, loop }: PinnedLoop): HTMLElement
   );
   remove.addEventListener('click', () => viewer.unpin(id));
   const kind = loop.kind === 'loop' ? `vertex ${vertex}` : 'there and back';
-  return make('li', {}, make('i', {}, String(id)), make('b', {}, length), make('span', {}, kind), remove);
+  return make(
+    'li',
+    {},
+    make('i', {}, String(id)),
+    make('b', {}, length),
+    make('span', {}, kind),
+    remove,
+  );
 }
 
 /** Keeps the list as the element has it. */

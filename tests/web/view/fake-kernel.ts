@@ -166,7 +166,10 @@ class FakeMesh implements Mesh {
       await new Promise((resolve) => setTimeout(resolve, this.pace));
       options.signal?.throwIfAborted();
       const count = Math.min(batch, vertexCount - done);
-      const vertices = Uint32Array.from({ length: count }, (_, i) => ((done + i) * stride) % vertexCount);
+      const vertices = Uint32Array.from(
+        { length: count },
+        (_, i) => ((done + i) * stride) % vertexCount,
+      );
       const part = Float64Array.from(vertices, (v) => this.loopAt(v).length);
       vertices.forEach((v, i) => (values[v] = part[i]!));
       options.onPartial?.({ vertices, values: part, kinds: new Uint8Array(count) });

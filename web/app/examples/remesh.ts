@@ -235,20 +235,21 @@ function relax(mesh: HalfedgeMesh, lengths: ArrayLike<number>): void {
 
 const normal = new Float64Array(3);
 
-/**
- * Moves each vertex onto the surface along the mesh's normal. The solid's value is about the distance, so
- * that a few steps of that length come close; what is left goes in the next round.
- */
+/** Moves each vertex onto the surface along the mesh's normal, by the secant method. */
 function project(mesh: HalfedgeMesh, solid: Implicit, step: number): void {
   for (let v = 0; v < mesh.vertexSlots; ++v) {
     if (mesh.outgoing[v] === removed) continue;
     vertexNormal(mesh, v, normal);
-    for (let i = 0; i < 4; ++i) {
-      const value = solid(mesh.x[v]!, mesh.y[v]!, mesh.z[v]!);
-      if (Math.abs(value) < 1e-2 * step) break;
-      mesh.x[v] = mesh.x[v]! - value * normal[0]!;
-      mesh.y[v] = mesh.y[v]! - value * normal[1]!;
-      mesh.z[v] = mesh.z[v]! - value * normal[2]!;
+    let value = solid(mesh.x[v]!, mesh.y[v]!, mesh.z[v]!);
+    let slope = 1;
+    for (let i = 0; i < 4 && Math.abs(value) > 1e-2 * step; ++i) {
+      const way = -value / slope;
+      mesh.x[v] = mesh.x[v]! + way * normal[0]!;
+      mesh.y[v] = mesh.y[v]! + way * normal[1]!;
+      mesh.z[v] = mesh.z[v]! + way * normal[2]!;
+      const before = value;
+      value = solid(mesh.x[v]!, mesh.y[v]!, mesh.z[v]!);
+      slope = Math.min(Math.max((value - before) / way, 0.3), 1.5);
     }
   }
 }

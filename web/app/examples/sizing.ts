@@ -69,7 +69,7 @@ const normal = new Float64Array(3);
 
 /**
  * Root of the sum of the squared principal curvatures, from second differences of the solid's values in
- * the tangent plane; right where those are distances.
+ * the tangent plane and their slope across it.
  */
 function totalCurvature(mesh: HalfedgeMesh, solid: Implicit, v: number, step: number): number {
   const [x, y, z] = [mesh.x[v]!, mesh.y[v]!, mesh.z[v]!];
@@ -81,17 +81,20 @@ function totalCurvature(mesh: HalfedgeMesh, solid: Implicit, v: number, step: nu
   const size = Math.sqrt((ax - along * nx) ** 2 + (ay - along * ny) ** 2 + (along * nz) ** 2);
   const [ux, uy, uz] = [(ax - along * nx) / size, (ay - along * ny) / size, (-along * nz) / size];
   const [wx, wy, wz] = [ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux];
-  const twice = 2 * solid(x, y, z);
+  const value = solid(x, y, z);
+  const slope = Math.abs(solid(x + step * nx, y + step * ny, z + step * nz) - value) / step;
   const bend = (du: number, dw: number): number => {
     const [dx, dy, dz] = [
       step * (du * ux + dw * wx),
       step * (du * uy + dw * wy),
       step * (du * uz + dw * wz),
     ];
-    return (solid(x + dx, y + dy, z + dz) + solid(x - dx, y - dy, z - dz) - twice) / (step * step);
+    return (
+      (solid(x + dx, y + dy, z + dz) + solid(x - dx, y - dy, z - dz) - 2 * value) / (step * step)
+    );
   };
   const alongU = bend(1, 0);
   const alongW = bend(0, 1);
   const mixed = bend(Math.SQRT1_2, Math.SQRT1_2) - (alongU + alongW) / 2;
-  return Math.sqrt(alongU * alongU + alongW * alongW + 2 * mixed * mixed);
+  return Math.sqrt(alongU * alongU + alongW * alongW + 2 * mixed * mixed) / Math.max(slope, 0.2);
 }

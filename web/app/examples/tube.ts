@@ -10,7 +10,7 @@ const segments = 128;
  * Beyond this distance, in metres, values are lower bounds only. No blend may be wider, so that none
  * can tell the difference.
  */
-export const nearby = 0.07;
+export const nearby = 0.05;
 
 /**
  * The solid swept by a ball along a curve through all stations, its radius varying as smoothly as its

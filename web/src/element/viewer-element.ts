@@ -11,6 +11,7 @@ import type {
 } from '../kernel/types.js';
 import {
   type Adjacency,
+  type ColormapName,
   FieldPreview,
   GroundShadow,
   Latest,
@@ -31,7 +32,6 @@ import {
   splatShadow,
   splitCreases,
 } from '../view/index.js';
-import type { ColormapName } from '../view/index.js';
 import { make } from './dom.js';
 import { MessageBox } from './message-box.js';
 import { PinTag, Readout, antipodalWords } from './readout.js';
@@ -129,7 +129,15 @@ interface Pin extends PinnedLoop {
  * share one kernel.
  */
 export class GirthViewer extends HTMLElement {
-  static readonly observedAttributes = ['src', 'field', 'colormap', 'range', 'loop', 'edges', 'turn'];
+  static readonly observedAttributes = [
+    'src',
+    'field',
+    'colormap',
+    'range',
+    'loop',
+    'edges',
+    'turn',
+  ];
 
   private canvas = make('canvas', {
     tabindex: '0',
@@ -355,8 +363,7 @@ export class GirthViewer extends HTMLElement {
   /** Computes the loop at a vertex and keeps it on the surface. */
   async pin(vertex: number): Promise<PinnedLoop> {
     const model = this.requireModel();
-    const loop =
-      this.hover?.loop.vertex === vertex ? this.hover.loop : await this.loop(vertex);
+    const loop = this.hover?.loop.vertex === vertex ? this.hover.loop : await this.loop(vertex);
     const already = this.pins.find((pin) => pin.vertex === vertex);
     if (already) return already;
     if (this.model !== model) throw new Error('the model was replaced');
@@ -852,11 +859,17 @@ function nameOf(source: MeshSource): string {
 
 /** Two ascending numbers; undefined for anything else. */
 function parseRange(text: string | null): [number, number] | undefined {
-  const numbers = (text ?? '').trim().split(/[\s,]+/).map(Number);
+  const numbers = (text ?? '')
+    .trim()
+    .split(/[\s,]+/)
+    .map(Number);
   const [low = NaN, high = NaN] = numbers;
   return numbers.length === 2 && low < high ? [low, high] : undefined;
 }
 
 function parseVertices(text: string | null): number[] {
-  return (text ?? '').split(/[\s,]+/).filter((word) => /^\d+$/.test(word)).map(Number);
+  return (text ?? '')
+    .split(/[\s,]+/)
+    .filter((word) => /^\d+$/.test(word))
+    .map(Number);
 }

@@ -44,8 +44,7 @@ export function* splatShadow(
         // Small faces count wherever they touch; large ones where they cover the cell's middle.
         for (let k = 0; k < 3 && Math.abs(area) > 4; ++k) {
           const n = (k + 1) % 3;
-          const side =
-            (x[n]! - x[k]!) * (j + 0.5 - z[k]!) - (i + 0.5 - x[k]!) * (z[n]! - z[k]!);
+          const side = (x[n]! - x[k]!) * (j + 0.5 - z[k]!) - (i + 0.5 - x[k]!) * (z[n]! - z[k]!);
           if (side * area < 0) inside = false;
         }
         if (inside) grid[j * cells + i] = Math.max(grid[j * cells + i]!, strength);

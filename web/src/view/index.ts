@@ -1,12 +1,7 @@
 // What the element uses to show fields and loops.
 
 export { type Adjacency, buildAdjacency } from './adjacency.js';
-export {
-  type ColormapName,
-  colormapNames,
-  colourAt,
-  isColormapName,
-} from './colormaps.js';
+export { type ColormapName, colormapNames, colourAt, isColormapName } from './colormaps.js';
 export { splitCreases } from './creases.js';
 export { FieldPreview } from './field-preview.js';
 export { GroundShadow, splatShadow } from './ground-shadow.js';

@@ -19,7 +19,7 @@ export const dumbbell: Model = {
     'Round the neck the band is short; on the balls it either slips to the neck or spans the whole shape.',
   genus: 0,
   faces: 4000,
-  solid: smoothUnion(0.06, large, small, neck),
+  solid: smoothUnion(0.05, large, small, neck),
   box: { min: [-0.25, -0.02, -0.12], max: [0.255, 0.22, 0.12] },
   cell: 0.008,
   sizing: { gentle: 0.08, finest: 0.55 },

@@ -54,7 +54,7 @@ function smoothStep(t: number): number {
 }
 
 /** Body upright and leaning back, drawn in its own axes. */
-const lean = 0.38;
+const lean = 0.6;
 const mantle = ellipsoid([0, 0.095, 0], [0.084, 0.118, 0.082]);
 const leaning: Implicit = (x, y, z) => {
   const u = y - 0.125;
@@ -70,8 +70,8 @@ const body = smoothUnion(0.05, leaning, head);
 const limbs = smoothUnion(0.022, arm(arms[0]!), ...arms.slice(1).map(arm));
 const eyes = smoothUnion(
   0.004,
-  sphere([0.041, 0.143, 0.044], 0.017),
-  sphere([-0.041, 0.143, 0.044], 0.017),
+  sphere([0.043, 0.148, 0.046], 0.019),
+  sphere([-0.043, 0.148, 0.046], 0.019),
 );
 
 export const octopus: Model = {

@@ -1,0 +1,36 @@
+import { expect, test } from 'vitest';
+import {
+  colormapNames,
+  colormapSize,
+  colormapTable,
+  colourAt,
+  isColormapName,
+} from '../../../web/src/view/colormaps.js';
+
+test('viridis is the first and ends in its known colours', () => {
+  expect(colormapNames[0]).toBe('viridis');
+  expect(colourAt('viridis', 0)).toBe('rgb(68 1 84)');
+  expect(colourAt('viridis', 1)).toBe('rgb(253 231 37)');
+});
+
+test('every map is a full table of opaque colours', () => {
+  for (const name of colormapNames) {
+    const table = colormapTable(name);
+    expect(table).toHaveLength(4 * colormapSize);
+    for (let i = 3; i < table.length; i += 4) expect(table[i]).toBe(255);
+    expect(new Set([table[0], table[4 * 128], table[4 * 255]]).size, name).toBeGreaterThan(1);
+  }
+});
+
+test('values outside of the map take its ends', () => {
+  expect(colourAt('magma', -3)).toBe(colourAt('magma', 0));
+  expect(colourAt('magma', 7)).toBe(colourAt('magma', 1));
+  expect(colourAt('magma', NaN)).toBe(colourAt('magma', 0));
+});
+
+test('only names of the list are names', () => {
+  expect(isColormapName('turbo')).toBe(true);
+  for (const wrong of ['', 'rainbow', 'toString', null, undefined]) {
+    expect(isColormapName(wrong)).toBe(false);
+  }
+});

@@ -1,0 +1,60 @@
+import { expect, test } from 'vitest';
+import { splitCreases } from '../../../web/src/view/creases.js';
+import { torus } from './fake-kernel.js';
+
+function finish<Result>(work: Generator<void, Result>): Result {
+  for (;;) {
+    const step = work.next();
+    if (step.done) return step.value;
+  }
+}
+
+/** A cube of side 2 about the origin. */
+const cube = {
+  positions: Float32Array.from(
+    [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [(i & 1) * 2 - 1, (i & 2) - 1, ((i >> 1) & 2) - 1]),
+  ),
+  indices: Uint32Array.from(
+    [
+      [0, 2, 3, 1],
+      [4, 5, 7, 6],
+      [0, 1, 5, 4],
+      [2, 6, 7, 3],
+      [0, 4, 6, 2],
+      [1, 3, 7, 5],
+    ].flatMap(([a, b, c, d]) => [a!, b!, c!, a!, c!, d!]),
+  ),
+};
+
+test('a cube keeps its creases: three normals at each corner, each of one side', () => {
+  const { positions, indices } = cube;
+  const surface = finish(splitCreases(positions, indices, 0.7));
+  expect(surface.positions).toHaveLength(3 * 24);
+  expect(surface.copyOf).toHaveLength(16);
+  surface.copyOf.forEach((vertex, i) => {
+    expect(surface.positions.subarray(3 * (8 + i), 3 * (9 + i))).toEqual(
+      positions.subarray(3 * vertex, 3 * vertex + 3),
+    );
+  });
+  for (let i = 0; i < surface.normals.length; i += 3) {
+    const sorted = [...surface.normals.subarray(i, i + 3)].map(Math.abs).sort();
+    expect(sorted[2]).toBeCloseTo(1, 6);
+    expect(sorted[1]).toBeCloseTo(0, 6);
+  }
+});
+
+test('with a wide angle the cube is smooth, its normals point outwards from its middle', () => {
+  const { positions, indices } = cube;
+  const surface = finish(splitCreases(positions, indices, 2));
+  expect(surface.copyOf).toHaveLength(0);
+  for (let i = 0; i < 24; ++i) {
+    expect(surface.normals[i]).toBeCloseTo(positions[i]! / Math.sqrt(3), 6);
+  }
+});
+
+test('a fine torus has no creases and its faces stay where they are', () => {
+  const { positions, indices } = torus(60, 30);
+  const surface = finish(splitCreases(positions, indices, 0.66));
+  expect(surface.copyOf).toHaveLength(0);
+  expect(surface.indices).toEqual(indices);
+});

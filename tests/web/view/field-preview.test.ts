@@ -1,0 +1,95 @@
+import { expect, test } from 'vitest';
+import { buildAdjacency } from '../../../web/src/view/adjacency.js';
+import { FieldPreview } from '../../../web/src/view/field-preview.js';
+import { torus } from './fake-kernel.js';
+
+function finish<Result>(work: Generator<void, Result>): Result {
+  for (;;) {
+    const step = work.next();
+    if (step.done) return step.value;
+  }
+}
+
+const { positions, indices } = torus(12, 8);
+const vertexCount = positions.length / 3;
+const adjacency = finish(buildAdjacency(vertexCount, indices));
+
+/** Edges between two vertices, by breadth-first search. */
+function hopsFrom(source: number): number[] {
+  const hops = new Array<number>(vertexCount).fill(Infinity);
+  hops[source] = 0;
+  const queue = [source];
+  for (const v of queue) {
+    for (const n of adjacency.neighbours.subarray(adjacency.first[v], adjacency.first[v + 1])) {
+      if (hops[n] !== Infinity) continue;
+      hops[n] = hops[v]! + 1;
+      queue.push(n);
+    }
+  }
+  return hops;
+}
+
+function partial(vertices: number[]) {
+  return {
+    vertices: Uint32Array.from(vertices),
+    values: Float64Array.from(vertices, (v) => 1000 + v),
+    kinds: new Uint8Array(vertices.length),
+  };
+}
+
+test('on a torus every vertex has the neighbours of its edges, both ways', () => {
+  expect(adjacency.neighbours).toHaveLength(indices.length);
+  for (let v = 0; v < vertexCount; ++v) {
+    const around = adjacency.neighbours.subarray(adjacency.first[v], adjacency.first[v + 1]);
+    expect(new Set(around).size).toBe(6);
+    for (const n of around) {
+      const back = adjacency.neighbours.subarray(adjacency.first[n], adjacency.first[n + 1]);
+      expect([...back]).toContain(v);
+    }
+  }
+});
+
+test('every vertex shows the value of a nearest computed one, in whatever slices it spreads', () => {
+  const sources = [5, 40, 77, 91];
+  const hops = sources.map(hopsFrom);
+  const preview = new FieldPreview(adjacency);
+  let ticks = 0;
+  for (const source of sources) {
+    preview.receive(partial([source]), () => undefined);
+    // Every look at the clock finds the time nearly up: spreading goes in many small pieces.
+    preview.spread(
+      () => undefined,
+      1,
+      () => ticks++ % 2,
+    );
+  }
+  while (!preview.spread(() => undefined));
+  for (let v = 0; v < vertexCount; ++v) {
+    const nearest = Math.min(...hops.map((h) => h[v]!));
+    const shown = preview.shown[v]! - 1000;
+    expect(hops[sources.indexOf(shown)]![v]).toBe(nearest);
+  }
+});
+
+test('reports each vertex that changes, and only once it has something to show', () => {
+  const preview = new FieldPreview(adjacency);
+  const changed = new Set<number>();
+  expect(preview.range).toBeUndefined();
+  preview.receive(partial([3, 9]), (v) => changed.add(v));
+  expect([...changed]).toEqual([3, 9]);
+  expect(preview.range).toEqual([1003, 1009]);
+  expect(preview.computed).toBe(2);
+  expect(preview.values[4]).toBeNaN();
+  preview.spread((v) => changed.add(v));
+  expect(changed.size).toBe(vertexCount);
+  expect(preview.values[4]).toBeNaN();
+  expect(preview.isComputed(3)).toBe(true);
+  expect(preview.isComputed(4)).toBe(false);
+});
+
+test('a value that comes twice is counted once', () => {
+  const preview = new FieldPreview(adjacency);
+  preview.receive(partial([3]), () => undefined);
+  preview.receive(partial([3, 4]), () => undefined);
+  expect(preview.computed).toBe(2);
+});
