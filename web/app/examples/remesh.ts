@@ -18,7 +18,9 @@ import {
   vertexNormal,
 } from './triangles.ts';
 
-const rounds = 10;
+/** How often the wanted lengths are taken anew from the mesh so far. */
+const sizeChanges = 5;
+const roundsPerSize = 2;
 const finishingRounds = 6;
 
 /**
@@ -36,13 +38,15 @@ export function remesh(
   project(mesh, solid, step);
   // Faces obtained per face that the lengths ask for; learnt from round to round.
   let surplus = 1;
-  for (let round = 0; round < rounds; ++round) {
+  for (let change = 0; change < sizeChanges; ++change) {
     const lengths = wantedLengths(mesh, solid, faces / surplus, sizing, step);
-    splitLong(mesh, lengths);
-    collapseShort(mesh, lengths);
-    flipTowardsSix(mesh);
-    relax(mesh, lengths);
-    project(mesh, solid, step);
+    for (let round = 0; round < roundsPerSize; ++round) {
+      splitLong(mesh, lengths);
+      collapseShort(mesh, lengths);
+      flipTowardsSix(mesh);
+      relax(mesh, lengths);
+      project(mesh, solid, step);
+    }
     surplus *= (mesh.faceCount / faces) ** 0.8;
   }
   const lengths = wantedLengths(mesh, solid, faces, sizing, step);

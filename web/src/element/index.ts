@@ -11,13 +11,8 @@ declare global {
 }
 
 export { GirthViewer };
-export type {
-  FieldDetail,
-  LoadDetail,
-  PickDetail,
-  PinnedLoop,
-  ProgressDetail,
-} from './viewer-element.js';
+export type { FieldDetail, LoadDetail, ProgressDetail } from './viewer-element.js';
+export type { PickDetail, PinnedLoop } from './loops-on-surface.js';
 export { useKernel } from './shared-kernel.js';
 export {
   type ColormapName,

@@ -1,66 +1,29 @@
 // `<girth-viewer>`: a surface, its girth as colours, and the loop under the pointer.
 
-import type {
-  Field,
-  GirthErrorFields,
-  Loop,
-  Mesh,
-  MeshInfo,
-  MeshSource,
-  PartialField,
-} from '../kernel/types.js';
+import type { GirthErrorFields, Loop, MeshInfo, MeshSource } from '../kernel/types.js';
 import {
-  type Adjacency,
   type ColormapName,
-  FieldPreview,
   GroundShadow,
-  Latest,
   Legend,
   type LengthFormat,
-  LoopBand,
   type ScreenPoint,
   Stage,
-  Surface,
   TimeLeft,
-  borrowedWeight,
-  buildAdjacency,
-  computedWeight,
-  formatLength,
   inSlices,
   isColormapName,
   lengthFormat,
   splatShadow,
-  splitCreases,
 } from '../view/index.js';
 import { make } from './dom.js';
+import { LoopsOnSurface, type PickDetail, type PinnedLoop } from './loops-on-surface.js';
 import { MessageBox } from './message-box.js';
-import { PinTag, Readout, antipodalWords } from './readout.js';
+import { Model } from './model.js';
 import { sharedKernel } from './shared-kernel.js';
 import { StatusBar } from './status-bar.js';
 import { style } from './style.js';
 
-/** Edges sharper than this stay visible as creases, in radians. */
-const creaseAngle = (38 * Math.PI) / 180;
-/** Milliseconds a frame may spend on spreading colours. */
-const spreadBudget = 5;
-/** The pointer may move this far, in CSS pixels, between press and release of a click. */
-const clickSlack = 5;
 /** Milliseconds of reading before the element says that it reads. */
 const readingDelay = 150;
-/** CSS pixels that one key press moves the probe. */
-const probeStep = 14;
-
-const liveStyle = { colour: '#ffffff', weight: 1 };
-const pinnedStyle = { colour: '#ff7a45', weight: 0.9 };
-
-/** A loop that stays on the surface until it is removed. */
-export interface PinnedLoop {
-  /** Counts up from 1 for each model; also written on the surface. */
-  id: number;
-  vertex: number;
-  loop: Loop;
-}
-
 /** The events' details; see `GirthViewer`. */
 export interface LoadDetail {
   info: MeshInfo;
@@ -77,31 +40,6 @@ export interface FieldDetail {
   unit: string;
   /** 1, or the computed share of the vertices where the work was cancelled. */
   share: number;
-}
-export interface PickDetail {
-  /** 'hover': the loop under the pointer is shown; 'pin' and 'unpin': it was kept or let go. */
-  action: 'hover' | 'pin' | 'unpin';
-  vertex: number;
-  loop: Loop;
-}
-
-/** Everything that belongs to one model. */
-interface Model {
-  mesh: Mesh;
-  surface: Surface;
-  preview: FieldPreview;
-  /** Set once the whole field is there. */
-  field: Field | undefined;
-  computing: AbortController | undefined;
-  /** Aborted when the model goes. */
-  life: AbortController;
-  nextPin: number;
-}
-
-interface Pin extends PinnedLoop {
-  band: LoopBand;
-  tag: PinTag;
-  midpoint: Surface['bounds']['center'];
 }
 
 /**
@@ -147,8 +85,6 @@ export class GirthViewer extends HTMLElement {
       'Surface. Arrows turn, plus and minus zoom, Shift with arrows moves a probe, Enter pins its loop.',
   });
   private readonly legend = new Legend();
-  private readonly readout = new Readout();
-  private readonly tags = make('div');
   private readonly message = new MessageBox();
   private readonly live = make('div', { class: 'quiet-live', 'aria-live': 'polite' });
   private readonly status = new StatusBar({
@@ -158,9 +94,7 @@ export class GirthViewer extends HTMLElement {
 
   private stage: Stage | undefined;
   private model: Model | undefined;
-  private pins: Pin[] = [];
-  private hover: { loop: Loop; band: LoopBand } | undefined;
-  private hovered: number | undefined;
+  private loops: LoopsOnSurface | undefined;
   private format: LengthFormat = lengthFormat(1, '');
   private colormapName: ColormapName = 'viridis';
   private fixedRange: [number, number] | undefined;
@@ -168,16 +102,7 @@ export class GirthViewer extends HTMLElement {
   private inView = false;
   private whenInView: (() => void)[] = [];
   private loading: AbortController | undefined;
-  private pointer: { x: number; y: number; type: string } | undefined;
-  private pressed: { x: number; y: number } | undefined;
-  private pickRequested = 0;
   private readonly watchers: (() => void)[] = [];
-
-  private readonly loops = new Latest<number, Loop>(
-    (vertex, signal) => this.requireModel().mesh.loop(vertex, { signal }),
-    (_vertex, loop) => this.showHover(loop),
-    (_vertex, error) => this.fail('', error),
-  );
 
   constructor() {
     super();
@@ -188,20 +113,17 @@ export class GirthViewer extends HTMLElement {
     root.append(
       this.canvas,
       this.legend.element,
-      this.tags,
-      this.readout.element,
       this.status.element,
       this.message.element,
       this.live,
     );
-    this.listen();
   }
 
   connectedCallback(): void {
     try {
       this.stage = new Stage(this.canvas, {
         beforeFrame: () => this.beforeFrame(),
-        afterFrame: () => this.afterFrame(),
+        afterFrame: () => this.loops?.place(),
         touched: () => this.dispatchEvent(new CustomEvent('touch')),
       });
     } catch {
@@ -254,7 +176,6 @@ export class GirthViewer extends HTMLElement {
     const fresh = this.canvas.cloneNode() as HTMLCanvasElement;
     this.canvas.replaceWith(fresh);
     this.canvas = fresh;
-    this.listen();
     this.inView = false;
     this.whenInView = [];
   }
@@ -280,7 +201,7 @@ export class GirthViewer extends HTMLElement {
         this.updateRange();
         break;
       case 'loop':
-        if (value === 'none') this.clearHover();
+        if (value === 'none') this.loops?.clear();
         break;
       case 'edges':
         this.model?.surface.showEdges(value !== null);
@@ -307,7 +228,7 @@ export class GirthViewer extends HTMLElement {
 
   /** The pinned loops, oldest first. */
   get pinned(): PinnedLoop[] {
-    return this.pins.map(({ id, vertex, loop }) => ({ id, vertex, loop }));
+    return this.loops?.pinned ?? [];
   }
 
   /**
@@ -323,20 +244,18 @@ export class GirthViewer extends HTMLElement {
     const address = typeof source === 'string' ? new URL(source, this.baseURI) : source;
     const name = nameOf(source);
     const slow = setTimeout(() => this.status.showReading(name), readingDelay);
-    let mesh: Mesh | undefined;
     try {
       const kernel = await sharedKernel();
       signal.throwIfAborted();
-      mesh = await kernel.load(address, { signal });
-      const { positions, indices } = mesh.geometry;
-      const vertexCount = positions.length / 3;
-      const adjacency = await inSlices(buildAdjacency(vertexCount, indices), signal);
-      const creased = await inSlices(splitCreases(positions, indices, creaseAngle), signal);
-      signal.throwIfAborted();
-      this.show(mesh, new Surface(positions, indices, adjacency, creased), adjacency);
+      const mesh = await kernel.load(address, { signal });
+      try {
+        this.show(await Model.of(mesh, signal));
+      } catch (error) {
+        mesh.dispose();
+        throw error;
+      }
       return mesh.info;
     } catch (error) {
-      mesh?.dispose();
       if (!signal.aborted) this.fail(name, error);
       throw error;
     } finally {
@@ -352,47 +271,24 @@ export class GirthViewer extends HTMLElement {
   values(name: 'igf'): Float64Array {
     const model = this.requireModel();
     if (name !== 'igf') throw new RangeError(`no field is called ${String(name)}`);
-    return (model.field?.values ?? model.preview.values).slice();
+    return model.values.slice();
   }
 
   /** The exact loop at a vertex of the surface. */
   loop(vertex: number): Promise<Loop> {
-    return this.requireModel().mesh.loop(vertex, { signal: this.requireModel().life.signal });
+    const { mesh, life } = this.requireModel();
+    return mesh.loop(vertex, { signal: life.signal });
   }
 
   /** Computes the loop at a vertex and keeps it on the surface. */
   async pin(vertex: number): Promise<PinnedLoop> {
-    const model = this.requireModel();
-    const loop = this.hover?.loop.vertex === vertex ? this.hover.loop : await this.loop(vertex);
-    const already = this.pins.find((pin) => pin.vertex === vertex);
-    if (already) return already;
-    if (this.model !== model) throw new Error('the model was replaced');
-    const id = model.nextPin++;
-    const pin: Pin = {
-      id,
-      vertex,
-      loop,
-      band: new LoopBand(loop, pinnedStyle),
-      tag: new PinTag(id, loop, () => this.unpin(id)),
-      midpoint: model.surface.bounds.center.clone().fromArray(loop.midpoint),
-    };
-    pin.tag.setFormat(this.format);
-    this.pins.push(pin);
-    this.tags.append(pin.tag.element);
-    this.stage?.add(pin.band);
-    this.clearHover();
-    this.send<PickDetail>('pick', { action: 'pin', vertex, loop });
-    return { id, vertex, loop };
+    if (!this.loops) throw new Error('no model is on the page');
+    return this.loops.pin(vertex);
   }
 
   /** Removes a pinned loop; nothing happens where there is none of that id. */
   unpin(id: number): void {
-    const pin = this.pins.find((one) => one.id === id);
-    if (!pin) return;
-    this.pins = this.pins.filter((one) => one !== pin);
-    this.stage?.remove(pin.band);
-    pin.tag.element.remove();
-    this.send<PickDetail>('pick', { action: 'unpin', vertex: pin.vertex, loop: pin.loop });
+    this.loops?.unpin(id);
   }
 
   /** Stops computing the field; what there is stays. */
@@ -433,23 +329,23 @@ export class GirthViewer extends HTMLElement {
       : new Promise((resolve) => this.whenInView.push(resolve));
   }
 
-  private show(mesh: Mesh, surface: Surface, adjacency: Adjacency): void {
+  private show(model: Model): void {
+    const { mesh, surface } = model;
     this.dropModel();
     this.message.clear();
-    const model: Model = {
-      mesh,
-      surface,
-      preview: new FieldPreview(adjacency),
-      field: undefined,
-      computing: undefined,
-      life: new AbortController(),
-      nextPin: 1,
-    };
     this.model = model;
     surface.setColormap(this.colormapName);
     surface.showEdges(this.hasAttribute('edges'));
     this.format = lengthFormat(2 * surface.bounds.radius, mesh.info.unit);
-    this.stage?.show(surface);
+    if (this.stage) {
+      this.stage.show(surface);
+      this.loops = new LoopsOnSurface(this.stage, this.canvas, model, this.format, {
+        followsPointer: () => this.getAttribute('loop') !== 'none',
+        picked: (detail) => this.send<PickDetail>('pick', detail),
+        failed: (error) => this.fail('', error),
+      });
+      this.legend.element.after(this.loops.element);
+    }
     this.send<LoadDetail>('load', { info: mesh.info });
     void this.afterShowing(model);
     void this.compute();
@@ -486,7 +382,7 @@ export class GirthViewer extends HTMLElement {
     const { model } = this;
     if (!model || model.computing || model.field) return;
     await this.untilInView();
-    if (this.getAttribute('field') === 'none' || this.model !== model || model.computing) return;
+    if (!this.showsField || this.model !== model || model.computing) return;
     const computing = new AbortController();
     model.computing = computing;
     const timeLeft = new TimeLeft(performance.now());
@@ -501,7 +397,9 @@ export class GirthViewer extends HTMLElement {
           this.send<ProgressDetail>('progress', { fraction, secondsLeft });
         },
         onPartial: (partial) => {
-          if (this.model === model) this.receive(model, partial);
+          if (this.model !== model || !this.showsField) return;
+          model.receive(partial);
+          this.stage?.invalidate();
         },
       });
       if (this.model !== model) return;
@@ -525,26 +423,19 @@ export class GirthViewer extends HTMLElement {
   }
 
   private sendField(share: number): void {
-    const model = this.requireModel();
-    const range = this.extent() ?? [NaN, NaN];
-    this.send<FieldDetail>('field', { name: 'igf', range, unit: model.mesh.info.unit, share });
+    const { mesh, extent } = this.requireModel();
+    const range = extent ?? [NaN, NaN];
+    this.send<FieldDetail>('field', { name: 'igf', range, unit: mesh.info.unit, share });
     if (share === 1) this.live.textContent = 'The girth is computed.';
   }
 
   private dropModel(): void {
     const { model } = this;
     if (!model) return;
-    this.loops.clear();
-    this.clearHover();
-    for (const pin of this.pins) {
-      this.stage?.remove(pin.band);
-      pin.tag.element.remove();
-    }
-    this.pins = [];
+    this.loops?.dispose();
+    this.loops = undefined;
     this.model = undefined;
-    model.computing?.abort();
-    model.life.abort();
-    model.mesh.dispose();
+    model.dispose();
     this.stage?.show(undefined);
     this.status.clear();
     this.legend.update(undefined);
@@ -552,55 +443,29 @@ export class GirthViewer extends HTMLElement {
 
   // ---- colours
 
-  private receive({ surface, preview }: Model, partial: PartialField): void {
-    if (this.getAttribute('field') === 'none') return;
-    preview.receive(partial, (vertex) =>
-      surface.setScalar(vertex, preview.shown[vertex]!, computedWeight),
-    );
-    this.stage?.invalidate();
+  private get showsField(): boolean {
+    return this.getAttribute('field') !== 'none';
   }
 
   /** Once a frame: colours spread a little further. Returns whether some are still to come. */
   private beforeFrame(): boolean {
     const { model } = this;
-    if (!model || model.field || model.preview.computed === 0) return false;
-    if (this.getAttribute('field') === 'none') return false;
-    const { surface, preview } = model;
-    const done = preview.spread(
-      (vertex) => surface.setScalar(vertex, preview.shown[vertex]!, borrowedWeight),
-      performance.now() + spreadBudget,
-      () => performance.now(),
-    );
-    surface.uploadScalars();
+    if (!model || model.field || model.preview.computed === 0 || !this.showsField) return false;
+    const done = model.spread();
     this.updateRange();
     return !done;
   }
 
   private paintAll(): void {
-    const { model } = this;
-    if (!model) return;
-    const { surface, preview, field } = model;
-    if (this.getAttribute('field') === 'none') surface.clearScalars();
-    else {
-      const shown = field?.values ?? preview.shown;
-      for (let v = 0; v < shown.length; ++v) {
-        const known = field || preview.isComputed(v) ? computedWeight : borrowedWeight;
-        surface.setScalar(v, shown[v]!, Number.isNaN(shown[v]) ? 0 : known);
-      }
-      surface.uploadScalars();
-    }
+    if (this.showsField) this.model?.paint();
+    else this.model?.surface.clearScalars();
     this.updateRange();
     this.stage?.invalidate();
   }
 
-  /** The smallest and largest value there is. */
-  private extent(): [number, number] | undefined {
-    return this.model?.field?.range ?? this.model?.preview.range;
-  }
-
   private updateRange(): void {
     const { model } = this;
-    const reach = this.getAttribute('field') === 'none' ? undefined : this.extent();
+    const reach = this.showsField ? model?.extent : undefined;
     if (!model || !reach) {
       this.legend.update(undefined);
       return;
@@ -608,8 +473,7 @@ export class GirthViewer extends HTMLElement {
     const format = lengthFormat(reach[1], model.mesh.info.unit);
     if (JSON.stringify(format) !== JSON.stringify(this.format)) {
       this.format = format;
-      for (const pin of this.pins) pin.tag.setFormat(format);
-      if (this.hover) this.readout.show(this.hover.loop, format);
+      this.loops?.setFormat(format);
     }
     const range = this.fixedRange ?? reach;
     model.surface.setRange(...range);
@@ -620,207 +484,6 @@ export class GirthViewer extends HTMLElement {
       extent: reach,
       format,
     });
-  }
-
-  // ---- the loop under the pointer
-
-  private listen(): void {
-    const { canvas } = this;
-    canvas.addEventListener('pointermove', (event) => {
-      this.pointer = { x: event.clientX, y: event.clientY, type: event.pointerType };
-      if (event.buttons === 0) this.requestPick();
-    });
-    canvas.addEventListener('pointerdown', (event) => {
-      this.pressed = event.isPrimary ? { x: event.clientX, y: event.clientY } : undefined;
-    });
-    canvas.addEventListener('pointerup', (event) => {
-      const { pressed } = this;
-      this.pressed = undefined;
-      if (!pressed || event.button !== 0) return;
-      const moved = Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y);
-      if (moved <= clickSlack) this.click(event);
-    });
-    canvas.addEventListener('pointerleave', (event) => {
-      if (event.pointerType !== 'mouse' && event.pointerType !== 'pen') return;
-      this.pointer = undefined;
-      this.clearHover();
-    });
-    canvas.addEventListener('wheel', () => this.stage?.touch(), { passive: true });
-    canvas.addEventListener('keydown', (event) => this.key(event));
-  }
-
-  private get followsPointer(): boolean {
-    return this.getAttribute('loop') !== 'none';
-  }
-
-  /** Picks once per frame at most. */
-  private requestPick(): void {
-    if (!this.followsPointer) return;
-    this.pickRequested ||= requestAnimationFrame(() => {
-      this.pickRequested = 0;
-      if (this.pointer) this.hoverAt(this.pointer.x, this.pointer.y);
-    });
-  }
-
-  private hoverAt(x: number, y: number): void {
-    const vertex = this.stage?.pick(x, y);
-    this.canvas.classList.toggle('picking', vertex !== undefined);
-    if (vertex === undefined) {
-      this.clearHover();
-      return;
-    }
-    this.stage?.touch();
-    this.hoverOn(vertex);
-    this.placeReadout();
-  }
-
-  private hoverOn(vertex: number): void {
-    if (vertex === this.hovered) return;
-    this.hovered = vertex;
-    this.loops.request(vertex);
-  }
-
-  private click(event: PointerEvent): void {
-    if (!this.followsPointer) return;
-    const vertex = this.stage?.pick(event.clientX, event.clientY);
-    this.pointer = { x: event.clientX, y: event.clientY, type: event.pointerType };
-    if (vertex === undefined) {
-      this.clearHover();
-      return;
-    }
-    // A finger cannot hover: its first tap shows the loop, a second tap near by pins it.
-    if (event.pointerType === 'touch' && !this.isNear(vertex)) {
-      this.hoverOn(vertex);
-      return;
-    }
-    this.pinHere(event.pointerType === 'touch' ? this.hover!.loop.vertex : vertex);
-  }
-
-  /** True where the loop that is shown belongs to a vertex within a finger's width. */
-  private isNear(vertex: number): boolean {
-    if (!this.hover) return false;
-    const [a, b] = [this.screenPosition(vertex), this.screenPosition(this.hover.loop.vertex)];
-    return Math.hypot(a.x - b.x, a.y - b.y) < 24;
-  }
-
-  private pinHere(vertex: number): void {
-    this.pin(vertex).catch((error: unknown) => {
-      if (this.model && !this.model.life.signal.aborted) this.fail('', error);
-    });
-  }
-
-  private showHover(loop: Loop): void {
-    const { stage } = this;
-    if (!stage || loop.vertex !== this.hovered) {
-      // An answer for a place that the pointer has passed is still worth seeing while it moves.
-      if (!stage || this.hovered === undefined) return;
-    }
-    if (this.hover) stage.remove(this.hover.band);
-    this.hover = { loop, band: new LoopBand(loop, liveStyle) };
-    stage.add(this.hover.band);
-    this.readout.show(loop, this.format);
-    this.placeReadout();
-    if (!this.pointer) this.announce(loop);
-    this.send<PickDetail>('pick', { action: 'hover', vertex: loop.vertex, loop });
-  }
-
-  private announce(loop: Loop): void {
-    const words = loop.kind === 'loop' ? 'Loop' : antipodalWords;
-    this.live.textContent = `${words} ${formatLength(loop.length, this.format)}`;
-  }
-
-  private placeReadout(): void {
-    if (!this.hover) return;
-    const box = this.canvas.getBoundingClientRect();
-    const point =
-      this.pointer && this.pointer.type !== 'touch'
-        ? { x: this.pointer.x - box.left, y: this.pointer.y - box.top }
-        : this.screenPosition(this.hover.loop.vertex);
-    this.readout.place(point.x, point.y, box.width, box.height);
-  }
-
-  private clearHover(): void {
-    this.hovered = undefined;
-    this.loops.clear();
-    this.readout.clear();
-    if (this.hover) this.stage?.remove(this.hover.band);
-    this.hover = undefined;
-  }
-
-  private key(event: KeyboardEvent): void {
-    const { stage } = this;
-    if (!stage || !this.model || event.ctrlKey || event.altKey || event.metaKey) return;
-    const arrows: Record<string, [number, number]> = {
-      ArrowLeft: [-1, 0],
-      ArrowRight: [1, 0],
-      ArrowUp: [0, 1],
-      ArrowDown: [0, -1],
-    };
-    const arrow = arrows[event.key];
-    if (arrow && event.shiftKey) this.moveProbe(...arrow);
-    else if (arrow) stage.orbit(0.12 * arrow[0], 0.12 * arrow[1]);
-    else if (event.key === '+' || event.key === '=') stage.zoom(0.88);
-    else if (event.key === '-' || event.key === '_') stage.zoom(1 / 0.88);
-    else if (event.key === '0' || event.key === 'Home') stage.resetView();
-    else if (event.key === 'Enter' && this.hover) this.pinHere(this.hover.loop.vertex);
-    else if (event.key === 'Escape') this.clearHover();
-    else if (event.key === 'Delete' || event.key === 'Backspace') {
-      const last = this.pins.at(-1);
-      if (last) this.unpin(last.id);
-    } else return;
-    event.preventDefault();
-  }
-
-  /** Moves the loop's vertex over the surface, from edge to edge, to the right and up on the screen. */
-  private moveProbe(right: number, up: number): void {
-    const { stage } = this;
-    if (!stage || !this.followsPointer) return;
-    const { surface } = this.requireModel();
-    this.pointer = undefined;
-    stage.touch();
-    let vertex = this.hovered;
-    if (vertex === undefined) {
-      const box = this.canvas.getBoundingClientRect();
-      // The middle of the view may look through a hole: search outwards from it.
-      for (let ring = 0; ring < 12 && vertex === undefined; ++ring) {
-        for (let k = 0; k < Math.max(1, 6 * ring) && vertex === undefined; ++k) {
-          const angle = (2 * Math.PI * k) / Math.max(1, 6 * ring);
-          const reach = (ring / 24) * Math.min(box.width, box.height);
-          vertex = stage.pick(
-            box.left + box.width / 2 + reach * Math.cos(angle),
-            box.top + box.height / 2 + reach * Math.sin(angle),
-          );
-        }
-      }
-      if (vertex !== undefined) this.hoverOn(vertex);
-      return;
-    }
-    const start = stage.project(surface.positionOf(vertex));
-    const along = (v: number): number => {
-      const point = stage.project(surface.positionOf(v));
-      return right * (point.x - start.x) - up * (point.y - start.y);
-    };
-    let reached = 0;
-    for (let step = 0; step < 40 && reached < probeStep; ++step) {
-      let best = reached;
-      let next = vertex;
-      for (const neighbour of surface.neighboursOf(vertex)) {
-        const distance = along(neighbour);
-        if (distance > best) [best, next] = [distance, neighbour];
-      }
-      if (next === vertex) break;
-      [vertex, reached] = [next, best];
-    }
-    this.hoverOn(vertex);
-  }
-
-  private afterFrame(): void {
-    const { stage } = this;
-    if (!stage) return;
-    for (const pin of this.pins) {
-      pin.tag.place(stage.project(pin.midpoint), this.clientWidth, this.clientHeight);
-    }
-    if (!this.pointer || this.pointer.type === 'touch') this.placeReadout();
   }
 
   // ---- odds and ends

@@ -58,18 +58,18 @@ const spindle = (share: number): Implicit =>
     [0.184 * share, 0.85, -0.262 - 0.026 * (1 - share * share), 0.0121],
   );
 
-/** The top rail: a bent bar, higher than thick. */
-const railHeight = 2.6;
+/** The top rail: a bent bar, drawn out upwards by this much to either side. */
+const railHalfHeight = 0.022;
 const bar = round(
-  [-0.225, 0, -0.254, 0.0115],
-  [-0.12, 0, -0.279, 0.0145],
-  [0, 0, -0.288, 0.0155],
-  [0.12, 0, -0.279, 0.0145],
-  [0.225, 0, -0.254, 0.0115],
+  [-0.222, 0, -0.254, 0.014],
+  [-0.12, 0, -0.279, 0.0165],
+  [0, 0, -0.288, 0.0175],
+  [0.12, 0, -0.279, 0.0165],
+  [0.222, 0, -0.254, 0.014],
 );
 const rail: Implicit = (x, y, z) => {
   const up = y - 0.862 + 0.5 * x * x;
-  return bar(x, up / railHeight, z + 0.25 * up);
+  return bar(x, Math.max(Math.abs(up) - railHalfHeight, 0), z + 0.25 * up);
 };
 
 const sides = mirrored(0.02, smoothUnion(0.02, frontLeg, backLeg, sideBar, post, spindle(0.5)));
@@ -86,6 +86,6 @@ export const chair: Model = {
     return smoothMin(smoothMin(frame, rail(x, y, z), 0.02), seat(x, y, z), 0.025);
   },
   box: { min: [-0.27, -0.02, -0.34], max: [0.27, 0.95, 0.26] },
-  cell: 0.0095,
+  cell: 0.0105,
   sizing: { gentle: 0.08, finest: 0.45 },
 };
