@@ -1,11 +1,12 @@
 #include "gltf_accessor.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <optional>
 #include <string>
+
+#include "bit_cast.h"
 
 namespace girth::io {
 namespace {
@@ -69,8 +70,8 @@ double componentAt(const std::byte* at, int type, bool normalized) {
       scale = 4294967295;
       break;
     case TINYGLTF_COMPONENT_TYPE_FLOAT:
-      return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-    default: return std::bit_cast<double>(bits);
+      return bitCast<float>(static_cast<std::uint32_t>(bits));
+    default: return bitCast<double>(bits);
   }
   return normalized ? std::max(value / scale, -1.0) : value;
 }
