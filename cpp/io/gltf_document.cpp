@@ -15,6 +15,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
+
 // No document needs more; a recursive parser survives this.
 constexpr std::size_t kDeepest = 64;
 
@@ -53,7 +55,7 @@ const std::string* stringMember(const Json& object, const char* name) {
   return found == object.end() ? nullptr : found->get_ptr<const std::string*>();
 }
 
-/// Of `extensions` only the marks of compression remain, without their content.
+/// Of `extensions` only the mark of Draco remains, without its content.
 void reduceExtensions(Json& object) {
   const auto found = object.find("extensions");
   if (found == object.end()) return;
@@ -193,6 +195,29 @@ std::optional<Error> checkExtensions(const Json& document) {
   return std::nullopt;
 }
 
+/// Draco's content has no uncompressed copy beside it where the accessor has no buffer view.
+std::optional<Error> checkDraco(const Json& reduced) {
+  const auto meshes = reduced.find("meshes");
+  const auto accessors = reduced.find("accessors");
+  if (meshes == reduced.end() || accessors == reduced.end()) return std::nullopt;
+  for (const Json& mesh : *meshes) {
+    const auto primitives = mesh.find("primitives");
+    if (primitives == mesh.end() || !primitives->is_array()) continue;
+    for (const Json& primitive : *primitives) {
+      if (!primitive.contains("extensions")) continue;
+      const auto attributes = primitive.find("attributes");
+      if (attributes == primitive.end() || !attributes->contains("POSITION")) continue;
+      const Json& position = (*attributes)["POSITION"];
+      if (!position.is_number_unsigned() || position.get<std::size_t>() >= accessors->size()) continue;
+      if ((*accessors)[position.get<std::size_t>()].contains("bufferView")) continue;
+      return makeError(ErrorCode::UnsupportedFeature, -1,
+                       "its geometry is compressed with the glTF extension " + inQuotes(kDraco) +
+                           ", which is not read");
+    }
+  }
+  return std::nullopt;
+}
+
 Result<std::vector<GltfBufferSource>> bufferSources(Json& document) {
   std::vector<GltfBufferSource> sources;
   const auto buffers = document.find("buffers");
@@ -257,6 +282,7 @@ Result<GltfDocument> parseGltfDocument(std::string_view text) {
 
   Json reduced;
   if (auto error = reduceDocument(document, reduced)) return *error;
+  if (auto error = checkDraco(reduced)) return *error;
   document = nullptr;
   std::string reducedText = reduced.dump();
   if (reducedText.size() > std::numeric_limits<unsigned int>::max()) {
@@ -269,7 +295,10 @@ Result<GltfDocument> parseGltfDocument(std::string_view text) {
   try {
     if (!reader.LoadASCIIFromString(&result.model, &error, &warning, reducedText.data(),
                                     static_cast<unsigned int>(reducedText.size()), std::string())) {
-      const std::string firstLine = error.substr(0, error.find('\n'));
+      std::string firstLine = error.substr(0, error.find('\n'));
+      while (!firstLine.empty() && (firstLine.back() == '.' || firstLine.back() == ' ')) {
+        firstLine.pop_back();
+      }
       return malformed("its glTF document is not valid: " +
                        (firstLine.empty() ? std::string("tinygltf refused it") : firstLine));
     }

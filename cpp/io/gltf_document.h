@@ -11,8 +11,6 @@
 
 namespace girth::io {
 
-inline constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
-
 /// Where a buffer's bytes are to come from.
 struct GltfBufferSource {
   /// A data: URI or a relative name; empty: the GLB's binary chunk.
@@ -24,8 +22,8 @@ struct GltfBufferSource {
 
 /// What of a document matters for the surface.
 struct GltfDocument {
-  /// Accessors, buffer views, meshes, nodes and scenes; of primitives only POSITION, indices, mode
-  /// and the mark of Draco compression. No number in it has been checked against another.
+  /// Accessors, buffer views, meshes, nodes and scenes; of primitives only POSITION, indices and
+  /// mode. No number in it has been checked against another.
   tinygltf::Model model;
   std::vector<GltfBufferSource> buffers;
 };

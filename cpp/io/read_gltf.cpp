@@ -201,7 +201,6 @@ class SceneWalk {
       }
       const auto position = primitive.attributes.find("POSITION");
       if (position == primitive.attributes.end()) continue;
-      if (auto error = checkCompression(primitive, position->second, name)) return error;
       auto range = placed.find(position->second);
       if (range == placed.end()) {
         auto added = addPoints(position->second, world, name);
@@ -212,20 +211,6 @@ class SceneWalk {
       if (auto error = addTriangles(primitive, first, count, world.mirrors(), name)) return error;
     }
     return std::nullopt;
-  }
-
-  /// Compressed geometry without an uncompressed copy beside it cannot be read.
-  std::optional<Error> checkCompression(const tinygltf::Primitive& primitive, int position,
-                                        const std::string& name) const {
-    const auto& accessors = document_.model.accessors;
-    if (primitive.extensions.count(std::string(kDraco)) == 0 || position < 0 ||
-        static_cast<std::size_t>(position) >= accessors.size() ||
-        accessors[static_cast<std::size_t>(position)].bufferView >= 0) {
-      return std::nullopt;
-    }
-    return makeError(ErrorCode::UnsupportedFeature, -1,
-                     name + " is compressed with the glTF extension " + inQuotes(kDraco) +
-                         ", which is not read");
   }
 
   /// Adds an accessor's points; gives the first one's number and how many there are.

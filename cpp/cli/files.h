@@ -1,0 +1,34 @@
+// The command's files: the only place of the project that touches the file system.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/io/read_mesh.h"
+
+namespace girth::cli {
+
+/// A file's bytes. Errors: FILE_NOT_FOUND, FILE_UNREADABLE, OUT_OF_MEMORY.
+Result<std::vector<std::byte>> readFile(const std::string& path);
+
+/// Reads the files beside a model; never outside its folder, even by way of a symbolic link.
+io::ResourceReader resourcesBeside(const std::string& modelPath);
+
+/// Reads and welds a model. Errors: those of readFile and io::readMesh.
+Result<io::LoadedMesh> loadModel(const std::string& path);
+
+/// Puts `content` at `path` as a whole or not at all: what stood there before is replaced only by the
+/// finished file. Error: FILE_UNWRITABLE.
+std::optional<Error> writeFile(const std::string& path, std::string_view content);
+
+/// Whether `writeFile` has a chance, asked before long work. Error: FILE_UNWRITABLE.
+std::optional<Error> checkWritable(const std::string& path);
+
+/// The name's ending in lower case with its dot: ".csv".
+std::string extensionOf(const std::string& path);
+
+}  // namespace girth::cli

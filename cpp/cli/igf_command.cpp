@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include "commands.h"
+#include "files.h"
+#include "girth/io/json_text.h"
+#include "girth/io/number_text.h"
+#include "girth/io/write_field.h"
+#include "interrupt.h"
+#include "progress_line.h"
+#include "report.h"
+
+namespace girth::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What the values are like, over the vertices that were computed.
+struct Summary {
+  double least{0}, median{0}, greatest{0};
+  std::size_t computed{0}, loops{0}, antipodal{0};
+};
+
+Summary summarize(const GirthField& field) {
+  Summary summary;
+  std::vector<double> values;
+  for (std::size_t v = 0; v < field.values.size(); ++v) {
+    if (std::isnan(field.values[v])) continue;
+    values.push_back(field.values[v]);
+    ++(field.kinds[v] == LoopKind::Loop ? summary.loops : summary.antipodal);
+  }
+  summary.computed = values.size();
+  if (values.empty()) return summary;
+  std::sort(values.begin(), values.end());
+  summary.least = values.front();
+  summary.greatest = values.back();
+  const std::size_t middle = values.size() / 2;
+  summary.median =
+      values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+  return summary;
+}
+
+struct Timing {
+  double reading{0}, computing{0};
+};
+
+void printJson(const std::string& model, const io::LoadedMesh& loaded, const GirthField& field,
+               const IgfOptions& options, const Timing& timing) {
+  const Summary summary = summarize(field);
+  const auto number = [&](double value) {
+    return summary.computed > 0 ? io::formatNumber(value) : std::string("null");
+  };
+  std::string text = "{\"file\":" + io::jsonString(model) + ",\"field\":\"igf\",\"method\":" +
+                     io::jsonString(io::toString(options.method)) +
+                     ",\"unit\":" + io::jsonString(loaded.unit) +
+                     ",\"vertices\":" + std::to_string(field.values.size()) +
+                     ",\"computed\":" + std::to_string(summary.computed) +
+                     ",\"complete\":" + (field.complete() ? "true" : "false") +
+                     ",\"min\":" + number(summary.least) +
+                     ",\"median\":" + number(summary.median) +
+                     ",\"max\":" + number(summary.greatest) +
+                     ",\"loop\":" + std::to_string(summary.loops) +
+                     ",\"antipodal\":" + std::to_string(summary.antipodal) +
+                     ",\"seconds\":" + readable(timing.computing);
+  if (!options.output.empty()) text += ",\"output\":" + io::jsonString(options.output);
+  if (options.stats) {
+    text += ",\"readingSeconds\":" + readable(timing.reading) +
+            ",\"windows\":" + std::to_string(field.windows);
+  }
+  std::fputs((text + "}\n").c_str(), stdout);
+}
+
+void printText(const std::string& model, const io::LoadedMesh& loaded, const GirthField& field,
+               const IgfOptions& options, const Timing& timing) {
+  const Summary summary = summarize(field);
+  const std::string unit = unitSuffix(loaded.unit);
+  std::printf("%s: %u faces, girth at %zu of %zu vertices in %s\n", model.c_str(),
+              loaded.mesh.faceCount(), summary.computed, field.values.size(),
+              readableTime(timing.computing).c_str());
+  if (summary.computed > 0) {
+    std::printf("  min %s, median %s, max %s%s\n", readable(summary.least).c_str(),
+                readable(summary.median).c_str(), readable(summary.greatest).c_str(), unit.c_str());
+    std::printf("  %zu loop, %zu antipodal\n", summary.loops, summary.antipodal);
+  }
+  if (options.stats) {
+    const unsigned threads =
+        options.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : options.threads;
+    const double vertices = static_cast<double>(std::max<std::size_t>(1, summary.computed));
+    std::printf("  %s method, %u thread%s, read in %s\n",
+                std::string(io::toString(options.method)).c_str(), threads, threads == 1 ? "" : "s",
+                readableTime(timing.reading).c_str());
+    std::printf("  %zu windows, %s a vertex; %s ms a vertex\n", field.windows,
+                readable(static_cast<double>(field.windows) / vertices).c_str(),
+                readable(1000 * timing.computing / vertices).c_str());
+  }
+}
+
+std::string contentFor(const std::string& extension, const std::string& model,
+                       const io::LoadedMesh& loaded, const GirthField& field, GirthMethod method) {
+  if (extension == ".csv") return io::fieldCsv(loaded, field);
+  if (extension == ".json") return io::fieldJson(loaded, field, {model, method});
+  return io::fieldPly(loaded, field);
+}
+
+int runOne(const std::string& model, const IgfOptions& options, const std::atomic<bool>& interrupted) {
+  Timing timing;
+  const auto readingStart = Clock::now();
+  const auto loaded = loadModel(model);
+  if (!loaded) return reportError(model, loaded.error());
+  timing.reading = secondsSince(readingStart);
+
+  ExecutionContext context;
+  context.threads = options.threads;
+  context.cancel = &interrupted;
+  const auto computingStart = Clock::now();
+  GirthField field;
+  {
+    ProgressLine progress(model);
+    context.onProgress = [&](double fraction) { progress.show(fraction); };
+    field = girthField(loaded.value().mesh, options.method, context);
+  }
+  timing.computing = secondsSince(computingStart);
+
+  if (!options.output.empty()) {
+    const std::string content = contentFor(extensionOf(options.output), model, loaded.value(), field,
+                                           options.method);
+    if (auto error = writeFile(options.output, content)) {
+      return reportError(options.output, *error);
+    }
+  }
+  if (options.json) {
+    printJson(model, loaded.value(), field, options, timing);
+  } else {
+    printText(model, loaded.value(), field, options, timing);
+  }
+  if (field.complete()) return 0;
+  Error error = makeError(ErrorCode::Cancelled, -1,
+                          "stopped after " + std::to_string(field.computed) + " of " +
+                              std::to_string(field.values.size()) + " vertices");
+  error.hint = options.output.empty() ? "" : "partial results are in " + options.output;
+  return reportError(model, error);
+}
+
+}  // namespace
+
+int runIgf(const IgfOptions& options) {
+  if (!options.output.empty()) {
+    const std::string extension = extensionOf(options.output);
+    if (extension != ".csv" && extension != ".json" && extension != ".ply") {
+      Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
+      error.hint = "use .csv, .json or .ply";
+      return reportError(options.output, error);
+    }
+    if (options.models.size() > 1) {
+      Error error = makeError(ErrorCode::Usage, -1, "-o takes the values of one model only");
+      error.hint = "call girth igf once for each model";
+      return reportError(options.output, error);
+    }
+    if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
+  }
+  const std::atomic<bool>& interrupted = catchInterrupts();
+  int exitCode = 0;
+  for (const std::string& model : options.models) {
+    if (interrupted) break;
+    exitCode = std::max(exitCode, runOne(model, options, interrupted));
+  }
+  return exitCode;
+}
+
+}  // namespace girth::cli

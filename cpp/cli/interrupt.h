@@ -1,0 +1,12 @@
+// Ctrl-C.
+#pragma once
+
+#include <atomic>
+
+namespace girth::cli {
+
+/// From now on the first SIGINT or SIGTERM sets the flag that is returned instead of ending the
+/// program; the second one ends it.
+const std::atomic<bool>& catchInterrupts();
+
+}  // namespace girth::cli

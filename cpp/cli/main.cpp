@@ -1,0 +1,91 @@
+// girth: the intrinsic girth function on the command line.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <new>
+#include <string>
+
+#include "commands.h"
+#include "report.h"
+
+namespace {
+
+using namespace girth;
+using namespace girth::cli;
+
+constexpr const char* kFooter =
+    "Models are GLB, glTF or OBJ files and must be closed surfaces. Vertices are numbered as in the\n"
+    "file, from 0.\n"
+    "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 a limit was met or the work was cancelled.";
+
+int run(int argc, char** argv) {
+  CLI::App app{"The intrinsic girth function of surfaces: the length of the shortest loop that can "
+               "be drawn tight around a surface through each of its points."};
+  app.name("girth");
+  app.footer(kFooter);
+  app.set_version_flag("--version", std::string("girth ") + GIRTH_VERSION);
+  app.require_subcommand(1);
+
+  InfoOptions info;
+  CLI::App* infoCommand = app.add_subcommand("info", "Say what a model is");
+  infoCommand->add_option("MODEL", info.models, "Models to read")->required();
+  infoCommand->add_flag("--json", info.json, "Print one JSON object for each model");
+
+  IgfOptions igf;
+  const std::map<std::string, GirthMethod> methods{{"exact", GirthMethod::Exact},
+                                                   {"naive", GirthMethod::Naive}};
+  CLI::App* igfCommand = app.add_subcommand("igf", "Compute the girth at every vertex");
+  igfCommand->add_option("MODEL", igf.models, "Models to read")->required();
+  igfCommand->add_option("-o,--output", igf.output,
+                         "Write the values: .csv or .json (the file's vertices), .ply (the surface)");
+  igfCommand
+      ->add_option_function<std::string>(
+          "--method", [&](const std::string& name) { igf.method = methods.at(name); },
+          "exact (the default) or naive, the slow yardstick")
+      ->check(CLI::IsMember({"exact", "naive"}));
+  igfCommand->add_option("--threads", igf.threads, "Threads; as many as there are cores by default")
+      ->check(CLI::Range(1u, 1024u));
+  igfCommand->add_flag("--json", igf.json, "Print the summary as one JSON object for each model");
+  igfCommand->add_flag("--stats", igf.stats, "Print what the computation took");
+
+  LoopOptions loop;
+  CLI::App* loopCommand = app.add_subcommand("loop", "Compute the loop at one vertex");
+  loopCommand->add_option("MODEL", loop.model, "The model to read")->required();
+  loopCommand->add_option("VERTEX", loop.vertex, "A vertex, numbered as in the file from 0")
+      ->required()
+      ->check(CLI::NonNegativeNumber);
+  loopCommand->add_option("-o,--output", loop.output,
+                          "Write the loop: .json, .obj (a polyline) or .csv (x,y,z)");
+  loopCommand->add_flag("--json", loop.json, "Print the summary as JSON");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version come this way too.
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return reportError("", makeError(ErrorCode::Usage, -1, error.what()));
+  }
+  if (infoCommand->parsed()) return runInfo(info);
+  if (igfCommand->parsed()) return runIgf(igf);
+  return runLoop(loop);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int exitCode = 0;
+  try {
+    exitCode = run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    exitCode = reportError("", makeError(ErrorCode::OutOfMemory, -1, "there is not enough memory"));
+  } catch (const std::exception& error) {
+    exitCode = reportError("", makeError(ErrorCode::Internal, -1, error.what()));
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    const int unwritable = reportError(
+        "standard output", makeError(ErrorCode::FileUnwritable, -1, "it cannot be written"));
+    if (exitCode == 0) exitCode = unwritable;
+  }
+  return exitCode;
+}

@@ -1,0 +1,12 @@
+// Strings as JSON writes them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace girth::io {
+
+/// The text in quotes, escaped; bytes that are not UTF-8 are replaced.
+std::string jsonString(std::string_view text);
+
+}  // namespace girth::io

@@ -1,0 +1,24 @@
+// A geodesic loop as a file's content: JSON, OBJ or CSV.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "girth/girth_solver.h"
+#include "girth/io/read_mesh.h"
+
+namespace girth::io {
+
+/// One line of JSON: `file`, `vertex` (the file's number), `length`, `kind`, `angle` in radians, `unit`, and
+/// as points `midpoint` and, if wanted, `points`: each with its `position` and the `vertices` of the
+/// file (one, the two of an edge, or the three of a face) that it lies between, with their `weights`.
+std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::string_view file,
+                     bool withPoints);
+
+/// The polyline as an OBJ line element, closed.
+std::string loopObj(const LoadedMesh& loaded, const GirthLoop& loop);
+
+/// `x,y,z` and one row for every point of the polyline; the last equals the first.
+std::string loopCsv(const LoadedMesh& loaded, const GirthLoop& loop);
+
+}  // namespace girth::io
