@@ -33,8 +33,10 @@ void traceFromWindow(const Propagation& propagation, Index window, Vec2 point,
     const Side& side = unfolding.side(w.halfedge);
     // Where the straight line from the root to the point crosses the halfedge.
     const Vec2 ray = point - w.root;
-    const double t = cross(w.root - side.start, ray) / cross(side.direction, ray);
-    // A point on the halfedge itself, seen along it, leaves the quotient to rounding: keep to the window.
+    // A point on the halfedge itself, seen along it, is its own crossing.
+    const double across = cross(side.direction, ray);
+    const double t = across > 0 ? cross(w.root - side.start, ray) / across
+                                : dot(side.direction, point - side.start);
     const double crossing = std::clamp(t, w.gapFrom, std::max(w.gapFrom, side.length - w.gapTo));
     append(path, pointOfSide(unfolding, w.halfedge, crossing));
     if (w.parent == kNoIndex) {

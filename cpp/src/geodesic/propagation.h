@@ -38,6 +38,13 @@ struct Arrival {
   bool settled{false};
 };
 
+/// How a path ends at a point of a face: in a window, or straight from a corner.
+struct PathEnd {
+  double distance{std::numeric_limits<double>::infinity()};
+  Index window{kNoIndex};
+  Index corner{kNoIndex};  ///< a vertex, where there is no window
+};
+
 /// One propagation at a time; scratch memory is kept between them and cleared in proportion to what was
 /// touched. Lengths are in `unfolding.unit()`.
 class Propagation {
@@ -88,20 +95,24 @@ class Propagation {
   /// The vertices that a path has reached.
   const std::vector<Index>& reachedVertices() const { return reached_; }
 
-  /// Distance from the source to a point of a face, from all windows that entered it and its corners;
-  /// exact where the frontier has passed the point.
-  double distanceAt(Index face, Vec2 point) const {
-    double best = std::numeric_limits<double>::infinity();
+  /// The shortest path to a point of a face, from all windows that entered it and its corners; exact where
+  /// the frontier has passed the point.
+  PathEnd pathTo(Index face, Vec2 point) const {
+    PathEnd best;
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       const Side& side = unfolding_->side(h);
-      best = std::min(best, arrival_[side.from].distance + norm(point - side.start));
+      const double overCorner = arrival_[side.from].distance + norm(point - side.start);
+      if (overCorner < best.distance) best = {overCorner, kNoIndex, side.from};
       for (Index w = first_[h]; w != kNoIndex; w = windows_[w].sibling) {
         const double distance = windows_[w].distanceTo(point);
-        if (distance < best && windows_[w].covers(side, point)) best = distance;
+        if (distance < best.distance && windows_[w].covers(side, point)) {
+          best = {distance, w, kNoIndex};
+        }
       }
     }
     return best;
   }
+  double distanceTo(Index face, Vec2 point) const { return pathTo(face, point).distance; }
 
   std::size_t memoryBytes() const {
     return windows_.capacity() * sizeof(Window) + arrival_.capacity() * sizeof(Arrival) +

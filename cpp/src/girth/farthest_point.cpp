@@ -1,8 +1,12 @@
 #include "girth/farthest_point.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
 
 namespace girth {
 
@@ -17,11 +21,18 @@ using geodesic::Vec2;
 
 namespace {
 
-/// A source of paths in the plane of one face.
+/// Where paths into a face come from, in the plane of the face: the root of a window, or a corner that sends
+/// out paths of its own.
 struct Site {
   Vec2 root;
   double sigma;
-  Index window;
+  Vec2 left{0, 0}, right{0, 0};  // unit vectors along the bounds of the window; zero: unbounded
+
+  double distanceTo(Vec2 q) const { return sigma + norm(q - root); }
+  /// Whether the window may cover a point of this disk.
+  bool meetsDisk(Vec2 centre, double radius) const {
+    return cross(left, centre - root) <= radius && cross(right, centre - root) >= -radius;
+  }
 };
 
 /// The points at which three sites are at one distance: |q − r_i| + σ_i = D for all three (the problem of
@@ -60,55 +71,139 @@ bool insideFace(const Propagation& propagation, Index face, Vec2 q) {
   return true;
 }
 
+/// Searches faces, most promising parts first.
+class FaceSearch {
+ public:
+  FaceSearch(const Propagation& propagation, FarthestPoint& best)
+      : propagation_(propagation), best_(best), atLeast_(best.distance) {}
+
+  void search(Index face) {
+    face_ = face;
+    std::vector<Site> sites;
+    std::array<Vec2, 3> corners;
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      const Side& side = propagation_.unfolding().side(h);
+      const geodesic::Arrival& corner = propagation_.arrival(side.from);
+      corners[h - 3 * face] = side.start;
+      if (corner.settled) sites.push_back({side.start, corner.distance});
+      for (Index i = propagation_.firstWindow(h); i != kNoIndex; i = propagation_.window(i).sibling) {
+        const geodesic::Window& w = propagation_.window(i);
+        const Vec2 left = side.at(w.gapFrom) - w.root;
+        const Vec2 right = side.at(side.length - w.gapTo) - w.root;
+        sites.push_back({w.root, w.sigma, (1 / norm(left)) * left, (1 / norm(right)) * right});
+      }
+    }
+    std::priority_queue<Cell> cells;
+    add(cells, corners, sites, 0);
+    while (!cells.empty() && cells.top().bound > atLeast_) {
+      const Cell cell = cells.top();
+      cells.pop();
+      if (cell.sites.size() <= kFewSites || cell.depth == kDeepest) {
+        testTriples(cell.sites);
+        continue;
+      }
+      const auto& [a, b, c] = cell.corners;
+      const Vec2 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+      add(cells, {a, ab, ca}, cell.sites, cell.depth + 1);
+      add(cells, {ab, b, bc}, cell.sites, cell.depth + 1);
+      add(cells, {ca, bc, c}, cell.sites, cell.depth + 1);
+      add(cells, {ab, bc, ca}, cell.sites, cell.depth + 1);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kFewSites = 8;
+  static constexpr int kDeepest = 8;
+
+  /// A triangle of the face, with the sites that may be nearest to a point of it.
+  struct Cell {
+    double bound;  // the distance is nowhere greater
+    std::array<Vec2, 3> corners;
+    std::vector<Site> sites;
+    int depth;
+    bool operator<(const Cell& other) const { return bound < other.bound; }
+  };
+
+  void add(std::priority_queue<Cell>& cells, const std::array<Vec2, 3>& corners,
+           const std::vector<Site>& sites, int depth) {
+    const Vec2 centre = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
+    double radius = 0;
+    for (const Vec2 corner : corners) radius = std::max(radius, norm(corner - centre));
+    // The distance changes by no more than the way walked.
+    const double atCentre = propagation_.distanceTo(face_, centre);
+    atLeast_ = std::max(atLeast_, atCentre);
+    if (atCentre + radius <= atLeast_) return;
+    Cell cell{atCentre + radius, corners, {}, depth};
+    const double margin = radius * (1 + 1e-6) + kTie * best_.distance;
+    for (const Site& site : sites) {
+      if (site.distanceTo(centre) <= atCentre + 2 * margin && site.meetsDisk(centre, margin)) {
+        cell.sites.push_back(site);
+      }
+    }
+    cells.push(std::move(cell));
+  }
+
+  void testTriples(const std::vector<Site>& all) {
+    // Windows of one root, which differ only in the way they pass flat vertices, are one site.
+    std::vector<Site> sites;
+    const double slack = kTie * best_.distance;
+    for (const Site& site : all) {
+      const auto known = std::find_if(sites.begin(), sites.end(), [&](const Site& s) {
+        return std::fabs(s.sigma - site.sigma) <= slack && norm(s.root - site.root) <= slack;
+      });
+      if (known == sites.end()) sites.push_back(site);
+    }
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        for (std::size_t k = 0; k < j; ++k) {
+          std::array<Vec2, 2> points;
+          const int count = meetingPoints(sites[i], sites[j], sites[k], points);
+          for (int n = 0; n < count; ++n) test(points[n], sites[i]);
+        }
+      }
+    }
+  }
+
+  void test(Vec2 q, const Site& site) {
+    const double distance = site.distanceTo(q);
+    if (!(distance > best_.distance) || !insideFace(propagation_, face_, q)) return;
+    // The sites may be out of sight from there: what counts is the true distance.
+    if (std::fabs(propagation_.distanceTo(face_, q) - distance) > kTie * distance) return;
+    best_ = {distance, face_, q};
+    atLeast_ = std::max(atLeast_, distance * (1 - kTie));
+  }
+
+  const Propagation& propagation_;
+  FarthestPoint& best_;
+  double atLeast_;  // the maximum is known to be no less
+  Index face_{0};
+};
+
 }  // namespace
 
 FarthestPoint farthestPoint(const Propagation& propagation) {
-  const SurfaceMesh& mesh = propagation.unfolding().mesh();
+  const geodesic::Unfolding& unfolding = propagation.unfolding();
+  const SurfaceMesh& mesh = unfolding.mesh();
   FarthestPoint best;
   for (const Index v : propagation.reachedVertices()) {
     const double distance = propagation.arrival(v).distance;
-    if (best.vertex != kNoIndex && distance <= best.distance) continue;
     const Index h = mesh.outgoing(v);
-    best = {distance, SurfaceMesh::faceOf(h), propagation.unfolding().side(h).start, kNoIndex, v};
+    if (distance > best.distance) best = {distance, SurfaceMesh::faceOf(h), unfolding.side(h).start};
   }
 
-  std::vector<Site> sites;
+  // Faces that could hold a farther point, judged by their corners; each once, at its first corner.
+  FaceSearch faces(propagation, best);
   for (const Index v : propagation.reachedVertices()) {
     Index out = mesh.outgoing(v);
     do {
-      const Index face = SurfaceMesh::faceOf(out);
-      // Each face once: at its first corner.
-      double bound = out == 3 * face ? std::numeric_limits<double>::infinity() : 0;
-      for (Index h = 3 * face; h < 3 * face + 3 && bound > best.distance; ++h) {
-        const double longest = std::max(mesh.length(h), mesh.length(SurfaceMesh::previous(h))) /
-                               propagation.unfolding().unit();
-        bound = std::min(bound, propagation.arrival(mesh.from(h)).distance + longest);
-      }
-      if (bound > best.distance) {
-        sites.clear();
-        for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-          for (Index w = propagation.firstWindow(h); w != kNoIndex;
-               w = propagation.window(w).sibling) {
-            sites.push_back({propagation.window(w).root, propagation.window(w).sigma, w});
-          }
+      if (out % 3 == 0) {
+        double bound = std::numeric_limits<double>::infinity();
+        for (Index h = out; h < out + 3; ++h) {
+          const double longest =
+              std::max(unfolding.side(h).length, unfolding.side(SurfaceMesh::previous(h)).length);
+          bound = std::min(bound, propagation.arrival(mesh.from(h)).distance + longest);
         }
-        for (std::size_t i = 0; i < sites.size(); ++i) {
-          for (std::size_t j = 0; j < i; ++j) {
-            for (std::size_t k = 0; k < j; ++k) {
-              std::array<Vec2, 2> points;
-              const int count = meetingPoints(sites[i], sites[j], sites[k], points);
-              for (int n = 0; n < count; ++n) {
-                const Vec2 q = points[n];
-                const double distance = sites[i].sigma + norm(q - sites[i].root);
-                if (!(distance > best.distance) || !insideFace(propagation, face, q)) continue;
-                if (propagation.distanceAt(face, q) < distance * (1 - kTie)) continue;
-                const geodesic::Window& w = propagation.window(sites[i].window);
-                if (!w.covers(propagation.unfolding().side(w.halfedge), q)) continue;
-                best = {distance, face, q, sites[i].window, kNoIndex};
-              }
-            }
-          }
-        }
+        if (bound > best.distance) faces.search(SurfaceMesh::faceOf(out));
       }
       out = mesh.twin(SurfaceMesh::previous(out));
     } while (out != mesh.outgoing(v));

@@ -91,16 +91,17 @@ struct GirthSolver::State {
       result.length = 2 * farthest.distance * unfolding->unit();
       result.kind = LoopKind::Antipodal;
       result.midpoint = surfacePointAt(*unfolding, farthest.face, farthest.point);
-      if (farthest.window == kNoIndex) {
-        traceFromVertex(propagation, farthest.vertex, there);
+      const geodesic::PathEnd end = propagation.pathTo(farthest.face, farthest.point);
+      if (end.window == kNoIndex) {
+        traceFromVertex(propagation, end.corner, there);
       } else {
-        traceFromWindow(propagation, farthest.window, farthest.point, there);
-        there.insert(there.begin(), result.midpoint);
+        traceFromWindow(propagation, end.window, farthest.point, there);
       }
+      if (!same(there.front(), result.midpoint)) there.insert(there.begin(), result.midpoint);
       back = there;
     }
-    // Where the midpoint is a vertex, both halves begin with it.
-    if (!there.empty() && !back.empty() && same(there.front(), back.front())) back.erase(back.begin());
+    // Where the midpoint is a vertex or turning point, both halves begin with it.
+    if (same(there.front(), back.front())) back.erase(back.begin());
     result.points.assign(there.rbegin(), there.rend());
     result.points.insert(result.points.end(), back.begin(), back.end());
     result.angle = angleAtBase(result);

@@ -93,6 +93,8 @@ void LoopSearch::pair(Index window, Index other) {
 
   const Vec2 line = b.root - a.root;
   const double distance = norm(line);
+  // One root seen through two sides: both windows carry the same paths, past either side of a flat vertex.
+  if (!(distance > kTouch * sideA.length)) return;
   const double toMidpoint = (distance + b.sigma - a.sigma) / 2;
   if (!(toMidpoint >= 0 && toMidpoint <= distance)) return;
   const Vec2 q = a.root + (toMidpoint / distance) * line;
@@ -160,7 +162,7 @@ void LoopSearch::propose(const LoopCandidate& candidate) {
 }
 
 bool LoopSearch::proven(const LoopCandidate& candidate) const {
-  return propagation_->distanceAt(candidate.face, candidate.midpoint) >=
+  return propagation_->distanceTo(candidate.face, candidate.midpoint) >=
          candidate.length / 2 * (1 - kTie);
 }
 

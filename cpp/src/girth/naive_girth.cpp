@@ -19,6 +19,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Lengths are compared, and ends of intervals met, up to this share.
 constexpr double kTolerance = 1e-10;
+/// The farthest point is bisected to this.
+constexpr double kBisection = 2e-10;
 /// Angles are compared up to this.
 constexpr double kAngleTolerance = 1e-8;
 
@@ -60,11 +62,11 @@ class NaiveGirth {
         distance_.begin(), distance_.end(),
         [](double a, double b) { return (std::isinf(a) ? -1 : a) < (std::isinf(b) ? -1 : b); });
     const bool sphere = mesh_.genus(mesh_.componentOf(source_)) == 0;
-    if (best_ < kInfinity && (!sphere || best_ / 2 < farthestVertex * (1 - kTolerance))) {
+    if (best_ < kInfinity && (!sphere || best_ / 2 < farthestVertex * (1 - 1e-9))) {
       return GirthValue{best_, LoopKind::Loop};
     }
     const double farthest = farthestDistance(farthestVertex);
-    if (best_ / 2 < farthest * (1 - kTolerance)) return GirthValue{best_, LoopKind::Loop};
+    if (best_ / 2 < farthest * (1 - 1e-9)) return GirthValue{best_, LoopKind::Loop};
     return GirthValue{2 * farthest, LoopKind::Antipodal};
   }
 
@@ -308,12 +310,12 @@ class NaiveGirth {
       const double radius =
           std::max({lengthOf(a - centre), lengthOf(b - centre), lengthOf(c - centre)});
       atLeast = std::max(atLeast, d);
-      if (d + radius > atLeast * (1 + 1e-12)) cells.push({d + radius, h, a, b, c});
+      if (d + radius > atLeast * (1 + kBisection)) cells.push({d + radius, h, a, b, c});
     };
     for (Index f = 0; f < mesh_.faceCount(); ++f) {
       add(3 * f, {0, 0}, {mesh_.length(3 * f), 0}, apex(3 * f));
     }
-    while (!cells.empty() && cells.top().bound > atLeast * (1 + 1e-12) && !context_.cancelled()) {
+    while (!cells.empty() && cells.top().bound > atLeast * (1 + kBisection) && !context_.cancelled()) {
       const Cell cell = cells.top();
       cells.pop();
       const Point ab = 0.5 * (cell.a + cell.b), bc = 0.5 * (cell.b + cell.c),
