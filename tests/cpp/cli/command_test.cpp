@@ -1,0 +1,298 @@
+// The girth command as a user runs it: what it prints, what it writes, and with which code it ends.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const std::string kData = GIRTH_TEST_DATA;
+
+std::string contentOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+struct Outcome {
+  int exitCode;
+  std::string output, errors;
+};
+
+/// A folder for the files of one test.
+class Command : public ::testing::Test {
+ protected:
+  Command() {
+    std::string name = (fs::temp_directory_path() / "girth-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~Command() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::string write(const std::string& name, const std::string& content) const {
+    std::ofstream(path(name), std::ios::binary) << content;
+    return path(name);
+  }
+
+  /// Starts the command; `wait` ends it.
+  pid_t start(const std::vector<std::string>& arguments) const {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    if (std::freopen(path("stdout").c_str(), "wb", stdout) == nullptr ||
+        std::freopen(path("stderr").c_str(), "wb", stderr) == nullptr) {
+      _exit(126);
+    }
+    std::vector<std::string> copies{GIRTH_COMMAND};
+    copies.insert(copies.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& copy : copies) pointers.push_back(copy.data());
+    pointers.push_back(nullptr);
+    execv(pointers[0], pointers.data());
+    _exit(127);
+  }
+
+  Outcome wait(pid_t child) const {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            contentOf(path("stdout")), contentOf(path("stderr"))};
+  }
+
+  Outcome run(const std::vector<std::string>& arguments) const { return wait(start(arguments)); }
+
+  fs::path folder_;
+};
+
+TEST_F(Command, helpAndVersion) {
+  const Outcome help = run({"--help"});
+  EXPECT_EQ(help.exitCode, 0);
+  for (const char* word : {"info", "igf", "loop", "Exit codes"}) {
+    EXPECT_NE(help.output.find(word), std::string::npos) << word;
+  }
+  EXPECT_EQ(run({"igf", "--help"}).exitCode, 0);
+  const Outcome version = run({"--version"});
+  EXPECT_EQ(version.exitCode, 0);
+  EXPECT_EQ(version.output.rfind("girth ", 0), 0u) << version.output;
+}
+
+TEST_F(Command, wrongUsageIsOneLineAndExitCodeOne) {
+  const std::string prism = kData + "/prism.obj";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{}, {"fly"}, {"igf"}, {"loop", prism}, {"loop", prism, "-3"},
+        {"loop", prism, "x"}, {"igf", prism, "--method", "guess"}, {"igf", prism, "--threads", "0"},
+        {"igf", prism, "-o", path("a.xyz")}, {"igf", prism, prism, "-o", path("a.csv")},
+        {"loop", prism, "3", "-o", path("a.ply")}, {"loop", prism, "44"},
+        {"loop", prism, "99999999999"}, {"info", prism, "--wings"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
+    EXPECT_EQ(linesOf(outcome.errors).size(), 1u) << outcome.errors;
+    EXPECT_EQ(outcome.errors.rfind("girth: ", 0), 0u) << outcome.errors;
+    EXPECT_EQ(outcome.output, "");
+  }
+}
+
+TEST_F(Command, badInputIsOneLineAndExitCodeTwo) {
+  struct Case {
+    std::string file;
+    const char* code;
+    const char* words;
+  };
+  for (const Case& c : {Case{kData + "/bad/truncated.glb", "MALFORMED_FILE", "breaks off"},
+                        Case{kData + "/bad/text.glb", "UNKNOWN_FORMAT", ".glb"},
+                        Case{kData + "/bad/open.obj", "OPEN_EDGE", "edge 2-3 of face"},
+                        Case{kData + "/bad/nan.obj", "NON_FINITE_POSITION", "line 2"},
+                        Case{kData + "/bad/index.obj", "INDEX_OUT_OF_RANGE", "line 8"},
+                        Case{kData + "/bad/empty.obj", "EMPTY_FILE", "empty"},
+                        Case{path("nowhere.obj"), "FILE_NOT_FOUND", "no such file"},
+                        Case{folder_.string(), "FILE_UNREADABLE", "folder"}}) {
+    for (const char* command : {"info", "igf"}) {
+      const Outcome outcome = run({command, c.file});
+      EXPECT_EQ(outcome.exitCode, 2) << outcome.errors;
+      ASSERT_EQ(linesOf(outcome.errors).size(), 1u) << outcome.errors;
+      EXPECT_EQ(outcome.errors.rfind("girth: " + c.file + ": " + c.code + ": ", 0), 0u)
+          << outcome.errors;
+      EXPECT_NE(outcome.errors.find(c.words), std::string::npos) << outcome.errors;
+      EXPECT_NE(outcome.errors.find("; "), std::string::npos) << outcome.errors;
+    }
+  }
+}
+
+TEST_F(Command, unwritableOutputIsFoundBeforeTheWork) {
+  const Outcome outcome = run({"igf", kData + "/prism.obj", "-o", path("missing/a.csv")});
+  EXPECT_EQ(outcome.exitCode, 2);
+  EXPECT_NE(outcome.errors.find("FILE_UNWRITABLE"), std::string::npos) << outcome.errors;
+}
+
+TEST_F(Command, infoSaysWhatTheModelIs) {
+  const Outcome text = run({"info", kData + "/prism.obj"});
+  EXPECT_EQ(text.exitCode, 0) << text.errors;
+  EXPECT_NE(text.output.find("closed surface, OBJ"), std::string::npos) << text.output;
+
+  const Outcome outcome =
+      run({"info", kData + "/prism_seams.glb", kData + "/bad/open.obj", kData + "/prism.obj", "--json"});
+  EXPECT_EQ(outcome.exitCode, 2) << "one of them is bad";
+  const auto lines = linesOf(outcome.output);
+  ASSERT_EQ(lines.size(), 2u) << "the others are reported all the same";
+  const Json info = Json::parse(lines[0]);
+  EXPECT_EQ(info["format"], "GLB");
+  EXPECT_EQ(info["unit"], "metre");
+  EXPECT_EQ(info["fileVertices"], 168);
+  EXPECT_EQ(info["vertices"], 44);
+  EXPECT_EQ(info["weldedVertices"], 124);
+  EXPECT_EQ(info["faces"], 84);
+  EXPECT_EQ(info["genus"], Json::array({0}));
+  EXPECT_DOUBLE_EQ(info["area"], 4 * 42.0);
+  EXPECT_EQ(info["boundingBox"]["max"], Json::array({1, 1, 20}));
+}
+
+TEST_F(Command, igfWritesARowForEveryVertexOfTheFile) {
+  const Outcome outcome =
+      run({"igf", kData + "/prism.obj", "-o", path("prism.csv"), "--threads", "2", "--stats"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "") << "no progress where standard error is no terminal";
+  const auto rows = linesOf(contentOf(path("prism.csv")));
+  ASSERT_EQ(rows.size(), 45u);
+  EXPECT_EQ(rows[0], "vertex,igf,kind");
+  for (std::size_t v = 0; v < 44; ++v) {
+    EXPECT_EQ(rows[v + 1].rfind(std::to_string(v) + ",", 0), 0u) << rows[v + 1];
+  }
+  // Half-way along, the shortest loop is the cross-section.
+  const std::string middle = rows[1 + 21];
+  EXPECT_NEAR(std::strtod(middle.c_str() + middle.find(',') + 1, nullptr), 4.0, 1e-9) << middle;
+  EXPECT_NE(middle.find(",loop"), std::string::npos) << middle;
+}
+
+TEST_F(Command, weldedVerticesShareTheirValue) {
+  ASSERT_EQ(run({"igf", kData + "/prism.obj", "-o", path("a.json")}).exitCode, 0);
+  ASSERT_EQ(run({"igf", kData + "/prism_seams.glb", "-o", path("b.json")}).exitCode, 0);
+  const Json plain = Json::parse(contentOf(path("a.json")));
+  const Json seams = Json::parse(contentOf(path("b.json")));
+  EXPECT_EQ(plain["igf"].size(), 44u);
+  EXPECT_EQ(seams["igf"].size(), 168u);
+  EXPECT_TRUE(seams["complete"]);
+  // The second quadrilateral's first corner is the first one's second; the GLB is twice as large.
+  EXPECT_EQ(seams["igf"][1], seams["igf"][4]);
+  EXPECT_NEAR(seams["igf"][4].get<double>(), 2 * plain["igf"][1].get<double>(), 1e-9);
+}
+
+TEST_F(Command, sameFileForAnyNumberOfThreads) {
+  ASSERT_EQ(run({"igf", kData + "/prism.obj", "-o", path("1.ply"), "--threads", "1"}).exitCode, 0);
+  ASSERT_EQ(run({"igf", kData + "/prism.obj", "-o", path("3.ply"), "--threads", "3"}).exitCode, 0);
+  EXPECT_EQ(contentOf(path("1.ply")), contentOf(path("3.ply")));
+  EXPECT_EQ(contentOf(path("1.ply")).rfind("ply\n", 0), 0u);
+}
+
+TEST_F(Command, naiveAgrees) {
+  const Json exact = Json::parse(run({"igf", kData + "/prism.obj", "--json"}).output);
+  const Json naive =
+      Json::parse(run({"igf", kData + "/prism.obj", "--json", "--method", "naive"}).output);
+  EXPECT_EQ(naive["method"], "naive");
+  for (const char* key : {"min", "median", "max"}) {
+    EXPECT_NEAR(naive[key].get<double>(), exact[key].get<double>(), 1e-9) << key;
+  }
+}
+
+TEST_F(Command, loopAtAVertex) {
+  const Outcome outcome = run({"loop", kData + "/prism.obj", "21", "--json", "-o", path("l.json")});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  const Json summary = Json::parse(outcome.output);
+  EXPECT_EQ(summary["vertex"], 21);
+  EXPECT_EQ(summary["kind"], "loop");
+  EXPECT_NEAR(summary["length"].get<double>(), 4.0, 1e-9);
+  const Json loop = Json::parse(contentOf(path("l.json")));
+  EXPECT_EQ(loop["points"].front()["position"], loop["points"].back()["position"]);
+  EXPECT_EQ(loop["points"].front()["vertices"], Json::array({21}));
+
+  EXPECT_EQ(run({"loop", kData + "/prism.obj", "21", "-o", path("l.obj")}).exitCode, 0);
+  EXPECT_NE(contentOf(path("l.obj")).find("\nl 1 2"), std::string::npos);
+  EXPECT_EQ(run({"loop", kData + "/prism.obj", "21", "-o", path("l.csv")}).exitCode, 0);
+  EXPECT_EQ(contentOf(path("l.csv")).rfind("x,y,z\n", 0), 0u);
+}
+
+TEST_F(Command, readsFilesBesideTheModelOnly) {
+  fs::create_directory(folder_ / "models");
+  write("secret.bin", "secret");
+  fs::create_symlink(folder_ / "secret.bin", folder_ / "models" / "link.bin");
+  for (const char* uri : {"../secret.bin", "link.bin", "/etc/passwd"}) {
+    const std::string model = write(
+        "models/a.gltf",
+        R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":")" + std::string(uri) +
+            R"("}],"bufferViews":[{"buffer":0,"byteLength":4}],"accessors":[{"bufferView":0,)"
+            R"("componentType":5126,"count":1,"type":"VEC3"}],"meshes":[{"primitives":[{)"
+            R"("attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}]})");
+    const Outcome outcome = run({"info", model});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_NE(outcome.errors.find("MISSING_RESOURCE"), std::string::npos) << outcome.errors;
+  }
+}
+
+/// A long tube of many faces, enough work for seconds.
+std::string longTube(int rings, int sides) {
+  std::string text;
+  for (int k = 0; k <= rings; ++k) {
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 6.283185307179586 * (i + 0.5 * (k % 2)) / sides;
+      const double radius = 1 + 0.3 * std::sin(0.1 * k);
+      text += "v " + std::to_string(radius * std::cos(angle)) + " " +
+              std::to_string(radius * std::sin(angle)) + " " + std::to_string(0.1 * k) + "\n";
+    }
+  }
+  const auto v = [&](int k, int i) { return std::to_string(k * sides + i % sides + 1); };
+  for (int k = 0; k < rings; ++k) {
+    for (int i = 0; i < sides; ++i) {
+      const int o = k % 2;
+      text += "f " + v(k, i) + " " + v(k, i + 1) + " " + v(k + 1, i + o) + "\n";
+      text += "f " + v(k, i + 1 - o) + " " + v(k + 1, i + 1) + " " + v(k + 1, i) + "\n";
+    }
+  }
+  std::string top, bottom;
+  for (int i = 0; i < sides; ++i) {
+    bottom += " " + v(0, sides - i);
+    top += " " + v(rings, i);
+  }
+  return text + "f" + bottom + "\nf" + top + "\n";
+}
+
+TEST_F(Command, interruptKeepsWhatIsThere) {
+  const std::string model = write("tube.obj", longTube(1200, 40));
+  const pid_t child = start({"igf", model, "-o", path("tube.csv")});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  const auto interrupted = std::chrono::steady_clock::now();
+  ASSERT_EQ(kill(child, SIGINT), 0);
+  const Outcome outcome = wait(child);
+  const std::chrono::duration<double> delay = std::chrono::steady_clock::now() - interrupted;
+  EXPECT_EQ(outcome.exitCode, 3) << outcome.errors << outcome.output;
+  EXPECT_LT(delay.count(), 3);
+  EXPECT_NE(outcome.errors.find("CANCELLED"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("partial"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(linesOf(outcome.errors).size(), 1u) << outcome.errors;
+  EXPECT_EQ(linesOf(contentOf(path("tube.csv"))).size(), 1u + 1201 * 40);
+}
+
+}  // namespace
