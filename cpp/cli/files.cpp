@@ -62,8 +62,8 @@ Result<std::vector<std::byte>> readFile(const std::string& path) {
 }
 
 io::ResourceReader resourcesBeside(const std::string& modelPath) {
-  return [folder = folderOf(modelPath)](
-             std::string_view name) -> std::optional<std::vector<std::byte>> {
+  return [folder =
+              folderOf(modelPath)](std::string_view name) -> std::optional<std::vector<std::byte>> {
     std::error_code error;
     const fs::path root = fs::canonical(folder, error);
     if (error) return std::nullopt;

@@ -57,18 +57,17 @@ void printJson(const std::string& model, const io::LoadedMesh& loaded, const Gir
   const auto number = [&](double value) {
     return summary.computed > 0 ? io::formatNumber(value) : std::string("null");
   };
-  std::string text = "{\"file\":" + io::jsonString(model) + ",\"field\":\"igf\",\"method\":" +
-                     io::jsonString(io::toString(options.method)) +
-                     ",\"unit\":" + io::jsonString(loaded.unit) +
-                     ",\"vertices\":" + std::to_string(field.values.size()) +
-                     ",\"computed\":" + std::to_string(summary.computed) +
-                     ",\"complete\":" + (field.complete() ? "true" : "false") +
-                     ",\"min\":" + number(summary.least) +
-                     ",\"median\":" + number(summary.median) +
-                     ",\"max\":" + number(summary.greatest) +
-                     ",\"loop\":" + std::to_string(summary.loops) +
-                     ",\"antipodal\":" + std::to_string(summary.antipodal) +
-                     ",\"seconds\":" + readable(timing.computing);
+  std::string text =
+      "{\"file\":" + io::jsonString(model) +
+      ",\"field\":\"igf\",\"method\":" + io::jsonString(io::toString(options.method)) +
+      ",\"unit\":" + io::jsonString(loaded.unit) +
+      ",\"vertices\":" + std::to_string(field.values.size()) +
+      ",\"computed\":" + std::to_string(summary.computed) +
+      ",\"complete\":" + (field.complete() ? "true" : "false") +
+      ",\"min\":" + number(summary.least) + ",\"median\":" + number(summary.median) +
+      ",\"max\":" + number(summary.greatest) + ",\"loop\":" + std::to_string(summary.loops) +
+      ",\"antipodal\":" + std::to_string(summary.antipodal) +
+      ",\"seconds\":" + readable(timing.computing);
   if (!options.output.empty()) text += ",\"output\":" + io::jsonString(options.output);
   if (options.stats) {
     text += ",\"readingSeconds\":" + readable(timing.reading) +
@@ -109,7 +108,8 @@ std::string contentFor(const std::string& extension, const std::string& model,
   return io::fieldPly(loaded, field);
 }
 
-int runOne(const std::string& model, const IgfOptions& options, const std::atomic<bool>& interrupted) {
+int runOne(const std::string& model, const IgfOptions& options,
+           const std::atomic<bool>& interrupted) {
   Timing timing;
   const auto readingStart = Clock::now();
   const auto loaded = loadModel(model);
@@ -129,8 +129,8 @@ int runOne(const std::string& model, const IgfOptions& options, const std::atomi
   timing.computing = secondsSince(computingStart);
 
   if (!options.output.empty()) {
-    const std::string content = contentFor(extensionOf(options.output), model, loaded.value(), field,
-                                           options.method);
+    const std::string content =
+        contentFor(extensionOf(options.output), model, loaded.value(), field, options.method);
     if (auto error = writeFile(options.output, content)) {
       return reportError(options.output, *error);
     }

@@ -19,12 +19,10 @@ void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const LoopOp
   std::printf("%s: loop at vertex %llu\n", options.model.c_str(),
               static_cast<unsigned long long>(options.vertex));
   row("length", readable(loop.length) + unit);
-  row("kind", loop.kind == LoopKind::Loop
-                  ? "loop: around the surface"
-                  : "antipodal: out to the farthest point and back");
+  row("kind", loop.kind == LoopKind::Loop ? "loop: around the surface"
+                                          : "antipodal: out to the farthest point and back");
   row("angle", readable(loop.angle * kDegrees) + "°");
-  row("midpoint",
-      readable(middle.x) + " " + readable(middle.y) + " " + readable(middle.z) + unit);
+  row("midpoint", readable(middle.x) + " " + readable(middle.y) + " " + readable(middle.z) + unit);
   row("points", std::to_string(loop.points.size()));
 }
 

@@ -15,13 +15,15 @@ using namespace girth;
 using namespace girth::cli;
 
 constexpr const char* kFooter =
-    "Models are GLB, glTF or OBJ files and must be closed surfaces. Vertices are numbered as in the\n"
+    "Models are GLB, glTF or OBJ files and must be closed surfaces. Vertices are numbered as in "
+    "the\n"
     "file, from 0.\n"
     "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 a limit was met or the work was cancelled.";
 
 int run(int argc, char** argv) {
-  CLI::App app{"The intrinsic girth function of surfaces: the length of the shortest loop that can "
-               "be drawn tight around a surface through each of its points."};
+  CLI::App app{
+      "The intrinsic girth function of surfaces: the length of the shortest loop that can "
+      "be drawn tight around a surface through each of its points."};
   app.name("girth");
   app.footer(kFooter);
   app.set_version_flag("--version", std::string("girth ") + GIRTH_VERSION);
@@ -37,8 +39,9 @@ int run(int argc, char** argv) {
                                                    {"naive", GirthMethod::Naive}};
   CLI::App* igfCommand = app.add_subcommand("igf", "Compute the girth at every vertex");
   igfCommand->add_option("MODEL", igf.models, "Models to read")->required();
-  igfCommand->add_option("-o,--output", igf.output,
-                         "Write the values: .csv or .json (the file's vertices), .ply (the surface)");
+  igfCommand->add_option(
+      "-o,--output", igf.output,
+      "Write the values: .csv or .json (the file's vertices), .ply (the surface)");
   igfCommand
       ->add_option_function<std::string>(
           "--method", [&](const std::string& name) { igf.method = methods.at(name); },

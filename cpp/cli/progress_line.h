@@ -7,7 +7,8 @@
 
 namespace girth::cli {
 
-/// Writes to standard error, and only where that is a terminal; the line is gone when it is finished.
+/// Writes to standard error, and only where that is a terminal; the line is gone when it is
+/// finished.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string label);

@@ -32,7 +32,8 @@ bool hasGlbMark(std::span<const std::byte> bytes) {
 
 Result<GlbContainer> openGlb(std::span<const std::byte> bytes) {
   if (bytes.size() < kHeaderBytes) {
-    return malformed(bytes.size(), "the GLB header breaks off at byte " + std::to_string(bytes.size()));
+    return malformed(bytes.size(),
+                     "the GLB header breaks off at byte " + std::to_string(bytes.size()));
   }
   if (!hasGlbMark(bytes)) return malformed(0, "the file does not begin with \"glTF\"");
   const std::uint32_t version = littleEndian32(bytes, 4);

@@ -19,14 +19,19 @@ Error malformed(std::string message) {
 std::size_t componentBytes(int type) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return 1;
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return 2;
     case TINYGLTF_COMPONENT_TYPE_INT:
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
-    case TINYGLTF_COMPONENT_TYPE_DOUBLE: return 8;
-    default: return 0;
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+      return 4;
+    case TINYGLTF_COMPONENT_TYPE_DOUBLE:
+      return 8;
+    default:
+      return 0;
   }
 }
 
@@ -71,7 +76,8 @@ double componentAt(const std::byte* at, int type, bool normalized) {
       break;
     case TINYGLTF_COMPONENT_TYPE_FLOAT:
       return bitCast<float>(static_cast<std::uint32_t>(bits));
-    default: return bitCast<double>(bits);
+    default:
+      return bitCast<double>(bits);
   }
   return normalized ? std::max(value / scale, -1.0) : value;
 }
@@ -100,7 +106,8 @@ Result<Elements> elementsOf(const GltfDocument& document, GltfBuffers& buffers, 
                     count - 1 <= (size - offset - elementBytes) / stride;
   if (!fits) {
     return malformed(user + " claims " + std::to_string(count) +
-                     " elements, which reach beyond the end of buffer view " + std::to_string(view));
+                     " elements, which reach beyond the end of buffer view " +
+                     std::to_string(view));
   }
   return Elements{bytes.value().data() + offset, stride};
 }
@@ -142,8 +149,8 @@ Result<Checked> check(const GltfDocument& document, GltfBuffers& buffers, int nu
   return Checked{&accessor, name, bytes * (wantedType == TINYGLTF_TYPE_VEC3 ? 3u : 1u)};
 }
 
-/// Calls `put(i, bytes)` for every element, with sparse replacements applied. Elements that no buffer
-/// view stands behind are zero and are not reported.
+/// Calls `put(i, bytes)` for every element, with sparse replacements applied. Elements that no
+/// buffer view stands behind are zero and are not reported.
 template <class Put>
 std::optional<Error> forEachElement(const GltfDocument& document, GltfBuffers& buffers,
                                     const Checked& checked, const Put& put) {
@@ -168,9 +175,9 @@ std::optional<Error> forEachElement(const GltfDocument& document, GltfBuffers& b
     return malformed(name + " is not valid");
   }
   const auto count = static_cast<std::size_t>(sparse.count);
-  auto indices = elementsOf(document, buffers, sparse.indices.bufferView,
-                            static_cast<std::size_t>(sparse.indices.byteOffset), count, indexBytes,
-                            name);
+  auto indices =
+      elementsOf(document, buffers, sparse.indices.bufferView,
+                 static_cast<std::size_t>(sparse.indices.byteOffset), count, indexBytes, name);
   if (!indices) return indices.error();
   auto values = elementsOf(document, buffers, sparse.values.bufferView,
                            static_cast<std::size_t>(sparse.values.byteOffset), count,
@@ -196,8 +203,8 @@ Result<std::vector<double>> readPoints(const GltfDocument& document, GltfBuffers
   const tinygltf::Accessor& description = *checked.value().accessor;
   const std::size_t bytes = componentBytes(description.componentType);
   std::vector<double> points(3 * description.count, 0.0);
-  const auto error = forEachElement(
-      document, buffers, checked.value(), [&](std::size_t i, const std::byte* at) {
+  const auto error =
+      forEachElement(document, buffers, checked.value(), [&](std::size_t i, const std::byte* at) {
         for (std::size_t k = 0; k < 3; ++k) {
           points[3 * i + k] =
               componentAt(at + k * bytes, description.componentType, description.normalized);

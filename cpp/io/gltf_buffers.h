@@ -8,17 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "gltf_document.h"
 #include "girth/io/read_mesh.h"
+#include "gltf_document.h"
 #include "soup_budget.h"
 
 namespace girth::io {
 
-/// Fetches buffers when they are first asked for, so that bytes that no triangle needs may be missing.
+/// Fetches buffers when they are first asked for, so that bytes that no triangle needs may be
+/// missing.
 class GltfBuffers {
  public:
-  /// All must outlive the object; `binary` is the GLB's binary chunk. Bytes fetched from outside the
-  /// file are added to the budget.
+  /// All must outlive the object; `binary` is the GLB's binary chunk. Bytes fetched from outside
+  /// the file are added to the budget.
   GltfBuffers(const GltfDocument& document, std::span<const std::byte> binary,
               const ResourceReader& resources, SoupBudget& budget);
 

@@ -24,13 +24,14 @@ Error malformed(std::string message) {
   return makeError(ErrorCode::MalformedFile, -1, std::move(message));
 }
 
-/// Required extensions that change how the geometry is stored or placed make it unreadable here; these
-/// families do not.
+/// Required extensions that change how the geometry is stored or placed make it unreadable here;
+/// these families do not.
 bool leavesGeometryAlone(std::string_view extension) {
   constexpr std::array<std::string_view, 15> kHarmless{
-      "KHR_mesh_quantization", "KHR_materials_", "KHR_texture_",   "KHR_lights_",
-      "KHR_xmp",               "KHR_animation_", "KHR_techniques_", "KHR_audio",
-      "KHR_interactivity",     "EXT_texture_",   "EXT_lights_",    "EXT_materials_",
+      "KHR_mesh_quantization", "KHR_materials_", "KHR_texture_",
+      "KHR_lights_",           "KHR_xmp",        "KHR_animation_",
+      "KHR_techniques_",       "KHR_audio",      "KHR_interactivity",
+      "EXT_texture_",          "EXT_lights_",    "EXT_materials_",
       "MSFT_texture_",         "MSFT_packing_",  "GOOGLE_texture_"};
   for (const std::string_view prefix : kHarmless) {
     if (extension.substr(0, prefix.size()) == prefix) return true;
@@ -81,8 +82,8 @@ bool integersFit(const Json& value) {
   return true;
 }
 
-/// The elements of a top-level array, each reduced by `reduce`, in `reduced`; what does not fit comes
-/// back as a message.
+/// The elements of a top-level array, each reduced by `reduce`, in `reduced`; what does not fit
+/// comes back as a message.
 template <class Reduce>
 std::optional<Error> reduceSection(Json& document, const char* section, Json& reduced,
                                    const Reduce& reduce) {
@@ -125,28 +126,31 @@ std::optional<Error> reduceDocument(Json& document, Json& reduced) {
                       }
                       return kept;
                     }),
-      reduceSection(document, "meshes", reduced,
-                    [](Json& mesh) {
-                      Json kept = pick(mesh, {"name", "primitives"});
-                      const auto primitives = kept.find("primitives");
-                      if (primitives == kept.end() || !primitives->is_array()) return kept;
-                      for (Json& primitive : *primitives) {
-                        primitive = pick(primitive, {"attributes", "indices", "mode", "extensions"});
-                        if (const auto attributes = primitive.find("attributes");
-                            attributes != primitive.end()) {
-                          *attributes = pick(*attributes, {"POSITION"});
-                        }
-                        reduceExtensions(primitive);
-                      }
-                      return kept;
-                    }),
+      reduceSection(
+          document, "meshes", reduced,
+          [](Json& mesh) {
+            Json kept = pick(mesh, {"name", "primitives"});
+            const auto primitives = kept.find("primitives");
+            if (primitives == kept.end() || !primitives->is_array()) return kept;
+            for (Json& primitive : *primitives) {
+              primitive = pick(primitive, {"attributes", "indices", "mode", "extensions"});
+              if (const auto attributes = primitive.find("attributes");
+                  attributes != primitive.end()) {
+                *attributes = pick(*attributes, {"POSITION"});
+              }
+              reduceExtensions(primitive);
+            }
+            return kept;
+          }),
       reduceSection(document, "nodes", reduced,
                     [](Json& node) {
                       return pick(node, {"name", "children", "mesh", "matrix", "rotation", "scale",
                                          "translation"});
                     }),
       reduceSection(document, "scenes", reduced,
-                    [](Json& scene) { return pick(scene, {"name", "nodes"}); }),
+                    [](Json& scene) {
+                      return pick(scene, {"name", "nodes"});
+                    }),
   };
   for (const auto& error : errors) {
     if (error) return error;
@@ -208,7 +212,8 @@ std::optional<Error> checkDraco(const Json& reduced) {
       const auto attributes = primitive.find("attributes");
       if (attributes == primitive.end() || !attributes->contains("POSITION")) continue;
       const Json& position = (*attributes)["POSITION"];
-      if (!position.is_number_unsigned() || position.get<std::size_t>() >= accessors->size()) continue;
+      if (!position.is_number_unsigned() || position.get<std::size_t>() >= accessors->size())
+        continue;
       if ((*accessors)[position.get<std::size_t>()].contains("bufferView")) continue;
       return makeError(ErrorCode::UnsupportedFeature, -1,
                        "its geometry is compressed with the glTF extension " + inQuotes(kDraco) +
@@ -309,9 +314,8 @@ Result<GltfDocument> parseGltfDocument(std::string_view text) {
   for (std::size_t m = 0; m < result.model.meshes.size(); ++m) {
     const Json& mesh = reduced["meshes"][m];
     const auto primitives = mesh.find("primitives");
-    const std::size_t written = primitives == mesh.end() || !primitives->is_array()
-                                    ? 0
-                                    : primitives->size();
+    const std::size_t written =
+        primitives == mesh.end() || !primitives->is_array() ? 0 : primitives->size();
     if (written == 0 || result.model.meshes[m].primitives.size() != written) {
       return malformed("meshes[" + std::to_string(m) + "] has a primitive that is not valid");
     }

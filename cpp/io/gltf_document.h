@@ -28,8 +28,9 @@ struct GltfDocument {
   std::vector<GltfBufferSource> buffers;
 };
 
-/// Parses JSON text. Errors: UNKNOWN_FORMAT (JSON, but not glTF), MALFORMED_FILE, UNSUPPORTED_FEATURE
-/// (glTF 1.0, or an extension without which the geometry cannot be read), LIMIT_EXCEEDED.
+/// Parses JSON text. Errors: UNKNOWN_FORMAT (JSON, but not glTF), MALFORMED_FILE,
+/// UNSUPPORTED_FEATURE (glTF 1.0, or an extension without which the geometry cannot be read),
+/// LIMIT_EXCEEDED.
 Result<GltfDocument> parseGltfDocument(std::string_view json);
 
 }  // namespace girth::io

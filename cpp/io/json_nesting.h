@@ -7,8 +7,8 @@
 
 namespace girth::io {
 
-/// The byte at which arrays and objects are nested more than `limit` deep; nothing if they never are.
-/// Brackets inside strings do not count.
+/// The byte at which arrays and objects are nested more than `limit` deep; nothing if they never
+/// are. Brackets inside strings do not count.
 std::optional<std::size_t> nestingBeyond(std::string_view json, std::size_t limit);
 
 }  // namespace girth::io

@@ -109,8 +109,8 @@ bool PolygonCutter::cut(std::span<const double> positions, std::span<const Index
     emit(before, here, after);
     left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at % m));
     work_ += m / 16 + 1;
-    // After an erased corner `at` is the next one; its neighbour in turn is not an ear's tip again at
-    // once, which spreads the cuts round the polygon.
+    // After an erased corner `at` is the next one; its neighbour in turn is not an ear's tip again
+    // at once, which spreads the cuts round the polygon.
     at = (at + 1) % left_.size();
     refused = 0;
   }

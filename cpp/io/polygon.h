@@ -12,10 +12,10 @@ namespace girth::io {
 /// Cuts polygons into triangles along diagonals, with the corners' order kept.
 class PolygonCutter {
  public:
-  /// Appends the triangles of the polygon with these corners (at least three, each below the number of
-  /// positions) to `triangles`: corners - 2 of them. Convex and concave polygons are cut properly as
-  /// seen along their mean normal; one that crosses itself is cut somehow. A quadrilateral is cut
-  /// along its shorter diagonal where both are inside.
+  /// Appends the triangles of the polygon with these corners (at least three, each below the number
+  /// of positions) to `triangles`: corners - 2 of them. Convex and concave polygons are cut
+  /// properly as seen along their mean normal; one that crosses itself is cut somehow. A
+  /// quadrilateral is cut along its shorter diagonal where both are inside.
   ///
   /// False where cutting has taken more work in all than any reasonable file asks for.
   bool cut(std::span<const double> positions, std::span<const Index> corners,

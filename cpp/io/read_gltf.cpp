@@ -142,7 +142,8 @@ class SceneWalk {
     return roots;
   }
 
-  /// Depth first, children in order, without recursion: a chain of nodes may be as long as the file.
+  /// Depth first, children in order, without recursion: a chain of nodes may be as long as the
+  /// file.
   std::optional<Error> walk(const std::vector<int>& roots) {
     struct Visit {
       int node;

@@ -115,9 +115,12 @@ Result<TriangleSoup> readByContent(std::span<const std::byte> bytes, std::string
 
 std::string_view toString(Format format) {
   switch (format) {
-    case Format::Glb: return "GLB";
-    case Format::Gltf: return "glTF";
-    case Format::Obj: break;
+    case Format::Glb:
+      return "GLB";
+    case Format::Gltf:
+      return "glTF";
+    case Format::Obj:
+      break;
   }
   return "OBJ";
 }

@@ -1,5 +1,5 @@
-// Why not tinyobjloader: it turns "nan" into 0, takes 4294967297 for 1, rounds coordinates by way of
-// pow(), so that two platforms may read two models, and leaves faces with bad indices in place.
+// Why not tinyobjloader: it turns "nan" into 0, takes 4294967297 for 1, rounds coordinates by way
+// of pow(), so that two platforms may read two models, and leaves faces with bad indices in place.
 #include "read_obj.h"
 
 #include <algorithm>
@@ -130,7 +130,8 @@ class ObjReader {
       }
       const auto number = parseNumber(word);
       if (!number) {
-        return failure(ErrorCode::MalformedFile, lines_.number(), inQuotes(word) + " is not a number");
+        return failure(ErrorCode::MalformedFile, lines_.number(),
+                       inQuotes(word) + " is not a number");
       }
       if (!std::isfinite(*number)) {
         return failure(ErrorCode::NonFinitePosition, lines_.number(),
@@ -156,10 +157,11 @@ class ObjReader {
       // From 1, or backwards from the last vertex so far.
       const std::int64_t vertex = *index > 0 ? *index - 1 : known + *index;
       if (*index == 0 || vertex < 0 || vertex >= std::int64_t{kNoIndex}) {
-        return failure(ErrorCode::IndexOutOfRange, lines_.number(),
-                       "a face names vertex " + std::string(word.substr(0, word.find('/'))) +
-                           (*index == 0 ? ", but OBJ counts from 1"
-                                        : ", and there are " + std::to_string(known) + " before it"));
+        return failure(
+            ErrorCode::IndexOutOfRange, lines_.number(),
+            "a face names vertex " + std::string(word.substr(0, word.find('/'))) +
+                (*index == 0 ? ", but OBJ counts from 1"
+                             : ", and there are " + std::to_string(known) + " before it"));
       }
       corners_.push_back(static_cast<Index>(vertex));
       ++corners;
@@ -222,8 +224,9 @@ Result<TriangleSoup> readObj(std::span<const std::byte> bytes) {
 
 bool isObjLine(std::string_view line) {
   constexpr std::array<std::string_view, 23> kKeywords{
-      "v",      "vn",     "vt",  "vp", "f",    "fo",   "l",    "p",       "o",       "g",   "s", "mg",
-      "mtllib", "usemtl", "deg", "cstype", "bevel", "lod", "usemap", "maplib", "curv", "surf", "t"};
+      "v",     "vn",  "vt",     "vp",     "f",      "fo",     "l",   "p",
+      "o",     "g",   "s",      "mg",     "mtllib", "usemtl", "deg", "cstype",
+      "bevel", "lod", "usemap", "maplib", "curv",   "surf",   "t"};
   const std::string_view keyword = takeWord(line);
   return std::find(kKeywords.begin(), kKeywords.end(), keyword) != kKeywords.end();
 }

@@ -1,4 +1,5 @@
-// tinygltf, configured to touch neither files nor images. Included only by the glTF reader's sources.
+// tinygltf, configured to touch neither files nor images. Included only by the glTF reader's
+// sources.
 #pragma once
 
 // tinygltf 2.7 needs <fstream> even without a file system, and does not include it.

@@ -17,9 +17,9 @@ std::optional<Error> checkArrays(const TriangleSoup& soup) {
   }
   for (std::size_t i = 0; i < soup.positions.size(); ++i) {
     if (!std::isfinite(soup.positions[i])) {
-      return makeError(ErrorCode::NonFinitePosition, static_cast<std::int64_t>(i / 3),
-                       "vertex " + std::to_string(i / 3) +
-                           " has a coordinate that is not a finite number");
+      return makeError(
+          ErrorCode::NonFinitePosition, static_cast<std::int64_t>(i / 3),
+          "vertex " + std::to_string(i / 3) + " has a coordinate that is not a finite number");
     }
   }
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
@@ -32,8 +32,8 @@ std::optional<Error> checkArrays(const TriangleSoup& soup) {
   return std::nullopt;
 }
 
-/// For each vertex the first one at its position (0 and -0 are the same place), kNoIndex for vertices
-/// that no face uses. Sorting, and not hashing: no file can make it slow.
+/// For each vertex the first one at its position (0 and -0 are the same place), kNoIndex for
+/// vertices that no face uses. Sorting, and not hashing: no file can make it slow.
 std::vector<Index> firstAtSamePlace(const TriangleSoup& soup) {
   const std::size_t vertices = soup.positions.size() / 3;
   std::vector<Index> first(vertices, kNoIndex);
@@ -129,7 +129,8 @@ Error inFileNumbers(Error error, const TriangleSoup& soup, std::span<const Index
       error.element = input;
       return error;
     }
-    default: return error;
+    default:
+      return error;
   }
 }
 
@@ -149,14 +150,16 @@ Result<LoadedMesh> weld(TriangleSoup soup) {
     } else if (first[v] == v) {
       vertexOfInput[v] = static_cast<Index>(inputOfVertex.size());
       inputOfVertex.push_back(v);
-      for (std::size_t k = 0; k < 3; ++k) positions.push_back(soup.positions[3 * std::size_t{v} + k]);
+      for (std::size_t k = 0; k < 3; ++k)
+        positions.push_back(soup.positions[3 * std::size_t{v} + k]);
     } else {
       // The first vertex at a place comes first in the file as well.
       vertexOfInput[v] = vertexOfInput[first[v]];
     }
   }
   std::vector<Index> triangles(soup.triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = vertexOfInput[soup.triangles[i]];
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    triangles[i] = vertexOfInput[soup.triangles[i]];
 
   auto mesh = SurfaceMesh::fromArrays(positions, triangles);
   if (!mesh) return inFileNumbers(mesh.error(), soup, triangles, inputOfVertex);

@@ -45,7 +45,8 @@ std::string fieldCsv(const LoadedMesh& loaded, const GirthField& field) {
   return text;
 }
 
-std::string fieldJson(const LoadedMesh& loaded, const GirthField& field, const FieldOrigin& origin) {
+std::string fieldJson(const LoadedMesh& loaded, const GirthField& field,
+                      const FieldOrigin& origin) {
   std::string values;
   std::string kinds;
   for (const Index vertex : loaded.vertexOfInput) {
@@ -55,8 +56,9 @@ std::string fieldJson(const LoadedMesh& loaded, const GirthField& field, const F
     kinds += separator +
              (computed ? jsonString(girth::toString(field.kinds[vertex])) : std::string("null"));
   }
-  return "{\"file\":" + jsonString(origin.file) + ",\"field\":\"igf\",\"method\":" +
-         jsonString(toString(origin.method)) + ",\"unit\":" + jsonString(loaded.unit) +
+  return "{\"file\":" + jsonString(origin.file) +
+         ",\"field\":\"igf\",\"method\":" + jsonString(toString(origin.method)) +
+         ",\"unit\":" + jsonString(loaded.unit) +
          ",\"complete\":" + (field.complete() ? "true" : "false") +
          ",\"vertices\":" + std::to_string(loaded.vertexOfInput.size()) + ",\n\"igf\":[" + values +
          "],\n\"kind\":[" + kinds + "]}\n";

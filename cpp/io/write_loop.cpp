@@ -39,21 +39,20 @@ std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point) {
     numbers += separator + std::to_string(loaded.inputOfVertex[vertices[i]]);
     weights += separator + formatNumber(point.weights[i]);
   }
-  return "{\"position\":[" + pointText(positionOf(mesh, point), ',') + "],\"vertices\":[" + numbers +
-         "],\"weights\":[" + weights + "]}";
+  return "{\"position\":[" + pointText(positionOf(mesh, point), ',') + "],\"vertices\":[" +
+         numbers + "],\"weights\":[" + weights + "]}";
 }
 
 }  // namespace
 
 std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::string_view file,
                      bool withPoints) {
-  std::string text = "{\"file\":" + jsonString(file) +
-                     ",\"vertex\":" + std::to_string(loaded.inputOfVertex[loop.base]) +
-                     ",\"length\":" + formatNumber(loop.length) +
-                     ",\"kind\":" + jsonString(toString(loop.kind)) +
-                     ",\"angle\":" + formatNumber(loop.angle) +
-                     ",\"unit\":" + jsonString(loaded.unit) +
-                     ",\"midpoint\":" + pointJson(loaded, loop.midpoint);
+  std::string text =
+      "{\"file\":" + jsonString(file) +
+      ",\"vertex\":" + std::to_string(loaded.inputOfVertex[loop.base]) +
+      ",\"length\":" + formatNumber(loop.length) + ",\"kind\":" + jsonString(toString(loop.kind)) +
+      ",\"angle\":" + formatNumber(loop.angle) + ",\"unit\":" + jsonString(loaded.unit) +
+      ",\"midpoint\":" + pointJson(loaded, loop.midpoint);
   if (withPoints) {
     text += ",\"points\":[";
     for (std::size_t i = 0; i < loop.points.size(); ++i) {

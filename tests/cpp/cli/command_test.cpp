@@ -103,12 +103,20 @@ TEST_F(Command, helpAndVersion) {
 
 TEST_F(Command, wrongUsageIsOneLineAndExitCodeOne) {
   const std::string prism = kData + "/prism.obj";
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{}, {"fly"}, {"igf"}, {"loop", prism}, {"loop", prism, "-3"},
-        {"loop", prism, "x"}, {"igf", prism, "--method", "guess"}, {"igf", prism, "--threads", "0"},
-        {"igf", prism, "-o", path("a.xyz")}, {"igf", prism, prism, "-o", path("a.csv")},
-        {"loop", prism, "3", "-o", path("a.ply")}, {"loop", prism, "44"},
-        {"loop", prism, "99999999999"}, {"info", prism, "--wings"}}) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                    {"fly"},
+                                                    {"igf"},
+                                                    {"loop", prism},
+                                                    {"loop", prism, "-3"},
+                                                    {"loop", prism, "x"},
+                                                    {"igf", prism, "--method", "guess"},
+                                                    {"igf", prism, "--threads", "0"},
+                                                    {"igf", prism, "-o", path("a.xyz")},
+                                                    {"igf", prism, prism, "-o", path("a.csv")},
+                                                    {"loop", prism, "3", "-o", path("a.ply")},
+                                                    {"loop", prism, "44"},
+                                                    {"loop", prism, "99999999999"},
+                                                    {"info", prism, "--wings"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
     EXPECT_EQ(linesOf(outcome.errors).size(), 1u) << outcome.errors;
@@ -154,8 +162,8 @@ TEST_F(Command, infoSaysWhatTheModelIs) {
   EXPECT_EQ(text.exitCode, 0) << text.errors;
   EXPECT_NE(text.output.find("closed surface, OBJ"), std::string::npos) << text.output;
 
-  const Outcome outcome =
-      run({"info", kData + "/prism_seams.glb", kData + "/bad/open.obj", kData + "/prism.obj", "--json"});
+  const Outcome outcome = run({"info", kData + "/prism_seams.glb", kData + "/bad/open.obj",
+                               kData + "/prism.obj", "--json"});
   EXPECT_EQ(outcome.exitCode, 2) << "one of them is bad";
   const auto lines = linesOf(outcome.output);
   ASSERT_EQ(lines.size(), 2u) << "the others are reported all the same";

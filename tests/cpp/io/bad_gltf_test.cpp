@@ -39,7 +39,8 @@ TEST(BadGltf, textNamedGlb) {
 TEST(BadGltf, jsonThatIsNotGltf) {
   EXPECT_EQ(codeOf(read(R"({"name":"package"})", "package.json")), "UNKNOWN_FORMAT");
   EXPECT_EQ(codeOf(read(R"({"asset":)", "broken.gltf")), "MALFORMED_FILE");
-  EXPECT_EQ(codeOf(read(R"({"asset":{"version":"2.0"}} trailing)", "broken.gltf")), "MALFORMED_FILE");
+  EXPECT_EQ(codeOf(read(R"({"asset":{"version":"2.0"}} trailing)", "broken.gltf")),
+            "MALFORMED_FILE");
   EXPECT_EQ(codeOf(read(R"({"asset":{"version":"2.0"}})", "empty.gltf")), "EMPTY_MESH");
 }
 
@@ -83,7 +84,8 @@ TEST(BadGltf, compressionIsNamed) {
 
 TEST(BadGltf, pointsAndLinesOnly) {
   TinyGltf tiny;
-  tiny.primitives = R"({"attributes":{"POSITION":0},"mode":0},{"attributes":{"POSITION":0},"mode":1})";
+  tiny.primitives =
+      R"({"attributes":{"POSITION":0},"mode":0},{"attributes":{"POSITION":0},"mode":1})";
   const auto result = read(tiny.file(), "tiny.glb");
   EXPECT_EQ(codeOf(result), "EMPTY_MESH");
   EXPECT_TRUE(contains(messageOf(result), "points or lines")) << messageOf(result);
@@ -106,7 +108,8 @@ TEST(BadGltf, longChainsOfNodes) {
   TinyGltf tiny;
   tiny.nodes = "";
   constexpr int kLength = 20000;
-  for (int i = 0; i < kLength; ++i) tiny.nodes += R"({"children":[)" + std::to_string(i + 1) + "]},";
+  for (int i = 0; i < kLength; ++i)
+    tiny.nodes += R"({"children":[)" + std::to_string(i + 1) + "]},";
   tiny.nodes += R"({"mesh":0})";
   EXPECT_EQ(codeOfFile(tiny), "OK");
 }
@@ -126,8 +129,9 @@ TEST(BadGltf, missingElements) {
             "MALFORMED_FILE");
   EXPECT_EQ(with([](TinyGltf& t) { t.primitives = R"({"attributes":{"POSITION":5}})"; }),
             "MALFORMED_FILE");
-  EXPECT_EQ(with([](TinyGltf& t) { t.primitives = R"({"attributes":{"POSITION":0},"indices":9})"; }),
-            "MALFORMED_FILE");
+  EXPECT_EQ(
+      with([](TinyGltf& t) { t.primitives = R"({"attributes":{"POSITION":0},"indices":9})"; }),
+      "MALFORMED_FILE");
   EXPECT_EQ(with([](TinyGltf& t) { t.primitives = R"({"attributes":{"POSITION":0},"mode":9})"; }),
             "MALFORMED_FILE");
   EXPECT_EQ(with([](TinyGltf& t) { t.primitives = R"({"indices":1})"; }), "MALFORMED_FILE");
@@ -139,7 +143,8 @@ TEST(BadGltf, missingElements) {
 TEST(BadGltf, accessorsThatReachTooFar) {
   const auto withPositions = [](const std::string& accessor, const std::string& view = {}) {
     TinyGltf tiny;
-    tiny.accessors = accessor + R"(,{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})";
+    tiny.accessors =
+        accessor + R"(,{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})";
     if (!view.empty()) tiny.views = view + R"(,{"buffer":0,"byteOffset":48,"byteLength":24})";
     return codeOfFile(tiny);
   };
@@ -149,23 +154,30 @@ TEST(BadGltf, accessorsThatReachTooFar) {
             "MALFORMED_FILE");
   EXPECT_EQ(withPositions(R"({"bufferView":0,"componentType":5126,"count":0,"type":"VEC3"})"),
             "MALFORMED_FILE");
-  EXPECT_EQ(withPositions(R"({"bufferView":0,"componentType":5126,"count":2147483647,"type":"VEC3"})"),
-            "LIMIT_EXCEEDED");
   EXPECT_EQ(
-      withPositions(R"({"bufferView":0,"componentType":5126,"count":18446744073709551615,"type":"VEC3"})"),
+      withPositions(R"({"bufferView":0,"componentType":5126,"count":2147483647,"type":"VEC3"})"),
+      "LIMIT_EXCEEDED");
+  EXPECT_EQ(
+      withPositions(
+          R"({"bufferView":0,"componentType":5126,"count":18446744073709551615,"type":"VEC3"})"),
       "MALFORMED_FILE");
-  EXPECT_EQ(withPositions(R"({"bufferView":0,"byteOffset":4,"componentType":5126,"count":4,"type":"VEC3"})"),
+  EXPECT_EQ(withPositions(
+                R"({"bufferView":0,"byteOffset":4,"componentType":5126,"count":4,"type":"VEC3"})"),
             "MALFORMED_FILE");
-  EXPECT_EQ(withPositions(R"({"bufferView":0,"byteOffset":2147483647,"componentType":5126,"count":4,"type":"VEC3"})"),
-            "MALFORMED_FILE");
+  EXPECT_EQ(
+      withPositions(
+          R"({"bufferView":0,"byteOffset":2147483647,"componentType":5126,"count":4,"type":"VEC3"})"),
+      "MALFORMED_FILE");
   EXPECT_EQ(withPositions(R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})"),
             "MALFORMED_FILE");
   EXPECT_EQ(withPositions(R"({"bufferView":0,"componentType":5127,"count":4,"type":"VEC3"})"),
             "MALFORMED_FILE");
   EXPECT_EQ(withPositions(R"({"componentType":5126,"count":900000000,"type":"VEC3"})"),
             "LIMIT_EXCEEDED");
-  EXPECT_EQ(withPositions(plain, R"({"buffer":0,"byteLength":48,"byteStride":8})"), "MALFORMED_FILE");
-  EXPECT_EQ(withPositions(plain, R"({"buffer":0,"byteOffset":40,"byteLength":48})"), "MALFORMED_FILE");
+  EXPECT_EQ(withPositions(plain, R"({"buffer":0,"byteLength":48,"byteStride":8})"),
+            "MALFORMED_FILE");
+  EXPECT_EQ(withPositions(plain, R"({"buffer":0,"byteOffset":40,"byteLength":48})"),
+            "MALFORMED_FILE");
   EXPECT_EQ(withPositions(plain, R"({"buffer":0,"byteOffset":2147483647,"byteLength":2147483647})"),
             "MALFORMED_FILE");
 }
@@ -175,14 +187,15 @@ TEST(BadGltf, sparsePartsThatReachTooFar) {
     TinyGltf tiny;
     tiny.binary += packed({9, 0, 0, 0}, 1);
     tiny.views += R"(,{"buffer":0,"byteOffset":72,"byteLength":4})";
-    tiny.accessors =
-        R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":)" + sparse +
-        R"(},{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})";
+    tiny.accessors = R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":)" +
+                     sparse +
+                     R"(},{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})";
     return codeOfFile(tiny);
   };
   const std::string values = R"("values":{"bufferView":0}})";
   EXPECT_EQ(withSparse(R"({"count":1,"indices":{"bufferView":2,"componentType":5121},)" + values),
-            "MALFORMED_FILE") << "element 9 of 4";
+            "MALFORMED_FILE")
+      << "element 9 of 4";
   EXPECT_EQ(withSparse(R"({"count":5,"indices":{"bufferView":2,"componentType":5121},)" + values),
             "MALFORMED_FILE");
   EXPECT_EQ(withSparse(R"({"count":-1,"indices":{"bufferView":2,"componentType":5121},)" + values),

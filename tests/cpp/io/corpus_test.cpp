@@ -36,10 +36,9 @@ TEST(Corpus, everyFileIsASurfaceOrACodedError) {
       const auto bytes = contentOf(entry.path());
       if (!bytes) continue;
       const auto start = std::chrono::steady_clock::now();
-      const auto result =
-          readMesh(*bytes, entry.path().string(), [&](std::string_view name) {
-            return contentOf(entry.path().parent_path() / std::string(name));
-          });
+      const auto result = readMesh(*bytes, entry.path().string(), [&](std::string_view name) {
+        return contentOf(entry.path().parent_path() / std::string(name));
+      });
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
       EXPECT_LT(time.count(), 20) << entry.path();
       if (result) {

@@ -85,9 +85,8 @@ struct TinyGltf {
   std::string bufferUri;
   std::string views =
       R"({"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24})";
-  std::string accessors =
-      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
-      R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})";
+  std::string accessors = R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
+                          R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})";
   std::string primitives = R"({"attributes":{"POSITION":0},"indices":1})";
   std::string nodes = R"({"mesh":0})";
   std::string scenes = R"("scene":0,"scenes":[{"nodes":[0]}])";
@@ -98,9 +97,9 @@ struct TinyGltf {
     return R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" +
            std::to_string(binary.size()) +
            (bufferUri.empty() ? "" : R"(,"uri":")" + bufferUri + "\"") + R"(}],"bufferViews":[)" +
-           views + R"(],"accessors":[)" + accessors + R"(],"meshes":[{"name":"tiny","primitives":[)" +
-           primitives + R"(]}],"nodes":[)" + nodes + "]" + (scenes.empty() ? "" : "," + scenes) +
-           more + "}";
+           views + R"(],"accessors":[)" + accessors +
+           R"(],"meshes":[{"name":"tiny","primitives":[)" + primitives + R"(]}],"nodes":[)" +
+           nodes + "]" + (scenes.empty() ? "" : "," + scenes) + more + "}";
   }
   std::string file() const { return glb(json(), binary); }
 };

@@ -38,7 +38,8 @@ TEST(Gltf, readsDataUri) {
   TinyGltf tiny;
   // The same 72 bytes in base64.
   tiny.bufferUri =
-      "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAA"
+      "data:application/"
+      "octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAA"
       "AIA/AAACAAEAAAABAAMAAAADAAIAAQACAAMA";
   const auto loaded = read(tiny.json(), "tiny.gltf");
   expectTetrahedron(loaded);
@@ -81,7 +82,8 @@ TEST(Gltf, quantisedPositions) {
     const std::int64_t o = kind.one;
     const int stride = kind.size == 1 ? 4 : 8;
     tiny.binary.clear();
-    for (const auto& point : {std::array<std::int64_t, 3>{0, 0, 0}, {o, 0, 0}, {0, o, 0}, {0, 0, o}}) {
+    for (const auto& point :
+         {std::array<std::int64_t, 3>{0, 0, 0}, {o, 0, 0}, {0, o, 0}, {0, 0, o}}) {
       tiny.binary += packed({point[0], point[1], point[2], 0}, kind.size);
     }
     tiny.binary += packed({0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}, 2);
@@ -90,7 +92,8 @@ TEST(Gltf, quantisedPositions) {
                  std::to_string(stride) + R"(},{"buffer":0,"byteOffset":)" + bytes +
                  R"(,"byteLength":24})";
     tiny.accessors = R"({"bufferView":0,"normalized":true,"componentType":)" +
-                     std::to_string(kind.type) + R"(,"count":4,"type":"VEC3"},)"
+                     std::to_string(kind.type) +
+                     R"(,"count":4,"type":"VEC3"},)"
                      R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})";
     tiny.more = R"(,"extensionsRequired":["KHR_mesh_quantization"])";
     expectTetrahedron(read(tiny.file(), "tiny.glb"));
@@ -122,9 +125,10 @@ TEST(Gltf, stripsAndFans) {
   // A fan round vertex 0, and the face opposite as a list.
   tiny.binary = tiny.binary.substr(0, 48) + packed({0, 1, 3, 2, 1, 1, 2, 3}, 2);
   tiny.views = R"({"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":16})";
-  tiny.accessors = R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
-                   R"({"bufferView":1,"componentType":5123,"count":5,"type":"SCALAR"},)"
-                   R"({"bufferView":1,"byteOffset":10,"componentType":5123,"count":3,"type":"SCALAR"})";
+  tiny.accessors =
+      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
+      R"({"bufferView":1,"componentType":5123,"count":5,"type":"SCALAR"},)"
+      R"({"bufferView":1,"byteOffset":10,"componentType":5123,"count":3,"type":"SCALAR"})";
   tiny.primitives = R"({"attributes":{"POSITION":0},"indices":1,"mode":6},)"
                     R"({"attributes":{"POSITION":0},"indices":2})";
   const auto loaded = read(tiny.file(), "tiny.glb");

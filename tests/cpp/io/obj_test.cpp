@@ -17,10 +17,11 @@ TEST(Obj, readsTriangles) {
 
 TEST(Obj, readsAllWaysToWriteAFace) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
-  for (const char* faces : {"f 1/1 3/2 2/3\nf 1/4/1 2//2 4/3/1\nf 1// 4// 3//\nf 2 3 4\n",
-                            "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n",
-                            "f 1 3 2 # comment\nf\t1  2 4 \nf 1 4 \\\n 3\nf 2 3 4",
-                            "g a b\ns off\nusemtl x\nf 1 3 2\r\nf 1 2 4\r\no c\r\nf 1 4 3\r\nf 2 3 4\r"}) {
+  for (const char* faces :
+       {"f 1/1 3/2 2/3\nf 1/4/1 2//2 4/3/1\nf 1// 4// 3//\nf 2 3 4\n",
+        "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n",
+        "f 1 3 2 # comment\nf\t1  2 4 \nf 1 4 \\\n 3\nf 2 3 4",
+        "g a b\ns off\nusemtl x\nf 1 3 2\r\nf 1 2 4\r\no c\r\nf 1 4 3\r\nf 2 3 4\r"}) {
     EXPECT_EQ(codeOf(read(vertices + faces, "tiny.obj")), "OK") << faces;
   }
 }
@@ -43,24 +44,24 @@ TEST(Obj, coordinatesAreRoundedCorrectly) {
       "numbers.obj");
   ASSERT_TRUE(soup.ok()) << messageOf(soup);
   EXPECT_EQ(soup.value().positions,
-            (std::vector<double>{0.1234567891, -0.98765432101, 1e-7, 1.7976931348623157e308, 0.5, -5,
-                                 123456789012345678.0, 4.9e-324, 3, 1, 2, 3}));
+            (std::vector<double>{0.1234567891, -0.98765432101, 1e-7, 1.7976931348623157e308, 0.5,
+                                 -5, 123456789012345678.0, 4.9e-324, 3, 1, 2, 3}));
 }
 
 TEST(Obj, polygonsAreCutInside) {
-  // A concave arrow, a convex octagon far from the origin, a quadrilateral with a reflex corner, and a
-  // square with a point on one side: the areas add up, and no triangle is turned round.
+  // A concave arrow, a convex octagon far from the origin, a quadrilateral with a reflex corner,
+  // and a square with a point on one side: the areas add up, and no triangle is turned round.
   struct Case {
     const char* vertices;
     int corners;
     double area;
   };
-  for (const Case& c :
-       {Case{"v 0 0 5\nv 4 0 5\nv 4 4 5\nv 2 1 5\nv 0 4 5\n", 5, 10.0},
-        Case{"v 12 10 1\nv 14 10 1\nv 16 12 1\nv 16 14 1\nv 14 16 1\nv 12 16 1\nv 10 14 1\nv 10 12 1\n",
-             8, 28.0},
-        Case{"v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\n", 4, 1.0},
-        Case{"v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n", 5, 4.0}}) {
+  for (const Case& c : {Case{"v 0 0 5\nv 4 0 5\nv 4 4 5\nv 2 1 5\nv 0 4 5\n", 5, 10.0},
+                        Case{"v 12 10 1\nv 14 10 1\nv 16 12 1\nv 16 14 1\nv 14 16 1\nv 12 16 1\nv "
+                             "10 14 1\nv 10 12 1\n",
+                             8, 28.0},
+                        Case{"v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\n", 4, 1.0},
+                        Case{"v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n", 5, 4.0}}) {
     std::string face = "f";
     for (int i = 1; i <= c.corners; ++i) face += " " + std::to_string(i);
     const auto soup = soupOf(c.vertices + face + "\n", "polygon.obj");
@@ -70,9 +71,10 @@ TEST(Obj, polygonsAreCutInside) {
     double total = 0;
     for (std::size_t t = 0; t < triangles.size(); t += 3) {
       const auto x = [&](std::size_t k) { return soup.value().positions[3 * triangles[t + k]]; };
-      const auto y = [&](std::size_t k) { return soup.value().positions[3 * triangles[t + k] + 1]; };
-      const double area =
-          ((x(1) - x(0)) * (y(2) - y(0)) - (y(1) - y(0)) * (x(2) - x(0))) / 2;
+      const auto y = [&](std::size_t k) {
+        return soup.value().positions[3 * triangles[t + k] + 1];
+      };
+      const double area = ((x(1) - x(0)) * (y(2) - y(0)) - (y(1) - y(0)) * (x(2) - x(0))) / 2;
       EXPECT_GT(area, 0) << c.vertices;
       total += area;
     }
@@ -103,20 +105,19 @@ TEST(BadObj, codesAndLines) {
     const char* code;
     std::int64_t line;
   };
-  for (const Case& c : {Case{vertices + "f 1 2 4\n", "INDEX_OUT_OF_RANGE", 4},
-                        Case{vertices + "f 0 1 2\n", "INDEX_OUT_OF_RANGE", 4},
-                        Case{vertices + "f -4 1 2\n", "INDEX_OUT_OF_RANGE", 4},
-                        Case{vertices + "f 4294967297 2 3\n", "INDEX_OUT_OF_RANGE", 4},
-                        Case{vertices + "f 99999999999999999999 2 3\n", "INDEX_OUT_OF_RANGE", 4},
-                        Case{vertices + "f 1 2\n", "MALFORMED_FILE", 4},
-                        Case{vertices + "f 1 2 x\n", "MALFORMED_FILE", 4},
-                        Case{"v 0 0\n", "MALFORMED_FILE", 1},
-                        Case{"v 0 0 zero\n", "MALFORMED_FILE", 1},
-                        Case{"v 0 0 1,5\n", "MALFORMED_FILE", 1},
-                        Case{"\n\nv 0 0 nan\n", "NON_FINITE_POSITION", 3},
-                        Case{"v 0 \\\n0 \\\n0\nv -inf 0 0\n", "NON_FINITE_POSITION", 4},
-                        Case{"v 1e999 0 0\n", "NON_FINITE_POSITION", 1},
-                        Case{vertices, "EMPTY_MESH", -1}, Case{"o nothing\n", "EMPTY_MESH", -1}}) {
+  for (const Case& c :
+       {Case{vertices + "f 1 2 4\n", "INDEX_OUT_OF_RANGE", 4},
+        Case{vertices + "f 0 1 2\n", "INDEX_OUT_OF_RANGE", 4},
+        Case{vertices + "f -4 1 2\n", "INDEX_OUT_OF_RANGE", 4},
+        Case{vertices + "f 4294967297 2 3\n", "INDEX_OUT_OF_RANGE", 4},
+        Case{vertices + "f 99999999999999999999 2 3\n", "INDEX_OUT_OF_RANGE", 4},
+        Case{vertices + "f 1 2\n", "MALFORMED_FILE", 4},
+        Case{vertices + "f 1 2 x\n", "MALFORMED_FILE", 4}, Case{"v 0 0\n", "MALFORMED_FILE", 1},
+        Case{"v 0 0 zero\n", "MALFORMED_FILE", 1}, Case{"v 0 0 1,5\n", "MALFORMED_FILE", 1},
+        Case{"\n\nv 0 0 nan\n", "NON_FINITE_POSITION", 3},
+        Case{"v 0 \\\n0 \\\n0\nv -inf 0 0\n", "NON_FINITE_POSITION", 4},
+        Case{"v 1e999 0 0\n", "NON_FINITE_POSITION", 1}, Case{vertices, "EMPTY_MESH", -1},
+        Case{"o nothing\n", "EMPTY_MESH", -1}}) {
     const auto result = read(c.text, "bad.obj");
     EXPECT_EQ(codeOf(result), c.code) << c.text;
     EXPECT_EQ(result.error().element, c.line) << c.text << messageOf(result);
@@ -124,9 +125,10 @@ TEST(BadObj, codesAndLines) {
 }
 
 TEST(BadObj, otherFormatsAreNamed) {
-  for (const auto& [content, format] :
-       {std::pair{"OFF\n3 1 0\n", "OFF"}, {"ply\nformat ascii 1.0\n", "PLY"}, {"solid cube\n", "STL"},
-        {"PK\x03\x04zzz", "zip"}}) {
+  for (const auto& [content, format] : {std::pair{"OFF\n3 1 0\n", "OFF"},
+                                        {"ply\nformat ascii 1.0\n", "PLY"},
+                                        {"solid cube\n", "STL"},
+                                        {"PK\x03\x04zzz", "zip"}}) {
     const auto result = read(content, "model");
     EXPECT_EQ(codeOf(result), "UNKNOWN_FORMAT");
     EXPECT_TRUE(contains(messageOf(result), format)) << messageOf(result);

@@ -47,9 +47,10 @@ TEST(NumberText, independentOfTheLocale) {
 
 /// A tetrahedron with a vertex that no face uses, and one that is welded onto the first.
 LoadedMesh sample() {
-  auto loaded = read("v 0 0 0\nv 9 9 9\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 0\n"
-                     "f 1 4 3\nf 6 3 5\nf 1 5 4\nf 3 4 5\n",
-                     "sample.obj");
+  auto loaded = read(
+      "v 0 0 0\nv 9 9 9\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 0\n"
+      "f 1 4 3\nf 6 3 5\nf 1 5 4\nf 3 4 5\n",
+      "sample.obj");
   EXPECT_TRUE(loaded.ok()) << messageOf(loaded);
   return std::move(loaded).value();
 }
@@ -98,7 +99,8 @@ TEST(WriteLoop, allFormats) {
   loop.points = {SurfacePoint::atVertex(1), middle, SurfacePoint::atVertex(1)};
   loop.midpoint = middle;
   const std::string json = loopJson(loaded, loop, "sample.obj", true);
-  EXPECT_TRUE(contains(json, R"({"file":"sample.obj","vertex":2,"length":2.5,"kind":"loop","angle":1)"))
+  EXPECT_TRUE(
+      contains(json, R"({"file":"sample.obj","vertex":2,"length":2.5,"kind":"loop","angle":1)"))
       << json;
   EXPECT_TRUE(contains(json, R"("vertices":[2],"weights":[1]})")) << json;
   EXPECT_TRUE(contains(json, R"("weights":[0.75,0.25]})")) << json;

@@ -23,8 +23,8 @@ std::string_view toString(Format format);
 /// What a file says, before any cleaning.
 struct TriangleSoup {
   Format format{Format::Obj};
-  /// x, y, z per vertex of the file, in its order; glTF in world space, in metres, in the order of a
-  /// depth-first walk of the scene.
+  /// x, y, z per vertex of the file, in its order; glTF in world space, in metres, in the order of
+  /// a depth-first walk of the scene.
   std::vector<double> positions;
   /// Three vertices per triangle; polygons are triangulated.
   std::vector<Index> triangles;
@@ -49,15 +49,15 @@ struct LoadedMesh {
 /// Brings a file that a model refers to by a relative name; nothing if it is not to be had.
 using ResourceReader = std::function<std::optional<std::vector<std::byte>>(std::string_view name)>;
 
-/// Reads bytes. The format is recognised by content; `name` only breaks ties and is used in messages.
-/// Touches no file system. Memory in proportion to the bytes. Errors: EMPTY_FILE, UNKNOWN_FORMAT,
-/// MALFORMED_FILE (element: byte or line), UNSUPPORTED_FEATURE, MISSING_RESOURCE, NON_FINITE_POSITION,
-/// INDEX_OUT_OF_RANGE, EMPTY_MESH, LIMIT_EXCEEDED.
+/// Reads bytes. The format is recognised by content; `name` only breaks ties and is used in
+/// messages. Touches no file system. Memory in proportion to the bytes. Errors: EMPTY_FILE,
+/// UNKNOWN_FORMAT, MALFORMED_FILE (element: byte or line), UNSUPPORTED_FEATURE, MISSING_RESOURCE,
+/// NON_FINITE_POSITION, INDEX_OUT_OF_RANGE, EMPTY_MESH, LIMIT_EXCEEDED.
 Result<TriangleSoup> readSoup(std::span<const std::byte> bytes, std::string_view name,
                               const ResourceReader& resources = {});
 
-/// Welds vertices at exactly equal positions, leaves out vertices that no face uses, and makes a surface.
-/// Errors: those of SurfaceMesh::fromArrays, with elements in the file's own numbering.
+/// Welds vertices at exactly equal positions, leaves out vertices that no face uses, and makes a
+/// surface. Errors: those of SurfaceMesh::fromArrays, with elements in the file's own numbering.
 Result<LoadedMesh> weld(TriangleSoup soup);
 
 /// readSoup, then weld.
