@@ -64,8 +64,12 @@ export interface ThreadsOperations extends CommonOperations {
 }
 
 /** The arguments and the answer of an operation of a table like those above. */
-export type Arguments<T, K extends keyof T> = T[K] extends [infer A extends object, object] ? A : never;
-export type Answer<T, K extends keyof T> = T[K] extends [object, infer R extends object] ? R : never;
+export type Arguments<T, K extends keyof T> = T[K] extends [infer A extends object, object]
+  ? A
+  : never;
+export type Answer<T, K extends keyof T> = T[K] extends [object, infer R extends object]
+  ? R
+  : never;
 
 /** Page to worker. `id` counts up from 1. */
 export interface Request {

@@ -1,0 +1,87 @@
+// A worker that answers at once or when told to, without a thread and without WebAssembly.
+
+import type { Reply, Report, Request } from '../../../web/src/kernel/protocol.js';
+import type { WorkerLike } from '../../../web/src/kernel/worker-client.js';
+
+/** What a fake does with a request: its answer, or a promise of it. A thrown error is answered too. */
+export type Behaviour = (
+  request: Request,
+  report: (report: Report) => void,
+) => object | Promise<object>;
+
+export class FakeWorker implements WorkerLike {
+  onmessage: WorkerLike['onmessage'] = null;
+  onerror: WorkerLike['onerror'] = null;
+  onmessageerror: WorkerLike['onmessageerror'] = null;
+  terminated = false;
+  /** Operations in the order in which they arrived. */
+  readonly operations: string[] = [];
+  readonly #behaviour: Behaviour;
+  #last: Promise<void> = Promise.resolve();
+
+  constructor(behaviour: Behaviour) {
+    this.#behaviour = behaviour;
+  }
+
+  postMessage(request: Request): void {
+    this.operations.push(request.operation);
+    this.#last = this.#last.then(() => this.#serve(request));
+  }
+
+  terminate(): void {
+    this.terminated = true;
+  }
+
+  crash(message: string): void {
+    this.onerror?.({ message } as ErrorEvent);
+  }
+
+  async #serve(request: Request): Promise<void> {
+    const { id } = request;
+    const reply = (data: Reply) => this.onmessage?.({ data } as MessageEvent<Reply>);
+    try {
+      reply({ id, answer: await this.#behaviour(request, (report) => reply({ id, report })) });
+    } catch (thrown) {
+      const { code = 'INTERNAL', message = '' } = thrown as { code?: string; message?: string };
+      reply({ id, error: { code, element: -1, message, hint: '' }, fatal: code === 'INTERNAL' });
+    }
+  }
+}
+
+/** I(v) of the fakes: any function that tells the vertices apart. */
+export const fakeValue = (vertex: number) => Math.sqrt(vertex + 1);
+
+/** A surface of `count` vertices as the fakes answer about it. */
+export function fakeSurface(count: number): Behaviour {
+  return ({ operation, arguments: args }) => {
+    switch (operation) {
+      case 'order':
+        // Even vertices first, then odd ones.
+        return {
+          order: Uint32Array.from({ length: count }, (_, i) =>
+            2 * i < count ? 2 * i : 2 * (i - Math.ceil(count / 2)) + 1,
+          ),
+        };
+      case 'values': {
+        const { vertices } = args as { vertices: Uint32Array };
+        return {
+          values: Float64Array.from(vertices, fakeValue),
+          kinds: Uint8Array.from(vertices, (v) => v % 2),
+          milliseconds: 1,
+        };
+      }
+      case 'loop':
+        return { vertex: (args as { vertex: number }).vertex, length: 1 };
+      case 'take':
+      case 'read':
+        return {
+          info: { name: '', vertexCount: count, unit: 'm' },
+          arrays: { positions: new Float64Array(3 * count), indices: new Uint32Array(3) },
+          drawn: new Float32Array(3 * count),
+          vertexOfInput: new Uint32Array(count),
+        };
+      default:
+        return {};
+    }
+  };
+}

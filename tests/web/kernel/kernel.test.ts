@@ -1,0 +1,295 @@
+// The kernel's logic with fake workers: who gets which vertices, what is told when, and how it ends.
+
+import { readFileSync } from 'node:fs';
+import { afterEach, describe, expect, test, vi } from 'vitest';
+import { GirthError, fieldsOf, hints } from '../../../web/src/kernel/errors.js';
+import { FieldRun } from '../../../web/src/kernel/field-run.js';
+import { openKernel } from '../../../web/src/kernel/kernel.js';
+import { chunkSize } from '../../../web/src/kernel/pool-engine.js';
+import type { MeshArrays, PartialField } from '../../../web/src/kernel/types.js';
+import { FakeWorker, fakeSurface, fakeValue, type Behaviour } from './fake-worker.js';
+
+const anyArrays: MeshArrays = {
+  positions: new Float64Array(9),
+  indices: new Uint32Array(3),
+};
+
+/** A kernel of fakes; the first single worker is the interactive one. */
+async function fakeKernel(behaviour: Behaviour, threads = 3) {
+  const workers: FakeWorker[] = [];
+  const make = () => {
+    const worker = new FakeWorker(behaviour);
+    workers.push(worker);
+    return worker;
+  };
+  const kernel = await openKernel({ threads, mode: 'pool' }, { single: make, threads: make });
+  return { kernel, workers };
+}
+
+/** A promise with its settling functions. */
+function gate() {
+  let open!: () => void;
+  const opened = new Promise<void>((resolve) => (open = resolve));
+  return { open, opened };
+}
+
+const codeOf = (promise: Promise<unknown>) =>
+  promise.then(
+    () => 'resolved',
+    (error: unknown) =>
+      error instanceof GirthError ? error.code : `not a GirthError: ${String(error)}`,
+  );
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+  vi.restoreAllMocks();
+});
+
+describe('errors', () => {
+  test('the remedies are those of the one table', () => {
+    const table = readFileSync(
+      new URL('../../../cpp/include/girth/error_codes.def', import.meta.url),
+      'utf8',
+    );
+    for (const [code, hint] of Object.entries(hints)) {
+      expect(table).toMatch(new RegExp(`"${code}", \\d, "${hint}"`));
+    }
+  });
+
+  test('running out of memory is recognised in its several wordings', () => {
+    for (const text of [
+      'Out of memory',
+      'Array buffer allocation failed',
+      'could not allocate memory',
+    ]) {
+      expect(fieldsOf(new RangeError(text)).code).toBe('OUT_OF_MEMORY');
+    }
+    expect(fieldsOf(new Error('memory access out of bounds')).code).toBe('INTERNAL');
+  });
+});
+
+describe('chunks', () => {
+  test('follow the speed, and become small towards the end', () => {
+    expect(chunkSize(undefined, 1000, 4)).toBe(4);
+    expect(chunkSize(5, 10000, 4)).toBe(100);
+    expect(chunkSize(5, 40, 4)).toBe(5);
+    expect(chunkSize(0.001, 1000, 4)).toBe(1);
+    expect(chunkSize(5, 1, 4)).toBe(1);
+  });
+});
+
+describe('a run', () => {
+  test('puts reports together that come close together, and ends with 1', () => {
+    let now = 0;
+    const progress: number[] = [];
+    const partials: PartialField[] = [];
+    const run = new FieldRun(
+      4,
+      { onProgress: (f) => progress.push(f), onPartial: (p) => partials.push(p) },
+      () => now,
+    );
+    const one = (vertex: number) => ({
+      vertices: Uint32Array.of(vertex),
+      values: Float64Array.of(vertex),
+      kinds: Uint8Array.of(0),
+    });
+    run.add(one(2));
+    now = 10;
+    run.add(one(0));
+    now = 100;
+    run.add(one(3));
+    now = 101;
+    run.add(one(1));
+    expect(partials.map((p) => [...p.vertices])).toEqual([[2], [0, 3], [1]]);
+    expect(progress).toEqual([0.25, 0.75, 1]);
+    expect(run.range()).toEqual([0, 3]);
+  });
+});
+
+describe('a field by a pool', () => {
+  test('has every value, each reported once, coarse to fine', async () => {
+    const { kernel, workers } = await fakeKernel(fakeSurface(1000));
+    const mesh = await kernel.load(anyArrays);
+    const progress: number[] = [];
+    const seen: number[] = [];
+    const field = await mesh.field('igf', {
+      onProgress: (f) => progress.push(f),
+      onPartial: (p) => {
+        p.vertices.forEach((v, i) => expect(p.values[i]).toBe(fakeValue(v)));
+        seen.push(...p.vertices);
+      },
+    });
+    expect([...field.values]).toEqual(Array.from({ length: 1000 }, (_, v) => fakeValue(v)));
+    expect(field.kinds[3]).toBe(1);
+    expect(field.range).toEqual([fakeValue(0), fakeValue(999)]);
+    expect(field.unit).toBe('m');
+    expect([...seen].sort((a, b) => a - b)).toEqual(Array.from({ length: 1000 }, (_, v) => v));
+    expect(seen[0]! % 2).toBe(0);
+    expect(progress).toEqual([...progress].sort((a, b) => a - b));
+    expect(progress.at(-1)).toBe(1);
+    // All but the interactive worker share the work; each gets the mesh once.
+    for (const worker of workers.slice(1)) {
+      expect(worker.operations.filter((name) => name === 'adopt')).toHaveLength(1);
+      expect(worker.operations).toContain('values');
+    }
+    expect(workers[0]!.operations).not.toContain('values');
+  });
+
+  test('is cancelled at once, and the workers get no more chunks', async () => {
+    const chunk = gate();
+    const surface = fakeSurface(1000);
+    const { kernel, workers } = await fakeKernel(async (request, report) => {
+      if (request.operation === 'values') await chunk.opened;
+      return surface(request, report);
+    });
+    const mesh = await kernel.load(anyArrays);
+    const controller = new AbortController();
+    const field = codeOf(mesh.field('igf', { signal: controller.signal }));
+    await vi.waitFor(() => expect(workers[1]!.operations).toContain('values'));
+    controller.abort();
+    expect(await field).toBe('CANCELLED');
+    const second = mesh.field('igf');
+    const handedOut = workers.map(({ operations }) => operations.length);
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    expect(workers.map(({ operations }) => operations.length)).toEqual(handedOut);
+    chunk.open();
+    expect((await second).values[7]).toBe(fakeValue(7));
+  });
+
+  test('ends with CANCELLED when its mesh or its kernel is disposed of', async () => {
+    const never = new Promise<object>(() => undefined);
+    const surface = fakeSurface(10);
+    const { kernel, workers } = await fakeKernel((request, report) =>
+      request.operation === 'values' ? never : surface(request, report),
+    );
+    const mesh = await kernel.load(anyArrays);
+    const other = await kernel.load(anyArrays);
+    const [first, second] = [codeOf(mesh.field('igf')), codeOf(other.field('igf'))];
+    mesh.dispose();
+    expect(await first).toBe('CANCELLED');
+    kernel.dispose();
+    expect(await second).toBe('CANCELLED');
+    expect(workers.every(({ terminated }) => terminated)).toBe(true);
+    expect(await codeOf(kernel.load(anyArrays))).toBe('CANCELLED');
+    expect(await codeOf(mesh.loop(0))).toBe('CANCELLED');
+  });
+
+  test('fails with its code when a worker crashes, and the next one uses a new worker', async () => {
+    let crashes = true;
+    const surface = fakeSurface(100);
+    const { kernel, workers } = await fakeKernel((request, report) => {
+      if (request.operation === 'values' && crashes) throw new Error('unreachable executed');
+      return surface(request, report);
+    }, 2);
+    const mesh = await kernel.load(anyArrays);
+    expect(await codeOf(mesh.field('igf'))).toBe('INTERNAL');
+    crashes = false;
+    expect((await mesh.field('igf')).values[9]).toBe(fakeValue(9));
+    expect(workers.filter(({ terminated }) => terminated).length).toBeGreaterThan(0);
+  });
+});
+
+describe('loops', () => {
+  test('the newest goes first, and aborted ones never run', async () => {
+    const asked: number[] = [];
+    const first = gate();
+    const surface = fakeSurface(100);
+    const { kernel } = await fakeKernel(async (request, report) => {
+      if (request.operation === 'loop') {
+        asked.push((request.arguments as { vertex: number }).vertex);
+        if (asked.length === 1) await first.opened;
+      }
+      return surface(request, report);
+    });
+    const mesh = await kernel.load(anyArrays);
+    const stale = new AbortController();
+    const loops = [
+      mesh.loop(1),
+      codeOf(mesh.loop(2, { signal: stale.signal })),
+      mesh.loop(3),
+      mesh.loop(4),
+    ];
+    await vi.waitFor(() => expect(asked).toEqual([1]));
+    stale.abort();
+    expect(await loops[1]).toBe('CANCELLED');
+    first.open();
+    await Promise.all(loops);
+    expect(asked).toEqual([1, 4, 3]);
+  });
+
+  test('a vertex that does not exist is refused', async () => {
+    const { kernel } = await fakeKernel(fakeSurface(100));
+    const mesh = await kernel.load(anyArrays);
+    for (const vertex of [-1, 100, 1.5, NaN]) {
+      expect(await codeOf(mesh.loop(vertex))).toBe('VERTEX_OUT_OF_RANGE');
+    }
+  });
+});
+
+describe('starting and loading', () => {
+  test("asking for 'threads' on a page that is not isolated warns once and gives a pool", async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => undefined);
+    const make = () => new FakeWorker(fakeSurface(10));
+    const threads = vi.fn(make);
+    for (let i = 0; i < 2; ++i) {
+      const kernel = await openKernel({ mode: 'threads', threads: 2 }, { single: make, threads });
+      expect(kernel.mode).toBe('pool');
+    }
+    expect(warn).toHaveBeenCalledTimes(1);
+    expect(threads).not.toHaveBeenCalled();
+  });
+
+  test('threads that cannot be had give a pool', async () => {
+    vi.stubGlobal('crossOriginIsolated', true);
+    vi.spyOn(console, 'warn').mockImplementation(() => undefined);
+    const kernel = await openKernel(
+      { threads: 2 },
+      {
+        single: () => new FakeWorker(fakeSurface(10)),
+        threads: () =>
+          new FakeWorker(() => {
+            throw new Error('no nested workers');
+          }),
+      },
+    );
+    expect(kernel.mode).toBe('pool');
+    expect((await (await kernel.load(anyArrays)).field('igf')).values).toHaveLength(10);
+  });
+
+  test('a module that does not load fails with a code', async () => {
+    const worker = new FakeWorker(() => new Promise<object>(() => undefined));
+    const opening = codeOf(
+      openKernel({ mode: 'pool' }, { single: () => worker, threads: () => worker }),
+    );
+    worker.crash('');
+    expect(await opening).toBe('INTERNAL');
+  });
+
+  test('an address that cannot be fetched is named, with a code', async () => {
+    const { kernel } = await fakeKernel(fakeSurface(10));
+    vi.stubGlobal('fetch', () => Promise.resolve(new Response('', { status: 404 })));
+    expect(await codeOf(kernel.load('https://example.org/no.glb'))).toBe('FILE_NOT_FOUND');
+    vi.stubGlobal('fetch', () => Promise.resolve(new Response('', { status: 403 })));
+    expect(await codeOf(kernel.load('https://example.org/no.glb'))).toBe('FILE_UNREADABLE');
+    vi.stubGlobal('fetch', () => Promise.reject(new TypeError('network')));
+    await expect(kernel.load('https://example.org/no.glb')).rejects.toThrow(
+      'https://example.org/no.glb',
+    );
+  });
+
+  test("the caller's bytes stay the caller's; a file's name is kept", async () => {
+    const names: string[] = [];
+    const surface = fakeSurface(10);
+    const { kernel } = await fakeKernel((request, report) => {
+      if (request.operation === 'read') names.push((request.arguments as { name: string }).name);
+      return surface(request, report);
+    });
+    const bytes = new ArrayBuffer(8);
+    await kernel.load({ bytes, name: 'a.obj' });
+    expect(bytes.byteLength).toBe(8);
+    await kernel.load(new Blob(['x']));
+    vi.stubGlobal('fetch', () => Promise.resolve(new Response('x')));
+    await kernel.load(new URL('https://example.org/m/a%20cup.glb?v=2'));
+    expect(names).toEqual(['a.obj', 'model', 'a cup.glb']);
+  });
+});
