@@ -42,11 +42,6 @@ export function plate(
   };
 }
 
-/** The wall of constant thickness around the zero set of `surface`. */
-export function shell(surface: Implicit, thickness: number): Implicit {
-  return (x, y, z) => Math.abs(surface(x, y, z)) - thickness / 2;
-}
-
 /** A tube with round ends. */
 export function tube(path: Tube): Implicit {
   return (x, y, z) => path.distance(x, y, z);
@@ -70,16 +65,6 @@ export function smoothUnion(blend: number, first: Implicit, ...others: Implicit[
     for (const other of others) value = smoothMin(value, other(x, y, z), blend);
     return value;
   };
-}
-
-/** The first solid without the second, with the edge rounded over a width of `blend`. */
-export function smoothDifference(blend: number, solid: Implicit, removed: Implicit): Implicit {
-  return (x, y, z) => -smoothMin(-solid(x, y, z), removed(x, y, z), blend);
-}
-
-/** What lies in both solids, with the edge rounded over a width of `blend`. */
-export function smoothIntersection(blend: number, a: Implicit, b: Implicit): Implicit {
-  return (x, y, z) => -smoothMin(-a(x, y, z), -b(x, y, z), blend);
 }
 
 /** The solid and its mirror image at the plane x = 0, in one; the fillet between them is `blend` wide. */

@@ -2,21 +2,22 @@ import { smoothUnion, tube } from '../implicit.ts';
 import { Tube, type Station } from '../tube.ts';
 import type { Model } from './model.ts';
 
-// Where a vessel forks, the cubes of the radii add up, as they do in blood vessels (Murray's law).
-const stem = 0.0175;
-const [left, right] = fork(stem, 0.6);
-const [leftUp, leftOut] = fork(left, 0.55);
-const [rightUp, rightOut] = fork(right, 0.6);
-const [twigUp, twigOut] = fork(leftUp, 0.55);
+// Where a vessel forks, the cross-sections of the branches add up to that of the stem, as they do, more
+// or less, in arteries.
+const stem = 0.019;
+const [left, right] = fork(stem, 0.62);
+const [leftUp, leftOut] = fork(left, 0.7);
+const [rightUp, rightOut] = fork(right, 0.68);
+const [twigUp, twigOut] = fork(leftUp, 0.62);
 
-/** Radii of two branches of which the first takes `share` of the flow. */
+/** Radii of two branches of which the first takes `share` of the cross-section. */
 function fork(radius: number, share: number): [number, number] {
-  return [radius * Math.cbrt(share), radius * Math.cbrt(1 - share)];
+  return [radius * Math.sqrt(share), radius * Math.sqrt(1 - share)];
 }
 
 const branches: Station[][] = [
   [
-    [0.012, 0.018, 0.006, stem],
+    [0.012, 0.0195, 0.006, stem],
     [0.004, 0.06, 0.002, stem],
     [0, 0.1, 0, stem],
     [-0.02, 0.142, 0.006, left],
@@ -68,6 +69,6 @@ export const vessel: Model = {
   faces: 8000,
   solid: smoothUnion(0.014, first!, ...others),
   box: { min: [-0.14, -0.01, -0.075], max: [0.16, 0.375, 0.075] },
-  cell: 0.005,
+  cell: 0.0045,
   sizing: { gentle: 0.018, finest: 0.6 },
 };
