@@ -6,7 +6,7 @@ function(girth_configure target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_options(
     ${target}
-    PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+    PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
             # GCC 12 and 13 see overlaps in "literal" + std::string that are not there (GCC bug 105651).
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<BOOL:${GIRTH_WERROR}>:-Werror>)
 endfunction()
