@@ -187,7 +187,7 @@ std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh) {
   for (std::uint64_t i = 0; i < std::uint64_t{1} << bits; ++i) {
     std::uint64_t reversed = 0;
     for (unsigned b = 0; b < bits; ++b) reversed |= (i >> b & 1) << (bits - 1 - b);
-    if (reversed < count) order.push_back(curve[reversed].second);
+    if (reversed < count) order.push_back(curve[static_cast<std::size_t>(reversed)].second);
   }
   return order;
 }
