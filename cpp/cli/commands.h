@@ -33,7 +33,7 @@ int runIgf(const IgfOptions& options);
 struct LoopOptions {
   std::string model;
   /// In the file's numbering, from 0.
-  std::uint64_t vertex{0};
+  std::int64_t vertex{0};
   std::string output;
   bool json{false};
 };

@@ -16,8 +16,8 @@ void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const LoopOp
   const auto row = [](const char* name, const std::string& value) {
     std::printf("  %-10s %s\n", name, value.c_str());
   };
-  std::printf("%s: loop at vertex %llu\n", options.model.c_str(),
-              static_cast<unsigned long long>(options.vertex));
+  std::printf("%s: loop at vertex %lld\n", options.model.c_str(),
+              static_cast<long long>(options.vertex));
   row("length", readable(loop.length) + unit);
   row("kind", loop.kind == LoopKind::Loop ? "loop: around the surface"
                                           : "antipodal: out to the farthest point and back");
@@ -34,17 +34,17 @@ std::string contentFor(const std::string& extension, const io::LoadedMesh& loade
 }
 
 /// The vertex of the surface that a number of the file means.
-Result<Index> surfaceVertex(const io::LoadedMesh& loaded, std::uint64_t vertex) {
+Result<Index> surfaceVertex(const io::LoadedMesh& loaded, std::int64_t vertex) {
   const std::size_t count = loaded.vertexOfInput.size();
-  if (vertex >= count) {
-    Error error = makeError(ErrorCode::VertexOutOfRange, static_cast<std::int64_t>(vertex),
+  if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= count) {
+    Error error = makeError(ErrorCode::VertexOutOfRange, vertex,
                             "there is no vertex " + std::to_string(vertex));
     error.hint = "its vertices are numbered from 0 to " + std::to_string(count - 1);
     return error;
   }
   const Index found = loaded.vertexOfInput[static_cast<std::size_t>(vertex)];
   if (found == kNoIndex) {
-    Error error = makeError(ErrorCode::VertexOutOfRange, static_cast<std::int64_t>(vertex),
+    Error error = makeError(ErrorCode::VertexOutOfRange, vertex,
                             "no face uses vertex " + std::to_string(vertex));
     error.hint = "name a vertex of a face";
     return error;

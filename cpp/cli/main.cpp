@@ -56,8 +56,7 @@ int run(int argc, char** argv) {
   CLI::App* loopCommand = app.add_subcommand("loop", "Compute the loop at one vertex");
   loopCommand->add_option("MODEL", loop.model, "The model to read")->required();
   loopCommand->add_option("VERTEX", loop.vertex, "A vertex, numbered as in the file from 0")
-      ->required()
-      ->check(CLI::NonNegativeNumber);
+      ->required();
   loopCommand->add_option("-o,--output", loop.output,
                           "Write the loop: .json, .obj (a polyline) or .csv (x,y,z)");
   loopCommand->add_flag("--json", loop.json, "Print the summary as JSON");
@@ -67,7 +66,10 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     // Help and version come this way too.
     if (error.get_exit_code() == 0) return app.exit(error);
-    return reportError("", makeError(ErrorCode::Usage, -1, error.what()));
+    const bool unknownCommand = argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty();
+    return reportError("", makeError(ErrorCode::Usage, -1,
+                                     unknownCommand ? "there is no command " + std::string(argv[1])
+                                                    : std::string(error.what())));
   }
   if (infoCommand->parsed()) return runInfo(info);
   if (igfCommand->parsed()) return runIgf(igf);
