@@ -29,7 +29,7 @@ struct Site {
   Vec2 left{0, 0}, right{0, 0};  // unit vectors along the bounds of the window; zero: unbounded
 
   double distanceTo(Vec2 q) const { return sigma + norm(q - root); }
-  /// Whether the window may cover a point of this disk.
+  /// Whether the window covers a point of this disk.
   bool meetsDisk(Vec2 centre, double radius) const {
     return cross(left, centre - root) <= radius && cross(right, centre - root) >= -radius;
   }
@@ -113,7 +113,7 @@ class FaceSearch {
 
  private:
   static constexpr std::size_t kFewSites = 8;
-  static constexpr int kDeepest = 8;
+  static constexpr int kDeepest = 16;
 
   /// A triangle of the face, with the sites that may be nearest to a point of it.
   struct Cell {
@@ -130,7 +130,7 @@ class FaceSearch {
     double radius = 0;
     for (const Vec2 corner : corners) radius = std::max(radius, norm(corner - centre));
     // The distance changes by no more than the way walked.
-    const double atCentre = propagation_.distanceTo(face_, centre);
+    const double atCentre = distanceAmong(sites, centre);
     atLeast_ = std::max(atLeast_, atCentre);
     if (atCentre + radius <= atLeast_) return;
     Cell cell{atCentre + radius, corners, {}, depth};
@@ -141,6 +141,19 @@ class FaceSearch {
       }
     }
     cells.push(std::move(cell));
+  }
+
+  /// Distance of a point from the sites that see it.
+  double distanceAmong(const std::vector<Site>& sites, Vec2 q) const {
+    double distance = std::numeric_limits<double>::infinity();
+    for (const Site& site : sites) {
+      const Vec2 ray = q - site.root;
+      const double squared = dot(ray, ray), rest = distance - site.sigma;
+      if (rest > 0 && squared < rest * rest && site.meetsDisk(q, kTie * best_.distance)) {
+        distance = site.sigma + std::sqrt(squared);
+      }
+    }
+    return distance;
   }
 
   void testTriples(const std::vector<Site>& all) {
@@ -158,16 +171,18 @@ class FaceSearch {
         for (std::size_t k = 0; k < j; ++k) {
           std::array<Vec2, 2> points;
           const int count = meetingPoints(sites[i], sites[j], sites[k], points);
-          for (int n = 0; n < count; ++n) test(points[n], sites[i]);
+          for (int n = 0; n < count; ++n) test(points[n], sites[i], all);
         }
       }
     }
   }
 
-  void test(Vec2 q, const Site& site) {
+  void test(Vec2 q, const Site& site, const std::vector<Site>& sites) {
     const double distance = site.distanceTo(q);
     if (!(distance > best_.distance) || !insideFace(propagation_, face_, q)) return;
-    // The sites may be out of sight from there: what counts is the true distance.
+    // The sites may be out of sight from there, or the point outside the part of the face where no others
+    // count: what decides is the true distance; first, cheaply, a bound to it.
+    if (distanceAmong(sites, q) < distance * (1 - kTie)) return;
     if (std::fabs(propagation_.distanceTo(face_, q) - distance) > kTie * distance) return;
     best_ = {distance, face_, q};
     atLeast_ = std::max(atLeast_, distance * (1 - kTie));
