@@ -23,8 +23,9 @@ std::string_view toString(Format format);
 /// What a file says, before any cleaning.
 struct TriangleSoup {
   Format format{Format::Obj};
-  /// x, y, z per vertex of the file, in its order; glTF in world space, in metres, in the order of
-  /// a depth-first walk of the scene.
+  /// x, y, z per vertex of the file, all finite. OBJ: in the order of its `v` lines. glTF: in world
+  /// space, in metres, in the order of a depth-first walk of the default scene; primitives of one
+  /// mesh that share a list of positions share its vertices, and points and lines are left out.
   std::vector<double> positions;
   /// Three vertices per triangle; polygons are triangulated.
   std::vector<Index> triangles;
@@ -50,14 +51,22 @@ struct LoadedMesh {
 using ResourceReader = std::function<std::optional<std::vector<std::byte>>(std::string_view name)>;
 
 /// Reads bytes. The format is recognised by content; `name` only breaks ties and is used in
-/// messages. Touches no file system. Memory in proportion to the bytes. Errors: EMPTY_FILE,
-/// UNKNOWN_FORMAT, MALFORMED_FILE (element: byte or line), UNSUPPORTED_FEATURE, MISSING_RESOURCE,
-/// NON_FINITE_POSITION, INDEX_OUT_OF_RANGE, EMPTY_MESH, LIMIT_EXCEEDED.
+/// messages. Touches no file system. Any bytes are safe to read: nothing is trusted, and memory
+/// stays in proportion to the bytes. glTF: all meshes of the scene are merged, with world
+/// transforms applied (mirrored ones keep their outside); buffers come from the file, from data:
+/// URIs, or through `resources`, which is only ever asked for relative names that do not lead out
+/// of the model's folder. OBJ: polygons are cut into triangles.
+///
+/// Errors: EMPTY_FILE, UNKNOWN_FORMAT, MALFORMED_FILE (element: byte or line), UNSUPPORTED_FEATURE
+/// (Draco, meshopt, glTF 1.0, ...), MISSING_RESOURCE, NON_FINITE_POSITION (vertex; OBJ: line),
+/// INDEX_OUT_OF_RANGE (corner of the primitive; OBJ: line), EMPTY_MESH, LIMIT_EXCEEDED,
+/// OUT_OF_MEMORY.
 Result<TriangleSoup> readSoup(std::span<const std::byte> bytes, std::string_view name,
                               const ResourceReader& resources = {});
 
-/// Welds vertices at exactly equal positions, leaves out vertices that no face uses, and makes a
-/// surface. Errors: those of SurfaceMesh::fromArrays, with elements in the file's own numbering.
+/// Welds vertices at exactly equal positions (0 and -0 are equal), leaves out vertices that no face
+/// uses, and makes a surface; faces keep their numbers. O(n log n).
+/// Errors: those of SurfaceMesh::fromArrays, with vertices in the file's own numbering, from 0.
 Result<LoadedMesh> weld(TriangleSoup soup);
 
 /// readSoup, then weld.
