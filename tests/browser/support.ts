@@ -67,7 +67,8 @@ export async function serve(folder: string, options: ServeOptions = {}): Promise
       return;
     }
     const file = resolve(root, `.${path.endsWith('/') ? `${path}index.html` : path}`);
-    const found = file.startsWith(root + sep) && (await stat(file).catch(() => undefined))?.isFile();
+    const found =
+      file.startsWith(root + sep) && (await stat(file).catch(() => undefined))?.isFile();
     if (!found) {
       response.writeHead(404, headers).end('not found');
       return;

@@ -221,6 +221,11 @@ export class GirthViewer extends HTMLElement {
     return this.model?.mesh.info;
   }
 
+  /** The vertex of the surface for each vertex of the file; 0xFFFFFFFF where no face uses it. */
+  get vertexOfInput(): Uint32Array {
+    return this.requireModel().mesh.vertexOfInput;
+  }
+
   /** How the element writes lengths of the present field. */
   get lengthFormat(): LengthFormat {
     return this.format;

@@ -1,0 +1,188 @@
+// The element alone: on a plain static server without special headers, under a strict content
+// security policy, from the npm tarball as users get it.
+
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, cpSync, existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { GirthViewer } from '../../web/src/element/index.js';
+import {
+  complaintsOf,
+  launchChromium,
+  repository,
+  serve,
+  strictPolicy,
+  type StaticServer,
+} from './support.js';
+import { fieldComplete, hover, loopByCommand, visibleVertex } from './viewer-page.js';
+
+const examples = join(repository, 'web/app/public/examples');
+const site = mkdtempSync(join(tmpdir(), 'girth-element-'));
+
+const head = '<!doctype html><meta charset="utf-8"><title>element</title>';
+const script = '<script type="module" src="girth/dist/girth-viewer.js"></script>';
+const pages = {
+  '/one.html': `${head}${script}<girth-viewer src="chair.glb"></girth-viewer>`,
+  '/two.html': `${head}${script}<style>girth-viewer { width: 45%; display: inline-block }</style>
+    <girth-viewer id="a" src="dumbbell.glb"></girth-viewer>
+    <girth-viewer id="b" src="prism.obj" colormap="magma" loop="0 3"></girth-viewer>`,
+  '/below.html': `${head}${script}<p style="height: 300vh"></p><girth-viewer src="dumbbell.glb"></girth-viewer>`,
+  '/missing.html': `${head}${script}<girth-viewer src="nothing.glb"></girth-viewer>`,
+  '/still.html': `${head}${script}<girth-viewer src="dumbbell.glb" field="none" loop="none"></girth-viewer>`,
+};
+
+let browser: Browser;
+let server: StaticServer;
+let page: Page;
+let complaints: string[];
+
+beforeAll(async () => {
+  if (!existsSync(join(repository, 'dist/girth-viewer.js'))) {
+    throw new Error('first: npm run build:package');
+  }
+  const packed = execFileSync(
+    'npm',
+    ['pack', '--json', '--ignore-scripts', '--pack-destination', site],
+    {
+      cwd: repository,
+      encoding: 'utf8',
+      stdio: ['ignore', 'pipe', 'ignore'],
+    },
+  );
+  const [{ filename }] = JSON.parse(packed) as [{ filename: string }];
+  execFileSync('tar', ['-xzf', filename], { cwd: site });
+  cpSync(join(site, 'package'), join(site, 'girth'), { recursive: true });
+  for (const name of ['chair.glb', 'dumbbell.glb'])
+    copyFileSync(join(examples, name), join(site, name));
+  copyFileSync(join(repository, 'tests/data/prism.obj'), join(site, 'prism.obj'));
+  server = await serve(site, { policy: strictPolicy, pages });
+  browser = await launchChromium();
+});
+
+afterAll(async () => {
+  await browser?.close();
+  await server?.close();
+  rmSync(site, { recursive: true });
+});
+
+async function open(path: string): Promise<void> {
+  page = await browser.newPage({ viewport: { width: 900, height: 700 } });
+  complaints = complaintsOf(page);
+  await page.goto(server.url + path);
+}
+
+test('one script line and one tag: loads, computes in workers, shows the loop', async () => {
+  await open('/one.html');
+  const viewer = page.locator('girth-viewer');
+  await fieldComplete(viewer);
+  expect(await page.evaluate(() => crossOriginIsolated)).toBe(false);
+  const place = await visibleVertex(viewer, 0.5, 0.45);
+  const shown = await hover(page, viewer, place.x, place.y);
+  const truth = loopByCommand(join(examples, 'chair.glb'), shown.inputVertex);
+  expect(shown.length).toBe(truth.length);
+  // The threaded module is not even asked for.
+  expect(server.requests.filter((path) => path.includes('threads'))).toEqual([]);
+  expect(complaints).toEqual([]);
+
+  const picture = await viewer.evaluate(async (element: GirthViewer) => {
+    const blob = await element.snapshot();
+    const bitmap = await createImageBitmap(blob);
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const pen = canvas.getContext('2d')!;
+    pen.drawImage(bitmap, 0, 0);
+    const { data } = pen.getImageData(0, 0, bitmap.width, bitmap.height);
+    const colours = new Set<number>();
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 3]! > 250) colours.add((data[i]! << 16) | (data[i + 1]! << 8) | data[i + 2]!);
+    }
+    return { type: blob.type, colours: colours.size };
+  });
+  expect(picture.type).toBe('image/png');
+  expect(picture.colours).toBeGreaterThan(500);
+  await page.close();
+});
+
+test('two on one page: each its own model, one kernel', async () => {
+  await open('/two.html');
+  const [a, b] = [page.locator('#a'), page.locator('#b')];
+  await fieldComplete(a);
+  await fieldComplete(b);
+  expect(await a.evaluate((element: GirthViewer) => element.info!.name)).toBe('dumbbell.glb');
+  const shown = await b.evaluate(async (element: GirthViewer) => {
+    const values = element.values('igf');
+    const loop = await element.loop(3);
+    return { value: values[3], length: loop.length, closed: loop.polyline.length / 3 };
+  });
+  expect(shown.length).toBe(shown.value);
+  expect(shown.length).toBe(loopByCommand(join(site, 'prism.obj'), 3).length);
+  await expect.poll(() => b.locator('.tag').count()).toBe(2);
+  const workers = page.workers().length;
+  const cores = await page.evaluate(() => navigator.hardwareConcurrency);
+  expect(workers).toBeLessThanOrEqual(Math.min(8, cores) + 1);
+  await a.evaluate((element: GirthViewer) => element.remove());
+  expect((await hoverAnywhere(b)).length).toBeGreaterThan(0);
+  expect(complaints).toEqual([]);
+  await page.close();
+});
+
+async function hoverAnywhere(viewer: ReturnType<Page['locator']>) {
+  const place = await visibleVertex(viewer, 0.5, 0.5);
+  return hover(page, viewer, place.x, place.y);
+}
+
+test('nothing is fetched or computed before the element is in view', async () => {
+  await open('/below.html');
+  const before = server.requests.length;
+  await page.waitForTimeout(500);
+  expect(server.requests.slice(before).filter((path) => path.endsWith('.glb'))).toEqual([]);
+  const viewer = page.locator('girth-viewer');
+  expect(await viewer.evaluate((element: GirthViewer) => element.info)).toBeUndefined();
+  await viewer.evaluate((element: GirthViewer) => element.scrollIntoView());
+  await fieldComplete(viewer);
+  await page.close();
+});
+
+test('a missing file is said in words and sent as an event', async () => {
+  await open('/missing.html');
+  const message = page.locator('girth-viewer').getByRole('alert');
+  await message.waitFor();
+  expect(await message.textContent()).toContain('nothing.glb could not be used.');
+  expect(await message.getAttribute('data-code')).toBe('FILE_NOT_FOUND');
+  await page.close();
+});
+
+test('events tell the story; a plain surface computes nothing', async () => {
+  await open('/still.html');
+  const viewer = page.locator('girth-viewer');
+  await expect
+    .poll(() => viewer.evaluate((element: GirthViewer) => element.info?.name))
+    .toBe('dumbbell.glb');
+  await page.waitForTimeout(300);
+  expect(
+    await viewer.evaluate((element: GirthViewer) => element.values('igf').every(Number.isNaN)),
+  ).toBe(true);
+  const events = await viewer.evaluate(async (element: GirthViewer) => {
+    const seen: string[] = [];
+    let last = 0;
+    for (const name of ['load', 'progress', 'field', 'pick', 'error']) {
+      element.addEventListener(name, (event) => {
+        if (seen.at(-1) !== name) seen.push(name);
+        if (name === 'progress') {
+          const { fraction } = (event as CustomEvent<{ fraction: number }>).detail;
+          if (fraction < last) seen.push('progress fell');
+          last = fraction;
+        }
+      });
+    }
+    const done = new Promise((resolve) => element.addEventListener('field', resolve));
+    element.removeAttribute('field');
+    await done;
+    await element.pin(0);
+    await element.load('missing.glb').catch(() => undefined);
+    return seen;
+  });
+  expect(events).toEqual(['progress', 'field', 'pick', 'error']);
+  await page.close();
+});

@@ -1,0 +1,303 @@
+// The page as a user meets it, with cross-origin isolation (threads) and without (a pool of
+// workers), both under a strict content security policy.
+
+import { existsSync, mkdirSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import type { Browser, BrowserContext, Locator, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
+import type { GirthViewer } from '../../web/src/element/index.js';
+import {
+  complaintsOf,
+  launchChromium,
+  repository,
+  serve,
+  strictPolicy,
+  type StaticServer,
+} from './support.js';
+import {
+  fieldComplete,
+  hover,
+  loopByCommand,
+  visibleVertex,
+  watchLongTasks,
+} from './viewer-page.js';
+
+const site = join(repository, 'build/page');
+const data = join(repository, 'tests/data');
+const pictures = join(repository, 'build/pictures');
+
+let browser: Browser;
+
+beforeAll(async () => {
+  if (!existsSync(join(site, 'index.html'))) throw new Error('first: npm run build:page');
+  mkdirSync(pictures, { recursive: true });
+  browser = await launchChromium();
+});
+afterAll(() => browser.close());
+
+/** Drops a file onto the window, as from the desktop. */
+async function drop(page: Page, name: string, bytes: Buffer): Promise<void> {
+  await page.evaluate(
+    ({ name, base64 }) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([bytes], name));
+      for (const type of ['dragenter', 'dragover', 'drop']) {
+        document.body.dispatchEvent(
+          new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }),
+        );
+      }
+    },
+    { name, base64: bytes.toString('base64') },
+  );
+}
+
+for (const isolated of [true, false]) {
+  describe(isolated ? 'page, isolated' : 'page, not isolated', () => {
+    let server: StaticServer;
+    let context: BrowserContext;
+    let page: Page;
+    let viewer: Locator;
+    let complaints: string[];
+
+    beforeAll(async () => {
+      server = await serve(site, { isolated, policy: strictPolicy });
+    });
+    afterAll(() => server.close());
+
+    beforeEach(async () => {
+      context = await browser.newContext({ viewport: { width: 1024, height: 768 } });
+      page = await context.newPage();
+      complaints = complaintsOf(page);
+      await page.goto(server.url);
+      viewer = page.locator('girth-viewer');
+    });
+    afterEach(async () => {
+      expect(complaints).toEqual([]);
+      await context.close();
+    });
+
+    /** Waits for the model of that name in the line on top. */
+    const modelIs = (name: string) =>
+      page.locator('#model b', { hasText: name }).waitFor({ timeout: 30_000 });
+
+    test('opens on an example that is computed without a word', async () => {
+      await modelIs('chair.glb');
+      expect(await page.locator('#model').textContent()).toMatch(
+        /chair\.glb · [\d,]+ faces · genus/,
+      );
+      await fieldComplete(viewer);
+      const seconds = (await page.evaluate(() => performance.now())) / 1000;
+      console.log(
+        `isolated ${isolated}: the first example is computed ${seconds.toFixed(1)} s after opening`,
+      );
+      expect(await page.evaluate(() => crossOriginIsolated)).toBe(isolated);
+      expect(
+        await page.getByText('Drop a mesh anywhere. It stays on your machine.').isVisible(),
+      ).toBe(true);
+      expect(await page.locator('[aria-pressed=true]').textContent()).toBe('Chair');
+      const ticks = await viewer.locator('.legend-tick').allTextContents();
+      expect(ticks.length).toBeGreaterThanOrEqual(2);
+      for (const tick of ticks) expect(tick).toMatch(/^\d+\.\d+$/);
+      expect(await viewer.locator('.legend-title').textContent()).toMatch(/Girth, (m|mm)$/);
+      // Progress has gone, its place is empty.
+      expect(await viewer.locator('[role=progressbar]').isVisible()).toBe(false);
+      await page.screenshot({ path: join(pictures, `page-${isolated ? 'threads' : 'pool'}.png`) });
+    });
+
+    test('a dropped OBJ: the length under the pointer is the command’s', async () => {
+      await modelIs('chair.glb');
+      const file = join(data, 'prism.obj');
+      await drop(page, 'prism.obj', readFileSync(file));
+      await modelIs('prism.obj');
+      await fieldComplete(viewer);
+      expect(await page.locator('#invitation').isVisible()).toBe(false);
+      const place = await visibleVertex(viewer, 0.5, 0.5);
+      const shown = await hover(page, viewer, place.x, place.y);
+      const truth = loopByCommand(file, shown.inputVertex);
+      expect(shown.length).toBe(truth.length);
+      expect(shown.kind).toBe(truth.kind);
+      expect(Number.parseFloat(shown.text)).toBeCloseTo(truth.length, 3);
+    });
+
+    test('a chosen GLB with seams: welded, and the command’s lengths all over', async () => {
+      await modelIs('chair.glb');
+      const file = join(data, 'prism_seams.glb');
+      await page.locator('#file').setInputFiles(file);
+      await modelIs('prism_seams.glb');
+      expect(await page.locator('#model').textContent()).toContain('vertices welded');
+      await fieldComplete(viewer);
+      for (const [right, down] of [
+        [0.5, 0.4],
+        [0.5, 0.7],
+      ] as const) {
+        const place = await visibleVertex(viewer, right, down);
+        const shown = await hover(page, viewer, place.x, place.y);
+        expect(shown.length).toBe(loopByCommand(file, shown.inputVertex).length);
+        await page.mouse.move(2, 2);
+      }
+    });
+
+    test('hover, pin, list, remove; the keyboard does the same', async () => {
+      await modelIs('chair.glb');
+      await fieldComplete(viewer);
+      const file = join(repository, 'web/app/public/examples/chair.glb');
+      const place = await visibleVertex(viewer, 0.5, 0.45);
+      const shown = await hover(page, viewer, place.x, place.y);
+      expect(shown.length).toBe(loopByCommand(file, shown.inputVertex).length);
+      await page.mouse.click(place.x, place.y);
+      await page.locator('#loops li').waitFor();
+      const written = shown.text.match(/^[\d.]+/)![0];
+      expect(await page.locator('#loops li b').textContent()).toContain(written);
+      expect(await viewer.locator('.tag').count()).toBe(1);
+
+      await viewer.locator('canvas').focus();
+      await page.keyboard.press('Shift+ArrowRight');
+      await viewer.locator('.readout').waitFor({ state: 'visible' });
+      await page.keyboard.press('Shift+ArrowUp');
+      await page.keyboard.press('Enter');
+      await page.locator('#loops li').nth(1).waitFor();
+      await page.keyboard.press('Delete');
+      await expect.poll(() => page.locator('#loops li').count()).toBe(1);
+      await page.locator('#loops li button').click();
+      expect(await page.locator('#no-loops').isVisible()).toBe(true);
+      expect(await viewer.locator('.tag').count()).toBe(0);
+    });
+
+    test('cancelled in mid-run it keeps what there is and says how much', async () => {
+      await modelIs('chair.glb');
+      await page.getByRole('button', { name: 'Octopus' }).click();
+      await modelIs('octopus.glb');
+      await expect
+        .poll(
+          () => viewer.locator('[role=progressbar]').getAttribute('aria-valuenow').then(Number),
+          {
+            interval: 5,
+            timeout: 30_000,
+          },
+        )
+        .toBeGreaterThan(5);
+      await viewer.getByRole('button', { name: 'Cancel computing' }).click();
+      const words = viewer.getByText(/^partial: \d+% of vertices$/);
+      await words.waitFor({ timeout: 5000 });
+      const computed = await viewer.evaluate((element: GirthViewer) => {
+        const values = element.values('igf');
+        return values.filter((value) => !Number.isNaN(value)).length / values.length;
+      });
+      expect(computed).toBeGreaterThan(0);
+      expect(computed).toBeLessThan(1);
+      const percent = Number(/\d+/.exec((await words.textContent())!)![0]);
+      expect(Math.abs(percent - 100 * computed)).toBeLessThan(1.01);
+
+      await viewer.getByRole('button', { name: 'Compute all' }).click();
+      await fieldComplete(viewer);
+      expect(await words.isVisible()).toBe(false);
+    });
+
+    test.each(['truncated.glb', 'text.glb', 'open.obj', 'nan.obj', 'index.obj', 'empty.obj'])(
+      'a broken file, %s: words, and the former model still there',
+      async (name) => {
+        await modelIs('chair.glb');
+        await drop(page, name, readFileSync(join(data, 'bad', name)));
+        const message = viewer.getByRole('alert');
+        await message.waitFor({ timeout: 20_000 });
+        const words = (await message.textContent())!;
+        expect(words).toContain(`${name} could not be used.`);
+        expect(words).toContain('What helps:');
+        expect(words).toContain('The former model is still here.');
+        await modelIs('chair.glb');
+        await fieldComplete(viewer);
+        const place = await visibleVertex(viewer, 0.5, 0.45);
+        expect((await hover(page, viewer, place.x, place.y)).length).toBeGreaterThan(0);
+        await message.getByRole('button').click();
+        expect(await message.isVisible()).toBe(false);
+      },
+    );
+
+    test('the colour map, its range and the edges can be changed', async () => {
+      await modelIs('chair.glb');
+      await fieldComplete(viewer);
+      await page.locator('#colormap').selectOption('magma');
+      expect(await viewer.getAttribute('colormap')).toBe('magma');
+      const top = viewer.locator('.legend-tick').first();
+      const before = await top.textContent();
+      await page.getByLabel('Upper end of the colour map').focus();
+      for (let i = 0; i < 3; ++i) await page.keyboard.press('PageDown');
+      expect(await top.textContent()).toMatch(/^≥/);
+      await page.getByRole('button', { name: 'Full range' }).click();
+      expect(await top.textContent()).toBe(before);
+      await page.getByLabel('Edges').check();
+      expect(await viewer.getAttribute('edges')).toBe('');
+    });
+
+    test('nothing blocks the page for long while it computes', async () => {
+      await modelIs('chair.glb');
+      await fieldComplete(viewer);
+      const longTasks = await watchLongTasks(page);
+      await page.getByRole('button', { name: 'Octopus' }).click();
+      await modelIs('octopus.glb');
+      await fieldComplete(viewer);
+      const tasks = await longTasks();
+      console.log(
+        `isolated ${isolated}: tasks of 50 ms and more: ${tasks.map(Math.round).join(', ') || 'none'}`,
+      );
+      expect(Math.max(0, ...tasks)).toBeLessThan(250);
+    });
+  });
+}
+
+describe.each(['light', 'dark'] as const)('page, %s', (colorScheme) => {
+  let server: StaticServer;
+
+  beforeAll(async () => {
+    server = await serve(site, { isolated: true });
+  });
+  afterAll(() => server.close());
+
+  test.each([
+    [1440, 900],
+    [1024, 768],
+    [390, 844],
+  ])('no complaint of axe at %d by %d, and a picture', async (width, height) => {
+    const context = await browser.newContext({
+      colorScheme,
+      viewport: { width, height },
+      hasTouch: width < 500,
+      reducedMotion: 'reduce',
+    });
+    const page = await context.newPage();
+    await page.goto(server.url);
+    const viewer = page.locator('girth-viewer');
+    await page.locator('#model b').waitFor();
+    await fieldComplete(viewer);
+    const place = await visibleVertex(viewer, 0.5, 0.45);
+    if (width < 500) {
+      await page.touchscreen.tap(place.x, place.y);
+      await viewer.locator('.readout').waitFor({ state: 'visible' });
+      const vertex = Number(await viewer.locator('.readout').getAttribute('data-vertex'));
+      const { x, y } = await viewer.evaluate(
+        (element: GirthViewer, v) => element.screenPosition(v),
+        vertex,
+      );
+      const box = (await viewer.boundingBox())!;
+      await page.touchscreen.tap(box.x + x, box.y + y);
+    } else await page.mouse.click(place.x, place.y);
+    await page.locator('#loops li').waitFor();
+    await page.screenshot({ path: join(pictures, `page-${width}x${height}-${colorScheme}.png`) });
+    await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core'), 'utf8'));
+    const violations = await page.evaluate(async () => {
+      const { axe } = globalThis as unknown as { axe: typeof import('axe-core') };
+      const { violations } = await axe.run(document, {
+        runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'],
+      });
+      return violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes[0]!.html}`);
+    });
+    expect(violations).toEqual([]);
+    const overflow = await page.evaluate(
+      () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+    );
+    expect(overflow).toBe(0);
+    await context.close();
+  });
+});

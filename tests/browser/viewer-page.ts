@@ -1,0 +1,102 @@
+// What the tests of the page and of the element share: finding places on a surface, and asking the
+// command for the truth.
+
+import { execFileSync } from 'node:child_process';
+import { join } from 'node:path';
+import type { Locator, Page } from 'playwright-core';
+import type { GirthViewer } from '../../web/src/element/index.js';
+import { repository } from './support.js';
+
+const command = join(repository, 'build/native/cpp/cli/girth');
+
+/** The length and kind that the command finds at a vertex of the file. */
+export function loopByCommand(file: string, vertex: number): { length: number; kind: string } {
+  const text = execFileSync(command, ['loop', file, String(vertex), '--json'], {
+    encoding: 'utf8',
+  });
+  return JSON.parse(text) as { length: number; kind: string };
+}
+
+/** Waits until a whole field is there. */
+export async function fieldComplete(viewer: Locator, timeout = 90_000): Promise<void> {
+  const complete = (element: unknown) => {
+    const one = element as GirthViewer;
+    return !!one.info && one.values('igf').every((value) => !Number.isNaN(value));
+  };
+  const until = Date.now() + timeout;
+  while (!(await viewer.evaluate(complete))) {
+    if (Date.now() > until) throw new Error('the field was not completed in time');
+    await viewer.page().waitForTimeout(50);
+  }
+}
+
+/** A visible vertex nearest to a place given in shares of the element's size, in page coordinates. */
+export async function visibleVertex(viewer: Locator, right: number, down: number) {
+  const found = await viewer.evaluate(
+    (element, [right, down]) => {
+      const one = element as unknown as GirthViewer;
+      const box = one.getBoundingClientRect();
+      const target = [right! * box.width, down! * box.height] as const;
+      let nearest = { vertex: -1, x: 0, y: 0, distance: Infinity };
+      for (let vertex = 0; vertex < one.info!.vertexCount; ++vertex) {
+        const { x, y, visible } = one.screenPosition(vertex);
+        const distance = Math.hypot(x - target[0], y - target[1]);
+        if (visible && distance < nearest.distance) nearest = { vertex, x, y, distance };
+      }
+      return { vertex: nearest.vertex, x: box.left + nearest.x, y: box.top + nearest.y };
+    },
+    [right, down],
+  );
+  if (found.vertex < 0) throw new Error('no vertex can be seen');
+  return found;
+}
+
+export interface Shown {
+  /** Of the surface. */
+  vertex: number;
+  /** The first vertex of the file that it comes from. */
+  inputVertex: number;
+  length: number;
+  kind: string;
+  /** As the user reads it. */
+  text: string;
+}
+
+/** Moves the mouse to a place and reads what is written beside it. */
+export async function hover(page: Page, viewer: Locator, x: number, y: number): Promise<Shown> {
+  await page.mouse.move(x - 2, y);
+  await page.mouse.move(x, y);
+  const readout = viewer.locator('.readout');
+  await readout.waitFor({ state: 'visible' });
+  // The loop of the first of the two places may still be shown: wait until it rests.
+  let before = '';
+  for (let rest = 0; rest < 3;) {
+    const now = (await readout.getAttribute('data-vertex')) ?? '';
+    rest = now === before ? rest + 1 : 0;
+    before = now;
+    await page.waitForTimeout(60);
+  }
+  const shown = await readout.evaluate((element) => ({
+    vertex: Number((element as HTMLElement).dataset['vertex']),
+    length: Number((element as HTMLElement).dataset['length']),
+    kind: (element as HTMLElement).dataset['kind']!,
+    text: element.textContent,
+  }));
+  const inputVertex = await viewer.evaluate(
+    (element, vertex) => (element as unknown as GirthViewer).vertexOfInput.indexOf(vertex),
+    shown.vertex,
+  );
+  return { ...shown, inputVertex };
+}
+
+/** Records the tasks of 50 ms and more that block the page, from now on. */
+export async function watchLongTasks(page: Page): Promise<() => Promise<number[]>> {
+  await page.evaluate(() => {
+    const tasks: number[] = [];
+    Object.assign(globalThis, { longTasks: tasks });
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) tasks.push(entry.duration);
+    }).observe({ type: 'longtask' });
+  });
+  return () => page.evaluate(() => (globalThis as unknown as { longTasks: number[] }).longTasks);
+}
