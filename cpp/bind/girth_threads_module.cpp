@@ -30,14 +30,13 @@ class Surface {
  public:
   explicit Surface(SurfaceMesh mesh) : mesh_(std::move(mesh)) {}
 
-  /// I(v) for all vertices: {values, kinds, complete}, or an error. Calls `onProgress(fraction)` and
-  /// `onPartial({vertices, values, kinds})` meanwhile, and returns early once the flag is set.
-  val field(unsigned threads, const val& onProgress, const val& onPartial) const {
+  /// I(v) for all vertices: {complete}, or an error. Hands each value out once, meanwhile, by
+  /// `onPartial({vertices, values, kinds})`, and returns early once the flag is set.
+  val field(unsigned threads, const val& onPartial) const {
     return guarded([&] {
       ExecutionContext context;
       context.threads = threads;
       context.cancel = &cancelled;
-      context.onProgress = [&](double fraction) { onProgress(fraction); };
       const GirthField field =
           girthField(mesh_, GirthMethod::Exact, context, [&](const GirthPartial& partial) {
             val report = val::object();
@@ -47,8 +46,6 @@ class Surface {
             onPartial(report);
           });
       val result = val::object();
-      result.set("values", copyOut<double>("Float64Array", field.values));
-      result.set("kinds", copyOut<std::uint8_t>("Uint8Array", asBytes(field.kinds)));
       result.set("complete", field.complete());
       return result;
     });

@@ -56,11 +56,8 @@ export interface SingleOperations extends CommonOperations {
 
 /** The worker that hosts the module with threads. */
 export interface ThreadsOperations extends CommonOperations {
-  /** Reports while it runs, and answers early once the flag is set. */
-  field: [
-    { surface: number; threads: number },
-    { values: Float64Array; kinds: Uint8Array; complete: boolean },
-  ];
+  /** Reports all values while it runs, each once; answers early once the flag is set. */
+  field: [{ surface: number; threads: number }, { complete: boolean }];
 }
 
 /** The arguments and the answer of an operation of a table like those above. */
@@ -79,7 +76,9 @@ export interface Request {
 }
 
 /** A worker's report on the request that it is working on. */
-export type Report = { progress: number } | { partial: PartialField };
+export interface Report {
+  partial: PartialField;
+}
 
 /** Worker to page. After a `fatal` error the worker is of no more use. */
 export type Reply =

@@ -24,13 +24,7 @@ serveRequests<ThreadsOperations>({
   field({ surface: number, threads }, report) {
     const surface = surfaces.get(number);
     if (!surface) throw new Error(`surface ${number} is not known to this worker`);
-    return checked(
-      surface.field(
-        threads,
-        (progress) => report({ progress }),
-        (partial) => report({ partial }),
-      ),
-    );
+    return checked(surface.field(threads, (partial) => report({ partial })));
   },
 
   drop({ surface }) {

@@ -57,15 +57,12 @@ declare module '*/girth-threads.mjs' {
   export interface Surface {
     field(
       threads: number,
-      onProgress: (fraction: number) => void,
       onPartial: (partial: {
         vertices: Uint32Array<ArrayBuffer>;
         values: Float64Array<ArrayBuffer>;
         kinds: Uint8Array<ArrayBuffer>;
       }) => void,
-    ):
-      | { values: Float64Array<ArrayBuffer>; kinds: Uint8Array<ArrayBuffer>; complete: boolean }
-      | Failed;
+    ): { complete: boolean } | Failed;
     delete(): void;
   }
 

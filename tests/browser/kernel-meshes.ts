@@ -1,0 +1,89 @@
+// Surfaces for the kernel's tests, drawn by formulas and written as OBJ: page and command read the
+// same bytes.
+
+type Point = [number, number, number];
+
+function objOf(points: Point[], faces: number[][]): string {
+  const lines = points.map((point) => `v ${point.join(' ')}`);
+  for (const face of faces) lines.push(`f ${face.map((v) => v + 1).join(' ')}`);
+  return `${lines.join('\n')}\n`;
+}
+
+/** A torus of 2 * rings * sides faces, round and uneven. */
+export function torus(rings: number, sides: number): string {
+  const points: Point[] = [];
+  const faces: number[][] = [];
+  for (let i = 0; i < rings; ++i) {
+    for (let k = 0; k < sides; ++k) {
+      const u = (2 * Math.PI * (i + 0.2 * Math.sin(3 * k))) / rings;
+      const v = (2 * Math.PI * (k + 0.2 * Math.cos(5 * i))) / sides;
+      const r = 2 + 0.7 * Math.cos(v);
+      points.push([r * Math.cos(u), r * Math.sin(u), 0.7 * Math.sin(v) * (1 + 0.2 * Math.cos(u))]);
+      const at = (a: number, b: number) => ((i + a) % rings) * sides + ((k + b) % sides);
+      faces.push([at(0, 0), at(1, 0), at(1, 1)], [at(0, 0), at(1, 1), at(0, 1)]);
+    }
+  }
+  return objOf(points, faces);
+}
+
+/** A surface of revolution about x, closed by a vertex at each end: a dumbbell. */
+export function dumbbell(rings: number, sides: number): string {
+  const points: Point[] = [[-2.4, 0, 0]];
+  const faces: number[][] = [];
+  for (let i = 0; i < rings; ++i) {
+    const x = -2.3 + (4.6 * i) / (rings - 1);
+    const radius = 0.25 + 0.7 * Math.exp(-((Math.abs(x) - 1.5) ** 2) * 3);
+    for (let k = 0; k < sides; ++k) {
+      const angle = (2 * Math.PI * (k + 0.5 * (i % 2))) / sides;
+      points.push([x, radius * Math.cos(angle), radius * Math.sin(angle)]);
+    }
+  }
+  points.push([2.4, 0, 0]);
+  const last = points.length - 1;
+  for (let k = 0; k < sides; ++k) {
+    const ring = (i: number, j: number) => 1 + i * sides + ((k + j) % sides);
+    faces.push([0, ring(0, 1), ring(0, 0)], [last, ring(rings - 1, 0), ring(rings - 1, 1)]);
+    for (let i = 0; i + 1 < rings; ++i) {
+      faces.push([ring(i, 0), ring(i, 1), ring(i + 1, 0)]);
+      faces.push([ring(i, 1), ring(i + 1, 1), ring(i + 1, 0)]);
+    }
+  }
+  return objOf(points, faces);
+}
+
+/** A box of unit squares, each cut in two: flat vertices and windows that end exactly on vertices. */
+export function box(nx: number, ny: number, nz: number): string {
+  const size = [nx, ny, nz];
+  const points: Point[] = [];
+  const faces: number[][] = [];
+  const numbers = new Map<string, number>();
+  const vertex = (point: Point) => {
+    const key = point.join(' ');
+    let number = numbers.get(key);
+    if (number === undefined) {
+      number = points.push(point) - 1;
+      numbers.set(key, number);
+    }
+    return number;
+  };
+  for (let axis = 0; axis < 3; ++axis) {
+    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3] as const;
+    for (const side of [0, size[axis]!]) {
+      for (let i = 0; i < size[u]!; ++i) {
+        for (let k = 0; k < size[v]!; ++k) {
+          const corner = (a: number, b: number) => {
+            const point: Point = [0, 0, 0];
+            point[axis] = side;
+            point[u] = i + a;
+            point[v] = k + b;
+            return vertex(point);
+          };
+          const quad = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+          if (side === 0) quad.reverse();
+          faces.push([quad[0]!, quad[1]!, quad[2]!], [quad[0]!, quad[2]!, quad[3]!]);
+        }
+      }
+    }
+  }
+  return objOf(points, faces);
+}

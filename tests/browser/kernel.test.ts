@@ -1,0 +1,301 @@
+// The kernel with its real modules in Chromium, on a page that is cross-origin isolated and on one
+// that is not, both under a strict content security policy; its bits against the command's.
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { build } from 'vite';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { box, dumbbell, torus } from './kernel-meshes.js';
+import type { KernelPage } from './kernel-page.js';
+import {
+  complaintsOf,
+  launchChromium,
+  repository,
+  serve,
+  strictPolicy,
+  type StaticServer,
+} from './support.js';
+
+/** Inside `page.evaluate` only. */
+declare const girth: KernelPage;
+
+const site = join(repository, 'build/kernel-test');
+const command = join(repository, 'build/native/cpp/cli/girth');
+const scratch = mkdtempSync(join(tmpdir(), 'girth-kernel-'));
+const html = '<!doctype html><title>kernel</title><script type="module" src="/page.js"></script>';
+
+let browser: Browser;
+
+beforeAll(async () => {
+  await build({
+    configFile: false,
+    root: repository,
+    base: './',
+    logLevel: 'warn',
+    publicDir: false,
+    build: {
+      outDir: site,
+      emptyOutDir: true,
+      target: 'es2022',
+      assetsInlineLimit: 0,
+      modulePreload: false,
+      rolldownOptions: {
+        input: { page: join(repository, 'tests/browser/kernel-page.ts') },
+        output: { entryFileNames: '[name].js' },
+      },
+    },
+    worker: { format: 'es' },
+  });
+  browser = await launchChromium();
+});
+
+afterAll(async () => {
+  await browser.close();
+  rmSync(scratch, { recursive: true });
+});
+
+/** The values that the command computes of an OBJ file. */
+function nativeValues(name: string, text: string): { values: number[]; kinds: number[] } {
+  const [model, table] = [join(scratch, `${name}.obj`), join(scratch, `${name}.csv`)];
+  writeFileSync(model, text);
+  execFileSync(command, ['igf', model, '-o', table], { stdio: ['ignore', 'ignore', 'inherit'] });
+  const rows = readFileSync(table, 'utf8').trim().split('\n').slice(1);
+  const cells = rows.map((row) => row.split(','));
+  return {
+    values: cells.map(([, value]) => Number(value)),
+    kinds: cells.map(([, , kind]) => (kind!.trim() === 'antipodal' ? 1 : 0)),
+  };
+}
+
+/** How many numbers differ, bit for bit. */
+const differing = (a: number[], b: number[]) =>
+  a.length === b.length ? a.filter((value, i) => !Object.is(value, b[i])).length : Infinity;
+
+for (const mode of ['threads', 'pool'] as const) {
+  describe(`kernel, ${mode}`, () => {
+    let server: StaticServer;
+    let page: Page;
+    let complaints: string[];
+
+    beforeAll(async () => {
+      server = await serve(site, {
+        isolated: mode === 'threads',
+        policy: strictPolicy,
+        pages: { '/': html },
+      });
+      page = await browser.newPage();
+      complaints = complaintsOf(page);
+      await page.goto(server.url);
+      await page.waitForFunction('globalThis.girth');
+    });
+
+    afterAll(async () => {
+      expect(complaints.filter((line) => !line.includes('404'))).toEqual([]);
+      await page.close();
+      await server.close();
+    });
+
+    test('starts, in this mode, with nothing that it does not need', async () => {
+      const started = await page.evaluate(async () => {
+        const from = performance.now();
+        const kernel = await girth.createKernel({ threads: 2 });
+        const milliseconds = performance.now() - from;
+        const { mode, threads } = kernel;
+        kernel.dispose();
+        return { mode, threads, milliseconds, isolated: crossOriginIsolated };
+      });
+      console.log(`${mode}: started in ${started.milliseconds.toFixed(0)} ms`);
+      expect(started).toMatchObject({ mode, threads: 2, isolated: mode === 'threads' });
+      expect(server.requests.some((path) => path.includes('threads'))).toBe(mode === 'threads');
+    });
+
+    test.each([
+      ['torus', torus(40, 20)],
+      ['dumbbell', dumbbell(30, 18)],
+      ['box', box(8, 5, 3)],
+    ])('%s: the same bits as the command', async (name, text) => {
+      const native = nativeValues(name, text);
+      const field = await page.evaluate(async (text) => {
+        const kernel = await girth.createKernel({ threads: 2 });
+        const mesh = await kernel.load(girth.obj(text));
+        const field = await girth.watchedField(mesh);
+        const loop = await mesh.loop(5);
+        kernel.dispose();
+        return { ...field, loop: { ...loop, polyline: Array.from(loop.polyline) } };
+      }, text);
+      expect(differing(field.values, native.values)).toBe(0);
+      expect(field.kinds).toEqual(native.kinds);
+      expect(field.range).toEqual([Math.min(...native.values), Math.max(...native.values)]);
+      expect(field.loop.length).toBe(native.values[5]);
+      expect(field.loop.polyline.length % 3).toBe(0);
+      expect(field.loop.polyline.slice(0, 3)).toEqual(field.loop.polyline.slice(-3));
+      // Reports: every vertex once, with its final value; progress rises to 1.
+      expect(field).toMatchObject({ reportedOnce: true, wrong: 0 });
+      expect(field.progress).toEqual([...field.progress].sort((a, b) => a - b));
+      expect(field.progress.at(-1)).toBe(1);
+    });
+
+    test('6,000 faces: several reports, a page that never waits, loops in between', async () => {
+      const result = await page.evaluate(
+        async (text) => {
+          const kernel = await girth.createKernel({ threads: 2 });
+          const mesh = await kernel.load(girth.obj(text));
+          const watch = girth.watchPage();
+          const computing = girth.watchedField(mesh);
+          const loopTimes: number[] = [];
+          let finished = false;
+          void computing.then(() => (finished = true));
+          for (let vertex = 0; !finished; vertex = (vertex + 97) % mesh.info.vertexCount) {
+            const from = performance.now();
+            await mesh.loop(vertex);
+            if (!finished) loopTimes.push(performance.now() - from);
+            await new Promise((resolve) => setTimeout(resolve, 50));
+          }
+          const { batches, milliseconds } = await computing;
+          const longest = watch.stop();
+          const alone = await girth.watchedField(mesh);
+          kernel.dispose();
+          loopTimes.sort((a, b) => a - b);
+          const middle = loopTimes[loopTimes.length >> 1];
+          return { batches, milliseconds, longest, middle, alone: alone.milliseconds };
+        },
+        torus(75, 40),
+      );
+      console.log(`${mode}: 6,000 faces`, JSON.stringify(result));
+      expect(result.batches).toBeGreaterThan(3);
+      expect(result.middle).toBeLessThan(500);
+    });
+
+    test('cancelling stops the work, keeps what there is, and leaves the kernel usable', async () => {
+      const result = await page.evaluate(
+        async (text) => {
+          const kernel = await girth.createKernel({ threads: 2 });
+          const mesh = await kernel.load(girth.obj(text));
+          const controller = new AbortController();
+          let abortedAt = 0;
+          const reported = { before: 0 };
+          const refused = await girth.refusal(
+            mesh.field('igf', {
+              signal: controller.signal,
+              onPartial: ({ vertices }) => {
+                reported.before += vertices.length;
+                if (abortedAt) return;
+                abortedAt = performance.now();
+                setTimeout(() => controller.abort());
+              },
+            }),
+          );
+          const rejectedAfter = performance.now() - abortedAt;
+          // A small field can only be quick if the workers are free again.
+          const small = await kernel.load({
+            positions: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
+            indices: Uint32Array.of(0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2),
+          });
+          const from = performance.now();
+          const next = await small.field('igf');
+          const nextAfter = performance.now() - from;
+          const again = await girth.watchedField(mesh);
+          kernel.dispose();
+          return {
+            refused,
+            rejectedAfter,
+            nextAfter,
+            reported: reported.before,
+            next: Array.from(next.values),
+            whole: again.values.length,
+            milliseconds: again.milliseconds,
+            reportedOnce: again.reportedOnce,
+          };
+        },
+        torus(60, 30),
+      );
+      console.log(
+        `${mode}: cancelled in ${result.rejectedAfter.toFixed(0)} ms, workers free after ` +
+          `${result.nextAfter.toFixed(0)} ms; the whole takes ${result.milliseconds.toFixed(0)} ms`,
+      );
+      expect(result.refused.code).toBe('CANCELLED');
+      expect(result.reported).toBeLessThan(result.whole);
+      expect(result.rejectedAfter).toBeLessThan(200);
+      expect(result.nextAfter).toBeLessThan(result.milliseconds / 2);
+      expect(result.next.every((value) => value > 0)).toBe(true);
+      expect(result.reportedOnce).toBe(true);
+    });
+
+    test('disposing in mid-run ends with CANCELLED; two kernels on one page do not mind', async () => {
+      const result = await page.evaluate(
+        async (text) => {
+          const [one, two] = await Promise.all([
+            girth.createKernel({ threads: 2 }),
+            girth.createKernel({ threads: 1 }),
+          ]);
+          const [a, b, c] = await Promise.all([
+            one.load(girth.obj(text)),
+            one.load(girth.obj(text)),
+            two.load(girth.obj(text)),
+          ]);
+          const refusals = [girth.refusal(a.field('igf')), girth.refusal(b.field('igf'))];
+          const field = c.field('igf');
+          a.dispose();
+          refusals.push(girth.refusal(a.loop(0)));
+          setTimeout(() => one.dispose(), 50);
+          const codes = (await Promise.all(refusals)).map(({ code }) => code);
+          const count = (await field).values.length;
+          two.dispose();
+          return { codes, count };
+        },
+        torus(30, 20),
+      );
+      expect(result).toEqual({ codes: ['CANCELLED', 'CANCELLED', 'CANCELLED'], count: 600 });
+    });
+
+    test('failures have codes, elements, words and remedies', async () => {
+      const codes = await page.evaluate(async (open) => {
+        const kernel = await girth.createKernel({ threads: 1 });
+        const { refusal } = girth;
+        const result = {
+          empty: await refusal(kernel.load(girth.obj(''))),
+          unknown: await refusal(kernel.load(girth.obj('hello', 'text.glb'))),
+          open: await refusal(kernel.load(girth.obj(open))),
+          missing: await refusal(kernel.load('/no-such-model.glb')),
+          index: await refusal(
+            kernel.load({ positions: new Float64Array(9), indices: Uint32Array.of(0, 1, 7) }),
+          ),
+          nan: await refusal(
+            kernel.load({
+              positions: Float64Array.of(0, 0, 0, 1, 0, NaN, 0, 1, 0),
+              indices: Uint32Array.of(0, 1, 2),
+            }),
+          ),
+        };
+        kernel.dispose();
+        return result;
+      }, 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
+      expect(codes.empty.code).toBe('EMPTY_FILE');
+      expect(codes.unknown.code).toMatch(/UNKNOWN_FORMAT|MALFORMED_FILE/);
+      expect(codes.open.code).toBe('OPEN_EDGE');
+      expect(codes.missing).toMatchObject({ code: 'FILE_NOT_FOUND' });
+      expect(codes.missing.message).toContain('/no-such-model.glb');
+      expect(codes.index).toMatchObject({ code: 'INDEX_OUT_OF_RANGE', element: 0 });
+      expect(codes.nan).toMatchObject({ code: 'NON_FINITE_POSITION', element: 1 });
+      for (const { message, hint } of Object.values(codes)) {
+        expect(message).toBeTruthy();
+        expect(hint).toBeTruthy();
+      }
+    });
+
+    test('a module that cannot be loaded is an error with a code', async () => {
+      const other = await browser.newPage();
+      await other.route(/\.wasm$/, (route) => route.abort());
+      await other.goto(server.url);
+      await other.waitForFunction('globalThis.girth');
+      const { code } = await other.evaluate(() =>
+        girth.refusal(girth.createKernel({ threads: 1 })),
+      );
+      await other.close();
+      expect(code).toBe('INTERNAL');
+    });
+  });
+}
