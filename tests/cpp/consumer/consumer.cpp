@@ -18,8 +18,7 @@ constexpr std::string_view kOctahedron =
 }  // namespace
 
 int main() {
-  const auto loaded =
-      girth::io::readMesh(std::as_bytes(std::span(kOctahedron)), "octahedron.obj");
+  const auto loaded = girth::io::readMesh(std::as_bytes(std::span(kOctahedron)), "octahedron.obj");
   if (!loaded) {
     std::fprintf(stderr, "%s\n", loaded.error().message.c_str());
     return 1;
