@@ -4,12 +4,12 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 
 // With these two, and only with these, a page may use threads that share memory.
-const headers = {
+const isolation = {
   'Cross-Origin-Opener-Policy': 'same-origin',
   'Cross-Origin-Embedder-Policy': 'require-corp',
 };
 
-export default defineConfig({
+export default defineConfig(({ mode }) => ({
   root: fileURLToPath(new URL('app', import.meta.url)),
   base: './',
   build: {
@@ -21,6 +21,6 @@ export default defineConfig({
     chunkSizeWarningLimit: 2000,
   },
   worker: { format: 'es' },
-  server: { headers },
-  preview: { headers },
-});
+  server: { headers: isolation },
+  preview: { headers: mode === 'no-isolation' ? {} : isolation },
+}));

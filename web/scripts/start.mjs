@@ -37,10 +37,10 @@ async function main() {
   const { preview } = await import('vite');
   const server = await preview({
     configFile: `${repository}/web/vite.app.config.ts`,
+    ...(plain ? { mode: 'no-isolation' } : {}),
     preview: {
       host,
       ...(port === undefined ? {} : { port: Number(port), strictPort: true }),
-      ...(plain ? { headers: {} } : {}),
     },
   });
   for (const url of [
