@@ -85,7 +85,7 @@ TEST(Obj, polygonsAreCutInside) {
 TEST(Obj, largePolygonsTakeNoTime) {
   std::string text;
   std::string face = "f";
-  constexpr int kCorners = 5000;
+  constexpr int kCorners = 2000;
   for (int i = 0; i < kCorners; ++i) {
     const double angle = 6.283185307179586 * i / kCorners;
     const double radius = i % 2 == 0 ? 1 : 2;
