@@ -40,9 +40,9 @@ struct GirthPartial {
   std::span<const LoopKind> kinds;
 };
 
-/// I(v) for all vertices. `onPartial`, where given, is called on the calling thread every few hundredths
-/// of a second with what is new, in the order of `coarseToFineOrder`, so that early reports are
-/// spread over the whole surface. The same bits for any number of threads.
+/// I(v) for all vertices. `onPartial`, where given, is called on the calling thread every few
+/// hundredths of a second with what is new, in the order of `coarseToFineOrder`, so that early
+/// reports are spread over the whole surface. The same bits for any number of threads.
 GirthField girthField(const SurfaceMesh& mesh, GirthMethod method = GirthMethod::Exact,
                       const ExecutionContext& context = {},
                       const std::function<void(const GirthPartial&)>& onPartial = {});

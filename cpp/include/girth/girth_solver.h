@@ -40,14 +40,14 @@ struct GirthLoop {
   LoopKind kind{LoopKind::Loop};
   /// The vertex p where the loop starts and ends.
   Index base{0};
-  /// The loop from p round to p: p, the edges it crosses and vertices it passes in order, p. Between
-  /// neighbours it is straight inside one face or along one edge. An antipodal loop runs to
+  /// The loop from p round to p: p, the edges it crosses and vertices it passes in order, p.
+  /// Between neighbours it is straight inside one face or along one edge. An antipodal loop runs to
   /// `midpoint` and back the same way, and there the midpoint is one of the points.
   std::vector<SurfacePoint> points;
   /// q, the point farthest from p on the loop: length / 2 from p both ways, and both are shortest.
   SurfacePoint midpoint;
-  /// Angle at p between the loop's two ends, inside the surface, on the smaller side, in radians. At
-  /// least π: the loop is a closed geodesic. 0: antipodal.
+  /// Angle at p between the loop's two ends, inside the surface, on the smaller side, in radians.
+  /// At least π: the loop is a closed geodesic. 0: antipodal.
   double angle{0};
 };
 
@@ -57,19 +57,21 @@ std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop);
 /// Computes I(p) by exact propagation of geodesic windows from p with early termination (paper,
 /// sections 4.3 and 4.4, Algorithm 2), every loop proven by the distance of its midpoint.
 ///
-/// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it. Time and
-/// memory of a call grow with the windows inside the disk of radius I(p)/2, about O(n^1.5) for the
-/// usual mesh of n faces where the disk is large.
+/// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it. Time
+/// and memory of a call grow with the windows inside the disk of radius I(p)/2, about O(n^1.5) for
+/// the usual mesh of n faces where the disk is large.
 class GirthSolver {
  public:
   explicit GirthSolver(const SurfaceMesh& mesh);
   ~GirthSolver();
-  /// A solver that shares the prepared faces with the solvers of other threads; for the library's own use.
+  /// A solver that shares the prepared faces with the solvers of other threads; for the library's
+  /// own use.
   explicit GirthSolver(std::shared_ptr<const geodesic::Unfolding> unfolding);
   GirthSolver(GirthSolver&&) noexcept;
   GirthSolver& operator=(GirthSolver&&) noexcept;
 
-  /// I(p) for vertex p. Of the context, only `cancel` matters. Errors: VERTEX_OUT_OF_RANGE, CANCELLED.
+  /// I(p) for vertex p. Of the context, only `cancel` matters. Errors: VERTEX_OUT_OF_RANGE,
+  /// CANCELLED.
   Result<GirthValue> value(Index vertex, const ExecutionContext& context = {});
   /// I(p) with its loop. The same context and errors.
   Result<GirthLoop> loop(Index vertex, const ExecutionContext& context = {});

@@ -1,4 +1,5 @@
-// A closed, oriented, manifold triangle mesh: the polyhedral surface that everything is computed on.
+// A closed, oriented, manifold triangle mesh: the polyhedral surface that everything is computed
+// on.
 #pragma once
 
 #include <array>
@@ -26,8 +27,8 @@ struct Vec3 {
 /// its left. Immutable once made, and so safe to share between threads.
 class SurfaceMesh {
  public:
-  /// Makes a surface from `positions` (x, y, z per vertex) and `triangles` (three vertices per face,
-  /// counter-clockwise seen from outside). Vertices and faces keep their numbers. O(n log n).
+  /// Makes a surface from `positions` (x, y, z per vertex) and `triangles` (three vertices per
+  /// face, counter-clockwise seen from outside). Vertices and faces keep their numbers. O(n log n).
   ///
   /// Errors, each naming the first offending element: EMPTY_MESH, NON_FINITE_POSITION (vertex),
   /// INDEX_OUT_OF_RANGE (face), DEGENERATE_FACE (face: a repeated vertex, or no area),

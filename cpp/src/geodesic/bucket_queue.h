@@ -9,8 +9,9 @@
 
 namespace girth::geodesic {
 
-/// Items come out bucket by bucket, in the order of their keys up to the width of a bucket, and in the
-/// order they were pushed within one. Pushing below the current bucket counts as the current one. O(1) each.
+/// Items come out bucket by bucket, in the order of their keys up to the width of a bucket, and in
+/// the order they were pushed within one. Pushing below the current bucket counts as the current
+/// one. O(1) each.
 class BucketQueue {
  public:
   explicit BucketQueue(double width) : inverseWidth_(1 / width), width_(width), ring_(kRing) {}
@@ -74,9 +75,9 @@ class BucketQueue {
   std::size_t bucketOf(double key) const { return static_cast<std::size_t>(key * inverseWidth_); }
 
   std::size_t nearestFar() const {
-    return std::min_element(far_.begin(), far_.end(), [](const Far& a, const Far& b) {
-             return a.number < b.number;
-           })->number;
+    return std::min_element(far_.begin(), far_.end(),
+                            [](const Far& a, const Far& b) { return a.number < b.number; })
+        ->number;
   }
 
   void bringNear() {

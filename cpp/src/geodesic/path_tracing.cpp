@@ -11,19 +11,22 @@ SurfacePoint pointOfSide(const Unfolding& unfolding, Index halfedge, double t) {
   if (t >= side.length * (1 - kTouch)) {
     return SurfacePoint::atVertex(unfolding.side(SurfaceMesh::next(halfedge)).from);
   }
+  if (side.twin < halfedge) return SurfacePoint::onHalfedge(side.twin, 1 - t / side.length);
   return SurfacePoint::onHalfedge(halfedge, t / side.length);
 }
 
-/// Appends a point unless it is the vertex where the path stands already.
+/// Appends a point unless the path stands there already.
 void append(std::vector<SurfacePoint>& path, const SurfacePoint& point) {
-  if (!path.empty() && point.kind == SurfacePoint::Kind::Vertex &&
-      path.back().kind == SurfacePoint::Kind::Vertex && path.back().element == point.element) {
-    return;
-  }
-  path.push_back(point);
+  if (path.empty() || !samePoint(path.back(), point)) path.push_back(point);
 }
 
 }  // namespace
+
+bool samePoint(const SurfacePoint& a, const SurfacePoint& b) {
+  return a.kind == b.kind && a.element == b.element &&
+         std::fabs(a.weights[0] - b.weights[0]) <= kTouch &&
+         std::fabs(a.weights[1] - b.weights[1]) <= kTouch;
+}
 
 void traceFromWindow(const Propagation& propagation, Index window, Vec2 point,
                      std::vector<SurfacePoint>& path) {
@@ -48,7 +51,8 @@ void traceFromWindow(const Propagation& propagation, Index window, Vec2 point,
   }
 }
 
-void traceFromVertex(const Propagation& propagation, Index vertex, std::vector<SurfacePoint>& path) {
+void traceFromVertex(const Propagation& propagation, Index vertex,
+                     std::vector<SurfacePoint>& path) {
   const Unfolding& unfolding = propagation.unfolding();
   for (;;) {
     append(path, SurfacePoint::atVertex(vertex));
@@ -56,8 +60,8 @@ void traceFromVertex(const Propagation& propagation, Index vertex, std::vector<S
     const Arrival& arrival = propagation.arrival(vertex);
     if (!arrival.alongEdge) {
       const Index h = propagation.window(arrival.carrier).halfedge;
-      traceFromWindow(propagation, arrival.carrier,
-                      unfolding.side(SurfaceMesh::previous(h)).start, path);
+      traceFromWindow(propagation, arrival.carrier, unfolding.side(SurfaceMesh::previous(h)).start,
+                      path);
       return;
     }
     vertex = unfolding.side(SurfaceMesh::next(arrival.carrier)).from;

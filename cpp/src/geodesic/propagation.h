@@ -1,17 +1,22 @@
 // Exact geodesic distances from one vertex, growing outward: the engine under everything.
 //
 // Invariants
-// - Every window stands for real paths: sigma + |root − x| is the length of a path of the surface for each
+// - Every window stands for real paths: sigma + |root − x| is the length of a path of the surface
+// for each
 //   x that the window covers, and so is distance(v) of each vertex. Nothing is ever too short.
-// - A window, or part of one, is dropped only where a path through an end of its edge is strictly shorter
-//   at every point of it. A prefix of a shortest path is itself shortest, so no window that carries a
-//   shortest path is lost, up to the point where the path stops being shortest. (The rules of Chen and Han
-//   1990 and of Xin and Wang 2009 are special cases of this trimming; like them it looks at vertices
-//   only, never at other windows, so what is kept does not depend on the order of the queue.)
-// - Windows leave the queue in the order of their nearest point, give or take one bucket. When the frontier
-//   stands at r, every window with a point nearer than r has entered its face and stands in the list of
-//   its halfedge, and every saddle nearer than r has sent out its fan.
-// - If a vertex becomes nearer after it was settled (possible within one bucket) it is settled again; what
+// - A window, or part of one, is dropped only where a path through an end of its edge is strictly
+// shorter
+//   at every point of it. A prefix of a shortest path is itself shortest, so no window that carries
+//   a shortest path is lost, up to the point where the path stops being shortest. (The rules of
+//   Chen and Han 1990 and of Xin and Wang 2009 are special cases of this trimming; like them it
+//   looks at vertices only, never at other windows, so what is kept does not depend on the order of
+//   the queue.)
+// - Windows leave the queue in the order of their nearest point, give or take one bucket. When the
+// frontier
+//   stands at r, every window with a point nearer than r has entered its face and stands in the
+//   list of its halfedge, and every saddle nearer than r has sent out its fan.
+// - If a vertex becomes nearer after it was settled (possible within one bucket) it is settled
+// again; what
 //   it sent out before is too long, but still real.
 #pragma once
 
@@ -45,8 +50,8 @@ struct PathEnd {
   Index corner{kNoIndex};  ///< a vertex, where there is no window
 };
 
-/// One propagation at a time; scratch memory is kept between them and cleared in proportion to what was
-/// touched. Lengths are in `unfolding.unit()`.
+/// One propagation at a time; scratch memory is kept between them and cleared in proportion to what
+/// was touched. Lengths are in `unfolding.unit()`.
 class Propagation {
  public:
   explicit Propagation(const Unfolding& unfolding)
@@ -57,8 +62,10 @@ class Propagation {
 
   /// Grows from `source` until the surface is covered or `visitor` has seen enough:
   ///   bool visitor.enough(double frontier)   everything nearer than the frontier is known; stop?
-  ///   void visitor.onWindow(Index window, double tip)  it enters its face; `tip`: length of its path to
-  ///                                          the vertex opposite, infinite where it does not reach it
+  ///   void visitor.onWindow(Index window, double tip)  it enters its face; `tip`: length of its
+  ///   path to
+  ///                                          the vertex opposite, infinite where it does not reach
+  ///                                          it
   ///   void visitor.onVertex(Index vertex)    a vertex that geodesics can pass is settled
   template <class Visitor>
   void run(Index source, Visitor& visitor) {
@@ -95,8 +102,8 @@ class Propagation {
   /// The vertices that a path has reached.
   const std::vector<Index>& reachedVertices() const { return reached_; }
 
-  /// The shortest path to a point of a face, from all windows that entered it and its corners; exact where
-  /// the frontier has passed the point.
+  /// The shortest path to a point of a face, from all windows that entered it and its corners;
+  /// exact where the frontier has passed the point.
   PathEnd pathTo(Index face, Vec2 point) const {
     PathEnd best;
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
@@ -141,7 +148,7 @@ class Propagation {
 
   /// A path of this length reaches a vertex.
   void reach(Index vertex, double distance, Index carrier, bool alongEdge) {
-    if (!(distance < arrival_[vertex].distance)) return;
+    if (!(distance < arrival_[vertex].distance * (1 - kRounding))) return;
     Arrival& arrival = touch(vertex);
     arrival.distance = distance;
     arrival.carrier = carrier;
@@ -150,8 +157,8 @@ class Propagation {
     if (unfolding_->passable(vertex)) queue_.push(distance, vertex | kVertexItem);
   }
 
-  /// A window leaves the queue: it joins its halfedge's list and continues across its face. Returns the
-  /// length of its path to the opposite vertex, infinite where that lies outside the window.
+  /// A window leaves the queue: it joins its halfedge's list and continues across its face. Returns
+  /// the length of its path to the opposite vertex, infinite where that lies outside the window.
   double enter(Index number) {
     const Index h = windows_[number].halfedge;
     if (first_[h] == kNoIndex) entered_.push_back(h);
@@ -166,8 +173,9 @@ class Propagation {
     const Vec2 tip = leftSide.start;
 
     const double height = cross(side.direction, side.start - w.root);
-    if (!(height > 0)) return std::numeric_limits<double>::infinity();  // seen edge-on: nothing beyond
-    const Vec2 rayFrom = side.at(w.gapFrom) - w.root;           // along the window's left bound
+    if (!(height > 0))
+      return std::numeric_limits<double>::infinity();            // seen edge-on: nothing beyond
+    const Vec2 rayFrom = side.at(w.gapFrom) - w.root;            // along the window's left bound
     const Vec2 rayTo = side.at(side.length - w.gapTo) - w.root;  // along its right bound
     const Vec2 rayTip = tip - w.root;
     const double slack = kSnap * side.length * (std::fabs(rayTip.x) + std::fabs(rayTip.y));
@@ -179,8 +187,8 @@ class Propagation {
       tipDistance = w.sigma + norm(rayTip);
       reach(leftSide.from, tipDistance, number, false);
     }
-    // Where a bounding ray meets a side, measured from the corner at this halfedge: similar triangles, so
-    // that a gap of zero stays zero.
+    // Where a bounding ray meets a side, measured from the corner at this halfedge: similar
+    // triangles, so that a gap of zero stays zero.
     const auto alongLeft = [&](Vec2 ray, double gap) {
       return gap * height / -cross(leftSide.direction, ray);
     };
@@ -198,19 +206,22 @@ class Propagation {
       const bool whole = tipLeft <= slack;
       const double start = alongRight(rayTo, w.gapTo);
       const double end =
-          whole ? 0 : std::max(0.0, rightSide.length - alongRight(rayFrom, side.length - w.gapFrom));
+          whole ? 0
+                : std::max(0.0, rightSide.length - alongRight(rayFrom, side.length - w.gapFrom));
       continueAcross(w, number, right, start, end);
     }
     return tipDistance;
   }
 
-  /// The part of a window that leaves its face through side `h`, between the gaps `start` and `end` from
-  /// the two ends of h, less what the ends of h make useless; queued as a new window.
+  /// The part of a window that leaves its face through side `h`, between the gaps `start` and `end`
+  /// from the two ends of h, less what the ends of h make useless; queued as a new window.
   void continueAcross(const Window& w, Index parent, Index h, double start, double end) {
     const Side& side = unfolding_->side(h);
-    if (!trim(arrival_[side.from].distance - w.sigma, w.root - side.start, side.direction, start)) return;
+    if (!trim(arrival_[side.from].distance - w.sigma, w.root - side.start, side.direction, start))
+      return;
     const Index to = unfolding_->side(SurfaceMesh::next(h)).from;
-    if (!trim(arrival_[to].distance - w.sigma, w.root - side.at(side.length), -1 * side.direction, end))
+    if (!trim(arrival_[to].distance - w.sigma, w.root - side.at(side.length), -1 * side.direction,
+              end))
       return;
     if (!(start + end < side.length * (1 - kSliver))) return;
 
@@ -223,12 +234,12 @@ class Propagation {
         {side.toTwin(w.root), w.sigma, end, start, side.twin, parent, w.rootVertex, kNoIndex});
   }
 
-  /// Moves the near end of an interval away from a vertex V of its line, as far as the path over V and
-  /// along the line is strictly shorter. `lead`: distance(V) − sigma; `root`: the root seen from V;
-  /// `along`: unit vector from V into the interval. False: nothing is left.
+  /// Moves the near end of an interval away from a vertex V of its line, as far as the path over V
+  /// and along the line is strictly shorter. `lead`: distance(V) − sigma; `root`: the root seen
+  /// from V; `along`: unit vector from V into the interval. False: nothing is left.
   ///
-  /// The two lengths are equal at x where lead + x = |root − x·along|: one point at most, and the path
-  /// over V wins on the near side of it.
+  /// The two lengths are equal at x where lead + x = |root − x·along|: one point at most, and the
+  /// path over V wins on the near side of it.
   static bool trim(double lead, Vec2 root, Vec2 along, double& gap) {
     const double squared = dot(root, root);
     const double excess = squared * (1 - kTrim) - lead * lead;
@@ -239,8 +250,8 @@ class Propagation {
     return true;
   }
 
-  /// The best path to a vertex is known: note its direction and, at a saddle and the source, send windows
-  /// into all directions in which a path can go on straight.
+  /// The best path to a vertex is known: note its direction and, at a saddle and the source, send
+  /// windows into all directions in which a path can go on straight.
   void settle(Index vertex) {
     Arrival& arrival = arrival_[vertex];
     arrival.settled = true;
@@ -276,7 +287,8 @@ class Propagation {
     } while (h != mesh.outgoing(vertex));
   }
 
-  /// Sends a window from the vertex where h starts through the face of h, between two angles against h.
+  /// Sends a window from the vertex where h starts through the face of h, between two angles
+  /// against h.
   void sendThrough(Index vertex, Index h, double low, double high) {
     if (low > high) return;
     const Index across = SurfaceMesh::next(h), back = SurfaceMesh::previous(h);
@@ -284,8 +296,8 @@ class Propagation {
     const double distance = arrival_[vertex].distance;
     if (low <= 0) reach(unfolding_->side(across).from, distance + side.length, side.twin, true);
 
-    // Where a ray meets the opposite side, measured from the end that lies `angle` away from it: that end
-    // and the other divide the face in the ratio of the two triangles' areas.
+    // Where a ray meets the opposite side, measured from the end that lies `angle` away from it:
+    // that end and the other divide the face in the ratio of the two triangles' areas.
     const double corner = unfolding_->mesh().cornerAngle(h);
     const double length = unfolding_->side(across).length;
     const auto gap = [&](double angle, double nearSide, double farSide) {

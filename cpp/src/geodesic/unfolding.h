@@ -1,7 +1,8 @@
-// The faces laid flat: each has a planar frame of its own, and crossing an edge is one rigid motion.
+// The faces laid flat: each has a planar frame of its own, and crossing an edge is one rigid
+// motion.
 //
-// In the frame of face f, corner 0 lies at the origin and side 0 along the x axis; the face is counter-
-// clockwise. Only + − × ÷ √ are used, so every platform gets the same bits.
+// In the frame of face f, corner 0 lies at the origin and side 0 along the x axis; the face is
+// counter- clockwise. Only + − × ÷ √ are used, so every platform gets the same bits.
 #pragma once
 
 #include <cmath>
@@ -27,13 +28,13 @@ inline double norm(Vec2 a) { return std::sqrt(dot(a, a)); }
 
 /// One side of a face, in the frame of that face, and the way across it.
 struct Side {
-  Vec2 start;         ///< where the halfedge starts
-  Vec2 direction;     ///< unit vector along it
-  double length;      ///< its length
-  Vec2 rotation;      ///< (cos, sin) of the motion into the frame of the twin's face
-  Vec2 translation;   ///< and its shift
-  Index twin;         ///< the halfedge on the other side
-  Index from;         ///< the vertex where it starts
+  Vec2 start;        ///< where the halfedge starts
+  Vec2 direction;    ///< unit vector along it
+  double length;     ///< its length
+  Vec2 rotation;     ///< (cos, sin) of the motion into the frame of the twin's face
+  Vec2 translation;  ///< and its shift
+  Index twin;        ///< the halfedge on the other side
+  Index from;        ///< the vertex where it starts
 
   Vec2 at(double t) const { return start + t * direction; }
   Vec2 toTwin(Vec2 p) const {

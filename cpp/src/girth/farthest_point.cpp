@@ -21,8 +21,8 @@ using geodesic::Vec2;
 
 namespace {
 
-/// Where paths into a face come from, in the plane of the face: the root of a window, or a corner that sends
-/// out paths of its own.
+/// Where paths into a face come from, in the plane of the face: the root of a window, or a corner
+/// that sends out paths of its own.
 struct Site {
   Vec2 root;
   double sigma;
@@ -35,11 +35,11 @@ struct Site {
   }
 };
 
-/// The points at which three sites are at one distance: |q − r_i| + σ_i = D for all three (the problem of
-/// Apollonius); up to two of them.
+/// The points at which three sites are at one distance: |q − r_i| + σ_i = D for all three (the
+/// problem of Apollonius); up to two of them.
 int meetingPoints(const Site& a, const Site& b, const Site& c, std::array<Vec2, 2>& points) {
-  // With a at the origin and D' = D − σ_a:  |q| = D',  |q − r_i| = D' − s_i.  Subtracting the squares
-  // leaves  2 r_i·q = |r_i|² − s_i² + 2 s_i D'  for i = b, c: linear in q = u + v D'.
+  // With a at the origin and D' = D − σ_a:  |q| = D',  |q − r_i| = D' − s_i.  Subtracting the
+  // squares leaves  2 r_i·q = |r_i|² − s_i² + 2 s_i D'  for i = b, c: linear in q = u + v D'.
   const Vec2 rb = b.root - a.root, rc = c.root - a.root;
   const double sb = b.sigma - a.sigma, sc = c.sigma - a.sigma;
   const double det = 2 * cross(rb, rc);
@@ -86,7 +86,8 @@ class FaceSearch {
       const geodesic::Arrival& corner = propagation_.arrival(side.from);
       corners[h - 3 * face] = side.start;
       if (corner.settled) sites.push_back({side.start, corner.distance});
-      for (Index i = propagation_.firstWindow(h); i != kNoIndex; i = propagation_.window(i).sibling) {
+      for (Index i = propagation_.firstWindow(h); i != kNoIndex;
+           i = propagation_.window(i).sibling) {
         const geodesic::Window& w = propagation_.window(i);
         const Vec2 left = side.at(w.gapFrom) - w.root;
         const Vec2 right = side.at(side.length - w.gapTo) - w.root;
@@ -180,8 +181,8 @@ class FaceSearch {
   void test(Vec2 q, const Site& site, const std::vector<Site>& sites) {
     const double distance = site.distanceTo(q);
     if (!(distance > best_.distance) || !insideFace(propagation_, face_, q)) return;
-    // The sites may be out of sight from there, or the point outside the part of the face where no others
-    // count: what decides is the true distance; first, cheaply, a bound to it.
+    // The sites may be out of sight from there, or the point outside the part of the face where no
+    // others count: what decides is the true distance; first, cheaply, a bound to it.
     if (distanceAmong(sites, q) < distance * (1 - kTie)) return;
     if (std::fabs(propagation_.distanceTo(face_, q) - distance) > kTie * distance) return;
     best_ = {distance, face_, q};
@@ -203,7 +204,8 @@ FarthestPoint farthestPoint(const Propagation& propagation) {
   for (const Index v : propagation.reachedVertices()) {
     const double distance = propagation.arrival(v).distance;
     const Index h = mesh.outgoing(v);
-    if (distance > best.distance) best = {distance, SurfaceMesh::faceOf(h), unfolding.side(h).start};
+    if (distance > best.distance)
+      best = {distance, SurfaceMesh::faceOf(h), unfolding.side(h).start};
   }
 
   // Faces that could hold a farther point, judged by their corners; each once, at its first corner.

@@ -12,9 +12,10 @@ struct FarthestPoint {
   geodesic::Vec2 point;
 };
 
-/// After a propagation over the whole surface: the exact maximum of the distance. It lies at a vertex, or
-/// where three paths arrive together inside a face or on its rim (Sharir and Schorr 1986: at least three
-/// shortest paths end there). Few faces can hold it; those are quartered until few paths compete.
+/// After a propagation over the whole surface: the exact maximum of the distance. It lies at a
+/// vertex, or where three paths arrive together inside a face or on its rim (Sharir and Schorr
+/// 1986: at least three shortest paths end there). Few faces can hold it; those are quartered until
+/// few paths compete.
 FarthestPoint farthestPoint(const geodesic::Propagation& propagation);
 
 }  // namespace girth

@@ -30,7 +30,8 @@ struct Work {
   std::vector<std::atomic<bool>> finished;  // by place in `order`
 };
 
-/// The life of one thread: vertices, one after the other, until none are left; `afterEach` after each.
+/// The life of one thread: vertices, one after the other, until none are left; `afterEach` after
+/// each.
 template <class AfterEach>
 void computeVertices(Work& work, const std::shared_ptr<const geodesic::Unfolding>& unfolding,
                      AfterEach afterEach) {
@@ -53,8 +54,8 @@ void computeVertices(Work& work, const std::shared_ptr<const geodesic::Unfolding
   work.windows.fetch_add(windows, std::memory_order_relaxed);
 }
 
-/// Hands on what was finished since the last time, in order; a vertex still in work does not hold up
-/// those behind it.
+/// Hands on what was finished since the last time, in order; a vertex still in work does not hold
+/// up those behind it.
 class Reporter {
  public:
   Reporter(Work& work, const std::function<void(const GirthPartial&)>& onPartial)
@@ -122,7 +123,14 @@ void runThreads(Work& work, const std::shared_ptr<const geodesic::Unfolding>& un
 
 GirthField girthField(const SurfaceMesh& mesh, GirthMethod method, const ExecutionContext& context,
                       const std::function<void(const GirthPartial&)>& onPartial) {
-  Work work{mesh, method, context, coarseToFineOrder(mesh), {}, {}, {}, {},
+  Work work{mesh,
+            method,
+            context,
+            coarseToFineOrder(mesh),
+            {},
+            {},
+            {},
+            {},
             std::vector<std::atomic<bool>>(mesh.vertexCount())};
   work.field.values.assign(mesh.vertexCount(), std::numeric_limits<double>::quiet_NaN());
   work.field.kinds.assign(mesh.vertexCount(), LoopKind::Loop);
@@ -133,7 +141,8 @@ GirthField girthField(const SurfaceMesh& mesh, GirthMethod method, const Executi
   const unsigned threads = std::min(wanted, mesh.vertexCount());
   Reporter reporter(work, onPartial);
   if (threads == 1) {
-    // No thread of its own: so it runs where there are none, as in the single-threaded WebAssembly module.
+    // No thread of its own: so it runs where there are none, as in the single-threaded WebAssembly
+    // module.
     auto last = std::chrono::steady_clock::now();
     computeVertices(work, unfolding, [&] {
       const auto now = std::chrono::steady_clock::now();
@@ -151,8 +160,8 @@ GirthField girthField(const SurfaceMesh& mesh, GirthMethod method, const Executi
 }
 
 std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh) {
-  // Along a space-filling curve (Morton's) neighbours on the curve are neighbours in space; taking its
-  // places in bit-reversed order spreads every prefix evenly over the curve.
+  // Along a space-filling curve (Morton's) neighbours on the curve are neighbours in space; taking
+  // its places in bit-reversed order spreads every prefix evenly over the curve.
   Vec3 low = mesh.position(0), high = low;
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     const Vec3& p = mesh.position(v);
@@ -174,9 +183,9 @@ std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh) {
   std::vector<std::pair<std::uint64_t, Index>> curve(count);
   for (Index v = 0; v < count; ++v) {
     const Vec3& p = mesh.position(v);
-    curve[v] = {spread(cell(p.x, low.x)) | spread(cell(p.y, low.y)) << 1 |
-                    spread(cell(p.z, low.z)) << 2,
-                v};
+    curve[v] = {
+        spread(cell(p.x, low.x)) | spread(cell(p.y, low.y)) << 1 | spread(cell(p.z, low.z)) << 2,
+        v};
   }
   std::sort(curve.begin(), curve.end());
 

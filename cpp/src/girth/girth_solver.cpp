@@ -14,6 +14,7 @@
 namespace girth {
 
 using geodesic::Propagation;
+using geodesic::samePoint;
 using geodesic::Unfolding;
 
 std::string_view toString(LoopKind kind) { return kind == LoopKind::Loop ? "loop" : "antipodal"; }
@@ -97,19 +98,15 @@ struct GirthSolver::State {
       } else {
         traceFromWindow(propagation, end.window, farthest.point, there);
       }
-      if (!same(there.front(), result.midpoint)) there.insert(there.begin(), result.midpoint);
+      if (!samePoint(there.front(), result.midpoint)) there.insert(there.begin(), result.midpoint);
       back = there;
     }
     // Where the midpoint is a vertex or turning point, both halves begin with it.
-    if (same(there.front(), back.front())) back.erase(back.begin());
+    if (samePoint(there.front(), back.front())) back.erase(back.begin());
     result.points.assign(there.rbegin(), there.rend());
     result.points.insert(result.points.end(), back.begin(), back.end());
     result.angle = angleAtBase(result);
     return result;
-  }
-
-  static bool same(const SurfacePoint& a, const SurfacePoint& b) {
-    return a.kind == b.kind && a.element == b.element && a.weights == b.weights;
   }
 
   /// Direction at the base in which a neighbouring point of the loop lies.
@@ -125,14 +122,16 @@ struct GirthSolver::State {
         case SurfacePoint::Kind::Edge:
           if (point.element == opposite || mesh.twin(point.element) == opposite) {
             const double t = point.element == opposite ? point.weights[1] : point.weights[0];
-            return unfolding->directionTo(h, unfolding->side(opposite).at(t * unfolding->side(opposite).length));
+            return unfolding->directionTo(
+                h, unfolding->side(opposite).at(t * unfolding->side(opposite).length));
           }
           break;
         case SurfacePoint::Kind::Face:
           if (SurfaceMesh::faceOf(h) == point.element) {
             const Index first = 3 * point.element;
             geodesic::Vec2 p;
-            for (Index k = 0; k < 3; ++k) p = p + point.weights[k] * unfolding->side(first + k).start;
+            for (Index k = 0; k < 3; ++k)
+              p = p + point.weights[k] * unfolding->side(first + k).start;
             return unfolding->directionTo(h, p);
           }
           break;

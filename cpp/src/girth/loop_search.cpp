@@ -59,7 +59,8 @@ bool LoopSearch::enough(double frontier) {
 void LoopSearch::onWindow(Index window, double tip) {
   const Index h = propagation_->window(window).halfedge;
   for (const Index side : {SurfaceMesh::next(h), SurfaceMesh::previous(h)}) {
-    for (Index w = propagation_->firstWindow(side); w != kNoIndex; w = propagation_->window(w).sibling) {
+    for (Index w = propagation_->firstWindow(side); w != kNoIndex;
+         w = propagation_->window(w).sibling) {
       pair(window, w);
     }
   }
@@ -93,7 +94,8 @@ void LoopSearch::pair(Index window, Index other) {
 
   const Vec2 line = b.root - a.root;
   const double distance = norm(line);
-  // One root seen through two sides: both windows carry the same paths, past either side of a flat vertex.
+  // One root seen through two sides: both windows carry the same paths, past either side of a flat
+  // vertex.
   if (!(distance > kTouch * sideA.length)) return;
   const double toMidpoint = (distance + b.sigma - a.sigma) / 2;
   if (!(toMidpoint >= 0 && toMidpoint <= distance)) return;
@@ -103,7 +105,8 @@ void LoopSearch::pair(Index window, Index other) {
     const Side& side = propagation_->unfolding().side(h);
     if (cross(side.direction, q - side.start) < -kTouch * side.length) return;
   }
-  propose({a.sigma + distance + b.sigma, LoopCandidate::Ends::WindowWindow, window, other, face, q});
+  propose(
+      {a.sigma + distance + b.sigma, LoopCandidate::Ends::WindowWindow, window, other, face, q});
 }
 
 // Case 2: a window whose path runs to the opposite corner, which another path has reached before.
@@ -156,6 +159,9 @@ void LoopSearch::propose(const LoopCandidate& candidate) {
     const double rest = half - propagation_->arrival(side.from).distance;
     const Vec2 d = candidate.midpoint - side.start;
     if (rest > 0 && rest * rest > dot(d, d)) return;
+    // No geodesic passes a convex vertex, though its neighbours on one side may tend to that line.
+    if (!propagation_->unfolding().passable(side.from) && norm(d) <= 2 * kTouch * side.length)
+      return;
   }
   candidates_.push_back(candidate);
   std::push_heap(candidates_.begin(), candidates_.end(), longer);
@@ -207,7 +213,8 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) const {
     const Side& side = unfolding.side(h);
     const Arrival& corner = propagation_->arrival(side.from);
     if (corner.settled && corner.distance + norm(q - side.start) <= reach) arrive(side.start);
-    for (Index i = propagation_->firstWindow(h); i != kNoIndex; i = propagation_->window(i).sibling) {
+    for (Index i = propagation_->firstWindow(h); i != kNoIndex;
+         i = propagation_->window(i).sibling) {
       const Window& w = propagation_->window(i);
       if (w.distanceTo(q) <= reach && w.covers(side, q)) arrive(w.root);
     }

@@ -1,5 +1,5 @@
-// Deliberately apart from the engine: its own windows, frames, queue, pairs and farthest point, all in the
-// plainest form, so that agreement of the two means something.
+// Deliberately apart from the engine: its own windows, frames, queue, pairs and farthest point, all
+// in the plainest form, so that agreement of the two means something.
 
 #include "girth/naive_girth.h"
 
@@ -34,8 +34,8 @@ double dotOf(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 double crossOf(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 double lengthOf(Point a) { return std::sqrt(dotOf(a, a)); }
 
-/// Shortest-path candidates that arrive at a halfedge from below and enter its face above. The halfedge
-/// lies on the x axis from 0 to its length; the root has y < 0; the window is [b0, b1].
+/// Shortest-path candidates that arrive at a halfedge from below and enter its face above. The
+/// halfedge lies on the x axis from 0 to its length; the root has y < 0; the window is [b0, b1].
 struct NaiveWindow {
   Index halfedge;
   Point root;
@@ -71,7 +71,8 @@ class NaiveGirth {
   }
 
  private:
-  // --- The plane of a halfedge -------------------------------------------------------------------------
+  // --- The plane of a halfedge
+  // -------------------------------------------------------------------------
 
   /// The vertex opposite a halfedge, in the halfedge's plane.
   Point apex(Index h) const {
@@ -80,11 +81,12 @@ class NaiveGirth {
   }
   Index apexVertex(Index h) const { return mesh_.from(SurfaceMesh::previous(h)); }
 
-  // --- Step 1: the distance field, all windows kept ----------------------------------------------------
+  // --- Step 1: the distance field, all windows kept
+  // ----------------------------------------------------
 
   struct Event {
     double distance;
-    Index vertex;       // a vertex is reached, or ...
+    Index vertex;        // a vertex is reached, or ...
     std::size_t window;  // ... a window
     bool operator<(const Event& other) const { return distance > other.distance; }
   };
@@ -106,7 +108,8 @@ class NaiveGirth {
     }
   }
 
-  /// Whether a path over an end of the edge is shorter than the window everywhere (Xin and Wang 2009).
+  /// Whether a path over an end of the edge is shorter than the window everywhere (Xin and Wang
+  /// 2009).
   bool dominated(const NaiveWindow& w) const {
     const double length = mesh_.length(w.halfedge);
     const auto along = [&](double b) { return w.sigma + lengthOf(Point{b, 0} - w.root); };
@@ -146,19 +149,26 @@ class NaiveGirth {
       const double angle = std::atan2(crossOf(toStart, toRoot), dotOf(toStart, toRoot));
       reach(apexVertex(h), w.sigma + lengthOf(toApex), directionOf(out) + angle);
     }
-    if (!apexLeft) {  // something reaches the left side, seen from outside: from the start to the apex
+    if (!apexLeft) {  // something reaches the left side, seen from outside: from the start to the
+                      // apex
       const double length = mesh_.length(SurfaceMesh::previous(h));
       const Point u = (1 / length) * o;
       const auto hit = [&](Point ray) { return crossOf(w.root, ray) / crossOf(u, ray); };
-      keep({mesh_.twin(SurfaceMesh::previous(h)), {dotOf(w.root, u), crossOf(u, w.root)}, w.sigma,
-            std::max(0.0, hit(rayLeft)), apexRight ? std::min(length, hit(rayRight)) : length});
+      keep({mesh_.twin(SurfaceMesh::previous(h)),
+            {dotOf(w.root, u), crossOf(u, w.root)},
+            w.sigma,
+            std::max(0.0, hit(rayLeft)),
+            apexRight ? std::min(length, hit(rayRight)) : length});
     }
     if (!apexRight) {  // and the right side: from the apex to the end
       const double length = mesh_.length(SurfaceMesh::next(h));
       const Point u = (1 / length) * (end - o), r = w.root - o;
       const auto hit = [&](Point ray) { return crossOf(r, ray) / crossOf(u, ray); };
-      keep({mesh_.twin(SurfaceMesh::next(h)), {dotOf(r, u), crossOf(u, r)}, w.sigma,
-            apexLeft ? std::max(0.0, hit(rayLeft)) : 0, std::min(length, hit(rayRight))});
+      keep({mesh_.twin(SurfaceMesh::next(h)),
+            {dotOf(r, u), crossOf(u, r)},
+            w.sigma,
+            apexLeft ? std::max(0.0, hit(rayLeft)) : 0,
+            std::min(length, hit(rayRight))});
     }
   }
 
@@ -195,7 +205,10 @@ class NaiveGirth {
           return std::min(length, mesh_.length(h) * std::sin(angle) / std::sin(angle + beta));
         };
         const Point root = apex(across);
-        keep({mesh_.twin(across), {length - root.x, -root.y}, distance_[v], length - hit(high),
+        keep({mesh_.twin(across),
+              {length - root.x, -root.y},
+              distance_[v],
+              length - hit(high),
               length - hit(low)});
       }
       corner += opening;
@@ -228,7 +241,8 @@ class NaiveGirth {
     return best;
   }
 
-  // --- Step 2: loops along an edge ---------------------------------------------------------------------
+  // --- Step 2: loops along an edge
+  // ---------------------------------------------------------------------
 
   bool passesStraight(Index v, double leaving) const {
     if (v == source_) return true;
@@ -241,13 +255,15 @@ class NaiveGirth {
     for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
       const Index a = mesh_.from(h), b = mesh_.to(h);
       if (a > b || std::isinf(distance_[a])) continue;
-      if (!passesStraight(a, directionOf(h)) || !passesStraight(b, directionOf(mesh_.twin(h)))) continue;
+      if (!passesStraight(a, directionOf(h)) || !passesStraight(b, directionOf(mesh_.twin(h))))
+        continue;
       const double along = (mesh_.length(h) + distance_[b] - distance_[a]) / 2;
       accept(h, {along, 0}, distance_[a] + mesh_.length(h) + distance_[b]);
     }
   }
 
-  // --- Step 3: loops across an edge --------------------------------------------------------------------
+  // --- Step 3: loops across an edge
+  // --------------------------------------------------------------------
 
   void testWindowPairs() {
     for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
@@ -277,10 +293,19 @@ class NaiveGirth {
     }
   }
 
-  /// A straight loop is the answer if its midpoint lies in this face, both halves are shortest, and none is
-  /// shorter.
+  /// A straight loop is the answer if its midpoint lies in this face, both halves are shortest, and
+  /// none is shorter.
   void accept(Index halfedge, Point midpoint, double length) {
     if (length >= best_ || !inFace(halfedge, midpoint)) return;
+    // No geodesic passes a convex vertex, only lines beside it.
+    const Point corners[] = {{0, 0}, {mesh_.length(halfedge), 0}, apex(halfedge)};
+    const Index vertices[] = {mesh_.from(halfedge), mesh_.to(halfedge), apexVertex(halfedge)};
+    for (int k = 0; k < 3; ++k) {
+      if (mesh_.totalAngle(vertices[k]) < 2 * kPi - kAngleTolerance &&
+          lengthOf(midpoint - corners[k]) < 3 * kTolerance * mesh_.length(halfedge)) {
+        return;
+      }
+    }
     if (distanceAt(halfedge, midpoint) >= length / 2 * (1 - kTolerance)) best_ = length;
   }
 
@@ -291,10 +316,11 @@ class NaiveGirth {
            crossOf(-1 * o, q - o) >= -slack * lengthOf(o);
   }
 
-  // --- No loop: the farthest point ---------------------------------------------------------------------
+  // --- No loop: the farthest point
+  // ---------------------------------------------------------------------
 
-  /// The maximum of the distance, by bisecting triangles: within one, the distance rises by no more than
-  /// its radius above that of its centre.
+  /// The maximum of the distance, by bisecting triangles: within one, the distance rises by no more
+  /// than its radius above that of its centre.
   double farthestDistance(double atLeast) {
     struct Cell {
       double bound;
@@ -315,7 +341,8 @@ class NaiveGirth {
     for (Index f = 0; f < mesh_.faceCount(); ++f) {
       add(3 * f, {0, 0}, {mesh_.length(3 * f), 0}, apex(3 * f));
     }
-    while (!cells.empty() && cells.top().bound > atLeast * (1 + kBisection) && !context_.cancelled()) {
+    while (!cells.empty() && cells.top().bound > atLeast * (1 + kBisection) &&
+           !context_.cancelled()) {
       const Cell cell = cells.top();
       cells.pop();
       const Point ab = 0.5 * (cell.a + cell.b), bc = 0.5 * (cell.b + cell.c),
@@ -341,7 +368,8 @@ class NaiveGirth {
 
 }  // namespace
 
-Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex, const ExecutionContext& context) {
+Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
+                              const ExecutionContext& context) {
   if (vertex >= mesh.vertexCount()) {
     return makeError(ErrorCode::VertexOutOfRange, vertex,
                      "there is no vertex " + std::to_string(vertex) + " among " +

@@ -1,6 +1,6 @@
-// Angles from + − × ÷ √ alone. The functions of the C library differ in their last bits from system to
-// system; these give the same bits natively and in WebAssembly, which is what lets both agree on every
-// value. Accurate to a few units in the last place.
+// Angles from + − × ÷ √ alone. The functions of the C library differ in their last bits from system
+// to system; these give the same bits natively and in WebAssembly, which is what lets both agree on
+// every value. Accurate to a few units in the last place.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,8 @@ inline constexpr double kPi = 3.141592653589793238462643383279502884;
 
 /// The angle of the vector (x, y) against the x axis, in [0, π], for y ≥ 0 and not both zero.
 inline double angleOf(double x, double y) {
-  // Reduce to t = tan of at most π/16: first into the first octant, then by halving the angle twice.
+  // Reduce to t = tan of at most π/16: first into the first octant, then by halving the angle
+  // twice.
   const double ax = std::fabs(x);
   const bool steep = y > ax;
   double t = steep ? ax / y : y / ax;

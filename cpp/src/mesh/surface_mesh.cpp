@@ -14,8 +14,8 @@ namespace girth {
 
 namespace {
 
-/// A face whose smallest height is below this share of its longest side has no area to speak of: its
-/// shape would be made of rounding errors.
+/// A face whose smallest height is below this share of its longest side has no area to speak of:
+/// its shape would be made of rounding errors.
 constexpr double kFlattestFace = 1e-12;
 
 std::string faceText(Index face) { return "face " + std::to_string(face); }
@@ -38,8 +38,9 @@ std::optional<Error> findBadElement(std::span<const double> positions,
   }
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (!std::isfinite(positions[i])) {
-      return makeError(ErrorCode::NonFinitePosition, static_cast<std::int64_t>(i / 3),
-                       "vertex " + std::to_string(i / 3) + " has a coordinate that is not a number");
+      return makeError(
+          ErrorCode::NonFinitePosition, static_cast<std::int64_t>(i / 3),
+          "vertex " + std::to_string(i / 3) + " has a coordinate that is not a number");
     }
   }
   for (std::size_t f = 0; f < faces; ++f) {
@@ -47,8 +48,8 @@ std::optional<Error> findBadElement(std::span<const double> positions,
     const Index largest = std::max({a, b, c});
     if (largest >= vertices) {
       return makeError(ErrorCode::IndexOutOfRange, static_cast<std::int64_t>(f),
-                       faceText(static_cast<Index>(f)) + " names vertex " + std::to_string(largest) +
-                           " of " + std::to_string(vertices));
+                       faceText(static_cast<Index>(f)) + " names vertex " +
+                           std::to_string(largest) + " of " + std::to_string(vertices));
     }
     if (a == b || b == c || c == a) {
       return makeError(ErrorCode::DegenerateFace, static_cast<std::int64_t>(f),
@@ -92,7 +93,8 @@ std::optional<Error> pairHalfedges(const std::vector<Index>& from, std::vector<I
   }
   if (worst == kNoIndex) return std::nullopt;
   std::string where = edgeText(from[worst], to(worst)) + " of " + faceText(worst / 3);
-  if (code == ErrorCode::OpenEdge) return makeError(code, worst, where + " has no face on its other side");
+  if (code == ErrorCode::OpenEdge)
+    return makeError(code, worst, where + " has no face on its other side");
   if (code == ErrorCode::NonManifoldEdge) {
     return makeError(code, worst, where + " has " + std::to_string(faces) + " faces");
   }

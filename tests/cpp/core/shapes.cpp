@@ -139,21 +139,24 @@ Shape box(double a, double b, double c, Index nx, Index ny, Index nz) {
   };
   for (Index i = 0; i < nx; ++i) {
     for (Index j = 0; j < ny; ++j) {
-      quad(shape, vertex(i, j, 0), vertex(i, j + 1, 0), vertex(i + 1, j + 1, 0), vertex(i + 1, j, 0));
+      quad(shape, vertex(i, j, 0), vertex(i, j + 1, 0), vertex(i + 1, j + 1, 0),
+           vertex(i + 1, j, 0));
       quad(shape, vertex(i, j, nz), vertex(i + 1, j, nz), vertex(i + 1, j + 1, nz),
            vertex(i, j + 1, nz));
     }
   }
   for (Index i = 0; i < nx; ++i) {
     for (Index k = 0; k < nz; ++k) {
-      quad(shape, vertex(i, 0, k), vertex(i + 1, 0, k), vertex(i + 1, 0, k + 1), vertex(i, 0, k + 1));
+      quad(shape, vertex(i, 0, k), vertex(i + 1, 0, k), vertex(i + 1, 0, k + 1),
+           vertex(i, 0, k + 1));
       quad(shape, vertex(i, ny, k), vertex(i, ny, k + 1), vertex(i + 1, ny, k + 1),
            vertex(i + 1, ny, k));
     }
   }
   for (Index j = 0; j < ny; ++j) {
     for (Index k = 0; k < nz; ++k) {
-      quad(shape, vertex(0, j, k), vertex(0, j, k + 1), vertex(0, j + 1, k + 1), vertex(0, j + 1, k));
+      quad(shape, vertex(0, j, k), vertex(0, j, k + 1), vertex(0, j + 1, k + 1),
+           vertex(0, j + 1, k));
       quad(shape, vertex(nx, j, k), vertex(nx, j + 1, k), vertex(nx, j + 1, k + 1),
            vertex(nx, j, k + 1));
     }
@@ -206,14 +209,23 @@ Shape octasphere(Index levels) {
 Shape icosphere(Index levels) {
   Shape shape;
   const double g = (1 + std::sqrt(5.0)) / 2;
-  for (const auto& p : std::vector<std::array<double, 3>>{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
-                                                          {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
-                                                          {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}}) {
+  for (const auto& p : std::vector<std::array<double, 3>>{{-1, g, 0},
+                                                          {1, g, 0},
+                                                          {-1, -g, 0},
+                                                          {1, -g, 0},
+                                                          {0, -1, g},
+                                                          {0, 1, g},
+                                                          {0, -1, -g},
+                                                          {0, 1, -g},
+                                                          {g, 0, -1},
+                                                          {g, 0, 1},
+                                                          {-g, 0, -1},
+                                                          {-g, 0, 1}}) {
     shape.add(p[0], p[1], p[2]);
   }
-  shape.triangles = {0, 11, 5, 0, 5,  1,  0,  1,  7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11,
-                     4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3, 9, 4, 3, 4, 2, 3, 2, 6, 3,
-                     6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1};
+  shape.triangles = {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                     4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                     6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
   pushToSphere(shape);
   for (Index i = 0; i < levels; ++i) {
     shape = subdivided(shape);
@@ -246,8 +258,10 @@ Shape plate(Index holes) {
     for (Index j = 0; j < n; ++j) {
       const int x = static_cast<int>(i), y = static_cast<int>(j);
       if (!solid(x, y)) continue;
-      quad(shape, vertex(i, j, 0), vertex(i, j + 1, 0), vertex(i + 1, j + 1, 0), vertex(i + 1, j, 0));
-      quad(shape, vertex(i, j, 1), vertex(i + 1, j, 1), vertex(i + 1, j + 1, 1), vertex(i, j + 1, 1));
+      quad(shape, vertex(i, j, 0), vertex(i, j + 1, 0), vertex(i + 1, j + 1, 0),
+           vertex(i + 1, j, 0));
+      quad(shape, vertex(i, j, 1), vertex(i + 1, j, 1), vertex(i + 1, j + 1, 1),
+           vertex(i, j + 1, 1));
       if (!solid(x, y - 1)) {
         quad(shape, vertex(i, j, 0), vertex(i + 1, j, 0), vertex(i + 1, j, 1), vertex(i, j, 1));
       }
@@ -310,7 +324,8 @@ Shape retriangulated(const Shape& shape, std::uint64_t seed) {
       if (touched[g] || c == d || sideOf.count({c, d}) || sideOf.count({d, c})) continue;
       const Vec3 A = at(shape, a), B = at(shape, b), C = at(shape, c), D = at(shape, d);
       const Vec3 n1 = cross(B - A, C - A), n2 = cross(A - B, D - B);
-      if (norm(cross(n1, n2)) > 1e-12 * norm(n1) * norm(n2) || dot(n1, n2) < 0) continue;  // not coplanar
+      if (norm(cross(n1, n2)) > 1e-12 * norm(n1) * norm(n2) || dot(n1, n2) < 0)
+        continue;  // not coplanar
       const double least = 0.05 * norm(n1);
       if (dot(cross(D - C, B - C), n1) < least * norm(n1) ||
           dot(cross(C - D, A - D), n1) < least * norm(n1)) {
@@ -347,11 +362,13 @@ Shape relabelled(const Shape& shape, std::uint64_t seed, std::vector<Index>& new
   for (Index v = n; v-- > 1;) std::swap(newNumber[v], newNumber[random.below(v + 1)]);
   Shape result = shape;
   for (Index v = 0; v < n; ++v) {
-    for (Index k = 0; k < 3; ++k) result.positions[3 * newNumber[v] + k] = shape.positions[3 * v + k];
+    for (Index k = 0; k < 3; ++k)
+      result.positions[3 * newNumber[v] + k] = shape.positions[3 * v + k];
   }
   std::vector<Index> order(shape.triangles.size() / 3);
   for (Index f = 0; f < order.size(); ++f) order[f] = f;
-  for (auto f = static_cast<Index>(order.size()); f-- > 1;) std::swap(order[f], order[random.below(f + 1)]);
+  for (auto f = static_cast<Index>(order.size()); f-- > 1;)
+    std::swap(order[f], order[random.below(f + 1)]);
   for (std::size_t f = 0; f < order.size(); ++f) {
     const Index turn = random.below(3);
     for (Index k = 0; k < 3; ++k) {
@@ -366,8 +383,8 @@ Shape moved(const Shape& shape, double scale, double angle, double shift) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (Index v = 0; v < shape.vertexCount(); ++v) {
     const Vec3 p = at(shape, v);
-    const Vec3 q{c * p.x - s * p.y, s * p.x + c * p.y, p.z};      // about z,
-    const Vec3 r{q.x, c * q.y - s * q.z, s * q.y + c * q.z};      // then about x
+    const Vec3 q{c * p.x - s * p.y, s * p.x + c * p.y, p.z};  // about z,
+    const Vec3 r{q.x, c * q.y - s * q.z, s * q.y + c * q.z};  // then about x
     result.positions[3 * v] = scale * r.x + shift;
     result.positions[3 * v + 1] = scale * r.y - 2 * shift;
     result.positions[3 * v + 2] = scale * r.z + shift / 3;

@@ -33,22 +33,23 @@ class Random {
   std::uint64_t state_;
 };
 
-/// A tube over a closed polygon in the xy plane (x, y pairs), from z = 0 to `height`, with `rings` bands of
-/// rectangles, each cut in two, and flat caps round their centres. Vertex (ring, corner) has the number
-/// ring × corners + corner.
+/// A tube over a closed polygon in the xy plane (x, y pairs), from z = 0 to `height`, with `rings`
+/// bands of rectangles, each cut in two, and flat caps round their centres. Vertex (ring, corner)
+/// has the number ring × corners + corner.
 Shape prism(const std::vector<double>& polygon, double height, Index rings);
 
 /// A regular polygon with sides of length `side`, each divided into `parts`.
 std::vector<double> regularPolygon(Index sides, double side, Index parts = 1);
 
-/// A pyramid over a regular polygon: `sides` faces with the given angle at the apex and slant edge of length
-/// 1, in `rings` bands. Vertex 0 is the apex; then come the rings, `sides` vertices each.
+/// A pyramid over a regular polygon: `sides` faces with the given angle at the apex and slant edge
+/// of length 1, in `rings` bands. Vertex 0 is the apex; then come the rings, `sides` vertices each.
 Shape pyramid(Index sides, double apexAngle, Index rings);
 
 /// A box [0,a]×[0,b]×[0,c] with a grid of nx × ny × nz cells, each square cut in two.
 Shape box(double a, double b, double c, Index nx, Index ny, Index nz);
 
-/// A ring of `around` sections, each a polygon of `across` corners: a polyhedral torus of radii R and r.
+/// A ring of `around` sections, each a polygon of `across` corners: a polyhedral torus of radii R
+/// and r.
 Shape torus(double R, double r, Index around, Index across);
 
 /// An octahedron, 1-to-4 subdivided `levels` times, on the unit sphere.
@@ -58,8 +59,8 @@ Shape icosphere(Index levels);
 
 Shape tetrahedron();
 
-/// Two plates of `across` × `across` cells joined along their rims and round `holes` × `holes` square holes:
-/// genus holes².
+/// Two plates of `across` × `across` cells joined along their rims and round `holes` × `holes`
+/// square holes: genus holes².
 Shape plate(Index holes);
 
 /// The same surface with 1-to-4 subdivision; old vertices keep their numbers.
@@ -71,7 +72,8 @@ Shape retriangulated(const Shape& shape, std::uint64_t seed);
 /// Vertices moved at random by up to `amount` times the mean edge length.
 Shape perturbed(const Shape& shape, double amount, std::uint64_t seed);
 
-/// The same surface with vertices and faces renumbered at random. `newNumber[v]` is what became of v.
+/// The same surface with vertices and faces renumbered at random. `newNumber[v]` is what became of
+/// v.
 Shape relabelled(const Shape& shape, std::uint64_t seed, std::vector<Index>& newNumber);
 
 /// Each vertex p moved to s·R·p + t, R a rotation.

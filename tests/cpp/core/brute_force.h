@@ -1,0 +1,71 @@
+// Geodesics by enumeration, with no pruning but their length: slow, and nothing in it to get wrong
+// that the engine shares. For small meshes in general position (no path exactly through a flat or
+// convex vertex).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "girth/surface_mesh.h"
+#include "girth/surface_point.h"
+
+namespace girth::test {
+
+/// All geodesics that start at one vertex, up to a length.
+class BruteForce {
+ public:
+  /// Gives up, `complete() == false`, where there are more than `limit` sequences of faces.
+  BruteForce(const SurfaceMesh& mesh, Index source, double longest, std::size_t limit = 2'000'000);
+
+  bool complete() const { return complete_; }
+
+  /// Length of the shortest geodesic to a point, in the plane of its face (corner 0 at the origin,
+  /// side 0 along x); infinite beyond `longest`.
+  double distanceTo(Index face, double x, double y) const;
+  /// The same for a surface point.
+  double distanceTo(const SurfacePoint& point) const;
+
+  /// The shortest geodesic loop through the source whose halves are both shortest; nothing up to
+  /// `longest`.
+  std::optional<double> shortestLoop() const;
+
+ private:
+  struct Point {
+    double x, y;
+  };
+  /// Straight lines from `root` into a face through one halfedge, which lies on the x axis.
+  struct Cone {
+    Index halfedge;
+    Point root;
+    double sigma, b0, b1;
+    std::size_t parent;   // the cone it continues, or kNone
+    std::size_t arrival;  // else the arrival at the vertex that it starts from
+  };
+  /// A geodesic that ends at a vertex, in a cone or along an edge.
+  struct Arrival {
+    Index vertex;
+    double length, direction;
+    std::size_t cone;  // or kNone: along the edge from the vertex of `before`
+    std::size_t before;
+  };
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  Point apex(Index halfedge) const;
+  double directionOf(Index halfedge) const;
+  void leave(std::size_t arrival, double start, double width);
+  void arrive(Index vertex, double length, double direction, std::size_t cone, std::size_t before);
+  void grow(std::size_t cone);
+  std::optional<double> distanceAlong(const Arrival& loop, double length) const;
+
+  const SurfaceMesh& mesh_;
+  Index source_;
+  double longest_;
+  std::size_t limit_;
+  bool complete_{true};
+  std::vector<Cone> cones_;
+  std::vector<Arrival> arrivals_;
+  std::vector<std::size_t> todo_;
+  std::vector<std::vector<std::size_t>> conesOfFace_;
+};
+
+}  // namespace girth::test
