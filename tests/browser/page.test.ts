@@ -195,25 +195,31 @@ for (const isolated of [true, false]) {
       expect(await words.isVisible()).toBe(false);
     });
 
-    test.each(['truncated.glb', 'text.glb', 'open.obj', 'nan.obj', 'index.obj', 'empty.obj'])(
-      'a broken file, %s: words, and the former model still there',
-      async (name) => {
-        await modelIs('chair.glb');
+    test('broken files: words, and the former model still there', async () => {
+      await modelIs('chair.glb');
+      const message = viewer.getByRole('alert');
+      for (const name of [
+        'truncated.glb',
+        'text.glb',
+        'open.obj',
+        'nan.obj',
+        'index.obj',
+        'empty.obj',
+      ]) {
         await drop(page, name, readFileSync(join(data, 'bad', name)));
-        const message = viewer.getByRole('alert');
-        await message.waitFor({ timeout: 20_000 });
-        const words = (await message.textContent())!;
-        expect(words).toContain(`${name} could not be used.`);
-        expect(words).toContain('What helps:');
-        expect(words).toContain('The former model is still here.');
-        await modelIs('chair.glb');
-        await fieldComplete(viewer);
-        const place = await visibleVertex(viewer, 0.5, 0.45);
-        expect((await hover(page, viewer, place.x, place.y)).length).toBeGreaterThan(0);
-        await message.getByRole('button').click();
-        expect(await message.isVisible()).toBe(false);
-      },
-    );
+        const words = viewer.getByText(`${name} could not be used.`);
+        await words.waitFor({ timeout: 20_000 });
+        expect(await message.textContent()).toContain('What helps:');
+        expect(await message.textContent()).toContain('The former model is still here.');
+      }
+      await modelIs('chair.glb');
+      await message.getByRole('button').click();
+      expect(await message.isVisible()).toBe(false);
+      // The former model's computation was not touched either.
+      await fieldComplete(viewer);
+      const place = await visibleVertex(viewer, 0.5, 0.45);
+      expect((await hover(page, viewer, place.x, place.y)).length).toBeGreaterThan(0);
+    });
 
     test('the colour map, its range and the edges can be changed', async () => {
       await modelIs('chair.glb');

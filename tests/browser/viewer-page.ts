@@ -7,7 +7,8 @@ import type { Locator, Page } from 'playwright-core';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { repository } from './support.js';
 
-const command = join(repository, 'build/native/cpp/cli/girth');
+/** `GIRTH_COMMAND` names another one than that of the build tree. */
+const command = process.env['GIRTH_COMMAND'] ?? join(repository, 'build/native/cpp/cli/girth');
 
 /** The length and kind that the command finds at a vertex of the file. */
 export function loopByCommand(file: string, vertex: number): { length: number; kind: string } {

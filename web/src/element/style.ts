@@ -14,7 +14,7 @@ export const style = /* css */ `
   aspect-ratio: 4 / 3;
   overflow: hidden;
   container-type: inline-size;
-  background: var(--girth-paper);
+  background: var(--girth-backdrop, var(--girth-paper));
   color: var(--girth-ink);
   font: 13px/1.4 system-ui, sans-serif;
   font-variant-numeric: tabular-nums;
@@ -23,7 +23,8 @@ export const style = /* css */ `
   :host {
     --girth-paper: #16171a;
     --girth-ink: #ededf0;
-    --girth-quiet: #a2a5ae;
+    --girth-quiet: #b0b3bc;
+    --girth-backdrop: radial-gradient(ellipse at 50% 45%, #3b3e46, #1d1f23 80%);
     --girth-line: #33353b;
     --girth-accent: #ff9466;
     --girth-on-accent: #1c1d21;
@@ -182,7 +183,7 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   white-space: nowrap;
   will-change: transform;
 }
-.tag.behind { opacity: 0.45; }
+.tag.behind { opacity: 0.7; }
 .tag i { font-style: normal; color: #ffb08a; margin-inline-end: 6px; font-weight: 650; }
 .tag button { border-radius: 14px; }
 .tag button:focus-visible { outline-color: #ffb08a; }

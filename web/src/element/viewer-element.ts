@@ -53,7 +53,7 @@ export interface FieldDetail {
  * - `loop`: `hover` (default), `none`, or vertices whose loops are pinned once the model is there,
  *   as in `loop="12 4031"`.
  * - `edges`: draws the mesh's edges.
- * - `turn`: turns slowly until touched, unless the system asks for reduced motion.
+ * - `turn`: turns slowly once it is computed and until touched, unless the system asks for reduced motion.
  *
  * Events: `load` (`LoadDetail`), `progress` (`ProgressDetail`), `field` (`FieldDetail`), `pick`
  * (`PickDetail`), `error` (`GirthErrorFields`), `touch` (no detail: the surface no longer turns).
@@ -100,6 +100,8 @@ export class GirthViewer extends HTMLElement {
   private fixedRange: [number, number] | undefined;
 
   private inView = false;
+  /** Whether the surface was moved by hand, so that it no longer turns by itself. */
+  private touched = false;
   private whenInView: (() => void)[] = [];
   private loading: AbortController | undefined;
   private readonly watchers: (() => void)[] = [];
@@ -124,7 +126,11 @@ export class GirthViewer extends HTMLElement {
       this.stage = new Stage(this.canvas, {
         beforeFrame: () => this.beforeFrame(),
         afterFrame: () => this.loops?.place(),
-        touched: () => this.dispatchEvent(new CustomEvent('touch')),
+        touched: () => {
+          if (this.touched) return;
+          this.touched = true;
+          this.dispatchEvent(new CustomEvent('touch'));
+        },
       });
     } catch {
       this.message.show(
@@ -153,7 +159,7 @@ export class GirthViewer extends HTMLElement {
     const motion = window.matchMedia('(prefers-reduced-motion: reduce)');
     const respectMotion = (): void => {
       stage.setDamping(!motion.matches);
-      stage.turning = this.hasAttribute('turn') && !motion.matches;
+      this.updateTurning();
     };
     motion.addEventListener('change', respectMotion);
     respectMotion();
@@ -207,10 +213,7 @@ export class GirthViewer extends HTMLElement {
         this.model?.surface.showEdges(value !== null);
         break;
       case 'turn':
-        if (this.stage) {
-          const still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-          this.stage.turning = value !== null && !still;
-        }
+        this.updateTurning();
         break;
     }
     this.stage?.invalidate();
@@ -391,6 +394,7 @@ export class GirthViewer extends HTMLElement {
     const computing = new AbortController();
     model.computing = computing;
     const timeLeft = new TimeLeft(performance.now());
+    this.updateTurning();
     this.status.showProgress(0, undefined);
     try {
       const field = await model.mesh.field('igf', {
@@ -404,7 +408,7 @@ export class GirthViewer extends HTMLElement {
         onPartial: (partial) => {
           if (this.model !== model || !this.showsField) return;
           model.receive(partial);
-          this.stage?.invalidate();
+          this.stage?.invalidateSoon();
         },
       });
       if (this.model !== model) return;
@@ -424,7 +428,16 @@ export class GirthViewer extends HTMLElement {
       }
     } finally {
       model.computing = undefined;
+      this.updateTurning();
     }
+  }
+
+  /** Turns where it is asked for, but not while it computes: the work goes first. */
+  private updateTurning(): void {
+    if (!this.stage) return;
+    const still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+    this.stage.turning =
+      this.hasAttribute('turn') && !this.touched && !still && !this.model?.computing;
   }
 
   private sendField(share: number): void {

@@ -10,13 +10,15 @@ import type { Surface } from './surface.js';
 const viewingAngle = 28;
 /** Milliseconds between two frames of a surface that only turns by itself. */
 const turningInterval = 30;
+/** Milliseconds between two frames while only colours change: the work behind them goes first. */
+const colourInterval = 120;
 
 export interface StageEvents {
   /** Before a frame is drawn; returns true to ask for another one. */
   beforeFrame(): boolean;
   /** After a frame is drawn. */
   afterFrame(): void;
-  /** The camera was moved by hand for the first time since it began to turn by itself. */
+  /** The surface was touched: it is moved by hand, or pointed at. */
   touched(): void;
 }
 
@@ -41,6 +43,7 @@ export class Stage {
   private width = 1;
   private height = 1;
   private requested = 0;
+  private soon: ReturnType<typeof setTimeout> | undefined;
   private dirty = false;
   private lastFrame = 0;
   private resting = true;
@@ -134,9 +137,16 @@ export class Stage {
 
   /** Ends the turning. */
   touch(): void {
-    if (!this.turnsByItself) return;
-    this.turning = false;
+    if (this.turnsByItself) this.turning = false;
     this.events.touched();
+  }
+
+  /** Asks for a frame before long; many such requests share one. */
+  invalidateSoon(): void {
+    this.soon ??= setTimeout(() => {
+      this.soon = undefined;
+      this.invalidate();
+    }, colourInterval);
   }
 
   /** Asks for a frame. */
@@ -219,6 +229,7 @@ export class Stage {
 
   dispose(): void {
     cancelAnimationFrame(this.requested);
+    clearTimeout(this.soon);
     this.resting = true;
     for (const band of this.bandSet) band.dispose();
     this.bandSet.clear();

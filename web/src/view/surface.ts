@@ -24,8 +24,8 @@ import type { Adjacency } from './adjacency.js';
 import { type ColormapName, colormapSize, colormapTable } from './colormaps.js';
 import type { CreasedSurface } from './creases.js';
 
-/** Faces from which the hierarchy for picking is built in a worker. */
-const manyFaces = 100_000;
+/** Faces from which the hierarchy for picking is built in a worker: more would hold up the page. */
+const manyFaces = 4000;
 
 const vertexShader = /* glsl */ `
   attribute vec2 scalar;
@@ -70,9 +70,11 @@ const fragmentShader = /* glsl */ `
   }
 `;
 
+const hierarchyOptions = { indirect: true, targetLeafSize: 8 };
+
 /** How strongly a vertex shows its colour: its own value, or one borrowed from a neighbour. */
 export const computedWeight = 1;
-export const borrowedWeight = 0.7;
+export const borrowedWeight = 0.88;
 
 export class Surface {
   /** What to add to a scene. */
@@ -204,28 +206,32 @@ export class Surface {
   }
 
   /**
-   * Builds the hierarchy that picking needs; until then nothing is picked. Takes about 2 ms per
-   * 1,000 faces, in a worker where there are many.
+   * Builds the hierarchy that picking needs; until then nothing is picked. Where there are many
+   * faces a worker builds it, unless the page allows none.
    */
   async prepareToPick(): Promise<void> {
-    const options = { indirect: true, targetLeafSize: 8 };
-    if (this.indices.length / 3 > manyFaces) {
-      const { GenerateMeshBVHWorker } = await import('three-mesh-bvh/worker');
-      const worker = new GenerateMeshBVHWorker();
-      try {
-        // The worker takes the arrays it is given away from this page: hand it copies.
-        const copy = new BufferGeometry();
-        copy.setAttribute('position', new BufferAttribute(this.positions.slice(), 3));
-        copy.setIndex(new BufferAttribute(this.indices.slice(), 1));
-        const built = await worker.generate(copy, options);
-        if (this.disposed) return;
-        this.hierarchy = MeshBVH.deserialize(MeshBVH.serialize(built), this.picked, {
-          setIndex: false,
-        });
-      } finally {
-        worker.dispose();
-      }
-    } else this.hierarchy = new MeshBVH(this.picked, options);
+    const built =
+      this.indices.length / 3 > manyFaces
+        ? await this.buildInWorker().catch(() => undefined)
+        : undefined;
+    if (!this.disposed) this.hierarchy = built ?? new MeshBVH(this.picked, hierarchyOptions);
+  }
+
+  private async buildInWorker(): Promise<MeshBVH> {
+    const { GenerateMeshBVHWorker } = await import('three-mesh-bvh/worker');
+    const worker = new GenerateMeshBVHWorker();
+    try {
+      // The worker takes the arrays it is given away from this page: hand it copies.
+      const copy = new BufferGeometry();
+      copy.setAttribute('position', new BufferAttribute(this.positions.slice(), 3));
+      copy.setIndex(new BufferAttribute(this.indices.slice(), 1));
+      const built = MeshBVH.serialize(await worker.generate(copy, hierarchyOptions), {
+        cloneBuffers: false,
+      });
+      return MeshBVH.deserialize(built, this.picked, { setIndex: false });
+    } finally {
+      worker.dispose();
+    }
   }
 
   /** The vertex nearest to where a ray first meets the surface; undefined where it passes by. */
