@@ -237,18 +237,32 @@ for (const isolated of [true, false]) {
       expect(await viewer.getAttribute('edges')).toBe('');
     });
 
+    // Chromium draws in software here and reads every frame back on the page's own thread: tasks
+    // of 100 ms and more that no real graphics card causes. So drawing itself is left out.
     test('nothing blocks the page for long while it computes', async () => {
-      await modelIs('chair.glb');
-      await fieldComplete(viewer);
-      const longTasks = await watchLongTasks(page);
-      await page.getByRole('button', { name: 'Octopus' }).click();
-      await modelIs('octopus.glb');
-      await fieldComplete(viewer);
+      const still = await context.newPage();
+      await still.addInitScript(() => {
+        for (const name of [
+          'clear',
+          'drawArrays',
+          'drawElements',
+          'drawElementsInstanced',
+        ] as const) {
+          WebGL2RenderingContext.prototype[name] = () => undefined;
+        }
+      });
+      await still.goto(server.url);
+      const longTasks = await watchLongTasks(still);
+      await still.locator('#model b', { hasText: 'chair.glb' }).waitFor({ timeout: 30_000 });
+      await still.getByRole('button', { name: 'Octopus' }).click();
+      await still.locator('#model b', { hasText: 'octopus.glb' }).waitFor({ timeout: 30_000 });
+      await still.locator('html[data-field=complete]').waitFor({ timeout: 90_000 });
       const tasks = await longTasks();
       console.log(
         `isolated ${isolated}: tasks of 50 ms and more: ${tasks.map(Math.round).join(', ') || 'none'}`,
       );
-      expect(Math.max(0, ...tasks)).toBeLessThan(250);
+      // Twice as long as a task may take on a machine that does nothing else.
+      expect(Math.max(0, ...tasks)).toBeLessThan(100);
     });
   });
 }

@@ -34,6 +34,7 @@ viewer.addEventListener('load', (event) => {
   const { info } = (event as CustomEvent<LoadDetail>).detail;
   showModel(byId('model'), info);
   histogram.clear();
+  delete document.documentElement.dataset['field'];
 });
 viewer.addEventListener('progress', () => histogram.refreshSoon());
 viewer.addEventListener('field', (event) => {

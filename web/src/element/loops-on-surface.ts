@@ -218,7 +218,8 @@ export class LoopsOnSurface {
     this.remember(event);
     const vertex = this.stage.pick(event.clientX, event.clientY);
     if (vertex === undefined) this.clear();
-    else if (event.pointerType !== 'touch') this.pinHere(vertex);
+    // What is seen is what is pinned, even if the surface has just moved a little further.
+    else if (event.pointerType !== 'touch') this.pinHere(this.hovered ?? vertex);
     // A finger cannot hover: its first tap shows the loop, a second tap near by pins it.
     else if (this.hover && this.isNear(vertex, this.hover.loop.vertex)) {
       this.pinHere(this.hover.loop.vertex);

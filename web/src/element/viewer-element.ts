@@ -22,6 +22,9 @@ import { sharedKernel } from './shared-kernel.js';
 import { StatusBar } from './status-bar.js';
 import { style } from './style.js';
 
+/** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
+const narrow = 520;
+const legendHeight = 92;
 /** Milliseconds of reading before the element says that it reads. */
 const readingDelay = 150;
 /** The events' details; see `GirthViewer`. */
@@ -146,9 +149,11 @@ export class GirthViewer extends HTMLElement {
       return;
     }
     const { stage } = this;
-    const resized = new ResizeObserver(() =>
-      stage.resize(this.clientWidth, this.clientHeight, window.devicePixelRatio),
-    );
+    const resized = new ResizeObserver(() => {
+      const { clientWidth, clientHeight } = this;
+      const bottom = clientWidth <= narrow ? legendHeight : 0;
+      stage.resize(clientWidth, clientHeight, bottom, window.devicePixelRatio);
+    });
     resized.observe(this);
     const seen = new IntersectionObserver((entries) => {
       this.inView = entries.at(-1)!.isIntersecting;

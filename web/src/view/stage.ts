@@ -10,8 +10,10 @@ import type { Surface } from './surface.js';
 const viewingAngle = 28;
 /** Milliseconds between two frames of a surface that only turns by itself. */
 const turningInterval = 30;
-/** Milliseconds between two frames while only colours change: the work behind them goes first. */
-const colourInterval = 120;
+/** Milliseconds between two frames while only colours change, at least and at most. */
+const colourInterval = [100, 1000] as const;
+/** Share of the time that may go into such frames, where drawing is slow: the work goes first. */
+const colourShare = 0.2;
 
 export interface StageEvents {
   /** Before a frame is drawn; returns true to ask for another one. */
@@ -46,6 +48,8 @@ export class Stage {
   private soon: ReturnType<typeof setTimeout> | undefined;
   private dirty = false;
   private lastFrame = 0;
+  /** Milliseconds that a frame keeps the page busy, drawing and compositing, smoothed. */
+  private frameCost = 0;
   private resting = true;
   private turnsByItself = false;
 
@@ -98,18 +102,24 @@ export class Stage {
     this.invalidate();
   }
 
-  /** The canvas's size in CSS pixels and the screen's pixels per CSS pixel. */
-  resize(width: number, height: number, pixelRatio: number): void {
+  /**
+   * The canvas's size in CSS pixels, the height at its bottom to keep free of the surface, and the
+   * screen's pixels per CSS pixel.
+   */
+  resize(width: number, height: number, bottom: number, pixelRatio: number): void {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
     this.renderer.setPixelRatio(Math.min(2, pixelRatio));
     this.renderer.setSize(this.width, this.height, false);
     for (const band of this.bandSet) band.setPixelRatio(this.renderer.getPixelRatio());
-    const aspect = this.width / this.height;
+    // The standard angle fits into the width and into the height that is left.
+    const room = Math.max(0.4 * this.height, this.height - bottom);
     const half = Math.tan((viewingAngle * Math.PI) / 360);
-    this.camera.aspect = aspect;
-    this.camera.fov = (360 / Math.PI) * Math.atan(aspect < 1 ? half / aspect : half);
-    this.camera.updateProjectionMatrix();
+    const fit = this.height / Math.min(this.width, room);
+    this.camera.aspect = this.width / this.height;
+    this.camera.fov = (360 / Math.PI) * Math.atan(half * fit);
+    const down = (this.height - room) / 2;
+    this.camera.setViewOffset(this.width, this.height, 0, down, this.width, this.height);
     this.draw();
   }
 
@@ -143,10 +153,13 @@ export class Stage {
 
   /** Asks for a frame before long; many such requests share one. */
   invalidateSoon(): void {
-    this.soon ??= setTimeout(() => {
-      this.soon = undefined;
-      this.invalidate();
-    }, colourInterval);
+    this.soon ??= setTimeout(
+      () => {
+        this.soon = undefined;
+        this.invalidate();
+      },
+      Math.min(colourInterval[1], Math.max(colourInterval[0], this.frameCost / colourShare)),
+    );
   }
 
   /** Asks for a frame. */
@@ -257,7 +270,10 @@ export class Stage {
     // Reports 'change', which asks for the next frame, as long as the camera still moves.
     this.controls.update(Math.min(0.1, elapsed / 1000));
     const moving = this.dirty;
+    const begun = performance.now();
     this.draw();
+    // A task of its own comes after the browser has composited what was drawn.
+    setTimeout(() => (this.frameCost = 0.5 * (this.frameCost + performance.now() - begun)));
     this.dirty = moving && !this.turnsByItself;
     if (again) this.invalidate();
     else if (moving) this.schedule();
