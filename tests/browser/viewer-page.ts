@@ -20,10 +20,8 @@ export function loopByCommand(file: string, vertex: number): { length: number; k
 
 /** Waits until a whole field is there. */
 export async function fieldComplete(viewer: Locator, timeout = 90_000): Promise<void> {
-  const complete = (element: unknown) => {
-    const one = element as GirthViewer;
-    return !!one.info && one.values('igf').every((value) => !Number.isNaN(value));
-  };
+  const complete = (element: GirthViewer) =>
+    !!element.info && element.values('igf').every((value) => !Number.isNaN(value));
   const until = Date.now() + timeout;
   while (!(await viewer.evaluate(complete))) {
     if (Date.now() > until) throw new Error('the field was not completed in time');
@@ -31,25 +29,30 @@ export async function fieldComplete(viewer: Locator, timeout = 90_000): Promise<
   }
 }
 
-/** A visible vertex nearest to a place given in shares of the element's size, in page coordinates. */
+/**
+ * A visible vertex nearest to a place given in shares of the element's size, in page coordinates.
+ * Waits until vertices can be picked.
+ */
 export async function visibleVertex(viewer: Locator, right: number, down: number) {
-  const found = await viewer.evaluate(
-    (element, [right, down]) => {
-      const one = element as unknown as GirthViewer;
-      const box = one.getBoundingClientRect();
-      const target = [right! * box.width, down! * box.height] as const;
-      let nearest = { vertex: -1, x: 0, y: 0, distance: Infinity };
-      for (let vertex = 0; vertex < one.info!.vertexCount; ++vertex) {
-        const { x, y, visible } = one.screenPosition(vertex);
-        const distance = Math.hypot(x - target[0], y - target[1]);
-        if (visible && distance < nearest.distance) nearest = { vertex, x, y, distance };
-      }
-      return { vertex: nearest.vertex, x: box.left + nearest.x, y: box.top + nearest.y };
-    },
-    [right, down],
-  );
-  if (found.vertex < 0) throw new Error('no vertex can be seen');
-  return found;
+  for (let attempt = 0; attempt < 200; ++attempt) {
+    const found = await viewer.evaluate(
+      (element: GirthViewer, [right, down]) => {
+        const box = element.getBoundingClientRect();
+        const target = [right! * box.width, down! * box.height] as const;
+        let nearest = { vertex: -1, x: 0, y: 0, distance: Infinity };
+        for (let vertex = 0; vertex < element.info!.vertexCount; ++vertex) {
+          const { x, y, visible } = element.screenPosition(vertex);
+          const distance = Math.hypot(x - target[0], y - target[1]);
+          if (visible && distance < nearest.distance) nearest = { vertex, x, y, distance };
+        }
+        return { vertex: nearest.vertex, x: box.left + nearest.x, y: box.top + nearest.y };
+      },
+      [right, down],
+    );
+    if (found.vertex >= 0) return found;
+    await viewer.page().waitForTimeout(50);
+  }
+  throw new Error('no vertex can be seen');
 }
 
 export interface Shown {
@@ -84,7 +87,7 @@ export async function hover(page: Page, viewer: Locator, x: number, y: number): 
     text: element.textContent,
   }));
   const inputVertex = await viewer.evaluate(
-    (element, vertex) => (element as unknown as GirthViewer).vertexOfInput.indexOf(vertex),
+    (element: GirthViewer, vertex) => element.vertexOfInput.indexOf(vertex),
     shown.vertex,
   );
   return { ...shown, inputVertex };

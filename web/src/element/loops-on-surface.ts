@@ -140,11 +140,25 @@ export class LoopsOnSurface {
     this.hover = undefined;
   }
 
+  /** Compiles what loops are drawn with, so that the first one appears at once. */
+  async prepare(): Promise<void> {
+    const polyline = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 0, 0);
+    const rest = { length: 2, vertex: 0, polyline, angle: 0, unit: '' };
+    for (const kind of ['loop', 'antipodal'] as const) {
+      const band = new LoopBand({ ...rest, kind, midpoint: [1, 0, 0] }, liveStyle);
+      await this.stage.prepare(band.object);
+      band.dispose();
+    }
+  }
+
   /** After a frame: words move with the surface. */
   place(): void {
-    const { clientWidth, clientHeight } = this.canvas;
-    for (const pin of this.pins) {
-      pin.tag.place(this.stage.project(pin.midpoint), clientWidth, clientHeight);
+    // Asking for the size makes the browser lay the page out: only where it is needed.
+    if (this.pins.length > 0) {
+      const { clientWidth, clientHeight } = this.canvas;
+      for (const pin of this.pins) {
+        pin.tag.place(this.stage.project(pin.midpoint), clientWidth, clientHeight);
+      }
     }
     if (!this.pointer || this.pointer.isTouch) this.placeReadout();
   }

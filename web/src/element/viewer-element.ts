@@ -262,7 +262,10 @@ export class GirthViewer extends HTMLElement {
       signal.throwIfAborted();
       const mesh = await kernel.load(address, { signal });
       try {
-        this.show(await Model.of(mesh, signal));
+        const model = await Model.of(mesh, signal);
+        await this.stage?.prepare(model.surface.object);
+        signal.throwIfAborted();
+        this.show(model);
       } catch (error) {
         mesh.dispose();
         throw error;
@@ -384,7 +387,12 @@ export class GirthViewer extends HTMLElement {
         splatShadow(positions, indices, [center.x, center.z], ground, halfWidth, top - ground),
         signal,
       );
-      this.stage?.setShadow(new GroundShadow(grid, model.surface.bounds, ground, halfWidth));
+      const shadow = new GroundShadow(grid, model.surface.bounds, ground, halfWidth);
+      await this.stage?.prepare(shadow.object);
+      signal.throwIfAborted();
+      this.stage?.setShadow(shadow);
+      await this.loops?.prepare();
+      signal.throwIfAborted();
       for (const vertex of parseVertices(this.getAttribute('loop'))) await this.pin(vertex);
     } catch (error) {
       if (!signal.aborted) this.fail('', error);

@@ -29,8 +29,8 @@ export function* splitCreases(
   // Unit face normals and the corners' angles.
   const faceNormals = new Float32Array(cornerCount);
   const angles = new Float32Array(cornerCount);
+  const e = new Float64Array(9);
   for (let f = 0; f < cornerCount; f += 3) {
-    const e = [0, 0, 0, 0, 0, 0, 0, 0, 0];
     for (let k = 0; k < 3; ++k) {
       const a = 3 * indices[f + k]!;
       const b = 3 * indices[f + ((k + 1) % 3)]!;

@@ -26,25 +26,32 @@ export function* splatShadow(
   height: number,
 ): Generator<void, Uint8Array> {
   let grid = new Float32Array(cells * cells);
-  const cell = (value: number, middle: number): number =>
-    ((value - middle) / (2 * halfWidth) + 0.5) * cells;
+  const scale = cells / (2 * halfWidth);
+  // The face's corners on the grid; no garbage in the loop.
+  const x = new Float64Array(3);
+  const z = new Float64Array(3);
   for (let f = 0; f < indices.length; f += 3) {
-    const [a, b, c] = [3 * indices[f]!, 3 * indices[f + 1]!, 3 * indices[f + 2]!];
-    const level = (positions[a + 1]! + positions[b + 1]! + positions[c + 1]!) / 3 - ground;
-    const strength = Math.max(0, 1 - level / (0.75 * height)) ** 2;
+    let level = 0;
+    for (let k = 0; k < 3; ++k) {
+      const v = 3 * indices[f + k]!;
+      x[k] = (positions[v]! - centre[0]) * scale + 0.5 * cells;
+      z[k] = (positions[v + 2]! - centre[1]) * scale + 0.5 * cells;
+      level += positions[v + 1]! / 3;
+    }
+    const strength = Math.max(0, 1 - (level - ground) / (0.75 * height)) ** 2;
     if (strength <= 0) continue;
-    const x = [a, b, c].map((i) => cell(positions[i]!, centre[0]));
-    const z = [a, b, c].map((i) => cell(positions[i + 2]!, centre[1]));
-    const low = (values: number[]): number => Math.max(0, Math.floor(Math.min(...values)));
-    const high = (values: number[]): number => Math.min(cells - 1, Math.floor(Math.max(...values)));
+    const left = Math.max(0, Math.floor(Math.min(x[0]!, x[1]!, x[2]!)));
+    const right = Math.min(cells - 1, Math.floor(Math.max(x[0]!, x[1]!, x[2]!)));
+    const back = Math.max(0, Math.floor(Math.min(z[0]!, z[1]!, z[2]!)));
+    const front = Math.min(cells - 1, Math.floor(Math.max(z[0]!, z[1]!, z[2]!)));
     const area = (x[1]! - x[0]!) * (z[2]! - z[0]!) - (x[2]! - x[0]!) * (z[1]! - z[0]!);
-    for (let j = low(z); j <= high(z); ++j) {
-      for (let i = low(x); i <= high(x); ++i) {
+    for (let j = back; j <= front; ++j) {
+      for (let i = left; i <= right; ++i) {
         let inside = true;
         // Small faces count wherever they touch; large ones where they cover the cell's middle.
         for (let k = 0; k < 3 && Math.abs(area) > 4; ++k) {
           const n = (k + 1) % 3;
-          const side = (x[n]! - x[k]!) * (j + 0.5 - z[k]!) - (i + 0.5 - x[k]!) * (z[n]! - z[k]!);
+          const side = (x[n]! - x[k]!) * (j + 0.5 - z[k]!) - (z[n]! - z[k]!) * (i + 0.5 - x[k]!);
           if (side * area < 0) inside = false;
         }
         if (inside) grid[j * cells + i] = Math.max(grid[j * cells + i]!, strength);

@@ -1,6 +1,15 @@
 // The scene, the camera and the canvas. Draws only when something has changed.
 
-import { Group, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import {
+  Group,
+  type Object3D,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { GroundShadow } from './ground-shadow.js';
 import type { LoopBand } from './loop-band.js';
@@ -68,6 +77,11 @@ export class Stage {
     this.controls.autoRotateSpeed = 1.1;
     this.controls.addEventListener('start', () => this.touch());
     this.controls.addEventListener('change', () => this.invalidate());
+  }
+
+  /** Compiles an object's shaders beside the page's own work, so that its first frame need not wait. */
+  async prepare(object: Object3D): Promise<void> {
+    await this.renderer.compileAsync(object, this.camera, this.scene);
   }
 
   /** Shows a surface from the standard direction, in place of the one before. */

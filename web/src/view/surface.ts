@@ -248,12 +248,16 @@ export class Surface {
     return nearest;
   }
 
-  /** True where the surface hides a point from the eye; points on the surface are not hidden. */
+  /**
+   * True where the surface hides a point from the eye, and as long as that is not known; points on
+   * the surface's near side are not hidden.
+   */
   hides(point: Vector3, eye: Vector3): boolean {
+    if (!this.hierarchy) return true;
     const ray = new Ray(eye, point.clone().sub(eye));
     const distance = ray.direction.length();
     ray.direction.divideScalar(distance);
-    const hit = this.hierarchy?.raycastFirst(ray, DoubleSide);
+    const hit = this.hierarchy.raycastFirst(ray, DoubleSide);
     return !!hit && hit.distance < distance - 0.01 * this.bounds.radius;
   }
 
