@@ -21,7 +21,8 @@ import { fieldComplete, hover, loopByCommand, visibleVertex } from './viewer-pag
 const examples = join(repository, 'web/app/public/examples');
 const site = mkdtempSync(join(tmpdir(), 'girth-element-'));
 
-const head = '<!doctype html><meta charset="utf-8"><title>element</title>';
+const head =
+  '<!doctype html><meta charset="utf-8"><title>element</title><link rel="icon" href="data:,">';
 const script = '<script type="module" src="girth/dist/girth-viewer.js"></script>';
 const pages = {
   '/one.html': `${head}${script}<girth-viewer src="chair.glb"></girth-viewer>`,
@@ -122,6 +123,7 @@ test('two on one page: each its own model, one kernel', async () => {
   const cores = await page.evaluate(() => navigator.hardwareConcurrency);
   expect(workers).toBeLessThanOrEqual(Math.min(8, cores) + 1);
   await a.evaluate((element: GirthViewer) => element.remove());
+  await b.evaluate((element: GirthViewer) => element.pinned.forEach(({ id }) => element.unpin(id)));
   expect((await hoverAnywhere(b)).length).toBeGreaterThan(0);
   expect(complaints).toEqual([]);
   await page.close();

@@ -181,11 +181,12 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   background: rgb(20 21 24 / 0.86);
   color: #fff;
   white-space: nowrap;
+  pointer-events: none;
   will-change: transform;
 }
 .tag.behind { opacity: 0.7; }
 .tag i { font-style: normal; color: #ffb08a; margin-inline-end: 6px; font-weight: 650; }
-.tag button { border-radius: 14px; }
+.tag button { border-radius: 14px; pointer-events: auto; }
 .tag button:focus-visible { outline-color: #ffb08a; }
 
 .quiet-live {
