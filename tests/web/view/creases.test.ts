@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { splitCreases } from '../../../web/src/view/creases.js';
-import { torus } from './fake-kernel.js';
+import { torus } from './torus.js';
 
 function finish<Result>(work: Generator<void, Result>): Result {
   for (;;) {

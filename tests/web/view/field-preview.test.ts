@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { buildAdjacency } from '../../../web/src/view/adjacency.js';
 import { FieldPreview } from '../../../web/src/view/field-preview.js';
-import { torus } from './fake-kernel.js';
+import { torus } from './torus.js';
 
 function finish<Result>(work: Generator<void, Result>): Result {
   for (;;) {

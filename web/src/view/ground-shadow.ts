@@ -86,13 +86,7 @@ export class GroundShadow {
   private readonly texture: DataTexture;
 
   constructor(grid: Uint8Array, bounds: Sphere, ground: number, halfWidth: number) {
-    this.texture = new DataTexture(
-      grid as Uint8Array<ArrayBuffer>,
-      cells,
-      cells,
-      RedFormat,
-      UnsignedByteType,
-    );
+    this.texture = new DataTexture(grid, cells, cells, RedFormat, UnsignedByteType);
     this.texture.minFilter = this.texture.magFilter = LinearFilter;
     this.texture.needsUpdate = true;
     const plane = new PlaneGeometry(2 * halfWidth, 2 * halfWidth);

@@ -7,7 +7,7 @@ import {
   Raycaster,
   Scene,
   Vector2,
-  Vector3,
+  type Vector3,
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';

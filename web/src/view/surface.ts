@@ -15,7 +15,7 @@ import {
   NoColorSpace,
   Ray,
   ShaderMaterial,
-  Sphere,
+  type Sphere,
   Vector2,
   Vector3,
 } from 'three';
