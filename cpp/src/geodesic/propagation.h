@@ -225,10 +225,12 @@ class Propagation {
       return;
     if (!(start + end < side.length * (1 - kSliver))) return;
 
-    const Vec2 a = side.at(start) - w.root, b = side.at(side.length - end) - w.root;
-    const double nearest = dot(side.direction, a) >= 0   ? norm(a)
-                           : dot(side.direction, b) <= 0 ? norm(b)
-                                                         : std::fabs(cross(side.direction, a));
+    // The nearest point: the foot of the root's perpendicular, or the end of the interval next to
+    // it.
+    const Vec2 toRoot = w.root - side.start;
+    const double foot = dot(side.direction, toRoot), height = cross(side.direction, toRoot);
+    const double aside = std::clamp(foot, start, side.length - end) - foot;
+    const double nearest = std::sqrt(aside * aside + height * height);
     queue_.push(w.sigma + nearest, static_cast<Index>(windows_.size()));
     windows_.push_back(
         {side.toTwin(w.root), w.sigma, end, start, side.twin, parent, w.rootVertex, kNoIndex});
@@ -241,12 +243,11 @@ class Propagation {
   /// The two lengths are equal at x where lead + x = |root − x·along|: one point at most, and the
   /// path over V wins on the near side of it.
   static bool trim(double lead, Vec2 root, Vec2 along, double& gap) {
-    const double squared = dot(root, root);
-    const double excess = squared * (1 - kTrim) - lead * lead;
-    if (lead > 0 && excess <= 0) return true;
+    const double excess = dot(root, root) * (1 - kTrim) - lead * lead;
     const double slope = 2 * (dot(root, along) + lead);
-    if (slope <= 0) return false;
-    gap = std::max(gap, excess / slope);
+    if (!(slope > 0)) return lead > 0 && excess <= 0;
+    gap = std::max(
+        gap, excess / slope);  // where nothing is won, the quotient is negative or not a number
     return true;
   }
 
