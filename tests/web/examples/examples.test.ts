@@ -10,8 +10,8 @@ const faceCounts: Record<string, [number, number]> = {
   chair: [9500, 10300],
   octopus: [9800, 10200],
   handles: [7500, 8500],
-  dumbbell: [3700, 4300],
-  cup: [8000, 9500],
+  dumbbell: [3000, 3400],
+  cup: [4700, 5300],
   vessel: [7500, 8500],
 };
 

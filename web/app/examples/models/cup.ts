@@ -59,9 +59,9 @@ export const cup: Model = {
   name: 'cup',
   title: 'Cup',
   about:
-    'The ear has a short girth all along, while bands on the thin wall have to go over the rim.',
+    'The ear has a short girth all along; on the wall the band has to span the cup.',
   genus: 1,
-  faces: 9000,
+  faces: 5000,
   solid: mug,
   box: { min: [-0.052, -0.006, -0.052], max: [0.086, 0.104, 0.052] },
   cell: 0.0027,

@@ -18,7 +18,7 @@ export const dumbbell: Model = {
   about:
     'Round the neck the band is short; on the balls it either slips to the neck or spans the whole shape.',
   genus: 0,
-  faces: 4000,
+  faces: 3200,
   solid: smoothUnion(0.05, large, small, neck),
   box: { min: [-0.25, -0.02, -0.12], max: [0.255, 0.22, 0.12] },
   cell: 0.008,
