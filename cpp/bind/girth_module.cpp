@@ -1,5 +1,5 @@
-// girth.mjs, the module without threads: reads files, and computes values and loops vertex by vertex.
-// Each worker of a pool has one, and so has the worker that answers for the pointer.
+// girth.mjs, the module without threads: reads files, and computes values and loops vertex by
+// vertex. Each worker of a pool has one, and so has the worker that answers for the pointer.
 
 #include <emscripten/bind.h>
 
@@ -54,8 +54,8 @@ class Surface {
       const GirthLoop& girth = found.value();
       std::vector<float> points;
       for (const Vec3& p : polyline(mesh_, girth)) {
-        points.insert(points.end(), {static_cast<float>(p.x), static_cast<float>(p.y),
-                                     static_cast<float>(p.z)});
+        points.insert(points.end(),
+                      {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
       }
       const Vec3 q = positionOf(mesh_, girth.midpoint);
       val midpoint = val::array();
@@ -108,7 +108,8 @@ val describe(std::shared_ptr<Surface> surface) {
   return result;
 }
 
-/// A surface from the bytes of a file (a Uint8Array): `describe`, and what reading did; or an error.
+/// A surface from the bytes of a file (a Uint8Array): `describe`, and what reading did; or an
+/// error.
 val readSurface(const val& bytes, const std::string& name) {
   return guarded([&] {
     const std::vector<std::uint8_t> content = copyIn<std::uint8_t>(bytes);

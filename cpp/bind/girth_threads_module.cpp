@@ -1,4 +1,5 @@
-// girth-threads.mjs, the module with threads: whole fields, for pages that are cross-origin isolated.
+// girth-threads.mjs, the module with threads: whole fields, for pages that are cross-origin
+// isolated.
 
 #include <emscripten/bind.h>
 

@@ -34,6 +34,8 @@ export async function fieldComplete(viewer: Locator, timeout = 90_000): Promise<
  * Waits until vertices can be picked.
  */
 export async function visibleVertex(viewer: Locator, right: number, down: number) {
+  // A surface that turns by itself would be elsewhere by the time the pointer gets there.
+  await viewer.evaluate((element: GirthViewer) => element.removeAttribute('turn'));
   for (let attempt = 0; attempt < 200; ++attempt) {
     const found = await viewer.evaluate(
       (element: GirthViewer, [right, down]) => {

@@ -11,7 +11,6 @@ using geodesic::dot;
 using geodesic::kTie;
 using geodesic::kTouch;
 using geodesic::norm;
-using geodesic::Propagation;
 using geodesic::Side;
 using geodesic::Unfolding;
 using geodesic::Vec2;

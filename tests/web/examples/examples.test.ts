@@ -6,6 +6,20 @@ import { models } from '../../../web/app/examples/models/index.ts';
 
 const patience = 300_000;
 
+/** What is looked at of a glTF document. */
+interface Accessor {
+  count: number;
+  componentType: number;
+  max?: number[];
+}
+interface BufferView {
+  byteOffset: number;
+}
+interface Document {
+  accessors: Accessor[];
+  bufferViews: BufferView[];
+}
+
 const faceCounts: Record<string, [number, number]> = {
   chair: [9500, 10300],
   octopus: [9800, 10200],
@@ -94,11 +108,14 @@ describe.each(models.map((model) => [model.name, model] as const))('%s', (name, 
     expect(view.getUint32(0, true)).toBe(0x46546c67);
     expect(view.getUint32(8, true)).toBe(glb.length);
     const jsonLength = view.getUint32(12, true);
-    const json = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + jsonLength)));
+    const json = JSON.parse(
+      new TextDecoder().decode(glb.subarray(20, 20 + jsonLength)),
+    ) as Document;
     const data = glb.slice(28 + jsonLength).buffer;
-    const [points, corners] = json.accessors;
-    const [pointBytes, cornerBytes] = json.bufferViews;
-    expect(points.max[1]).toBe(Math.max(...mesh.positions.filter((_, i) => i % 3 === 1)));
+    const [points, corners] = json.accessors as [Accessor, Accessor];
+    const [pointBytes, cornerBytes] = json.bufferViews as [BufferView, BufferView];
+    const heights = Array.from(mesh.positions).filter((_, i) => i % 3 === 1);
+    expect(points.max![1]).toBe(Math.max(...heights));
     expect(new Float32Array(data, pointBytes.byteOffset, 3 * points.count)).toEqual(mesh.positions);
     expect(corners.componentType).toBe(5123);
     const indices = new Uint16Array(data, cornerBytes.byteOffset, corners.count);

@@ -35,8 +35,11 @@ export class LoopQueue {
     if (this.#running) return;
     this.#running = true;
     for (let next; (next = this.#newest());) {
-      const { surface, vertex, resolve, reject } = next;
-      await this.#worker.requestOn(surface, 'loop', { vertex }).then(resolve, reject);
+      const { surface, vertex } = next;
+      await this.#worker.requestOn(surface, 'loop', { vertex }).then(
+        (loop) => next.resolve(loop),
+        (error: unknown) => next.reject(error),
+      );
     }
     this.#running = false;
   }

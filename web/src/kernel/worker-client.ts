@@ -173,6 +173,6 @@ export class WorkerClient<T extends CommonOperations> {
     this.#surfaces.clear();
     const pending = [...this.#pending.values()];
     this.#pending.clear();
-    for (const { reject } of pending) reject(error);
+    for (const request of pending) request.reject(error);
   }
 }

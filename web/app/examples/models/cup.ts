@@ -58,8 +58,7 @@ const mug: Implicit = (x, y, z) => {
 export const cup: Model = {
   name: 'cup',
   title: 'Cup',
-  about:
-    'The ear has a short girth all along; on the wall the band has to span the cup.',
+  about: 'The ear has a short girth all along; on the wall the band has to span the cup.',
   genus: 1,
   faces: 5000,
   solid: mug,
