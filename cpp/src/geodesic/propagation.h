@@ -128,7 +128,7 @@ class Propagation {
   }
 
  private:
-  static constexpr double kBucketWidth = 0.25;  // of the mean edge; see cpp/bench
+  static constexpr double kBucketWidth = 0.0625;  // of the mean edge: wider ones overshoot the end
   static constexpr Index kVertexItem = 0x80000000u;
 
   void clear() {

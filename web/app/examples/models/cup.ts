@@ -58,7 +58,7 @@ const mug: Implicit = (x, y, z) => {
 export const cup: Model = {
   name: 'cup',
   title: 'Cup',
-  about: 'The ear has a short girth all along; on the wall the band has to span the cup.',
+  about: 'The ear has a short girth all along, and even from the wall the band hooks round it.',
   genus: 1,
   faces: 5000,
   solid: mug,
