@@ -157,12 +157,21 @@ double BruteForce::distanceTo(Index face, double x, double y) const {
       if (at < cone.b0 - slack || at > cone.b1 + slack) continue;
       best = std::min(best, cone.sigma + std::hypot(q.x - cone.root.x, q.y - cone.root.y));
     }
-    const Point o = apex(h);
-    const double length = mesh_.length(h), next = mesh_.length(SurfaceMesh::next(h));
-    const double ux = (o.x - length) / next, uy = o.y / next;
-    q = {(q.x - length) * ux + q.y * uy, ux * q.y - uy * (q.x - length)};
+    q = inPlaneOfNext(h, q);
   }
   return best;
+}
+
+BruteForce::Point BruteForce::inPlaneOfNext(Index h, Point q) const {
+  const Point o = apex(h);
+  const double length = mesh_.length(h), next = mesh_.length(SurfaceMesh::next(h));
+  const double ux = (o.x - length) / next, uy = o.y / next;
+  return {(q.x - length) * ux + q.y * uy, ux * q.y - uy * (q.x - length)};
+}
+
+double BruteForce::distanceInPlaneOf(Index halfedge, Point q) const {
+  for (; halfedge % 3 != 0; halfedge = SurfaceMesh::next(halfedge)) q = inPlaneOfNext(halfedge, q);
+  return distanceTo(halfedge / 3, q.x, q.y);
 }
 
 double BruteForce::distanceTo(const SurfacePoint& point) const {
@@ -209,17 +218,8 @@ std::optional<double> BruteForce::distanceAlong(const Arrival& loop, double leng
       const double atCrossing = cone.sigma + std::hypot(crossing - cone.root.x, cone.root.y);
       if (length >= atCrossing) {
         const double share = (length - cone.sigma) / std::hypot(dx, dy);
-        // From the plane of this halfedge to that of the face's first.
-        Point q{cone.root.x + share * dx, cone.root.y + share * dy};
-        Index h = cone.halfedge;
-        while (h % 3 != 0) {
-          const Point o = apex(h);
-          const double side = mesh_.length(h), next = mesh_.length(SurfaceMesh::next(h));
-          const double ux = (o.x - side) / next, uy = o.y / next;
-          q = {(q.x - side) * ux + q.y * uy, ux * q.y - uy * (q.x - side)};
-          h = SurfaceMesh::next(h);
-        }
-        return distanceTo(h / 3, q.x, q.y);
+        return distanceInPlaneOf(cone.halfedge,
+                                 {cone.root.x + share * dx, cone.root.y + share * dy});
       }
       if (cone.parent == kNone) {
         // The line starts at a vertex; in the face before the halfedge, nothing is in the way.
@@ -232,16 +232,8 @@ std::optional<double> BruteForce::distanceAlong(const Arrival& loop, double leng
         const double share = (length - cone.sigma) / (atCrossing - cone.sigma);
         const double side = mesh_.length(twin);
         const Point from{side - cone.root.x, -cone.root.y}, to{side - crossing, 0};
-        Point q{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
-        Index h = twin;
-        while (h % 3 != 0) {
-          const Point o = apex(h);
-          const double l = mesh_.length(h), next = mesh_.length(SurfaceMesh::next(h));
-          const double ux = (o.x - l) / next, uy = o.y / next;
-          q = {(q.x - l) * ux + q.y * uy, ux * q.y - uy * (q.x - l)};
-          h = SurfaceMesh::next(h);
-        }
-        return distanceTo(h / 3, q.x, q.y);
+        return distanceInPlaneOf(
+            twin, {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
       }
       // The crossing in the plane of the parent: the apex side it lies on.
       const Cone& parent = cones_[cone.parent];

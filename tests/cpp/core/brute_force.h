@@ -51,6 +51,9 @@ class BruteForce {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
   Point apex(Index halfedge) const;
+  /// A point in the plane of the next halfedge of the face, from that of this one.
+  Point inPlaneOfNext(Index halfedge, Point point) const;
+  double distanceInPlaneOf(Index halfedge, Point point) const;
   double directionOf(Index halfedge) const;
   void leave(std::size_t arrival, double start, double width);
   void arrive(Index vertex, double length, double direction, std::size_t cone, std::size_t before);
