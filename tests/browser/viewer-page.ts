@@ -30,7 +30,8 @@ export async function fieldComplete(viewer: Locator, timeout = 90_000): Promise<
 }
 
 /**
- * A visible vertex nearest to a place given in shares of the element's size, in page coordinates.
+ * A visible vertex nearest to a place given in shares of the element's size, and a point of the page
+ * beside it, on the surface.
  * Waits until vertices can be picked.
  */
 export async function visibleVertex(viewer: Locator, right: number, down: number) {
@@ -42,12 +43,24 @@ export async function visibleVertex(viewer: Locator, right: number, down: number
         const box = element.getBoundingClientRect();
         const target = [right! * box.width, down! * box.height] as const;
         let nearest = { vertex: -1, x: 0, y: 0, distance: Infinity };
+        const middle = { x: 0, y: 0, count: 0 };
         for (let vertex = 0; vertex < element.info!.vertexCount; ++vertex) {
           const { x, y, visible } = element.screenPosition(vertex);
           const distance = Math.hypot(x - target[0], y - target[1]);
-          if (visible && distance < nearest.distance) nearest = { vertex, x, y, distance };
+          if (!visible) continue;
+          if (distance < nearest.distance) nearest = { vertex, x, y, distance };
+          middle.x += x;
+          middle.y += y;
+          ++middle.count;
         }
-        return { vertex: nearest.vertex, x: box.left + nearest.x, y: box.top + nearest.y };
+        // A vertex on the outline is beside the surface as often as on it: go a little inwards.
+        const [dx, dy] = [middle.x / middle.count - nearest.x, middle.y / middle.count - nearest.y];
+        const step = Math.min(1, 2 / Math.hypot(dx, dy));
+        return {
+          vertex: nearest.vertex,
+          x: box.left + nearest.x + step * dx,
+          y: box.top + nearest.y + step * dy,
+        };
       },
       [right, down],
     );

@@ -302,7 +302,8 @@ export class LoopsOnSurface {
     else if (event.key === '+' || event.key === '=') stage.zoom(0.88);
     else if (event.key === '-' || event.key === '_') stage.zoom(1 / 0.88);
     else if (event.key === '0' || event.key === 'Home') stage.resetView();
-    else if (event.key === 'Enter' && this.hover) this.pinHere(this.hover.loop.vertex);
+    // The vertex that was asked for last, even if its loop is still to come.
+    else if (event.key === 'Enter' && this.hovered !== undefined) this.pinHere(this.hovered);
     else if (event.key === 'Escape') this.clear();
     else if (event.key === 'Delete' || event.key === 'Backspace') {
       const last = this.pins.at(-1);
