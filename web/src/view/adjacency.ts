@@ -15,7 +15,7 @@ export function* buildAdjacency(
   indices: ArrayLike<number>,
 ): Generator<void, Adjacency> {
   const first = new Uint32Array(vertexCount + 1);
-  const chunk = 1 << 15;
+  const chunk = 1 << 12;
   for (let i = 0; i < indices.length; ++i) {
     first[indices[i]! + 1]!++;
     if (i % chunk === chunk - 1) yield;

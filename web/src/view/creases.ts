@@ -24,7 +24,7 @@ export function* splitCreases(
   const vertexCount = positions.length / 3;
   const cornerCount = indices.length;
   const cosine = Math.cos(creaseAngle);
-  const chunk = 1 << 13;
+  const chunk = 1 << 11;
 
   // Unit face normals and the corners' angles.
   const faceNormals = new Float32Array(cornerCount);

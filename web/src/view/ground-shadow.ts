@@ -31,6 +31,7 @@ export function* splatShadow(
   const x = new Float64Array(3);
   const z = new Float64Array(3);
   for (let f = 0; f < indices.length; f += 3) {
+    if (f % 768 === 0) yield;
     let level = 0;
     for (let k = 0; k < 3; ++k) {
       const v = 3 * indices[f + k]!;
@@ -57,10 +58,11 @@ export function* splatShadow(
         if (inside) grid[j * cells + i] = Math.max(grid[j * cells + i]!, strength);
       }
     }
-    if (f % 6144 === 0) yield;
   }
   for (let pass = 0; pass < 3; ++pass) {
-    grid = blurRows(blurRows(grid));
+    grid = blurRows(grid);
+    yield;
+    grid = blurRows(grid);
     yield;
   }
   return Uint8Array.from(grid, (value) => Math.min(255, 255 * value));

@@ -23,7 +23,11 @@ export async function inSlices<Result>(
     const end = performance.now() + slice;
     do {
       const step = work.next();
-      if (step.done) return step.value;
+      if (step.done) {
+        await nextTask(); // what comes of it is work of its own
+        signal?.throwIfAborted();
+        return step.value;
+      }
     } while (performance.now() < end);
     await nextTask();
     signal?.throwIfAborted();
