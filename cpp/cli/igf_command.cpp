@@ -25,7 +25,7 @@ double secondsSince(Clock::time_point start) {
 /// What the values are like, over the vertices that were computed.
 struct Summary {
   double least{0}, median{0}, greatest{0};
-  std::size_t computed{0}, loops{0}, antipodal{0};
+  std::size_t computed{0}, loops{0}, antipodal{0}, unresolved{0};
 };
 
 Summary summarize(const GirthField& field) {
@@ -34,7 +34,17 @@ Summary summarize(const GirthField& field) {
   for (std::size_t v = 0; v < field.values.size(); ++v) {
     if (std::isnan(field.values[v])) continue;
     values.push_back(field.values[v]);
-    ++(field.kinds[v] == LoopKind::Loop ? summary.loops : summary.antipodal);
+    switch (field.kinds[v]) {
+      case LoopKind::Loop:
+        ++summary.loops;
+        break;
+      case LoopKind::Antipodal:
+        ++summary.antipodal;
+        break;
+      case LoopKind::Unresolved:
+        ++summary.unresolved;
+        break;
+    }
   }
   summary.computed = values.size();
   if (values.empty()) return summary;
@@ -50,6 +60,18 @@ Summary summarize(const GirthField& field) {
 struct Timing {
   double reading{0}, computing{0};
 };
+
+unsigned threadsOf(const IgfOptions& options) {
+  return options.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : options.threads;
+}
+
+/// Time of one thread for one window that crossed a face; 0 where none were counted.
+double nanosecondsPerWindow(const GirthField& field, const IgfOptions& options,
+                            const Timing& timing) {
+  if (field.statistics.windowsCrossed == 0) return 0;
+  return 1e9 * timing.computing * threadsOf(options) /
+         static_cast<double>(field.statistics.windowsCrossed);
+}
 
 void printJson(const std::string& model, const io::LoadedMesh& loaded, const GirthField& field,
                const IgfOptions& options, const Timing& timing) {
@@ -67,11 +89,16 @@ void printJson(const std::string& model, const io::LoadedMesh& loaded, const Gir
       ",\"min\":" + number(summary.least) + ",\"median\":" + number(summary.median) +
       ",\"max\":" + number(summary.greatest) + ",\"loop\":" + std::to_string(summary.loops) +
       ",\"antipodal\":" + std::to_string(summary.antipodal) +
+      ",\"unresolved\":" + std::to_string(summary.unresolved) +
       ",\"seconds\":" + readable(timing.computing);
   if (!options.output.empty()) text += ",\"output\":" + io::jsonString(options.output);
   if (options.stats) {
     text += ",\"readingSeconds\":" + readable(timing.reading) +
-            ",\"windows\":" + std::to_string(field.windows);
+            ",\"sources\":" + std::to_string(field.statistics.sources) +
+            ",\"windowsCreated\":" + std::to_string(field.statistics.windowsCreated) +
+            ",\"windowsCrossed\":" + std::to_string(field.statistics.windowsCrossed) +
+            ",\"peakBytes\":" + std::to_string(field.statistics.peakBytes) +
+            ",\"nanosecondsPerWindow\":" + readable(nanosecondsPerWindow(field, options, timing));
   }
   std::fputs((text + "}\n").c_str(), stdout);
 }
@@ -87,17 +114,27 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Gir
     std::printf("  min %s, median %s, max %s%s\n", readable(summary.least).c_str(),
                 readable(summary.median).c_str(), readable(summary.greatest).c_str(), unit.c_str());
     std::printf("  %zu loop, %zu antipodal\n", summary.loops, summary.antipodal);
+    if (summary.unresolved > 0) {
+      std::printf("  %zu unresolved: given up, the value is a lower bound\n", summary.unresolved);
+    }
   }
   if (options.stats) {
-    const unsigned threads =
-        options.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : options.threads;
+    const unsigned threads = threadsOf(options);
+    const SearchStatistics& cost = field.statistics;
     const double vertices = static_cast<double>(std::max<std::size_t>(1, summary.computed));
     std::printf("  %s method, %u thread%s, read in %s\n",
                 std::string(io::toString(options.method)).c_str(), threads, threads == 1 ? "" : "s",
                 readableTime(timing.reading).c_str());
-    std::printf("  %zu windows, %s a vertex; %s ms a vertex\n", field.windows,
-                readable(static_cast<double>(field.windows) / vertices).c_str(),
-                readable(1000 * timing.computing / vertices).c_str());
+    std::printf("  %s ms a vertex\n", readable(1000 * timing.computing / vertices).c_str());
+    if (cost.sources == 0) return;  // only the exact method counts
+    const double sources = static_cast<double>(cost.sources);
+    std::printf(
+        "  %zu windows created, %s a source; %zu crossed a face, %s a source\n",
+        cost.windowsCreated, readable(static_cast<double>(cost.windowsCreated) / sources).c_str(),
+        cost.windowsCrossed, readable(static_cast<double>(cost.windowsCrossed) / sources).c_str());
+    std::printf("  %s ns a window and thread; at most %s MB a thread\n",
+                readable(nanosecondsPerWindow(field, options, timing)).c_str(),
+                readable(static_cast<double>(cost.peakBytes) / 1e6).c_str());
   }
 }
 

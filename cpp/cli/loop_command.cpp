@@ -20,7 +20,9 @@ void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const LoopOp
               static_cast<long long>(options.vertex));
   row("length", readable(loop.length) + unit);
   row("kind", loop.kind == LoopKind::Loop ? "loop: around the surface"
-                                          : "antipodal: out to the farthest point and back");
+              : loop.kind == LoopKind::Antipodal
+                  ? "antipodal: out to the farthest point and back"
+                  : "unresolved: given up, the length is a lower bound");
   row("angle", readable(loop.angle * kDegrees) + "°");
   row("midpoint", readable(middle.x) + " " + readable(middle.y) + " " + readable(middle.z) + unit);
   row("points", std::to_string(loop.points.size()));

@@ -47,12 +47,14 @@ std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point) {
 
 std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::string_view file,
                      bool withPoints) {
+  const std::string vertex = loop.base.kind == SurfacePoint::Kind::Vertex
+                                 ? std::to_string(loaded.inputOfVertex[loop.base.element])
+                                 : "null";
   std::string text =
-      "{\"file\":" + jsonString(file) +
-      ",\"vertex\":" + std::to_string(loaded.inputOfVertex[loop.base]) +
-      ",\"length\":" + formatNumber(loop.length) + ",\"kind\":" + jsonString(toString(loop.kind)) +
-      ",\"angle\":" + formatNumber(loop.angle) + ",\"unit\":" + jsonString(loaded.unit) +
-      ",\"midpoint\":" + pointJson(loaded, loop.midpoint);
+      "{\"file\":" + jsonString(file) + ",\"vertex\":" + vertex +
+      ",\"base\":" + pointJson(loaded, loop.base) + ",\"length\":" + formatNumber(loop.length) +
+      ",\"kind\":" + jsonString(toString(loop.kind)) + ",\"angle\":" + formatNumber(loop.angle) +
+      ",\"unit\":" + jsonString(loaded.unit) + ",\"midpoint\":" + pointJson(loaded, loop.midpoint);
   if (withPoints) {
     text += ",\"points\":[";
     for (std::size_t i = 0; i < loop.points.size(); ++i) {

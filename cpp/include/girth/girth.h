@@ -3,8 +3,10 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/geodesic_solver.h"
 #include "girth/girth_field.h"
 #include "girth/girth_solver.h"
 #include "girth/naive_girth.h"
+#include "girth/search_statistics.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"

@@ -27,8 +27,8 @@ struct GirthField {
   std::vector<LoopKind> kinds;
   /// Vertices computed; less than all of them only after cancelling.
   std::size_t computed{0};
-  /// Windows propagated in all.
-  std::size_t windows{0};
+  /// What it cost.
+  SearchStatistics statistics;
 
   bool complete() const { return computed == values.size(); }
 };

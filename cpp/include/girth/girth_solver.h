@@ -1,4 +1,4 @@
-// The intrinsic girth function at single vertices, and the loop that measures it.
+// The intrinsic girth function at single points, and the loop that measures it.
 #pragma once
 
 #include <memory>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "girth/execution.h"
+#include "girth/search_statistics.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
 
@@ -19,30 +20,34 @@ class Unfolding;
 enum class LoopKind : std::uint8_t {
   /// The frontier of the growing geodesic disk touched itself head-on: a loop around the surface.
   Loop = 0,
-  /// The whole frontier closed upon one farthest point: the "loop" is out and back again.
+  /// The frontier vanished at one farthest point without a loop before: the "loop" is out and back
+  /// again.
   Antipodal = 1,
+  /// The budget of windows was met first. The length is a lower bound.
+  Unresolved = 2,
 };
 
-/// "loop" or "antipodal".
+/// "loop", "antipodal" or "unresolved".
 std::string_view toString(LoopKind kind);
 
-/// The girth at a vertex.
+/// The girth at a point.
 struct GirthValue {
   /// I(p), in model units.
   double length{0};
   LoopKind kind{LoopKind::Loop};
 };
 
-/// The shortest geodesic loop based at a vertex.
+/// The shortest geodesic loop based at a point.
 struct GirthLoop {
   /// I(p), in model units.
   double length{0};
   LoopKind kind{LoopKind::Loop};
-  /// The vertex p where the loop starts and ends.
-  Index base{0};
+  /// The point p where the loop starts and ends.
+  SurfacePoint base;
   /// The loop from p round to p: p, the edges it crosses and vertices it passes in order, p.
   /// Between neighbours it is straight inside one face or along one edge. An antipodal loop runs to
-  /// `midpoint` and back the same way, and there the midpoint is one of the points.
+  /// `midpoint` and back the same way, and there the midpoint is one of the points. Empty where
+  /// unresolved.
   std::vector<SurfacePoint> points;
   /// q, the point farthest from p on the loop: length / 2 from p both ways, and both are shortest.
   SurfacePoint midpoint;
@@ -58,8 +63,9 @@ std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop);
 /// sections 4.3 and 4.4, Algorithm 2), every loop proven by the distance of its midpoint.
 ///
 /// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it. Time
-/// and memory of a call grow with the windows inside the disk of radius I(p)/2, about O(n^1.5) for
-/// the usual mesh of n faces where the disk is large.
+/// grows with the windows inside the disk of radius I(p)/2, about O(n^1.5) for the usual mesh of n
+/// faces where the disk is large; memory of `value` with the front of that disk, of `loop` with all
+/// of it.
 class GirthSolver {
  public:
   explicit GirthSolver(const SurfaceMesh& mesh);
@@ -70,16 +76,18 @@ class GirthSolver {
   GirthSolver(GirthSolver&&) noexcept;
   GirthSolver& operator=(GirthSolver&&) noexcept;
 
-  /// I(p) for vertex p. Of the context, only `cancel` matters. Errors: VERTEX_OUT_OF_RANGE,
-  /// CANCELLED.
+  /// I(p) for vertex p, or any point p. Of the context, only `cancel` matters. Errors:
+  /// VERTEX_OUT_OF_RANGE, INVALID_POINT, CANCELLED.
   Result<GirthValue> value(Index vertex, const ExecutionContext& context = {});
+  Result<GirthValue> value(const SurfacePoint& point, const ExecutionContext& context = {});
   /// I(p) with its loop. The same context and errors.
   Result<GirthLoop> loop(Index vertex, const ExecutionContext& context = {});
+  Result<GirthLoop> loop(const SurfacePoint& point, const ExecutionContext& context = {});
 
-  /// Windows propagated by the last call.
-  std::size_t windowCount() const;
-  /// Bytes of scratch memory held now.
-  std::size_t memoryBytes() const;
+  /// Calls give up after so many windows, with LoopKind::Unresolved; 2^26 if nothing is said.
+  void setBudget(std::size_t windows);
+  /// What the last call cost.
+  SearchStatistics statistics() const;
 
  private:
   struct State;

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "girth/surface_mesh.h"
 
 namespace girth::geodesic {
 
-/// Items come out bucket by bucket, in the order of their keys up to the width of a bucket, and in
-/// the order they were pushed within one. Pushing below the current bucket counts as the current
-/// one. O(1) each.
+/// Items come out bucket by bucket, and in the order they were pushed within one. Nothing is pushed
+/// below the current bucket: such keys count as the current one. O(1) each.
 class BucketQueue {
  public:
   explicit BucketQueue(double width) : inverseWidth_(1 / width), width_(width), ring_(kRing) {}
@@ -22,23 +22,29 @@ class BucketQueue {
       far_.clear();
     }
     ring_[current_ % kRing].clear();
-    size_ = current_ = position_ = 0;
+    size_ = position_ = 0;
+    current_ = 0;
   }
 
   bool empty() const { return size_ == 0; }
 
-  void push(double key, Index item) {
-    const std::size_t number = std::max(current_, bucketOf(key));
-    if (number - current_ < kRing) {
-      ring_[number % kRing].push_back(item);
+  /// The bucket for a key: no earlier than the current one.
+  std::uint32_t bucketOf(double key) const {
+    const double number = key * inverseWidth_;
+    return number < kLast ? std::max(current_, static_cast<std::uint32_t>(number)) : kLast;
+  }
+  void push(std::uint32_t bucket, Index item) {
+    if (bucket - current_ < kRing) {
+      ring_[bucket % kRing].push_back(item);
     } else {
-      far_.push_back({number, item});
+      far_.push_back({bucket, item});
     }
     ++size_;
   }
 
+  std::uint32_t current() const { return current_; }
   /// Everything below this distance has come out.
-  double frontier() const { return static_cast<double>(current_) * width_; }
+  double frontier() const { return current_ * width_; }
 
   /// Whether the current bucket still holds items; if not, `advance` before `pop`.
   bool bucketDone() const { return position_ == ring_[current_ % kRing].size(); }
@@ -66,29 +72,29 @@ class BucketQueue {
   }
 
  private:
-  static constexpr std::size_t kRing = 256;
+  static constexpr std::uint32_t kRing = 256;
+  static constexpr std::uint32_t kLast = 0xFFFFFFF0u;
   struct Far {
-    std::size_t number;
+    std::uint32_t bucket;
     Index item;
   };
 
-  std::size_t bucketOf(double key) const { return static_cast<std::size_t>(key * inverseWidth_); }
-
-  std::size_t nearestFar() const {
+  std::uint32_t nearestFar() const {
     return std::min_element(far_.begin(), far_.end(),
-                            [](const Far& a, const Far& b) { return a.number < b.number; })
-        ->number;
+                            [](const Far& a, const Far& b) { return a.bucket < b.bucket; })
+        ->bucket;
   }
 
   void bringNear() {
-    const auto isFar = [&](const Far& far) { return far.number - current_ >= kRing; };
+    const auto isFar = [&](const Far& far) { return far.bucket - current_ >= kRing; };
     const auto middle = std::stable_partition(far_.begin(), far_.end(), isFar);
-    for (auto it = middle; it != far_.end(); ++it) ring_[it->number % kRing].push_back(it->item);
+    for (auto it = middle; it != far_.end(); ++it) ring_[it->bucket % kRing].push_back(it->item);
     far_.erase(middle, far_.end());
   }
 
   double inverseWidth_, width_;
-  std::size_t size_{0}, current_{0}, position_{0};
+  std::uint32_t current_{0};
+  std::size_t size_{0}, position_{0};
   std::vector<std::vector<Index>> ring_;
   std::vector<Far> far_;
 };

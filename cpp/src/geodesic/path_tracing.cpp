@@ -1,23 +1,98 @@
 #include "geodesic/path_tracing.h"
 
+#include <algorithm>
+#include <array>
+
+#include "geodesic/trimming.h"
+
 namespace girth::geodesic {
 
 namespace {
 
 /// A point of a halfedge at distance t from its start; a vertex where it lies within kTouch of one.
-SurfacePoint pointOfSide(const Unfolding& unfolding, Index halfedge, double t) {
-  const Side& side = unfolding.side(halfedge);
-  if (t <= kTouch * side.length) return SurfacePoint::atVertex(side.from);
-  if (t >= side.length * (1 - kTouch)) {
-    return SurfacePoint::atVertex(unfolding.side(SurfaceMesh::next(halfedge)).from);
-  }
-  if (side.twin < halfedge) return SurfacePoint::onHalfedge(side.twin, 1 - t / side.length);
-  return SurfacePoint::onHalfedge(halfedge, t / side.length);
+SurfacePoint pointOfEdge(const Unfolding& unfolding, Index halfedge, double t) {
+  const Crossing& c = unfolding.crossing(halfedge);
+  if (t <= kTouch * c.length) return SurfacePoint::atVertex(c.from);
+  if (t >= c.length * (1 - kTouch)) return SurfacePoint::atVertex(c.to);
+  const Index twin = unfolding.twin(halfedge);
+  if (twin < halfedge) return SurfacePoint::onHalfedge(twin, 1 - t / c.length);
+  return SurfacePoint::onHalfedge(halfedge, t / c.length);
 }
 
 /// Appends a point unless the path stands there already.
 void append(std::vector<SurfacePoint>& path, const SurfacePoint& point) {
   if (path.empty() || !samePoint(path.back(), point)) path.push_back(point);
+}
+
+/// A source, told by the same halfedge as the points of paths.
+SurfacePoint sourcePoint(const Propagation& propagation, Index source) {
+  const SurfacePoint& point = propagation.source(source);
+  if (point.kind != SurfacePoint::Kind::Edge) return point;
+  const Unfolding& unfolding = propagation.unfolding();
+  return pointOfEdge(unfolding, point.element,
+                     point.weights[1] * unfolding.crossing(point.element).length);
+}
+
+/// A bundle and where its window lies on the halfedge.
+struct Passage {
+  Bundle bundle;
+  double low, high;
+};
+
+/// How far the straight line from the root of a window to a point above its halfedge passes beside
+/// the window.
+double missBy(const Window& w, double length, Vec2 point) {
+  const double rise = point.y - w.root.y;
+  const double t = w.root.x - (point.x - w.root.x) * w.root.y / rise;
+  return std::max({0.0, w.gapFrom - t, t - (length - w.gapTo)});
+}
+
+/// The window of a bundle that sees a point best: windows of one root may differ in the way they
+/// pass a flat vertex.
+Passage passageTo(const Propagation& propagation, const Bundle& bundle, Vec2 point) {
+  const double length = propagation.unfolding().crossing(bundle.halfedge).length;
+  Passage best{bundle, 0, length};
+  double bestMiss = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < propagation.enteredCount(bundle.halfedge); ++i) {
+    const Window w = propagation.window(bundle.halfedge, i);
+    if (w.sigma != bundle.sigma || w.root.x != bundle.root.x || w.root.y != bundle.root.y) continue;
+    const double miss = missBy(w, length, point);
+    if (miss < bestMiss) {
+      bestMiss = miss;
+      best = {bundle, w.gapFrom, length - w.gapTo};
+    }
+  }
+  return best;
+}
+
+/// What continues as `bundle` through the point `crossing` of its halfedge, in the face behind; no
+/// halfedge if the bundle begins there.
+Passage passageBefore(const Propagation& propagation, const Bundle& bundle, double crossing) {
+  const Unfolding& unfolding = propagation.unfolding();
+  const Index behind = unfolding.twin(bundle.halfedge);
+  const Vec2 point{unfolding.crossing(behind).length - crossing, 0};
+  Passage best{{}, 0, 0};
+  double bestMiss = std::numeric_limits<double>::infinity();
+  for (const Index side : {Unfolding::next(behind), Unfolding::previous(behind)}) {
+    const Crossing& c = unfolding.crossing(side);
+    const bool throughLeft = c.leftTwin == bundle.halfedge;
+    const Vec2 p = unfolding.toFrame(behind, side, point);
+    for (std::uint32_t i = 0; i < propagation.enteredCount(side); ++i) {
+      const Window w = propagation.window(side, i);
+      if (w.sigma != bundle.sigma) continue;
+      Pair<double> root = throughLeft
+                              ? rootBeyond(w.root.x, w.root.y, c.left.x, c.left.y)
+                              : rootBeyond(c.length - w.root.x, w.root.y, c.right.x, c.right.y);
+      if (!throughLeft) root.x = c.rightLength - root.x;
+      if (root.x != bundle.root.x || root.y != bundle.root.y) continue;
+      const double miss = missBy(w, c.length, p);
+      if (miss < bestMiss) {
+        bestMiss = miss;
+        best = {{side, w.root, w.sigma}, w.gapFrom, c.length - w.gapTo};
+      }
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -28,58 +103,84 @@ bool samePoint(const SurfacePoint& a, const SurfacePoint& b) {
          std::fabs(a.weights[1] - b.weights[1]) <= kTouch;
 }
 
-void traceFromWindow(const Propagation& propagation, Index window, Vec2 point,
-                     std::vector<SurfacePoint>& path) {
+void traceBundle(const Propagation& propagation, Bundle bundle, Vec2 point,
+                 std::vector<SurfacePoint>& path) {
   const Unfolding& unfolding = propagation.unfolding();
-  for (;;) {
-    const Window& w = propagation.window(window);
-    const Side& side = unfolding.side(w.halfedge);
+  for (Passage passage = passageTo(propagation, bundle, point);;) {
+    bundle = passage.bundle;
     // Where the straight line from the root to the point crosses the halfedge.
-    const Vec2 ray = point - w.root;
-    // A point on the halfedge itself, seen along it, is its own crossing.
-    const double across = cross(side.direction, ray);
-    const double t = across > 0 ? cross(w.root - side.start, ray) / across
-                                : dot(side.direction, point - side.start);
-    const double crossing = std::clamp(t, w.gapFrom, std::max(w.gapFrom, side.length - w.gapTo));
-    append(path, pointOfSide(unfolding, w.halfedge, crossing));
-    if (w.parent == kNoIndex) {
-      traceFromVertex(propagation, w.rootVertex, path);
+    const double length = unfolding.crossing(bundle.halfedge).length;
+    const double rise = point.y - bundle.root.y;
+    const double t =
+        rise > 0 ? bundle.root.x - (point.x - bundle.root.x) * bundle.root.y / rise : point.x;
+    const double crossing = std::clamp(t, passage.low, std::max(passage.low, passage.high));
+    append(path, pointOfEdge(unfolding, bundle.halfedge, crossing));
+
+    passage = passageBefore(propagation, bundle, crossing);
+    const Index behind = unfolding.twin(bundle.halfedge);
+    if (passage.bundle.halfedge != kNoIndex) {
+      point = unfolding.toFrame(behind, passage.bundle.halfedge, {length - crossing, 0});
+      continue;
+    }
+    const Vec2 root = unfolding.toTwin(bundle.halfedge, bundle.root);
+    for (const Propagation::Origin& origin : propagation.origins()) {
+      if (bundle.sigma != 0 || origin.face != SurfaceMesh::faceOf(behind)) continue;
+      const Vec2 place = unfolding.toFrame(3 * origin.face, behind, origin.place);
+      if (norm(place - root) > kTouch * length) continue;
+      append(path, sourcePoint(propagation, origin.source));
       return;
     }
-    window = w.parent;
-    point = unfolding.side(side.twin).at(side.length - crossing);
+    traceVertex(propagation, unfolding.crossing(behind).apexVertex, path);
+    return;
   }
 }
 
-void traceFromVertex(const Propagation& propagation, Index vertex,
-                     std::vector<SurfacePoint>& path) {
-  const Unfolding& unfolding = propagation.unfolding();
+void traceVertex(const Propagation& propagation, Index vertex, std::vector<SurfacePoint>& path) {
   for (;;) {
     append(path, SurfacePoint::atVertex(vertex));
-    if (vertex == propagation.source()) return;
     const Arrival& arrival = propagation.arrival(vertex);
-    if (!arrival.alongEdge) {
-      const Index h = propagation.window(arrival.carrier).halfedge;
-      traceFromWindow(propagation, arrival.carrier, unfolding.side(SurfaceMesh::previous(h)).start,
-                      path);
-      return;
+    switch (arrival.way) {
+      case Arrival::Way::None:
+      case Arrival::Way::Source:
+        return;
+      case Arrival::Way::Straight:
+        append(path, sourcePoint(propagation, arrival.before));
+        return;
+      case Arrival::Way::Edge:
+        vertex = arrival.before;
+        break;
+      case Arrival::Way::Window:
+        traceBundle(propagation, arrival.bundle,
+                    propagation.unfolding().crossing(arrival.bundle.halfedge).apex, path);
+        return;
     }
-    vertex = unfolding.side(SurfaceMesh::next(arrival.carrier)).from;
   }
 }
 
-SurfacePoint surfacePointAt(const Unfolding& unfolding, Index face, Vec2 point) {
+void tracePath(const Propagation& propagation, const PathEnd& end, Index halfedge, Vec2 point,
+               std::vector<SurfacePoint>& path) {
+  const Index entry = end.bundle.halfedge;
+  if (entry != kNoIndex) {
+    traceBundle(propagation, end.bundle, propagation.unfolding().toFrame(halfedge, entry, point),
+                path);
+  } else if (end.corner != kNoIndex) {
+    traceVertex(propagation, end.corner, path);
+  } else {
+    append(path, sourcePoint(propagation, end.source));
+  }
+}
+
+SurfacePoint surfacePointAt(const Unfolding& unfolding, Index halfedge, Vec2 point) {
+  const Index face = SurfaceMesh::faceOf(halfedge);
   std::array<double, 3> weights{};
   double sum = 0;
   for (Index k = 0; k < 3; ++k) {
     const Index h = 3 * face + k;
-    const Side& side = unfolding.side(h);
-    const double height = cross(side.direction, point - side.start);
-    if (height <= kTouch * side.length) {
-      return pointOfSide(unfolding, h, dot(side.direction, point - side.start));
-    }
+    const Vec2 p = unfolding.toFrame(halfedge, h, point);
+    const double length = unfolding.crossing(h).length;
+    if (p.y <= kTouch * length) return pointOfEdge(unfolding, h, p.x);
     // Height over side k against the opposite corner's: the share of corner k + 2.
-    weights[(k + 2) % 3] = height * side.length;
+    weights[(k + 2) % 3] = p.y * length;
     sum += weights[(k + 2) % 3];
   }
   for (double& weight : weights) weight /= sum;

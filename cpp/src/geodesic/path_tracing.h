@@ -8,21 +8,27 @@
 
 namespace girth::geodesic {
 
-/// Appends the points of the path of a window, from `point` (a point of the window's face, in its
-/// frame; itself left out) back to the source: the halfedges crossed, the vertices passed, the
-/// source.
-void traceFromWindow(const Propagation& propagation, Index window, Vec2 point,
-                     std::vector<SurfacePoint>& path);
+/// Appends the points of the path that a bundle takes to `point` (in the frame of its halfedge,
+/// above it or on it; itself left out) back to the source: the halfedges crossed, the vertices
+/// passed, the source. Needs Keep::Everything.
+///
+/// Windows do not note which window they continue. It is found again behind the halfedge: the one
+/// whose root unfolds to the same bits.
+void traceBundle(const Propagation& propagation, Bundle bundle, Vec2 point,
+                 std::vector<SurfacePoint>& path);
 
 /// The same for the best path to a vertex, which itself comes first.
-void traceFromVertex(const Propagation& propagation, Index vertex, std::vector<SurfacePoint>& path);
+void traceVertex(const Propagation& propagation, Index vertex, std::vector<SurfacePoint>& path);
 
-/// Whether two points are one, up to kTouch. Points on edges are told by the smaller of the two
-/// halfedges.
+/// The same for the path that `Propagation::pathTo(halfedge, point)` found.
+void tracePath(const Propagation& propagation, const PathEnd& end, Index halfedge, Vec2 point,
+               std::vector<SurfacePoint>& path);
+
+/// Whether two points are one, up to kTouch. Points on edges must be told by the same halfedge.
 bool samePoint(const SurfacePoint& a, const SurfacePoint& b);
 
-/// A point of a face, given in its frame, as a surface point; snapped to an edge or corner within
-/// kTouch.
-SurfacePoint surfacePointAt(const Unfolding& unfolding, Index face, Vec2 point);
+/// A point of a face, given in the frame of one of its halfedges, as a surface point; snapped to an
+/// edge or corner within kTouch.
+SurfacePoint surfacePointAt(const Unfolding& unfolding, Index halfedge, Vec2 point);
 
 }  // namespace girth::geodesic

@@ -1,19 +1,19 @@
 #include "geodesic/unfolding.h"
 
+#include <array>
+
+#include "mesh/space_filling_curve.h"
 #include "mesh/vector.h"
 
 namespace girth::geodesic {
 
 namespace {
 
-/// The three corners of a face in its own frame, from their places in space, measured in `unit`.
-std::array<Vec2, 3> cornersOf(const SurfaceMesh& mesh, Index face, double unit) {
-  const auto [a, b, c] = mesh.faceVertices(face);
-  const Vec3 ab = (1 / unit) * (mesh.position(b) - mesh.position(a));
-  const Vec3 ac = (1 / unit) * (mesh.position(c) - mesh.position(a));
-  const double length = girth::norm(ab);
-  return {Vec2{0, 0}, Vec2{length, 0},
-          Vec2{girth::dot(ab, ac) / length, girth::norm(girth::cross(ab, ac)) / length}};
+/// The numbers `order` gives new places; this tells the new place of each.
+std::vector<Index> inverse(const std::vector<Index>& order) {
+  std::vector<Index> place(order.size());
+  for (Index i = 0; i < order.size(); ++i) place[order[i]] = i;
+  return place;
 }
 
 }  // namespace
@@ -24,40 +24,106 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
   unit_ = std::ldexp(1.0, exponent);
   meanEdgeLength_ = mesh.meanEdgeLength() / unit_;
 
-  sides_.resize(mesh.halfedgeCount());
-  for (Index face = 0; face < mesh.faceCount(); ++face) {
-    const auto corners = cornersOf(mesh, face, unit_);
-    for (Index k = 0; k < 3; ++k) {
-      Side& side = sides_[3 * face + k];
-      const Vec2 along = corners[(k + 1) % 3] - corners[k];
-      side.start = corners[k];
-      side.length = norm(along);
-      side.direction = (1 / side.length) * along;
-      side.twin = mesh.twin(3 * face + k);
-      side.from = mesh.from(3 * face + k);
-    }
+  // Coordinates are divided before they are added, so that the largest do not overflow.
+  std::vector<Vec3> points(mesh.vertexCount());
+  for (Index v = 0; v < mesh.vertexCount(); ++v) points[v] = (1 / unit_) * mesh.position(v);
+  meshVertex_ = alongCurve(points);
+  vertexOfMesh_ = inverse(meshVertex_);
+  std::vector<Vec3> centres(mesh.faceCount());
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    const auto [a, b, c] = mesh.faceVertices(f);
+    centres[f] = (1.0 / 3) * (points[a] + points[b] + points[c]);
   }
-  for (Side& side : sides_) {
-    const Side& twin = sides_[side.twin];
-    // The motion turns this side's direction into the opposite of the twin's.
-    const Vec2 turned = -1 * twin.direction;
-    side.rotation = {dot(side.direction, turned), cross(side.direction, turned)};
-    side.translation = {0, 0};
-    side.translation = twin.at(twin.length) - side.toTwin(side.start);
+  meshFace_ = alongCurve(centres);
+  faceOfMesh_ = inverse(meshFace_);
+
+  const Index halfedges = mesh.halfedgeCount();
+  const auto fromMeshHalfedge = [&](Index h) {
+    return h == kNoIndex ? kNoIndex : 3 * faceOfMesh_[h / 3] + h % 3;
+  };
+  twin_.resize(halfedges);
+  crossings_.resize(halfedges);
+  for (Index h = 0; h < halfedges; ++h) {
+    const Index m = 3 * meshFace_[h / 3] + h % 3;
+    Crossing& c = crossings_[h];
+    twin_[h] = fromMeshHalfedge(mesh.twin(m));
+    c.leftTwin = fromMeshHalfedge(mesh.twin(previous(m)));
+    c.rightTwin = fromMeshHalfedge(mesh.twin(next(m)));
+    c.from = vertexOfMesh_[mesh.from(m)];
+    c.to = vertexOfMesh_[mesh.to(m)];
+    c.apexVertex = vertexOfMesh_[mesh.from(previous(m))];
+
+    const Vec3 along = (1 / unit_) * (mesh.position(mesh.to(m)) - mesh.position(mesh.from(m)));
+    const Vec3 toApex =
+        (1 / unit_) * (mesh.position(mesh.from(previous(m))) - mesh.position(mesh.from(m)));
+    c.length = girth::norm(along);
+    c.apex = {girth::dot(along, toApex) / c.length,
+              girth::norm(girth::cross(along, toApex)) / c.length};
+  }
+  for (Index h = 0; h < halfedges; ++h) {
+    Crossing& c = crossings_[h];
+    // One length for an edge, whichever face it is seen from.
+    c.leftLength = crossings_[previous(h)].length;
+    c.rightLength = crossings_[next(h)].length;
+    const Vec2 left = c.apex, right{c.length - c.apex.x, c.apex.y};
+    c.left = (1 / norm(left)) * left;
+    c.right = (1 / norm(right)) * right;
   }
 
-  direction_.resize(mesh.halfedgeCount());
+  outgoing_.resize(mesh.vertexCount());
+  direction_.resize(halfedges);
+  totalAngle_.resize(mesh.vertexCount());
   passable_.resize(mesh.vertexCount());
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    outgoing_[v] = fromMeshHalfedge(mesh.outgoing(meshVertex_[v]));
     double angle = 0;
-    Index h = mesh.outgoing(v);
+    Index h = outgoing_[v];
     do {
       direction_[h] = angle;
-      angle += mesh.cornerAngle(h);
-      h = mesh.twin(SurfaceMesh::previous(h));
-    } while (h != mesh.outgoing(v));
-    passable_[v] = angle > 2 * kPi + kSaddleAngle ? 2 : angle >= 2 * kPi - kFlatAngle ? 1 : 0;
+      angle += mesh.cornerAngle(3 * meshFace_[h / 3] + h % 3);
+      h = turnLeft(h);
+    } while (h != kNoIndex && h != outgoing_[v]);
+    totalAngle_[v] = angle;
+    const double flat = boundary(v) ? kPi : 2 * kPi;
+    passable_[v] = angle > flat + kSaddleAngle ? 2 : angle >= flat - kFlatAngle ? 1 : 0;
   }
+}
+
+SurfacePoint Unfolding::toMesh(const SurfacePoint& point) const {
+  SurfacePoint result = point;
+  switch (point.kind) {
+    case SurfacePoint::Kind::Vertex:
+      result.element = meshVertex_[point.element];
+      break;
+    case SurfacePoint::Kind::Edge: {
+      // Points on edges are told by the smaller of the mesh's two halfedges.
+      const Index h = 3 * meshFace_[point.element / 3] + point.element % 3;
+      const Index t = mesh_->twin(h);
+      result.element = h;
+      if (t < h) result = SurfacePoint::onHalfedge(t, point.weights[0]);
+      break;
+    }
+    case SurfacePoint::Kind::Face:
+      result.element = meshFace_[point.element];
+      break;
+  }
+  return result;
+}
+
+SurfacePoint Unfolding::fromMesh(const SurfacePoint& point) const {
+  SurfacePoint result = point;
+  switch (point.kind) {
+    case SurfacePoint::Kind::Vertex:
+      result.element = vertexOfMesh_[point.element];
+      break;
+    case SurfacePoint::Kind::Edge:
+      result.element = 3 * faceOfMesh_[point.element / 3] + point.element % 3;
+      break;
+    case SurfacePoint::Kind::Face:
+      result.element = faceOfMesh_[point.element];
+      break;
+  }
+  return result;
 }
 
 }  // namespace girth::geodesic

@@ -1,46 +1,33 @@
-// The faces laid flat: each has a planar frame of its own, and crossing an edge is one rigid
-// motion.
+// The faces laid flat: each halfedge has a planar frame of its own, and crossing a face is one
+// turn.
 //
-// In the frame of face f, corner 0 lies at the origin and side 0 along the x axis; the face is
-// counter- clockwise. Only + − × ÷ √ are used, so every platform gets the same bits.
+// In the frame of halfedge h its start lies at the origin and its end on the x axis; its face lies
+// above, the face behind it below. Only + − × ÷ √ are used, so every platform gets the same bits.
+//
+// Vertices and faces are renumbered along a space-filling curve, so that what is near on the
+// surface is near in memory. Everything in `geodesic` and `girth` counts in these numbers; `toMesh`
+// and `fromMesh` translate.
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "geodesic/tolerances.h"
+#include "geodesic/vec2.h"
 #include "girth/surface_mesh.h"
+#include "girth/surface_point.h"
 #include "mesh/angles.h"
 
 namespace girth::geodesic {
 
-struct Vec2 {
-  double x{0}, y{0};
-};
-
-inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
-inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
-inline Vec2 operator*(double s, Vec2 a) { return {s * a.x, s * a.y}; }
-inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-/// Positive where b lies to the left of a.
-inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-inline double norm(Vec2 a) { return std::sqrt(dot(a, a)); }
-
-/// One side of a face, in the frame of that face, and the way across it.
-struct Side {
-  Vec2 start;        ///< where the halfedge starts
-  Vec2 direction;    ///< unit vector along it
-  double length;     ///< its length
-  Vec2 rotation;     ///< (cos, sin) of the motion into the frame of the twin's face
-  Vec2 translation;  ///< and its shift
-  Index twin;        ///< the halfedge on the other side
-  Index from;        ///< the vertex where it starts
-
-  Vec2 at(double t) const { return start + t * direction; }
-  Vec2 toTwin(Vec2 p) const {
-    return {rotation.x * p.x - rotation.y * p.y + translation.x,
-            rotation.y * p.x + rotation.x * p.y + translation.y};
-  }
+/// A face seen from one of its sides: all that a window needs to cross it, in two cache lines.
+struct alignas(32) Crossing {
+  double length;                   ///< of the halfedge
+  Vec2 apex;                       ///< the vertex opposite
+  double leftLength, rightLength;  ///< of the sides from `from` and from `to` up to the apex
+  Vec2 left;                       ///< unit vector from `from` to the apex
+  Vec2 right;  ///< unit vector from `to` to the apex, seen in the mirror (x → −x)
+  Index leftTwin, rightTwin;  ///< the halfedges beyond those sides; kNoIndex: a wall
+  Index from, to, apexVertex;
 };
 
 /// A surface prepared for unfolding. Immutable: shared by the solvers of all threads.
@@ -53,38 +40,85 @@ class Unfolding {
   double unit() const { return unit_; }
   double meanEdgeLength() const { return meanEdgeLength_; }
 
-  const Side& side(Index halfedge) const { return sides_[halfedge]; }
+  Index vertexCount() const { return static_cast<Index>(outgoing_.size()); }
+  Index halfedgeCount() const { return static_cast<Index>(crossings_.size()); }
+  const Crossing& crossing(Index halfedge) const { return crossings_[halfedge]; }
+  /// The halfedge on the other side; kNoIndex at a wall.
+  Index twin(Index halfedge) const { return twin_[halfedge]; }
+  static Index next(Index halfedge) { return SurfaceMesh::next(halfedge); }
+  static Index previous(Index halfedge) { return SurfaceMesh::previous(halfedge); }
+  /// A halfedge that starts from a vertex; on a boundary, the one with the wall on its right.
+  Index outgoing(Index vertex) const { return outgoing_[vertex]; }
+  /// The next halfedge from the same vertex, counter-clockwise; kNoIndex where the wall is next.
+  Index turnLeft(Index halfedge) const { return crossings_[halfedge].leftTwin; }
+  /// And clockwise.
+  Index turnRight(Index halfedge) const {
+    const Index t = twin_[halfedge];
+    return t == kNoIndex ? kNoIndex : next(t);
+  }
+
   /// Direction of a halfedge at the vertex it starts from: its angle, counter-clockwise, from
-  /// mesh().outgoing(vertex), in [0, totalAngle).
+  /// outgoing(vertex), in [0, totalAngle).
   double direction(Index halfedge) const { return direction_[halfedge]; }
-  /// Total angle of a vertex.
-  double totalAngle(Index vertex) const { return mesh_->totalAngle(vertex); }
-  /// Whether geodesics can pass through a vertex: it is not convex.
+  /// Total angle of a vertex, inside the surface.
+  double totalAngle(Index vertex) const { return totalAngle_[vertex]; }
+  bool boundary(Index vertex) const { return twin_[outgoing_[vertex]] == kNoIndex; }
+  /// Whether geodesics can pass through a vertex: its angle leaves π on both sides of a path, or on
+  /// the one side that a boundary vertex has.
   bool passable(Index vertex) const { return passable_[vertex] != 0; }
-  /// Whether windows start anew at a vertex: it is a saddle.
+  /// Whether windows start anew at a vertex: a saddle, or a corner of the boundary that sticks into
+  /// the surface.
   bool saddle(Index vertex) const { return passable_[vertex] == 2; }
 
   /// Whether a path that arrives at a vertex from one direction and leaves in another is locally
-  /// shortest there: both sides leave an angle of at least π (DEFINITIONS section 1).
+  /// shortest there: every side within the surface has an angle of at least π (DEFINITIONS,
+  /// section 1).
   bool straight(Index vertex, double directionA, double directionB) const {
     const double between = std::fabs(directionA - directionB);
-    return between >= kPi - kStraight && totalAngle(vertex) - between >= kPi - kStraight;
+    return between >= kPi - kStraight &&
+           (boundary(vertex) || totalAngle(vertex) - between >= kPi - kStraight);
   }
 
-  /// Direction at the vertex where `halfedge` starts of a point of its face, given in the frame.
-  double directionTo(Index halfedge, Vec2 point) const {
-    const Side& s = sides_[halfedge];
-    const Vec2 d = point - s.start;
-    const double y = cross(s.direction, d);
-    return direction_[halfedge] + angleOf(dot(s.direction, d), y > 0 ? y : 0);
+  /// Direction, at the vertex where `halfedge` starts, of a vector of its frame that points into
+  /// the face.
+  double directionOf(Index halfedge, Vec2 vector) const {
+    return direction_[halfedge] + angleOf(vector.x, vector.y > 0 ? vector.y : 0);
   }
+
+  /// A point given in the frame of a halfedge, in that of the next or the previous one of its face,
+  /// or of its twin.
+  Vec2 toNext(Index halfedge, Vec2 p) const {
+    const Crossing& c = crossings_[halfedge];
+    const Vec2 along{-c.right.x, c.right.y}, d{p.x - c.length, p.y};
+    return {dot(d, along), cross(along, d)};
+  }
+  Vec2 toPrevious(Index halfedge, Vec2 p) const {
+    const Crossing& c = crossings_[halfedge];
+    const Vec2 along{-c.left.x, -c.left.y}, d = p - c.apex;
+    return {dot(d, along), cross(along, d)};
+  }
+  Vec2 toTwin(Index halfedge, Vec2 p) const { return {crossings_[halfedge].length - p.x, -p.y}; }
+  /// From the frame of one halfedge of a face to that of another.
+  Vec2 toFrame(Index halfedge, Index target, Vec2 p) const {
+    if (target == next(halfedge)) return toNext(halfedge, p);
+    if (target == previous(halfedge)) return toPrevious(halfedge, p);
+    return p;
+  }
+
+  /// A surface point in the numbers of the mesh, and back.
+  SurfacePoint toMesh(const SurfacePoint& point) const;
+  SurfacePoint fromMesh(const SurfacePoint& point) const;
+  Index vertexInMesh(Index vertex) const { return meshVertex_[vertex]; }
+  Index vertexFromMesh(Index vertex) const { return vertexOfMesh_[vertex]; }
 
  private:
   const SurfaceMesh* mesh_;
   double unit_, meanEdgeLength_;
-  std::vector<Side> sides_;
-  std::vector<double> direction_;
+  std::vector<Crossing> crossings_;
+  std::vector<Index> twin_, outgoing_;
+  std::vector<double> direction_, totalAngle_;
   std::vector<std::uint8_t> passable_;
+  std::vector<Index> meshVertex_, vertexOfMesh_, meshFace_, faceOfMesh_;
 };
 
 }  // namespace girth::geodesic

@@ -6,32 +6,35 @@
 
 namespace girth::geodesic {
 
-/// The geodesics arrive at `halfedge` and enter its face. Laid out flat in the frame of that face
-/// they are straight lines from `root`, the image of the last vertex that they pass, and cross the
-/// halfedge between `gapFrom` from its start and `gapTo` from its end. (Measured from its own end
-/// of the edge, each gap is exactly zero where the window reaches that vertex, however often it is
-/// unfolded.)
+/// The geodesics arrive at a halfedge and enter its face. Laid out flat in the frame of that
+/// halfedge they are straight lines from `root`, the image of the last vertex that they pass (or of
+/// the source), which lies below; they cross the halfedge between `gapFrom` from its start and
+/// `gapTo` from its end. (Measured from its own end of the edge, each gap is exactly zero where the
+/// window reaches that vertex, however often it is unfolded.)
 struct Window {
   Vec2 root;
-  double sigma;    ///< distance from the source to the root
-  double gapFrom;  ///< from the start of the halfedge to the window
-  double gapTo;    ///< from the window to the end of the halfedge
-  Index halfedge;
-  Index parent;  ///< the window that it continues; kNoIndex: it starts at a vertex, `rootVertex`
-  Index rootVertex;  ///< the last vertex passed
-  Index sibling;     ///< the next window in the list of its halfedge
+  double sigma;  ///< distance from the source to the root
+  double gapFrom, gapTo;
 
   /// Length of the path from the source to a point of the face.
   double distanceTo(Vec2 point) const { return sigma + norm(point - root); }
 
-  /// Whether the straight line from the root to a point beyond the edge passes through the window,
-  /// give or take kTouch of the edge.
-  bool covers(const Side& side, Vec2 point) const {
+  /// Whether the straight line from the root to a point above the halfedge (of this length) passes
+  /// through the window, give or take kTouch of the edge.
+  bool covers(double length, Vec2 point) const {
     const Vec2 ray = point - root;
-    const double slack = kTouch * side.length * (std::fabs(ray.x) + std::fabs(ray.y));
-    return cross(side.at(gapFrom) - root, ray) <= slack &&
-           cross(side.at(side.length - gapTo) - root, ray) >= -slack;
+    const double slack = kTouch * length * (std::fabs(ray.x) + std::fabs(ray.y));
+    return cross(Vec2{gapFrom, 0} - root, ray) <= slack &&
+           cross(Vec2{length - gapTo, 0} - root, ray) >= -slack;
   }
+};
+
+/// Where a bundle of straight paths comes from: a window without its bounds. What remains of a path
+/// when its windows are gone.
+struct Bundle {
+  Index halfedge{kNoIndex};
+  Vec2 root;  ///< in the frame of the halfedge
+  double sigma{0};
 };
 
 }  // namespace girth::geodesic

@@ -11,12 +11,13 @@
 namespace girth {
 
 using geodesic::cross;
+using geodesic::Crossing;
 using geodesic::dot;
 using geodesic::kTie;
 using geodesic::kTouch;
 using geodesic::norm;
 using geodesic::Propagation;
-using geodesic::Side;
+using geodesic::Unfolding;
 using geodesic::Vec2;
 
 namespace {
@@ -63,10 +64,31 @@ int meetingPoints(const Site& a, const Site& b, const Site& c, std::array<Vec2, 
   return count;
 }
 
+/// The points of a line at which two sites are at one distance, told by their place along it.
+/// `a`, `b`: the roots in a frame whose x axis is the line.
+int meetingPlaces(Vec2 a, double sigmaA, Vec2 b, double sigmaB, std::array<double, 2>& places) {
+  // With u = x − a.x, r = b.x − a.x, s = σ_b − σ_a:  √(u² + a.y²) = √((u − r)² + b.y²) + s.
+  // Squared once:  2 r u + k = 2 s √(u² + a.y²)  with  k = s² + a.y² − b.y² − r²  (sign of s kept
+  // by the test of the distance that follows); squared again: a quadratic in u.
+  const double r = b.x - a.x, s = sigmaB - sigmaA;
+  const double k = a.y * a.y - b.y * b.y - r * r + s * s;
+  const double p = r * r - s * s, q = r * k / 2, c = k * k / 4 - s * s * a.y * a.y;
+  const double discriminant = q * q - p * c;
+  if (discriminant < 0) return 0;
+  const double root = std::sqrt(discriminant);
+  const double t = q >= 0 ? -q - root : -q + root;
+  int count = 0;
+  if (t != 0) places[count++] = a.x + c / t;
+  if (p != 0) places[count++] = a.x + t / p;
+  return count;
+}
+
 bool insideFace(const Propagation& propagation, Index face, Vec2 q) {
+  const Unfolding& unfolding = propagation.unfolding();
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const Side& side = propagation.unfolding().side(h);
-    if (!(cross(side.direction, q - side.start) >= -kTouch * side.length)) return false;
+    if (!(unfolding.toFrame(3 * face, h, q).y >= -kTouch * unfolding.crossing(h).length)) {
+      return false;
+    }
   }
   return true;
 }
@@ -77,22 +99,29 @@ class FaceSearch {
   FaceSearch(const Propagation& propagation, FarthestPoint& best)
       : propagation_(propagation), best_(best), atLeast_(best.distance) {}
 
+  /// Everything in the frame of the face's first halfedge.
   void search(Index face) {
     face_ = face;
+    const Unfolding& unfolding = propagation_.unfolding();
     std::vector<Site> sites;
     std::array<Vec2, 3> corners;
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      const Side& side = propagation_.unfolding().side(h);
-      const geodesic::Arrival& corner = propagation_.arrival(side.from);
-      corners[h - 3 * face] = side.start;
-      if (corner.settled) sites.push_back({side.start, corner.distance});
-      for (Index i = propagation_.firstWindow(h); i != kNoIndex;
-           i = propagation_.window(i).sibling) {
-        const geodesic::Window& w = propagation_.window(i);
-        const Vec2 left = side.at(w.gapFrom) - w.root;
-        const Vec2 right = side.at(side.length - w.gapTo) - w.root;
-        sites.push_back({w.root, w.sigma, (1 / norm(left)) * left, (1 / norm(right)) * right});
+      const Crossing& c = unfolding.crossing(h);
+      const auto place = [&](Vec2 p) { return unfolding.toFrame(h, 3 * face, p); };
+      corners[h - 3 * face] = place({0, 0});
+      if (propagation_.arrival(c.from).settled) {
+        sites.push_back({place({0, 0}), propagation_.distance(c.from)});
       }
+      for (std::uint32_t i = 0; i < propagation_.enteredCount(h); ++i) {
+        const geodesic::Window w = propagation_.window(h, i);
+        const Vec2 root = place(w.root);
+        const Vec2 left = place({w.gapFrom, 0}) - root;
+        const Vec2 right = place({c.length - w.gapTo, 0}) - root;
+        sites.push_back({root, w.sigma, (1 / norm(left)) * left, (1 / norm(right)) * right});
+      }
+    }
+    for (const Propagation::Origin& origin : propagation_.origins()) {
+      if (origin.face == face) sites.push_back({origin.place, 0});
     }
     std::priority_queue<Cell> cells;
     add(cells, corners, sites, 0);
@@ -174,18 +203,34 @@ class FaceSearch {
           const int count = meetingPoints(sites[i], sites[j], sites[k], points);
           for (int n = 0; n < count; ++n) test(points[n], sites[i], all);
         }
+        testWalls(sites[i], sites[j], all);
+      }
+    }
+  }
+
+  /// On a wall two paths are enough.
+  void testWalls(const Site& a, const Site& b, const std::vector<Site>& all) {
+    const Unfolding& unfolding = propagation_.unfolding();
+    for (Index h = 3 * face_; h < 3 * face_ + 3; ++h) {
+      if (unfolding.twin(h) != kNoIndex) continue;
+      std::array<double, 2> places;
+      const int count = meetingPlaces(unfolding.toFrame(3 * face_, h, a.root), a.sigma,
+                                      unfolding.toFrame(3 * face_, h, b.root), b.sigma, places);
+      for (int n = 0; n < count; ++n) {
+        if (std::isfinite(places[n])) test(unfolding.toFrame(h, 3 * face_, {places[n], 0}), a, all);
       }
     }
   }
 
   void test(Vec2 q, const Site& site, const std::vector<Site>& sites) {
     const double distance = site.distanceTo(q);
-    if (!(distance > best_.distance) || !insideFace(propagation_, face_, q)) return;
+    // A point that ties with a vertex is that vertex, found again beside it.
+    if (!(distance > best_.distance * (1 + kTie)) || !insideFace(propagation_, face_, q)) return;
     // The sites may be out of sight from there, or the point outside the part of the face where no
     // others count: what decides is the true distance; first, cheaply, a bound to it.
     if (distanceAmong(sites, q) < distance * (1 - kTie)) return;
-    if (std::fabs(propagation_.distanceTo(face_, q) - distance) > kTie * distance) return;
-    best_ = {distance, face_, q};
+    if (std::fabs(propagation_.distanceTo(3 * face_, q) - distance) > kTie * distance) return;
+    best_ = {distance, 3 * face_, q};
     atLeast_ = std::max(atLeast_, distance * (1 - kTie));
   }
 
@@ -198,32 +243,30 @@ class FaceSearch {
 }  // namespace
 
 FarthestPoint farthestPoint(const Propagation& propagation) {
-  const geodesic::Unfolding& unfolding = propagation.unfolding();
-  const SurfaceMesh& mesh = unfolding.mesh();
+  const Unfolding& unfolding = propagation.unfolding();
   FarthestPoint best;
   for (const Index v : propagation.reachedVertices()) {
-    const double distance = propagation.arrival(v).distance;
-    const Index h = mesh.outgoing(v);
-    if (distance > best.distance)
-      best = {distance, SurfaceMesh::faceOf(h), unfolding.side(h).start};
+    if (propagation.distance(v) > best.distance) {
+      best = {propagation.distance(v), unfolding.outgoing(v), {0, 0}};
+    }
   }
 
   // Faces that could hold a farther point, judged by their corners; each once, at its first corner.
   FaceSearch faces(propagation, best);
   for (const Index v : propagation.reachedVertices()) {
-    Index out = mesh.outgoing(v);
-    do {
+    const Index start = unfolding.outgoing(v);
+    for (Index out = start; out != kNoIndex;) {
       if (out % 3 == 0) {
         double bound = std::numeric_limits<double>::infinity();
         for (Index h = out; h < out + 3; ++h) {
-          const double longest =
-              std::max(unfolding.side(h).length, unfolding.side(SurfaceMesh::previous(h)).length);
-          bound = std::min(bound, propagation.arrival(mesh.from(h)).distance + longest);
+          const Crossing& c = unfolding.crossing(h);
+          bound = std::min(bound, propagation.distance(c.from) + std::max(c.length, c.leftLength));
         }
         if (bound > best.distance) faces.search(SurfaceMesh::faceOf(out));
       }
-      out = mesh.twin(SurfaceMesh::previous(out));
-    } while (out != mesh.outgoing(v));
+      out = unfolding.turnLeft(out);
+      if (out == start) break;
+    }
   }
   return best;
 }

@@ -9,6 +9,7 @@
 
 #include "geodesic/unfolding.h"
 #include "girth/naive_girth.h"
+#include "mesh/space_filling_curve.h"
 
 namespace girth {
 
@@ -26,7 +27,8 @@ struct Work {
   GirthField field;
 
   std::atomic<std::size_t> taken{0};
-  std::atomic<std::size_t> done{0}, windows{0};
+  std::atomic<std::size_t> done{0};
+  std::mutex mutex;                         // of the statistics
   std::vector<std::atomic<bool>> finished;  // by place in `order`
 };
 
@@ -36,7 +38,7 @@ template <class AfterEach>
 void computeVertices(Work& work, const std::shared_ptr<const geodesic::Unfolding>& unfolding,
                      AfterEach afterEach) {
   GirthSolver solver(unfolding);
-  std::size_t windows = 0;
+  SearchStatistics statistics;
   while (!work.context.cancelled()) {
     const std::size_t place = work.taken.fetch_add(1, std::memory_order_relaxed);
     if (place >= work.order.size()) break;
@@ -46,12 +48,13 @@ void computeVertices(Work& work, const std::shared_ptr<const geodesic::Unfolding
     if (!girth) break;  // cancelled: the vertices are in range
     work.field.values[v] = girth.value().length;
     work.field.kinds[v] = girth.value().kind;
-    windows += solver.windowCount();
+    if (work.method == GirthMethod::Exact) statistics += solver.statistics();
     work.finished[place].store(true, std::memory_order_release);
     work.done.fetch_add(1, std::memory_order_relaxed);
     afterEach();
   }
-  work.windows.fetch_add(windows, std::memory_order_relaxed);
+  const std::lock_guard lock(work.mutex);
+  work.field.statistics += statistics;
 }
 
 /// Hands on what was finished since the last time, in order; a vertex still in work does not hold
@@ -155,39 +158,16 @@ GirthField girthField(const SurfaceMesh& mesh, GirthMethod method, const Executi
   }
   reporter.report();
   work.field.computed = work.done.load();
-  work.field.windows = work.windows.load();
   return std::move(work.field);
 }
 
 std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh) {
-  // Along a space-filling curve (Morton's) neighbours on the curve are neighbours in space; taking
-  // its places in bit-reversed order spreads every prefix evenly over the curve.
-  Vec3 low = mesh.position(0), high = low;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    const Vec3& p = mesh.position(v);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-  const auto cell = [&](double x, double start) {
-    return static_cast<std::uint64_t>((x - start) / extent * 0x1FFFFF);
-  };
-  const auto spread = [](std::uint64_t x) {  // 21 bits, two zeros after each
-    x = (x | x << 32) & 0x1F00000000FFFFull;
-    x = (x | x << 16) & 0x1F0000FF0000FFull;
-    x = (x | x << 8) & 0x100F00F00F00F00Full;
-    x = (x | x << 4) & 0x10C30C30C30C30C3ull;
-    return (x | x << 2) & 0x1249249249249249ull;
-  };
+  // Neighbours on a space-filling curve are neighbours in space; taking its places in bit-reversed
+  // order spreads every prefix evenly over the curve.
+  std::vector<Vec3> points(mesh.vertexCount());
+  for (Index v = 0; v < mesh.vertexCount(); ++v) points[v] = mesh.position(v);
+  const std::vector<Index> curve = alongCurve(points);
   const Index count = mesh.vertexCount();
-  std::vector<std::pair<std::uint64_t, Index>> curve(count);
-  for (Index v = 0; v < count; ++v) {
-    const Vec3& p = mesh.position(v);
-    curve[v] = {
-        spread(cell(p.x, low.x)) | spread(cell(p.y, low.y)) << 1 | spread(cell(p.z, low.z)) << 2,
-        v};
-  }
-  std::sort(curve.begin(), curve.end());
 
   unsigned bits = 0;
   while ((std::uint64_t{1} << bits) < count) ++bits;
@@ -196,7 +176,7 @@ std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh) {
   for (std::uint64_t i = 0; i < std::uint64_t{1} << bits; ++i) {
     std::uint64_t reversed = 0;
     for (unsigned b = 0; b < bits; ++b) reversed |= (i >> b & 1) << (bits - 1 - b);
-    if (reversed < count) order.push_back(curve[static_cast<std::size_t>(reversed)].second);
+    if (reversed < count) order.push_back(curve[static_cast<std::size_t>(reversed)]);
   }
   return order;
 }

@@ -3,21 +3,32 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
+#include <span>
 
+#include "geodesic/locate.h"
 #include "geodesic/path_tracing.h"
 #include "geodesic/propagation.h"
 #include "girth/farthest_point.h"
 #include "girth/loop_search.h"
-#include "mesh/vector.h"
 
 namespace girth {
 
+using geodesic::Keep;
 using geodesic::Propagation;
 using geodesic::samePoint;
 using geodesic::Unfolding;
 
-std::string_view toString(LoopKind kind) { return kind == LoopKind::Loop ? "loop" : "antipodal"; }
+std::string_view toString(LoopKind kind) {
+  switch (kind) {
+    case LoopKind::Loop:
+      return "loop";
+    case LoopKind::Antipodal:
+      return "antipodal";
+    case LoopKind::Unresolved:
+      break;
+  }
+  return "unresolved";
+}
 
 std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop) {
   std::vector<Vec3> points(loop.points.size());
@@ -34,119 +45,142 @@ struct GirthSolver::State {
   explicit State(std::shared_ptr<const Unfolding> shared)
       : unfolding(std::move(shared)), propagation(*unfolding), search(propagation) {}
 
-  /// Propagates from a vertex until its loop is found or the surface is covered.
-  std::optional<Error> run(Index vertex, const ExecutionContext& context) {
-    const SurfaceMesh& mesh = unfolding->mesh();
-    if (vertex >= mesh.vertexCount()) {
-      return makeError(ErrorCode::VertexOutOfRange, vertex,
-                       "there is no vertex " + std::to_string(vertex) + " among " +
-                           std::to_string(mesh.vertexCount()));
-    }
+  /// Propagates from a point until its loop is found or the surface is covered.
+  std::optional<Error> run(const SurfacePoint& point, Keep keep, const ExecutionContext& context) {
+    const auto source = geodesic::locate(*unfolding, point);
+    if (!source) return source.error();
     search.start(context.cancel);
-    propagation.run(vertex, search);
+    propagation.run(std::span(&source.value(), 1), keep, search);
     if (search.cancelled()) {
-      return makeError(ErrorCode::Cancelled, vertex,
-                       "cancelled at vertex " + std::to_string(vertex));
+      return makeError(ErrorCode::Cancelled, point.element, "cancelled");
     }
     return std::nullopt;
   }
 
-  GirthValue value() const {
-    if (!search.found()) {
-      return {2 * farthestPoint(propagation).distance * unfolding->unit(), LoopKind::Antipodal};
-    }
-    const LoopCandidate& loop = search.best();
-    return {loop.length * unfolding->unit(), kindOf(loop)};
-  }
+  double inModelUnits(double length) const { return length * unfolding->unit(); }
 
-  /// On a sphere, a loop whose midpoint is reached from all sides is the special case of figure 1b.
-  LoopKind kindOf(const LoopCandidate& loop) const {
-    const SurfaceMesh& mesh = unfolding->mesh();
-    const bool sphere = mesh.genus(mesh.componentOf(propagation.source())) == 0;
-    return sphere && search.closesUpon(loop) ? LoopKind::Antipodal : LoopKind::Loop;
+  GirthValue value() const {
+    if (search.found()) return {inModelUnits(search.best().length), LoopKind::Loop};
+    if (propagation.gaveUp()) {
+      return {inModelUnits(2 * propagation.frontier()), LoopKind::Unresolved};
+    }
+    return {inModelUnits(2 * farthestPoint(propagation).distance), LoopKind::Antipodal};
   }
 
   GirthLoop loop() const {
     GirthLoop result;
-    result.base = propagation.source();
+    result.base = propagation.source(0);
     std::vector<SurfacePoint> there, back;  // both run from the midpoint to the source
     if (search.found()) {
       const LoopCandidate& best = search.best();
-      result.length = best.length * unfolding->unit();
-      result.kind = kindOf(best);
-      result.midpoint = surfacePointAt(*unfolding, best.face, best.midpoint);
-      if (best.ends == LoopCandidate::Ends::VertexVertex) {
-        traceFromVertex(propagation, unfolding->side(best.first).from, there);
-        traceFromVertex(propagation, unfolding->side(SurfaceMesh::next(best.first)).from, back);
-      } else {
-        traceFromWindow(propagation, best.first, best.midpoint, there);
-        if (best.ends == LoopCandidate::Ends::WindowWindow) {
-          traceFromWindow(propagation, best.second, best.midpoint, back);
-        } else {
-          const Index h = propagation.window(best.first).halfedge;
-          traceFromVertex(propagation, unfolding->side(SurfaceMesh::previous(h)).from, back);
-        }
-      }
+      result.length = inModelUnits(best.length);
+      result.kind = LoopKind::Loop;
+      result.midpoint = surfacePointAt(*unfolding, best.halfedge, best.midpoint);
+      trace(best.there, best, there);
+      trace(best.back, best, back);
+    } else if (propagation.gaveUp()) {
+      result.length = inModelUnits(2 * propagation.frontier());
+      result.kind = LoopKind::Unresolved;
+      result.midpoint = result.base = unfolding->toMesh(result.base);
+      return result;
     } else {
       const FarthestPoint farthest = farthestPoint(propagation);
-      result.length = 2 * farthest.distance * unfolding->unit();
+      result.length = inModelUnits(2 * farthest.distance);
       result.kind = LoopKind::Antipodal;
-      result.midpoint = surfacePointAt(*unfolding, farthest.face, farthest.point);
-      const geodesic::PathEnd end = propagation.pathTo(farthest.face, farthest.point);
-      if (end.window == kNoIndex) {
-        traceFromVertex(propagation, end.corner, there);
-      } else {
-        traceFromWindow(propagation, end.window, farthest.point, there);
-      }
+      result.midpoint = surfacePointAt(*unfolding, farthest.halfedge, farthest.point);
+      tracePath(propagation, propagation.pathTo(farthest.halfedge, farthest.point),
+                farthest.halfedge, farthest.point, there);
       if (!samePoint(there.front(), result.midpoint)) there.insert(there.begin(), result.midpoint);
       back = there;
     }
     // Where the midpoint is a vertex or turning point, both halves begin with it.
-    if (samePoint(there.front(), back.front())) back.erase(back.begin());
+    if (back.size() > 1 && samePoint(there.front(), back.front())) back.erase(back.begin());
     result.points.assign(there.rbegin(), there.rend());
     result.points.insert(result.points.end(), back.begin(), back.end());
-    result.angle = angleAtBase(result);
+    result.angle = result.kind == LoopKind::Antipodal ? 0 : angleAtBase(result);
+
+    result.base = unfolding->toMesh(result.base);
+    result.midpoint = unfolding->toMesh(result.midpoint);
+    for (SurfacePoint& point : result.points) point = unfolding->toMesh(point);
     return result;
   }
 
-  /// Direction at the base in which a neighbouring point of the loop lies.
-  double directionTo(Index base, const SurfacePoint& point) const {
-    const SurfaceMesh& mesh = unfolding->mesh();
-    Index h = mesh.outgoing(base);
-    do {
-      const Index opposite = SurfaceMesh::next(h);
+  /// Appends a half of a loop, from its midpoint to the source.
+  void trace(const LoopCandidate::Half& half, const LoopCandidate& loop,
+             std::vector<SurfacePoint>& path) const {
+    const Index h = half.bundle.halfedge;
+    if (h != kNoIndex) {
+      traceBundle(propagation, half.bundle, unfolding->toFrame(loop.halfedge, h, loop.midpoint),
+                  path);
+    } else if (half.vertex != kNoIndex) {
+      traceVertex(propagation, half.vertex, path);
+    } else {
+      path.push_back(propagation.source(0));
+    }
+  }
+
+  /// Direction at the base, counter-clockwise, in which a neighbouring point of the loop lies.
+  double directionTo(const SurfacePoint& base, const SurfacePoint& point) const {
+    if (base.kind == SurfacePoint::Kind::Vertex) {
+      const Index start = unfolding->outgoing(base.element);
+      for (Index h = start; h != kNoIndex;) {
+        if (const auto place = inFrame(point, h)) return unfolding->directionOf(h, *place);
+        h = unfolding->turnLeft(h);
+        if (h == start) break;
+      }
+      return 0;
+    }
+    // Seen from the halfedge of the base, or the first of its face: above it or below.
+    const bool onEdge = base.kind == SurfacePoint::Kind::Edge;
+    const Index h = onEdge ? base.element : 3 * base.element;
+    const geodesic::Vec2 at = *inFrame(base, h);
+    if (const auto place = inFrame(point, h)) {
+      const geodesic::Vec2 d = *place - at;
+      const double angle = angleOf(d.x, std::fabs(d.y));
+      return d.y < 0 ? 2 * kPi - angle : angle;
+    }
+    const Index twin = unfolding->twin(h);
+    const geodesic::Vec2 d = *inFrame(point, twin) - unfolding->toTwin(h, at);
+    return kPi + angleOf(d.x, std::max(d.y, 0.0));
+  }
+
+  /// A surface point in the frame of a halfedge, if it belongs to its face.
+  std::optional<geodesic::Vec2> inFrame(const SurfacePoint& point, Index halfedge) const {
+    const Index face = SurfaceMesh::faceOf(halfedge);
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      const geodesic::Crossing& c = unfolding->crossing(h);
+      std::optional<geodesic::Vec2> place;
       switch (point.kind) {
         case SurfacePoint::Kind::Vertex:
-          if (mesh.to(h) == point.element) return unfolding->direction(h);
+          if (point.element == c.from) place = geodesic::Vec2{0, 0};
           break;
         case SurfacePoint::Kind::Edge:
-          if (point.element == opposite || mesh.twin(point.element) == opposite) {
-            const double t = point.element == opposite ? point.weights[1] : point.weights[0];
-            return unfolding->directionTo(
-                h, unfolding->side(opposite).at(t * unfolding->side(opposite).length));
+          if (point.element == h) place = geodesic::Vec2{point.weights[1] * c.length, 0};
+          if (unfolding->twin(h) == point.element) {
+            place = geodesic::Vec2{point.weights[0] * c.length, 0};
           }
           break;
         case SurfacePoint::Kind::Face:
-          if (SurfaceMesh::faceOf(h) == point.element) {
-            const Index first = 3 * point.element;
-            geodesic::Vec2 p;
-            for (Index k = 0; k < 3; ++k)
-              p = p + point.weights[k] * unfolding->side(first + k).start;
-            return unfolding->directionTo(h, p);
+          if (point.element == face && h == 3 * face) {
+            place = point.weights[1] * geodesic::Vec2{c.length, 0} + point.weights[2] * c.apex;
           }
           break;
       }
-      h = mesh.twin(SurfaceMesh::previous(h));
-    } while (h != mesh.outgoing(base));
-    return 0;
+      if (place) return unfolding->toFrame(h, halfedge, *place);
+    }
+    return std::nullopt;
   }
 
   double angleAtBase(const GirthLoop& loop) const {
-    const std::size_t n = loop.points.size();
-    if (loop.kind == LoopKind::Antipodal && !search.found()) return 0;
-    const double between = std::fabs(directionTo(loop.base, loop.points[1]) -
-                                     directionTo(loop.base, loop.points[n - 2]));
-    return std::min(between, unfolding->totalAngle(loop.base) - between);
+    const SurfacePoint& base = loop.base;
+    const double between = std::fabs(directionTo(base, loop.points[1]) -
+                                     directionTo(base, loop.points[loop.points.size() - 2]));
+    const bool vertex = base.kind == SurfacePoint::Kind::Vertex;
+    const bool wall =
+        vertex ? unfolding->boundary(base.element)
+               : base.kind == SurfacePoint::Kind::Edge && unfolding->twin(base.element) == kNoIndex;
+    const double total = vertex ? unfolding->totalAngle(base.element) : 2 * kPi;
+    return wall ? between : std::min(between, total - between);
   }
 };
 
@@ -159,17 +193,28 @@ GirthSolver::GirthSolver(GirthSolver&&) noexcept = default;
 GirthSolver& GirthSolver::operator=(GirthSolver&&) noexcept = default;
 
 Result<GirthValue> GirthSolver::value(Index vertex, const ExecutionContext& context) {
-  if (auto error = state_->run(vertex, context)) return *std::move(error);
+  return value(SurfacePoint::atVertex(vertex), context);
+}
+Result<GirthValue> GirthSolver::value(const SurfacePoint& point, const ExecutionContext& context) {
+  if (auto error = state_->run(point, Keep::Front, context)) return *std::move(error);
   return state_->value();
 }
 
 Result<GirthLoop> GirthSolver::loop(Index vertex, const ExecutionContext& context) {
-  if (auto error = state_->run(vertex, context)) return *std::move(error);
+  return loop(SurfacePoint::atVertex(vertex), context);
+}
+Result<GirthLoop> GirthSolver::loop(const SurfacePoint& point, const ExecutionContext& context) {
+  if (auto error = state_->run(point, Keep::Everything, context)) return *std::move(error);
   return state_->loop();
 }
 
-std::size_t GirthSolver::windowCount() const { return state_->propagation.windowCount(); }
-std::size_t GirthSolver::memoryBytes() const { return state_->propagation.memoryBytes(); }
+void GirthSolver::setBudget(std::size_t windows) { state_->propagation.setBudget(windows); }
+
+SearchStatistics GirthSolver::statistics() const {
+  const Propagation& p = state_->propagation;
+  return {1, p.windowsCreated(), p.windowsCrossed(),
+          p.memoryBytes() + state_->search.memoryBytes()};
+}
 
 Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Index vertex) {
   return GirthSolver(mesh).loop(vertex);

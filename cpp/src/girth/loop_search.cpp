@@ -5,13 +5,14 @@
 
 namespace girth {
 
-using geodesic::Arrival;
 using geodesic::cross;
+using geodesic::Crossing;
+using geodesic::CrossingResult;
 using geodesic::dot;
 using geodesic::kTie;
 using geodesic::kTouch;
 using geodesic::norm;
-using geodesic::Side;
+using geodesic::Propagation;
 using geodesic::Unfolding;
 using geodesic::Vec2;
 using geodesic::Window;
@@ -23,14 +24,17 @@ constexpr double kTogether = 1e-9;
 
 bool longer(const LoopCandidate& a, const LoopCandidate& b) { return a.length > b.length; }
 
-/// Directions, sorted, leave no gap of π or more on a circle of this total angle.
-bool surrounds(std::vector<double>& directions, double total) {
+/// Directions around a point leave no gap of π or more. On a boundary (`open`) the directions run
+/// from wall to wall, and a gap may lie between a wall and the first of them.
+bool surrounds(std::vector<double>& directions, double total, bool open) {
+  constexpr double gap = kPi - 1e-6;
+  if (directions.empty()) return false;
   std::sort(directions.begin(), directions.end());
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const double next = i + 1 < directions.size() ? directions[i + 1] : directions[0] + total;
-    if (next - directions[i] >= kPi - 1e-6) return false;
+  for (std::size_t i = 0; i + 1 < directions.size(); ++i) {
+    if (directions[i + 1] - directions[i] >= gap) return false;
   }
-  return directions.size() >= 3;
+  if (open) return directions.front() < gap && total - directions.back() < gap;
+  return directions.size() >= 3 && directions.front() + total - directions.back() < gap;
 }
 
 }  // namespace
@@ -55,170 +59,247 @@ bool LoopSearch::enough(double frontier) {
   return cancelled_;
 }
 
-void LoopSearch::onWindow(Index window, double tip) {
-  const Index h = propagation_->window(window).halfedge;
-  for (const Index side : {SurfaceMesh::next(h), SurfaceMesh::previous(h)}) {
-    for (Index w = propagation_->firstWindow(side); w != kNoIndex;
-         w = propagation_->window(w).sibling) {
-      pair(window, w);
+void LoopSearch::onCrossing(Index halfedge, std::uint32_t first, const CrossingResult& result) {
+  // A straight line from behind this halfedge to behind another side runs through that side.
+  const Index next = Unfolding::next(halfedge), previous = Unfolding::previous(halfedge);
+  if (result.towardsLeft && propagation_->enteredCount(previous) > 0) {
+    pairAcross(halfedge, first, previous);
+  }
+  if (result.towardsRight && propagation_->enteredCount(next) > 0) {
+    pairAcross(halfedge, first, next);
+  }
+  const Crossing& c = propagation_->unfolding().crossing(halfedge);
+  if (result.reachesApex && propagation_->arrival(c.apexVertex).settled) {
+    for (std::uint32_t i = first; i < propagation_->enteredCount(halfedge); ++i) {
+      tryApex(halfedge, propagation_->window(halfedge, i));
     }
   }
-  if (std::isfinite(tip)) tryTip(window, tip);
+  for (const Propagation::Origin& origin : propagation_->origins()) {
+    if (origin.face != SurfaceMesh::faceOf(halfedge)) continue;
+    for (std::uint32_t i = first; i < propagation_->enteredCount(halfedge); ++i) {
+      tryOrigin(halfedge, propagation_->window(halfedge, i), origin);
+    }
+  }
 }
 
 void LoopSearch::onVertex(Index vertex) {
-  const SurfaceMesh& mesh = propagation_->unfolding().mesh();
-  Index h = mesh.outgoing(vertex);
-  do {
+  const Unfolding& unfolding = propagation_->unfolding();
+  const Index start = unfolding.outgoing(vertex);
+  for (Index h = start;;) {
     tryEdge(h);
-    const Index opposite = SurfaceMesh::next(h);
-    const Side& side = propagation_->unfolding().side(opposite);
-    const Vec2 tip = propagation_->unfolding().side(h).start;
-    for (Index w = propagation_->firstWindow(opposite); w != kNoIndex;
-         w = propagation_->window(w).sibling) {
-      const Window& window = propagation_->window(w);
-      if (window.covers(side, tip)) tryTip(w, window.distanceTo(tip));
+    const Index opposite = Unfolding::next(h);
+    for (std::uint32_t i = 0; i < propagation_->enteredCount(opposite); ++i) {
+      tryApex(opposite, propagation_->window(opposite, i));
     }
-    h = mesh.twin(SurfaceMesh::previous(h));
-  } while (h != mesh.outgoing(vertex));
+    const Index left = unfolding.turnLeft(h);
+    if (left == kNoIndex) tryEdge(Unfolding::previous(h));  // the wall on the far side
+    if (left == kNoIndex || left == start) return;
+    h = left;
+  }
 }
 
 // Case 3: the line between the roots of two windows of one face.
-void LoopSearch::pair(Index window, Index other) {
-  const Window& a = propagation_->window(window);
-  const Window& b = propagation_->window(other);
-  const Side& sideA = propagation_->unfolding().side(a.halfedge);
-  const Side& sideB = propagation_->unfolding().side(b.halfedge);
-  if (!a.covers(sideA, b.root) || !b.covers(sideB, a.root)) return;
+void LoopSearch::pairAcross(Index halfedge, std::uint32_t first, Index other) {
+  for (std::uint32_t i = first; i < propagation_->enteredCount(halfedge); ++i) {
+    const Window a = propagation_->window(halfedge, i);
+    for (std::uint32_t j = 0; j < propagation_->enteredCount(other); ++j) {
+      pair(halfedge, a, other, propagation_->window(other, j));
+    }
+  }
+}
 
-  const Vec2 line = b.root - a.root;
+void LoopSearch::pair(Index halfedge, const Window& a, Index other, const Window& b) {
+  const Unfolding& unfolding = propagation_->unfolding();
+  const Crossing& c = unfolding.crossing(halfedge);
+  const Vec2 rootB = unfolding.toFrame(other, halfedge, b.root);
+  if (!a.covers(c.length, rootB)) return;
+  if (!b.covers(unfolding.crossing(other).length, unfolding.toFrame(halfedge, other, a.root))) {
+    return;
+  }
+  const Vec2 line = rootB - a.root;
   const double distance = norm(line);
   // One root seen through two sides: both windows carry the same paths, past either side of a flat
   // vertex.
-  if (!(distance > kTouch * sideA.length)) return;
+  if (!(distance > kTouch * c.length)) return;
   const double toMidpoint = (distance + b.sigma - a.sigma) / 2;
   if (!(toMidpoint >= 0 && toMidpoint <= distance)) return;
   const Vec2 q = a.root + (toMidpoint / distance) * line;
-  const Index face = SurfaceMesh::faceOf(a.halfedge);
-  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const Side& side = propagation_->unfolding().side(h);
-    if (cross(side.direction, q - side.start) < -kTouch * side.length) return;
-  }
-  propose(
-      {a.sigma + distance + b.sigma, LoopCandidate::Ends::WindowWindow, window, other, face, q});
+  const double length = a.sigma + distance + b.sigma;
+  if (!worthwhile(length, halfedge, q)) return;
+  propose({length,
+           {{halfedge, a.root, a.sigma}, kNoIndex},
+           {{other, b.root, b.sigma}, kNoIndex},
+           halfedge,
+           q});
 }
 
 // Case 2: a window whose path runs to the opposite corner, which another path has reached before.
-void LoopSearch::tryTip(Index window, double tip) {
+void LoopSearch::tryApex(Index halfedge, const Window& window) {
   const Unfolding& unfolding = propagation_->unfolding();
-  const Window& w = propagation_->window(window);
-  const Index out = SurfaceMesh::previous(w.halfedge);
-  const Side& side = unfolding.side(out);
-  const Arrival& corner = propagation_->arrival(side.from);
-  if (!corner.settled) return;
+  const Crossing& c = unfolding.crossing(halfedge);
+  if (!window.covers(c.length, c.apex)) return;
+  const double atCorner = propagation_->distance(c.apexVertex);
+  const double tip = window.distanceTo(c.apex);
   // q lies between the halfedge and the corner, as far from the corner as the paths differ by half.
-  const double back = std::max(0.0, (tip - corner.distance) / 2);
-  const Vec2 toRoot = w.root - side.start;
-  const double length = norm(toRoot);
-  if (back > length) return;
-  const Vec2 q = side.start + (back / length) * toRoot;
-  const Side& entry = unfolding.side(w.halfedge);
-  if (cross(entry.direction, q - entry.start) < -kTouch * entry.length) return;
-  const bool atSource = side.from == propagation_->source();
-  if (!atSource &&
-      !unfolding.straight(side.from, corner.direction, unfolding.directionTo(out, w.root))) {
-    return;
-  }
-  propose({tip + corner.distance, LoopCandidate::Ends::WindowVertex, window, kNoIndex,
-           SurfaceMesh::faceOf(w.halfedge), q});
+  const double back = std::max(0.0, (tip - atCorner) / 2);
+  const Vec2 toRoot = window.root - c.apex;
+  const double reach = norm(toRoot);
+  if (back > reach) return;
+  const Vec2 q = c.apex + (back / reach) * toRoot;
+  if (!worthwhile(tip + atCorner, halfedge, q)) return;
+  const Index out = Unfolding::previous(halfedge);
+  const Vec2 towards = unfolding.toPrevious(halfedge, window.root);
+  if (!passesStraight(c.apexVertex, unfolding.directionOf(out, towards))) return;
+  propose({tip + atCorner,
+           {{halfedge, window.root, window.sigma}, kNoIndex},
+           {{}, c.apexVertex},
+           halfedge,
+           q});
+}
+
+// The same where the other end is p itself, inside the face or on a side of it.
+void LoopSearch::tryOrigin(Index halfedge, const Window& window,
+                           const Propagation::Origin& origin) {
+  const Unfolding& unfolding = propagation_->unfolding();
+  const Crossing& c = unfolding.crossing(halfedge);
+  const Vec2 p = unfolding.toFrame(3 * origin.face, halfedge, origin.place);
+  if (!window.covers(c.length, p)) return;
+  const double length = window.distanceTo(p);
+  const Vec2 toRoot = window.root - p;
+  const double reach = norm(toRoot);
+  if (!(reach > kTouch * c.length) || length / 2 > reach) return;
+  const Vec2 q = p + (length / 2 / reach) * toRoot;
+  if (!worthwhile(length, halfedge, q)) return;
+  propose({length, {{halfedge, window.root, window.sigma}, kNoIndex}, {}, halfedge, q});
 }
 
 // Case 1: the paths to both ends of an edge, and the edge.
 void LoopSearch::tryEdge(Index halfedge) {
   const Unfolding& unfolding = propagation_->unfolding();
-  const Side& side = unfolding.side(halfedge);
-  const Index a = side.from, b = unfolding.side(SurfaceMesh::next(halfedge)).from;
-  const Arrival& atA = propagation_->arrival(a);
-  const Arrival& atB = propagation_->arrival(b);
-  if (!atA.settled || !atB.settled) return;
-  const double along = (side.length + atB.distance - atA.distance) / 2;
-  if (!(along >= -kTouch * side.length && along <= side.length * (1 + kTouch))) return;
-  const Index source = propagation_->source();
-  if (a != source && !unfolding.straight(a, atA.direction, unfolding.direction(halfedge))) return;
-  if (b != source && !unfolding.straight(b, atB.direction, unfolding.direction(side.twin))) return;
-  propose({atA.distance + side.length + atB.distance, LoopCandidate::Ends::VertexVertex, halfedge,
-           kNoIndex, SurfaceMesh::faceOf(halfedge), side.at(std::clamp(along, 0.0, side.length))});
+  const Crossing& c = unfolding.crossing(halfedge);
+  if (!propagation_->arrival(c.from).settled || !propagation_->arrival(c.to).settled) return;
+  const double atFrom = propagation_->distance(c.from), atTo = propagation_->distance(c.to);
+  const double along = (c.length + atTo - atFrom) / 2;
+  if (!(along >= -kTouch * c.length && along <= c.length * (1 + kTouch))) return;
+  const double length = atFrom + c.length + atTo;
+  const Vec2 q{std::clamp(along, 0.0, c.length), 0};
+  if (!worthwhile(length, halfedge, q)) return;
+  const Index next = Unfolding::next(halfedge), twin = unfolding.twin(halfedge);
+  const double back = twin != kNoIndex ? unfolding.direction(twin)
+                                       : unfolding.directionOf(next, unfolding.crossing(next).left);
+  if (!passesStraight(c.from, unfolding.direction(halfedge)) || !passesStraight(c.to, back)) return;
+  propose({length, {{}, c.from}, {{}, c.to}, halfedge, q});
+}
+
+/// Whether the path to a vertex goes on straight in a direction. At p any direction will do.
+bool LoopSearch::passesStraight(Index vertex, double leaving) const {
+  return propagation_->isSource(vertex) ||
+         propagation_->unfolding().straight(vertex, propagation_->arrivalDirection(vertex),
+                                            leaving);
+}
+
+/// Most pairs are seen through at once: q lies outside the face, or is nearer over a corner.
+bool LoopSearch::worthwhile(double length, Index halfedge, Vec2 midpoint) const {
+  const Unfolding& unfolding = propagation_->unfolding();
+  const double half = length / 2 * (1 - kTie);
+  for (const Index h : {halfedge, Unfolding::next(halfedge), Unfolding::previous(halfedge)}) {
+    const Crossing& c = unfolding.crossing(h);
+    const Vec2 q = unfolding.toFrame(halfedge, h, midpoint);
+    if (q.y < -kTouch * c.length) return false;
+    const double rest = half - propagation_->distance(c.from);
+    if (rest > 0 && rest * rest > dot(q, q)) return false;
+    // No geodesic passes a convex vertex, though its neighbours on one side may tend to that line.
+    if (!unfolding.passable(c.from) && norm(q) <= 2 * kTouch * c.length) return false;
+  }
+  return true;
 }
 
 void LoopSearch::propose(const LoopCandidate& candidate) {
-  // Most candidates that cannot be proven are seen through at once, from the corners alone.
-  const double half = candidate.length / 2 * (1 - kTie);
-  for (Index h = 3 * candidate.face; h < 3 * candidate.face + 3; ++h) {
-    const Side& side = propagation_->unfolding().side(h);
-    const double rest = half - propagation_->arrival(side.from).distance;
-    const Vec2 d = candidate.midpoint - side.start;
-    if (rest > 0 && rest * rest > dot(d, d)) return;
-    // No geodesic passes a convex vertex, though its neighbours on one side may tend to that line.
-    if (!propagation_->unfolding().passable(side.from) && norm(d) <= 2 * kTouch * side.length)
-      return;
-  }
   candidates_.push_back(candidate);
   std::push_heap(candidates_.begin(), candidates_.end(), longer);
 }
 
 bool LoopSearch::proven(const LoopCandidate& candidate) const {
-  return propagation_->distanceTo(candidate.face, candidate.midpoint) >=
-         candidate.length / 2 * (1 - kTie);
+  if (propagation_->forgotten(SurfaceMesh::faceOf(candidate.halfedge))) return false;
+  return propagation_->distanceTo(candidate.halfedge, candidate.midpoint) >=
+             candidate.length / 2 * (1 - kTie) &&
+         !closesUpon(candidate);
 }
 
+/// Whether the frontier closes at the midpoint from all sides at once: the paths that arrive there
+/// leave no gap of π in which it could go on.
 bool LoopSearch::closesUpon(const LoopCandidate& candidate) const {
   const Unfolding& unfolding = propagation_->unfolding();
-  const Vec2 q = candidate.midpoint;
   const double reach = candidate.length / 2 * (1 + kTogether);
+  const Index face = SurfaceMesh::faceOf(candidate.halfedge);
   std::vector<double> directions;
 
   // At a vertex: the arrivals in all of its faces and along its edges.
-  const Index face = candidate.face;
-  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const Side& side = unfolding.side(h);
-    if (norm(q - side.start) > kTogether * side.length) continue;
-    Index out = h;
-    do {
-      const Arrival& neighbour = propagation_->arrival(unfolding.side(SurfaceMesh::next(out)).from);
-      if (neighbour.settled && neighbour.distance + unfolding.side(out).length <= reach) {
-        directions.push_back(unfolding.direction(out));
-      }
-      const Index opposite = SurfaceMesh::next(out);
-      const Vec2 tip = unfolding.side(out).start;
-      for (Index i = propagation_->firstWindow(opposite); i != kNoIndex;
-           i = propagation_->window(i).sibling) {
-        const Window& w = propagation_->window(i);
-        if (w.distanceTo(tip) <= reach && w.covers(unfolding.side(opposite), tip)) {
-          directions.push_back(unfolding.directionTo(out, w.root));
+  for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
+    const Crossing& c = unfolding.crossing(corner);
+    const Vec2 q = unfolding.toFrame(candidate.halfedge, corner, candidate.midpoint);
+    if (norm(q) > kTogether * c.length) continue;
+    const Index start = unfolding.outgoing(c.from);
+    for (Index out = start;;) {
+      const Crossing& side = unfolding.crossing(out);
+      const auto alongEdge = [&](Index neighbour, double length, double direction) {
+        if (propagation_->arrival(neighbour).settled &&
+            propagation_->distance(neighbour) + length <= reach) {
+          directions.push_back(direction);
+        }
+      };
+      alongEdge(side.to, side.length, unfolding.direction(out));
+      const Index opposite = Unfolding::next(out);
+      const Crossing& entry = unfolding.crossing(opposite);
+      for (std::uint32_t i = 0; i < propagation_->enteredCount(opposite); ++i) {
+        const Window w = propagation_->window(opposite, i);
+        if (w.distanceTo(entry.apex) <= reach && w.covers(entry.length, entry.apex)) {
+          directions.push_back(unfolding.directionOf(out, unfolding.toPrevious(opposite, w.root)));
         }
       }
-      out = unfolding.side(SurfaceMesh::previous(out)).twin;
-    } while (out != h);
-    return surrounds(directions, unfolding.totalAngle(side.from));
+      const Index left = unfolding.turnLeft(out);
+      if (left == kNoIndex) {
+        alongEdge(side.apexVertex, side.leftLength, unfolding.totalAngle(c.from));
+      }
+      if (left == kNoIndex || left == start) break;
+      out = left;
+    }
+    return surrounds(directions, unfolding.totalAngle(c.from), unfolding.boundary(c.from));
   }
 
-  // Inside a face or on an edge of it.
+  // Inside the face or on a side of it: as seen from that side.
+  Index base = candidate.halfedge;
+  bool onSide = false;
+  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+    const Vec2 q = unfolding.toFrame(candidate.halfedge, h, candidate.midpoint);
+    if (q.y <= kTogether * unfolding.crossing(h).length) {
+      base = h;
+      onSide = true;
+    }
+  }
+  const bool atWall = onSide && unfolding.twin(base) == kNoIndex;
+  const Vec2 q = unfolding.toFrame(candidate.halfedge, base, candidate.midpoint);
   const auto arrive = [&](Vec2 from) {
     const Vec2 d = from - q;
     const double angle = angleOf(d.x, std::fabs(d.y));
-    directions.push_back(d.y < 0 ? 2 * kPi - angle : angle);
+    directions.push_back(d.y < 0 && !atWall ? 2 * kPi - angle : angle);
   };
-  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const Side& side = unfolding.side(h);
-    const Arrival& corner = propagation_->arrival(side.from);
-    if (corner.settled && corner.distance + norm(q - side.start) <= reach) arrive(side.start);
-    for (Index i = propagation_->firstWindow(h); i != kNoIndex;
-         i = propagation_->window(i).sibling) {
-      const Window& w = propagation_->window(i);
-      if (w.distanceTo(q) <= reach && w.covers(side, q)) arrive(w.root);
+  for (const Index h : {base, Unfolding::next(base), Unfolding::previous(base)}) {
+    const Crossing& c = unfolding.crossing(h);
+    const Vec2 there = unfolding.toFrame(base, h, q);
+    if (propagation_->arrival(c.from).settled &&
+        propagation_->distance(c.from) + norm(there) <= reach) {
+      arrive(unfolding.toFrame(h, base, {0, 0}));
+    }
+    for (std::uint32_t i = 0; i < propagation_->enteredCount(h); ++i) {
+      const Window w = propagation_->window(h, i);
+      if (w.distanceTo(there) <= reach && w.covers(c.length, there)) {
+        arrive(unfolding.toFrame(h, base, w.root));
+      }
     }
   }
-  return surrounds(directions, 2 * kPi);
+  if (atWall) return surrounds(directions, kPi, true);
+  return surrounds(directions, 2 * kPi, false);
 }
 
 }  // namespace girth

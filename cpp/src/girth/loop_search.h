@@ -5,16 +5,20 @@
 // been dropped just past the midpoint q, and windows that survive may form a straight line whose
 // halves are not shortest. What is done instead, and why no loop is lost:
 // - Let q be the point of the true loop farthest from p, f a face that contains q, and the segment
-// through q
-//   the part of the loop inside f. Both halves are shortest paths, so where each enters f it is the
-//   one shortest path, and its window exists and enters f before the frontier reaches q. So we pair
-//   windows that enter the same face through different sides, and ask that q lies in that face
-//   (paper, case 3); a window with the path that ends at the opposite corner (case 2); and the
-//   paths to the two ends of an edge (case 1). A loop whose q is a vertex is the limit of case 2.
-//   Whichever of the two comes later makes the pair.
+//   through q the part of the loop inside f. Both halves are shortest paths, so where each enters f
+//   it is the one shortest path, and its window exists and enters f before the frontier reaches q.
+//   So we pair windows that enter the same face through different sides, and ask that q lies in
+//   that face (paper, case 3); a window with the path that ends at the opposite corner (case 2), or
+//   with p itself where p lies inside the face; and the paths to the two ends of an edge (case 1).
+//   A loop whose q is a vertex is the limit of case 2. Whichever of the two comes later makes the
+//   pair.
 // - A pair is only a candidate. When the frontier has passed half its length, the exact distance of
-// q is
-//   known; the candidate is the answer if that is half its length, and otherwise no loop at all.
+// q
+//   is known; the candidate stands if that is half its length, and otherwise it is no loop at all.
+//   A face that has been forgotten was passed before, so q was nearer.
+// - Where the paths that arrive at q leave no gap of π, the frontier does not touch itself there
+// but
+//   vanishes: a farthest point, at least locally, and no loop (paper, figure 1b).
 // - Candidates are judged in the order of their lengths, so the first that stands is the shortest.
 #pragma once
 
@@ -28,17 +32,15 @@ namespace girth {
 
 /// A straight connection of two paths from p, as yet unproven.
 struct LoopCandidate {
-  /// What the two halves end with.
-  enum class Ends : std::uint8_t {
-    WindowWindow,  ///< windows `first` and `second` of one face
-    WindowVertex,  ///< window `first`, and the path to the corner opposite its halfedge
-    VertexVertex,  ///< the paths to both ends of halfedge `first`
+  /// What a half of it ends with.
+  struct Half {
+    geodesic::Bundle bundle;  ///< a bundle of the face of q; else
+    Index vertex{kNoIndex};   ///< the path to a corner of it; else p itself lies in the face
   };
   double length{0};
-  Ends ends{Ends::WindowWindow};
-  Index first{kNoIndex}, second{kNoIndex};
-  /// q, in the frame of a face that contains it.
-  Index face{0};
+  Half there, back;
+  /// q, in the frame of a halfedge of a face that contains it.
+  Index halfedge{0};
   geodesic::Vec2 midpoint;
 };
 
@@ -50,23 +52,27 @@ class LoopSearch {
   void start(const std::atomic<bool>* cancel);
 
   bool enough(double frontier);
-  void onWindow(Index window, double tip);
+  void onCrossing(Index halfedge, std::uint32_t first, const geodesic::CrossingResult& result);
   void onVertex(Index vertex);
 
   bool found() const { return found_; }
   bool cancelled() const { return cancelled_; }
   /// The shortest loop; only where found.
   const LoopCandidate& best() const { return best_; }
-  /// Whether the frontier closes at the midpoint from all sides at once (paper, figure 1b): the
-  /// paths that arrive there leave no gap of π in which it could go on.
-  bool closesUpon(const LoopCandidate& candidate) const;
+  std::size_t memoryBytes() const { return candidates_.capacity() * sizeof(LoopCandidate); }
 
  private:
-  void pair(Index window, Index other);
-  void tryTip(Index window, double tip);
+  void pairAcross(Index halfedge, std::uint32_t first, Index other);
+  void pair(Index halfedge, const geodesic::Window& a, Index other, const geodesic::Window& b);
+  void tryApex(Index halfedge, const geodesic::Window& window);
+  void tryOrigin(Index halfedge, const geodesic::Window& window,
+                 const geodesic::Propagation::Origin& origin);
   void tryEdge(Index halfedge);
+  bool passesStraight(Index vertex, double leaving) const;
+  bool worthwhile(double length, Index halfedge, geodesic::Vec2 midpoint) const;
   void propose(const LoopCandidate& candidate);
   bool proven(const LoopCandidate& candidate) const;
+  bool closesUpon(const LoopCandidate& candidate) const;
 
   const geodesic::Propagation* propagation_;
   const std::atomic<bool>* cancel_{nullptr};

@@ -61,7 +61,8 @@ std::optional<Error> findBadElement(std::span<const double> positions,
 }
 
 /// Pairs the halfedges of every edge. `from` holds the start of each halfedge.
-std::optional<Error> pairHalfedges(const std::vector<Index>& from, std::vector<Index>& twin) {
+std::optional<Error> pairHalfedges(const std::vector<Index>& from, OpenEdges openEdges,
+                                   std::vector<Index>& twin) {
   const auto count = static_cast<Index>(from.size());
   const auto to = [&](Index h) { return from[SurfaceMesh::next(h)]; };
   // Halfedges sorted by edge: equal keys stand together, in the order of their numbers.
@@ -83,7 +84,7 @@ std::optional<Error> pairHalfedges(const std::vector<Index>& from, std::vector<I
     if (paired) {
       twin[a] = order[i + 1].second;
       twin[twin[a]] = a;
-    } else if (a < worst) {
+    } else if (a < worst && !(end - i == 1 && openEdges == OpenEdges::Wall)) {
       worst = a;
       faces = end - i;
       code = faces == 1   ? ErrorCode::OpenEdge
@@ -104,7 +105,7 @@ std::optional<Error> pairHalfedges(const std::vector<Index>& from, std::vector<I
 }  // namespace
 
 Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
-                                            std::span<const Index> triangles) {
+                                            std::span<const Index> triangles, OpenEdges openEdges) {
   if (auto error = findBadElement(positions, triangles)) return *std::move(error);
 
   SurfaceMesh mesh;
@@ -150,15 +151,24 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
   mesh.area_ = scaledArea / shrink / shrink;
   mesh.meanEdgeLength_ = scaledLength / halfedges / shrink;
 
-  if (auto error = pairHalfedges(mesh.from_, mesh.twin_)) return *std::move(error);
+  if (auto error = pairHalfedges(mesh.from_, openEdges, mesh.twin_)) return *std::move(error);
 
-  // Every vertex must have one fan of faces.
+  // Every vertex must have one fan of faces; at a wall it begins with the halfedge along the wall.
   std::vector<Index> degree(vertices, 0);
   mesh.outgoing_.assign(vertices, kNoIndex);
+  Index walls = 0;
   for (Index h = halfedges; h-- > 0;) {
-    ++degree[mesh.from_[h]];
-    mesh.outgoing_[mesh.from_[h]] = h;
+    const Index v = mesh.from_[h];
+    ++degree[v];
+    if (mesh.outgoing_[v] == kNoIndex || mesh.twin_[mesh.outgoing_[v]] != kNoIndex) {
+      mesh.outgoing_[v] = h;
+    }
+    if (mesh.twin_[h] == kNoIndex) {
+      mesh.outgoing_[v] = h;
+      ++walls;
+    }
   }
+  mesh.edgeCount_ = (halfedges + walls) / 2;
   for (Index v = 0; v < vertices; ++v) {
     if (degree[v] == 0) {
       return makeError(ErrorCode::UnreferencedVertex, v,
@@ -169,39 +179,52 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
     do {
       ++fan;
       h = mesh.twin_[previous(h)];
-    } while (h != mesh.outgoing_[v]);
+    } while (h != kNoIndex && h != mesh.outgoing_[v]);
     if (fan != degree[v]) {
       return makeError(ErrorCode::NonManifoldVertex, v,
                        "vertex " + std::to_string(v) + " joins parts that touch only there");
     }
   }
 
-  // Components by flooding, and the genus of each from V − E + F = 2 − 2g.
+  // Components by flooding, and the genus of each from V − E + F = 2 − 2g − (boundary curves).
   mesh.component_.assign(vertices, kNoIndex);
   std::vector<Index> front;
+  std::vector<bool> walked(walls > 0 ? halfedges : 0, false);  // along a boundary curve
   for (Index seed = 0; seed < vertices; ++seed) {
     if (mesh.component_[seed] != kNoIndex) continue;
     const Index number = mesh.componentCount();
-    std::int64_t vertexTotal = 0, halfedgeTotal = 0;
+    std::int64_t vertexTotal = 0, halfedgeTotal = 0, wallTotal = 0;
+    Index boundaries = 0;
     mesh.component_[seed] = number;
     front.assign(1, seed);
+    const auto meet = [&](Index w) {
+      if (mesh.component_[w] != kNoIndex) return;
+      mesh.component_[w] = number;
+      front.push_back(w);
+    };
     while (!front.empty()) {
       const Index v = front.back();
       front.pop_back();
       ++vertexTotal;
       Index h = mesh.outgoing_[v];
+      if (mesh.twin_[h] == kNoIndex && !walked[h]) {
+        ++boundaries;
+        for (Index wall = h; !walked[wall]; wall = mesh.outgoing_[mesh.to(wall)]) {
+          walked[wall] = true;
+          ++wallTotal;
+        }
+      }
       do {
         ++halfedgeTotal;
-        const Index w = mesh.to(h);
-        if (mesh.component_[w] == kNoIndex) {
-          mesh.component_[w] = number;
-          front.push_back(w);
-        }
+        meet(mesh.to(h));
+        meet(mesh.from_[previous(h)]);
         h = mesh.twin_[previous(h)];
-      } while (h != mesh.outgoing_[v]);
+      } while (h != kNoIndex && h != mesh.outgoing_[v]);
     }
-    const std::int64_t euler = vertexTotal - halfedgeTotal / 2 + halfedgeTotal / 3;
-    mesh.componentGenus_.push_back(static_cast<Index>((2 - euler) / 2));
+    const std::int64_t edges = (halfedgeTotal + wallTotal) / 2;
+    const std::int64_t euler = vertexTotal - edges + halfedgeTotal / 3;
+    mesh.componentGenus_.push_back(static_cast<Index>((2 - euler - boundaries) / 2));
+    mesh.componentBoundaries_.push_back(boundaries);
   }
   return mesh;
 }

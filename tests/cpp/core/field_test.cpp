@@ -22,7 +22,7 @@ TEST(Field, GivesTheSameBitsOnAnyNumberOfThreads) {
     context.threads = threads;
     const GirthField field = girthField(mesh, GirthMethod::Exact, context);
     ASSERT_TRUE(field.complete());
-    EXPECT_GT(field.windows, 0u);
+    EXPECT_GT(field.statistics.windowsCreated, 0u);
     for (Index v = 0; v < mesh.vertexCount(); ++v) {
       const GirthValue alone = solver.value(v).value();
       EXPECT_EQ(field.values[v], alone.length);

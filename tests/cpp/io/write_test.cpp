@@ -94,13 +94,14 @@ TEST(WriteLoop, allFormats) {
   GirthLoop loop;
   loop.length = 2.5;
   loop.angle = 1;
-  loop.base = 1;
+  loop.base = SurfacePoint::atVertex(1);
   const SurfacePoint middle = SurfacePoint::onHalfedge(loaded.mesh.outgoing(0), 0.25);
   loop.points = {SurfacePoint::atVertex(1), middle, SurfacePoint::atVertex(1)};
   loop.midpoint = middle;
   const std::string json = loopJson(loaded, loop, "sample.obj", true);
-  EXPECT_TRUE(
-      contains(json, R"({"file":"sample.obj","vertex":2,"length":2.5,"kind":"loop","angle":1)"))
+  EXPECT_TRUE(contains(
+      json,
+      R"({"file":"sample.obj","vertex":2,"base":{"position":[1,0,0],"vertices":[2],"weights":[1]},"length":2.5,"kind":"loop","angle":1)"))
       << json;
   EXPECT_TRUE(contains(json, R"("vertices":[2],"weights":[1]})")) << json;
   EXPECT_TRUE(contains(json, R"("weights":[0.75,0.25]})")) << json;

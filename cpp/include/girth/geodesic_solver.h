@@ -1,0 +1,64 @@
+// Exact geodesic distances and shortest paths: the engine under the girth function, for itself.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "girth/execution.h"
+#include "girth/search_statistics.h"
+#include "girth/surface_mesh.h"
+#include "girth/surface_point.h"
+
+namespace girth {
+
+/// A shortest path between two points of a surface.
+struct GeodesicPath {
+  /// In model units; infinite where the points lie in different components.
+  double length{std::numeric_limits<double>::infinity()};
+  /// From the first point to the second: the edges crossed and vertices passed in order. Between
+  /// neighbours the path is straight inside one face or along one edge. Empty where there is none.
+  std::vector<SurfacePoint> points;
+};
+
+/// Computes distances by exact propagation of geodesic windows (paper, section 4.1; Mitchell et al.
+/// 1987, Chen and Han 1990, Xin and Wang 2009), all windows of a halfedge at a time.
+///
+/// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it. Memory
+/// of a call grows with the front, that of `path` with all windows up to the second point. Time is
+/// about O(n^1.5) for the usual mesh of n faces.
+class GeodesicSolver {
+ public:
+  explicit GeodesicSolver(const SurfaceMesh& mesh);
+  ~GeodesicSolver();
+  GeodesicSolver(GeodesicSolver&&) noexcept;
+  GeodesicSolver& operator=(GeodesicSolver&&) noexcept;
+
+  /// Distance of every vertex from the source, in model units; infinite beyond the radius and in
+  /// other components. Of the context, only `cancel` matters. Errors: VERTEX_OUT_OF_RANGE,
+  /// INVALID_POINT, INVALID_RADIUS (negative, or not a number), CANCELLED, LIMIT_EXCEEDED (more
+  /// than the budget of windows).
+  Result<std::vector<double>> distances(const SurfacePoint& source,
+                                        double radius = std::numeric_limits<double>::infinity(),
+                                        const ExecutionContext& context = {});
+  /// Distance from the nearest of several sources; all infinite where there are none.
+  Result<std::vector<double>> distances(std::span<const SurfacePoint> sources,
+                                        double radius = std::numeric_limits<double>::infinity(),
+                                        const ExecutionContext& context = {});
+
+  /// A shortest path from one point to another. The same errors.
+  Result<GeodesicPath> path(const SurfacePoint& from, const SurfacePoint& to,
+                            const ExecutionContext& context = {});
+
+  /// Calls give up with LIMIT_EXCEEDED after so many windows; 2^26 if nothing is said.
+  void setBudget(std::size_t windows);
+  /// What the last call cost.
+  SearchStatistics statistics() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace girth

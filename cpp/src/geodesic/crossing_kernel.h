@@ -1,0 +1,44 @@
+// The arithmetic of crossing a face, for all the waiting windows of a halfedge at once.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "geodesic/unfolding.h"
+
+namespace girth::geodesic {
+
+/// The waiting windows of a halfedge, and what is known of its face's corners.
+struct CrossingBatch {
+  const Crossing* crossing;
+  const double* windows;  ///< the first: its root.x; its other fields follow `stride` doubles apart
+  std::size_t stride;
+  std::uint32_t count;
+  double distanceFrom, distanceTo, distanceApex;  ///< of the three corners; infinite: not reached
+};
+
+/// Where the windows go that leave through a side: room for `count` and kMostLanes − 1 more. A wall
+/// takes none: `windows` is null.
+struct CrossingExit {
+  double* windows;
+  std::size_t stride;
+};
+
+struct CrossingResult {
+  std::uint32_t leftCount, rightCount;  ///< windows written
+  double leftNearest, rightNearest;     ///< distance of the nearest point of those; infinite: none
+  double distanceApex;                  ///< the corner's, now
+  std::int32_t apexWindow;         ///< the window that came nearest to it; −1: none came nearer
+  bool reachesApex;                ///< some window reaches the corner, nearest or not
+  bool towardsLeft, towardsRight;  ///< some window reaches that side, trimmed away there or not
+};
+
+inline constexpr std::uint32_t kMostLanes = 4;
+
+using CrossingKernel = CrossingResult (*)(const CrossingBatch&, CrossingExit left,
+                                          CrossingExit right);
+
+/// The fastest kernel that this processor can run. All give the same bits.
+CrossingKernel crossingKernel();
+
+}  // namespace girth::geodesic

@@ -1,0 +1,153 @@
+#include "girth/geodesic_solver.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "geodesic/locate.h"
+#include "geodesic/path_tracing.h"
+#include "geodesic/propagation.h"
+
+namespace girth {
+
+using geodesic::CrossingResult;
+using geodesic::Keep;
+using geodesic::Propagation;
+using geodesic::Unfolding;
+using geodesic::Vec2;
+
+namespace {
+
+/// Stops once the frontier has passed a distance that `limit` tells.
+template <class Limit>
+class Until {
+ public:
+  Until(Limit limit, const ExecutionContext& context) : limit_(limit), context_(context) {}
+
+  bool enough(double frontier) {
+    cancelled_ = context_.cancelled();
+    return cancelled_ || frontier > limit_();
+  }
+  void onCrossing(Index, std::uint32_t, const CrossingResult&) {}
+  void onVertex(Index) {}
+  bool cancelled() const { return cancelled_; }
+
+ private:
+  Limit limit_;
+  const ExecutionContext& context_;
+  bool cancelled_{false};
+};
+
+/// A point in the frame of a halfedge of a face that contains it.
+std::pair<Index, Vec2> inFrame(const Unfolding& unfolding, const SurfacePoint& point) {
+  switch (point.kind) {
+    case SurfacePoint::Kind::Vertex:
+      return {unfolding.outgoing(point.element), {0, 0}};
+    case SurfacePoint::Kind::Edge:
+      return {point.element, {point.weights[1] * unfolding.crossing(point.element).length, 0}};
+    case SurfacePoint::Kind::Face:
+      break;
+  }
+  const geodesic::Crossing& c = unfolding.crossing(3 * point.element);
+  return {3 * point.element, point.weights[1] * Vec2{c.length, 0} + point.weights[2] * c.apex};
+}
+
+}  // namespace
+
+struct GeodesicSolver::State {
+  Unfolding unfolding;
+  Propagation propagation;
+
+  explicit State(const SurfaceMesh& mesh) : unfolding(mesh), propagation(unfolding) {}
+
+  template <class Limit>
+  std::optional<Error> run(std::span<const SurfacePoint> sources, Keep keep, Limit limit,
+                           const ExecutionContext& context) {
+    Until until(limit, context);
+    propagation.run(sources, keep, until);
+    if (until.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
+    if (propagation.gaveUp()) {
+      return makeError(
+          ErrorCode::LimitExceeded, -1,
+          "given up after " + std::to_string(propagation.windowsCrossed()) + " windows");
+    }
+    return std::nullopt;
+  }
+};
+
+GeodesicSolver::GeodesicSolver(const SurfaceMesh& mesh) : state_(std::make_unique<State>(mesh)) {}
+GeodesicSolver::~GeodesicSolver() = default;
+GeodesicSolver::GeodesicSolver(GeodesicSolver&&) noexcept = default;
+GeodesicSolver& GeodesicSolver::operator=(GeodesicSolver&&) noexcept = default;
+
+Result<std::vector<double>> GeodesicSolver::distances(const SurfacePoint& source, double radius,
+                                                      const ExecutionContext& context) {
+  return distances(std::span(&source, 1), radius, context);
+}
+
+Result<std::vector<double>> GeodesicSolver::distances(std::span<const SurfacePoint> sources,
+                                                      double radius,
+                                                      const ExecutionContext& context) {
+  const Unfolding& unfolding = state_->unfolding;
+  if (!(radius >= 0)) {
+    return makeError(ErrorCode::InvalidRadius, -1,
+                     "the radius " + std::to_string(radius) + " is not a number of at least 0");
+  }
+  std::vector<SurfacePoint> located;
+  for (const SurfacePoint& source : sources) {
+    auto point = geodesic::locate(unfolding, source);
+    if (!point) return point.error();
+    located.push_back(point.value());
+  }
+  const double within = radius / unfolding.unit();
+  if (auto error = state_->run(
+          located, Keep::Nothing, [&] { return within; }, context)) {
+    return *std::move(error);
+  }
+  std::vector<double> result(unfolding.vertexCount(), std::numeric_limits<double>::infinity());
+  for (Index v = 0; v < unfolding.vertexCount(); ++v) {
+    const double distance = state_->propagation.distance(v) * unfolding.unit();
+    if (distance <= radius) result[unfolding.vertexInMesh(v)] = distance;
+  }
+  return result;
+}
+
+Result<GeodesicPath> GeodesicSolver::path(const SurfacePoint& from, const SurfacePoint& to,
+                                          const ExecutionContext& context) {
+  const Unfolding& unfolding = state_->unfolding;
+  const Propagation& propagation = state_->propagation;
+  const auto source = geodesic::locate(unfolding, from);
+  if (!source) return source.error();
+  const auto target = geodesic::locate(unfolding, to);
+  if (!target) return target.error();
+  const auto [halfedge, place] = inFrame(unfolding, target.value());
+
+  const auto known = [&, h = halfedge, p = place] { return propagation.distanceTo(h, p); };
+  if (auto error = state_->run(std::span(&source.value(), 1), Keep::Everything, known, context)) {
+    return *std::move(error);
+  }
+  const geodesic::PathEnd end = propagation.pathTo(halfedge, place);
+  GeodesicPath path;
+  path.length = end.distance * unfolding.unit();
+  if (std::isinf(path.length)) return path;
+  // Traced from its end, that is from `to` back to `from`.
+  path.points.push_back(geodesic::surfacePointAt(unfolding, halfedge, place));
+  std::vector<SurfacePoint> back;
+  geodesic::tracePath(propagation, end, halfedge, place, back);
+  for (const SurfacePoint& point : back) {
+    if (!geodesic::samePoint(path.points.back(), point)) path.points.push_back(point);
+  }
+  std::reverse(path.points.begin(), path.points.end());
+  for (SurfacePoint& point : path.points) point = unfolding.toMesh(point);
+  return path;
+}
+
+void GeodesicSolver::setBudget(std::size_t windows) { state_->propagation.setBudget(windows); }
+
+SearchStatistics GeodesicSolver::statistics() const {
+  const Propagation& p = state_->propagation;
+  return {1, p.windowsCreated(), p.windowsCrossed(), p.memoryBytes()};
+}
+
+}  // namespace girth
