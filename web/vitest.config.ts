@@ -25,6 +25,8 @@ export default defineConfig({
           fileParallelism: false,
           testTimeout: 120_000,
           hookTimeout: 120_000,
+          // Generous: a slow machine is no failure.
+          expect: { poll: { timeout: 30_000 } },
         },
       },
     ],

@@ -156,6 +156,24 @@ describe('a field by a pool', () => {
     expect((await second).values[7]).toBe(fakeValue(7));
   });
 
+  test('a worker that does not come back from a cancelled chunk is replaced', async () => {
+    let stuck = true;
+    const surface = fakeSurface(100);
+    const { kernel, workers } = await fakeKernel((request, report) => {
+      if (request.operation === 'values' && stuck) return new Promise<object>(() => undefined);
+      return surface(request, report);
+    }, 1);
+    const mesh = await kernel.load(anyArrays);
+    const controller = new AbortController();
+    const field = codeOf(mesh.field('igf', { signal: controller.signal }));
+    await vi.waitFor(() => expect(workers[1]!.operations).toContain('values'));
+    stuck = false;
+    controller.abort();
+    expect(await field).toBe('CANCELLED');
+    expect((await mesh.field('igf')).values[7]).toBe(fakeValue(7));
+    expect(workers.map(({ terminated }) => terminated)).toEqual([false, true, false]);
+  });
+
   test('ends with CANCELLED when its mesh or its kernel is disposed of', async () => {
     const never = new Promise<object>(() => undefined);
     const surface = fakeSurface(10);

@@ -120,6 +120,11 @@ export class WorkerClient<T extends CommonOperations> {
     void this.#post('drop', { surface }, []).catch(() => undefined);
   }
 
+  /** Ends the worker at once; what is pending fails with `error`. The next request starts another. */
+  restart(error: GirthError): void {
+    this.#die(error);
+  }
+
   /** Ends the worker at once and for good; what is pending fails with `error`. */
   terminate(error: GirthError): void {
     this.#closed = error;
