@@ -376,6 +376,15 @@ double TextbookMmp::distanceTo(Index face, double x, double y) const {
   return static_cast<double>(distanceInPlane(face, {x, y}));
 }
 
+double TextbookMmp::leastOn(Index h) const {
+  Real least = std::min(distance_[mesh_.from(h)], distance_[mesh_.to(h)]);
+  for (const WindowId id : onEdge_[edgeOf_[h]]) {
+    const Window& w = windows_[id];
+    least = std::min(least, along(w, std::clamp(w.x, w.from, w.to)));
+  }
+  return static_cast<double>(least);
+}
+
 std::array<std::array<double, 2>, 3> TextbookMmp::corners(Index face) const {
   const Point o = apex(3 * face);
   return {{{0, 0},

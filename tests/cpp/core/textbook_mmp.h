@@ -33,6 +33,9 @@ class TextbookMmp {
   /// The same in the plane of a face: corner 0 at the origin, side 0 along x, corner 2 above.
   double distanceTo(Index face, double x, double y) const;
 
+  /// The least distance on an edge, as far as the propagation has reached it; else infinite.
+  double leastOn(Index halfedge) const;
+
   /// Where the corners of a face lie in its plane.
   std::array<std::array<double, 2>, 3> corners(Index face) const;
 
