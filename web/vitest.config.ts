@@ -1,4 +1,4 @@
-// The tests of the web side: `web` runs in Node.js, `browser` drives Chromium.
+// The tests of the web side: `web` runs in Node.js, `browser` drives Chromium. `bench` is no test: it measures.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
@@ -27,6 +27,16 @@ export default defineConfig({
           hookTimeout: 120_000,
           // Generous: a slow machine is no failure.
           expect: { poll: { timeout: 30_000 } },
+        },
+      },
+      {
+        root,
+        test: {
+          name: 'bench',
+          include: ['tests/bench/**/*.bench.ts'],
+          fileParallelism: false,
+          testTimeout: 600_000,
+          hookTimeout: 120_000,
         },
       },
     ],

@@ -119,6 +119,7 @@ export function requireBuilt(file: string, command: string): void {
 }
 
 export interface OpenPage {
+  browser: Browser;
   context: BrowserContext;
   page: Page;
   /** What went wrong on it that nobody caught, as it happens. */
@@ -141,7 +142,7 @@ export function chromiumForTests(): (
     const page = await context.newPage();
     const complaints = complaintsOf(page);
     await page.goto(address);
-    return { context, page, complaints };
+    return { browser, context, page, complaints };
   };
 }
 
