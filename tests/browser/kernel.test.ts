@@ -274,6 +274,26 @@ for (const mode of ['threads', 'pool'] as const) {
       }
     });
 
+    test('glue and module of different builds are an error with a code', async () => {
+      const other = await page.context().newPage();
+      // Each module gets the other one's bytes.
+      const bytes = (name: string) =>
+        readFileSync(join(repository, `web/src/kernel/wasm/${name}.wasm`));
+      await other.route(/\.wasm$/, (route) =>
+        route.fulfill({
+          body: bytes(route.request().url().includes('threads') ? 'girth' : 'girth-threads'),
+          contentType: 'application/wasm',
+        }),
+      );
+      await other.goto(server.url);
+      await other.waitForFunction('globalThis.girth');
+      const { code } = await other.evaluate(() =>
+        girth.refusal(girth.createKernel({ threads: 2 })),
+      );
+      await other.close();
+      expect(code).toBe('INTERNAL');
+    });
+
     test('a module that cannot be loaded is an error with a code', async () => {
       const other = await page.context().newPage();
       await other.route(/\.wasm$/, (route) => route.abort());

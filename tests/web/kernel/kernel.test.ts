@@ -7,6 +7,7 @@ import { FieldRun } from '../../../web/src/kernel/field-run.js';
 import { openKernel } from '../../../web/src/kernel/kernel.js';
 import { chunkSize } from '../../../web/src/kernel/pool-engine.js';
 import type { MeshArrays, PartialField } from '../../../web/src/kernel/types.js';
+import { longestStart } from '../../../web/src/kernel/worker-client.js';
 import { FakeWorker, fakeSurface, fakeValue, type Behaviour } from './fake-worker.js';
 
 const anyArrays: MeshArrays = {
@@ -281,6 +282,19 @@ describe('starting and loading', () => {
     );
     worker.crash('');
     expect(await opening).toBe('INTERNAL');
+  });
+
+  test('a module that never finishes loading is given up, with a code and a remedy', async () => {
+    vi.useFakeTimers();
+    const never = () => new FakeWorker(() => new Promise<object>(() => undefined));
+    const opening = openKernel({ mode: 'pool' }, { single: never, threads: never });
+    const refused = expect(opening).rejects.toMatchObject({
+      code: 'INTERNAL',
+      hint: expect.stringContaining('.wasm') as string,
+    });
+    await vi.advanceTimersByTimeAsync(longestStart);
+    await refused;
+    vi.useRealTimers();
   });
 
   test('an address that cannot be fetched is named, with a code', async () => {
