@@ -1,4 +1,4 @@
-// The tests of the web side: `web` runs in Node.js, `browser` drives Chromium.
+// The tests of the web side: `web` runs in Node.js, `browser` drives Chromium. `bench` is no test: it measures.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
@@ -24,6 +24,18 @@ export default defineConfig({
           // Chromium wants the processor for itself: times are measured.
           fileParallelism: false,
           testTimeout: 120_000,
+          hookTimeout: 120_000,
+          // Generous: a slow machine is no failure.
+          expect: { poll: { timeout: 30_000 } },
+        },
+      },
+      {
+        root,
+        test: {
+          name: 'bench',
+          include: ['tests/bench/**/*.bench.ts'],
+          fileParallelism: false,
+          testTimeout: 600_000,
           hookTimeout: 120_000,
         },
       },

@@ -2,16 +2,16 @@
 // security policy, from the npm tarball as users get it.
 
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, cpSync, existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { copyFileSync, cpSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import {
-  complaintsOf,
-  launchChromium,
+  chromiumForTests,
   repository,
+  requireBuilt,
   serve,
   strictPolicy,
   type StaticServer,
@@ -34,15 +34,13 @@ const pages = {
   '/still.html': `${head}${script}<girth-viewer src="dumbbell.glb" field="none" loop="none"></girth-viewer>`,
 };
 
-let browser: Browser;
+const openPage = chromiumForTests();
 let server: StaticServer;
 let page: Page;
 let complaints: string[];
 
 beforeAll(async () => {
-  if (!existsSync(join(repository, 'dist/girth-viewer.js'))) {
-    throw new Error('first: npm run build:package');
-  }
+  requireBuilt('dist/girth-viewer.js', 'build:package');
   const packed = execFileSync(
     'npm',
     ['pack', '--json', '--ignore-scripts', '--pack-destination', site],
@@ -59,19 +57,17 @@ beforeAll(async () => {
     copyFileSync(join(examples, name), join(site, name));
   copyFileSync(join(repository, 'tests/data/prism.obj'), join(site, 'prism.obj'));
   server = await serve(site, { policy: strictPolicy, pages });
-  browser = await launchChromium();
 });
 
 afterAll(async () => {
-  await browser?.close();
   await server?.close();
   rmSync(site, { recursive: true });
 });
 
+afterEach(() => page.context().close());
+
 async function open(path: string): Promise<void> {
-  page = await browser.newPage({ viewport: { width: 900, height: 700 } });
-  complaints = complaintsOf(page);
-  await page.goto(server.url + path);
+  ({ page, complaints } = await openPage(server.url + path));
 }
 
 test('one script line and one tag: loads, computes in workers, shows the loop', async () => {
@@ -102,7 +98,6 @@ test('one script line and one tag: loads, computes in workers, shows the loop', 
   });
   expect(picture.type).toBe('image/png');
   expect(picture.colours).toBeGreaterThan(500);
-  await page.close();
 });
 
 test('two on one page: each its own model, one kernel', async () => {
@@ -126,7 +121,6 @@ test('two on one page: each its own model, one kernel', async () => {
   await b.evaluate((element: GirthViewer) => element.pinned.forEach(({ id }) => element.unpin(id)));
   expect((await hoverAnywhere(b)).length).toBeGreaterThan(0);
   expect(complaints).toEqual([]);
-  await page.close();
 });
 
 async function hoverAnywhere(viewer: ReturnType<Page['locator']>) {
@@ -143,7 +137,6 @@ test('nothing is fetched or computed before the element is in view', async () =>
   expect(await viewer.evaluate((element: GirthViewer) => element.info)).toBeUndefined();
   await viewer.evaluate((element: GirthViewer) => element.scrollIntoView());
   await fieldComplete(viewer);
-  await page.close();
 });
 
 test('a missing file is said in words and sent as an event', async () => {
@@ -152,7 +145,6 @@ test('a missing file is said in words and sent as an event', async () => {
   await message.waitFor();
   expect(await message.textContent()).toContain('nothing.glb could not be used.');
   expect(await message.getAttribute('data-code')).toBe('FILE_NOT_FOUND');
-  await page.close();
 });
 
 test('events tell the story; a plain surface computes nothing', async () => {
@@ -186,5 +178,4 @@ test('events tell the story; a plain surface computes nothing', async () => {
     return seen;
   });
   expect(events).toEqual(['progress', 'field', 'pick', 'error']);
-  await page.close();
 });

@@ -1,12 +1,19 @@
 // What every browser test needs: a static server with the headers under test, and Chromium.
 
-import { createReadStream } from 'node:fs';
+import { createReadStream, existsSync } from 'node:fs';
 import { stat } from 'node:fs/promises';
 import { createServer, type IncomingMessage, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
-import { extname, resolve, sep } from 'node:path';
+import { extname, join, resolve, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium, type Browser, type Page } from 'playwright-core';
+import {
+  chromium,
+  type Browser,
+  type BrowserContext,
+  type BrowserContextOptions,
+  type Page,
+} from 'playwright-core';
+import { afterAll, beforeAll } from 'vitest';
 
 /** The top of the repository. */
 export const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -92,7 +99,7 @@ export async function serve(folder: string, options: ServeOptions = {}): Promise
 }
 
 /** Chromium without a window; `CHROMIUM` names another one than Debian's. */
-export function launchChromium(): Promise<Browser> {
+function launchChromium(): Promise<Browser> {
   return chromium.launch({
     executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
     args: [
@@ -106,8 +113,41 @@ export function launchChromium(): Promise<Browser> {
   });
 }
 
+/** The file of a build, which must be there: tests run what `command` has built. */
+export function requireBuilt(file: string, command: string): void {
+  if (!existsSync(join(repository, file))) throw new Error(`first: npm run ${command}`);
+}
+
+export interface OpenPage {
+  browser: Browser;
+  context: BrowserContext;
+  page: Page;
+  /** What went wrong on it that nobody caught, as it happens. */
+  complaints: string[];
+}
+
+/** Chromium for the tests of one file: gives them pages, each in a context of its own. */
+export function chromiumForTests(): (
+  address: string,
+  options?: BrowserContextOptions,
+) => Promise<OpenPage> {
+  let browser: Browser;
+  beforeAll(async () => {
+    browser = await launchChromium();
+  });
+  afterAll(() => browser?.close());
+  return async (address, options = {}) => {
+    const viewport = { width: 1024, height: 768 };
+    const context = await browser.newContext({ viewport, ...options });
+    const page = await context.newPage();
+    const complaints = complaintsOf(page);
+    await page.goto(address);
+    return { browser, context, page, complaints };
+  };
+}
+
 /** What went wrong on a page that nobody caught: errors, console errors, violations of the policy. */
-export function complaintsOf(page: Page): string[] {
+function complaintsOf(page: Page): string[] {
   const complaints: string[] = [];
   page.on('pageerror', (error) => complaints.push(`uncaught: ${error.message}`));
   page.on('console', (message) => {

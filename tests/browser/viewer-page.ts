@@ -4,6 +4,7 @@
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
+import { expect } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { repository } from './support.js';
 
@@ -18,15 +19,30 @@ export function loopByCommand(file: string, vertex: number): { length: number; k
   return JSON.parse(text) as { length: number; kind: string };
 }
 
-/** Waits until a whole field is there. */
+/** Waits until a whole field is there, and what is said of it: colours, legend, no progress. */
 export async function fieldComplete(viewer: Locator, timeout = 90_000): Promise<void> {
   const complete = (element: GirthViewer) =>
-    !!element.info && element.values('igf').every((value) => !Number.isNaN(value));
+    !!element.info &&
+    element.values('igf').every((value) => !Number.isNaN(value)) &&
+    !element.shadowRoot!.querySelector('[role=progressbar]')!.checkVisibility();
   const until = Date.now() + timeout;
   while (!(await viewer.evaluate(complete))) {
     if (Date.now() > until) throw new Error('the field was not completed in time');
     await viewer.page().waitForTimeout(50);
   }
+}
+
+/** Waits until the value of a vertex at least is there. */
+export async function fieldBegun(viewer: Locator): Promise<void> {
+  await expect
+    .poll(
+      () =>
+        viewer.evaluate((element: GirthViewer) =>
+          element.values('igf').some((value) => !Number.isNaN(value)),
+        ),
+      { interval: 20 },
+    )
+    .toBe(true);
 }
 
 /**
@@ -81,20 +97,14 @@ export interface Shown {
   text: string;
 }
 
-/** Moves the mouse to a place and reads what is written beside it. */
+/** Moves the mouse from beside the surface to a place on it and reads what is written there. */
 export async function hover(page: Page, viewer: Locator, x: number, y: number): Promise<Shown> {
-  await page.mouse.move(x - 2, y);
-  await page.mouse.move(x, y);
   const readout = viewer.locator('.readout');
+  await page.mouse.move(1, 1);
+  await readout.waitFor({ state: 'hidden' });
+  // One step: no other loop than this place's is asked for.
+  await page.mouse.move(x, y);
   await readout.waitFor({ state: 'visible' });
-  // The loop of the first of the two places may still be shown: wait until it rests.
-  let before = '';
-  for (let rest = 0; rest < 3;) {
-    const now = (await readout.getAttribute('data-vertex')) ?? '';
-    rest = now === before ? rest + 1 : 0;
-    before = now;
-    await page.waitForTimeout(60);
-  }
   const shown = await readout.evaluate((element) => ({
     vertex: Number((element as HTMLElement).dataset['vertex']),
     length: Number((element as HTMLElement).dataset['length']),
@@ -106,16 +116,4 @@ export async function hover(page: Page, viewer: Locator, x: number, y: number): 
     shown.vertex,
   );
   return { ...shown, inputVertex };
-}
-
-/** Records the tasks of 50 ms and more that block the page, from now on. */
-export async function watchLongTasks(page: Page): Promise<() => Promise<number[]>> {
-  await page.evaluate(() => {
-    const tasks: number[] = [];
-    Object.assign(globalThis, { longTasks: tasks });
-    new PerformanceObserver((list) => {
-      for (const entry of list.getEntries()) tasks.push(entry.duration);
-    }).observe({ type: 'longtask' });
-  });
-  return () => page.evaluate(() => (globalThis as unknown as { longTasks: number[] }).longTasks);
 }

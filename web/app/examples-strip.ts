@@ -1,6 +1,6 @@
 // The built-in examples, one button each.
 
-import { make } from './dom.js';
+import { make } from '../src/element/index.js';
 
 /** An entry of `examples/index.json`. */
 export interface Example {

@@ -7,9 +7,9 @@ import {
   extent,
   formatLength,
   histogram,
+  make,
   median,
 } from '../src/element/index.js';
-import { make } from './dom.js';
 
 const bins = 48;
 const steps = 1000;

@@ -1,8 +1,7 @@
 // One line about the model.
 
 import type { MeshInfo } from '../src/kernel/index.js';
-import { formatCount } from '../src/element/index.js';
-import { make } from './dom.js';
+import { formatCount, make } from '../src/element/index.js';
 
 function plural(count: number, one: string, many: string): string {
   return `${formatCount(count)} ${count === 1 ? one : many}`;

@@ -1,7 +1,7 @@
 // The pinned loops, each with its length and a cross.
 
-import { type GirthViewer, type PinnedLoop, formatLength } from '../src/element/index.js';
-import { byId, make } from './dom.js';
+import { type GirthViewer, type PinnedLoop, formatLength, make } from '../src/element/index.js';
+import { byId } from './dom.js';
 
 function row(viewer: GirthViewer, { id, vertex, loop }: PinnedLoop): HTMLElement {
   const length = formatLength(loop.length, viewer.lengthFormat);

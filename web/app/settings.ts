@@ -1,7 +1,7 @@
 // The colour map and the edges.
 
-import { type GirthViewer, colormapNames } from '../src/element/index.js';
-import { byId, make } from './dom.js';
+import { type GirthViewer, colormapNames, make } from '../src/element/index.js';
+import { byId } from './dom.js';
 
 export function offerColormaps(viewer: GirthViewer, changed: () => void): void {
   const select = byId<HTMLSelectElement>('colormap');

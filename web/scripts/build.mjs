@@ -38,15 +38,24 @@ export function buildNative() {
   run('cmake', ['--build', 'build/native']);
 }
 
-/** Both WebAssembly modules. */
-export function buildWasm() {
+/** The build tree of the WebAssembly modules, for the newest Emscripten there is. */
+export function wasmTree() {
   const emscripten = findEmscripten();
   if (!emscripten) throw new Complaint('Emscripten (em++) is missing');
-  const env = emscriptenEnvironment(emscripten);
   const { folder } = emscripten;
-  const wrapper = [join(folder, 'emcmake')];
-  configure({ tree: 'build/wasm', compiler: join(folder, 'em++'), wrapper, env });
-  run('cmake', ['--build', 'build/wasm'], { env });
+  return {
+    tree: 'build/wasm',
+    compiler: join(folder, 'em++'),
+    wrapper: [join(folder, 'emcmake')],
+    env: emscriptenEnvironment(emscripten),
+  };
+}
+
+/** Both WebAssembly modules. */
+export function buildWasm() {
+  const tree = wasmTree();
+  configure(tree);
+  run('cmake', ['--build', tree.tree], { env: tree.env });
 }
 
 /** The built-in example models. */

@@ -1,35 +1,24 @@
-// Real models from outside the repository, where GIRTH_DATA names a folder of them.
+// A sample of real models; the long run has more of them.
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "corpus.h"
 #include "girth/girth.h"
-#include "girth/io/read_mesh.h"
+#include "girth_proof.h"
 #include "loop_checks.h"
+#include "shapes.h"
 
 namespace girth::test {
 namespace {
 
 TEST(Corpus, ExactAgreesWithNaiveAndLoopsAreGeodesic) {
-  const char* data = std::getenv("GIRTH_DATA");
-  if (data == nullptr) GTEST_SKIP() << "skipped: no corpus";
-  const std::filesystem::path models = std::filesystem::path(data) / "models";
-  int tested = 0;
+  if (!corpusIsThere()) GTEST_SKIP() << "skipped: no corpus";
   for (const char* name : {"homer_12000f.obj", "hand_20686f.obj", "fertility_24908f_g4.obj"}) {
     SCOPED_TRACE(name);
-    std::ifstream file(models / name, std::ios::binary);
-    if (!file) continue;
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const auto loaded = io::readMesh(std::as_bytes(std::span(text)), name);
-    ASSERT_TRUE(loaded.ok()) << loaded.error().message;
-    const SurfaceMesh& mesh = loaded.value().mesh;
+    const SurfaceMesh mesh = corpusModel(name);
     GirthSolver solver(mesh);
     const std::vector<Index> order = coarseToFineOrder(mesh);
     for (std::size_t i = 0; i < 8; ++i) {
@@ -41,9 +30,22 @@ TEST(Corpus, ExactAgreesWithNaiveAndLoopsAreGeodesic) {
     for (std::size_t i = 0; i < 300; ++i) {
       expectGeodesicLoop(mesh, solver.loop(order[i]).value());
     }
-    ++tested;
   }
-  EXPECT_GT(tested, 0) << "no model in " << models;
+}
+
+TEST(Corpus, ValuesAreProven) {
+  if (!corpusIsThere()) GTEST_SKIP() << "skipped: no corpus";
+  Random random(2);
+  for (const std::string& name : corpusModels(12000)) {
+    const SurfaceMesh mesh = corpusModel(name);
+    GirthSolver solver(mesh);
+    TextbookMmp textbook(mesh);
+    for (int i = 0; i < 5; ++i) {
+      const Index vertex = random.below(mesh.vertexCount());
+      SCOPED_TRACE(name + ", vertex " + std::to_string(vertex));
+      expectProven(mesh, textbook, solver.loop(vertex).value(), 0.03);
+    }
+  }
 }
 
 }  // namespace

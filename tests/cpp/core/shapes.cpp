@@ -241,9 +241,11 @@ Shape tetrahedron() {
   return shape;
 }
 
-Shape plate(Index holes) {
+Shape plate(Index holes) { return plate(holes, holes); }
+
+Shape plate(Index holesAcross, Index holesAlong) {
   Shape shape;
-  const Index n = 2 * holes + 1;
+  const Index nx = 2 * holesAcross + 1, ny = 2 * holesAlong + 1;
   std::map<std::array<Index, 3>, Index> numbers;
   const auto vertex = [&](Index i, Index j, Index k) {
     const auto [it, isNew] = numbers.try_emplace({i, j, k}, shape.vertexCount());
@@ -251,11 +253,11 @@ Shape plate(Index holes) {
     return it->second;
   };
   const auto solid = [&](int i, int j) {
-    const int size = static_cast<int>(n);
-    return i >= 0 && j >= 0 && i < size && j < size && !(i % 2 == 1 && j % 2 == 1);
+    return i >= 0 && j >= 0 && i < static_cast<int>(nx) && j < static_cast<int>(ny) &&
+           !(i % 2 == 1 && j % 2 == 1);
   };
-  for (Index i = 0; i < n; ++i) {
-    for (Index j = 0; j < n; ++j) {
+  for (Index i = 0; i < nx; ++i) {
+    for (Index j = 0; j < ny; ++j) {
       const int x = static_cast<int>(i), y = static_cast<int>(j);
       if (!solid(x, y)) continue;
       quad(shape, vertex(i, j, 0), vertex(i, j + 1, 0), vertex(i + 1, j + 1, 0),

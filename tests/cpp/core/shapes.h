@@ -62,6 +62,8 @@ Shape tetrahedron();
 /// Two plates of `across` × `across` cells joined along their rims and round `holes` × `holes`
 /// square holes: genus holes².
 Shape plate(Index holes);
+/// The same with holes in a rectangle.
+Shape plate(Index holesAcross, Index holesAlong);
 
 /// The same surface with 1-to-4 subdivision; old vertices keep their numbers.
 Shape subdivided(const Shape& shape);

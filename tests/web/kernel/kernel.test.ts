@@ -7,6 +7,7 @@ import { FieldRun } from '../../../web/src/kernel/field-run.js';
 import { openKernel } from '../../../web/src/kernel/kernel.js';
 import { chunkSize } from '../../../web/src/kernel/pool-engine.js';
 import type { MeshArrays, PartialField } from '../../../web/src/kernel/types.js';
+import { longestStart } from '../../../web/src/kernel/worker-client.js';
 import { FakeWorker, fakeSurface, fakeValue, type Behaviour } from './fake-worker.js';
 
 const anyArrays: MeshArrays = {
@@ -156,6 +157,24 @@ describe('a field by a pool', () => {
     expect((await second).values[7]).toBe(fakeValue(7));
   });
 
+  test('a worker that does not come back from a cancelled chunk is replaced', async () => {
+    let stuck = true;
+    const surface = fakeSurface(100);
+    const { kernel, workers } = await fakeKernel((request, report) => {
+      if (request.operation === 'values' && stuck) return new Promise<object>(() => undefined);
+      return surface(request, report);
+    }, 1);
+    const mesh = await kernel.load(anyArrays);
+    const controller = new AbortController();
+    const field = codeOf(mesh.field('igf', { signal: controller.signal }));
+    await vi.waitFor(() => expect(workers[1]!.operations).toContain('values'));
+    stuck = false;
+    controller.abort();
+    expect(await field).toBe('CANCELLED');
+    expect((await mesh.field('igf')).values[7]).toBe(fakeValue(7));
+    expect(workers.map(({ terminated }) => terminated)).toEqual([false, true, false]);
+  });
+
   test('ends with CANCELLED when its mesh or its kernel is disposed of', async () => {
     const never = new Promise<object>(() => undefined);
     const surface = fakeSurface(10);
@@ -263,6 +282,19 @@ describe('starting and loading', () => {
     );
     worker.crash('');
     expect(await opening).toBe('INTERNAL');
+  });
+
+  test('a module that never finishes loading is given up, with a code and a remedy', async () => {
+    vi.useFakeTimers();
+    const never = () => new FakeWorker(() => new Promise<object>(() => undefined));
+    const opening = openKernel({ mode: 'pool' }, { single: never, threads: never });
+    const refused = expect(opening).rejects.toMatchObject({
+      code: 'INTERNAL',
+      hint: expect.stringContaining('.wasm') as string,
+    });
+    await vi.advanceTimersByTimeAsync(longestStart);
+    await refused;
+    vi.useRealTimers();
   });
 
   test('an address that cannot be fetched is named, with a code', async () => {

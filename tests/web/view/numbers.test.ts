@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import {
+  formatCount,
   formatLength,
   formatNumber,
   lengthFormat,
@@ -46,4 +47,14 @@ test('no ticks where there is no range', () => {
   expect(roundTicks(1, 1, 4)).toEqual([]);
   expect(roundTicks(NaN, 1, 4)).toEqual([]);
   expect(roundTicks(2, 1, 4)).toEqual([]);
+});
+
+test('whole numbers have commas between thousands', () => {
+  expect([0, 999, 1000, 12345, 1234567].map(formatCount)).toEqual([
+    '0',
+    '999',
+    '1,000',
+    '12,345',
+    '1,234,567',
+  ]);
 });

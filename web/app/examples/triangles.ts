@@ -3,6 +3,19 @@
 
 import type { HalfedgeMesh } from './halfedges.ts';
 
+const u = new Float64Array(3);
+const w = new Float64Array(3);
+
+/** Writes b − a to `u` and c − a to `w`. */
+function edgesFrom({ x, y, z }: HalfedgeMesh, a: number, b: number, c: number): void {
+  u[0] = x[b]! - x[a]!;
+  u[1] = y[b]! - y[a]!;
+  u[2] = z[b]! - z[a]!;
+  w[0] = x[c]! - x[a]!;
+  w[1] = y[c]! - y[a]!;
+  w[2] = z[c]! - z[a]!;
+}
+
 /** Writes to `out` the normal of the triangle a, b, c with twice its area as length. */
 export function triangleNormal(
   mesh: HalfedgeMesh,
@@ -11,16 +24,10 @@ export function triangleNormal(
   c: number,
   out: Float64Array,
 ): void {
-  const { x, y, z } = mesh;
-  const ux = x[b]! - x[a]!;
-  const uy = y[b]! - y[a]!;
-  const uz = z[b]! - z[a]!;
-  const wx = x[c]! - x[a]!;
-  const wy = y[c]! - y[a]!;
-  const wz = z[c]! - z[a]!;
-  out[0] = uy * wz - uz * wy;
-  out[1] = uz * wx - ux * wz;
-  out[2] = ux * wy - uy * wx;
+  edgesFrom(mesh, a, b, c);
+  out[0] = u[1]! * w[2]! - u[2]! * w[1]!;
+  out[1] = u[2]! * w[0]! - u[0]! * w[2]!;
+  out[2] = u[0]! * w[1]! - u[1]! * w[0]!;
 }
 
 /** The same for the face of halfedge h. */
@@ -51,22 +58,19 @@ export function vertexNormal(mesh: HalfedgeMesh, v: number, out: Float64Array): 
 
 /** The cosine of the angle at a between b and c. */
 export function cosineAt(mesh: HalfedgeMesh, a: number, b: number, c: number): number {
-  const { x, y, z } = mesh;
-  const ux = x[b]! - x[a]!;
-  const uy = y[b]! - y[a]!;
-  const uz = z[b]! - z[a]!;
-  const wx = x[c]! - x[a]!;
-  const wy = y[c]! - y[a]!;
-  const wz = z[c]! - z[a]!;
-  const sizes = (ux * ux + uy * uy + uz * uz) * (wx * wx + wy * wy + wz * wz);
-  return (ux * wx + uy * wy + uz * wz) / Math.sqrt(sizes);
+  edgesFrom(mesh, a, b, c);
+  return cosine(u, w);
 }
 
 /** The cosine of the angle between two vectors. */
-export function cosine(u: Float64Array, w: Float64Array): number {
-  return (u[0]! * w[0]! + u[1]! * w[1]! + u[2]! * w[2]!) / (norm(u) * norm(w));
+export function cosine(p: Float64Array, q: Float64Array): number {
+  return dot(p, q) / Math.sqrt(dot(p, p) * dot(q, q));
 }
 
-function norm(u: Float64Array): number {
-  return Math.sqrt(u[0]! * u[0]! + u[1]! * u[1]! + u[2]! * u[2]!);
+function dot(p: Float64Array, q: Float64Array): number {
+  return p[0]! * q[0]! + p[1]! * q[1]! + p[2]! * q[2]!;
+}
+
+function norm(p: Float64Array): number {
+  return Math.sqrt(dot(p, p));
 }

@@ -1,6 +1,6 @@
 // Making DOM without markup in strings.
 
-/** An element with properties, attributes (names with a dash, and role) and children. */
+/** An element with attributes and children. */
 export function make<Name extends keyof HTMLElementTagNameMap>(
   name: Name,
   attributes: Record<string, string> = {},

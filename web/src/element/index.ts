@@ -13,6 +13,7 @@ declare global {
 export { GirthViewer };
 export type { FieldDetail, LoadDetail, ProgressDetail } from './viewer-element.js';
 export type { PickDetail, PinnedLoop } from './loops-on-surface.js';
+export { make } from './dom.js';
 export { useKernel } from './shared-kernel.js';
 export {
   type ColormapName,

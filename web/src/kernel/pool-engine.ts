@@ -1,6 +1,7 @@
 // Fields by a pool of workers without threads: vertices go out coarse to fine in chunks, and each
 // worker gets the next chunk as soon as it has returned one.
 
+import { cancelled } from './errors.js';
 import type { SingleOperations } from './protocol.js';
 import type { FieldEngine, FieldRun } from './field-run.js';
 import type { SurfaceSource, WorkerClient } from './worker-client.js';
@@ -10,6 +11,8 @@ const chunkMilliseconds = 20;
 /** Each worker has one chunk in work and one waiting, so that a busy page does not leave it idle. */
 const chunksPerWorker = 2;
 const firstChunk = 4;
+/** A worker that is still busy this long after the work was stopped is ended, in milliseconds. */
+const patience = 500;
 
 /** How many vertices to hand out, given a worker's speed in vertices per millisecond. */
 export function chunkSize(speed: number | undefined, left: number, workers: number): number {
@@ -53,8 +56,17 @@ export class PoolEngine implements FieldEngine {
           throw thrown;
         }
       };
-      // All lanes settle before the run does: then nothing of it is left in the workers.
-      await settled(Array.from({ length: chunksPerWorker }, lane));
+      // Nothing stops a worker in the middle of a chunk, and one vertex may take long.
+      let impatience: ReturnType<typeof setTimeout> | undefined;
+      const stop = () => (impatience = setTimeout(() => worker.restart(cancelled()), patience));
+      signal.addEventListener('abort', stop);
+      try {
+        // All lanes settle before the run does: then nothing of it is left in the workers.
+        await settled(Array.from({ length: chunksPerWorker }, lane));
+      } finally {
+        signal.removeEventListener('abort', stop);
+        clearTimeout(impatience);
+      }
     };
     await settled(this.#workers.map(work));
   }

@@ -27,6 +27,9 @@ export interface SurfaceSource {
   arrays: SurfaceArrays;
 }
 
+/** A worker that has not started after this many milliseconds never will. */
+export const longestStart = 30_000;
+
 interface Pending {
   resolve(answer: object): void;
   reject(error: GirthError): void;
@@ -69,8 +72,18 @@ export class WorkerClient<T extends CommonOperations> {
       worker.onmessageerror = () =>
         this.#die(failure('OUT_OF_MEMORY', 'a message of a worker could not be received'));
       this.#started = this.#post('start', { threads: this.#threads }, []);
+      // Glue and module of different builds may wait for each other for ever.
+      const overdue = setTimeout(
+        () =>
+          this.#die(
+            failure('INTERNAL', `a worker has not started within ${longestStart / 1000} s`, {
+              hint: 'reload the page; if it stays, its .mjs and .wasm files are of different builds',
+            }),
+          ),
+        longestStart,
+      );
       // Requests that wait for the start report its failure; one that nobody waits for is no news.
-      this.#started.catch(() => undefined);
+      this.#started.catch(() => undefined).finally(() => clearTimeout(overdue));
     }
     return this.#started;
   }
@@ -118,6 +131,11 @@ export class WorkerClient<T extends CommonOperations> {
   drop(surface: number): void {
     if (!this.#surfaces.delete(surface)) return;
     void this.#post('drop', { surface }, []).catch(() => undefined);
+  }
+
+  /** Ends the worker at once; what is pending fails with `error`. The next request starts another. */
+  restart(error: GirthError): void {
+    this.#die(error);
   }
 
   /** Ends the worker at once and for good; what is pending fails with `error`. */

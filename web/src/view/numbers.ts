@@ -40,7 +40,8 @@ export function formatLength(length: number, format: LengthFormat): string {
 
 /** A whole number with commas between thousands. */
 export function formatCount(count: number): string {
-  return count.toLocaleString('en-US');
+  // Not toLocaleString: its first call takes 20 ms and more.
+  return String(count).replace(/(?<=\d)(?=(\d{3})+$)/g, ',');
 }
 
 /**

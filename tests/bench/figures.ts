@@ -1,0 +1,24 @@
+// Figures beside their goals.
+
+export interface Figure {
+  what: string;
+  figure: string;
+  goal: string;
+  /** Of the figure to the goal: at most 1 where it is met. */
+  ratio: string;
+}
+
+export function figure(what: string, unit: string, value: number, goal: number): Figure {
+  return {
+    what,
+    figure: `${value.toPrecision(3)} ${unit}`,
+    goal: `${goal} ${unit}`,
+    ratio: (value / goal).toFixed(2),
+  };
+}
+
+/** The value below which that share of the values lies. */
+export function quantile(values: readonly number[], share: number): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? NaN;
+}

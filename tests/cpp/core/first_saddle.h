@@ -1,0 +1,39 @@
+// The first saddle of a distance field, by topology alone: no loop is looked for, no angle
+// measured.
+//
+// I(p) is twice the least critical value of the distance from p at a saddle point, where the
+// growing disk first meets itself (DEFINITIONS section 2). There its topology changes: a cycle is
+// born in the sublevel set. So the field is sampled exactly at the points of a subdivided surface,
+// and the persistent homology of its sublevel sets says when cycles are born and when they are
+// filled.
+#pragma once
+
+#include <optional>
+
+#include "girth/surface_mesh.h"
+#include "textbook_mmp.h"
+
+namespace girth::test {
+
+struct FirstSaddle {
+  /// The distance at which the first lasting cycle is born, off by no more than `error`; nothing
+  /// if none is born below the limit.
+  std::optional<double> value;
+  /// How far the interpolated field may be from the true one: a distance changes by no more than
+  /// the way walked, so its interpolation in a triangle with sides up to s is off by s/√3 at most.
+  /// Only cycles that last for more than twice this are told from those that interpolation makes
+  /// (stability of persistence, Cohen-Steiner et al. 2007); those are what `value` leaves out.
+  double error{0};
+  /// The greatest distance met at any sample below the limit.
+  double farthest{0};
+  /// Triangles of the subdivided surface.
+  std::size_t triangles{0};
+};
+
+/// The first saddle below `limit` of a field that has been propagated at least to `limit +
+/// spacing`. Sides longer than `spacing` are subdivided wherever the field may be below the limit.
+/// A cycle that is still there at the limit counts as lasting until then.
+FirstSaddle firstSaddle(const SurfaceMesh& mesh, const TextbookMmp& field, double limit,
+                        double spacing);
+
+}  // namespace girth::test

@@ -1,0 +1,33 @@
+// Random surfaces, each known by its seed: closed grids with random heights, blobs, handles, tubes,
+// cones and boxes, with good and bad triangulations.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "shapes.h"
+
+namespace girth::test {
+
+struct RandomMesh {
+  Shape shape;
+  /// How it was made, for messages.
+  std::string history;
+};
+
+/// The surface of this seed: connected, without faces that have no area, of some 20 to 200
+/// vertices.
+RandomMesh randomMesh(std::uint64_t seed);
+
+/// The same surface, halved sides and divided faces at random; old vertices keep their numbers. The
+/// new vertices lie no nearer to the ends of a side than `closest` times its length.
+Shape divided(const Shape& shape, double closest, Index times, std::uint64_t seed);
+
+/// Another shape in space of the same surface: cut along a random plane, and what lies beyond the
+/// plane reflected by it. Old vertices keep their numbers; those on the cut are new.
+Shape reflected(const Shape& shape, std::uint64_t seed);
+
+/// Whether a surface can be made of it.
+bool isSurface(const Shape& shape);
+
+}  // namespace girth::test
