@@ -7,7 +7,13 @@ import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, test } from 'vitest';
 import type { GirthViewer, PickDetail } from '../../web/src/element/index.js';
 import { withoutDrawing } from '../browser/long-tasks.js';
-import { chromiumForTests, repository, requireBuilt, serve, type StaticServer } from '../browser/support.js';
+import {
+  chromiumForTests,
+  repository,
+  requireBuilt,
+  serve,
+  type StaticServer,
+} from '../browser/support.js';
 import { visibleVertex } from '../browser/viewer-page.js';
 import { figure, quantile, type Figure } from './figures.js';
 import { recordTasks } from './tasks.js';
