@@ -65,7 +65,7 @@ class Surface {
       val result = val::object();
       result.set("length", girth.length);
       result.set("kind", std::string(toString(girth.kind)));
-      result.set("vertex", vertex);
+      result.set("vertex", girth.base);
       result.set("polyline", copyOut<float>("Float32Array", points));
       result.set("midpoint", midpoint);
       result.set("angle", girth.angle);
