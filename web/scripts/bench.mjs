@@ -10,7 +10,7 @@ await script(() => {
   const names = process.argv.slice(2).filter((argument) => !argument.startsWith('--'));
   const flags = process.argv.slice(2).filter((argument) => argument.startsWith('--'));
   const all = filesBelow('cpp/bench')
-    .filter((file) => file.endsWith('.cpp'))
+    .filter((file) => /^cpp.bench.\w+\.cpp$/.test(file))
     .map((file) => basename(file, '.cpp'));
   setUp();
   buildNative();
