@@ -28,8 +28,9 @@ struct CrossingResult {
   std::uint32_t leftCount, rightCount;  ///< windows written
   double leftNearest, rightNearest;     ///< distance of the nearest point of those; infinite: none
   double distanceApex;                  ///< the corner's, now
-  std::int32_t apexWindow;         ///< the window that came nearest to it; −1: none came nearer
-  bool reachesApex;                ///< some window reaches the corner, nearest or not
+  std::int32_t apexWindow;  ///< the window that came nearest to it; −1: none came nearer
+  /// The windows that reach the corner, nearest or not, lie among these, counted within the batch.
+  std::uint32_t apexBegin, apexEnd;
   bool towardsLeft, towardsRight;  ///< some window reaches that side, trimmed away there or not
 };
 

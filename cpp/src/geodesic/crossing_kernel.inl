@@ -30,7 +30,7 @@ struct Passing {
 /// `mirrored`: the right side.
 template <bool mirrored>
 inline void pass(const Passing& in, const SideOfFace& side, double distanceApex, CrossingExit exit,
-                 std::uint32_t& count, double& nearest) {
+                 std::uint32_t& count, Lanes& nearest) {
   const Lanes length = all(side.length), zero = {};
   const Lanes ux = all(side.direction.x), uy = all(side.direction.y);
   const Pair<Lanes> root = rootBeyond(in.root, -in.height, ux, uy);
@@ -54,8 +54,7 @@ inline void pass(const Passing& in, const SideOfFace& side, double distanceApex,
   // The nearest point: the foot of the root's perpendicular, or the end of the interval next to it.
   const Lanes aside = smaller(greater(root.x, near), length - tip) - root.x;
   const Lanes distance = in.sigma + squareRoot(aside * aside + root.y * root.y);
-  const double closest = smallest(select(keep, distance, all(kInfinity)));
-  if (closest < nearest) nearest = closest;
+  nearest = smaller(select(keep, distance, nearest), nearest);
 
   double* out = exit.windows + count;
   store(out, pack(mirrored ? length - root.x : root.x, kept));
@@ -71,10 +70,12 @@ inline void pass(const Passing& in, const SideOfFace& side, double distanceApex,
 CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, CrossingExit left,
                                      CrossingExit right) {
   const Crossing& c = *batch.crossing;
-  CrossingResult result{0, 0, kInfinity, kInfinity, batch.distanceApex, -1, false, false, false};
+  CrossingResult result{0, 0, kInfinity, kInfinity, batch.distanceApex, -1, 0, 0, false, false};
   const SideOfFace leftSide{c.left, c.leftLength, batch.distanceFrom};
   const SideOfFace rightSide{c.right, c.rightLength, batch.distanceTo};
   const Lanes zero = {}, length = all(c.length);
+  Lanes leftNearest = all(kInfinity), rightNearest = leftNearest;
+  Mask towardsLeft = {}, towardsRight = {};
 
   for (std::uint32_t first = 0; first < batch.count; first += kLanes) {
     const double* in = batch.windows + first;
@@ -95,27 +96,34 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, CrossingExit le
     const Mask ofApex = valid & notLeft & notRight;
 
     if (const unsigned reaching = bits(ofApex); reaching != 0) {
-      result.reachesApex = true;
       const Lanes distance = sigma + squareRoot(tipX * tipX + tipY * tipY);
       for (int i = 0; i < kLanes; ++i) {
-        if ((reaching >> i & 1) != 0 && distance[i] < result.distanceApex * (1 - kRounding)) {
+        if ((reaching >> i & 1) == 0) continue;
+        const std::uint32_t number = first + (std::uint32_t)i;
+        if (result.apexEnd == 0) result.apexBegin = number;
+        result.apexEnd = number + 1;
+        if (distance[i] < result.distanceApex * (1 - kRounding)) {
           result.distanceApex = distance[i];
-          result.apexWindow = (std::int32_t)first + i;
+          result.apexWindow = (std::int32_t)number;
         }
       }
     }
     const Mask throughLeft = valid & (leftOf < zero), throughRight = valid & (rightOf > zero);
-    result.towardsLeft |= bits(valid & (leftOf <= touch)) != 0;
-    result.towardsRight |= bits(valid & (rightOf >= -touch)) != 0;
+    towardsLeft |= valid & (leftOf <= touch);
+    towardsRight |= valid & (rightOf >= -touch);
     if (left.windows != nullptr && bits(throughLeft) != 0) {
       pass<false>({x, height, gapFrom, length - gapTo, sigma, throughLeft, notRight}, leftSide,
-                  result.distanceApex, left, result.leftCount, result.leftNearest);
+                  result.distanceApex, left, result.leftCount, leftNearest);
     }
     if (right.windows != nullptr && bits(throughRight) != 0) {
       pass<true>({length - x, height, gapTo, length - gapFrom, sigma, throughRight, notLeft},
-                 rightSide, result.distanceApex, right, result.rightCount, result.rightNearest);
+                 rightSide, result.distanceApex, right, result.rightCount, rightNearest);
     }
   }
+  result.leftNearest = smallest(leftNearest);
+  result.rightNearest = smallest(rightNearest);
+  result.towardsLeft = bits(towardsLeft) != 0;
+  result.towardsRight = bits(towardsRight) != 0;
   return result;
 }
 

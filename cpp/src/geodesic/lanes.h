@@ -33,11 +33,37 @@ inline Lanes load(const double* from) {
 inline void store(double* to, Lanes lanes) { __builtin_memcpy(to, &lanes, sizeof lanes); }
 inline Lanes all(double value) { return value - Lanes{}; }
 
+/// Where the mask is set, a; elsewhere b.
 inline Lanes select(Mask where, Lanes a, Lanes b) {
+#if defined(__AVX2__)
+  return (Lanes)_mm256_blendv_pd((__m256d)b, (__m256d)a, (__m256d)where);
+#else
   return (Lanes)((where & (Mask)a) | (~where & (Mask)b));
+#endif
 }
-inline Lanes greater(Lanes a, Lanes b) { return select(a > b, a, b); }
-inline Lanes smaller(Lanes a, Lanes b) { return select(a < b, a, b); }
+/// a > b ? a : b, and a < b ? a : b: where either is not a number, b.
+inline Lanes greater(Lanes a, Lanes b) {
+#if defined(__AVX2__)
+  return (Lanes)_mm256_max_pd((__m256d)a, (__m256d)b);
+#elif defined(__SSE2__)
+  return (Lanes)_mm_max_pd((__m128d)a, (__m128d)b);
+#elif defined(__wasm_simd128__)
+  return (Lanes)wasm_f64x2_pmax((v128_t)b, (v128_t)a);
+#else
+  return select(a > b, a, b);
+#endif
+}
+inline Lanes smaller(Lanes a, Lanes b) {
+#if defined(__AVX2__)
+  return (Lanes)_mm256_min_pd((__m256d)a, (__m256d)b);
+#elif defined(__SSE2__)
+  return (Lanes)_mm_min_pd((__m128d)a, (__m128d)b);
+#elif defined(__wasm_simd128__)
+  return (Lanes)wasm_f64x2_pmin((v128_t)b, (v128_t)a);
+#else
+  return select(a < b, a, b);
+#endif
+}
 inline Lanes absolute(Lanes a) { return (Lanes)((Mask)a & 0x7FFFFFFFFFFFFFFFll); }
 
 inline Lanes squareRoot(Lanes a) {

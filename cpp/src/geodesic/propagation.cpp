@@ -11,7 +11,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Forgetting starts at so many bytes of windows: less fits into a core's own cache anyway.
-constexpr std::size_t kRecycleFrom = std::size_t{1} << 19;
+constexpr std::size_t kRecycleFrom = std::size_t{1} << 20;
 
 Vec2 normalized(Vec2 a) { return (1 / norm(a)) * a; }
 
@@ -134,31 +134,26 @@ void Propagation::reachAgainst(Index halfedge) {
   arrival->towards = {1, 0};
 }
 
-CrossingExit Propagation::exitTo(Index halfedge, std::uint32_t windows,
-                                 std::vector<double>& scratch) {
+/// Room for so many windows at a halfedge, and what a vector store may write beyond them.
+CrossingExit Propagation::exitTo(Index halfedge, std::uint32_t windows) {
   if (halfedge == kNoIndex) return {nullptr, 0};
-  const WindowList& list = lists_[halfedge];
-  const std::uint32_t room = windows + kMostLanes - 1;
-  if (list.count + room <= list.capacity()) return {list.data + list.count, list.capacity()};
-  if (scratch.size() < 5 * std::size_t{room}) scratch.resize(5 * std::size_t{room});
-  return {scratch.data(), room};
+  WindowList& list = lists_[halfedge];
+  pool_.reserve(list, windows + kMostLanes - 1);
+  return {list.data + list.count, list.capacity()};
 }
 
-void Propagation::receive(Index halfedge, std::uint32_t windows, double nearest,
-                          const CrossingExit& exit, const std::vector<double>& scratch) {
-  if (windows == 0) return;
+/// So many windows have been written there.
+void Propagation::receive(Index halfedge, std::uint32_t windows, double nearest) {
+  if (halfedge == kNoIndex) return;
   WindowList& list = lists_[halfedge];
-  if (exit.windows == scratch.data()) {
-    pool_.reserve(list, windows);
-    for (std::size_t field = 0; field < 5; ++field) {
-      const double* from = exit.windows + field * exit.stride;
-      std::copy(from, from + windows, list.data + field * list.capacity() + list.count);
-    }
-    if (!list.touched) {
-      list.touched = true;
-      touched_.push_back(halfedge);
-      if (keep_ == Keep::Front) live_.push_back(halfedge);
-    }
+  if (windows == 0) {
+    if (list.count == 0) pool_.release(list);
+    return;
+  }
+  if (!list.touched) {
+    list.touched = true;
+    touched_.push_back(halfedge);
+    if (keep_ == Keep::Front) live_.push_back(halfedge);
   }
   list.count += windows;
   created_ += windows;
@@ -175,14 +170,18 @@ CrossingResult Propagation::crossFace(Index halfedge, WindowList& list) {
   list.entered = list.count;
   list.turn = WindowList::kNotQueued;
   crossed_ += waiting;
-  const CrossingExit left = exitTo(c.leftTwin, waiting, leftScratch_);
-  const CrossingExit right = exitTo(c.rightTwin, waiting, rightScratch_);
+  const CrossingExit left = exitTo(c.leftTwin, waiting);
+  const CrossingExit right = exitTo(c.rightTwin, waiting);
   const CrossingResult result =
       kernel_({&c, list.data + first, list.capacity(), waiting, distance_[c.from], distance_[c.to],
                distance_[c.apexVertex]},
               left, right);
-  receive(c.leftTwin, result.leftCount, result.leftNearest, left, leftScratch_);
-  receive(c.rightTwin, result.rightCount, result.rightNearest, right, rightScratch_);
+  receive(c.leftTwin, result.leftCount, result.leftNearest);
+  receive(c.rightTwin, result.rightCount, result.rightNearest);
+  if (result.apexEnd > 0) {
+    list.apexBegin = std::min(list.apexBegin, first + result.apexBegin);
+    list.apexEnd = first + result.apexEnd;
+  }
   if (result.apexWindow >= 0) {
     if (Arrival* arrival = reach(c.apexVertex, result.distanceApex)) {
       const Window w = list.window(first + static_cast<std::uint32_t>(result.apexWindow));
@@ -201,10 +200,10 @@ void Propagation::send(Index halfedge, Vec2 root, double sigma, double gapFrom, 
   if (!(gapFrom + gapTo < c.length * (1 - kSliver))) return;
   const double aside = std::clamp(root.x, gapFrom, c.length - gapTo) - root.x;
   const double nearest = sigma + std::sqrt(aside * aside + root.y * root.y);
-  leftScratch_.resize(std::max<std::size_t>(leftScratch_.size(), 5));
+  const CrossingExit exit = exitTo(halfedge, 1);
   const double fields[5] = {root.x, root.y, sigma, gapFrom, gapTo};
-  std::copy(fields, fields + 5, leftScratch_.begin());
-  receive(halfedge, 1, nearest, {leftScratch_.data(), 1}, leftScratch_);
+  for (std::size_t i = 0; i < 5; ++i) exit.windows[i * exit.stride] = fields[i];
+  receive(halfedge, 1, nearest);
 }
 
 /// The best path to a vertex is known: note its direction and send windows into all directions in
@@ -376,9 +375,7 @@ void Propagation::recycle() {
 }
 
 std::size_t Propagation::memoryBytes() const {
-  return pool_.memoryBytes() + queue_.memoryBytes() +
-         (distance_.capacity() + leftScratch_.capacity() + rightScratch_.capacity()) *
-             sizeof(double) +
+  return pool_.memoryBytes() + queue_.memoryBytes() + distance_.capacity() * sizeof(double) +
          arrival_.capacity() * sizeof(Arrival) + lists_.capacity() * sizeof(WindowList) +
          (reached_.capacity() + touched_.capacity() + live_.capacity()) * sizeof(Index);
 }

@@ -34,6 +34,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geodesic/bucket_queue.h"
@@ -140,6 +141,10 @@ class Propagation {
   Window window(Index halfedge, std::uint32_t number) const {
     return lists_[halfedge].window(number);
   }
+  /// Those of them that reached the opposite corner lie among numbers `first` to `second` − 1.
+  std::pair<std::uint32_t, std::uint32_t> apexWindows(Index halfedge) const {
+    return {lists_[halfedge].apexBegin, lists_[halfedge].apexEnd};
+  }
   /// Whether windows of the face have been forgotten.
   bool forgotten(Index face) const {
     return lists_[3 * face].released || lists_[3 * face + 1].released ||
@@ -195,9 +200,8 @@ class Propagation {
   void reachAlong(Index halfedge);
   void reachAgainst(Index halfedge);
   CrossingResult crossFace(Index halfedge, WindowList& list);
-  CrossingExit exitTo(Index halfedge, std::uint32_t windows, std::vector<double>& scratch);
-  void receive(Index halfedge, std::uint32_t windows, double nearest, const CrossingExit& exit,
-               const std::vector<double>& scratch);
+  CrossingExit exitTo(Index halfedge, std::uint32_t windows);
+  void receive(Index halfedge, std::uint32_t windows, double nearest);
   void send(Index halfedge, Vec2 root, double sigma, double gapFrom, double gapTo);
   void settle(Index vertex);
   void fanAround(Index vertex);
@@ -213,14 +217,13 @@ class Propagation {
   Keep keep_{Keep::Everything};
   std::vector<SurfacePoint> sources_;
   std::vector<Origin> origins_;
-  std::vector<double> distance_;                    // of the vertices
-  std::vector<Arrival> arrival_;                    // of the vertices
-  std::vector<WindowList> lists_;                   // of the halfedges
-  std::vector<Index> reached_;                      // vertices to clear
-  std::vector<Index> touched_;                      // halfedges to clear
-  std::vector<Index> live_;                         // halfedges that may have windows to forget
-  std::vector<double> leftScratch_, rightScratch_;  // windows on their way to a list that must grow
-  std::size_t recycleAt_{0};                        // bytes of windows
+  std::vector<double> distance_;   // of the vertices
+  std::vector<Arrival> arrival_;   // of the vertices
+  std::vector<WindowList> lists_;  // of the halfedges
+  std::vector<Index> reached_;     // vertices to clear
+  std::vector<Index> touched_;     // halfedges to clear
+  std::vector<Index> live_;        // halfedges that may have windows to forget
+  std::size_t recycleAt_{0};       // bytes of windows
   std::size_t created_{0}, crossed_{0};
   std::size_t budget_{std::size_t{1} << 26};
   bool gaveUp_{false};

@@ -1,6 +1,7 @@
 #include "geodesic/window_list.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace girth::geodesic {
 
@@ -23,13 +24,12 @@ void WindowPool::grow(WindowList& list, std::uint32_t count) {
 double* WindowPool::take(unsigned sizeClass) {
   const std::size_t size = doublesOf(sizeClass);
   used_ += size * sizeof(double);
-  if (!free_[sizeClass].empty()) {
-    double* block = free_[sizeClass].back();
-    free_[sizeClass].pop_back();
+  if (double* block = free_[sizeClass]) {
+    std::memcpy(&free_[sizeClass], block, sizeof block);
     return block;
   }
   if (size > kSlab) {
-    large_.push_back(std::make_unique<double[]>(size));
+    large_.push_back(std::unique_ptr<double[]>(new double[size]));
     largeBytes_ += size * sizeof(double);
     return large_.back().get();
   }
@@ -37,7 +37,7 @@ double* WindowPool::take(unsigned sizeClass) {
     ++slab_;
     offset_ = 0;
   }
-  if (slab_ == slabs_.size()) slabs_.push_back(std::make_unique<double[]>(kSlab));
+  if (slab_ == slabs_.size()) slabs_.push_back(std::unique_ptr<double[]>(new double[kSlab]));
   double* block = slabs_[slab_].get() + offset_;
   offset_ += size;
   return block;
@@ -45,11 +45,12 @@ double* WindowPool::take(unsigned sizeClass) {
 
 void WindowPool::giveBack(double* block, unsigned sizeClass) {
   used_ -= doublesOf(sizeClass) * sizeof(double);
-  free_[sizeClass].push_back(block);
+  std::memcpy(block, &free_[sizeClass], sizeof block);
+  free_[sizeClass] = block;
 }
 
 void WindowPool::reset() {
-  for (auto& blocks : free_) blocks.clear();
+  free_.fill(nullptr);
   large_.clear();
   largeBytes_ = 0;
   slab_ = offset_ = used_ = 0;

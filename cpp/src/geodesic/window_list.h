@@ -17,6 +17,8 @@ struct WindowList {
   double* data{nullptr};  ///< five arrays of `capacity()`: root.x, root.y, sigma, gapFrom, gapTo
   std::uint32_t count{0}, entered{0};
   std::uint32_t turn{kNotQueued};  ///< the bucket in which the halfedge waits for its turn
+  /// The windows that have reached the corner opposite lie among these.
+  std::uint32_t apexBegin{0xFFFFFFFFu}, apexEnd{0};
   std::uint8_t sizeClass{0};
   bool touched{false};   ///< something came here in this propagation
   bool released{false};  ///< windows were here, and are gone: the front has passed the face
@@ -43,7 +45,8 @@ class WindowPool {
   void release(WindowList& list) {
     if (list.data != nullptr) giveBack(list.data, list.sizeClass);
     list.data = nullptr;
-    list.count = list.entered = 0;
+    list.count = list.entered = list.apexEnd = 0;
+    list.apexBegin = 0xFFFFFFFFu;
   }
   /// Forgets all lists at once: every block is free again.
   void reset();
@@ -66,8 +69,8 @@ class WindowPool {
   std::vector<std::unique_ptr<double[]>> slabs_;
   std::vector<std::unique_ptr<double[]>> large_;  // blocks too large for a slab
   std::size_t largeBytes_{0};
-  std::size_t slab_{0}, offset_{0};            // where fresh memory begins
-  std::array<std::vector<double*>, 32> free_;  // by class
+  std::size_t slab_{0}, offset_{0};  // where fresh memory begins
+  std::array<double*, 32> free_{};  // by class; each free block begins with the address of the next
   std::size_t used_{0};
 };
 

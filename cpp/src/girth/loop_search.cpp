@@ -5,6 +5,7 @@
 
 namespace girth {
 
+using geodesic::Arrival;
 using geodesic::cross;
 using geodesic::Crossing;
 using geodesic::CrossingResult;
@@ -69,8 +70,8 @@ void LoopSearch::onCrossing(Index halfedge, std::uint32_t first, const CrossingR
     pairAcross(halfedge, first, next);
   }
   const Crossing& c = propagation_->unfolding().crossing(halfedge);
-  if (result.reachesApex && propagation_->arrival(c.apexVertex).settled) {
-    for (std::uint32_t i = first; i < propagation_->enteredCount(halfedge); ++i) {
+  if (result.apexEnd > 0 && propagation_->arrival(c.apexVertex).settled) {
+    for (std::uint32_t i = first + result.apexBegin; i < first + result.apexEnd; ++i) {
       tryApex(halfedge, propagation_->window(halfedge, i));
     }
   }
@@ -88,7 +89,8 @@ void LoopSearch::onVertex(Index vertex) {
   for (Index h = start;;) {
     tryEdge(h);
     const Index opposite = Unfolding::next(h);
-    for (std::uint32_t i = 0; i < propagation_->enteredCount(opposite); ++i) {
+    const auto [begin, end] = propagation_->apexWindows(opposite);
+    for (std::uint32_t i = begin; i < end; ++i) {
       tryApex(opposite, propagation_->window(opposite, i));
     }
     const Index left = unfolding.turnLeft(h);
@@ -138,6 +140,11 @@ void LoopSearch::tryApex(Index halfedge, const Window& window) {
   const Unfolding& unfolding = propagation_->unfolding();
   const Crossing& c = unfolding.crossing(halfedge);
   if (!window.covers(c.length, c.apex)) return;
+  const Arrival& arrival = propagation_->arrival(c.apexVertex);
+  if (arrival.way == Arrival::Way::Window && arrival.bundle.halfedge == halfedge &&
+      arrival.bundle.root.x == window.root.x && arrival.bundle.root.y == window.root.y) {
+    return;  // the path that reached the corner, once more
+  }
   const double atCorner = propagation_->distance(c.apexVertex);
   const double tip = window.distanceTo(c.apex);
   // q lies between the halfedge and the corner, as far from the corner as the paths differ by half.
@@ -178,11 +185,20 @@ void LoopSearch::tryEdge(Index halfedge) {
   const Unfolding& unfolding = propagation_->unfolding();
   const Crossing& c = unfolding.crossing(halfedge);
   if (!propagation_->arrival(c.from).settled || !propagation_->arrival(c.to).settled) return;
+  // The path to one end that comes along the edge is no loop.
+  const auto alongEdge = [&](Index vertex, Index other) {
+    const Arrival& arrival = propagation_->arrival(vertex);
+    return arrival.way == Arrival::Way::Edge && arrival.before == other;
+  };
+  if (alongEdge(c.from, c.to) || alongEdge(c.to, c.from)) return;
   const double atFrom = propagation_->distance(c.from), atTo = propagation_->distance(c.to);
   const double along = (c.length + atTo - atFrom) / 2;
   if (!(along >= -kTouch * c.length && along <= c.length * (1 + kTouch))) return;
   const double length = atFrom + c.length + atTo;
   const Vec2 q{std::clamp(along, 0.0, c.length), 0};
+  // Nearly always q is nearer over the corner opposite.
+  const double rest = length / 2 * (1 - kTie) - propagation_->distance(c.apexVertex);
+  if (rest > 0 && rest * rest > dot(q - c.apex, q - c.apex)) return;
   if (!worthwhile(length, halfedge, q)) return;
   const Index next = Unfolding::next(halfedge), twin = unfolding.twin(halfedge);
   const double back = twin != kNoIndex ? unfolding.direction(twin)
