@@ -1,16 +1,19 @@
 // Random surfaces, each known by its seed: closed grids with random heights, blobs, handles, tubes,
-// cones and boxes, with good and bad triangulations.
+// cones and boxes, with good and bad triangulations, some with holes.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
+#include "girth/surface_point.h"
 #include "shapes.h"
 
 namespace girth::test {
 
 struct RandomMesh {
   Shape shape;
+  /// Without holes.
+  bool closed{true};
   /// How it was made, for messages.
   std::string history;
 };
@@ -27,7 +30,14 @@ Shape divided(const Shape& shape, double closest, Index times, std::uint64_t see
 /// plane reflected by it. Old vertices keep their numbers; those on the cut are new.
 Shape reflected(const Shape& shape, std::uint64_t seed);
 
-/// Whether a surface can be made of it.
+/// What is left when random faces, or all faces round a vertex, are cut out here and there, as long
+/// as it stays in one piece. Vertices are numbered anew.
+Shape withHoles(const Shape& shape, Index cuts, std::uint64_t seed);
+
+/// The same surface with a vertex at a point of a face or of an edge: the last one.
+Shape withVertexAt(const Shape& shape, const SurfacePoint& point);
+
+/// Whether a surface, open edges being walls, can be made of it.
 bool isSurface(const Shape& shape);
 
 }  // namespace girth::test
