@@ -46,10 +46,23 @@ class Surface {
     });
   }
 
-  /// The loop at a vertex, as `Loop` of types.ts without the unit, or an error.
-  val loop(Index vertex) {
+  /// The loop at a vertex, as `FoundLoop` of wasm-modules.d.ts, or an error.
+  val loopAtVertex(Index vertex) { return loop(SurfacePoint::atVertex(vertex)); }
+
+  /// The loop at a point of a face, given by the shares of the face's vertices.
+  val loopInFace(Index face, double a, double b, double c) {
+    return loop(SurfacePoint::inFace(face, {a, b, c}));
+  }
+
+  /// All vertices, coarse to fine, as Uint32Array.
+  val order() const {
+    return guarded([&] { return copyOut<Index>("Uint32Array", coarseToFineOrder(mesh_)); });
+  }
+
+ private:
+  val loop(const SurfacePoint& base) {
     return guarded([&] {
-      const Result<GirthLoop> found = solver_.loop(vertex);
+      const Result<GirthLoop> found = solver_.loop(base);
       if (!found) return toJs(found.error());
       const GirthLoop& girth = found.value();
       std::vector<float> points;
@@ -65,7 +78,6 @@ class Surface {
       val result = val::object();
       result.set("length", girth.length);
       result.set("kind", std::string(toString(girth.kind)));
-      result.set("vertex", girth.base);
       result.set("polyline", copyOut<float>("Float32Array", points));
       result.set("midpoint", midpoint);
       result.set("angle", girth.angle);
@@ -73,12 +85,6 @@ class Surface {
     });
   }
 
-  /// All vertices, coarse to fine, as Uint32Array.
-  val order() const {
-    return guarded([&] { return copyOut<Index>("Uint32Array", coarseToFineOrder(mesh_)); });
-  }
-
- private:
   SurfaceMesh mesh_;
   GirthSolver solver_;
 };
@@ -140,7 +146,8 @@ EMSCRIPTEN_BINDINGS(girth) {
   emscripten::class_<Surface>("Surface")
       .smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
       .function("values", &Surface::values)
-      .function("loop", &Surface::loop)
+      .function("loopAtVertex", &Surface::loopAtVertex)
+      .function("loopInFace", &Surface::loopInFace)
       .function("order", &Surface::order);
   emscripten::function("readSurface", &readSurface);
   emscripten::function("surfaceFromArrays", &surfaceFromArrays);

@@ -1,7 +1,9 @@
 // The subcommands. Each returns the exit code: 0 done, 1 usage, 2 bad input, 3 limit or cancelled.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,13 +34,17 @@ int runIgf(const IgfOptions& options);
 
 struct LoopOptions {
   std::string model;
-  /// In the file's numbering, from 0.
-  std::int64_t vertex{0};
+  /// A vertex in the file's numbering, from 0, or else a point of a face.
+  std::optional<std::int64_t> vertex;
+  /// A triangle in the file's order, from 0; polygons count as the triangles they are cut into.
+  std::optional<std::int64_t> face;
+  /// The point's shares of the face's three vertices.
+  std::array<double, 3> weights{1.0 / 3, 1.0 / 3, 1.0 / 3};
   std::string output;
   bool json{false};
 };
 
-/// Computes the loop at one vertex.
+/// Computes the loop at one point.
 int runLoop(const LoopOptions& options);
 
 }  // namespace girth::cli

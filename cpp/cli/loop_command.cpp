@@ -9,6 +9,13 @@
 namespace girth::cli {
 namespace {
 
+std::string placeText(const LoopOptions& options) {
+  if (options.vertex) return "vertex " + std::to_string(*options.vertex);
+  std::string text = "face " + std::to_string(*options.face) + " at ";
+  for (std::size_t i = 0; i < 3; ++i) text += (i == 0 ? "" : ",") + readable(options.weights[i]);
+  return text;
+}
+
 void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const LoopOptions& options) {
   constexpr double kDegrees = 57.29577951308232;
   const std::string unit = unitSuffix(loaded.unit);
@@ -16,8 +23,7 @@ void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const LoopOp
   const auto row = [](const char* name, const std::string& value) {
     std::printf("  %-10s %s\n", name, value.c_str());
   };
-  std::printf("%s: loop at vertex %lld\n", options.model.c_str(),
-              static_cast<long long>(options.vertex));
+  std::printf("%s: loop at %s\n", options.model.c_str(), placeText(options).c_str());
   row("length", readable(loop.length) + unit);
   row("kind", loop.kind == LoopKind::Loop ? "loop: around the surface"
               : loop.kind == LoopKind::Antipodal
@@ -54,10 +60,32 @@ Result<Index> surfaceVertex(const io::LoadedMesh& loaded, std::int64_t vertex) {
   return found;
 }
 
+/// The point of the surface that was asked for.
+Result<SurfacePoint> basePoint(const io::LoadedMesh& loaded, const LoopOptions& options) {
+  if (options.vertex) {
+    const Result<Index> vertex = surfaceVertex(loaded, *options.vertex);
+    if (!vertex) return vertex.error();
+    return SurfacePoint::atVertex(vertex.value());
+  }
+  const Index count = loaded.mesh.faceCount();
+  if (*options.face < 0 || *options.face >= std::int64_t{count}) {
+    Error error = makeError(ErrorCode::InvalidPoint, *options.face,
+                            "there is no face " + std::to_string(*options.face));
+    error.hint = "its faces are numbered from 0 to " + std::to_string(count - 1);
+    return error;
+  }
+  return SurfacePoint::inFace(static_cast<Index>(*options.face), options.weights);
+}
+
 }  // namespace
 
 int runLoop(const LoopOptions& options) {
   const std::string extension = extensionOf(options.output);
+  if (!options.vertex && !options.face) {
+    Error error = makeError(ErrorCode::Usage, -1, "no point is named");
+    error.hint = "name a vertex, or a face with --face";
+    return reportError("", error);
+  }
   if (!options.output.empty()) {
     if (extension != ".json" && extension != ".obj" && extension != ".csv") {
       Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
@@ -68,9 +96,9 @@ int runLoop(const LoopOptions& options) {
   }
   const auto loaded = loadModel(options.model);
   if (!loaded) return reportError(options.model, loaded.error());
-  const auto vertex = surfaceVertex(loaded.value(), options.vertex);
-  if (!vertex) return reportError(options.model, vertex.error());
-  const auto loop = girthLoop(loaded.value().mesh, vertex.value());
+  const auto base = basePoint(loaded.value(), options);
+  if (!base) return reportError(options.model, base.error());
+  const auto loop = GirthSolver(loaded.value().mesh).loop(base.value());
   if (!loop) return reportError(options.model, loop.error());
   if (!options.output.empty()) {
     const auto content = contentFor(extension, loaded.value(), loop.value(), options.model);

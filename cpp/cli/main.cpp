@@ -1,12 +1,16 @@
 // girth: the intrinsic girth function on the command line.
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <map>
 #include <new>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "commands.h"
+#include "girth/io/number_text.h"
 #include "report.h"
 
 namespace {
@@ -19,6 +23,17 @@ constexpr const char* kFooter =
     "the\n"
     "file, from 0.\n"
     "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 a limit was met or the work was cancelled.";
+
+/// Not read by CLI11, which rounds twice.
+std::array<double, 3> weightsOf(const std::vector<std::string>& texts) {
+  std::array<double, 3> weights{};
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const std::optional<double> weight = io::parseNumber(texts[i]);
+    if (!weight) throw CLI::ConversionError(texts[i], "--at");
+    weights[i] = *weight;
+  }
+  return weights;
+}
 
 int run(int argc, char** argv) {
   CLI::App app{
@@ -53,10 +68,24 @@ int run(int argc, char** argv) {
   igfCommand->add_flag("--stats", igf.stats, "Print what the computation took");
 
   LoopOptions loop;
-  CLI::App* loopCommand = app.add_subcommand("loop", "Compute the loop at one vertex");
+  CLI::App* loopCommand =
+      app.add_subcommand("loop", "Compute the loop at one vertex or at a point of a face");
   loopCommand->add_option("MODEL", loop.model, "The model to read")->required();
-  loopCommand->add_option("VERTEX", loop.vertex, "A vertex, numbered as in the file from 0")
-      ->required();
+  auto* vertex =
+      loopCommand->add_option("VERTEX", loop.vertex, "A vertex, numbered as in the file from 0");
+  auto* face = loopCommand
+                   ->add_option("--face", loop.face,
+                                "A face instead, numbered from 0; polygons count as the triangles "
+                                "they are cut into")
+                   ->excludes(vertex);
+  loopCommand
+      ->add_option_function<std::vector<std::string>>(
+          "--at", [&](const std::vector<std::string>& texts) { loop.weights = weightsOf(texts); },
+          "Where in the face: the shares of its three vertices, A,B,C; its middle by default")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("A,B,C")
+      ->needs(face);
   loopCommand->add_option("-o,--output", loop.output,
                           "Write the loop: .json, .obj (a polyline) or .csv (x,y,z)");
   loopCommand->add_flag("--json", loop.json, "Print the summary as JSON");

@@ -14,7 +14,7 @@ import {
   serve,
   type StaticServer,
 } from '../browser/support.js';
-import { visibleVertex } from '../browser/viewer-page.js';
+import { placeOnSurface } from '../browser/viewer-page.js';
 import { figure, quantile, type Figure } from './figures.js';
 import { recordTasks } from './tasks.js';
 
@@ -105,7 +105,7 @@ describe.each([
       });
     });
     for (let i = 0; i < 60; ++i) {
-      const place = await visibleVertex(
+      const place = await placeOnSurface(
         viewer,
         0.3 + 0.4 * ((i * 0.618) % 1),
         0.3 + 0.5 * (i / 60),

@@ -16,7 +16,7 @@ import {
   strictPolicy,
   type StaticServer,
 } from './support.js';
-import { fieldComplete, hover, loopByCommand, visibleVertex } from './viewer-page.js';
+import { fieldComplete, hover, loopByCommand, placeOnSurface } from './viewer-page.js';
 
 const examples = join(repository, 'web/app/public/examples');
 const site = mkdtempSync(join(tmpdir(), 'girth-element-'));
@@ -75,9 +75,9 @@ test('one script line and one tag: loads, computes in workers, shows the loop', 
   const viewer = page.locator('girth-viewer');
   await fieldComplete(viewer);
   expect(await page.evaluate(() => crossOriginIsolated)).toBe(false);
-  const place = await visibleVertex(viewer, 0.5, 0.45);
+  const place = await placeOnSurface(viewer, 0.5, 0.45);
   const shown = await hover(page, viewer, place.x, place.y);
-  const truth = loopByCommand(join(examples, 'chair.glb'), shown.inputVertex);
+  const truth = loopByCommand(join(examples, 'chair.glb'), shown.base);
   expect(shown.length).toBe(truth.length);
   // The threaded module is not even asked for.
   expect(server.requests.filter((path) => path.includes('threads'))).toEqual([]);
@@ -124,7 +124,7 @@ test('two on one page: each its own model, one kernel', async () => {
 });
 
 async function hoverAnywhere(viewer: ReturnType<Page['locator']>) {
-  const place = await visibleVertex(viewer, 0.5, 0.5);
+  const place = await placeOnSurface(viewer, 0.5, 0.5);
   return hover(page, viewer, place.x, place.y);
 }
 

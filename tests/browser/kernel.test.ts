@@ -9,6 +9,7 @@ import type { Page } from 'playwright-core';
 import { build } from 'vite';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { box, dumbbell, torus } from './meshes.js';
+import type { FacePoint } from '../../web/src/kernel/index.js';
 import type { KernelPage } from './kernel-page.js';
 import {
   chromiumForTests,
@@ -18,6 +19,7 @@ import {
   strictPolicy,
   type StaticServer,
 } from './support.js';
+import { loopByCommand } from './viewer-page.js';
 
 /** Inside `page.evaluate` only. */
 declare const girth: KernelPage;
@@ -134,6 +136,67 @@ for (const mode of ['threads', 'pool'] as const) {
       expect(field).toMatchObject({ reportedOnce: true, wrong: 0 });
       expect(field.progress).toEqual([...field.progress].sort((a, b) => a - b));
       expect(field.progress.at(-1)).toBe(1);
+    });
+
+    test('loops at points of faces: the same bits as the command', async () => {
+      const text = torus(24, 12);
+      const model = join(scratch, 'points.obj');
+      writeFileSync(model, text);
+      const points: FacePoint[] = [
+        { face: 3, weights: [0.2, 0.3, 0.5] },
+        { face: 100, weights: [1 / 3, 1 / 3, 1 / 3] },
+        { face: 411, weights: [1e-3, 0.998, 1e-3] },
+        { face: 57, weights: [0.25, 0, 0.75] },
+        { face: 58, weights: [0, 1, 0] },
+      ];
+      const found = await page.evaluate(
+        async ([text, points]) => {
+          const kernel = await girth.createKernel({ threads: 1 });
+          const mesh = await kernel.load(girth.obj(text));
+          const loops = await Promise.all(points.map((point) => mesh.loop(point)));
+          const corner = await mesh.loop(mesh.geometry.indices[3 * 58 + 1]!);
+          const places = points.map(({ face, weights }) =>
+            [0, 1, 2].map((axis) =>
+              weights.reduce((sum, weight, k) => {
+                const vertex = mesh.geometry.indices[3 * face + k]!;
+                return sum + weight * mesh.geometry.positions[3 * vertex + axis]!;
+              }, 0),
+            ),
+          );
+          const refusals = await Promise.all([
+            girth.refusal(mesh.loop({ face: 576, weights: [1, 0, 0] })),
+            girth.refusal(mesh.loop({ face: 0.5, weights: [1, 0, 0] })),
+            girth.refusal(mesh.loop({ face: 0, weights: [0.5, 0.6, 0.7] })),
+            girth.refusal(mesh.loop({ face: 0, weights: [-1, 1, 1] })),
+            girth.refusal(mesh.loop({ face: 0, weights: [NaN, 0, 1] })),
+          ]);
+          kernel.dispose();
+          const plain = loops.map((loop) => ({ ...loop, polyline: Array.from(loop.polyline) }));
+          return {
+            loops: plain,
+            corner: corner.length,
+            places,
+            codes: refusals.map((r) => r.code),
+          };
+        },
+        [text, points] as const,
+      );
+      found.loops.forEach((loop, i) => {
+        const { length, kind, angle } = loopByCommand(model, points[i]!);
+        expect(loop).toMatchObject({ length, kind, angle, base: points[i] });
+        const { polyline } = loop;
+        for (let axis = 0; axis < 3; ++axis) {
+          expect(polyline[axis]).toBeCloseTo(found.places[i]![axis]!, 5);
+          expect(polyline.at(axis - 3)).toBeCloseTo(found.places[i]![axis]!, 5);
+        }
+        let drawn = 0;
+        for (let p = 3; p < polyline.length; p += 3) {
+          drawn += Math.hypot(...[0, 1, 2].map((k) => polyline[p + k]! - polyline[p - 3 + k]!));
+        }
+        expect(drawn / length).toBeCloseTo(1, 5);
+      });
+      expect(found.loops[4]!.length).toBe(found.corner);
+      expect(found.codes).toEqual(Array(5).fill('INVALID_POINT'));
     });
 
     test('while a field is computed: report after report, and loops in between', async () => {

@@ -8,6 +8,7 @@ import type Axe from 'axe-core';
 import type { BrowserContext, Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
+import type { SurfacePoint } from '../../web/src/kernel/index.js';
 import { watchLongTasks, withoutDrawing } from './long-tasks.js';
 import { torus } from './meshes.js';
 import {
@@ -18,7 +19,7 @@ import {
   strictPolicy,
   type StaticServer,
 } from './support.js';
-import { fieldBegun, fieldComplete, hover, loopByCommand, visibleVertex } from './viewer-page.js';
+import { fieldBegun, fieldComplete, hover, loopByCommand, placeOnSurface } from './viewer-page.js';
 
 const site = join(repository, 'build/page');
 const data = join(repository, 'tests/data');
@@ -105,12 +106,19 @@ for (const isolated of [true, false]) {
       await modelIs('prism.obj');
       await fieldComplete(viewer);
       expect(await page.locator('#invitation').isVisible()).toBe(false);
-      const place = await visibleVertex(viewer, 0.5, 0.5);
+      const place = await placeOnSurface(viewer, 0.5, 0.5);
       const shown = await hover(page, viewer, place.x, place.y);
-      const truth = loopByCommand(file, shown.inputVertex);
+      const truth = loopByCommand(file, shown.base);
       expect(shown.length).toBe(truth.length);
       expect(shown.kind).toBe(truth.kind);
       expect(Number.parseFloat(shown.text)).toBeCloseTo(truth.length, 3);
+      // The loop passes where the pointer is, not at the nearest vertex.
+      const box = (await viewer.boundingBox())!;
+      const { x, y } = await viewer.evaluate(
+        (element: GirthViewer, base) => element.screenPosition(base),
+        shown.base,
+      );
+      expect(Math.hypot(box.x + x - place.x, box.y + y - place.y)).toBeLessThan(0.1);
     });
 
     test('a chosen GLB with seams: welded, and the command’s lengths all over', async () => {
@@ -124,9 +132,9 @@ for (const isolated of [true, false]) {
         [0.5, 0.4],
         [0.5, 0.7],
       ] as const) {
-        const place = await visibleVertex(viewer, right, down);
+        const place = await placeOnSurface(viewer, right, down);
         const shown = await hover(page, viewer, place.x, place.y);
-        expect(shown.length).toBe(loopByCommand(file, shown.inputVertex).length);
+        expect(shown.length).toBe(loopByCommand(file, shown.base).length);
       }
     });
 
@@ -134,12 +142,15 @@ for (const isolated of [true, false]) {
       await modelIs('chair.glb');
       await fieldComplete(viewer);
       const file = join(repository, 'web/app/public/examples/chair.glb');
-      const place = await visibleVertex(viewer, 0.5, 0.45);
+      const place = await placeOnSurface(viewer, 0.5, 0.45);
       const shown = await hover(page, viewer, place.x, place.y);
-      expect(shown.length).toBe(loopByCommand(file, shown.inputVertex).length);
+      expect(shown.length).toBe(loopByCommand(file, shown.base).length);
       await page.mouse.click(place.x, place.y);
       await page.locator('#loops li').waitFor();
       await page.mouse.move(1, 1);
+      const pinned = await viewer.evaluate((element: GirthViewer) => element.pinned[0]!.loop);
+      expect(pinned.base).toEqual(shown.base);
+      expect(pinned.length).toBe(shown.length);
       const written = shown.text.match(/^[\d.]+/)![0];
       expect(await page.locator('#loops li b').textContent()).toContain(written);
       expect(await viewer.locator('.tag').count()).toBe(1);
@@ -220,7 +231,7 @@ for (const isolated of [true, false]) {
       expect(await message.isVisible()).toBe(false);
       // The former model's computation was not touched either.
       await fieldComplete(viewer);
-      const place = await visibleVertex(viewer, 0.5, 0.45);
+      const place = await placeOnSurface(viewer, 0.5, 0.45);
       expect((await hover(page, viewer, place.x, place.y)).length).toBeGreaterThan(0);
     });
 
@@ -278,14 +289,14 @@ describe.each(['light', 'dark'] as const)('page, %s', (colorScheme) => {
     const viewer = page.locator('girth-viewer');
     await page.locator('#model b').waitFor();
     await fieldComplete(viewer);
-    const place = await visibleVertex(viewer, 0.5, 0.45);
+    const place = await placeOnSurface(viewer, 0.5, 0.45);
     if (width < 500) {
       await page.touchscreen.tap(place.x, place.y);
       await viewer.locator('.readout').waitFor({ state: 'visible' });
-      const vertex = Number(await viewer.locator('.readout').getAttribute('data-vertex'));
+      const base = (await viewer.locator('.readout').getAttribute('data-base'))!;
       const { x, y } = await viewer.evaluate(
-        (element: GirthViewer, v) => element.screenPosition(v),
-        vertex,
+        (element: GirthViewer, base) => element.screenPosition(JSON.parse(base) as SurfacePoint),
+        base,
       );
       const box = (await viewer.boundingBox())!;
       await page.touchscreen.tap(box.x + x, box.y + y);

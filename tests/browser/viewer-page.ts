@@ -6,17 +6,23 @@ import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { expect } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
+import type { SurfacePoint } from '../../web/src/kernel/index.js';
 import { repository } from './support.js';
 
 /** `GIRTH_COMMAND` names another one than that of the build tree. */
 const command = process.env['GIRTH_COMMAND'] ?? join(repository, 'build/native/cpp/cli/girth');
 
-/** The length and kind that the command finds at a vertex of the file. */
-export function loopByCommand(file: string, vertex: number): { length: number; kind: string } {
-  const text = execFileSync(command, ['loop', file, String(vertex), '--json'], {
-    encoding: 'utf8',
-  });
-  return JSON.parse(text) as { length: number; kind: string };
+/** The length and kind that the command finds at a vertex of the file, or at a point of a face. */
+export function loopByCommand(
+  file: string,
+  point: SurfacePoint,
+): { length: number; kind: string; angle: number } {
+  const place =
+    typeof point === 'number'
+      ? [String(point)]
+      : ['--face', String(point.face), '--at', point.weights.join()];
+  const text = execFileSync(command, ['loop', file, ...place, '--json'], { encoding: 'utf8' });
+  return JSON.parse(text) as { length: number; kind: string; angle: number };
 }
 
 /** Waits until a whole field is there, and what is said of it: colours, legend, no progress. */
@@ -46,25 +52,25 @@ export async function fieldBegun(viewer: Locator): Promise<void> {
 }
 
 /**
- * A visible vertex nearest to a place given in shares of the element's size, and a point of the page
- * beside it, on the surface.
- * Waits until vertices can be picked.
+ * A point of the page where the surface is, beside the visible vertex nearest to a place given in
+ * shares of the element's size. Waits until the surface rests and can be picked.
  */
-export async function visibleVertex(viewer: Locator, right: number, down: number) {
-  // A surface that turns by itself would be elsewhere by the time the pointer gets there.
-  await viewer.evaluate((element: GirthViewer) => element.removeAttribute('turn'));
+export async function placeOnSurface(viewer: Locator, right: number, down: number) {
+  // A surface that turns, or comes to rest slowly, would be elsewhere when the pointer gets there.
+  await viewer.page().emulateMedia({ reducedMotion: 'reduce' });
+  let before: { x: number; y: number } | undefined;
   for (let attempt = 0; attempt < 200; ++attempt) {
     const found = await viewer.evaluate(
       (element: GirthViewer, [right, down]) => {
         const box = element.getBoundingClientRect();
         const target = [right! * box.width, down! * box.height] as const;
-        let nearest = { vertex: -1, x: 0, y: 0, distance: Infinity };
+        let nearest = { x: 0, y: 0, distance: Infinity };
         const middle = { x: 0, y: 0, count: 0 };
         for (let vertex = 0; vertex < element.info!.vertexCount; ++vertex) {
           const { x, y, visible } = element.screenPosition(vertex);
           const distance = Math.hypot(x - target[0], y - target[1]);
           if (!visible) continue;
-          if (distance < nearest.distance) nearest = { vertex, x, y, distance };
+          if (distance < nearest.distance) nearest = { x, y, distance };
           middle.x += x;
           middle.y += y;
           ++middle.count;
@@ -72,25 +78,19 @@ export async function visibleVertex(viewer: Locator, right: number, down: number
         // A vertex on the outline is beside the surface as often as on it: go a little inwards.
         const [dx, dy] = [middle.x / middle.count - nearest.x, middle.y / middle.count - nearest.y];
         const step = Math.min(1, 2 / Math.hypot(dx, dy));
-        return {
-          vertex: nearest.vertex,
-          x: box.left + nearest.x + step * dx,
-          y: box.top + nearest.y + step * dy,
-        };
+        return { x: box.left + nearest.x + step * dx, y: box.top + nearest.y + step * dy };
       },
       [right, down],
     );
-    if (found.vertex >= 0) return found;
+    if (Number.isFinite(found.x) && found.x === before?.x && found.y === before.y) return found;
+    before = found;
     await viewer.page().waitForTimeout(50);
   }
-  throw new Error('no vertex can be seen');
+  throw new Error('nothing of the surface can be seen');
 }
 
 export interface Shown {
-  /** Of the surface. */
-  vertex: number;
-  /** The first vertex of the file that it comes from. */
-  inputVertex: number;
+  base: SurfacePoint;
   length: number;
   kind: string;
   /** As the user reads it. */
@@ -105,15 +105,10 @@ export async function hover(page: Page, viewer: Locator, x: number, y: number): 
   // One step: no other loop than this place's is asked for.
   await page.mouse.move(x, y);
   await readout.waitFor({ state: 'visible' });
-  const shown = await readout.evaluate((element) => ({
-    vertex: Number((element as HTMLElement).dataset['vertex']),
+  return readout.evaluate((element) => ({
+    base: JSON.parse((element as HTMLElement).dataset['base']!) as SurfacePoint,
     length: Number((element as HTMLElement).dataset['length']),
     kind: (element as HTMLElement).dataset['kind']!,
     text: element.textContent,
   }));
-  const inputVertex = await viewer.evaluate(
-    (element: GirthViewer, vertex) => element.vertexOfInput.indexOf(vertex),
-    shown.vertex,
-  );
-  return { ...shown, inputVertex };
 }

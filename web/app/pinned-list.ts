@@ -3,7 +3,7 @@
 import { type GirthViewer, type PinnedLoop, formatLength, make } from '../src/element/index.js';
 import { byId } from './dom.js';
 
-function row(viewer: GirthViewer, { id, vertex, loop }: PinnedLoop): HTMLElement {
+function row(viewer: GirthViewer, { id, loop }: PinnedLoop): HTMLElement {
   const length = formatLength(loop.length, viewer.lengthFormat);
   const remove = make(
     'button',
@@ -11,13 +11,15 @@ function row(viewer: GirthViewer, { id, vertex, loop }: PinnedLoop): HTMLElement
     '✕',
   );
   remove.addEventListener('click', () => viewer.unpin(id));
-  const kind = loop.kind === 'loop' ? `vertex ${vertex}` : 'there and back';
+  const { base, kind } = loop;
+  const place = typeof base === 'number' ? `vertex ${base}` : `face ${base.face}`;
+  const words = { loop: place, antipodal: 'there and back', unresolved: 'or more' }[kind];
   return make(
     'li',
     {},
     make('i', {}, String(id)),
     make('b', {}, length),
-    make('span', {}, kind),
+    make('span', {}, words),
     remove,
   );
 }

@@ -62,8 +62,9 @@ class EventQueue : public std::priority_queue<Event> {
 }  // namespace
 
 struct IchGirth::State {
-  explicit State(const SurfaceMesh& surface)
+  State(const SurfaceMesh& surface, IchFilter when)
       : mesh(surface),
+        filter(when),
         apex(mesh.halfedgeCount()),
         direction(mesh.halfedgeCount()),
         reach(mesh.halfedgeCount()),
@@ -97,6 +98,7 @@ struct IchGirth::State {
 
   void start(Index source, bool loops) {
     withLoops = loops;
+    filtersEarly = !loops || filter == IchFilter::AtCreation;
     for (const Index v : touchedVertices) distance[v] = kInfinity;
     for (const Index h : touchedAngles) angles[h] = {};
     for (const Index h : touchedLists) listed[h] = kNoIndex;
@@ -116,7 +118,7 @@ struct IchGirth::State {
   // --- Algorithm 2
   // ---------------------------------------------------------------------------------------
 
-  /// With `withLoops` false it is the plain propagation of distances.
+  /// Without loops it is the plain propagation of distances.
   void run() {
     while (!queue.empty()) {
       const Event event = queue.top();
@@ -128,17 +130,14 @@ struct IchGirth::State {
         if (withLoops) testEdges(event.vertex);
         leaveVertex(event.vertex, arrival[event.vertex] + kPi - kAngleTolerance,
                     mesh.totalAngle(event.vertex) - 2 * kPi + 2 * kAngleTolerance);
-      } else if (isUseless(windows[event.window])) {
-        if (!withLoops) recycle(event.window);
-      } else {
-        ++processed;
-        const Window window = windows[event.window];
-        if (withLoops)
-          testPairs(window, event.distance);
-        else
-          recycle(event.window);
-        propagate(window);
+        continue;
       }
+      const Window window = windows[event.window];
+      if (!withLoops) recycle(event.window);
+      if (filtersEarly ? isUseless(window) : isOutdated(window)) continue;
+      ++processed;
+      if (withLoops) testPairs(window, event.distance);
+      if (filtersEarly || !isUseless(window)) propagate(window);
     }
   }
 
@@ -197,11 +196,13 @@ struct IchGirth::State {
   // --- Improved Chen–Han
   // ---------------------------------------------------------------------------------
 
-  /// Whether no path through the window is shortest: its pseudosource has been reached by a shorter
-  /// way, or a path over a vertex of the face left behind is shorter everywhere (Xin and Wang 2009,
-  /// section 3.2).
+  /// Whether the window's pseudosource has been reached by a shorter way since.
+  bool isOutdated(const Window& w) const { return w.sigma != distance[w.rootVertex]; }
+
+  /// Whether no path through the window is shortest: it is outdated, or a path over a vertex of the
+  /// face left behind is shorter everywhere (Xin and Wang 2009, section 3.2).
   bool isUseless(const Window& w) const {
-    if (w.sigma != distance[w.rootVertex]) return true;
+    if (isOutdated(w)) return true;
     const double length = mesh.length(w.halfedge);
     const double d0 = w.sigma + lengthOf(Point{w.b0, 0} - w.root);
     const double d1 = w.sigma + lengthOf(Point{w.b1, 0} - w.root);
@@ -219,7 +220,8 @@ struct IchGirth::State {
     const double length = mesh.length(w.halfedge);
     w.b0 = std::max(w.b0, 0.0);
     w.b1 = std::min(w.b1, length);
-    if (!(w.b1 - w.b0 > kLengthTolerance * length) || isUseless(w)) return;
+    if (!(w.b1 - w.b0 > kLengthTolerance * length)) return;
+    if (filtersEarly && isUseless(w)) return;
     const double nearest = w.sigma + lengthOf(Point{std::clamp(w.root.x, w.b0, w.b1), 0} - w.root);
     w.farthest =
         w.sigma + std::max(lengthOf(Point{w.b0, 0} - w.root), lengthOf(Point{w.b1, 0} - w.root));
@@ -356,6 +358,7 @@ struct IchGirth::State {
   }
 
   const SurfaceMesh& mesh;
+  IchFilter filter;
 
   // Of the mesh, by halfedge: its apex in its plane; its direction at its start; the width of
   // condition 1.
@@ -374,12 +377,13 @@ struct IchGirth::State {
   std::vector<Window> windows;
   std::uint32_t freeWindow{kNoIndex};
   EventQueue queue;
-  bool withLoops{true};
+  bool withLoops{true}, filtersEarly{true};
   double best{kInfinity};
   std::size_t processed{0};
 };
 
-IchGirth::IchGirth(const SurfaceMesh& mesh) : state_(std::make_unique<State>(mesh)) {}
+IchGirth::IchGirth(const SurfaceMesh& mesh, IchFilter filter)
+    : state_(std::make_unique<State>(mesh, filter)) {}
 IchGirth::~IchGirth() = default;
 
 GirthValue IchGirth::value(Index vertex) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -9,6 +10,15 @@
 #include "girth/surface_mesh.h"
 
 namespace girth::bench {
+
+/// When windows are filtered.
+enum class IchFilter : std::uint8_t {
+  /// Before a window enters the queue, as Xin and Wang publish it.
+  AtCreation,
+  /// Only before a window is propagated, after its pairs have been tested: the reading of the paper
+  /// that misses the fewest loops, and therefore also ends earlier.
+  AtPropagation,
+};
 
 /// Algorithm 2 of the paper on top of the improved Chen–Han propagation (Xin and Wang, 'Improving
 /// Chen and Han's algorithm on the discrete geodesic problem', ACM TOG 28(4), 2009): windows in a
@@ -18,7 +28,7 @@ namespace girth::bench {
 ///
 /// Where the paper leaves a choice, the one that finds more loops: a window is listed at its edge
 /// as soon as it is made, and stays there, even if the filter stops it later, until condition 1 of
-/// Lemma 4.2 deletes it.
+/// Lemma 4.2 deletes it. When the filter is asked is the caller's choice.
 ///
 /// Read so, the lemmas are *not right* at every vertex: the filters drop windows that a loop needs,
 /// and windows that survive form loops whose halves are not shortest. That is what the benchmark
@@ -28,7 +38,7 @@ namespace girth::bench {
 /// mesh must outlive it.
 class IchGirth {
  public:
-  explicit IchGirth(const SurfaceMesh& mesh);
+  explicit IchGirth(const SurfaceMesh& mesh, IchFilter filter = IchFilter::AtCreation);
   ~IchGirth();
   IchGirth(const IchGirth&) = delete;
   IchGirth& operator=(const IchGirth&) = delete;
@@ -41,7 +51,7 @@ class IchGirth {
   /// Valid until the next call.
   std::span<const double> distances(Index source);
 
-  /// Windows taken from the queue by the last call and found valid.
+  /// Windows that the last call took from the queue and worked on.
   std::size_t windowCount() const;
 
  private:

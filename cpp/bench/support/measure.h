@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,15 @@ double secondsOf(Call&& call) {
   const auto start = std::chrono::steady_clock::now();
   std::forward<Call>(call)();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Seconds of processor time that a call on one thread takes: what it would take by the wall clock
+/// on a machine that does nothing else.
+template <class Call>
+double processorSecondsOf(Call&& call) {
+  const std::clock_t start = std::clock();
+  std::forward<Call>(call)();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 /// The value that a share of the others does not exceed; 0.5: the median.

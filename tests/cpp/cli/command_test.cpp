@@ -116,6 +116,13 @@ TEST_F(Command, wrongUsageIsOneLineAndExitCodeOne) {
                                                     {"loop", prism, "3", "-o", path("a.ply")},
                                                     {"loop", prism, "44"},
                                                     {"loop", prism, "99999999999"},
+                                                    {"loop", prism, "3", "--face", "3"},
+                                                    {"loop", prism, "--face", "-1"},
+                                                    {"loop", prism, "--face", "999"},
+                                                    {"loop", prism, "--at", "1,0,0"},
+                                                    {"loop", prism, "--face", "3", "--at", "1,0"},
+                                                    {"loop", prism, "--face", "3", "--at", "1,0,x"},
+                                                    {"loop", prism, "--face", "3", "--at", "1,1,0"},
                                                     {"info", prism, "--wings"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
@@ -241,6 +248,28 @@ TEST_F(Command, loopAtAVertex) {
   EXPECT_NE(contentOf(path("l.obj")).find("\nl 1 2"), std::string::npos);
   EXPECT_EQ(run({"loop", kData + "/prism.obj", "21", "-o", path("l.csv")}).exitCode, 0);
   EXPECT_EQ(contentOf(path("l.csv")).rfind("x,y,z\n", 0), 0u);
+}
+
+TEST_F(Command, loopInAFace) {
+  const std::string prism = kData + "/prism.obj";
+  const Outcome corner = run({"loop", prism, "--face", "30", "--at", "0,1,0", "--json"});
+  EXPECT_EQ(corner.exitCode, 0) << corner.errors;
+  const Json atCorner = Json::parse(corner.output);
+  const std::string vertex = std::to_string(atCorner["vertex"].get<int>());
+  const Json atVertex = Json::parse(run({"loop", prism, vertex, "--json"}).output);
+  EXPECT_EQ(atCorner, atVertex);
+
+  const Outcome inside = run({"loop", prism, "--face", "30", "--at", "0.2,0.5,0.3", "--json"});
+  EXPECT_EQ(inside.exitCode, 0) << inside.errors;
+  const Json summary = Json::parse(inside.output);
+  EXPECT_EQ(summary["vertex"], nullptr);
+  EXPECT_EQ(summary["base"]["vertices"].size(), 3u);
+  EXPECT_EQ(summary["base"]["vertices"][1], atCorner["vertex"]);
+  EXPECT_EQ(summary["base"]["weights"], Json::array({0.2, 0.5, 0.3}));
+  EXPECT_NEAR(summary["length"].get<double>(), 4.0, 1e-9);
+  const Json middle = Json::parse(run({"loop", prism, "--face", "30", "--json"}).output);
+  for (const Json& weight : middle["base"]["weights"])
+    EXPECT_NEAR(weight.get<double>(), 1.0 / 3, 1e-15);
 }
 
 TEST_F(Command, readsFilesBesideTheModelOnly) {

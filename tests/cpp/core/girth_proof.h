@@ -18,4 +18,7 @@ namespace girth::test {
 bool expectProven(const SurfaceMesh& mesh, TextbookMmp& textbook, const GirthLoop& loop,
                   double share = 0.02);
 
+/// Fails the test if a sample of the distance field lies farther than half of the loop's length.
+void expectNothingBeyond(const SurfaceMesh& mesh, TextbookMmp& textbook, const GirthLoop& loop);
+
 }  // namespace girth::test

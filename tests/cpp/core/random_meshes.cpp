@@ -80,19 +80,53 @@ Shape base(Random& random, std::string& history) {
   }
 }
 
-}  // namespace
-
-bool isSurface(const Shape& shape) {
-  return SurfaceMesh::fromArrays(shape.positions, shape.triangles).ok();
+/// A new vertex in the face of a side, at share `s` of the side and then, where `r` is not 0, at
+/// share `r` of the way to the opposite corner.
+void divide(Shape& shape, Index side, double s, double r) {
+  std::vector<Index>& t = shape.triangles;
+  const Index f = side / 3;
+  const Index a = t[side], b = t[3 * f + (side + 1) % 3], c = t[3 * f + (side + 2) % 3];
+  const auto pa = at(shape, a), pb = at(shape, b), pc = at(shape, c);
+  std::array<double, 3> p{};
+  for (int k = 0; k < 3; ++k) {
+    p[k] = pa[k] + s * (pb[k] - pa[k]);
+    p[k] += r * (pc[k] - p[k]);
+  }
+  const Index m = shape.add(p[0], p[1], p[2]);
+  t[3 * f] = m, t[3 * f + 1] = b, t[3 * f + 2] = c;
+  shape.face(m, c, a);
+  if (r > 0) {
+    shape.face(m, a, b);
+    return;
+  }
+  for (std::size_t j = 0; j < t.size(); ++j) {
+    const std::size_t g = j / 3;
+    if (t[j] != b || t[3 * g + (j + 1) % 3] != a) continue;
+    const Index d = t[3 * g + (j + 2) % 3];
+    t[3 * g] = m, t[3 * g + 1] = a, t[3 * g + 2] = d;
+    shape.face(m, d, b);
+    return;
+  }
 }
 
-RandomMesh randomMesh(std::uint64_t seed) {
+}  // namespace
+
+bool isSurface(const Shape& shape, double narrowest) {
+  const auto mesh = SurfaceMesh::fromArrays(shape.positions, shape.triangles, OpenEdges::Wall);
+  if (!mesh) return false;
+  for (Index h = 0; h < mesh.value().halfedgeCount(); ++h) {
+    if (mesh.value().cornerAngle(h) < narrowest) return false;
+  }
+  return true;
+}
+
+RandomMesh randomMesh(std::uint64_t seed, double narrowest) {
   Random random(seed);
   for (int i = 0; i < 3; ++i) random();  // seeds near each other begin alike
   RandomMesh mesh;
   mesh.shape = base(random, mesh.history);
   const auto become = [&](Shape shape, const std::string& how) {
-    if (!isSurface(shape)) return;  // noise may flatten a needle
+    if (!isSurface(shape, narrowest)) return;
     mesh.shape = std::move(shape);
     mesh.history += ", " + how;
   };
@@ -107,6 +141,12 @@ RandomMesh randomMesh(std::uint64_t seed) {
   constexpr std::array<double, 6> kNoise = {0, 0, 0.01, 0.15, 0.5, 0.5};
   const double noise = kNoise[random.below(kNoise.size())];
   if (noise > 0) become(perturbed(mesh.shape, noise, newSeed()), "noise " + text(noise));
+  if (random() < 0.3) {
+    const Index cuts = 1 + random.below(4);
+    mesh.shape = withHoles(mesh.shape, cuts, newSeed());
+    mesh.closed = false;
+    mesh.history += ", with holes from " + std::to_string(cuts) + " cuts";
+  }
   if (random() < 0.4) {
     const double closest = std::pow(10, -4 * random());
     become(divided(mesh.shape, 0.3 * closest, 1 + random.below(30), newSeed()),
@@ -120,36 +160,53 @@ RandomMesh randomMesh(std::uint64_t seed) {
 Shape divided(const Shape& shape, double closest, Index times, std::uint64_t seed) {
   Shape result = shape;
   Random random(seed);
-  std::vector<Index>& t = result.triangles;
   const auto share = [&] {
     const double s = closest * std::pow(1 / (2 * closest), random());  // as often near an end
     return random() < 0.5 ? s : 1 - s;
   };
   for (Index i = 0; i < times; ++i) {
-    const Index side = random.below(static_cast<Index>(t.size())), f = side / 3;
-    const Index a = t[side], b = t[3 * f + (side + 1) % 3], c = t[3 * f + (side + 2) % 3];
-    const auto pa = at(result, a), pb = at(result, b), pc = at(result, c);
-    const double s = share(), r = random() < 0.5 ? 0 : share();  // on the side, or towards c
-    std::array<double, 3> p{};
-    for (int k = 0; k < 3; ++k) {
-      p[k] = pa[k] + s * (pb[k] - pa[k]);
-      p[k] += r * (pc[k] - p[k]);
+    const Index side = random.below(static_cast<Index>(result.triangles.size()));
+    const double s = share();
+    divide(result, side, s, random() < 0.5 ? 0 : share());  // on the side, or in the face
+  }
+  return result;
+}
+
+Shape withVertexAt(const Shape& shape, const SurfacePoint& point) {
+  Shape result = shape;
+  const auto& w = point.weights;
+  if (point.kind == SurfacePoint::Kind::Edge) {
+    divide(result, point.element, w[1], 0);
+  } else {
+    divide(result, 3 * point.element, w[1] / (w[0] + w[1]), w[2]);
+  }
+  return result;
+}
+
+Shape withHoles(const Shape& shape, Index cuts, std::uint64_t seed) {
+  Random random(seed);
+  Shape result = shape;
+  for (Index i = 0; i < cuts; ++i) {
+    const bool wholeStar = random() < 0.5;
+    const Index corner = random.below(static_cast<Index>(result.triangles.size()));
+    const Index centre = result.triangles[corner];
+    Shape rest;
+    std::vector<Index> newNumber(result.vertexCount(), kNoIndex);
+    const auto vertex = [&](Index v) {
+      if (newNumber[v] == kNoIndex) {
+        const auto p = at(result, v);
+        newNumber[v] = rest.add(p[0], p[1], p[2]);
+      }
+      return newNumber[v];
+    };
+    for (std::size_t f = 0; f < result.triangles.size(); f += 3) {
+      const Index a = result.triangles[f], b = result.triangles[f + 1], c = result.triangles[f + 2];
+      const bool cut = wholeStar ? a == centre || b == centre || c == centre : f / 3 == corner / 3;
+      if (cut) continue;
+      const Index u = vertex(a), v = vertex(b), w = vertex(c);
+      rest.face(u, v, w);
     }
-    const Index m = result.add(p[0], p[1], p[2]);
-    t[3 * f] = m, t[3 * f + 1] = b, t[3 * f + 2] = c;
-    result.face(m, c, a);
-    if (r > 0) {
-      result.face(m, a, b);
-      continue;
-    }
-    for (std::size_t j = 0; j < t.size(); ++j) {
-      const std::size_t g = j / 3;
-      if (t[j] != b || t[3 * g + (j + 1) % 3] != a) continue;
-      const Index d = t[3 * g + (j + 2) % 3];
-      t[3 * g] = m, t[3 * g + 1] = a, t[3 * g + 2] = d;
-      result.face(m, d, b);
-      break;
-    }
+    if (isSurface(rest, 0) && rest.mesh(OpenEdges::Wall).componentCount() == 1) result = rest;
   }
   return result;
 }

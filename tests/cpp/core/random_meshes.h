@@ -1,23 +1,30 @@
 // Random surfaces, each known by its seed: closed grids with random heights, blobs, handles, tubes,
-// cones and boxes, with good and bad triangulations.
+// cones and boxes, with good and bad triangulations, some with holes.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
+#include "girth/surface_point.h"
 #include "shapes.h"
 
 namespace girth::test {
 
 struct RandomMesh {
   Shape shape;
+  /// Without holes.
+  bool closed{true};
   /// How it was made, for messages.
   std::string history;
 };
 
-/// The surface of this seed: connected, without faces that have no area, of some 20 to 200
-/// vertices.
-RandomMesh randomMesh(std::uint64_t seed);
+/// Corners narrower than this, in radians, make needles, which rounded coordinates turn by as much
+/// as the corners do.
+constexpr double kNeedle = 1e-6;
+
+/// The surface of this seed: connected, of some 20 to 200 vertices, without corners narrower than
+/// `narrowest`.
+RandomMesh randomMesh(std::uint64_t seed, double narrowest = kNeedle);
 
 /// The same surface, halved sides and divided faces at random; old vertices keep their numbers. The
 /// new vertices lie no nearer to the ends of a side than `closest` times its length.
@@ -27,7 +34,15 @@ Shape divided(const Shape& shape, double closest, Index times, std::uint64_t see
 /// plane reflected by it. Old vertices keep their numbers; those on the cut are new.
 Shape reflected(const Shape& shape, std::uint64_t seed);
 
-/// Whether a surface can be made of it.
-bool isSurface(const Shape& shape);
+/// What is left when random faces, or all faces round a vertex, are cut out here and there, as long
+/// as it stays in one piece. Vertices are numbered anew.
+Shape withHoles(const Shape& shape, Index cuts, std::uint64_t seed);
+
+/// The same surface with a vertex at a point of a face or of an edge: the last one.
+Shape withVertexAt(const Shape& shape, const SurfacePoint& point);
+
+/// Whether a surface, open edges being walls, can be made of it, without corners narrower than
+/// `narrowest`.
+bool isSurface(const Shape& shape, double narrowest = kNeedle);
 
 }  // namespace girth::test

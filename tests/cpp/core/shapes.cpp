@@ -40,8 +40,8 @@ Index Shape::add(double x, double y, double z) {
 
 void Shape::face(Index a, Index b, Index c) { triangles.insert(triangles.end(), {a, b, c}); }
 
-SurfaceMesh Shape::mesh() const {
-  auto result = SurfaceMesh::fromArrays(positions, triangles);
+SurfaceMesh Shape::mesh(OpenEdges openEdges) const {
+  auto result = SurfaceMesh::fromArrays(positions, triangles, openEdges);
   if (!result) {
     ADD_FAILURE() << result.error().message;
     return tetrahedron().mesh();

@@ -17,7 +17,7 @@ struct Shape {
   void face(Index a, Index b, Index c);
   Index vertexCount() const { return static_cast<Index>(positions.size() / 3); }
   /// The surface; fails the test if there is none.
-  SurfaceMesh mesh() const;
+  SurfaceMesh mesh(OpenEdges openEdges = OpenEdges::Refuse) const;
 };
 
 /// Repeatable random numbers, the same on every platform.

@@ -71,11 +71,11 @@ export function fakeSurface(count: number): Behaviour {
         };
       }
       case 'loop':
-        return { vertex: (args as { vertex: number }).vertex, length: 1 };
+        return { length: 1, polyline: new Float32Array(6) };
       case 'take':
       case 'read':
         return {
-          info: { name: '', vertexCount: count, unit: 'm' },
+          info: { name: '', vertexCount: count, faceCount: count, unit: 'm' },
           arrays: { positions: new Float64Array(3 * count), indices: new Uint32Array(3) },
           drawn: new Float32Array(3 * count),
           vertexOfInput: new Uint32Array(count),

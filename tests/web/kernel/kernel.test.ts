@@ -215,7 +215,7 @@ describe('loops', () => {
     const surface = fakeSurface(100);
     const { kernel } = await fakeKernel(async (request, report) => {
       if (request.operation === 'loop') {
-        asked.push((request.arguments as { vertex: number }).vertex);
+        asked.push((request.arguments as { point: number }).point);
         if (asked.length === 1) await first.opened;
       }
       return surface(request, report);
@@ -236,12 +236,26 @@ describe('loops', () => {
     expect(asked).toEqual([1, 4, 3]);
   });
 
-  test('a vertex that does not exist is refused', async () => {
+  test('a loop says its base as it was asked for', async () => {
+    const { kernel } = await fakeKernel(fakeSurface(100));
+    const mesh = await kernel.load(anyArrays);
+    expect((await mesh.loop(7)).base).toBe(7);
+    const weights: [number, number, number] = [0.2, 0.3, 0.5];
+    const asking = mesh.loop({ face: 30, weights });
+    weights[0] = 9;
+    expect((await asking).base).toEqual({ face: 30, weights: [0.2, 0.3, 0.5] });
+  });
+
+  test('a point that does not exist is refused', async () => {
     const { kernel } = await fakeKernel(fakeSurface(100));
     const mesh = await kernel.load(anyArrays);
     for (const vertex of [-1, 100, 1.5, NaN]) {
       expect(await codeOf(mesh.loop(vertex))).toBe('VERTEX_OUT_OF_RANGE');
     }
+    for (const face of [-1, 100, 1.5, NaN]) {
+      expect(await codeOf(mesh.loop({ face, weights: [1, 0, 0] }))).toBe('INVALID_POINT');
+    }
+    expect(await codeOf(mesh.loop({ face: 0, weights: [NaN, 0, 1] }))).toBe('INVALID_POINT');
   });
 });
 

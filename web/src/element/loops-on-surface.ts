@@ -1,6 +1,6 @@
 // The loop under the pointer, under the finger or at the keyboard's probe, and the pinned loops.
 
-import type { Loop } from '../kernel/types.js';
+import type { Loop, SurfacePoint } from '../kernel/types.js';
 import {
   Latest,
   type LengthFormat,
@@ -11,11 +11,11 @@ import {
 } from '../view/index.js';
 import { make } from './dom.js';
 import type { Model } from './model.js';
-import { PinTag, Readout, antipodalWords } from './readout.js';
+import { PinTag, Readout, kindWords } from './readout.js';
 
 /** The pointer may move this far, in CSS pixels, between press and release of a click. */
 const clickSlack = 5;
-/** A second tap within this many CSS pixels of the first one's vertex means that vertex. */
+/** A second tap within this many CSS pixels of the first one means the first one's loop. */
 const fingerWidth = 24;
 /** CSS pixels that one key press moves the probe. */
 const probeStep = 14;
@@ -27,14 +27,13 @@ const pinnedStyle = { colour: '#ff7a45', weight: 0.9 };
 export interface PinnedLoop {
   /** Counts up from 1 for each model; also written on the surface. */
   id: number;
-  vertex: number;
+  /** `loop.base` is the point that it is the loop of. */
   loop: Loop;
 }
 
 export interface PickDetail {
   /** 'hover': the loop under the pointer is shown; 'pin' and 'unpin': it was kept or let go. */
   action: 'hover' | 'pin' | 'unpin';
-  vertex: number;
   loop: Loop;
 }
 
@@ -51,6 +50,11 @@ interface Host {
   failed(error: unknown): void;
 }
 
+function isSame(a: SurfacePoint, b: SurfacePoint): boolean {
+  if (typeof a === 'number' || typeof b === 'number') return a === b;
+  return a.face === b.face && a.weights.every((share, k) => share === b.weights[k]);
+}
+
 /** Everything about loops for one model on one stage. */
 export class LoopsOnSurface {
   /** Words on the surface. */
@@ -59,12 +63,12 @@ export class LoopsOnSurface {
   private readonly readout = new Readout();
   private readonly live = make('div', { class: 'quiet-live', 'aria-live': 'polite' });
   private readonly ending = new AbortController();
-  private readonly request: Latest<number, Loop>;
+  private readonly request: Latest<SurfacePoint, Loop>;
   private pins: Pin[] = [];
   private nextPin = 1;
   private hover: { loop: Loop; band: LoopBand } | undefined;
-  /** The vertex whose loop is shown or asked for. */
-  private hovered: number | undefined;
+  /** The point whose loop is shown or asked for. */
+  private hovered: SurfacePoint | undefined;
   private pointer: { x: number; y: number; isTouch: boolean } | undefined;
   private pressed: { x: number; y: number } | undefined;
   private pickRequested = 0;
@@ -77,16 +81,16 @@ export class LoopsOnSurface {
     private readonly host: Host,
   ) {
     this.request = new Latest(
-      (vertex, signal) => model.mesh.loop(vertex, { signal }),
-      (_vertex, loop) => this.show(loop),
-      (_vertex, error) => host.failed(error),
+      (point, signal) => model.mesh.loop(point, { signal }),
+      (_point, loop) => this.show(loop),
+      (_point, error) => host.failed(error),
     );
     this.element.append(this.readout.element, this.live);
     this.listen();
   }
 
   get pinned(): PinnedLoop[] {
-    return this.pins.map(({ id, vertex, loop }) => ({ id, vertex, loop }));
+    return this.pins.map(({ id, loop }) => ({ id, loop }));
   }
 
   setFormat(format: LengthFormat): void {
@@ -95,19 +99,17 @@ export class LoopsOnSurface {
     if (this.hover) this.readout.show(this.hover.loop, format);
   }
 
-  async pin(vertex: number): Promise<PinnedLoop> {
+  async pin(point: SurfacePoint): Promise<PinnedLoop> {
     const { signal } = this.model.life;
+    const shown = this.hover?.loop;
     const loop =
-      this.hover?.loop.vertex === vertex
-        ? this.hover.loop
-        : await this.model.mesh.loop(vertex, { signal });
+      shown && isSame(shown.base, point) ? shown : await this.model.mesh.loop(point, { signal });
     signal.throwIfAborted();
-    const already = this.pins.find((pin) => pin.vertex === vertex);
-    if (already) return { id: already.id, vertex, loop };
+    const already = this.pins.find((pin) => isSame(pin.loop.base, loop.base));
+    if (already) return { id: already.id, loop };
     const id = this.nextPin++;
     const pin: Pin = {
       id,
-      vertex,
       loop,
       band: new LoopBand(loop, pinnedStyle),
       tag: new PinTag(id, loop, () => this.unpin(id)),
@@ -118,8 +120,8 @@ export class LoopsOnSurface {
     this.element.prepend(pin.tag.element);
     this.stage.add(pin.band);
     this.clear();
-    this.host.picked({ action: 'pin', vertex, loop });
-    return { id, vertex, loop };
+    this.host.picked({ action: 'pin', loop });
+    return { id, loop };
   }
 
   unpin(id: number): void {
@@ -128,7 +130,7 @@ export class LoopsOnSurface {
     this.pins = this.pins.filter((one) => one !== pin);
     this.stage.remove(pin.band);
     pin.tag.element.remove();
-    this.host.picked({ action: 'unpin', vertex: pin.vertex, loop: pin.loop });
+    this.host.picked({ action: 'unpin', loop: pin.loop });
   }
 
   /** Hides the loop under the pointer. */
@@ -143,7 +145,7 @@ export class LoopsOnSurface {
   /** Compiles what loops are drawn with, so that the first one appears at once. */
   async prepare(): Promise<void> {
     const polyline = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 0, 0);
-    const rest = { length: 2, vertex: 0, polyline, angle: 0, unit: '' };
+    const rest = { length: 2, base: 0, polyline, angle: 0, unit: '' };
     for (const kind of ['loop', 'antipodal'] as const) {
       const band = new LoopBand({ ...rest, kind, midpoint: [1, 0, 0] }, liveStyle);
       await this.stage.prepare(band.object);
@@ -212,14 +214,14 @@ export class LoopsOnSurface {
       this.pickRequested = 0;
       const { pointer } = this;
       if (!pointer) return;
-      const vertex = this.stage.pick(pointer.x, pointer.y);
-      this.canvas.classList.toggle('picking', vertex !== undefined);
-      if (vertex === undefined) {
+      const point = this.stage.pick(pointer.x, pointer.y);
+      this.canvas.classList.toggle('picking', point !== undefined);
+      if (point === undefined) {
         this.clear();
         return;
       }
       this.stage.touch();
-      this.hoverOn(vertex);
+      this.hoverOn(point);
       this.placeReadout();
     });
   }
@@ -230,33 +232,33 @@ export class LoopsOnSurface {
     if (!pressed || event.button !== 0 || !this.host.followsPointer()) return;
     if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > clickSlack) return;
     this.remember(event);
-    const vertex = this.stage.pick(event.clientX, event.clientY);
-    if (vertex === undefined) this.clear();
+    const point = this.stage.pick(event.clientX, event.clientY);
+    if (point === undefined) this.clear();
     // What is seen is what is pinned, even if the surface has just moved a little further.
-    else if (event.pointerType !== 'touch') this.pinHere(this.hovered ?? vertex);
+    else if (event.pointerType !== 'touch') this.pinHere(this.hovered ?? point);
     // A finger cannot hover: its first tap shows the loop, a second tap near by pins it.
-    else if (this.hover && this.isNear(vertex, this.hover.loop.vertex)) {
-      this.pinHere(this.hover.loop.vertex);
-    } else this.hoverOn(vertex);
+    else if (this.hover && this.isNear(point, this.hover.loop.base)) {
+      this.pinHere(this.hover.loop.base);
+    } else this.hoverOn(point);
   }
 
-  private isNear(a: number, b: number): boolean {
-    const [p, q] = [a, b].map((v) => this.stage.project(this.model.surface.positionOf(v)));
+  private isNear(a: SurfacePoint, b: SurfacePoint): boolean {
+    const [p, q] = [a, b].map((at) => this.stage.project(this.model.surface.positionOf(at)));
     return Math.hypot(p!.x - q!.x, p!.y - q!.y) < fingerWidth;
   }
 
-  private pinHere(vertex: number): void {
-    this.pin(vertex).catch((error: unknown) => {
+  private pinHere(point: SurfacePoint): void {
+    this.pin(point).catch((error: unknown) => {
       if (!this.model.life.signal.aborted) this.host.failed(error);
     });
   }
 
   // ---- the live loop
 
-  private hoverOn(vertex: number): void {
-    if (vertex === this.hovered) return;
-    this.hovered = vertex;
-    this.request.request(vertex);
+  private hoverOn(point: SurfacePoint): void {
+    if (this.hovered !== undefined && isSame(point, this.hovered)) return;
+    this.hovered = point;
+    this.request.request(point);
   }
 
   /** Shows an answer, also one for a place that the pointer has just passed. */
@@ -268,10 +270,10 @@ export class LoopsOnSurface {
     this.readout.show(loop, this.format);
     this.placeReadout();
     if (!this.pointer) {
-      const words = loop.kind === 'loop' ? 'Loop' : antipodalWords;
+      const words = kindWords[loop.kind].sentence || 'Loop';
       this.live.textContent = `${words} ${formatLength(loop.length, this.format)}`;
     }
-    this.host.picked({ action: 'hover', vertex: loop.vertex, loop });
+    this.host.picked({ action: 'hover', loop });
   }
 
   private placeReadout(): void {
@@ -281,7 +283,7 @@ export class LoopsOnSurface {
     const point =
       pointer && !pointer.isTouch
         ? { x: pointer.x - box.left, y: pointer.y - box.top }
-        : this.stage.project(this.model.surface.positionOf(this.hover.loop.vertex));
+        : this.stage.project(this.model.surface.positionOf(this.hover.loop.base));
     this.readout.place(point.x, point.y, box.width, box.height);
   }
 
@@ -302,7 +304,7 @@ export class LoopsOnSurface {
     else if (event.key === '+' || event.key === '=') stage.zoom(0.88);
     else if (event.key === '-' || event.key === '_') stage.zoom(1 / 0.88);
     else if (event.key === '0' || event.key === 'Home') stage.resetView();
-    // The vertex that was asked for last, even if its loop is still to come.
+    // The point that was asked for last, even if its loop is still to come.
     else if (event.key === 'Enter' && this.hovered !== undefined) this.pinHere(this.hovered);
     else if (event.key === 'Escape') this.clear();
     else if (event.key === 'Delete' || event.key === 'Backspace') {
@@ -312,7 +314,7 @@ export class LoopsOnSurface {
     event.preventDefault();
   }
 
-  /** Moves the loop's vertex from edge to edge, to the right and up on the screen. */
+  /** Moves the loop from vertex to vertex along edges, to the right and up on the screen. */
   private moveProbe(right: number, up: number): void {
     if (!this.host.followsPointer()) return;
     const { stage, model } = this;
@@ -323,7 +325,7 @@ export class LoopsOnSurface {
       if (vertex !== undefined) this.hoverOn(vertex);
       return;
     }
-    let vertex = this.hovered;
+    let vertex = model.surface.nearestVertex(this.hovered);
     const start = stage.project(model.surface.positionOf(vertex));
     const along = (v: number): number => {
       const point = stage.project(model.surface.positionOf(v));
@@ -351,11 +353,11 @@ export class LoopsOnSurface {
       const places = Math.max(1, 6 * ring);
       for (let k = 0; k < places; ++k) {
         const angle = (2 * Math.PI * k) / places;
-        const vertex = this.stage.pick(
+        const point = this.stage.pick(
           box.left + box.width / 2 + reach * Math.cos(angle),
           box.top + box.height / 2 + reach * Math.sin(angle),
         );
-        if (vertex !== undefined) return vertex;
+        if (point !== undefined) return this.model.surface.nearestVertex(point);
       }
     }
     return undefined;

@@ -7,13 +7,24 @@ import { make } from './dom.js';
 /** CSS pixels between the pointer and the length. */
 const gap = 18;
 
-export const antipodalWords = 'There and back to the farthest point; no loop here is shorter.';
+/** What the kind of a loop means, in a word and in a sentence; a plain loop needs none. */
+export const kindWords = {
+  loop: { name: 'loop', sentence: '' },
+  antipodal: {
+    name: 'there and back',
+    sentence: 'There and back to the farthest point; no loop here is shorter.',
+  },
+  unresolved: {
+    name: 'or more',
+    sentence: 'The search was given up; the loop here is at least as long.',
+  },
+} as const;
 
 export class Readout {
   readonly element = make('div', { class: 'readout' });
   private readonly length = make('b');
   private readonly kind = make('span');
-  private readonly words = make('small', {}, antipodalWords);
+  private readonly words = make('small');
 
   constructor() {
     this.element.append(this.length, this.kind, this.words);
@@ -22,12 +33,14 @@ export class Readout {
 
   show(loop: Loop, format: LengthFormat): void {
     this.element.hidden = false;
-    this.element.dataset['vertex'] = String(loop.vertex);
+    this.element.dataset['base'] = JSON.stringify(loop.base);
     this.element.dataset['length'] = String(loop.length);
     this.element.dataset['kind'] = loop.kind;
     this.length.textContent = formatLength(loop.length, format);
-    this.kind.textContent = loop.kind === 'loop' ? 'loop' : 'there and back';
-    this.words.hidden = loop.kind === 'loop';
+    const { name, sentence } = kindWords[loop.kind];
+    this.kind.textContent = name;
+    this.words.textContent = sentence;
+    this.words.hidden = sentence === '';
   }
 
   /** Beside a point of the canvas of the given size, on the side where there is room. */

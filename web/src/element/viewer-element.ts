@@ -1,6 +1,12 @@
 // `<girth-viewer>`: a surface, its girth as colours, and the loop under the pointer.
 
-import type { GirthErrorFields, Loop, MeshInfo, MeshSource } from '../kernel/types.js';
+import type {
+  GirthErrorFields,
+  Loop,
+  MeshInfo,
+  MeshSource,
+  SurfacePoint,
+} from '../kernel/types.js';
 import {
   type ColormapName,
   GroundShadow,
@@ -290,16 +296,16 @@ export class GirthViewer extends HTMLElement {
     return model.values.slice();
   }
 
-  /** The exact loop at a vertex of the surface. */
-  loop(vertex: number): Promise<Loop> {
+  /** The exact loop at a vertex of the surface, or at a point of one of its faces. */
+  async loop(point: SurfacePoint): Promise<Loop> {
     const { mesh, life } = this.requireModel();
-    return mesh.loop(vertex, { signal: life.signal });
+    return mesh.loop(point, { signal: life.signal });
   }
 
-  /** Computes the loop at a vertex and keeps it on the surface. */
-  async pin(vertex: number): Promise<PinnedLoop> {
+  /** Computes the loop at a vertex or at a point of a face, and keeps it on the surface. */
+  async pin(point: SurfacePoint): Promise<PinnedLoop> {
     if (!this.loops) throw new Error('no model is on the page');
-    return this.loops.pin(vertex);
+    return this.loops.pin(point);
   }
 
   /** Removes a pinned loop; nothing happens where there is none of that id. */
@@ -317,11 +323,11 @@ export class GirthViewer extends HTMLElement {
     this.stage?.resetView();
   }
 
-  /** Where a vertex is on the element, in CSS pixels from its top left corner. */
-  screenPosition(vertex: number): ScreenPoint {
+  /** Where a point of the surface is on the element, in CSS pixels from its top left corner. */
+  screenPosition(point: SurfacePoint): ScreenPoint {
     const { surface } = this.requireModel();
     if (!this.stage) throw new Error('the element is not on a page');
-    return this.stage.project(surface.positionOf(vertex));
+    return this.stage.project(surface.positionOf(point));
   }
 
   /** The picture as it is now, without the legend, as a PNG with a transparent background. */

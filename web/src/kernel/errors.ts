@@ -9,6 +9,8 @@ import type { GirthErrorFields } from './types.js';
 export const hints = {
   USAGE: 'see girth --help',
   VERTEX_OUT_OF_RANGE: 'vertices are numbered from 0 to the vertex count minus one',
+  INVALID_POINT:
+    'name a vertex, a halfedge or a face of the surface, with weights of at least 0 that add up to 1',
   FILE_NOT_FOUND: 'check the path',
   FILE_UNREADABLE: 'check that it is a file that you may read',
   CANCELLED: 'what was computed before is kept',

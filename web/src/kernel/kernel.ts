@@ -7,6 +7,7 @@ import { LoopQueue } from './loop-queue.js';
 import { PoolEngine } from './pool-engine.js';
 import type { OpenedSurface, SingleOperations, ThreadsOperations } from './protocol.js';
 import { contentOf } from './source.js';
+import { checkedPoint } from './surface-point.js';
 import { ThreadsEngine } from './threads-engine.js';
 import type {
   CallOptions,
@@ -17,6 +18,7 @@ import type {
   Loop,
   Mesh,
   MeshSource,
+  SurfacePoint,
 } from './types.js';
 import { WorkerClient, type SurfaceSource } from './worker-client.js';
 import { moduleWorkers, type WorkerFactory } from './workers.js';
@@ -173,10 +175,8 @@ export class KernelOfWorkers implements Kernel {
     });
   }
 
-  loop(surface: SurfaceSource, vertex: number, life: AbortSignal, options: CallOptions) {
-    return this.#work([options.signal, life], (signal) =>
-      this.#loops.loop(surface, vertex, signal),
-    );
+  loop(surface: SurfaceSource, point: SurfacePoint, life: AbortSignal, options: CallOptions) {
+    return this.#work([options.signal, life], (signal) => this.#loops.loop(surface, point, signal));
   }
 
   drop(surface: number): void {
@@ -234,16 +234,11 @@ class MeshOfWorkers implements Mesh {
     return this.#kernel.field(this.#surface, this.info.unit, this.#life.signal, options);
   }
 
-  async loop(vertex: number, options: CallOptions = {}): Promise<Loop> {
-    const { vertexCount, unit } = this.info;
-    if (!Number.isInteger(vertex) || vertex < 0 || vertex >= vertexCount) {
-      const message = `vertex ${vertex} of ${vertexCount} does not exist`;
-      throw failure('VERTEX_OUT_OF_RANGE', message, {
-        element: Number.isInteger(vertex) ? vertex : -1,
-      });
-    }
-    const found = await this.#kernel.loop(this.#surface, vertex, this.#life.signal, options);
-    return { ...found, unit };
+  async loop(point: SurfacePoint, options: CallOptions = {}): Promise<Loop> {
+    const { unit } = this.info;
+    const base = checkedPoint(point, this.info);
+    const found = await this.#kernel.loop(this.#surface, base, this.#life.signal, options);
+    return { ...found, base, unit };
   }
 
   dispose(): void {

@@ -2,13 +2,14 @@
 // that have been aborted meanwhile never run.
 
 import type { Answer, SingleOperations } from './protocol.js';
+import type { SurfacePoint } from './types.js';
 import type { SurfaceSource, WorkerClient } from './worker-client.js';
 
 type FoundLoop = Answer<SingleOperations, 'loop'>;
 
 interface Waiting {
   surface: SurfaceSource;
-  vertex: number;
+  point: SurfacePoint;
   signal: AbortSignal;
   resolve(loop: FoundLoop): void;
   reject(error: unknown): void;
@@ -24,9 +25,9 @@ export class LoopQueue {
   }
 
   /** The loop; a promise that never settles where the signal fires before its turn. */
-  loop(surface: SurfaceSource, vertex: number, signal: AbortSignal): Promise<FoundLoop> {
+  loop(surface: SurfaceSource, point: SurfacePoint, signal: AbortSignal): Promise<FoundLoop> {
     return new Promise((resolve, reject) => {
-      this.#waiting.push({ surface, vertex, signal, resolve, reject });
+      this.#waiting.push({ surface, point, signal, resolve, reject });
       void this.#run();
     });
   }
@@ -35,8 +36,8 @@ export class LoopQueue {
     if (this.#running) return;
     this.#running = true;
     for (let next; (next = this.#newest());) {
-      const { surface, vertex } = next;
-      await this.#worker.requestOn(surface, 'loop', { vertex }).then(
+      const { surface, point } = next;
+      await this.#worker.requestOn(surface, 'loop', { point }).then(
         (loop) => next.resolve(loop),
         (error: unknown) => next.reject(error),
       );

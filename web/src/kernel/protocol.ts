@@ -2,7 +2,7 @@
 // computes, a worker may report. All content is copied or transferred, never shared, with one
 // exception: the flag that cancels the threads.
 
-import type { GirthErrorFields, Loop, MeshInfo, PartialField } from './types.js';
+import type { GirthErrorFields, Loop, MeshInfo, PartialField, SurfacePoint } from './types.js';
 
 /** A surface's exact arrays: every worker that gets them makes the same surface, bit for bit. */
 export interface SurfaceArrays {
@@ -51,7 +51,7 @@ export interface SingleOperations extends CommonOperations {
   take: [{ surface: number; arrays: SurfaceArrays }, OpenedSurface];
   order: [{ surface: number }, { order: Uint32Array<ArrayBuffer> }];
   values: [{ surface: number; vertices: Uint32Array<ArrayBuffer> }, Values];
-  loop: [{ surface: number; vertex: number }, Omit<Loop, 'unit'>];
+  loop: [{ surface: number; point: SurfacePoint }, Omit<Loop, 'base' | 'unit'>];
 }
 
 /** The worker that hosts the module with threads. */

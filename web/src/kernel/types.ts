@@ -1,8 +1,11 @@
 // The kernel's public API: everything that the page, the element and npm users see of the computation.
 // No three.js, no DOM. Names are those of the C++ core. Lengths are in the model's own units.
 
-/** How the shortest loop came about: round the surface, or out and back to the farthest point. */
-export type LoopKind = 'loop' | 'antipodal';
+/**
+ * How the shortest loop came about: round the surface; out and back to the farthest point; or not at
+ * all, because it took too long: then the length is a lower bound, and there is nothing to draw.
+ */
+export type LoopKind = 'loop' | 'antipodal' | 'unresolved';
 
 /** A failure: the code of the table in `error_codes.def`, the element, the words and the remedy. */
 export interface GirthErrorFields {
@@ -42,7 +45,7 @@ export interface CallOptions {
 export interface PartialField {
   vertices: Uint32Array;
   values: Float64Array;
-  /** 0: loop, 1: antipodal. */
+  /** 0: loop, 1: antipodal, 2: unresolved. */
   kinds: Uint8Array;
 }
 
@@ -57,7 +60,7 @@ export interface Field {
   name: 'igf';
   /** One per vertex of the surface. */
   values: Float64Array;
-  /** 0: loop, 1: antipodal; one per vertex. */
+  /** 0: loop, 1: antipodal, 2: unresolved; one per vertex. */
   kinds: Uint8Array;
   /** Smallest and largest value. */
   range: [number, number];
@@ -65,13 +68,24 @@ export interface Field {
   unit: string;
 }
 
+/** A point of a face. */
+export interface FacePoint {
+  /** From 0 to the face count minus one; face f has the vertices `indices[3 * f]` and the next two. */
+  face: number;
+  /** Shares of the face's three vertices, in their order: none below 0, the sum 1. */
+  weights: readonly [number, number, number];
+}
+
+/** A vertex, or a point of a face: of its inside, of an edge (one share is 0) or a corner. */
+export type SurfacePoint = number | FacePoint;
+
 export interface Loop {
   /** The girth I(p). */
   length: number;
   kind: LoopKind;
-  /** The vertex p. */
-  vertex: number;
-  /** x, y, z per point, from p round to p. */
+  /** The point p, as it was asked for. */
+  base: SurfacePoint;
+  /** x, y, z per point, from p round to p; empty where unresolved. */
   polyline: Float32Array;
   /** x, y, z of the point of the loop farthest from p. */
   midpoint: [number, number, number];
@@ -103,8 +117,11 @@ export interface Mesh {
   /** The surface's vertex for each vertex of the input; 0xFFFFFFFF where no face uses it. */
   readonly vertexOfInput: Uint32Array;
   field(name: 'igf', options?: FieldOptions): Promise<Field>;
-  /** The loop at a vertex. Served at once, also while a field is being computed. */
-  loop(vertex: number, options?: CallOptions): Promise<Loop>;
+  /**
+   * The loop at a vertex or at a point of a face. Served at once, also while a field is being
+   * computed. Codes of failure: VERTEX_OUT_OF_RANGE, INVALID_POINT, CANCELLED.
+   */
+  loop(point: SurfacePoint, options?: CallOptions): Promise<Loop>;
   dispose(): void;
 }
 

@@ -9,20 +9,20 @@ interface Failed {
 }
 
 declare module '*/girth.mjs' {
+  export interface FoundLoop {
+    length: number;
+    kind: 'loop' | 'antipodal' | 'unresolved';
+    polyline: Float32Array<ArrayBuffer>;
+    midpoint: [number, number, number];
+    angle: number;
+  }
+
   export interface Surface {
     values(
       vertices: Uint32Array,
     ): { values: Float64Array<ArrayBuffer>; kinds: Uint8Array<ArrayBuffer> } | Failed;
-    loop(vertex: number):
-      | {
-          length: number;
-          kind: 'loop' | 'antipodal';
-          vertex: number;
-          polyline: Float32Array<ArrayBuffer>;
-          midpoint: [number, number, number];
-          angle: number;
-        }
-      | Failed;
+    loopAtVertex(vertex: number): FoundLoop | Failed;
+    loopInFace(face: number, a: number, b: number, c: number): FoundLoop | Failed;
     order(): Uint32Array<ArrayBuffer> | Failed;
     delete(): void;
   }

@@ -82,8 +82,13 @@ serveRequests<SingleOperations>({
     return { values, kinds, milliseconds: performance.now() - from };
   },
 
-  loop({ surface, vertex }) {
-    return checked(surfaceOf(surface).loop(vertex));
+  loop({ surface: number, point }) {
+    const surface = surfaceOf(number);
+    return checked(
+      typeof point === 'number'
+        ? surface.loopAtVertex(point)
+        : surface.loopInFace(point.face, ...point.weights),
+    );
   },
 
   drop({ surface }) {

@@ -50,9 +50,11 @@ export class LoopBand {
 
   constructor(loop: Loop, style: BandStyle) {
     const antipodal = loop.kind === 'antipodal';
+    // Of a loop that was not found there is only the base.
+    const known = loop.polyline.length > 0;
     this.line = new LineGeometry();
-    this.line.setPositions(loop.polyline);
-    this.materials = strokes.map(({ part, width, opacity }, order) => {
+    if (known) this.line.setPositions(loop.polyline);
+    this.materials = (known ? strokes : []).map(({ part, width, opacity }, order) => {
       const dashed = antipodal && part !== 'shadow';
       const material = new LineMaterial({
         color: part === 'shadow' ? '#05060a' : style.colour,
@@ -135,10 +137,10 @@ function liftLine(material: LineMaterial): void {
   material.customProgramCacheKey = () => 'lifted';
 }
 
-/** The base vertex as a small dot, the midpoint as a larger one with a dark ring. */
+/** The base point as a small dot, the midpoint as a larger one with a dark ring. */
 function makeDots(loop: Loop, style: BandStyle): Points<BufferGeometry, ShaderMaterial> {
   const geometry = new BufferGeometry();
-  const base = loop.polyline.subarray(0, 3);
+  const base = loop.polyline.length > 0 ? loop.polyline.subarray(0, 3) : loop.midpoint;
   geometry.setAttribute(
     'position',
     new BufferAttribute(Float32Array.from([...base, ...loop.midpoint]), 3),

@@ -11,6 +11,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { FacePoint } from '../kernel/types.js';
 import type { GroundShadow } from './ground-shadow.js';
 import type { LoopBand } from './loop-band.js';
 import type { Surface } from './surface.js';
@@ -182,8 +183,8 @@ export class Stage {
     this.schedule();
   }
 
-  /** The vertex under a point of the window. */
-  pick(clientX: number, clientY: number): number | undefined {
+  /** The point of the surface under a point of the window. */
+  pick(clientX: number, clientY: number): FacePoint | undefined {
     if (!this.surface) return undefined;
     const box = this.canvas.getBoundingClientRect();
     const place = new Vector2(

@@ -20,7 +20,9 @@ import {
   Vector3,
 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
+import type { FacePoint, SurfacePoint } from '../kernel/types.js';
 import type { Adjacency } from './adjacency.js';
+import { weightsIn } from './barycentric.js';
 import { type ColormapName, colormapSize, colormapTable } from './colormaps.js';
 import type { CreasedSurface } from './creases.js';
 
@@ -234,15 +236,23 @@ export class Surface {
     }
   }
 
-  /** The vertex nearest to where a ray first meets the surface; undefined where it passes by. */
-  pick(ray: Ray): number | undefined {
+  /** Where a ray first meets the surface; undefined where it passes by. */
+  pick(ray: Ray): FacePoint | undefined {
     const hit = this.hierarchy?.raycastFirst(ray, DoubleSide);
-    if (!hit?.face) return undefined;
-    const { a, b, c } = hit.face;
-    let nearest = a;
+    // The hierarchy leaves the faces in their order: their numbers are the mesh's own.
+    if (!hit || typeof hit.faceIndex !== 'number') return undefined;
+    const [a, b, c] = this.cornersOf(hit.faceIndex).map((vertex) => this.positionOf(vertex));
+    return { face: hit.faceIndex, weights: weightsIn(a!, b!, c!, hit.point) };
+  }
+
+  /** The corner of a point's face that is nearest to it; the vertex itself where it is one. */
+  nearestVertex(point: SurfacePoint): number {
+    if (typeof point === 'number') return point;
+    const place = this.positionOf(point);
+    let nearest = -1;
     let shortest = Infinity;
-    for (const vertex of [a, b, c]) {
-      const distance = this.positionOf(vertex).distanceToSquared(hit.point);
+    for (const vertex of this.cornersOf(point.face)) {
+      const distance = this.positionOf(vertex).distanceToSquared(place);
       if (distance < shortest) [nearest, shortest] = [vertex, distance];
     }
     return nearest;
@@ -261,14 +271,23 @@ export class Surface {
     return !!hit && hit.distance < distance - 0.01 * this.bounds.radius;
   }
 
-  positionOf(vertex: number): Vector3 {
-    return new Vector3().fromArray(this.positions, 3 * vertex);
+  positionOf(point: SurfacePoint): Vector3 {
+    if (typeof point === 'number') return new Vector3().fromArray(this.positions, 3 * point);
+    const position = new Vector3();
+    this.cornersOf(point.face).forEach((vertex, k) => {
+      position.addScaledVector(this.positionOf(vertex), point.weights[k]!);
+    });
+    return position;
   }
 
   /** The vertices that share an edge with one. */
   neighboursOf(vertex: number): Uint32Array {
     const { first, neighbours } = this.adjacency;
     return neighbours.subarray(first[vertex], first[vertex + 1]);
+  }
+
+  private cornersOf(face: number): number[] {
+    return Array.from(this.indices.subarray(3 * face, 3 * face + 3));
   }
 
   dispose(): void {

@@ -9,10 +9,10 @@
 
 namespace girth::io {
 
-/// One line of JSON: `file`, `vertex` (the file's number), `length`, `kind`, `angle` in radians,
-/// `unit`, and as points `midpoint` and, if wanted, `points`: each with its `position` and the
-/// `vertices` of the file (one, the two of an edge, or the three of a face) that it lies between,
-/// with their `weights`.
+/// One line of JSON: `file`, `vertex` (the base's number in the file; null where the base is none),
+/// `length`, `kind`, `angle` in radians, `unit`, and as points `base`, `midpoint` and, if wanted,
+/// `points`: each with its `position` and the `vertices` of the file (one, the two of an edge, or
+/// the three of a face) that it lies between, with their `weights`.
 std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::string_view file,
                      bool withPoints);
 
