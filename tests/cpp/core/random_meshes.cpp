@@ -183,6 +183,19 @@ Shape withVertexAt(const Shape& shape, const SurfacePoint& point) {
   return result;
 }
 
+Shape withoutLoneVertices(const Shape& shape) {
+  Shape result;
+  std::vector<Index> newNumber(shape.vertexCount(), kNoIndex);
+  for (const Index v : shape.triangles) {
+    if (newNumber[v] == kNoIndex) {
+      const auto p = at(shape, v);
+      newNumber[v] = result.add(p[0], p[1], p[2]);
+    }
+    result.triangles.push_back(newNumber[v]);
+  }
+  return result;
+}
+
 Shape withHoles(const Shape& shape, Index cuts, std::uint64_t seed) {
   Random random(seed);
   Shape result = shape;
@@ -191,21 +204,13 @@ Shape withHoles(const Shape& shape, Index cuts, std::uint64_t seed) {
     const Index corner = random.below(static_cast<Index>(result.triangles.size()));
     const Index centre = result.triangles[corner];
     Shape rest;
-    std::vector<Index> newNumber(result.vertexCount(), kNoIndex);
-    const auto vertex = [&](Index v) {
-      if (newNumber[v] == kNoIndex) {
-        const auto p = at(result, v);
-        newNumber[v] = rest.add(p[0], p[1], p[2]);
-      }
-      return newNumber[v];
-    };
+    rest.positions = result.positions;
     for (std::size_t f = 0; f < result.triangles.size(); f += 3) {
-      const Index a = result.triangles[f], b = result.triangles[f + 1], c = result.triangles[f + 2];
-      const bool cut = wholeStar ? a == centre || b == centre || c == centre : f / 3 == corner / 3;
-      if (cut) continue;
-      const Index u = vertex(a), v = vertex(b), w = vertex(c);
-      rest.face(u, v, w);
+      const Index u = result.triangles[f], v = result.triangles[f + 1], w = result.triangles[f + 2];
+      const bool cut = wholeStar ? u == centre || v == centre || w == centre : f / 3 == corner / 3;
+      if (!cut) rest.face(u, v, w);
     }
+    rest = withoutLoneVertices(rest);
     if (isSurface(rest, 0) && rest.mesh(OpenEdges::Wall).componentCount() == 1) result = rest;
   }
   return result;

@@ -34,6 +34,9 @@ Shape divided(const Shape& shape, double closest, Index times, std::uint64_t see
 /// plane reflected by it. Old vertices keep their numbers; those on the cut are new.
 Shape reflected(const Shape& shape, std::uint64_t seed);
 
+/// The same without vertices that no face uses; those that remain are numbered anew.
+Shape withoutLoneVertices(const Shape& shape);
+
 /// What is left when random faces, or all faces round a vertex, are cut out here and there, as long
 /// as it stays in one piece. Vertices are numbered anew.
 Shape withHoles(const Shape& shape, Index cuts, std::uint64_t seed);
