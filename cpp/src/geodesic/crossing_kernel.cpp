@@ -4,6 +4,8 @@
 
 namespace girth::geodesic {
 
+CrossingKernel portableCrossingKernel() { return crossPortable; }
+
 #ifdef GIRTH_WITH_AVX2
 CrossingResult crossAvx2(const CrossingBatch&, CrossingExit left, CrossingExit right);
 

@@ -8,7 +8,8 @@
 
 namespace girth::geodesic {
 
-/// The waiting windows of a halfedge, and what is known of its face's corners.
+/// The waiting windows of a halfedge, and what is known of its face's corners. (All are trimmed by
+/// what was known before, so that the number of lanes does not show.)
 struct CrossingBatch {
   const Crossing* crossing;
   const double* windows;  ///< the first: its root.x; its other fields follow `stride` doubles apart
@@ -39,7 +40,9 @@ inline constexpr std::uint32_t kMostLanes = 4;
 using CrossingKernel = CrossingResult (*)(const CrossingBatch&, CrossingExit left,
                                           CrossingExit right);
 
-/// The fastest kernel that this processor can run. All give the same bits.
+/// The fastest kernel that this processor can run, and the one that any can. Both give the same
+/// bits.
 CrossingKernel crossingKernel();
+CrossingKernel portableCrossingKernel();
 
 }  // namespace girth::geodesic

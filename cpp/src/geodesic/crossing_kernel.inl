@@ -113,11 +113,11 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, CrossingExit le
     towardsRight |= valid & (rightOf >= -touch);
     if (left.windows != nullptr && bits(throughLeft) != 0) {
       pass<false>({x, height, gapFrom, length - gapTo, sigma, throughLeft, notRight}, leftSide,
-                  result.distanceApex, left, result.leftCount, leftNearest);
+                  batch.distanceApex, left, result.leftCount, leftNearest);
     }
     if (right.windows != nullptr && bits(throughRight) != 0) {
       pass<true>({length - x, height, gapTo, length - gapFrom, sigma, throughRight, notLeft},
-                 rightSide, result.distanceApex, right, result.rightCount, rightNearest);
+                 rightSide, batch.distanceApex, right, result.rightCount, rightNearest);
     }
   }
   result.leftNearest = smallest(leftNearest);

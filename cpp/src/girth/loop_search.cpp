@@ -235,7 +235,7 @@ void LoopSearch::propose(const LoopCandidate& candidate) {
   std::push_heap(candidates_.begin(), candidates_.end(), longer);
 }
 
-bool LoopSearch::proven(const LoopCandidate& candidate) const {
+bool LoopSearch::proven(const LoopCandidate& candidate) {
   if (propagation_->forgotten(SurfaceMesh::faceOf(candidate.halfedge))) return false;
   return propagation_->distanceTo(candidate.halfedge, candidate.midpoint) >=
              candidate.length / 2 * (1 - kTie) &&
@@ -244,11 +244,11 @@ bool LoopSearch::proven(const LoopCandidate& candidate) const {
 
 /// Whether the frontier closes at the midpoint from all sides at once: the paths that arrive there
 /// leave no gap of π in which it could go on.
-bool LoopSearch::closesUpon(const LoopCandidate& candidate) const {
+bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
   const Unfolding& unfolding = propagation_->unfolding();
   const double reach = candidate.length / 2 * (1 + kTogether);
   const Index face = SurfaceMesh::faceOf(candidate.halfedge);
-  std::vector<double> directions;
+  directions_.clear();
 
   // At a vertex: the arrivals in all of its faces and along its edges.
   for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
@@ -261,7 +261,7 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) const {
       const auto alongEdge = [&](Index neighbour, double length, double direction) {
         if (propagation_->arrival(neighbour).settled &&
             propagation_->distance(neighbour) + length <= reach) {
-          directions.push_back(direction);
+          directions_.push_back(direction);
         }
       };
       alongEdge(side.to, side.length, unfolding.direction(out));
@@ -270,7 +270,7 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) const {
       for (std::uint32_t i = 0; i < propagation_->enteredCount(opposite); ++i) {
         const Window w = propagation_->window(opposite, i);
         if (w.distanceTo(entry.apex) <= reach && w.covers(entry.length, entry.apex)) {
-          directions.push_back(unfolding.directionOf(out, unfolding.toPrevious(opposite, w.root)));
+          directions_.push_back(unfolding.directionOf(out, unfolding.toPrevious(opposite, w.root)));
         }
       }
       const Index left = unfolding.turnLeft(out);
@@ -280,7 +280,7 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) const {
       if (left == kNoIndex || left == start) break;
       out = left;
     }
-    return surrounds(directions, unfolding.totalAngle(c.from), unfolding.boundary(c.from));
+    return surrounds(directions_, unfolding.totalAngle(c.from), unfolding.boundary(c.from));
   }
 
   // Inside the face or on a side of it: as seen from that side.
@@ -298,7 +298,7 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) const {
   const auto arrive = [&](Vec2 from) {
     const Vec2 d = from - q;
     const double angle = angleOf(d.x, std::fabs(d.y));
-    directions.push_back(d.y < 0 && !atWall ? 2 * kPi - angle : angle);
+    directions_.push_back(d.y < 0 && !atWall ? 2 * kPi - angle : angle);
   };
   for (const Index h : {base, Unfolding::next(base), Unfolding::previous(base)}) {
     const Crossing& c = unfolding.crossing(h);
@@ -314,8 +314,8 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) const {
       }
     }
   }
-  if (atWall) return surrounds(directions, kPi, true);
-  return surrounds(directions, 2 * kPi, false);
+  if (atWall) return surrounds(directions_, kPi, true);
+  return surrounds(directions_, 2 * kPi, false);
 }
 
 }  // namespace girth

@@ -71,12 +71,13 @@ class LoopSearch {
   bool passesStraight(Index vertex, double leaving) const;
   bool worthwhile(double length, Index halfedge, geodesic::Vec2 midpoint) const;
   void propose(const LoopCandidate& candidate);
-  bool proven(const LoopCandidate& candidate) const;
-  bool closesUpon(const LoopCandidate& candidate) const;
+  bool proven(const LoopCandidate& candidate);
+  bool closesUpon(const LoopCandidate& candidate);
 
   const geodesic::Propagation* propagation_;
   const std::atomic<bool>* cancel_{nullptr};
   std::vector<LoopCandidate> candidates_;  // a heap, shortest on top
+  std::vector<double> directions_;         // of the arrivals at a midpoint
   LoopCandidate best_;
   bool found_{false}, cancelled_{false};
 };

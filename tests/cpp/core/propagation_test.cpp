@@ -1,0 +1,152 @@
+// The engine by itself: what may differ inside must not show outside.
+
+#include "geodesic/propagation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+#include "geodesic/crossing_kernel.h"
+#include "girth/farthest_point.h"
+#include "girth/loop_search.h"
+#include "shapes.h"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+}  // namespace
+
+// Counted for the whole program; only differences are looked at.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace girth::test {
+namespace {
+
+using geodesic::CrossingBatch;
+using geodesic::CrossingExit;
+using geodesic::CrossingResult;
+using geodesic::Keep;
+using geodesic::Propagation;
+using geodesic::Unfolding;
+
+/// I(p) from the engine's parts.
+double valueBy(Propagation& propagation, LoopSearch& search, Index vertex, Keep keep) {
+  const SurfacePoint source = SurfacePoint::atVertex(vertex);
+  search.start(nullptr);
+  propagation.run(std::span(&source, 1), keep, search);
+  return search.found() ? search.best().length : 2 * farthestPoint(propagation).distance;
+}
+
+std::vector<Shape> someShapes() {
+  return {perturbed(plate(2), 0.2, 3), perturbed(torus(2, 0.7, 24, 16), 0.3, 4),
+          perturbed(box(1, 1, 3, 4, 4, 12), 0.1, 5), octasphere(3),
+          prism(regularPolygon(4, 1, 3), 3, 9)};
+}
+
+TEST(Propagation, TheWidthOfTheBucketsDoesNotShow) {
+  for (const Shape& shape : someShapes()) {
+    const SurfaceMesh mesh = shape.mesh();
+    const Unfolding unfolding(mesh);
+    Propagation fine(unfolding, 0.01), usual(unfolding), coarse(unfolding, 3);
+    LoopSearch inFine(fine), inUsual(usual), inCoarse(coarse);
+    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+      const double value = valueBy(usual, inUsual, v, Keep::Front);
+      // Equal paths past flat vertices may be found in another order, with another last bit.
+      EXPECT_NEAR(valueBy(fine, inFine, v, Keep::Front) / value, 1, 1e-14) << v;
+      EXPECT_NEAR(valueBy(coarse, inCoarse, v, Keep::Front) / value, 1, 1e-14) << v;
+    }
+  }
+}
+
+TEST(Propagation, WhatIsForgottenDoesNotShow) {
+  // Large enough that windows are forgotten on the way.
+  for (const Shape& shape :
+       {perturbed(torus(2, 0.9, 96, 48), 0.3, 6), perturbed(subdivided(octasphere(4)), 0.3, 7)}) {
+    const SurfaceMesh mesh = shape.mesh();
+    const Unfolding unfolding(mesh);
+    Propagation front(unfolding), all(unfolding);
+    LoopSearch inFront(front), inAll(all);
+    bool forgotten = false;
+    for (Index v = 0; v < mesh.vertexCount(); v += mesh.vertexCount() / 12) {
+      EXPECT_EQ(valueBy(front, inFront, v, Keep::Front), valueBy(all, inAll, v, Keep::Everything));
+      EXPECT_EQ(front.windowsCrossed(), all.windowsCrossed());
+      for (Index f = 0; f < mesh.faceCount(); ++f) forgotten = forgotten || front.forgotten(f);
+    }
+    EXPECT_TRUE(forgotten);
+  }
+}
+
+TEST(Propagation, NoMemoryIsTakenOnceItHasRun) {
+  const SurfaceMesh mesh = perturbed(torus(2, 0.8, 60, 30), 0.3, 8).mesh();
+  const Unfolding unfolding(mesh);
+  Propagation propagation(unfolding);
+  LoopSearch search(propagation);
+  for (Index v = 0; v < 50; ++v) valueBy(propagation, search, v, Keep::Front);
+  const std::size_t before = allocations;
+  for (Index v = 0; v < 50; ++v) valueBy(propagation, search, v, Keep::Front);
+  EXPECT_EQ(allocations, before);
+}
+
+TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
+  const SurfaceMesh mesh = perturbed(torus(2, 0.7, 9, 7), 0.3, 9).mesh();
+  const Unfolding unfolding(mesh);
+  Random random(10);
+  constexpr std::size_t kRoom = 64;
+  for (int round = 0; round < 20000; ++round) {
+    const Index h = random.below(unfolding.halfedgeCount());
+    const geodesic::Crossing& c = unfolding.crossing(h);
+    const auto count = 1 + random.below(11);
+    std::array<double, 5 * kRoom + 4> windows{};
+    const double far = std::pow(10, 3 * random() - 1);
+    for (Index i = 0; i < count; ++i) {
+      windows[i] = c.length * (3 * random() - 1);
+      windows[kRoom + i] = -far * random();
+      windows[2 * kRoom + i] = random() < 0.3 ? 0 : 10 * random();
+      const double a = random() < 0.3 ? 0 : random(), b = random() < 0.3 ? 0 : random();
+      windows[3 * kRoom + i] = c.length * std::min(a, 1 - b);
+      windows[4 * kRoom + i] = c.length * std::min(b, 1 - a);
+    }
+    const auto corner = [&] { return random() < 0.2 ? INFINITY : 10 + far * random(); };
+    const CrossingBatch batch{&c, windows.data(), kRoom, count, corner(), corner(), corner()};
+    using Output = std::array<double, 5 * kRoom>;
+    Output left{}, right{}, otherLeft{}, otherRight{};
+    const CrossingResult a = geodesic::crossingKernel()(batch, CrossingExit{left.data(), kRoom},
+                                                        CrossingExit{right.data(), kRoom});
+    const CrossingResult b = geodesic::portableCrossingKernel()(
+        batch, CrossingExit{otherLeft.data(), kRoom}, CrossingExit{otherRight.data(), kRoom});
+    ASSERT_EQ(a.leftCount, b.leftCount);
+    ASSERT_EQ(a.rightCount, b.rightCount);
+    ASSERT_EQ(a.leftNearest, b.leftNearest);
+    ASSERT_EQ(a.rightNearest, b.rightNearest);
+    ASSERT_EQ(a.distanceApex, b.distanceApex);
+    ASSERT_EQ(a.apexWindow, b.apexWindow);
+    ASSERT_EQ(a.apexBegin, b.apexBegin);
+    ASSERT_EQ(a.apexEnd, b.apexEnd);
+    ASSERT_EQ(a.towardsLeft, b.towardsLeft);
+    ASSERT_EQ(a.towardsRight, b.towardsRight);
+    for (std::size_t field = 0; field < 5; ++field) {
+      ASSERT_EQ(std::memcmp(&left[field * kRoom], &otherLeft[field * kRoom],
+                            a.leftCount * sizeof(double)),
+                0);
+      ASSERT_EQ(std::memcmp(&right[field * kRoom], &otherRight[field * kRoom],
+                            a.rightCount * sizeof(double)),
+                0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace girth::test
