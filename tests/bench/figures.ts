@@ -1,5 +1,7 @@
 // Figures beside their goals.
 
+import { loadavg } from 'node:os';
+
 export interface Figure {
   what: string;
   figure: string;
@@ -12,9 +14,15 @@ export function figure(what: string, unit: string, value: number, goal: number):
   return {
     what,
     figure: `${value.toPrecision(3)} ${unit}`,
-    goal: `${goal} ${unit}`,
+    goal: `${Number(goal.toPrecision(3))} ${unit}`,
     ratio: (value / goal).toFixed(2),
   };
+}
+
+/** Shows figures as a table, with what else may have changed them. */
+export function printFigures(figures: readonly Figure[]): void {
+  console.log(`\nLoad of the machine at the end: ${loadavg()[0]!.toFixed(1)}`);
+  console.table(figures);
 }
 
 /** The value below which that share of the values lies. */

@@ -1,7 +1,6 @@
 // The page's speed in Chromium, with threads and with a pool of workers, beside its goals. Drawing is left
 // out, but for the time to open: see `long-tasks.ts`.
 
-import { loadavg } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, test } from 'vitest';
@@ -15,7 +14,7 @@ import {
   type StaticServer,
 } from '../browser/support.js';
 import { placeOnSurface } from '../browser/viewer-page.js';
-import { figure, quantile, type Figure } from './figures.js';
+import { figure, printFigures, quantile, type Figure } from './figures.js';
 import { recordTasks } from './tasks.js';
 
 const site = join(repository, 'build/page');
@@ -26,10 +25,7 @@ const chromium = chromiumForTests();
 const figures: Figure[] = [];
 
 beforeAll(() => requireBuilt('build/page/index.html', 'build:page'));
-afterAll(() => {
-  console.log(`\nLoad of the machine at the end: ${loadavg()[0]!.toFixed(1)}`);
-  console.table(figures);
-});
+afterAll(() => printFigures(figures));
 
 const complete = (page: Page) =>
   page.locator('html[data-field=complete]').waitFor({ state: 'attached', timeout: 120_000 });

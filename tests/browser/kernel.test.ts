@@ -6,15 +6,15 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import { build } from 'vite';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { box, dumbbell, torus } from './meshes.js';
 import type { FacePoint } from '../../web/src/kernel/index.js';
 import type { KernelPage } from './kernel-page.js';
+import { buildKernelSite, kernelHtml, kernelSite } from './kernel-site.js';
 import {
   chromiumForTests,
+  command,
   repository,
-  requireBuilt,
   serve,
   strictPolicy,
   type StaticServer,
@@ -24,38 +24,14 @@ import { loopByCommand } from './viewer-page.js';
 /** Inside `page.evaluate` only. */
 declare const girth: KernelPage;
 
-const site = join(repository, 'build/kernel-test');
-const command = join(repository, 'build/native/cpp/cli/girth');
 const scratch = mkdtempSync(join(tmpdir(), 'girth-kernel-'));
-const html = '<!doctype html><title>kernel</title><script type="module" src="/page.js"></script>';
 
 /** Minutes of work: a field of it is in mid-run whenever something else happens. */
 const endless = torus(160, 110);
 
 const openPage = chromiumForTests();
 
-beforeAll(async () => {
-  requireBuilt('web/src/kernel/wasm/girth.mjs', 'build:wasm');
-  await build({
-    configFile: false,
-    root: repository,
-    base: './',
-    logLevel: 'warn',
-    publicDir: false,
-    build: {
-      outDir: site,
-      emptyOutDir: true,
-      target: 'es2022',
-      assetsInlineLimit: 0,
-      modulePreload: false,
-      rolldownOptions: {
-        input: { page: join(repository, 'tests/browser/kernel-page.ts') },
-        output: { entryFileNames: '[name].js' },
-      },
-    },
-    worker: { format: 'es' },
-  });
-});
+beforeAll(buildKernelSite);
 
 afterAll(() => rmSync(scratch, { recursive: true }));
 
@@ -83,10 +59,10 @@ for (const mode of ['threads', 'pool'] as const) {
     let complaints: string[];
 
     beforeAll(async () => {
-      server = await serve(site, {
+      server = await serve(kernelSite, {
         isolated: mode === 'threads',
         policy: strictPolicy,
-        pages: { '/': html },
+        pages: { '/': kernelHtml },
       });
       ({ page, complaints } = await openPage(server.url));
       await page.waitForFunction('globalThis.girth');

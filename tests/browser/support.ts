@@ -18,6 +18,10 @@ import { afterAll, beforeAll } from 'vitest';
 /** The top of the repository. */
 export const repository = fileURLToPath(new URL('../..', import.meta.url));
 
+/** The command that says what is right; `GIRTH_COMMAND` names another one than that of the build tree. */
+export const command =
+  process.env['GIRTH_COMMAND'] ?? join(repository, 'build/native/cpp/cli/girth');
+
 /** A policy under which no eval, no inline script and no blob worker runs. */
 export const strictPolicy =
   "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:";

@@ -2,15 +2,11 @@
 // command for the truth.
 
 import { execFileSync } from 'node:child_process';
-import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { expect } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import type { SurfacePoint } from '../../web/src/kernel/index.js';
-import { repository } from './support.js';
-
-/** `GIRTH_COMMAND` names another one than that of the build tree. */
-const command = process.env['GIRTH_COMMAND'] ?? join(repository, 'build/native/cpp/cli/girth');
+import { command } from './support.js';
 
 /** The length and kind that the command finds at a vertex of the file, or at a point of a face. */
 export function loopByCommand(
