@@ -162,21 +162,31 @@ GirthField girthField(const SurfaceMesh& mesh, GirthMethod method, const Executi
 }
 
 std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh) {
-  // Neighbours on a space-filling curve are neighbours in space; taking its places in bit-reversed
-  // order spreads every prefix evenly over the curve.
+  // Neighbours on a space-filling curve are neighbours in space: the curve is cut into short runs,
+  // and the runs taken in bit-reversed order, which spreads every prefix evenly over the curve.
+  // First comes one vertex of each run; then the runs are filled, one after the other, since
+  // neighbours find the surface around them still in the processor's cache.
+  constexpr std::size_t kRun = 8;
   std::vector<Vec3> points(mesh.vertexCount());
   for (Index v = 0; v < mesh.vertexCount(); ++v) points[v] = mesh.position(v);
   const std::vector<Index> curve = alongCurve(points);
-  const Index count = mesh.vertexCount();
+  const std::size_t runs = (curve.size() + kRun - 1) / kRun;
 
   unsigned bits = 0;
-  while ((std::uint64_t{1} << bits) < count) ++bits;
-  std::vector<Index> order;
-  order.reserve(count);
-  for (std::uint64_t i = 0; i < std::uint64_t{1} << bits; ++i) {
-    std::uint64_t reversed = 0;
+  while ((std::size_t{1} << bits) < runs) ++bits;
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < std::size_t{1} << bits; ++i) {
+    std::size_t reversed = 0;
     for (unsigned b = 0; b < bits; ++b) reversed |= (i >> b & 1) << (bits - 1 - b);
-    if (reversed < count) order.push_back(curve[static_cast<std::size_t>(reversed)]);
+    if (reversed < runs) starts.push_back(reversed * kRun);
+  }
+  std::vector<Index> order;
+  order.reserve(curve.size());
+  for (const std::size_t start : starts) order.push_back(curve[start]);
+  for (const std::size_t start : starts) {
+    for (std::size_t i = start + 1; i < std::min(start + kRun, curve.size()); ++i) {
+      order.push_back(curve[i]);
+    }
   }
   return order;
 }
