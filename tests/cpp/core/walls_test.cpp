@@ -129,5 +129,34 @@ TEST(Walls, AnOpenTubeHasItsPerimeter) {
   }
 }
 
+TEST(Walls, TheFarthestPointMayLieOnOne) {
+  // A wide pyramid without its base: the two ways round its tip meet in the middle of the side of
+  // the rim opposite. In the plane: two slant lengths and half of the tip's angle between them.
+  const Index sides = 5, rings = 10;
+  const double tip = 5.5, slant = 0.9, height = std::cos(tip / 10);
+  Shape open = pyramid(sides, tip, rings);
+  open.triangles.resize(open.triangles.size() - std::size_t{3} * sides);
+  open = withoutLoneVertices(open);
+  const double farthest =
+      std::sqrt(slant * slant + height * height - 2 * slant * height * std::cos(tip / 2));
+  for (const Shape& shape :
+       {open, retriangulated(open, 1), moved(open, 1, 0.3, 2), moved(open, 3.7, 0.4, 5)}) {
+    const SurfaceMesh mesh = shape.mesh(OpenEdges::Wall);
+    const double scale = mesh.length(0) / open.mesh(OpenEdges::Wall).length(0);
+    GirthSolver solver(mesh);
+    TextbookMmp textbook(mesh);
+    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+      const Vec3 &p = mesh.position(v), &q = mesh.position(0);
+      const double away = std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) / scale;
+      if (std::fabs(away - slant) > 1e-12) continue;
+      SCOPED_TRACE("vertex " + std::to_string(v));
+      const GirthLoop loop = solver.loop(v).value();
+      EXPECT_EQ(loop.kind, LoopKind::Antipodal);
+      EXPECT_NEAR(loop.length / scale, 2 * farthest, 1e-11);
+      expectProven(mesh, textbook, loop, 0.05);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace girth::test
