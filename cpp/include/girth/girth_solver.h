@@ -62,6 +62,10 @@ std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop);
 /// Computes I(p) by exact propagation of geodesic windows from p with early termination (paper,
 /// sections 4.3 and 4.4, Algorithm 2), every loop proven by the distance of its midpoint.
 ///
+/// Values are exact to rounding where no corner of a face is narrower than a millionth of a radian.
+/// In needles beyond that, angles are made of the rounding errors of the coordinates, and values
+/// near them can be off; faces flatter than a part in 10^12 are refused by `SurfaceMesh`.
+///
 /// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it. Time
 /// grows with the windows inside the disk of radius I(p)/2, about O(n^1.5) for the usual mesh of n
 /// faces where the disk is large; memory of `value` with the front of that disk, of `loop` with all

@@ -31,6 +31,7 @@ class Until {
   }
   void onCrossing(Index, std::uint32_t, const CrossingResult&) {}
   void onVertex(Index) {}
+  std::size_t effort() const { return 0; }
   bool cancelled() const { return cancelled_; }
 
  private:

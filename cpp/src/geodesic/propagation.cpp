@@ -220,7 +220,11 @@ void Propagation::settle(Index vertex) {
     arrival.corner = Unfolding::previous(h);
     arrival.towards = normalized(unfolding_->toPrevious(h, arrival.bundle.root));
   }
-  if (unfolding_->saddle(vertex)) fanBehind(vertex);
+  // Along a wall, a flat vertex sends the path on too: no window need see past it.
+  if (unfolding_->saddle(vertex) ||
+      (unfolding_->boundary(vertex) && unfolding_->passable(vertex))) {
+    fanBehind(vertex);
+  }
 }
 
 /// Sends windows from a vertex into all its faces.
@@ -245,7 +249,7 @@ void Propagation::fanBehind(Index vertex) {
   do {
     leftRay = turnedBack(leftRay, unfolding_->crossing(leftFace).left);
     const Index next = unfolding_->turnLeft(leftFace);
-    if (next == kNoIndex && leftRay.x > 0 && std::fabs(leftRay.y) <= kFanOverlap) {
+    if (next == kNoIndex && leftRay.x > 0 && std::fabs(leftRay.y) <= kFlatAngle) {
       reachAgainst(Unfolding::previous(leftFace));  // along the wall
     }
     leftFace = next;
@@ -258,7 +262,7 @@ void Propagation::fanBehind(Index vertex) {
   do {
     const Index next = unfolding_->turnRight(rightFace);
     if (next == kNoIndex) {
-      if (rightRay.x > 0 && std::fabs(rightRay.y) <= kFanOverlap) reachAlong(rightFace);
+      if (rightRay.x > 0 && std::fabs(rightRay.y) <= kFlatAngle) reachAlong(rightFace);
     } else {
       rightRay = turned(rightRay, unfolding_->crossing(next).left);
     }
@@ -343,6 +347,35 @@ PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {
     }
   }
   return best;
+}
+
+bool Propagation::isNearer(Index halfedge, Vec2 point, double length, WindowNumber window) const {
+  if (window.number >= lists_[window.halfedge].entered) return false;
+  const Window w = lists_[window.halfedge].window(window.number);
+  const Vec2 p = unfolding_->toFrame(halfedge, window.halfedge, point);
+  const double rest = length - w.sigma;
+  return rest > 0 && dot(p - w.root, p - w.root) < rest * rest &&
+         w.covers(unfolding_->crossing(window.halfedge).length, p);
+}
+
+bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNumber& by) const {
+  const Index face = SurfaceMesh::faceOf(halfedge);
+  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+    const Vec2 p = unfolding_->toFrame(halfedge, h, point);
+    if (distance_[unfolding_->crossing(h).from] + norm(p) < length) return true;
+    for (std::uint32_t i = 0; i < lists_[h].entered; ++i) {
+      if (!isNearer(halfedge, point, length, {h, i})) continue;
+      by = {h, i};
+      return true;
+    }
+  }
+  for (const Origin& origin : origins_) {
+    if (origin.face == face &&
+        norm(unfolding_->toFrame(halfedge, 3 * face, point) - origin.place) < length) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void Propagation::recycle() {

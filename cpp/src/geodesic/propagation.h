@@ -94,6 +94,7 @@ class Propagation {
   ///   void visitor.onCrossing(Index halfedge, std::uint32_t first, const CrossingResult& result)
   ///                                         windows `first`, … of the halfedge enter its face
   ///   void visitor.onVertex(Index vertex)   a vertex that geodesics can pass is settled
+  ///   std::size_t visitor.effort()          what it has done itself, in windows, for the budget
   template <class Visitor>
   void run(std::span<const SurfacePoint> sources, Keep keep, Visitor& visitor) {
     start(sources, keep, [&](Index vertex) { visitor.onVertex(vertex); });
@@ -101,7 +102,7 @@ class Propagation {
       if (queue_.bucketDone()) {
         queue_.advance();
         if (visitor.enough(queue_.frontier())) return;
-        if (crossed_ > budget_) {
+        if (crossed_ + visitor.effort() > budget_) {
           gaveUp_ = true;
           return;
         }
@@ -167,10 +168,17 @@ class Propagation {
   PathEnd pathTo(Index halfedge, Vec2 point) const;
   double distanceTo(Index halfedge, Vec2 point) const { return pathTo(halfedge, point).distance; }
 
+  /// Whether some path to a point of a face is shorter than a length; if it is a window's, `by`
+  /// tells which. The quicker question where the distance itself does not matter.
+  bool findNearer(Index halfedge, Vec2 point, double length, WindowNumber& by) const;
+  /// Whether that of one window of the face is.
+  bool isNearer(Index halfedge, Vec2 point, double length, WindowNumber window) const;
+
   /// Windows made and windows that crossed their face, in this propagation.
   std::size_t windowsCreated() const { return created_; }
   std::size_t windowsCrossed() const { return crossed_; }
-  /// Gives up after so many windows have crossed a face; then `gaveUp`.
+  /// Gives up after so many windows have crossed a face, or the visitor has done as much; then
+  /// `gaveUp`.
   void setBudget(std::size_t windows) { budget_ = windows; }
   bool gaveUp() const { return gaveUp_; }
   /// How far everything is known.

@@ -29,6 +29,12 @@ struct Window {
   }
 };
 
+/// A window of a propagation: its halfedge, and its number there.
+struct WindowNumber {
+  Index halfedge{kNoIndex};
+  std::uint32_t number{0};
+};
+
 /// Where a bundle of straight paths comes from: a window without its bounds. What remains of a path
 /// when its windows are gone.
 struct Bundle {

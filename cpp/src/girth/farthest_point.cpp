@@ -73,9 +73,10 @@ int meetingPlaces(Vec2 a, double sigmaA, Vec2 b, double sigmaB, std::array<doubl
   const double r = b.x - a.x, s = sigmaB - sigmaA;
   const double k = a.y * a.y - b.y * b.y - r * r + s * s;
   const double p = r * r - s * s, q = r * k / 2, c = k * k / 4 - s * s * a.y * a.y;
-  const double discriminant = q * q - p * c;
-  if (discriminant < 0) return 0;
-  const double root = std::sqrt(discriminant);
+  // q² − p c, written so that equal sigmas, the usual case, leave exactly 0.
+  const double quarter = k * k / 4 + p * a.y * a.y;
+  if (quarter < 0) return 0;
+  const double root = std::fabs(s) * std::sqrt(quarter);
   const double t = q >= 0 ? -q - root : -q + root;
   int count = 0;
   if (t != 0) places[count++] = a.x + c / t;
@@ -228,8 +229,9 @@ class FaceSearch {
     if (!(distance > best_.distance * (1 + kTie)) || !insideFace(propagation_, face_, q)) return;
     // The sites may be out of sight from there, or the point outside the part of the face where no
     // others count: what decides is the true distance; first, cheaply, a bound to it.
-    if (distanceAmong(sites, q) < distance * (1 - kTie)) return;
-    if (std::fabs(propagation_.distanceTo(3 * face_, q) - distance) > kTie * distance) return;
+    if (std::fabs(distanceAmong(sites, q) - distance) > kTie * distance) return;
+    geodesic::WindowNumber nearer;
+    if (propagation_.findNearer(3 * face_, q, distance * (1 - kTie), nearer)) return;
     best_ = {distance, 3 * face_, q};
     atLeast_ = std::max(atLeast_, distance * (1 - kTie));
   }

@@ -20,6 +20,10 @@ using geodesic::Window;
 
 namespace {
 
+/// A gap between arrivals counts as π if it is no smaller than this: a path that ties with another
+/// within kTie may come from a direction as much beside it.
+constexpr double kFullGap = 1e-4;
+
 /// Arrivals at a midpoint whose lengths differ by less than this share arrive together.
 constexpr double kTogether = 1e-9;
 
@@ -28,7 +32,7 @@ bool longer(const LoopCandidate& a, const LoopCandidate& b) { return a.length > 
 /// Directions around a point leave no gap of π or more. On a boundary (`open`) the directions run
 /// from wall to wall, and a gap may lie between a wall and the first of them.
 bool surrounds(std::vector<double>& directions, double total, bool open) {
-  constexpr double gap = kPi - 1e-6;
+  constexpr double gap = kPi - kFullGap;
   if (directions.empty()) return false;
   std::sort(directions.begin(), directions.end());
   for (std::size_t i = 0; i + 1 < directions.size(); ++i) {
@@ -43,6 +47,8 @@ bool surrounds(std::vector<double>& directions, double total, bool open) {
 void LoopSearch::start(const std::atomic<bool>* cancel) {
   cancel_ = cancel;
   candidates_.clear();
+  nearer_ = {};
+  pairs_ = 0;
   found_ = cancelled_ = false;
 }
 
@@ -102,10 +108,24 @@ void LoopSearch::onVertex(Index vertex) {
 
 // Case 3: the line between the roots of two windows of one face.
 void LoopSearch::pairAcross(Index halfedge, std::uint32_t first, Index other) {
+  const Unfolding& unfolding = propagation_->unfolding();
+  const double length = unfolding.crossing(halfedge).length;
+  const double otherLength = unfolding.crossing(other).length;
   for (std::uint32_t i = first; i < propagation_->enteredCount(halfedge); ++i) {
     const Window a = propagation_->window(halfedge, i);
+    // The window as seen from the other side: its root must lie beyond the face.
+    const Vec2 root = unfolding.toFrame(halfedge, other, a.root);
+    if (root.y <= 0) continue;
+    pairs_ += propagation_->enteredCount(other);
+    const Vec2 from = unfolding.toFrame(halfedge, other, {a.gapFrom, 0}) - root;
+    const Vec2 to = unfolding.toFrame(halfedge, other, {length - a.gapTo, 0}) - root;
     for (std::uint32_t j = 0; j < propagation_->enteredCount(other); ++j) {
-      pair(halfedge, a, other, propagation_->window(other, j));
+      const Window b = propagation_->window(other, j);
+      const Vec2 ray = b.root - root;
+      const double slack = kTouch * length * (std::fabs(ray.x) + std::fabs(ray.y));
+      if (cross(from, ray) <= slack && cross(to, ray) >= -slack && b.covers(otherLength, root)) {
+        pair(halfedge, a, other, b);
+      }
     }
   }
 }
@@ -114,10 +134,6 @@ void LoopSearch::pair(Index halfedge, const Window& a, Index other, const Window
   const Unfolding& unfolding = propagation_->unfolding();
   const Crossing& c = unfolding.crossing(halfedge);
   const Vec2 rootB = unfolding.toFrame(other, halfedge, b.root);
-  if (!a.covers(c.length, rootB)) return;
-  if (!b.covers(unfolding.crossing(other).length, unfolding.toFrame(halfedge, other, a.root))) {
-    return;
-  }
   const Vec2 line = rootB - a.root;
   const double distance = norm(line);
   // One root seen through two sides: both windows carry the same paths, past either side of a flat
@@ -237,8 +253,13 @@ void LoopSearch::propose(const LoopCandidate& candidate) {
 
 bool LoopSearch::proven(const LoopCandidate& candidate) {
   if (propagation_->forgotten(SurfaceMesh::faceOf(candidate.halfedge))) return false;
-  return propagation_->distanceTo(candidate.halfedge, candidate.midpoint) >=
-             candidate.length / 2 * (1 - kTie) &&
+  const double half = candidate.length / 2 * (1 - kTie);
+  // On round shapes thousands of candidates fall one after the other to the same window.
+  if (SurfaceMesh::faceOf(nearer_.halfedge) == SurfaceMesh::faceOf(candidate.halfedge) &&
+      propagation_->isNearer(candidate.halfedge, candidate.midpoint, half, nearer_)) {
+    return false;
+  }
+  return !propagation_->findNearer(candidate.halfedge, candidate.midpoint, half, nearer_) &&
          !closesUpon(candidate);
 }
 

@@ -57,11 +57,15 @@ class LoopSearch {
 
   bool found() const { return found_; }
   bool cancelled() const { return cancelled_; }
+  /// Pairs of windows tried, told in the windows that could have crossed a face in that time.
+  std::size_t effort() const { return pairs_ / kPairsPerWindow; }
   /// The shortest loop; only where found.
   const LoopCandidate& best() const { return best_; }
   std::size_t memoryBytes() const { return candidates_.capacity() * sizeof(LoopCandidate); }
 
  private:
+  static constexpr std::size_t kPairsPerWindow = 16;
+
   void pairAcross(Index halfedge, std::uint32_t first, Index other);
   void pair(Index halfedge, const geodesic::Window& a, Index other, const geodesic::Window& b);
   void tryApex(Index halfedge, const geodesic::Window& window);
@@ -78,7 +82,9 @@ class LoopSearch {
   const std::atomic<bool>* cancel_{nullptr};
   std::vector<LoopCandidate> candidates_;  // a heap, shortest on top
   std::vector<double> directions_;         // of the arrivals at a midpoint
+  geodesic::WindowNumber nearer_;          // what disproved the last candidate
   LoopCandidate best_;
+  std::size_t pairs_{0};  // of windows, tried
   bool found_{false}, cancelled_{false};
 };
 

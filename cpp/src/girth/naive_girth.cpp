@@ -375,6 +375,11 @@ Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
                      "there is no vertex " + std::to_string(vertex) + " among " +
                          std::to_string(mesh.vertexCount()));
   }
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+    if (mesh.twin(h) == kNoIndex) {
+      return makeError(ErrorCode::OpenEdge, h, "the naive method is for closed surfaces");
+    }
+  }
   return NaiveGirth(mesh, vertex, context).compute();
 }
 
