@@ -25,7 +25,7 @@ double* WindowPool::take(unsigned sizeClass) {
   const std::size_t size = doublesOf(sizeClass);
   used_ += size * sizeof(double);
   if (double* block = free_[sizeClass]) {
-    std::memcpy(&free_[sizeClass], block, sizeof block);
+    std::memcpy(&free_[sizeClass], static_cast<void*>(block), sizeof(double*));
     return block;
   }
   if (size > kSlab) {
@@ -45,7 +45,7 @@ double* WindowPool::take(unsigned sizeClass) {
 
 void WindowPool::giveBack(double* block, unsigned sizeClass) {
   used_ -= doublesOf(sizeClass) * sizeof(double);
-  std::memcpy(block, &free_[sizeClass], sizeof block);
+  std::memcpy(static_cast<void*>(block), &free_[sizeClass], sizeof(double*));
   free_[sizeClass] = block;
 }
 
