@@ -40,20 +40,6 @@ class Until {
   bool cancelled_{false};
 };
 
-/// A point in the frame of a halfedge of a face that contains it.
-std::pair<Index, Vec2> inFrame(const Unfolding& unfolding, const SurfacePoint& point) {
-  switch (point.kind) {
-    case SurfacePoint::Kind::Vertex:
-      return {unfolding.outgoing(point.element), {0, 0}};
-    case SurfacePoint::Kind::Edge:
-      return {point.element, {point.weights[1] * unfolding.crossing(point.element).length, 0}};
-    case SurfacePoint::Kind::Face:
-      break;
-  }
-  const geodesic::Crossing& c = unfolding.crossing(3 * point.element);
-  return {3 * point.element, point.weights[1] * Vec2{c.length, 0} + point.weights[2] * c.apex};
-}
-
 }  // namespace
 
 struct GeodesicSolver::State {
@@ -122,9 +108,10 @@ Result<GeodesicPath> GeodesicSolver::path(const SurfacePoint& from, const Surfac
   if (!source) return source.error();
   const auto target = geodesic::locate(unfolding, to);
   if (!target) return target.error();
-  const auto [halfedge, place] = inFrame(unfolding, target.value());
+  const Index halfedge = unfolding.home(target.value());
+  const Vec2 place = *unfolding.placeIn(halfedge, target.value());
 
-  const auto known = [&, h = halfedge, p = place] { return propagation.distanceTo(h, p); };
+  const auto known = [&] { return propagation.pathTo(halfedge, place).distance; };
   if (auto error = state_->run(std::span(&source.value(), 1), Keep::Everything, known, context)) {
     return *std::move(error);
   }

@@ -62,23 +62,19 @@ void Propagation::startFrom(Index source) {
       arrival->before = source;
       break;
     }
-    case SurfacePoint::Kind::Edge: {
-      const Index h = point.element, t = unfolding_->twin(h);
-      const Vec2 place{point.weights[1] * unfolding_->crossing(h).length, 0};
-      startWithinFace(source, h, place);
-      if (t != kNoIndex) startWithinFace(source, t, unfolding_->toTwin(h, place));
+    case SurfacePoint::Kind::Edge:
+      startWithinFace(source, point.element);
+      if (const Index t = unfolding_->twin(point.element); t != kNoIndex)
+        startWithinFace(source, t);
       break;
-    }
-    case SurfacePoint::Kind::Face: {
-      const Crossing& c = unfolding_->crossing(3 * point.element);
-      startWithinFace(source, 3 * point.element,
-                      point.weights[1] * Vec2{c.length, 0} + point.weights[2] * c.apex);
+    case SurfacePoint::Kind::Face:
+      startWithinFace(source, unfolding_->home(point));
       break;
-    }
   }
 }
 
-void Propagation::startWithinFace(Index source, Index halfedge, Vec2 place) {
+void Propagation::startWithinFace(Index source, Index halfedge) {
+  const Vec2 place = *unfolding_->placeIn(halfedge, sources_[source]);
   const Index face = SurfaceMesh::faceOf(halfedge);
   origins_.push_back({face, unfolding_->toFrame(halfedge, 3 * face, place), source});
   for (const Index side : {halfedge, Unfolding::next(halfedge), Unfolding::previous(halfedge)}) {
@@ -212,7 +208,8 @@ void Propagation::settle(Index vertex) {
   Arrival& arrival = arrival_[vertex];
   arrival.settled = true;
   if (arrival.way == Arrival::Way::Source) {
-    fanAround(vertex);
+    const Index first = unfolding_->outgoing(vertex);
+    sendAround(first, nullptr, unfolding_->turnRight(first), nullptr);
     return;
   }
   if (arrival.way == Arrival::Way::Window) {
@@ -224,16 +221,6 @@ void Propagation::settle(Index vertex) {
   if (unfolding_->saddle(vertex) ||
       (unfolding_->boundary(vertex) && unfolding_->passable(vertex))) {
     fanBehind(vertex);
-  }
-}
-
-/// Sends windows from a vertex into all its faces.
-void Propagation::fanAround(Index vertex) {
-  const Index first = unfolding_->outgoing(vertex);
-  for (Index h = first; h != kNoIndex;) {
-    sendThrough(h, nullptr, nullptr);
-    h = unfolding_->turnLeft(h);
-    if (h == first) break;
   }
 }
 
@@ -349,13 +336,19 @@ PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {
   return best;
 }
 
-bool Propagation::isNearer(Index halfedge, Vec2 point, double length, WindowNumber window) const {
-  if (window.number >= lists_[window.halfedge].entered) return false;
-  const Window w = lists_[window.halfedge].window(window.number);
-  const Vec2 p = unfolding_->toFrame(halfedge, window.halfedge, point);
+/// Whether a window of that number exists, and its path to a point, given in the frame of its
+/// halfedge, is shorter than a length.
+bool Propagation::sees(WindowNumber window, Vec2 point, double length) const {
+  const WindowList& list = lists_[window.halfedge];
+  if (window.number >= list.entered) return false;
+  const Window w = list.window(window.number);
   const double rest = length - w.sigma;
-  return rest > 0 && dot(p - w.root, p - w.root) < rest * rest &&
-         w.covers(unfolding_->crossing(window.halfedge).length, p);
+  return rest > 0 && dot(point - w.root, point - w.root) < rest * rest &&
+         w.covers(unfolding_->crossing(window.halfedge).length, point);
+}
+
+bool Propagation::isNearer(Index halfedge, Vec2 point, double length, WindowNumber window) const {
+  return sees(window, unfolding_->toFrame(halfedge, window.halfedge, point), length);
 }
 
 bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNumber& by) const {
@@ -364,7 +357,7 @@ bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNu
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
     if (distance_[unfolding_->crossing(h).from] + norm(p) < length) return true;
     for (std::uint32_t i = 0; i < lists_[h].entered; ++i) {
-      if (!isNearer(halfedge, point, length, {h, i})) continue;
+      if (!sees({h, i}, p, length)) continue;
       by = {h, i};
       return true;
     }
@@ -378,20 +371,22 @@ bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNu
   return false;
 }
 
+double Propagation::farthestWithin(Index face) const {
+  double farthest = kInfinity;
+  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+    const Crossing& c = unfolding_->crossing(h);
+    farthest = std::min(farthest, distance_[c.from] + std::max(c.length, c.leftLength));
+  }
+  return farthest;
+}
+
 void Propagation::recycle() {
   // What is nearer than some vertex whose distance is final cannot be the farthest point either.
   double known = 0;
   for (const Index v : reached_) {
     if (distance_[v] <= queue_.frontier()) known = std::max(known, distance_[v]);
   }
-  const auto passed = [&](Index face) {
-    double farthest = kInfinity;
-    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      const Crossing& c = unfolding_->crossing(h);
-      farthest = std::min(farthest, distance_[c.from] + std::max(c.length, c.leftLength));
-    }
-    return farthest < known * (1 - kTie);
-  };
+  const auto passed = [&](Index face) { return farthestWithin(face) < known * (1 - kTie); };
   std::size_t kept = 0;
   for (const Index h : live_) {
     WindowList& list = lists_[h];

@@ -166,13 +166,15 @@ class Propagation {
   /// windows that entered the face, its corners, and sources within; exact where the frontier has
   /// passed the point and the face is not forgotten.
   PathEnd pathTo(Index halfedge, Vec2 point) const;
-  double distanceTo(Index halfedge, Vec2 point) const { return pathTo(halfedge, point).distance; }
 
   /// Whether some path to a point of a face is shorter than a length; if it is a window's, `by`
   /// tells which. The quicker question where the distance itself does not matter.
   bool findNearer(Index halfedge, Vec2 point, double length, WindowNumber& by) const;
   /// Whether that of one window of the face is.
   bool isNearer(Index halfedge, Vec2 point, double length, WindowNumber window) const;
+
+  /// No point of a face is farther than this, as its corners tell.
+  double farthestWithin(Index face) const;
 
   /// Windows made and windows that crossed their face, in this propagation.
   std::size_t windowsCreated() const { return created_; }
@@ -204,7 +206,7 @@ class Propagation {
   }
   void clear();
   void startFrom(Index source);
-  void startWithinFace(Index source, Index halfedge, Vec2 place);
+  void startWithinFace(Index source, Index halfedge);
   Arrival* reach(Index vertex, double distance);
   void reachAlong(Index halfedge);
   void reachAgainst(Index halfedge);
@@ -213,10 +215,10 @@ class Propagation {
   void receive(Index halfedge, std::uint32_t windows, double nearest);
   void send(Index halfedge, Vec2 root, double sigma, double gapFrom, double gapTo);
   void settle(Index vertex);
-  void fanAround(Index vertex);
   void fanBehind(Index vertex);
   void sendAround(Index first, const Vec2* low, Index last, const Vec2* high);
   void sendThrough(Index halfedge, const Vec2* low, const Vec2* high);
+  bool sees(WindowNumber window, Vec2 point, double length) const;
   void recycle();
 
   /// Nearly all memory that a crossing needs lies far from that of the one before: it is asked for

@@ -89,6 +89,42 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
   }
 }
 
+Index Unfolding::home(const SurfacePoint& point) const {
+  switch (point.kind) {
+    case SurfacePoint::Kind::Vertex:
+      return outgoing(point.element);
+    case SurfacePoint::Kind::Edge:
+      return point.element;
+    case SurfacePoint::Kind::Face:
+      break;
+  }
+  return 3 * point.element;
+}
+
+std::optional<Vec2> Unfolding::placeIn(Index halfedge, const SurfacePoint& point) const {
+  const Index face = SurfaceMesh::faceOf(halfedge);
+  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+    const Crossing& c = crossings_[h];
+    std::optional<Vec2> place;
+    switch (point.kind) {
+      case SurfacePoint::Kind::Vertex:
+        if (point.element == c.from) place = Vec2{0, 0};
+        break;
+      case SurfacePoint::Kind::Edge:
+        if (point.element == h) place = Vec2{point.weights[1] * c.length, 0};
+        if (point.element == twin_[h]) place = Vec2{point.weights[0] * c.length, 0};
+        break;
+      case SurfacePoint::Kind::Face:
+        if (point.element == face && h == 3 * face) {
+          place = point.weights[1] * Vec2{c.length, 0} + point.weights[2] * c.apex;
+        }
+        break;
+    }
+    if (place) return toFrame(h, halfedge, *place);
+  }
+  return std::nullopt;
+}
+
 SurfacePoint Unfolding::toMesh(const SurfacePoint& point) const {
   SurfacePoint result = point;
   switch (point.kind) {

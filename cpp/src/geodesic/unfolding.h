@@ -9,6 +9,7 @@
 // and `fromMesh` translate.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geodesic/tolerances.h"
@@ -105,11 +106,16 @@ class Unfolding {
     return p;
   }
 
+  /// A halfedge of a face that contains a surface point; for a point of an edge or a vertex, along
+  /// that edge or out of that vertex.
+  Index home(const SurfacePoint& point) const;
+  /// Where a surface point lies in the frame of a halfedge, if it belongs to its face.
+  std::optional<Vec2> placeIn(Index halfedge, const SurfacePoint& point) const;
+
   /// A surface point in the numbers of the mesh, and back.
   SurfacePoint toMesh(const SurfacePoint& point) const;
   SurfacePoint fromMesh(const SurfacePoint& point) const;
   Index vertexInMesh(Index vertex) const { return meshVertex_[vertex]; }
-  Index vertexFromMesh(Index vertex) const { return vertexOfMesh_[vertex]; }
 
  private:
   const SurfaceMesh* mesh_;

@@ -258,14 +258,8 @@ FarthestPoint farthestPoint(const Propagation& propagation) {
   for (const Index v : propagation.reachedVertices()) {
     const Index start = unfolding.outgoing(v);
     for (Index out = start; out != kNoIndex;) {
-      if (out % 3 == 0) {
-        double bound = std::numeric_limits<double>::infinity();
-        for (Index h = out; h < out + 3; ++h) {
-          const Crossing& c = unfolding.crossing(h);
-          bound = std::min(bound, propagation.distance(c.from) + std::max(c.length, c.leftLength));
-        }
-        if (bound > best.distance) faces.search(SurfaceMesh::faceOf(out));
-      }
+      const Index face = SurfaceMesh::faceOf(out);
+      if (out == 3 * face && propagation.farthestWithin(face) > best.distance) faces.search(face);
       out = unfolding.turnLeft(out);
       if (out == start) break;
     }

@@ -124,51 +124,24 @@ struct GirthSolver::State {
     if (base.kind == SurfacePoint::Kind::Vertex) {
       const Index start = unfolding->outgoing(base.element);
       for (Index h = start; h != kNoIndex;) {
-        if (const auto place = inFrame(point, h)) return unfolding->directionOf(h, *place);
+        if (const auto place = unfolding->placeIn(h, point))
+          return unfolding->directionOf(h, *place);
         h = unfolding->turnLeft(h);
         if (h == start) break;
       }
       return 0;
     }
     // Seen from the halfedge of the base, or the first of its face: above it or below.
-    const bool onEdge = base.kind == SurfacePoint::Kind::Edge;
-    const Index h = onEdge ? base.element : 3 * base.element;
-    const geodesic::Vec2 at = *inFrame(base, h);
-    if (const auto place = inFrame(point, h)) {
+    const Index h = unfolding->home(base);
+    const geodesic::Vec2 at = *unfolding->placeIn(h, base);
+    if (const auto place = unfolding->placeIn(h, point)) {
       const geodesic::Vec2 d = *place - at;
       const double angle = angleOf(d.x, std::fabs(d.y));
       return d.y < 0 ? 2 * kPi - angle : angle;
     }
     const Index twin = unfolding->twin(h);
-    const geodesic::Vec2 d = *inFrame(point, twin) - unfolding->toTwin(h, at);
+    const geodesic::Vec2 d = *unfolding->placeIn(twin, point) - unfolding->toTwin(h, at);
     return kPi + angleOf(d.x, std::max(d.y, 0.0));
-  }
-
-  /// A surface point in the frame of a halfedge, if it belongs to its face.
-  std::optional<geodesic::Vec2> inFrame(const SurfacePoint& point, Index halfedge) const {
-    const Index face = SurfaceMesh::faceOf(halfedge);
-    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      const geodesic::Crossing& c = unfolding->crossing(h);
-      std::optional<geodesic::Vec2> place;
-      switch (point.kind) {
-        case SurfacePoint::Kind::Vertex:
-          if (point.element == c.from) place = geodesic::Vec2{0, 0};
-          break;
-        case SurfacePoint::Kind::Edge:
-          if (point.element == h) place = geodesic::Vec2{point.weights[1] * c.length, 0};
-          if (unfolding->twin(h) == point.element) {
-            place = geodesic::Vec2{point.weights[0] * c.length, 0};
-          }
-          break;
-        case SurfacePoint::Kind::Face:
-          if (point.element == face && h == 3 * face) {
-            place = point.weights[1] * geodesic::Vec2{c.length, 0} + point.weights[2] * c.apex;
-          }
-          break;
-      }
-      if (place) return unfolding->toFrame(h, halfedge, *place);
-    }
-    return std::nullopt;
   }
 
   double angleAtBase(const GirthLoop& loop) const {

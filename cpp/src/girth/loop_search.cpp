@@ -151,49 +151,47 @@ void LoopSearch::pair(Index halfedge, const Window& a, Index other, const Window
            q});
 }
 
+/// The loop that a window and the path to a point of the face make, `atPoint` long; nothing where
+/// it is seen at once that there is none.
+std::optional<LoopCandidate> LoopSearch::pairWithPoint(Index halfedge, const Window& window,
+                                                       Vec2 point, double atPoint,
+                                                       Index vertex) const {
+  const double length = propagation_->unfolding().crossing(halfedge).length;
+  if (!window.covers(length, point)) return std::nullopt;
+  const double tip = window.distanceTo(point);
+  const Vec2 toRoot = window.root - point;
+  const double reach = norm(toRoot);
+  // q lies between the halfedge and the point, as far from that as the paths differ by half.
+  const double back = std::max(0.0, (tip - atPoint) / 2);
+  if (!(reach > kTouch * length) || back > reach) return std::nullopt;
+  const Vec2 q = point + (back / reach) * toRoot;
+  if (!worthwhile(tip + atPoint, halfedge, q)) return std::nullopt;
+  return LoopCandidate{
+      tip + atPoint, {{halfedge, window.root, window.sigma}, kNoIndex}, {{}, vertex}, halfedge, q};
+}
+
 // Case 2: a window whose path runs to the opposite corner, which another path has reached before.
 void LoopSearch::tryApex(Index halfedge, const Window& window) {
   const Unfolding& unfolding = propagation_->unfolding();
   const Crossing& c = unfolding.crossing(halfedge);
-  if (!window.covers(c.length, c.apex)) return;
   const Arrival& arrival = propagation_->arrival(c.apexVertex);
   if (arrival.way == Arrival::Way::Window && arrival.bundle.halfedge == halfedge &&
       arrival.bundle.root.x == window.root.x && arrival.bundle.root.y == window.root.y) {
     return;  // the path that reached the corner, once more
   }
-  const double atCorner = propagation_->distance(c.apexVertex);
-  const double tip = window.distanceTo(c.apex);
-  // q lies between the halfedge and the corner, as far from the corner as the paths differ by half.
-  const double back = std::max(0.0, (tip - atCorner) / 2);
-  const Vec2 toRoot = window.root - c.apex;
-  const double reach = norm(toRoot);
-  if (back > reach) return;
-  const Vec2 q = c.apex + (back / reach) * toRoot;
-  if (!worthwhile(tip + atCorner, halfedge, q)) return;
+  const auto candidate =
+      pairWithPoint(halfedge, window, c.apex, propagation_->distance(c.apexVertex), c.apexVertex);
+  if (!candidate) return;
   const Index out = Unfolding::previous(halfedge);
   const Vec2 towards = unfolding.toPrevious(halfedge, window.root);
-  if (!passesStraight(c.apexVertex, unfolding.directionOf(out, towards))) return;
-  propose({tip + atCorner,
-           {{halfedge, window.root, window.sigma}, kNoIndex},
-           {{}, c.apexVertex},
-           halfedge,
-           q});
+  if (passesStraight(c.apexVertex, unfolding.directionOf(out, towards))) propose(*candidate);
 }
 
 // The same where the other end is p itself, inside the face or on a side of it.
 void LoopSearch::tryOrigin(Index halfedge, const Window& window,
                            const Propagation::Origin& origin) {
-  const Unfolding& unfolding = propagation_->unfolding();
-  const Crossing& c = unfolding.crossing(halfedge);
-  const Vec2 p = unfolding.toFrame(3 * origin.face, halfedge, origin.place);
-  if (!window.covers(c.length, p)) return;
-  const double length = window.distanceTo(p);
-  const Vec2 toRoot = window.root - p;
-  const double reach = norm(toRoot);
-  if (!(reach > kTouch * c.length) || length / 2 > reach) return;
-  const Vec2 q = p + (length / 2 / reach) * toRoot;
-  if (!worthwhile(length, halfedge, q)) return;
-  propose({length, {{halfedge, window.root, window.sigma}, kNoIndex}, {}, halfedge, q});
+  const Vec2 p = propagation_->unfolding().toFrame(3 * origin.face, halfedge, origin.place);
+  if (const auto candidate = pairWithPoint(halfedge, window, p, 0, kNoIndex)) propose(*candidate);
 }
 
 // Case 1: the paths to both ends of an edge, and the edge.

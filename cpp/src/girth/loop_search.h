@@ -23,6 +23,7 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <vector>
 
 #include "geodesic/propagation.h"
@@ -68,6 +69,9 @@ class LoopSearch {
 
   void pairAcross(Index halfedge, std::uint32_t first, Index other);
   void pair(Index halfedge, const geodesic::Window& a, Index other, const geodesic::Window& b);
+  std::optional<LoopCandidate> pairWithPoint(Index halfedge, const geodesic::Window& window,
+                                             geodesic::Vec2 point, double atPoint,
+                                             Index vertex) const;
   void tryApex(Index halfedge, const geodesic::Window& window);
   void tryOrigin(Index halfedge, const geodesic::Window& window,
                  const geodesic::Propagation::Origin& origin);
