@@ -1,15 +1,17 @@
 #include "girth/io/read_mesh.h"
 
-#include <algorithm>
-#include <array>
 #include <new>
 #include <string>
 #include <utility>
 
+#include "foreign_formats.h"
 #include "glb_container.h"
 #include "read_gltf.h"
 #include "read_obj.h"
-#include "text.h"
+#include "read_off.h"
+#include "read_ply.h"
+#include "read_stl.h"
+#include "words.h"
 
 namespace girth::io {
 namespace {
@@ -31,84 +33,81 @@ bool beginsWith(std::string_view text, std::string_view prefix) {
   return text.substr(0, prefix.size()) == prefix;
 }
 
-/// Formats that people are likely to try, by their first bytes.
-std::string_view knownForeignFormat(std::string_view text) {
-  struct Mark {
-    std::string_view prefix, name;
-  };
-  constexpr std::array<Mark, 15> kMarks{{
-      {"ply\n", "PLY"},
-      {"ply\r", "PLY"},
-      {"solid ", "STL"},
-      {"OFF", "OFF"},
-      {"COFF", "OFF"},
-      {"STOFF", "OFF"},
-      {"NOFF", "OFF"},
-      {"PK\x03\x04", "zip (3MF, USDZ or an archive)"},
-      {"\x1F\x8B", "gzip"},
-      {"Kaydara FBX", "FBX"},
-      {"; FBX", "FBX"},
-      {"BLENDER", "Blender"},
-      {"DRACO", "Draco"},
-      {"<?xml", "XML (COLLADA or X3D)"},
-      {"<", "XML or HTML"},
-  }};
-  for (const Mark& mark : kMarks) {
-    if (beginsWith(text, mark.prefix)) return mark.name;
-  }
-  return {};
+/// Whether the first line that says anything could be OBJ.
+bool beginsAsObj(std::string_view text) {
+  const std::string_view word = Words(text, '#').next();
+  return !word.empty() && isObjLine(word);
 }
 
-/// Whether the first line that says anything could be OBJ. `certain`: such a line was seen.
-bool looksLikeObj(std::string_view text, bool& certain) {
-  certain = false;
-  // Binary files may begin with any letter.
+/// Whether there is nothing but comments, or a line near the beginning that could be OBJ.
+bool canBeObj(std::string_view text) {
+  constexpr std::size_t kSample = 65536;
+  Words words(text.substr(0, kSample), '#');
+  bool anything = false;
+  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    if (isObjLine(word)) return true;
+    anything = true;
+    words.skipLine();
+  }
+  return !anything;
+}
+
+/// Binary files may begin with any letter.
+bool isText(std::string_view text) {
   constexpr std::size_t kSample = 4096;
-  if (text.substr(0, kSample).find('\0') != std::string_view::npos) return false;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    const std::size_t first = line.find_first_not_of(" \t");
-    if (first == std::string_view::npos || line[first] == '#') continue;
-    certain = isObjLine(line);
-    return certain;
-  }
-  return true;
+  return text.substr(0, kSample).find('\0') == std::string_view::npos;
 }
 
-Error unknownFormat(std::string_view text, std::string_view name) {
+Error unknownFormat(std::string_view name) {
   const std::string extension = extensionOf(name);
   const auto error = [](std::string message) {
     return makeError(ErrorCode::UnknownFormat, -1, std::move(message));
   };
-  if (const auto foreign = knownForeignFormat(text); !foreign.empty()) {
-    return error("the file looks like " + std::string(foreign) + ", which is not read");
-  }
   if (extension == "glb") {
     return error("the file is named .glb, but does not begin as GLB does (\"glTF\")");
   }
   if (extension == "gltf") return error("the file is named .gltf, but is not JSON");
+  if (extension == "ply") {
+    return error("the file is named .ply, but does not begin as PLY does (\"ply\")");
+  }
   if (extension == "obj") return error("the file is named .obj, but does not look like OBJ");
+  if (extension == "off") return error("the file is named .off, but does not look like OFF");
   return error("the file is not one of the formats that are read");
 }
 
-Result<TriangleSoup> readByContent(std::span<const std::byte> bytes, std::string_view name,
-                                   const ResourceReader& resources) {
-  if (bytes.empty()) return makeError(ErrorCode::EmptyFile, -1, "the file is empty");
-  if (hasGlbMark(bytes)) return readGlb(bytes, resources);
+/// A model in metres out of what the reader of glTF gives.
+Result<ReadModel> inMetres(Result<TriangleSoup> soup) {
+  if (!soup) return soup.error();
+  const Format format = soup.value().format;
+  return ReadModel{std::move(soup).value(), format, "metre", {}};
+}
 
-  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (beginsWith("glTF", text) && extensionOf(name) == "glb") return openGlb(bytes).error();
-  if (beginsWith(text, "\xEF\xBB\xBF")) text.remove_prefix(3);
+/// Marks that no other format can have go first; what several could be is left to the name.
+Result<ReadModel> readByContent(std::span<const std::byte> bytes, std::string_view name,
+                                const ResourceReader& resources) {
+  if (bytes.empty()) return makeError(ErrorCode::EmptyFile, -1, "the file is empty");
+  const std::string extension = extensionOf(name);
+  const std::string_view text = textOf(bytes);
+  if (hasGlbMark(bytes)) return inMetres(readGlb(bytes, resources));
+  if (extension == "glb" && beginsWith("glTF", text)) return openGlb(bytes).error();
+  if (hasPlyMark(text)) return readPly(bytes);
+  if (hasBinaryStlSize(bytes)) return readStl(bytes);
+  if (auto error = foreignFormat({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {
+    return *error;
+  }
+
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) {
     return makeError(ErrorCode::EmptyFile, -1, "the file holds nothing but white space");
   }
-  if (text[first] == '{') return readGltf(bytes, resources);
-  bool certain = false;
-  if (looksLikeObj(text, certain) && (certain || extensionOf(name) == "obj")) return readObj(bytes);
-  return unknownFormat(text, name);
+  if (text[first] == '{') return inMetres(readGltf(bytes, resources));
+  if (hasOffMark(text)) return readOff(bytes);
+  if (hasStlMark(text)) return readStl(bytes);
+  if (isText(text) && beginsAsObj(text)) return readObj(bytes);
+  if (extension == "stl") return readStl(bytes);
+  if (extension == "obj" && isText(text) && canBeObj(text)) return readObj(bytes);
+  if (extension == "off" && isText(text) && canBeOffWithoutMark(text)) return readOff(bytes);
+  return unknownFormat(name);
 }
 
 }  // namespace
@@ -119,14 +118,20 @@ std::string_view toString(Format format) {
       return "GLB";
     case Format::Gltf:
       return "glTF";
+    case Format::Ply:
+      return "PLY";
+    case Format::Stl:
+      return "STL";
+    case Format::Off:
+      return "OFF";
     case Format::Obj:
       break;
   }
   return "OBJ";
 }
 
-Result<TriangleSoup> readSoup(std::span<const std::byte> bytes, std::string_view name,
-                              const ResourceReader& resources) {
+Result<ReadModel> readModel(std::span<const std::byte> bytes, std::string_view name,
+                            const ResourceReader& resources) {
   try {
     return readByContent(bytes, name, resources);
   } catch (const std::bad_alloc&) {
@@ -136,10 +141,11 @@ Result<TriangleSoup> readSoup(std::span<const std::byte> bytes, std::string_view
 
 Result<LoadedMesh> readMesh(std::span<const std::byte> bytes, std::string_view name,
                             const ResourceReader& resources) {
-  auto soup = readSoup(bytes, name, resources);
-  if (!soup) return soup.error();
+  auto model = readModel(bytes, name, resources);
+  if (!model) return model.error();
   try {
-    return weld(std::move(soup).value());
+    model.value().soup.format = model.value().format;
+    return weld(std::move(model).value().soup);
   } catch (const std::bad_alloc&) {
     return makeError(ErrorCode::OutOfMemory, -1, "there is not enough memory for the model");
   }

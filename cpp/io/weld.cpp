@@ -9,7 +9,7 @@
 namespace girth::io {
 namespace {
 
-/// What can be wrong with a soup that was not made by readSoup.
+/// What can be wrong with a soup that was not made by readModel.
 std::optional<Error> checkArrays(const TriangleSoup& soup) {
   const std::size_t vertices = soup.positions.size() / 3;
   if (soup.positions.size() % 3 != 0 || soup.triangles.size() % 3 != 0 || soup.triangles.empty()) {
@@ -170,7 +170,7 @@ Result<LoadedMesh> weld(TriangleSoup soup) {
                     std::move(inputOfVertex),
                     welded,
                     unreferenced,
-                    soup.format == Format::Obj ? "" : "metre"};
+                    soup.format == Format::Glb || soup.format == Format::Gltf ? "metre" : ""};
 }
 
 }  // namespace girth::io

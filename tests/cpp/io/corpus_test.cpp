@@ -21,7 +21,7 @@ std::optional<std::vector<std::byte>> contentOf(const fs::path& path) {
 
 bool isModel(const fs::path& path) {
   const std::string extension = path.extension().string();
-  return extension == ".glb" || extension == ".gltf" || extension == ".obj";
+  return extension != ".bin" && extension != ".mtl";
 }
 
 TEST(Corpus, everyFileIsASurfaceOrACodedError) {

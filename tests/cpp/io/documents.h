@@ -26,9 +26,17 @@ inline Result<LoadedMesh> read(std::string_view content, std::string_view name,
   return readMesh(bytesOf(content), name, resources);
 }
 
+inline Result<ReadModel> modelOf(std::string_view content, std::string_view name,
+                                 const ResourceReader& resources = {}) {
+  return readModel(bytesOf(content), name, resources);
+}
+
+/// What the file says, without what the reader says about it.
 inline Result<TriangleSoup> soupOf(std::string_view content, std::string_view name,
                                    const ResourceReader& resources = {}) {
-  return readSoup(bytesOf(content), name, resources);
+  auto model = modelOf(content, name, resources);
+  if (!model) return model.error();
+  return std::move(model).value().soup;
 }
 
 /// The code of the failure; "OK" where there is none.

@@ -124,17 +124,6 @@ TEST(BadObj, codesAndLines) {
   }
 }
 
-TEST(BadObj, otherFormatsAreNamed) {
-  for (const auto& [content, format] : {std::pair{"OFF\n3 1 0\n", "OFF"},
-                                        {"ply\nformat ascii 1.0\n", "PLY"},
-                                        {"solid cube\n", "STL"},
-                                        {"PK\x03\x04zzz", "zip"}}) {
-    const auto result = read(content, "model");
-    EXPECT_EQ(codeOf(result), "UNKNOWN_FORMAT");
-    EXPECT_TRUE(contains(messageOf(result), format)) << messageOf(result);
-  }
-}
-
 TEST(BadObj, emptyFiles) {
   EXPECT_EQ(codeOf(read("", "a.obj")), "EMPTY_FILE");
   EXPECT_EQ(codeOf(read(" \n\t\r\n", "a.obj")), "EMPTY_FILE");

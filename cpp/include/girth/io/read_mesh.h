@@ -15,9 +15,9 @@
 
 namespace girth::io {
 
-enum class Format : std::uint8_t { Glb, Gltf, Obj };
+enum class Format : std::uint8_t { Glb, Gltf, Obj, Ply, Stl, Off };
 
-/// "GLB", "glTF" or "OBJ".
+/// "GLB", "glTF", "OBJ", "PLY", "STL" or "OFF".
 std::string_view toString(Format format);
 
 /// What a file says, before any cleaning.
@@ -29,6 +29,16 @@ struct TriangleSoup {
   std::vector<double> positions;
   /// Three vertices per triangle; polygons are triangulated.
   std::vector<Index> triangles;
+};
+
+/// A model as its file says it, nothing repaired.
+struct ReadModel {
+  TriangleSoup soup;
+  Format format{Format::Obj};
+  /// "metre" for glTF, otherwise empty: the file does not say.
+  std::string unit;
+  /// What the reader did that a user may want to know, one sentence each.
+  std::vector<std::string> notes;
 };
 
 /// A surface and how the file's vertices map onto it.
@@ -52,24 +62,27 @@ using ResourceReader = std::function<std::optional<std::vector<std::byte>>(std::
 
 /// Reads bytes. The format is recognised by content; `name` only breaks ties and is used in
 /// messages. Touches no file system. Any bytes are safe to read: nothing is trusted, and memory
-/// stays in proportion to the bytes. glTF: all meshes of the scene are merged, with world
-/// transforms applied (mirrored ones keep their outside); buffers come from the file, from data:
-/// URIs, or through `resources`, which is only ever asked for relative names that do not lead out
-/// of the model's folder. OBJ: polygons are cut into triangles.
+/// stays in proportion to the bytes.
+///
+/// glTF: all meshes of the scene are merged, with world transforms applied (mirrored ones keep
+/// their outside); buffers come from the file, from data: URIs, or through `resources`, which is
+/// only ever asked for relative names that do not lead out of the model's folder. OBJ, PLY and OFF
+/// (ASCII and binary): vertices in the file's order, polygons cut into triangles. STL (ASCII and
+/// binary): every corner of a triangle is a vertex of its own, in the file's order.
 ///
 /// Errors: EMPTY_FILE, UNKNOWN_FORMAT, MALFORMED_FILE (element: byte or line), UNSUPPORTED_FEATURE
-/// (Draco, meshopt, glTF 1.0, ...), MISSING_RESOURCE, NON_FINITE_POSITION (vertex; OBJ: line),
-/// INDEX_OUT_OF_RANGE (corner of the primitive; OBJ: line), EMPTY_MESH, LIMIT_EXCEEDED,
-/// OUT_OF_MEMORY.
-Result<TriangleSoup> readSoup(std::span<const std::byte> bytes, std::string_view name,
-                              const ResourceReader& resources = {});
+/// (Draco, meshopt, glTF 1.0, ...), MISSING_RESOURCE, NON_FINITE_POSITION (vertex; in text: line),
+/// INDEX_OUT_OF_RANGE (glTF: corner of the primitive; others: line or byte), EMPTY_MESH (also:
+/// point clouds and lines), LIMIT_EXCEEDED, OUT_OF_MEMORY.
+Result<ReadModel> readModel(std::span<const std::byte> bytes, std::string_view name,
+                            const ResourceReader& resources = {});
 
 /// Welds vertices at exactly equal positions (0 and -0 are equal), leaves out vertices that no face
 /// uses, and makes a surface; faces keep their numbers. O(n log n).
 /// Errors: those of SurfaceMesh::fromArrays, with vertices in the file's own numbering, from 0.
 Result<LoadedMesh> weld(TriangleSoup soup);
 
-/// readSoup, then weld.
+/// readModel, then weld.
 Result<LoadedMesh> readMesh(std::span<const std::byte> bytes, std::string_view name,
                             const ResourceReader& resources = {});
 
