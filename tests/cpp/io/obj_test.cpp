@@ -26,6 +26,51 @@ TEST(Obj, readsAllWaysToWriteAFace) {
   }
 }
 
+TEST(Obj, oddWhiteSpace) {
+  for (const char* text :
+       {"\tv  0\t0 \v 0 \nv 1 0 0\n\n\nv 0 1 0\fv\n v 0 0 1 \r\n\r\n  f\t1 3 2\nf 1 2 4\n\tf 1 4 3 "
+        "\nf 2 3 4",
+        "v 0 0 0\rv 1 0 0\rv 0 1 0\rv 0 0 1\rf 1 3 2\rf 1 2 4\rf 1 4 3\rf 2 3 4",
+        "v 0 0\\\n 0\nv 1 0 0\nv 0 1 0\nv \\\r\n0 \\\r\n0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 "
+        "4\\"}) {
+    const auto soup = soupOf(text, "odd.obj");
+    ASSERT_TRUE(soup.ok()) << text << messageOf(soup);
+    EXPECT_EQ(soup.value().positions, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}));
+    EXPECT_EQ(soup.value().triangles, (std::vector<Index>{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}));
+  }
+}
+
+TEST(Obj, commentsAndOtherStatementsJoinNothing) {
+  // Paths of Windows end in a backslash; the vertex after them must not be lost.
+  const auto soup =
+      soupOf("# C:\\models\\\nv 0 0 0\nusemtl C:\\\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "paths.obj");
+  ASSERT_TRUE(soup.ok()) << messageOf(soup);
+  EXPECT_EQ(soup.value().positions.size(), 9u);
+}
+
+TEST(Obj, longLines) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n# " + std::string(1 << 20, 'x') + "\nf 1 2 3";
+  text += std::string(1 << 20, ' ') + "\n" + "g " + std::string(1 << 20, 'g') + "\n";
+  const auto soup = soupOf(text, "long.obj");
+  ASSERT_TRUE(soup.ok()) << messageOf(soup);
+  EXPECT_EQ(soup.value().triangles.size(), 3u);
+}
+
+TEST(Obj, weightsAndColoursAreNoPositions) {
+  const std::string face = "f 1 2 3\n";
+  const auto notes = [&](const std::string& vertices) {
+    const auto model = modelOf(vertices + face, "a.obj");
+    EXPECT_TRUE(model.ok()) << vertices << messageOf(model);
+    if (!model) return std::size_t{99};
+    EXPECT_EQ(model.value().soup.positions, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    return model.value().notes.size();
+  };
+  EXPECT_EQ(notes("v 0 0 0 1\nv 1 0 0 1.0\nv 0 1 0 1\n"), 0u);
+  EXPECT_EQ(notes("v 0 0 0 2\nv 1 0 0 0\nv 0 1 0 1\n"), 1u) << "w that is not 1";
+  EXPECT_EQ(notes("v 0 0 0 0.5 0.5 0.5\nv 1 0 0 0 0 0\nv 0 1 0 255 0 0\n"), 0u);
+  EXPECT_EQ(notes("v 0 0 0 1 0.5 0.5 0.5\nv 1 0 0 1 0 0 0\nv 0 1 0 1 1 0 0\n"), 0u);
+}
+
 TEST(Obj, facesMayComeBeforeVertices) {
   EXPECT_EQ(codeOf(read("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n",
                         "tiny.obj")),
@@ -117,6 +162,9 @@ TEST(BadObj, codesAndLines) {
         Case{"\n\nv 0 0 nan\n", "NON_FINITE_POSITION", 3},
         Case{"v 0 \\\n0 \\\n0\nv -inf 0 0\n", "NON_FINITE_POSITION", 4},
         Case{"v 1e999 0 0\n", "NON_FINITE_POSITION", 1}, Case{vertices, "EMPTY_MESH", -1},
+        Case{"f 1 2 9\nf 1 2 12\n" + vertices, "INDEX_OUT_OF_RANGE", 1},
+        Case{vertices + "l 1 2 3\np 1\n", "EMPTY_MESH", -1},
+        Case{vertices + "curv 0 1 1 2 3\n", "UNSUPPORTED_FEATURE", -1},
         Case{"o nothing\n", "EMPTY_MESH", -1}}) {
     const auto result = read(c.text, "bad.obj");
     EXPECT_EQ(codeOf(result), c.code) << c.text;

@@ -1,0 +1,357 @@
+// What the PLY reader understands and what it refuses.
+#include <array>
+#include <cstring>
+#include <limits>
+
+#include "documents.h"
+
+namespace girth::io::testing {
+namespace {
+
+const std::string kVertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string kFaces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+/// The header of the tetrahedron.
+std::string header(const std::string& format) {
+  return "ply\nformat " + format +
+         " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+         "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+const std::vector<double> kPositions{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+const std::vector<Index> kTriangles{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+
+void expectTetrahedron(const Result<TriangleSoup>& soup, const std::string& about = {}) {
+  ASSERT_TRUE(soup.ok()) << messageOf(soup) << about;
+  EXPECT_EQ(soup.value().positions, kPositions) << about;
+  EXPECT_EQ(soup.value().triangles, kTriangles) << about;
+}
+
+/// A number as any scalar type of PLY, in either byte order.
+template <class T>
+std::string scalar(double number, bool bigEndian) {
+  const T value = static_cast<T>(number);
+  std::string bytes(sizeof(T), '\0');
+  std::memcpy(bytes.data(), &value, sizeof(T));
+  return bigEndian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+}
+
+std::string scalar(const std::string& type, double number, bool bigEndian) {
+  if (type == "char" || type == "int8") return scalar<std::int8_t>(number, bigEndian);
+  if (type == "uchar" || type == "uint8") return scalar<std::uint8_t>(number, bigEndian);
+  if (type == "short" || type == "int16") return scalar<std::int16_t>(number, bigEndian);
+  if (type == "ushort" || type == "uint16") return scalar<std::uint16_t>(number, bigEndian);
+  if (type == "int" || type == "int32") return scalar<std::int32_t>(number, bigEndian);
+  if (type == "uint" || type == "uint32") return scalar<std::uint32_t>(number, bigEndian);
+  if (type == "float" || type == "float32") return scalar<float>(number, bigEndian);
+  return scalar<double>(number, bigEndian);
+}
+
+TEST(Ply, ascii) {
+  expectTetrahedron(soupOf(header("ascii") + kVertices + kFaces, "a.ply"));
+  const auto model = modelOf(header("ascii") + kVertices + kFaces, "a.obj");
+  ASSERT_TRUE(model.ok());
+  EXPECT_EQ(model.value().format, Format::Ply);
+  EXPECT_EQ(model.value().unit, "");
+  EXPECT_TRUE(model.value().notes.empty());
+}
+
+TEST(Ply, everyScalarTypeInBothByteOrders) {
+  const std::array<const char*, 16> types{
+      "char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
+      "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
+  for (const bool big : {false, true}) {
+    for (const std::string type : types) {
+      const bool counts = type.find("float") == type.npos && type != "double";
+      const std::string countType = counts ? type : "uchar";
+      std::string file = std::string("ply\nformat ") +
+                         (big ? "binary_big_endian" : "binary_little_endian") +
+                         " 1.0\nelement vertex 4\nproperty " + type + " x\nproperty " + type +
+                         " y\nproperty " + type + " z\nelement face 4\nproperty list " + countType +
+                         " " + type + " vertex_index\nend_header\n";
+      for (const double number : kPositions) file += scalar(type, number, big);
+      for (std::size_t f = 0; f < 4; ++f) {
+        file += scalar(countType, 3, big);
+        for (std::size_t k = 0; k < 3; ++k) file += scalar(type, kTriangles[3 * f + k], big);
+      }
+      expectTetrahedron(soupOf(file, "a.ply"), type + (big ? " big" : " little"));
+    }
+  }
+}
+
+TEST(Ply, otherElementsAndPropertiesAnywhere) {
+  const std::string ascii =
+      "ply\nformat ascii 1.0\ncomment made by hand\nobj_info num_cols 3\n"
+      "element camera 1\nproperty float view\nproperty list uchar float path\n"
+      "element nothing 7\n"
+      "element vertex 4\nproperty uchar red\nproperty float y\nproperty list uchar int ring\n"
+      "property double x\nproperty float z\nproperty float quality\n"
+      "element edge 2\nproperty int vertex1\nproperty int vertex2\n"
+      "element face 4\nproperty uchar flags\nproperty list uchar uint vertex_indices\n"
+      "property list uchar float texcoord\n"
+      "element material 1\nproperty int id\nend_header\n"
+      "1.5 3 0.1 0.2 0.3\n"
+      "255 0 1 7 0 0 0.5\n255 0 0 1 0 0.5\n255 1 2 7 8 0 0 0.5\n255 0 0 0 1 0.5\n"
+      "0 1\n1 2\n"
+      "0 3 0 2 1 6 0 0 0 0 0 0\n0 3 0 1 3 0\n0 3 0 3 2 0\n0 3 1 2 3 0\n"
+      "9\n";
+  expectTetrahedron(soupOf(ascii, "a.ply"));
+
+  std::string binary = ascii.substr(0, ascii.find("end_header\n") + 11);
+  binary.replace(binary.find("ascii"), 5, "binary_big_endian");
+  const auto add = [&](const char* type, std::initializer_list<double> numbers) {
+    for (const double number : numbers) binary += scalar(type, number, true);
+  };
+  add("float", {1.5});
+  add("uchar", {3});
+  add("float", {0.1, 0.2, 0.3});
+  for (std::size_t v = 0; v < 4; ++v) {
+    add("uchar", {255});
+    add("float", {kPositions[3 * v + 1]});
+    add("uchar", {static_cast<double>(v)});
+    for (std::size_t i = 0; i < v; ++i) add("int", {7});
+    add("double", {kPositions[3 * v]});
+    add("float", {kPositions[3 * v + 2], 0.5});
+  }
+  add("int", {0, 1, 1, 2});
+  for (std::size_t f = 0; f < 4; ++f) {
+    add("uchar", {0, 3});
+    for (std::size_t k = 0; k < 3; ++k) add("uint", {double(kTriangles[3 * f + k])});
+    add("uchar", {2});
+    add("float", {0.5, 0.25});
+  }
+  add("int", {9});
+  expectTetrahedron(soupOf(binary, "a.ply"));
+}
+
+TEST(Ply, facesBeforeVertices) {
+  expectTetrahedron(soupOf(
+      "ply\nformat ascii 1.0\nelement face 4\nproperty list uchar int vertex_indices\n"
+      "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n" +
+          kFaces + kVertices,
+      "a.ply"));
+}
+
+TEST(Ply, lineEndsAndWhiteSpace) {
+  std::string text = header("ascii") + kVertices + kFaces;
+  for (const std::string end : {"\r\n", "\r", "\n\n", " \t\n"}) {
+    // The first line takes no blank lines after it in the header's mark.
+    std::string other;
+    for (const char c : text) other += c == '\n' ? end : std::string(1, c);
+    expectTetrahedron(soupOf(other, "a.ply"), end);
+  }
+  expectTetrahedron(soupOf("\xEF\xBB\xBF" + text, "a.ply"));
+  // An element may go on on the next line.
+  expectTetrahedron(soupOf(header("ascii") + "0\n0 0\n1 0\n\n0\n0 1 0\n0 0 1\n" + kFaces, "a.ply"));
+}
+
+TEST(Ply, binaryBodyBehindEveryLineEnd) {
+  std::string body;
+  for (const double number : kPositions) body += scalar<float>(number, false);
+  for (std::size_t f = 0; f < 4; ++f) {
+    body += '\x03';
+    for (std::size_t k = 0; k < 3; ++k) body += scalar<std::int32_t>(kTriangles[3 * f + k], false);
+  }
+  const std::string lines = header("binary_little_endian");
+  expectTetrahedron(soupOf(lines + body, "a.ply"));
+  for (const std::string end : {"\r\n", "\r"}) {
+    std::string other;
+    for (const char c : lines) other += c == '\n' ? end : std::string(1, c);
+    expectTetrahedron(soupOf(other + body, "a.ply"), end);
+  }
+  // Only the last line ends otherwise.
+  expectTetrahedron(soupOf(lines.substr(0, lines.size() - 1) + "\r\n" + body, "a.ply"));
+  // A body that begins with a byte that could be a line's end: x is 0x0000000A.
+  body[0] = '\n';
+  std::string returns;
+  for (const char c : lines) returns += c == '\n' ? '\r' : c;
+  for (const std::string& beginning : {lines, returns}) {
+    const auto soup = soupOf(beginning + body, "a.ply");
+    ASSERT_TRUE(soup.ok()) << messageOf(soup);
+    EXPECT_GT(soup.value().positions[0], 0);
+    EXPECT_EQ(soup.value().triangles, kTriangles);
+  }
+}
+
+TEST(Ply, polygonsAreCutInside) {
+  const auto soup = soupOf(
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 3\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n4 0 0\n4 4 0\n2 1 0\n0 4 0\n5 0 1 2 3 4\n2 0 1\n3 0 1 2\n",
+      "a.ply");
+  ASSERT_TRUE(soup.ok()) << messageOf(soup);
+  double area = 0;
+  const auto& p = soup.value().positions;
+  const auto& t = soup.value().triangles;
+  ASSERT_EQ(t.size(), 12u);
+  for (std::size_t i = 0; i < 9; i += 3) {
+    const double twice = (p[3 * t[i + 1]] - p[3 * t[i]]) * (p[3 * t[i + 2] + 1] - p[3 * t[i] + 1]) -
+                         (p[3 * t[i + 1] + 1] - p[3 * t[i] + 1]) * (p[3 * t[i + 2]] - p[3 * t[i]]);
+    EXPECT_GT(twice, 0);
+    area += twice / 2;
+  }
+  EXPECT_DOUBLE_EQ(area, 10);
+}
+
+TEST(Ply, facesWithoutAnInsideAreCounted) {
+  const auto model = modelOf(header("ascii") + kVertices + "3 0 2 1\n2 0 1\n0\n3 0 1 3\n", "a.ply");
+  ASSERT_TRUE(model.ok());
+  EXPECT_EQ(model.value().soup.triangles.size(), 6u);
+  ASSERT_EQ(model.value().notes.size(), 1u);
+  EXPECT_TRUE(contains(model.value().notes[0], "2 faces")) << model.value().notes[0];
+}
+
+TEST(Ply, triangleStrips) {
+  // Two strips; the second turns a corner by naming a vertex twice.
+  const std::string head =
+      " 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  const std::vector<Index> expected{0, 1, 2, 2, 1, 3, 1, 2, 3, 4, 3, 2};
+  const auto ascii = soupOf("ply\nformat ascii" + head +
+                                "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 1\n"
+                                "10 0 1 2 3 -1 1 2 3 3 4\n",
+                            "a.ply");
+  ASSERT_TRUE(ascii.ok()) << messageOf(ascii);
+  // 1 2 3 3 4: the triangle 2 3 3 only turns, 3 3 4 as well; so name it so that one is left.
+  EXPECT_EQ(ascii.value().triangles, (std::vector<Index>{0, 1, 2, 2, 1, 3, 1, 2, 3}));
+  std::string binary = "ply\nformat binary_little_endian" + head;
+  for (int i = 0; i < 15; ++i) binary += scalar<float>(i % 4, false);
+  binary += packed({10, 0, 1, 2, 3, -1, 1, 2, 3, 4}, 4);
+  binary += packed({-1}, 4);
+  const auto soup = soupOf(binary, "a.ply");
+  ASSERT_TRUE(soup.ok()) << messageOf(soup);
+  EXPECT_EQ(soup.value().triangles, (std::vector<Index>{0, 1, 2, 2, 1, 3, 1, 2, 3, 3, 2, 4}));
+}
+
+TEST(Ply, coordinatesInTextAreDoubles) {
+  const auto soup =
+      soupOf(header("ascii") + "0.1 1e-300 -0\n1.7976931348623157e308 0 0\n0 1 0\n0 0 1\n" + kFaces,
+             "a.ply");
+  ASSERT_TRUE(soup.ok()) << messageOf(soup);
+  EXPECT_EQ(soup.value().positions[0], 0.1);
+  EXPECT_EQ(soup.value().positions[1], 1e-300);
+  EXPECT_EQ(soup.value().positions[3], 1.7976931348623157e308);
+}
+
+TEST(BadPly, codesAndPlaces) {
+  const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+  struct Case {
+    std::string text;
+    const char* code;
+    std::int64_t place;
+    const char* about;
+  };
+  for (const Case& c : {
+           Case{"ply\nformat ascii 1.0\n", "MALFORMED_FILE", 2, "end_header"},
+           Case{"ply\n", "MALFORMED_FILE", 1, "end_header"},
+           Case{"ply\nelement vertex 4\nend_header\n", "MALFORMED_FILE", 3, "format"},
+           Case{"ply\nformat binary_middle_endian 1.0\n", "MALFORMED_FILE", 2, "middle"},
+           Case{"ply\nformat ascii 1.0\nproperty float x\n", "MALFORMED_FILE", 3, "before"},
+           Case{"ply\nformat ascii 1.0\nelement vertex -1\n", "MALFORMED_FILE", 3, "\"-1\""},
+           Case{"ply\nformat ascii 1.0\nelement vertex many\n", "MALFORMED_FILE", 3, "\"many\""},
+           Case{"ply\nformat ascii 1.0\nelement a 1\nproperty half x\n", "MALFORMED_FILE", 4,
+                "\"half\""},
+           Case{"ply\nformat ascii 1.0\nelement a 1\nproperty list float int x\n", "MALFORMED_FILE",
+                4, "\"float\""},
+           Case{"ply\nformat ascii 1.0\nelement a 1\nelement a 1\n", "MALFORMED_FILE", 4, "second"},
+           Case{"ply\nformat binary_little_endian 1.0\nelement vertex 1\n" + xyz + faces +
+                    "propertx\nend_header\n" + std::string(100, '\0'),
+                "MALFORMED_FILE", 9, "propertx"},
+           Case{"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n" + faces +
+                    "end_header\n0\n3 0 0 0\n",
+                "MALFORMED_FILE", -1, "\"y\""},
+           Case{"ply\nformat ascii 1.0\nelement vertex 1\n" + xyz +
+                    "element face 1\nproperty list uchar int corners\nend_header\n0 0 0\n3 0 0 0\n",
+                "MALFORMED_FILE", -1, "vertex_indices"},
+           Case{header("ascii") + "0 0 0\n1 0 zero\n", "MALFORMED_FILE", 11, "\"zero\""},
+           Case{header("ascii") + "0 0 0 9\n", "MALFORMED_FILE", 10, "\"9\" is more"},
+           Case{header("ascii") + kVertices, "MALFORMED_FILE", 14, "ends before face 0 of 4"},
+           Case{header("ascii") + kVertices + "3 0 2\n", "MALFORMED_FILE", 15, "face 0 of 4"},
+           Case{header("ascii") + kVertices + "3 0 2 1.5\n", "MALFORMED_FILE", 14, "whole"},
+           Case{header("ascii") + kVertices + "-3 0 2 1\n", "MALFORMED_FILE", 14, "-3"},
+           Case{header("ascii") + kVertices + "3 0 2 4\n" + kFaces.substr(8), "INDEX_OUT_OF_RANGE",
+                14, "vertex 4 of 4"},
+           Case{header("ascii") + kVertices + "3 0 2 -1\n", "INDEX_OUT_OF_RANGE", 14,
+                "vertex -1 of 4"},
+           Case{header("ascii") + kVertices + "3 0 2 4294967296\n", "INDEX_OUT_OF_RANGE", 14,
+                "vertex 4294967296"},
+           Case{header("ascii") + "0 0 0\n1 nan 0\n", "NON_FINITE_POSITION", 1, "line 11"},
+           Case{header("ascii") + "0 0 0\n1 1e999 0\n", "NON_FINITE_POSITION", 1, "vertex 1"},
+           Case{"ply\nformat ascii 1.0\nelement vertex 9\n" + xyz + "end_header\n", "EMPTY_MESH",
+                -1, "point cloud: 9 points"},
+           Case{"ply\nformat ascii 1.0\nelement vertex 9\n" + xyz +
+                    "element range_grid 2\nproperty list uchar int vertex_indices\nend_header\n",
+                "EMPTY_MESH", -1, "range scan"},
+           Case{"ply\nformat ascii 1.0\nend_header\n", "EMPTY_MESH", -1, "no vertices"},
+           Case{"ply\nformat ascii 1.0\nelement vertex 3\n" + xyz + faces +
+                    "end_header\n0 0 0\n0 0 0\n0 0 0\n2 0 1\n",
+                "EMPTY_MESH", -1, "no face with three corners"},
+           Case{header("binary_little_endian") + std::string(20, '\0'), "MALFORMED_FILE", 189,
+                "vertex 1 of 4"},
+           Case{header("binary_little_endian") + std::string(48, '\0') + "\x03", "MALFORMED_FILE",
+                218, "face 0 of 4"},
+           Case{header("binary_little_endian") + std::string(48, '\0') + "\x03" +
+                    packed({0, 1, 5}, 4) + std::string(99, '\0'),
+                "INDEX_OUT_OF_RANGE", 230, "vertex 5 of 4"},
+           Case{header("binary_big_endian") + "\x7F\x80" + std::string(200, '\0'),
+                "NON_FINITE_POSITION", 0, "vertex 0"},
+       }) {
+    const auto result = soupOf(c.text, "bad.ply");
+    EXPECT_EQ(codeOf(result), c.code) << c.text << messageOf(result);
+    if (result) continue;
+    EXPECT_EQ(result.error().element, c.place) << c.text << messageOf(result);
+    EXPECT_TRUE(contains(messageOf(result), c.about)) << c.text << messageOf(result);
+  }
+}
+
+TEST(BadPly, countsAreNotTrusted) {
+  const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+  for (const std::string format : {"ascii", "binary_little_endian"}) {
+    const std::string begin = "ply\nformat " + format + " 1.0\n";
+    const std::string end = "end_header\n0 0 0\n1 1 1\n2 2 2\n";
+    for (const std::string& text :
+         {begin + "element vertex 4000000000\n" + xyz +
+              "element face 1\nproperty list uchar int vertex_indices\n" + end,
+          begin + "element vertex 999999999999999999999\n" + xyz +
+              "element face 1\nproperty list uchar int vertex_indices\n" + end,
+          begin + "element vertex 1\n" + xyz +
+              "element face 999999999999\nproperty list uchar int vertex_indices\n" + end,
+          begin + "element vertex 1\n" + xyz +
+              "element face 1\nproperty list uint int vertex_indices\n"
+              "property list uint double weights\n" +
+              end,
+          // Elements without properties take no bytes, and must take no time.
+          begin + "element vertex 4000000000\nelement face 999999999999\n" + end,
+          begin + "element other 999999999999\nproperty double a\nelement face 1\n" + end}) {
+      const auto result = soupOf(text, "bad.ply");
+      EXPECT_TRUE(codeOf(result) == "MALFORMED_FILE" || codeOf(result) == "LIMIT_EXCEEDED" ||
+                  codeOf(result) == "EMPTY_MESH")
+          << text << codeOf(result) << messageOf(result);
+    }
+  }
+}
+
+TEST(BadPly, truncatedAtEveryByte) {
+  std::string whole = header("binary_little_endian");
+  for (const double number : kPositions) whole += scalar<float>(number, false);
+  for (std::size_t f = 0; f < 4; ++f) {
+    whole += '\x03';
+    for (std::size_t k = 0; k < 3; ++k) whole += scalar<std::int32_t>(kTriangles[3 * f + k], false);
+  }
+  for (std::size_t length = 5; length < whole.size(); ++length) {
+    const auto result = soupOf(whole.substr(0, length), "a.ply");
+    ASSERT_EQ(codeOf(result), "MALFORMED_FILE") << length;
+  }
+  for (std::size_t at = 4; at < whole.size(); ++at) {
+    for (const char value : {'\0', '\x7F', '\xFF', '9', '\n'}) {
+      std::string changed = whole;
+      changed[at] = value;
+      const auto result = soupOf(changed, "a.ply");
+      ASSERT_TRUE(result.ok() || !result.error().message.empty()) << at;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace girth::io::testing

@@ -1,0 +1,167 @@
+// What the STL reader understands and what it refuses.
+#include <limits>
+
+#include "documents.h"
+
+namespace girth::io::testing {
+namespace {
+
+/// One triangle of a binary file.
+std::string triangle(std::initializer_list<float> corners) {
+  return packedFloats({0, 0, 0}) + packedFloats(corners) + std::string(2, '\0');
+}
+
+const std::string kFour =
+    triangle({0, 0, 0, 0, 1, 0, 1, 0, 0}) + triangle({0, 0, 0, 1, 0, 0, 0, 0, 1}) +
+    triangle({0, 0, 0, 0, 0, 1, 0, 1, 0}) + triangle({1, 0, 0, 0, 1, 0, 0, 0, 1});
+
+std::string binary(std::string begin, std::int64_t count, const std::string& triangles) {
+  begin.resize(80, ' ');
+  return begin + packed({count}, 4) + triangles;
+}
+
+std::string facet(const std::string& corners) {
+  return "facet normal 0 0 1\nouter loop\n" + corners + "endloop\nendfacet\n";
+}
+
+const std::string kTwoFacets = facet("vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n") +
+                               facet("vertex 0 0 0\nvertex 0 1 0\nvertex 0 0 1\n");
+
+TEST(Stl, binary) {
+  const auto model = modelOf(binary("made by hand", 4, kFour), "a.stl");
+  ASSERT_TRUE(model.ok()) << messageOf(model);
+  EXPECT_EQ(model.value().format, Format::Stl);
+  EXPECT_EQ(model.value().soup.positions.size(), 36u);
+  EXPECT_EQ(model.value().soup.positions[4], 1);
+  EXPECT_EQ(model.value().soup.triangles,
+            (std::vector<Index>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
+  EXPECT_TRUE(model.value().notes.empty());
+  EXPECT_EQ(codeOf(read(binary("", 4, kFour), "a.stl")), "OK") << "closed once welded";
+}
+
+TEST(Stl, binaryWhateverItBeginsWith) {
+  for (const char* begin :
+       {"solid", "solid cube", "SOLID\nfacet", "OFF", "v 0 0 0", "{", "#", "PK"}) {
+    for (const char* name : {"a.stl", "a", "a.obj"}) {
+      const auto model = modelOf(binary(begin, 4, kFour), name);
+      ASSERT_TRUE(model.ok()) << begin << messageOf(model);
+      EXPECT_EQ(model.value().format, Format::Stl);
+      EXPECT_EQ(model.value().soup.triangles.size(), 12u);
+    }
+  }
+}
+
+TEST(Stl, sizeAndCountDiffer) {
+  for (const char* begin : {"", "solid by content"}) {
+    std::string file = binary(begin, 4, kFour + "more");
+    file[79] = '\0';
+    auto model = modelOf(file, "a.stl");
+    ASSERT_TRUE(model.ok()) << messageOf(model);
+    EXPECT_EQ(model.value().soup.triangles.size(), 12u);
+    ASSERT_EQ(model.value().notes.size(), 1u);
+    EXPECT_TRUE(contains(model.value().notes[0], "4 bytes"));
+    file[80] = 5;
+    model = modelOf(file, "a.stl");
+    EXPECT_EQ(codeOf(model), "MALFORMED_FILE");
+    EXPECT_TRUE(contains(messageOf(model), "counts 5 triangles")) << messageOf(model);
+    EXPECT_TRUE(contains(messageOf(model), "ends after 4")) << messageOf(model);
+  }
+  for (const std::int64_t count : {0LL, 0xFFFFFFFFLL}) {
+    const auto model = modelOf(binary("", count, kFour), "a.stl");
+    ASSERT_TRUE(model.ok()) << messageOf(model);
+    EXPECT_EQ(model.value().soup.triangles.size(), 12u);
+    EXPECT_EQ(model.value().notes.size(), 1u);
+  }
+}
+
+TEST(Stl, ascii) {
+  const auto model = modelOf("solid two facets\n" + kTwoFacets + "endsolid two facets\n", "a");
+  ASSERT_TRUE(model.ok()) << messageOf(model);
+  EXPECT_EQ(model.value().format, Format::Stl);
+  EXPECT_EQ(model.value().soup.triangles, (std::vector<Index>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(model.value().soup.positions[3], 1);
+  EXPECT_TRUE(model.value().notes.empty());
+}
+
+TEST(Stl, asciiInOddClothes) {
+  const std::string whole = "solid\n" + kTwoFacets + "endsolid\n";
+  std::string upper, windows, spaced;
+  for (const char c : whole) {
+    upper += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    windows += c == '\n' ? "\r\n" : std::string(1, c);
+    spaced += c == '\n' ? "\n\n" : c == ' ' ? " \t " : std::string(1, c);
+  }
+  std::string normals = whole;
+  normals.replace(normals.find("normal 0 0 1"), 12, "normal nan -nan(ind) 0");
+  std::string none = whole;
+  none.replace(none.find("normal 0 0 1"), 12, "");
+  std::string joined = whole;
+  for (std::size_t at = joined.find('\n', 6); at != joined.npos; at = joined.find('\n', at)) {
+    joined[at] = ' ';
+  }
+  for (const std::string& text : {upper, windows, spaced, "  \n" + whole, normals, none, joined}) {
+    const auto soup = soupOf(text, "a.stl");
+    ASSERT_TRUE(soup.ok()) << text << messageOf(soup);
+    EXPECT_EQ(soup.value().triangles.size(), 6u) << text;
+  }
+}
+
+TEST(Stl, severalSolids) {
+  const auto model =
+      modelOf("solid a\n" + kTwoFacets + "endsolid a\n\nsolid b\nendsolid\nsolid c\n" + kTwoFacets,
+              "a.stl");
+  ASSERT_TRUE(model.ok()) << messageOf(model);
+  EXPECT_EQ(model.value().soup.triangles.size(), 12u);
+  ASSERT_EQ(model.value().notes.size(), 2u);
+  EXPECT_TRUE(contains(model.value().notes[0], "3 solids"));
+  EXPECT_TRUE(contains(model.value().notes[1], "endsolid"));
+}
+
+TEST(Stl, polygonsAreCut) {
+  const auto soup = soupOf(
+      "solid\n" + facet("vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n") + "endsolid\n",
+      "a.stl");
+  ASSERT_TRUE(soup.ok()) << messageOf(soup);
+  EXPECT_EQ(soup.value().triangles.size(), 6u);
+  EXPECT_EQ(soup.value().positions.size(), 12u);
+}
+
+TEST(BadStl, codesAndPlaces) {
+  struct Case {
+    std::string text;
+    const char* code;
+    std::int64_t place;
+    const char* about;
+  };
+  std::string notFinite = kFour;
+  notFinite.replace(50 + 16, 4, packedFloats({std::numeric_limits<float>::infinity()}));
+  for (const Case& c : {
+           Case{"solid a\nendsolid a\n", "EMPTY_MESH", -1, "no facets"},
+           Case{"solid a\n", "EMPTY_MESH", -1, "no facets"},
+           Case{"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "MALFORMED_FILE", 5,
+                "ends within a facet"},
+           Case{"solid a\nfacet\nouter loop\nvertex 0 0", "MALFORMED_FILE", 4, "within a vertex"},
+           Case{"solid a\nfacet\nouter loop\nvertex 0 0 o\n", "MALFORMED_FILE", 4, "\"o\""},
+           Case{"solid a\nfacet\nouter loop\nvertex 0 0 1e999\n", "NON_FINITE_POSITION", 4,
+                "\"1e999\""},
+           Case{"solid a\nvertex 0 0 0\n", "MALFORMED_FILE", 2, "outside of a facet"},
+           Case{"solid a\n" + facet("vertex 0 0 0\nvertex 1 0 0\n"), "MALFORMED_FILE", 6,
+                "fewer than three"},
+           Case{"solid a\nhello\n", "MALFORMED_FILE", 2, "\"hello\""},
+           Case{"solid a\nfacet\nouter loop\nfacet\n", "MALFORMED_FILE", 4, "within a facet"},
+           Case{"solid a\nfacet\nouter loop\nendsolid\n", "MALFORMED_FILE", 4, "not ended"},
+           Case{binary("", 5, kFour), "MALFORMED_FILE", 284, "counts 5 triangles"},
+           Case{std::string(40, '\1'), "MALFORMED_FILE", 40, "within the header"},
+           Case{binary("", 0, ""), "EMPTY_MESH", -1, "no triangles"},
+           Case{binary("", 4, notFinite), "NON_FINITE_POSITION", 3, "triangle 1"},
+       }) {
+    const auto result = soupOf(c.text, "bad.stl");
+    EXPECT_EQ(codeOf(result), c.code) << c.text << messageOf(result);
+    if (result) continue;
+    EXPECT_EQ(result.error().element, c.place) << c.text << messageOf(result);
+    EXPECT_TRUE(contains(messageOf(result), c.about)) << c.text << messageOf(result);
+  }
+}
+
+}  // namespace
+}  // namespace girth::io::testing
