@@ -10,6 +10,7 @@
 #include "geodesic/unfolding.h"
 #include "girth/naive_girth.h"
 #include "mesh/space_filling_curve.h"
+#include "parallel.h"
 
 namespace girth {
 
@@ -139,9 +140,7 @@ GirthField girthField(const SurfaceMesh& mesh, GirthMethod method, const Executi
   work.field.kinds.assign(mesh.vertexCount(), LoopKind::Loop);
 
   const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
-  const unsigned wanted =
-      context.threads > 0 ? context.threads : std::max(1u, std::thread::hardware_concurrency());
-  const unsigned threads = std::min(wanted, mesh.vertexCount());
+  const unsigned threads = std::min(threadsOf(context), mesh.vertexCount());
   Reporter reporter(work, onPartial);
   if (threads == 1) {
     // No thread of its own: so it runs where there are none, as in the single-threaded WebAssembly

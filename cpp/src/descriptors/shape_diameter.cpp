@@ -1,0 +1,159 @@
+#include "girth/shape_diameter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "descriptors/triangle_tree.h"
+#include "mesh/angles.h"
+#include "mesh/vector.h"
+#include "parallel.h"
+
+namespace girth {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kGrain = 64;
+
+/// A ray, told by the axis of the cone (z) and two directions across.
+struct ConeRay {
+  Vec3 direction;
+  double weight;
+};
+
+std::vector<ConeRay> coneRays(const ShapeDiameterOptions& options) {
+  // The golden angle, π (3 − √5).
+  const CosSin golden = cosSin(kPi * (3 - std::sqrt(5.0)));
+  std::vector<ConeRay> rays;
+  double x = 1, y = 0;
+  for (unsigned i = 0; i < options.rays; ++i) {
+    const double angle = (i + 0.5) / options.rays * options.coneAngle / 2;
+    const CosSin off = cosSin(angle);
+    rays.push_back({{x * off.sin, y * off.sin, off.cos}, 1 / angle});
+    const Vec3 turned{x * golden.cos - y * golden.sin, x * golden.sin + y * golden.cos, 0};
+    const double length = norm(turned);
+    x = turned.x / length;
+    y = turned.y / length;
+  }
+  return rays;
+}
+
+/// Into the surface: against the normals of the faces at a vertex, weighted by their angles there.
+/// Zero where they cancel out.
+std::vector<Vec3> inwardNormals(const SurfaceMesh& mesh) {
+  std::vector<Vec3> normals(mesh.vertexCount());
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    const auto [a, b, c] = mesh.faceVertices(f);
+    const Vec3 normal =
+        cross(mesh.position(b) - mesh.position(a), mesh.position(c) - mesh.position(a));
+    const double length = norm(normal);
+    if (!(length > 0)) continue;  // so thin that its area underflows
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      Vec3& sum = normals[mesh.from(h)];
+      sum = sum - (mesh.cornerAngle(h) / length) * normal;
+    }
+  }
+  for (Vec3& normal : normals) {
+    const double length = norm(normal);
+    normal = length > 1e-12 ? (1 / length) * normal : Vec3{};
+  }
+  return normals;
+}
+
+/// Sum of the signed volumes between the faces and a point of the surface.
+double enclosedVolume(const SurfaceMesh& mesh) {
+  const Vec3 apex = mesh.position(mesh.from(0));
+  double volume = 0;
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    const auto [a, b, c] = mesh.faceVertices(f);
+    volume +=
+        dot(mesh.position(a) - apex, cross(mesh.position(b) - apex, mesh.position(c) - apex)) / 6;
+  }
+  return volume;
+}
+
+bool isOpen(const SurfaceMesh& mesh) {
+  for (Index c = 0; c < mesh.componentCount(); ++c) {
+    if (mesh.boundaryCount(c) > 0) return true;
+  }
+  return false;
+}
+
+struct Length {
+  double length, weight;
+};
+
+/// The mean of the lengths near their median. NaN where there are none.
+double robustMean(std::vector<Length>& lengths) {
+  if (lengths.empty()) return kNone;
+  std::sort(lengths.begin(), lengths.end(),
+            [](const Length& a, const Length& b) { return a.length < b.length; });
+  const std::size_t n = lengths.size();
+  const double median = (lengths[(n - 1) / 2].length + lengths[n / 2].length) / 2;
+  double mean = 0, variance = 0;
+  for (const Length& l : lengths) mean += l.length / static_cast<double>(n);
+  for (const Length& l : lengths) {
+    variance += (l.length - mean) * (l.length - mean) / static_cast<double>(n);
+  }
+  // Equal lengths must all stay, though rounding may give them a variance.
+  const double allowed = std::sqrt(variance) + 1e-12 * median;
+  double sum = 0, weight = 0;
+  for (const Length& l : lengths) {
+    if (std::fabs(l.length - median) > allowed) continue;
+    sum += l.weight * l.length;
+    weight += l.weight;
+  }
+  return weight > 0 ? sum / weight : median;
+}
+
+}  // namespace
+
+Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
+                                         const ShapeDiameterOptions& options,
+                                         const ExecutionContext& context) {
+  if (!(options.coneAngle > 0 && options.coneAngle < kPi)) {
+    return makeError(ErrorCode::Usage, -1,
+                     "the cone's angle " + std::to_string(options.coneAngle) +
+                         " is not a number of radians between 0 and π");
+  }
+  if (options.rays < 1 || options.rays > 10'000) {
+    return makeError(
+        ErrorCode::Usage, -1,
+        "the number of rays " + std::to_string(options.rays) + " is not between 1 and 10000");
+  }
+  const TriangleTree tree(mesh);
+  const std::vector<ConeRay> rays = coneRays(options);
+  const std::vector<Vec3> axes = inwardNormals(mesh);
+
+  ShapeDiameterField field;
+  field.values.assign(mesh.vertexCount(), kNone);
+  field.insideOut = !isOpen(mesh) && enclosedVolume(mesh) < 0;
+  field.complete =
+      inParallel(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
+        std::vector<Length> lengths;
+        for (auto v = static_cast<Index>(begin); v < end; ++v) {
+          const Vec3 axis = axes[v];
+          // Two directions across the axis (Duff et al. 2017).
+          const double sign = axis.z < 0 ? -1 : 1;
+          const double a = -1 / (sign + axis.z), b = axis.x * axis.y * a;
+          const Vec3 across{1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x};
+          const Vec3 along{b, sign + axis.y * axis.y * a, -axis.y};
+          lengths.clear();
+          if (dot(axis, axis) == 0) continue;
+          for (const ConeRay& ray : rays) {
+            const Vec3 direction =
+                ray.direction.x * across + ray.direction.y * along + ray.direction.z * axis;
+            const auto hit = tree.firstHit(mesh.position(v), direction, v);
+            if (hit && hit->fromBehind) lengths.push_back({hit->distance, ray.weight});
+          }
+          field.values[v] = robustMean(lengths);
+        }
+      });
+  field.withoutValue = static_cast<Index>(std::count_if(
+      field.values.begin(), field.values.end(), [](double value) { return std::isnan(value); }));
+  return field;
+}
+
+}  // namespace girth
