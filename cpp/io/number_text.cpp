@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include <array>
+#include <bit>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
@@ -24,6 +25,28 @@ bool equalsIgnoringCase(std::string_view text, std::string_view lower) {
     if (std::tolower(static_cast<unsigned char>(text[i])) != lower[i]) return false;
   }
   return true;
+}
+
+__extension__ using Wide = unsigned __int128;
+
+/// 5^0 to 5^27: all that 64 bits hold.
+constexpr std::array<std::uint64_t, 28> kPowersOfFive = [] {
+  std::array<std::uint64_t, 28> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 5 * powers[i - 1];
+  return powers;
+}();
+
+/// `mantissa` / 10^`power`, rounded correctly; mantissa > 0, power at most 27. The quotient by
+/// 5^power is taken to 63 bits or more by whole numbers; one bit says whether anything is left
+/// behind them.
+double dividedByPowerOfTen(std::uint64_t mantissa, int power) {
+  const std::uint64_t divisor = kPowersOfFive[static_cast<std::size_t>(power)];
+  const int up = std::countl_zero(mantissa), divisorUp = std::countl_zero(divisor);
+  const Wide dividend = static_cast<Wide>(mantissa << up) << 63;
+  const std::uint64_t shifted = divisor << divisorUp;
+  const auto quotient = static_cast<std::uint64_t>(dividend / shifted);
+  const bool more = static_cast<Wide>(quotient) * shifted != dividend;
+  return std::ldexp(static_cast<double>(quotient | (more ? 1u : 0u)), divisorUp - up - power - 63);
 }
 
 double parseSlowly(std::string_view text) {
@@ -92,6 +115,10 @@ std::optional<double> parseNumber(std::string_view text) {
     const double whole = static_cast<double>(mantissa);
     const double power = powersOfTen[static_cast<std::size_t>(std::abs(exponent))];
     const double value = exponent < 0 ? whole / power : whole * power;
+    return negative ? -value : value;
+  }
+  if (mantissaFits && exponent <= 0 && exponent >= -27) {
+    const double value = dividedByPowerOfTen(mantissa, -exponent);
     return negative ? -value : value;
   }
   return parseSlowly(text);

@@ -29,6 +29,33 @@ TEST(NumberText, reads) {
   }
 }
 
+TEST(NumberText, readsAsTheStandardLibraryDoes) {
+  std::uint64_t state = 1;
+  const auto random = [&](std::uint64_t below) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (state >> 33) % below;
+  };
+  for (int i = 0; i < 200000; ++i) {
+    // Up to 21 digits with the point anywhere, and every other number with an exponent.
+    std::string text;
+    const std::uint64_t digits = 1 + random(21), point = random(digits + 1);
+    for (std::uint64_t d = 0; d < digits; ++d) {
+      if (d == point) text += '.';
+      text += static_cast<char>('0' + random(10));
+    }
+    if (random(2) == 0) text += "e" + std::to_string(static_cast<int>(random(80)) - 40);
+    ASSERT_EQ(parseNumber(text), std::strtod(text.c_str(), nullptr)) << text;
+  }
+  // Halfway between two doubles, and a hair off.
+  for (const char* text :
+       {"9007199254740993e0", "9007199254740992.5", "9007199254740993.0001", "9007199254740991.5",
+        "4503599627370496.5", "4503599627370497.5", "4503599627370497.499", "0.5000000000000000555",
+        "1.00000000000000011", "1.000000000000000111022302462515654",
+        "0.000000000000000000000000001", "900000000000000000.5", "999999999999999999e-27"}) {
+    EXPECT_EQ(parseNumber(text), std::strtod(text, nullptr)) << text;
+  }
+}
+
 TEST(NumberText, readsBackWhatItWrites) {
   std::uint64_t state = 12345;
   for (int i = 0; i < 20000; ++i) {
