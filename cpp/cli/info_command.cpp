@@ -51,8 +51,8 @@ void printJson(const std::string& file, const io::LoadedMesh& loaded) {
       ",\"format\":" + io::jsonString(io::toString(loaded.format)) +
       ",\"unit\":" + io::jsonString(loaded.unit) +
       ",\"fileVertices\":" + std::to_string(loaded.vertexOfInput.size()) +
-      ",\"weldedVertices\":" + std::to_string(loaded.weldedVertices) +
-      ",\"unreferencedVertices\":" + std::to_string(loaded.unreferencedVertices) +
+      ",\"weldedVertices\":" + std::to_string(loaded.report.weldedVertices) +
+      ",\"unreferencedVertices\":" + std::to_string(loaded.report.unreferencedVertices) +
       ",\"vertices\":" + std::to_string(mesh.vertexCount()) +
       ",\"edges\":" + std::to_string(mesh.edgeCount()) +
       ",\"faces\":" + std::to_string(mesh.faceCount()) +
@@ -72,10 +72,10 @@ void printText(const std::string& file, const io::LoadedMesh& loaded) {
     std::printf("  %-14s %s\n", name, value.c_str());
   };
   std::string vertices = std::to_string(mesh.vertexCount());
-  if (loaded.weldedVertices + loaded.unreferencedVertices > 0) {
+  if (loaded.report.weldedVertices + loaded.report.unreferencedVertices > 0) {
     vertices += " (of " + std::to_string(loaded.vertexOfInput.size()) + " in the file, " +
-                std::to_string(loaded.weldedVertices) + " welded, " +
-                std::to_string(loaded.unreferencedVertices) + " not used by any face)";
+                std::to_string(loaded.report.weldedVertices) + " welded, " +
+                std::to_string(loaded.report.unreferencedVertices) + " not used by any face)";
   }
   std::printf("%s: closed surface, %s\n", file.c_str(),
               std::string(io::toString(loaded.format)).c_str());

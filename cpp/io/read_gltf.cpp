@@ -291,26 +291,26 @@ class SceneWalk {
   bool otherPrimitives_{false};
 };
 
-Result<TriangleSoup> readDocument(std::string_view json, std::span<const std::byte> binary,
-                                  const ResourceReader& resources, std::size_t fileBytes,
-                                  Format format) {
+Result<ReadModel> readDocument(std::string_view json, std::span<const std::byte> binary,
+                               const ResourceReader& resources, std::size_t fileBytes,
+                               Format format) {
   auto document = parseGltfDocument(json);
   if (!document) return document.error();
   auto soup = SceneWalk(document.value(), binary, resources, fileBytes).run();
-  if (soup) soup.value().format = format;
-  return soup;
+  if (!soup) return soup.error();
+  return ReadModel{std::move(soup).value(), format, "metre", {}};
 }
 
 }  // namespace
 
-Result<TriangleSoup> readGlb(std::span<const std::byte> bytes, const ResourceReader& resources) {
+Result<ReadModel> readGlb(std::span<const std::byte> bytes, const ResourceReader& resources) {
   auto container = openGlb(bytes);
   if (!container) return container.error();
   return readDocument(container.value().json, container.value().binary, resources, bytes.size(),
                       Format::Glb);
 }
 
-Result<TriangleSoup> readGltf(std::span<const std::byte> bytes, const ResourceReader& resources) {
+Result<ReadModel> readGltf(std::span<const std::byte> bytes, const ResourceReader& resources) {
   const std::string_view json(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   return readDocument(json, {}, resources, bytes.size(), Format::Gltf);
 }

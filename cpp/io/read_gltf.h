@@ -9,9 +9,9 @@
 namespace girth::io {
 
 /// Reads a GLB file: see readModel.
-Result<TriangleSoup> readGlb(std::span<const std::byte> bytes, const ResourceReader& resources);
+Result<ReadModel> readGlb(std::span<const std::byte> bytes, const ResourceReader& resources);
 
 /// Reads a glTF document in JSON: see readModel.
-Result<TriangleSoup> readGltf(std::span<const std::byte> bytes, const ResourceReader& resources);
+Result<ReadModel> readGltf(std::span<const std::byte> bytes, const ResourceReader& resources);
 
 }  // namespace girth::io

@@ -75,20 +75,13 @@ Error unknownFormat(std::string_view name) {
   return error("the file is not one of the formats that are read");
 }
 
-/// A model in metres out of what the reader of glTF gives.
-Result<ReadModel> inMetres(Result<TriangleSoup> soup) {
-  if (!soup) return soup.error();
-  const Format format = soup.value().format;
-  return ReadModel{std::move(soup).value(), format, "metre", {}};
-}
-
 /// Marks that no other format can have go first; what several could be is left to the name.
 Result<ReadModel> readByContent(std::span<const std::byte> bytes, std::string_view name,
                                 const ResourceReader& resources) {
   if (bytes.empty()) return makeError(ErrorCode::EmptyFile, -1, "the file is empty");
   const std::string extension = extensionOf(name);
   const std::string_view text = textOf(bytes);
-  if (hasGlbMark(bytes)) return inMetres(readGlb(bytes, resources));
+  if (hasGlbMark(bytes)) return readGlb(bytes, resources);
   if (extension == "glb" && beginsWith("glTF", text)) return openGlb(bytes).error();
   if (hasPlyMark(text)) return readPly(bytes);
   if (hasBinaryStlSize(bytes)) return readStl(bytes);
@@ -100,7 +93,7 @@ Result<ReadModel> readByContent(std::span<const std::byte> bytes, std::string_vi
   if (first == std::string_view::npos) {
     return makeError(ErrorCode::EmptyFile, -1, "the file holds nothing but white space");
   }
-  if (text[first] == '{') return inMetres(readGltf(bytes, resources));
+  if (text[first] == '{') return readGltf(bytes, resources);
   if (hasOffMark(text)) return readOff(bytes);
   if (hasStlMark(text)) return readStl(bytes);
   if (isText(text) && beginsAsObj(text)) return readObj(bytes);
@@ -140,15 +133,15 @@ Result<ReadModel> readModel(std::span<const std::byte> bytes, std::string_view n
 }
 
 Result<LoadedMesh> readMesh(std::span<const std::byte> bytes, std::string_view name,
-                            const ResourceReader& resources) {
+                            const ResourceReader& resources, const PrepareOptions& options,
+                            const ExecutionContext& context) {
   auto model = readModel(bytes, name, resources);
   if (!model) return model.error();
-  try {
-    model.value().soup.format = model.value().format;
-    return weld(std::move(model).value().soup);
-  } catch (const std::bad_alloc&) {
-    return makeError(ErrorCode::OutOfMemory, -1, "there is not enough memory for the model");
-  }
+  ReadModel& read = model.value();
+  auto prepared = prepareSurface(std::move(read.soup), options, context);
+  if (!prepared) return prepared.error();
+  return LoadedMesh{std::move(prepared).value(), read.format, std::move(read.unit),
+                    std::move(read.notes)};
 }
 
 }  // namespace girth::io

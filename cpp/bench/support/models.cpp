@@ -12,7 +12,6 @@
 #include <numbers>
 #include <queue>
 #include <span>
-#include <sstream>
 #include <unordered_map>
 #include <utility>
 
@@ -25,24 +24,6 @@ namespace {
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
   std::fprintf(stderr, "%s: %s\n", path.c_str(), what.c_str());
   std::exit(1);
-}
-
-/// OFF, which the library does not read: counts, positions, triangles.
-Result<io::LoadedMesh> readOff(const std::string& path, const std::string& text) {
-  std::istringstream in(text);
-  std::string word;
-  std::size_t vertices = 0, faces = 0, edges = 0;
-  in >> word >> vertices >> faces >> edges;
-  io::TriangleSoup soup;
-  soup.positions.resize(3 * vertices);
-  for (double& coordinate : soup.positions) in >> coordinate;
-  for (std::size_t f = 0; f < faces; ++f) {
-    int corners = 0;
-    Index a = 0, b = 0, c = 0;
-    if (!(in >> corners >> a >> b >> c) || corners != 3) fail(path, "not an OFF file of triangles");
-    soup.triangles.insert(soup.triangles.end(), {a, b, c});
-  }
-  return io::weld(std::move(soup));
 }
 
 SurfaceMesh surfaceOf(std::span<const double> positions, std::span<const Index> triangles) {
@@ -142,9 +123,7 @@ Model loadModel(const std::string& path) {
   if (!file) fail(path, "cannot be read");
   const std::filesystem::path name(path);
   Result<io::LoadedMesh> loaded =
-      name.extension() == ".off"
-          ? readOff(path, text)
-          : io::readMesh(std::as_bytes(std::span(text.data(), text.size())), path);
+      io::readMesh(std::as_bytes(std::span(text.data(), text.size())), path);
   if (!loaded) fail(path, loaded.error().message);
   return {name.stem().string(), std::move(std::move(loaded).value().mesh)};
 }

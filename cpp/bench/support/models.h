@@ -14,8 +14,8 @@ struct Model {
   SurfaceMesh mesh;
 };
 
-/// Reads OBJ, glTF, GLB or OFF; equal positions are welded. Named after the file. Ends the program
-/// with a message where the file is not a closed surface.
+/// Reads a model of any format and prepares it. Named after the file. Ends the program with a
+/// message where that fails.
 Model loadModel(const std::string& path);
 
 /// A torus whose tube swells and shrinks, of even triangles: the model of benchmarks that run

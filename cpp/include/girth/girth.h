@@ -7,6 +7,8 @@
 #include "girth/girth_field.h"
 #include "girth/girth_solver.h"
 #include "girth/naive_girth.h"
+#include "girth/prepare_surface.h"
 #include "girth/search_statistics.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
+#include "girth/triangle_soup.h"

@@ -8,15 +8,13 @@
 #include <utility>
 
 #include "mesh/angles.h"
+#include "mesh/edge_groups.h"
+#include "mesh/face_shape.h"
 #include "mesh/vector.h"
 
 namespace girth {
 
 namespace {
-
-/// A face whose smallest height is below this share of its longest side has no area to speak of:
-/// its shape would be made of rounding errors.
-constexpr double kFlattestFace = 1e-12;
 
 std::string faceText(Index face) { return "face " + std::to_string(face); }
 
@@ -61,37 +59,27 @@ std::optional<Error> findBadElement(std::span<const double> positions,
 }
 
 /// Pairs the halfedges of every edge. `from` holds the start of each halfedge.
-std::optional<Error> pairHalfedges(const std::vector<Index>& from, OpenEdges openEdges,
-                                   std::vector<Index>& twin) {
+std::optional<Error> pairHalfedges(const std::vector<Index>& from, Index vertices,
+                                   OpenEdges openEdges, std::vector<Index>& twin) {
   const auto count = static_cast<Index>(from.size());
   const auto to = [&](Index h) { return from[SurfaceMesh::next(h)]; };
-  // Halfedges sorted by edge: equal keys stand together, in the order of their numbers.
-  std::vector<std::pair<std::uint64_t, Index>> order(count);
-  for (Index h = 0; h < count; ++h) {
-    const std::uint64_t low = std::min(from[h], to(h)), high = std::max(from[h], to(h));
-    order[h] = {low << 32 | high, h};
-  }
-  std::sort(order.begin(), order.end());
-
   twin.assign(count, kNoIndex);
   Index worst = kNoIndex;  // the first halfedge, by number, with anything wrong
   ErrorCode code{};
   std::size_t faces = 0;
-  for (std::size_t i = 0, end; i < count; i = end) {
-    for (end = i + 1; end < count && order[end].first == order[i].first;) ++end;
-    const Index a = order[i].second;
-    const bool paired = end - i == 2 && from[a] != from[order[i + 1].second];
-    if (paired) {
-      twin[a] = order[i + 1].second;
-      twin[twin[a]] = a;
-    } else if (a < worst && !(end - i == 1 && openEdges == OpenEdges::Wall)) {
+  EdgeGroups(from, vertices).forEach([&](const EdgeGroup& edge) {
+    const Index a = edge[0];
+    if (edge.size() == 2 && from[a] != from[edge[1]]) {
+      twin[a] = edge[1];
+      twin[edge[1]] = a;
+    } else if (a < worst && !(edge.size() == 1 && openEdges == OpenEdges::Wall)) {
       worst = a;
-      faces = end - i;
+      faces = edge.size();
       code = faces == 1   ? ErrorCode::OpenEdge
              : faces == 2 ? ErrorCode::InconsistentOrientation
                           : ErrorCode::NonManifoldEdge;
     }
-  }
+  });
   if (worst == kNoIndex) return std::nullopt;
   std::string where = edgeText(from[worst], to(worst)) + " of " + faceText(worst / 3);
   if (code == ErrorCode::OpenEdge)
@@ -120,38 +108,33 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
   // away, so that models of any size neither overflow nor lose bits.
   double extent = 0;
   for (const double x : positions) extent = std::max(extent, std::fabs(x));
-  int exponent = 0;
-  std::frexp(extent, &exponent);
-  const double shrink = std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));
+  const double shrink = scaleFor(extent);
   mesh.length_.resize(halfedges);
   mesh.cornerAngle_.resize(halfedges);
   mesh.totalAngle_.assign(vertices, 0.0);
   double scaledArea = 0, scaledLength = 0;
   for (Index f = 0; f < mesh.faceCount(); ++f) {
-    Vec3 corner[3], side[3];
-    double length[3];
-    for (int k = 0; k < 3; ++k) corner[k] = shrink * mesh.positions_[mesh.from_[3 * f + k]];
-    for (int k = 0; k < 3; ++k) side[k] = corner[(k + 1) % 3] - corner[k];
-    for (int k = 0; k < 3; ++k) length[k] = norm(side[k]);
-    const double doubleArea = norm(cross(side[0], side[1]));
-    const double longest = std::max({length[0], length[1], length[2]});
-    const double shortest = std::min({length[0], length[1], length[2]});
-    if (!(doubleArea > kFlattestFace * longest * longest) || !(shortest > 0)) {
+    std::array<Vec3, 3> corner;
+    for (Index k = 0; k < 3; ++k) corner[k] = shrink * mesh.positions_[mesh.from_[3 * f + k]];
+    const FaceShape shape(corner);
+    if (!shape.hasArea()) {
       return makeError(ErrorCode::DegenerateFace, f, faceText(f) + " has no area");
     }
     for (Index k = 0; k < 3; ++k) {
       const Index h = 3 * f + k;
-      mesh.length_[h] = length[k] / shrink;
-      mesh.cornerAngle_[h] = angleOf(-dot(side[k], side[(k + 2) % 3]), doubleArea);
+      mesh.length_[h] = shape.length[k] / shrink;
+      mesh.cornerAngle_[h] =
+          angleOf(-dot(shape.side[k], shape.side[(k + 2) % 3]), shape.doubleArea);
       mesh.totalAngle_[mesh.from_[h]] += mesh.cornerAngle_[h];
-      scaledLength += length[k];
+      scaledLength += shape.length[k];
     }
-    scaledArea += doubleArea / 2;
+    scaledArea += shape.doubleArea / 2;
   }
   mesh.area_ = scaledArea / shrink / shrink;
   mesh.meanEdgeLength_ = scaledLength / halfedges / shrink;
 
-  if (auto error = pairHalfedges(mesh.from_, openEdges, mesh.twin_)) return *std::move(error);
+  if (auto error = pairHalfedges(mesh.from_, vertices, openEdges, mesh.twin_))
+    return *std::move(error);
 
   // Every vertex must have one fan of faces; at a wall it begins with the halfedge along the wall.
   std::vector<Index> degree(vertices, 0);

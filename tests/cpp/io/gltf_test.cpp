@@ -148,7 +148,7 @@ TEST(Gltf, withoutIndices) {
   tiny.primitives = R"({"attributes":{"POSITION":0}})";
   const auto loaded = read(tiny.file(), "tiny.glb");
   expectTetrahedron(loaded);
-  EXPECT_EQ(loaded.value().weldedVertices, 8u);
+  EXPECT_EQ(loaded.value().report.weldedVertices, 8u);
 }
 
 TEST(Gltf, worldTransforms) {

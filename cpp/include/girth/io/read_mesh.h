@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "girth/error.h"
-#include "girth/surface_mesh.h"
+#include "girth/execution.h"
+#include "girth/prepare_surface.h"
+#include "girth/triangle_soup.h"
 
 namespace girth::io {
 
@@ -20,19 +22,12 @@ enum class Format : std::uint8_t { Glb, Gltf, Obj, Ply, Stl, Off };
 /// "GLB", "glTF", "OBJ", "PLY", "STL" or "OFF".
 std::string_view toString(Format format);
 
-/// What a file says, before any cleaning.
-struct TriangleSoup {
-  Format format{Format::Obj};
-  /// x, y, z per vertex of the file, all finite. OBJ: in the order of its `v` lines. glTF: in world
-  /// space, in metres, in the order of a depth-first walk of the default scene; primitives of one
-  /// mesh that share a list of positions share its vertices, and points and lines are left out.
-  std::vector<double> positions;
-  /// Three vertices per triangle; polygons are triangulated.
-  std::vector<Index> triangles;
-};
-
 /// A model as its file says it, nothing repaired.
 struct ReadModel {
+  /// Positions are finite; polygons are cut into triangles. Vertices are in the file's order; glTF:
+  /// in world space, in metres, in the order of a depth-first walk of the default scene; primitives
+  /// of one mesh that share a list of positions share its vertices, and points and lines are left
+  /// out.
   TriangleSoup soup;
   Format format{Format::Obj};
   /// "metre" for glTF, otherwise empty: the file does not say.
@@ -41,20 +36,12 @@ struct ReadModel {
   std::vector<std::string> notes;
 };
 
-/// A surface and how the file's vertices map onto it.
-struct LoadedMesh {
-  SurfaceMesh mesh;
+/// A model's surface, how the file's vertices and triangles map onto it, and what was done.
+struct LoadedMesh : PreparedSurface {
   Format format{Format::Obj};
-  /// For each vertex of the file, its vertex on the surface; kNoIndex where no face uses it.
-  std::vector<Index> vertexOfInput;
-  /// For each vertex of the surface, the first vertex of the file that it comes from.
-  std::vector<Index> inputOfVertex;
-  /// Vertices of the file that were welded onto an earlier one at exactly the same position.
-  Index weldedVertices{0};
-  /// Vertices of the file that no face uses, left out.
-  Index unreferencedVertices{0};
-  /// "metre" for glTF, otherwise empty: the file does not say.
+  /// As in ReadModel.
   std::string unit;
+  std::vector<std::string> notes;
 };
 
 /// Brings a file that a model refers to by a relative name; nothing if it is not to be had.
@@ -77,13 +64,10 @@ using ResourceReader = std::function<std::optional<std::vector<std::byte>>(std::
 Result<ReadModel> readModel(std::span<const std::byte> bytes, std::string_view name,
                             const ResourceReader& resources = {});
 
-/// Welds vertices at exactly equal positions (0 and -0 are equal), leaves out vertices that no face
-/// uses, and makes a surface; faces keep their numbers. O(n log n).
-/// Errors: those of SurfaceMesh::fromArrays, with vertices in the file's own numbering, from 0.
-Result<LoadedMesh> weld(TriangleSoup soup);
-
-/// readModel, then weld.
+/// readModel, then prepareSurface. Errors: those of both.
 Result<LoadedMesh> readMesh(std::span<const std::byte> bytes, std::string_view name,
-                            const ResourceReader& resources = {});
+                            const ResourceReader& resources = {},
+                            const PrepareOptions& options = {},
+                            const ExecutionContext& context = {});
 
 }  // namespace girth::io

@@ -1,0 +1,214 @@
+#include "mesh/prepare/join_faces.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "mesh/angles.h"
+#include "mesh/edge_groups.h"
+
+namespace girth::prepare {
+
+namespace {
+
+class FaceJoiner {
+ public:
+  FaceJoiner(WorkingFaces& faces, PreparationReport& report) : faces_(faces), report_(report) {}
+
+  JoinedFaces run() {
+    findNeighbours();
+    orient();
+    joinAtCrowdedEdges();
+    return std::move(joined_);
+  }
+
+ private:
+  Index from(Index h) const { return faces_.triangles[h]; }
+  Index to(Index h) const { return faces_.triangles[SurfaceMesh::next(h)]; }
+
+  void findNeighbours() {
+    joined_.twin.assign(faces_.triangles.size(), kNoIndex);
+    joined_.cutBegin.push_back(0);
+    EdgeGroups(faces_.triangles, faces_.vertexCount()).forEach([&](const EdgeGroup& edge) {
+      if (edge.size() == 2) {
+        joined_.twin[edge[0]] = edge[1];
+        joined_.twin[edge[1]] = edge[0];
+      } else if (edge.size() > 2) {
+        for (std::size_t i = 0; i < edge.size(); ++i) joined_.cut.push_back(edge[i]);
+        joined_.cutBegin.push_back(static_cast<Index>(joined_.cut.size()));
+        ++report_.nonManifoldEdges;
+      }
+    });
+  }
+
+  /// Floods each piece from its first face, over edges of two faces.
+  void orient() {
+    std::vector<std::uint8_t> turned(faces_.faceCount(), 0);
+    patch_.assign(faces_.faceCount(), kNoIndex);
+    std::vector<Index> front;  // all faces of the piece so far
+    std::size_t crowdedEdges = joined_.cutBegin.size() - 1;
+    for (Index seed = 0, patches = 0; seed < faces_.faceCount(); ++seed) {
+      if (patch_[seed] != kNoIndex) continue;
+      const Index patch = patches++;
+      patch_[seed] = patch;
+      front.assign(1, seed);
+      std::size_t turnedFaces = 0;
+      for (std::size_t i = 0; i < front.size(); ++i) {
+        const Index f = front[i];
+        for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+          const Index across = joined_.twin[h];
+          if (across == kNoIndex) continue;
+          const Index g = across / 3;
+          const auto wanted =
+              static_cast<std::uint8_t>(turned[f] ^ (from(h) == from(across) ? 1 : 0));
+          if (patch_[g] == kNoIndex) {
+            patch_[g] = patch;
+            turned[g] = wanted;
+            turnedFaces += wanted;
+            front.push_back(g);
+          } else if (turned[g] != wanted) {
+            joined_.twin[h] = joined_.twin[across] = kNoIndex;
+            joined_.cut.insert(joined_.cut.end(), {std::min(h, across), std::max(h, across)});
+            joined_.cutBegin.push_back(static_cast<Index>(joined_.cut.size()));
+            ++report_.oneSidedEdges;
+          }
+        }
+      }
+      if (2 * turnedFaces > front.size()) {
+        for (const Index f : front) turned[f] ^= 1;
+        turnedFaces = front.size() - turnedFaces;
+      }
+      report_.reorientedFaces += static_cast<Index>(turnedFaces);
+    }
+    turnOver(turned);
+    crowdedEdges_ = crowdedEdges;
+  }
+
+  /// Turns faces; halfedge 3 f + k becomes 3 f + 2 − k.
+  void turnOver(const std::vector<std::uint8_t>& turned) {
+    if (report_.reorientedFaces == 0) return;
+    const auto renumbered = [&](Index h) {
+      return h == kNoIndex || turned[h / 3] == 0 ? h : 3 * (h / 3) + 2 - h % 3;
+    };
+    for (Index f = 0; f < faces_.faceCount(); ++f) {
+      if (turned[f] == 0) continue;
+      std::swap(faces_.triangles[3 * f + 1], faces_.triangles[3 * f + 2]);
+      std::swap(joined_.twin[3 * f], joined_.twin[3 * f + 2]);
+    }
+    for (Index& h : joined_.twin) h = renumbered(h);
+    for (Index& h : joined_.cut) h = renumbered(h);
+  }
+
+  void joinAtCrowdedEdges() {
+    std::vector<Index> edge;
+    for (std::size_t i = 0; i < crowdedEdges_; ++i) {
+      edge.assign(joined_.cut.begin() + joined_.cutBegin[i],
+                  joined_.cut.begin() + joined_.cutBegin[i + 1]);
+      joinWithinPatches(edge);
+      joinWedges(edge);
+    }
+  }
+
+  void join(Index h, Index g) {
+    joined_.twin[h] = g;
+    joined_.twin[g] = h;
+  }
+
+  /// Joins the two faces that a piece has at an edge, and takes them from the list.
+  void joinWithinPatches(std::vector<Index>& edge) {
+    std::sort(edge.begin(), edge.end(), [&](Index h, Index g) {
+      return std::pair(patch_[h / 3], h) < std::pair(patch_[g / 3], g);
+    });
+    std::size_t left = 0;
+    for (std::size_t i = 0, end; i < edge.size(); i = end) {
+      for (end = i + 1; end < edge.size() && patch_[edge[end] / 3] == patch_[edge[i] / 3];) ++end;
+      if (end - i == 2 && from(edge[i]) != from(edge[i + 1])) {
+        join(edge[i], edge[i + 1]);
+      } else {
+        for (std::size_t j = i; j < end; ++j) edge[left++] = edge[j];
+      }
+    }
+    edge.resize(left);
+  }
+
+  /// A face at an edge, seen along the edge.
+  struct Leaf {
+    double angle;  ///< counter-clockwise round the edge
+    bool enters;   ///< turning counter-clockwise, one enters the solid that it bounds
+    Index halfedge;
+  };
+
+  /// Joins faces that bound wedges of solid: where they enter and leave by turns.
+  void joinWedges(const std::vector<Index>& edge) {
+    if (edge.size() < 2 || edge.size() % 2 != 0) return;
+    std::vector<Leaf> leaves = leavesOf(edge);
+    // Among leaves at one angle, the order that lets both alternate with the leaf before; where
+    // none stands alone, they leave first, so that the two sides of a doubled sheet keep together
+    // each.
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      const std::size_t before = (i + leaves.size() - 1) % leaves.size();
+      const std::size_t after = (i + 1) % leaves.size();
+      if (leaves[i].angle != leaves[before].angle && leaves[i].angle != leaves[after].angle) {
+        begin = i;
+        break;
+      }
+    }
+    std::rotate(leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(begin), leaves.end());
+    bool inside = begin == 0 && leaves[0].angle == leaves[1].angle;
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      if (i + 1 < leaves.size() && leaves[i].angle == leaves[i + 1].angle &&
+          leaves[i].enters == inside && leaves[i + 1].enters != inside) {
+        std::swap(leaves[i], leaves[i + 1]);
+      }
+      inside = leaves[i].enters;
+    }
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      if (leaves[i].enters == leaves[(i + 1) % leaves.size()].enters) return;
+    }
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      if (leaves[i].enters) join(leaves[i].halfedge, leaves[(i + 1) % leaves.size()].halfedge);
+    }
+  }
+
+  /// The faces in the order of their angles; at one angle, in that of their numbers.
+  std::vector<Leaf> leavesOf(const std::vector<Index>& edge) const {
+    const Index low = std::min(from(edge[0]), to(edge[0]));
+    const Index high = std::max(from(edge[0]), to(edge[0]));
+    const Vec3 axis = faces_.scaledPosition(high) - faces_.scaledPosition(low);
+    const auto across = [&](Index h) {
+      const Vec3 w =
+          faces_.scaledPosition(from(SurfaceMesh::previous(h))) - faces_.scaledPosition(low);
+      return w - dot(w, axis) / dot(axis, axis) * axis;
+    };
+    // The first face gives the direction of angle 0.
+    const Vec3 x = across(edge[0]), y = 1 / norm(axis) * cross(axis, x);
+    std::vector<Leaf> leaves;
+    for (const Index h : edge) {
+      const Vec3 w = across(h);
+      const double along = dot(w, x), up = dot(w, y);
+      // By the same steps for all, so that faces on one another have exactly one angle.
+      double angle = along == 0 && up == 0 ? 0 : angleOf(along, std::fabs(up));
+      if (up < 0) angle = 2 * kPi - angle;
+      leaves.push_back({angle, from(h) == high, h});
+    }
+    std::sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
+      return a.angle != b.angle ? a.angle < b.angle : a.halfedge < b.halfedge;
+    });
+    return leaves;
+  }
+
+  WorkingFaces& faces_;
+  PreparationReport& report_;
+  JoinedFaces joined_;
+  std::vector<Index> patch_;  ///< the piece of each face
+  std::size_t crowdedEdges_{0};
+};
+
+}  // namespace
+
+JoinedFaces joinFaces(WorkingFaces& faces, PreparationReport& report) {
+  return FaceJoiner(faces, report).run();
+}
+
+}  // namespace girth::prepare

@@ -1,0 +1,139 @@
+#include "mesh/prepare/split_vertices.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace girth::prepare {
+
+namespace {
+
+class VertexSplitter {
+ public:
+  VertexSplitter(const WorkingFaces& faces, JoinedFaces& joined) : faces_(faces), joined_(joined) {}
+
+  SplitVertices run(PreparationReport& report) {
+    do {
+      findFans();
+    } while (cutDoubleEdges());
+    return numbered(report);
+  }
+
+ private:
+  static constexpr auto next = SurfaceMesh::next;
+  static constexpr auto previous = SurfaceMesh::previous;
+
+  /// Numbers the fans of each vertex in the order of their first corners.
+  void findFans() {
+    const auto corners = static_cast<Index>(faces_.triangles.size());
+    fan_.assign(corners, kNoIndex);
+    fans_.assign(faces_.vertexCount(), 0);
+    for (Index corner = 0; corner < corners; ++corner) {
+      if (fan_[corner] != kNoIndex) continue;
+      const Index number = fans_[faces_.triangles[corner]]++;
+      // Clockwise to its beginning, if it has one, and then counter-clockwise.
+      Index begin = corner;
+      while (joined_.twin[begin] != kNoIndex) {
+        begin = next(joined_.twin[begin]);
+        if (begin == corner) break;
+      }
+      for (Index h = begin; h != kNoIndex && fan_[h] == kNoIndex;) {
+        fan_[h] = number;
+        h = joined_.twin[previous(h)];
+      }
+    }
+  }
+
+  /// An edge of copies: fans at its lower and higher vertex, and one of its halfedges.
+  struct EdgeOfCopies {
+    Index lowFan, highFan, halfedge;
+    bool sameEdge(const EdgeOfCopies& other) const {
+      return lowFan == other.lowFan && highFan == other.highFan;
+    }
+  };
+
+  /// Two edges between the same two copies cannot be told apart. All but one are separated: their
+  /// faces get a copy of their own at one end.
+  bool cutDoubleEdges() {
+    bool cutAny = false;
+    std::vector<EdgeOfCopies> edges;
+    for (std::size_t i = 0; i + 1 < joined_.cutBegin.size(); ++i) {
+      edges.clear();
+      for (Index j = joined_.cutBegin[i]; j < joined_.cutBegin[i + 1]; ++j) {
+        const Index h = joined_.cut[j];
+        const bool up = faces_.triangles[h] < faces_.triangles[next(h)];
+        edges.push_back({fan_[up ? h : next(h)], fan_[up ? next(h) : h], h});
+      }
+      std::sort(edges.begin(), edges.end(), [](const EdgeOfCopies& a, const EdgeOfCopies& b) {
+        if (a.lowFan != b.lowFan) return a.lowFan < b.lowFan;
+        return a.highFan != b.highFan ? a.highFan < b.highFan : a.halfedge < b.halfedge;
+      });
+      for (std::size_t j = 0, end; j < edges.size(); j = end) {
+        for (end = j + 1; end < edges.size() && edges[end].sameEdge(edges[j]);) ++end;
+        if (end - j > 1 && separate(&edges[j], end - j)) cutAny = true;
+      }
+    }
+    return cutAny;
+  }
+
+  bool separate(const EdgeOfCopies* edges, std::size_t count) {
+    const Index first = edges[0].halfedge;
+    if (count == 2 && faces_.triangles[first] != faces_.triangles[edges[1].halfedge]) {
+      // The two sides of a cut that separates nothing: joined again.
+      joined_.twin[first] = edges[1].halfedge;
+      joined_.twin[edges[1].halfedge] = first;
+      return false;
+    }
+    const Index partner = joined_.twin[first];
+    for (std::size_t i = 0; i < count; ++i) {
+      const Index h = edges[i].halfedge;
+      if (h == first || h == partner) continue;
+      unjoin(h);
+      unjoin(previous(h));
+    }
+    return true;
+  }
+
+  void unjoin(Index h) {
+    if (joined_.twin[h] == kNoIndex) return;
+    joined_.twin[joined_.twin[h]] = kNoIndex;
+    joined_.twin[h] = kNoIndex;
+  }
+
+  SplitVertices numbered(PreparationReport& report) {
+    std::vector<bool> onCut(faces_.vertexCount(), false);
+    for (const Index h : joined_.cut) {
+      onCut[faces_.triangles[h]] = true;
+      onCut[faces_.triangles[next(h)]] = true;
+    }
+    SplitVertices result;
+    // From the number of fans of each vertex to the number of its first copy.
+    for (Index v = 0; v < fans_.size(); ++v) {
+      const Index fans = fans_[v];
+      fans_[v] = static_cast<Index>(result.inputOfVertex.size());
+      result.inputOfVertex.insert(result.inputOfVertex.end(), fans, v);
+      if (fans < 2) continue;
+      report.addedVertices += fans - 1;
+      if (!onCut[v]) ++report.nonManifoldVertices;
+    }
+    for (std::size_t corner = 0; corner < fan_.size(); ++corner) {
+      fan_[corner] += fans_[faces_.triangles[corner]];
+    }
+    result.vertexOfCorner = std::move(fan_);
+    return result;
+  }
+
+  const WorkingFaces& faces_;
+  JoinedFaces& joined_;
+  std::vector<Index> fan_;   ///< of each corner, among those of its vertex
+  std::vector<Index> fans_;  ///< of each vertex: how many
+};
+
+}  // namespace
+
+SplitVertices splitVertices(const WorkingFaces& faces, JoinedFaces& joined,
+                            PreparationReport& report) {
+  return VertexSplitter(faces, joined).run(report);
+}
+
+}  // namespace girth::prepare

@@ -1,0 +1,269 @@
+#include "girth/prepare_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "mesh/prepare/drop_faces.h"
+#include "mesh/prepare/join_faces.h"
+#include "mesh/prepare/split_vertices.h"
+#include "mesh/prepare/weld_vertices.h"
+
+namespace girth {
+
+namespace {
+
+using prepare::WorkingFaces;
+
+std::string countText(std::size_t count, const char* one, const char* many) {
+  return count == 1 ? std::string("the only ") + one : "all " + std::to_string(count) + " " + many;
+}
+
+/// What can be wrong with the arrays and the options alone.
+std::optional<Error> findBadElement(const TriangleSoup& soup, const PrepareOptions& options) {
+  const std::size_t vertices = soup.positions.size() / 3;
+  if (!(options.weldDistance >= 0) || std::isinf(options.weldDistance)) {
+    return makeError(ErrorCode::InvalidOption, -1,
+                     "the distance to weld within is no number of at least 0");
+  }
+  if (soup.positions.size() % 3 != 0 || soup.triangles.size() % 3 != 0) {
+    return makeError(ErrorCode::EmptyMesh, -1, "the arrays are not whole triples");
+  }
+  if (soup.triangles.empty()) {
+    return makeError(ErrorCode::EmptyMesh, -1, "the model has no triangles");
+  }
+  // Halfedge numbers and a flag bit must fit into an Index.
+  if (soup.triangles.size() >= 0x7FFFFFFFu || vertices >= 0x7FFFFFFFu) {
+    return makeError(ErrorCode::LimitExceeded, -1, "the model has over 700 million triangles");
+  }
+  for (std::size_t i = 0; i < soup.positions.size(); ++i) {
+    if (!std::isfinite(soup.positions[i])) {
+      return makeError(
+          ErrorCode::NonFinitePosition, static_cast<std::int64_t>(i / 3),
+          "vertex " + std::to_string(i / 3) + " has a coordinate that is not a finite number");
+    }
+  }
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    if (soup.triangles[i] >= vertices) {
+      return makeError(ErrorCode::IndexOutOfRange, static_cast<std::int64_t>(i / 3),
+                       "face " + std::to_string(i / 3) + " names vertex " +
+                           std::to_string(soup.triangles[i]) + " of " + std::to_string(vertices));
+    }
+  }
+  return std::nullopt;
+}
+
+/// The steps from a soup to a surface; each leaves its work in the members.
+class Preparation {
+ public:
+  Preparation(TriangleSoup soup, const PrepareOptions& options, const ExecutionContext& context)
+      : soup_(std::move(soup)), options_(options), context_(context) {}
+
+  Result<PreparedSurface> run() {
+    if (auto error = findBadElement(soup_, options_)) return *error;
+    report_.inputVertices = static_cast<Index>(soup_.positions.size() / 3);
+    report_.inputFaces = static_cast<Index>(soup_.triangles.size() / 3);
+    using Step = std::optional<Error> (Preparation::*)();
+    struct TimedStep {
+      Step step;
+      double finished;  ///< the share of the whole time by its end
+    };
+    constexpr TimedStep kSteps[] = {{&Preparation::weld, 0.3},
+                                    {&Preparation::dropFaces, 0.45},
+                                    {&Preparation::join, 0.65},
+                                    {&Preparation::chooseParts, 0.8},
+                                    {&Preparation::finish, 1.0}};
+    for (const TimedStep& timed : kSteps) {
+      if (context_.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
+      if (auto error = (this->*timed.step)()) return *error;
+      if (context_.onProgress) context_.onProgress(timed.finished);
+    }
+    return PreparedSurface{std::move(*mesh_),
+                           std::move(vertexOfInput_),
+                           std::move(split_.inputOfVertex),
+                           std::move(faces_.inputOfFace),
+                           std::move(parts_),
+                           std::move(report_)};
+  }
+
+ private:
+  std::optional<Error> weld() {
+    first_ = prepare::firstAtSamePlace(soup_.positions, soup_.triangles);
+    if (options_.weldDistance > 0) {
+      prepare::joinWithin(options_.weldDistance, soup_.positions, first_);
+    }
+    faces_.positions = soup_.positions;
+    faces_.triangles = std::move(soup_.triangles);
+    faces_.inputOfFace.resize(report_.inputFaces);
+    for (Index f = 0; f < report_.inputFaces; ++f) faces_.inputOfFace[f] = f;
+    double extent = 0;
+    for (Index v = 0; v < first_.size(); ++v) {
+      if (first_[v] == kNoIndex) continue;
+      if (first_[v] != v) ++report_.weldedVertices;
+      for (std::size_t k = 0; k < 3; ++k) {
+        extent = std::max(extent, std::fabs(soup_.positions[3 * std::size_t{v} + k]));
+      }
+    }
+    faces_.scale = scaleFor(extent);
+    for (Index& v : faces_.triangles) v = first_[v];
+    return std::nullopt;
+  }
+
+  std::optional<Error> dropFaces() {
+    prepare::dropCollapsedFaces(faces_, first_, report_);
+    do {
+      prepare::dropDuplicateFaces(faces_, report_);
+    } while (prepare::dropFlatFaces(faces_, report_));
+    if (faces_.faceCount() > 0) return std::nullopt;
+    return makeError(ErrorCode::EmptyMesh, -1,
+                     countText(report_.inputFaces, "face has no area", "faces have no area"));
+  }
+
+  std::optional<Error> join() {
+    prepare::JoinedFaces joined = prepare::joinFaces(faces_, report_);
+    split_ = prepare::splitVertices(faces_, joined, report_);
+    report_.unreferencedVertices =
+        report_.inputVertices - report_.weldedVertices -
+        (static_cast<Index>(split_.inputOfVertex.size()) - report_.addedVertices);
+    findParts(joined);
+    // From here on the faces name the surface's vertices.
+    faces_.triangles = std::move(split_.vertexOfCorner);
+    return std::nullopt;
+  }
+
+  /// Floods the components, in the order of their first faces.
+  void findParts(const prepare::JoinedFaces& joined) {
+    partOfFace_.assign(faces_.faceCount(), kNoIndex);
+    std::vector<Index> front;
+    for (Index seed = 0; seed < faces_.faceCount(); ++seed) {
+      if (partOfFace_[seed] != kNoIndex) continue;
+      const auto number = static_cast<Index>(parts_.size());
+      SurfacePart part;
+      part.firstFace = kNoIndex;
+      front.assign(1, seed);
+      partOfFace_[seed] = number;
+      while (!front.empty()) {
+        const Index f = front.back();
+        front.pop_back();
+        ++part.faces;
+        part.area += faces_.shape(f).doubleArea / 2;
+        part.firstFace = std::min(part.firstFace, faces_.inputOfFace[f]);
+        for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+          if (joined.twin[h] == kNoIndex) continue;
+          const Index g = joined.twin[h] / 3;
+          if (partOfFace_[g] != kNoIndex) continue;
+          partOfFace_[g] = number;
+          front.push_back(g);
+        }
+      }
+      part.area = part.area / faces_.scale / faces_.scale;
+      parts_.push_back(part);
+    }
+    report_.components = static_cast<Index>(parts_.size());
+  }
+
+  std::optional<Error> chooseParts() {
+    std::vector<bool> chosen(parts_.size(), options_.components.empty());
+    for (const Index part : options_.components) {
+      if (part >= parts_.size()) {
+        Error error = makeError(ErrorCode::ComponentOutOfRange, part,
+                                "there is no component " + std::to_string(part));
+        error.hint = "they are numbered from 0 to " + std::to_string(parts_.size() - 1);
+        return error;
+      }
+      chosen[part] = true;
+    }
+    report_.keptComponents = static_cast<Index>(std::count(chosen.begin(), chosen.end(), true));
+    if (report_.keptComponents < parts_.size()) {
+      faces_.filter([&](Index f) { return chosen[partOfFace_[f]]; });
+    }
+    partOfFace_ = {};
+    numberVertices();
+    return std::nullopt;
+  }
+
+  /// Leaves out the vertices of faces that are gone, and finds the way from the input.
+  void numberVertices() {
+    const std::size_t copies = split_.inputOfVertex.size();
+    std::vector<Index> facesOfVertex(copies, 0);
+    for (const Index v : faces_.triangles) ++facesOfVertex[v];
+    std::vector<Index> number(copies, kNoIndex);
+    vertexOfInput_.assign(first_.size(), kNoIndex);
+    std::vector<Index> kept;
+    Index mostFaces = 0;  // of the copies of one vertex
+    for (Index v = 0; v < copies; ++v) {
+      const Index input = split_.inputOfVertex[v];
+      if (v == 0 || input != split_.inputOfVertex[v - 1]) mostFaces = 0;
+      if (facesOfVertex[v] == 0) continue;
+      number[v] = static_cast<Index>(kept.size());
+      kept.push_back(input);
+      if (facesOfVertex[v] > mostFaces) {
+        mostFaces = facesOfVertex[v];
+        vertexOfInput_[input] = number[v];
+      }
+    }
+    for (Index& v : faces_.triangles) v = number[v];
+    split_.inputOfVertex = std::move(kept);
+  }
+
+  std::optional<Error> finish() {
+    // Positions of the surface's vertices take the place of the input's.
+    std::vector<double> positions;
+    positions.reserve(3 * split_.inputOfVertex.size());
+    for (const Index input : split_.inputOfVertex) {
+      const auto at = soup_.positions.begin() + 3 * static_cast<std::ptrdiff_t>(input);
+      positions.insert(positions.end(), at, at + 3);
+    }
+    soup_.positions = {};
+    nameFirstInputs();
+    auto mesh = SurfaceMesh::fromArrays(positions, faces_.triangles, OpenEdges::Wall);
+    if (!mesh) return mesh.error();
+    mesh_.emplace(std::move(mesh).value());
+    for (Index c = 0; c < mesh_->componentCount(); ++c) {
+      report_.boundaryCurves += mesh_->boundaryCount(c);
+    }
+    for (Index h = 0; h < mesh_->halfedgeCount(); ++h) {
+      if (mesh_->twin(h) == kNoIndex) ++report_.boundaryEdges;
+    }
+    return std::nullopt;
+  }
+
+  /// Lets welded vertices follow those that stand for them.
+  void nameFirstInputs() {
+    for (Index v = 0; v < first_.size(); ++v) {
+      if (first_[v] == kNoIndex) continue;
+      Index root = v;
+      while (first_[root] != root) root = first_[root];
+      first_[v] = root;
+      if (root != v) vertexOfInput_[v] = vertexOfInput_[root];
+    }
+  }
+
+  TriangleSoup soup_;
+  const PrepareOptions& options_;
+  const ExecutionContext& context_;
+  PreparationReport report_;
+  std::vector<Index> first_;  ///< for each vertex of the input the one that stands for it
+  WorkingFaces faces_;
+  prepare::SplitVertices split_;
+  std::vector<Index> partOfFace_;
+  std::vector<SurfacePart> parts_;
+  std::vector<Index> vertexOfInput_;
+  std::optional<SurfaceMesh> mesh_;
+};
+
+}  // namespace
+
+Result<PreparedSurface> prepareSurface(TriangleSoup soup, const PrepareOptions& options,
+                                       const ExecutionContext& context) {
+  try {
+    return Preparation(std::move(soup), options, context).run();
+  } catch (const std::bad_alloc&) {
+    return makeError(ErrorCode::OutOfMemory, -1, "there is not enough memory for the model");
+  }
+}
+
+}  // namespace girth
