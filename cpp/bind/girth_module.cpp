@@ -1,15 +1,13 @@
-// girth.mjs, the module without threads: reads files, and computes values and loops vertex by
-// vertex. Each worker of a pool has one, and so has the worker that answers for the pointer.
+// girth.mjs, the module without threads: here, values and loops, vertex by vertex. Each worker of a
+// pool has one, and so has the worker that answers for the pointer.
 
 #include <emscripten/bind.h>
 
-#include <optional>
 #include <utility>
 
 #include "boundary.h"
 #include "girth/girth_field.h"
 #include "girth/girth_solver.h"
-#include "girth/io/read_mesh.h"
 
 using emscripten::val;
 
@@ -89,56 +87,14 @@ class Surface {
   GirthSolver solver_;
 };
 
-/// {surface, positions, indices, components, genus, area}; the surface is the caller's to delete.
-val describe(std::shared_ptr<Surface> surface) {
-  const SurfaceMesh& mesh = surface->mesh();
-  std::vector<double> positions;
-  positions.reserve(3 * std::size_t{mesh.vertexCount()});
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    const Vec3& p = mesh.position(v);
-    positions.insert(positions.end(), {p.x, p.y, p.z});
-  }
-  std::vector<Index> indices;
-  indices.reserve(mesh.halfedgeCount());
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) indices.push_back(mesh.from(h));
-  val genus = val::array();
-  for (Index c = 0; c < mesh.componentCount(); ++c) genus.set(c, mesh.genus(c));
-
-  val result = val::object();
-  result.set("positions", copyOut<double>("Float64Array", positions));
-  result.set("indices", copyOut<Index>("Uint32Array", indices));
-  result.set("components", mesh.componentCount());
-  result.set("genus", genus);
-  result.set("area", mesh.area());
-  result.set("surface", std::move(surface));
-  return result;
-}
-
-/// A surface from the bytes of a file (a Uint8Array): `describe`, and what reading did; or an
-/// error.
-val readSurface(const val& bytes, const std::string& name) {
-  return guarded([&] {
-    const std::vector<std::uint8_t> content = copyIn<std::uint8_t>(bytes);
-    Result<io::LoadedMesh> loaded =
-        io::readMesh(std::as_bytes(std::span<const std::uint8_t>(content)), name);
-    if (!loaded) return toJs(loaded.error());
-    io::LoadedMesh& read = loaded.value();
-    val result = describe(std::make_shared<Surface>(std::move(read.mesh)));
-    result.set("format", std::string(io::toString(read.format)));
-    result.set("unit", read.unit);
-    result.set("vertexOfInput", copyOut<Index>("Uint32Array", read.vertexOfInput));
-    result.set("weldedVertices", read.weldedVertices);
-    result.set("unreferencedVertices", read.unreferencedVertices);
-    return result;
-  });
-}
-
-/// A surface from a Float64Array and a Uint32Array: `describe`, or an error.
-val surfaceFromArrays(const val& positions, const val& indices) {
+/// {surface} of a prepared surface's arrays, or an error; the surface is the caller's to delete.
+val exactSurface(const val& positions, const val& indices) {
   return guarded([&] {
     Result<SurfaceMesh> mesh = surfaceOf(positions, indices);
     if (!mesh) return toJs(mesh.error());
-    return describe(std::make_shared<Surface>(std::move(mesh).value()));
+    val result = val::object();
+    result.set("surface", std::make_shared<Surface>(std::move(mesh).value()));
+    return result;
   });
 }
 
@@ -149,8 +105,7 @@ EMSCRIPTEN_BINDINGS(girth) {
       .function("loopAtVertex", &Surface::loopAtVertex)
       .function("loopInFace", &Surface::loopInFace)
       .function("order", &Surface::order);
-  emscripten::function("readSurface", &readSurface);
-  emscripten::function("surfaceFromArrays", &surfaceFromArrays);
+  emscripten::function("exactSurface", &exactSurface);
 }
 
 }  // namespace

@@ -56,9 +56,8 @@ class Surface {
   SurfaceMesh mesh_;
 };
 
-/// {surface} from a Float64Array and a Uint32Array, or an error; the surface is the caller's to
-/// delete.
-val surfaceFromArrays(const val& positions, const val& indices) {
+/// {surface} of a prepared surface's arrays, or an error; the surface is the caller's to delete.
+val exactSurface(const val& positions, const val& indices) {
   return guarded([&] {
     Result<SurfaceMesh> mesh = surfaceOf(positions, indices);
     if (!mesh) return toJs(mesh.error());
@@ -72,7 +71,7 @@ EMSCRIPTEN_BINDINGS(girthThreads) {
   emscripten::class_<Surface>("Surface")
       .smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
       .function("field", &Surface::field);
-  emscripten::function("surfaceFromArrays", &surfaceFromArrays);
+  emscripten::function("exactSurface", &exactSurface);
   emscripten::function("cancelFlag", &cancelFlag);
 }
 

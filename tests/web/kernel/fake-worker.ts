@@ -78,7 +78,9 @@ export function fakeSurface(count: number): Behaviour {
           info: { name: '', vertexCount: count, faceCount: count, unit: 'm' },
           arrays: { positions: new Float64Array(3 * count), indices: new Uint32Array(3) },
           drawn: new Float32Array(3 * count),
+          walls: new Uint32Array(0),
           vertexOfInput: new Uint32Array(count),
+          inputOfVertex: new Uint32Array(count),
         };
       default:
         return {};

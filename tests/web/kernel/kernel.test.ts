@@ -6,7 +6,7 @@ import { GirthError, fieldsOf, hints } from '../../../web/src/kernel/errors.js';
 import { FieldRun } from '../../../web/src/kernel/field-run.js';
 import { openKernel } from '../../../web/src/kernel/kernel.js';
 import { chunkSize } from '../../../web/src/kernel/pool-engine.js';
-import type { MeshArrays, PartialField } from '../../../web/src/kernel/types.js';
+import type { FileWithPath, MeshArrays, PartialField } from '../../../web/src/kernel/types.js';
 import { longestStart } from '../../../web/src/kernel/worker-client.js';
 import { FakeWorker, fakeSurface, fakeValue, type Behaviour } from './fake-worker.js';
 
@@ -18,13 +18,16 @@ const anyArrays: MeshArrays = {
 /** A kernel of fakes; the first single worker is the interactive one. */
 async function fakeKernel(behaviour: Behaviour, threads = 3) {
   const workers: FakeWorker[] = [];
-  const make = () => {
+  const readers: FakeWorker[] = [];
+  const makeFor = (list: FakeWorker[]) => () => {
     const worker = new FakeWorker(behaviour);
-    workers.push(worker);
+    list.push(worker);
     return worker;
   };
-  const kernel = await openKernel({ threads, mode: 'pool' }, { single: make, threads: make });
-  return { kernel, workers };
+  const [single, workshop] = [makeFor(workers), makeFor(readers)];
+  const factory = { single, threads: single, workshop };
+  const kernel = await openKernel({ threads, mode: 'pool' }, factory);
+  return { kernel, workers, readers };
 }
 
 /** A promise with its settling functions. */
@@ -265,7 +268,10 @@ describe('starting and loading', () => {
     const make = () => new FakeWorker(fakeSurface(10));
     const threads = vi.fn(make);
     for (let i = 0; i < 2; ++i) {
-      const kernel = await openKernel({ mode: 'threads', threads: 2 }, { single: make, threads });
+      const kernel = await openKernel(
+        { mode: 'threads', threads: 2 },
+        { single: make, threads, workshop: make },
+      );
       expect(kernel.mode).toBe('pool');
     }
     expect(warn).toHaveBeenCalledTimes(1);
@@ -279,6 +285,7 @@ describe('starting and loading', () => {
       { threads: 2 },
       {
         single: () => new FakeWorker(fakeSurface(10)),
+        workshop: () => new FakeWorker(fakeSurface(10)),
         threads: () =>
           new FakeWorker(() => {
             throw new Error('no nested workers');
@@ -292,7 +299,10 @@ describe('starting and loading', () => {
   test('a module that does not load fails with a code', async () => {
     const worker = new FakeWorker(() => new Promise<object>(() => undefined));
     const opening = codeOf(
-      openKernel({ mode: 'pool' }, { single: () => worker, threads: () => worker }),
+      openKernel(
+        { mode: 'pool' },
+        { single: () => worker, threads: () => worker, workshop: () => worker },
+      ),
     );
     worker.crash('');
     expect(await opening).toBe('INTERNAL');
@@ -301,7 +311,10 @@ describe('starting and loading', () => {
   test('a module that never finishes loading is given up, with a code and a remedy', async () => {
     vi.useFakeTimers();
     const never = () => new FakeWorker(() => new Promise<object>(() => undefined));
-    const opening = openKernel({ mode: 'pool' }, { single: never, threads: never });
+    const opening = openKernel(
+      { mode: 'pool' },
+      { single: never, threads: never, workshop: never },
+    );
     const refused = expect(opening).rejects.toMatchObject({
       code: 'INTERNAL',
       hint: expect.stringContaining('.wasm') as string,
@@ -323,11 +336,14 @@ describe('starting and loading', () => {
     );
   });
 
-  test("the caller's bytes stay the caller's; a file's name is kept", async () => {
+  test("the caller's bytes stay the caller's; files keep their names and paths", async () => {
     const names: string[] = [];
     const surface = fakeSurface(10);
     const { kernel } = await fakeKernel((request, report) => {
-      if (request.operation === 'read') names.push((request.arguments as { name: string }).name);
+      if (request.operation === 'read') {
+        const { files, address } = request.arguments as { files: FileWithPath[]; address?: string };
+        names.push([...files.map(({ path }) => path), ...(address ? [address] : [])].join());
+      }
       return surface(request, report);
     });
     const bytes = new ArrayBuffer(8);
@@ -335,7 +351,81 @@ describe('starting and loading', () => {
     expect(bytes.byteLength).toBe(8);
     await kernel.load(new Blob(['x']));
     vi.stubGlobal('fetch', () => Promise.resolve(new Response('x')));
-    await kernel.load(new URL('https://example.org/m/a%20cup.glb?v=2'));
-    expect(names).toEqual(['a.obj', 'model', 'a cup.glb']);
+    const address = 'https://example.org/m/a%20cup.glb?v=2';
+    await kernel.load(new URL(address));
+    const inFolder = Object.assign(new File(['x'], 'c.bin'), { webkitRelativePath: 'b/c.bin' });
+    await kernel.load([new File(['x'], 'c.gltf'), inFolder]);
+    await kernel.load([{ path: 'd/e.stl', content: new Blob(['x']) }]);
+    expect(names).toEqual(['a.obj', 'model', `a cup.glb,${address}`, 'c.gltf,b/c.bin', 'd/e.stl']);
+    expect(await codeOf(kernel.load([]))).toBe('FILE_NOT_FOUND');
+  });
+
+  test('what is asked of the surface goes along; progress comes back', async () => {
+    const asked: object[] = [];
+    const surface = fakeSurface(10);
+    const { kernel } = await fakeKernel((request, report) => {
+      if (request.operation === 'read') {
+        asked.push(request.arguments);
+        report({ progress: 0.25 });
+        report({ progress: 1 });
+      }
+      return surface(request, report);
+    });
+    const progress: number[] = [];
+    const prepare = { weldDistance: 0.1, closeHoles: true, components: [1] };
+    await kernel.load([new File(['x'], 'a.obj')], {
+      model: 'a.obj',
+      prepare,
+      onProgress: (fraction) => progress.push(fraction),
+    });
+    expect(asked).toMatchObject([{ model: 'a.obj', prepare }]);
+    expect(progress).toEqual([0.25, 1]);
+  });
+
+  test('cancelled, the worker that reads is ended; others read on', async () => {
+    const surface = fakeSurface(10);
+    const { kernel, readers } = await fakeKernel((request, report) =>
+      request.operation === 'read' &&
+      (request.arguments as { files: FileWithPath[] }).files[0]!.path === 'endless.obj'
+        ? new Promise<object>(() => undefined)
+        : surface(request, report),
+    );
+    const controller = new AbortController();
+    const { signal } = controller;
+    const endless = codeOf(kernel.load(new File(['x'], 'endless.obj'), { signal }));
+    await vi.waitFor(() => expect(readers[0]!.operations).toContain('read'));
+    const other = kernel.load(new File(['x'], 'a.obj'));
+    controller.abort();
+    expect(await endless).toBe('CANCELLED');
+    await other;
+    expect(readers.map(({ terminated }) => terminated)).toEqual([true, false]);
+    // The one that is left takes the next job.
+    await kernel.load(new File(['x'], 'b.obj'));
+    expect(readers).toHaveLength(2);
+  });
+
+  test('no more than two models are read at a time, the others in their turn', async () => {
+    let [reading, most] = [0, 0];
+    const surface = fakeSurface(10);
+    const { kernel, readers } = await fakeKernel(async (request, report) => {
+      if (request.operation === 'read') {
+        most = Math.max(most, ++reading);
+        await new Promise((resolve) => setTimeout(resolve, 5));
+        --reading;
+      }
+      return surface(request, report);
+    });
+    await Promise.all(
+      Array.from({ length: 7 }, (_, i) => kernel.load(new File(['x'], `${i}.obj`))),
+    );
+    expect(most).toBe(2);
+    expect(readers.filter(({ terminated }) => !terminated)).toHaveLength(1);
+  });
+
+  test('a worker that has read much is not kept', async () => {
+    const { kernel, readers } = await fakeKernel(fakeSurface(10));
+    await kernel.load(new File([new Uint8Array(9 * 2 ** 20)], 'large.stl'));
+    await kernel.load(new File(['x'], 'small.stl'));
+    expect(readers.map(({ terminated }) => terminated)).toEqual([true, false]);
   });
 });

@@ -13,7 +13,7 @@ export const hints = {
     'name a vertex, a halfedge or a face of the surface, with weights of at least 0 that add up to 1',
   FILE_NOT_FOUND: 'check the path',
   FILE_UNREADABLE: 'check that it is a file that you may read',
-  UNKNOWN_FORMAT: 'use GLB, glTF or OBJ',
+  UNKNOWN_FORMAT: 'use GLB, glTF, OBJ, PLY, STL or OFF',
   MALFORMED_FILE: 'export the model again',
   UNSUPPORTED_FEATURE: 'export the model without that feature',
   LIMIT_EXCEEDED: 'use a smaller model',

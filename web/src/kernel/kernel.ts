@@ -5,8 +5,8 @@ import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
 import { FieldRun, type FieldEngine } from './field-run.js';
 import { LoopQueue } from './loop-queue.js';
 import { PoolEngine } from './pool-engine.js';
-import type { OpenedSurface, SingleOperations, ThreadsOperations } from './protocol.js';
-import { contentOf } from './source.js';
+import type { OpenedSurface, Report, SingleOperations, ThreadsOperations } from './protocol.js';
+import { contentOf, sizeOf } from './source.js';
 import { checkedPoint } from './surface-point.js';
 import { ThreadsEngine } from './threads-engine.js';
 import type {
@@ -15,6 +15,7 @@ import type {
   FieldOptions,
   Kernel,
   KernelOptions,
+  LoadOptions,
   Loop,
   Mesh,
   MeshSource,
@@ -22,6 +23,7 @@ import type {
 } from './types.js';
 import { WorkerClient, type SurfaceSource } from './worker-client.js';
 import { moduleWorkers, type WorkerFactory } from './workers.js';
+import { Workshop } from './workshop.js';
 
 /** More workers than this cost more memory than they save time. */
 const mostThreads = 8;
@@ -40,6 +42,7 @@ export async function openKernel(
   factory: WorkerFactory,
 ): Promise<KernelOfWorkers> {
   const threads = threadsOf(options.threads);
+  const workshop = new Workshop(() => factory.workshop());
   const interactive = new WorkerClient<SingleOperations>(() => factory.single());
   const isolated = globalThis.crossOriginIsolated === true;
   if (options.mode === 'threads' && !isolated) {
@@ -54,7 +57,7 @@ export async function openKernel(
   }
   try {
     const [, hostFailure] = await Promise.all([
-      interactive.start(),
+      workshop.start(),
       host?.start().then(
         () => undefined,
         (thrown: unknown) => fieldsOf(thrown),
@@ -62,7 +65,8 @@ export async function openKernel(
     ]);
     if (host && !hostFailure) {
       const engine = new ThreadsEngine(host, threads);
-      return new KernelOfWorkers('threads', threads, interactive, [host], engine);
+      void interactive.start().catch(() => undefined);
+      return new KernelOfWorkers('threads', threads, workshop, interactive, [host], engine);
     }
     if (hostFailure) {
       warnOnce(
@@ -72,7 +76,7 @@ export async function openKernel(
   } catch (thrown) {
     const error = new GirthError(fieldsOf(thrown), { cause: thrown });
     host?.terminate(error);
-    interactive.terminate(error);
+    workshop.terminate(error);
     throw error;
   }
 
@@ -81,8 +85,8 @@ export async function openKernel(
     () => new WorkerClient<SingleOperations>(() => factory.single()),
   );
   // They load while the page fetches its model; a failure shows when they are needed.
-  for (const worker of pool) void worker.start().catch(() => undefined);
-  return new KernelOfWorkers('pool', threads, interactive, pool, new PoolEngine(pool));
+  for (const worker of [interactive, ...pool]) void worker.start().catch(() => undefined);
+  return new KernelOfWorkers('pool', threads, workshop, interactive, pool, new PoolEngine(pool));
 }
 
 function threadsOf(wanted: number | 'auto' = 'auto'): number {
@@ -103,6 +107,7 @@ type AnyWorker = Pick<WorkerClient<SingleOperations>, 'drop' | 'terminate'>;
 export class KernelOfWorkers implements Kernel {
   readonly mode: 'threads' | 'pool';
   readonly threads: number;
+  readonly #workshop: Workshop;
   readonly #interactive: WorkerClient<SingleOperations>;
   readonly #workers: readonly AnyWorker[];
   readonly #engine: FieldEngine;
@@ -115,42 +120,45 @@ export class KernelOfWorkers implements Kernel {
   constructor(
     mode: 'threads' | 'pool',
     threads: number,
+    workshop: Workshop,
     interactive: WorkerClient<SingleOperations>,
     computing: readonly AnyWorker[],
     engine: FieldEngine,
   ) {
     this.mode = mode;
     this.threads = threads;
+    this.#workshop = workshop;
     this.#interactive = interactive;
     this.#workers = [interactive, ...computing];
     this.#engine = engine;
     this.#loops = new LoopQueue(interactive);
   }
 
-  async load(source: MeshSource, options: CallOptions = {}): Promise<Mesh> {
+  async load(source: MeshSource, options: LoadOptions = {}): Promise<Mesh> {
+    const { model, prepare = {}, onProgress } = options;
     const opened = await this.#work([options.signal], async (signal) => {
-      const number = ++this.#lastSurface;
       const content = await contentOf(source, signal);
-      if (signal.aborted) throw cancelled();
-      const reading =
-        'arrays' in content
-          ? this.#interactive.request(
-              'take',
-              { surface: number, ...content },
-              { transfer: [content.arrays.positions.buffer, content.arrays.indices.buffer] },
-            )
-          : this.#interactive.request(
-              'read',
-              { surface: number, ...content },
-              { transfer: [content.bytes] },
-            );
-      const surface = await reading;
-      this.#interactive.has(number);
-      // Nobody waits for it any more.
-      if (signal.aborted) this.#interactive.drop(number);
-      return { number, ...surface };
+      return this.#workshop.run(signal, sizeOf(content), (worker) => {
+        const onReport = (report: Report) => {
+          if (!signal.aborted && 'progress' in report) onProgress?.(report.progress);
+        };
+        if ('arrays' in content) {
+          const { positions, indices } = content.arrays;
+          const transfer = [positions.buffer, indices.buffer];
+          return worker.request('take', { ...content, prepare }, { transfer, onReport });
+        }
+        const chosen = model === undefined ? {} : { model };
+        return worker.request('read', { ...content, ...chosen, prepare }, { onReport });
+      });
     });
-    return new MeshOfWorkers(this, opened);
+    return this.#open(opened);
+  }
+
+  #open(opened: OpenedSurface): MeshOfWorkers {
+    const mesh = new MeshOfWorkers(this, { number: ++this.#lastSurface, ...opened });
+    // So that the first loop need not wait for it; who asks for it learns of a failure.
+    void this.#interactive.adopt(mesh.surface).catch(() => undefined);
+    return mesh;
   }
 
   /** The field of a mesh; fields are computed one after the other, each by all workers. */
@@ -186,7 +194,7 @@ export class KernelOfWorkers implements Kernel {
   dispose(): void {
     const reason = 'the kernel has been disposed of';
     this.#life.abort(reason);
-    for (const worker of this.#workers) worker.terminate(cancelled(reason));
+    for (const worker of [this.#workshop, ...this.#workers]) worker.terminate(cancelled(reason));
   }
 
   /** Runs work that ends with CANCELLED when a signal fires or the kernel is disposed of. */
@@ -214,16 +222,17 @@ class MeshOfWorkers implements Mesh {
   readonly info: Mesh['info'];
   readonly geometry: Mesh['geometry'];
   readonly vertexOfInput: Uint32Array;
+  /** As the workers know it. */
+  readonly surface: SurfaceSource;
   readonly #kernel: KernelOfWorkers;
-  readonly #surface: SurfaceSource;
   readonly #life = new AbortController();
 
   constructor(kernel: KernelOfWorkers, opened: OpenedSurface & { number: number }) {
-    const { number, info, arrays, drawn, vertexOfInput } = opened;
+    const { number, info, arrays, drawn, walls, vertexOfInput } = opened;
     this.#kernel = kernel;
-    this.#surface = { number, arrays };
+    this.surface = { number, arrays };
     this.info = info;
-    this.geometry = { positions: drawn, indices: arrays.indices };
+    this.geometry = { positions: drawn, indices: arrays.indices, walls };
     this.vertexOfInput = vertexOfInput;
   }
 
@@ -231,19 +240,19 @@ class MeshOfWorkers implements Mesh {
     if (name !== 'igf') {
       throw failure('USAGE', `there is no field '${String(name)}'`, { hint: "use 'igf'" });
     }
-    return this.#kernel.field(this.#surface, this.info.unit, this.#life.signal, options);
+    return this.#kernel.field(this.surface, this.info.unit, this.#life.signal, options);
   }
 
   async loop(point: SurfacePoint, options: CallOptions = {}): Promise<Loop> {
     const { unit } = this.info;
     const base = checkedPoint(point, this.info);
-    const found = await this.#kernel.loop(this.#surface, base, this.#life.signal, options);
+    const found = await this.#kernel.loop(this.surface, base, this.#life.signal, options);
     return { ...found, base, unit };
   }
 
   dispose(): void {
     if (this.#life.signal.aborted) return;
     this.#life.abort('the mesh has been disposed of');
-    this.#kernel.drop(this.#surface.number);
+    this.#kernel.drop(this.surface.number);
   }
 }

@@ -2,7 +2,15 @@
 // computes, a worker may report. All content is copied or transferred, never shared, with one
 // exception: the flag that cancels the threads.
 
-import type { GirthErrorFields, Loop, MeshInfo, PartialField, SurfacePoint } from './types.js';
+import type {
+  FileWithPath,
+  GirthErrorFields,
+  Loop,
+  MeshInfo,
+  PartialField,
+  PrepareOptions,
+  SurfacePoint,
+} from './types.js';
 
 /** A surface's exact arrays: every worker that gets them makes the same surface, bit for bit. */
 export interface SurfaceArrays {
@@ -16,7 +24,10 @@ export interface OpenedSurface {
   arrays: SurfaceArrays;
   /** The positions once more, for drawing. */
   drawn: Float32Array<ArrayBuffer>;
+  /** Two vertices for each edge of the boundary. */
+  walls: Uint32Array<ArrayBuffer>;
   vertexOfInput: Uint32Array<ArrayBuffer>;
+  inputOfVertex: Uint32Array<ArrayBuffer>;
 }
 
 /** Values of some vertices, in the order in which they were asked for. */
@@ -43,15 +54,22 @@ export interface CommonOperations {
   drop: [{ surface: number }, object];
 }
 
-/** A worker with the module without threads. */
+/** A worker that computes with the module without threads. */
 export interface SingleOperations extends CommonOperations {
-  /** Reads a file's bytes. */
-  read: [{ surface: number; bytes: ArrayBuffer; name: string }, OpenedSurface];
-  /** Takes the caller's arrays as they are. */
-  take: [{ surface: number; arrays: SurfaceArrays }, OpenedSurface];
   order: [{ surface: number }, { order: Uint32Array<ArrayBuffer> }];
   values: [{ surface: number; vertices: Uint32Array<ArrayBuffer> }, Values];
   loop: [{ surface: number; point: SurfacePoint }, Omit<Loop, 'base' | 'unit'>];
+}
+
+/** A worker that makes surfaces and files; it is ended where its work is no longer wanted. */
+export interface WorkshopOperations extends CommonOperations {
+  /** Reads the model of the path `model`, or the first one, and prepares its surface. */
+  read: [
+    { files: FileWithPath[]; address?: string; model?: string; prepare: PrepareOptions },
+    OpenedSurface,
+  ];
+  /** Prepares a surface of the caller's arrays. */
+  take: [{ arrays: SurfaceArrays; prepare: PrepareOptions }, OpenedSurface];
 }
 
 /** The worker that hosts the module with threads. */
@@ -76,9 +94,7 @@ export interface Request {
 }
 
 /** A worker's report on the request that it is working on. */
-export interface Report {
-  partial: PartialField;
-}
+export type Report = { partial: PartialField } | { progress: number };
 
 /** Worker to page. After a `fatal` error the worker is of no more use. */
 export type Reply =

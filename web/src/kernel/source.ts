@@ -1,24 +1,25 @@
-// Where models come from: files, addresses, bytes and arrays, as bytes or arrays that a worker can
+// Where models come from: files, addresses, bytes and arrays, as files or arrays that a worker can
 // be given.
 
 import { failure } from './errors.js';
 import type { SurfaceArrays } from './protocol.js';
-import type { MeshSource } from './types.js';
+import type { FileWithPath, MeshSource } from './types.js';
 
-/** Content that belongs to the kernel: it may be transferred. */
-export type SourceContent = { bytes: ArrayBuffer; name: string } | { arrays: SurfaceArrays };
+/** Content for a worker; arrays belong to the kernel and may be transferred. */
+export type SourceContent = { files: FileWithPath[]; address?: string } | { arrays: SurfaceArrays };
 
 export async function contentOf(source: MeshSource, signal: AbortSignal): Promise<SourceContent> {
   if (typeof source === 'string' || source instanceof URL) return fetched(String(source), signal);
-  if (source instanceof Blob) {
-    const name = 'name' in source && typeof source.name === 'string' ? source.name : 'model';
-    try {
-      return { bytes: await source.arrayBuffer(), name };
-    } catch (cause) {
-      throw failure('FILE_UNREADABLE', `${name} cannot be read`, { cause });
+  if (source instanceof Blob) return { files: [withPath(source)] };
+  if (isList(source)) {
+    if (source.length === 0) {
+      throw failure('FILE_NOT_FOUND', 'there is no file', { hint: 'choose a model' });
     }
+    return { files: source.map((file) => (file instanceof Blob ? withPath(file) : file)) };
   }
-  if ('bytes' in source) return { bytes: source.bytes.slice(0), name: source.name };
+  if ('bytes' in source) {
+    return { files: [{ path: source.name || 'model', content: new Blob([source.bytes]) }] };
+  }
   return {
     arrays: {
       positions: new Float64Array(source.positions),
@@ -27,13 +28,28 @@ export async function contentOf(source: MeshSource, signal: AbortSignal): Promis
   };
 }
 
+/** Bytes of all of it, before anything is unpacked. */
+export function sizeOf(source: SourceContent): number {
+  if ('files' in source) return source.files.reduce((sum, { content }) => sum + content.size, 0);
+  return source.arrays.positions.byteLength + source.arrays.indices.byteLength;
+}
+
+const isList = (source: object): source is readonly (File | FileWithPath)[] =>
+  Array.isArray(source);
+
+/** A file's path within the folder that was chosen, or its name. */
+function withPath(content: Blob): FileWithPath {
+  const { name, webkitRelativePath } = content as Partial<File>;
+  return { path: webkitRelativePath || name || 'model', content };
+}
+
 async function fetched(address: string, signal: AbortSignal): Promise<SourceContent> {
   let response: Response;
-  let bytes: ArrayBuffer;
+  let content: Blob;
   const shown = address.length > 120 ? `${address.slice(0, 117)}...` : address;
   try {
     response = await fetch(address, { signal });
-    bytes = await response.arrayBuffer();
+    content = await response.blob();
   } catch (cause) {
     throw failure('FILE_UNREADABLE', `${shown} cannot be fetched`, {
       cause,
@@ -47,7 +63,8 @@ async function fetched(address: string, signal: AbortSignal): Promise<SourceCont
       hint: 'check the address',
     });
   }
-  return { bytes, name: nameOf(response.url || address) };
+  const whole = response.url || address;
+  return { files: [{ path: nameOf(whole), content }], address: whole };
 }
 
 /** The last part of an address's path. */

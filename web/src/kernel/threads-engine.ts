@@ -31,7 +31,7 @@ export class ThreadsEngine implements FieldEngine {
         { threads: this.#threads },
         {
           onReport: (report) => {
-            if (!signal.aborted) run.add(report.partial);
+            if (!signal.aborted && 'partial' in report) run.add(report.partial);
           },
         },
       );

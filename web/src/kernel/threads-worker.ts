@@ -16,8 +16,8 @@ serveRequests<ThreadsOperations>({
   },
 
   adopt({ surface, arrays }) {
-    const made = checked(module.surfaceFromArrays(arrays.positions, arrays.indices));
-    surfaces.set(surface, made.surface);
+    const { positions, indices } = arrays;
+    surfaces.set(surface, checked(module.exactSurface(positions, indices)).surface);
     return {};
   },
 

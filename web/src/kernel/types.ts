@@ -33,12 +33,48 @@ export interface MeshArrays {
   indices: Uint32Array | Uint16Array;
 }
 
-/** A file, an address, raw bytes with a name, or arrays. */
-export type MeshSource = Blob | string | URL | { bytes: ArrayBuffer; name: string } | MeshArrays;
+/** A file among several; `path` has '/' between folders, as in 'scene/model.gltf'. */
+export interface FileWithPath {
+  path: string;
+  content: Blob;
+}
+
+/**
+ * A file, also a zip; an address; raw bytes with a name; several files or those of a folder, one of
+ * which is the model; or arrays. A glTF's buffers are found among the files, or beside its address.
+ */
+export type MeshSource =
+  | Blob
+  | string
+  | URL
+  | { bytes: ArrayBuffer; name: string }
+  | readonly (File | FileWithPath)[]
+  | MeshArrays;
+
+/** How the surface is prepared (`prepare_surface.h`); nothing said: repaired, and whole. */
+export interface PrepareOptions {
+  /** Vertices up to this far apart become one, in model units; 0 (default): exactly equal ones. */
+  weldDistance?: number;
+  /** Fills the holes that are left. */
+  closeHoles?: boolean;
+  /** Keeps only these components, by their place in `MeshInfo.parts`; empty or absent: all. */
+  components?: readonly number[];
+}
 
 export interface CallOptions {
   /** Aborting really stops the work; the promise is rejected with a GirthError of code CANCELLED. */
   signal?: AbortSignal;
+}
+
+export interface WatchedOptions extends CallOptions {
+  /** The finished share in [0, 1]; never falls; ends with 1. */
+  onProgress?: (fraction: number) => void;
+}
+
+export interface LoadOptions extends WatchedOptions {
+  /** Which of several models, one of `MeshInfo.models`; absent: the first. */
+  model?: string;
+  prepare?: PrepareOptions;
 }
 
 /** Values finished since the last report; values[i] and kinds[i] belong to vertex vertices[i]. */
@@ -49,16 +85,14 @@ export interface PartialField {
   kinds: Uint8Array;
 }
 
-export interface FieldOptions extends CallOptions {
-  /** The finished share in [0, 1]; never falls; ends with 1. */
-  onProgress?: (fraction: number) => void;
+export interface FieldOptions extends WatchedOptions {
   /** New values, coarse to fine: each batch is spread over the whole surface. */
   onPartial?: (partial: PartialField) => void;
 }
 
 export interface Field {
   name: 'igf';
-  /** One per vertex of the surface. */
+  /** One per vertex of the surface, in its order. */
   values: Float64Array;
   /** 0: loop, 1: antipodal, 2: unresolved; one per vertex. */
   kinds: Uint8Array;
@@ -94,27 +128,82 @@ export interface Loop {
   unit: string;
 }
 
+/** What was done to the input, each step counted, in this order (`prepare_surface.h`). */
+export interface PreparationReport {
+  inputVertices: number;
+  inputFaces: number;
+  weldedVertices: number;
+  degenerateFaces: number;
+  flippedFaces: number;
+  duplicateFaces: number;
+  unreferencedVertices: number;
+  reorientedFaces: number;
+  oneSidedEdges: number;
+  nonManifoldEdges: number;
+  nonManifoldVertices: number;
+  addedVertices: number;
+  components: number;
+  keptComponents: number;
+  boundaryCurves: number;
+  boundaryEdges: number;
+  closedHoles: number;
+  holes: ClosedHole[];
+}
+
+/** A hole that was filled; lengths in model units. */
+export interface ClosedHole {
+  edges: number;
+  perimeter: number;
+  area: number;
+  /** A vertex of the input on its rim. */
+  vertex: number;
+}
+
+/** A connected component of what was read, kept or not. */
+export interface MeshPart {
+  faceCount: number;
+  /** In squared model units. */
+  area: number;
+}
+
 export interface MeshInfo {
   name: string;
-  format: 'GLB' | 'glTF' | 'OBJ' | 'arrays';
+  /** All models among the files that were given, the one that is shown included; paths. */
+  models: string[];
+  format: 'GLB' | 'glTF' | 'OBJ' | 'PLY' | 'STL' | 'OFF' | 'arrays';
   vertexCount: number;
   faceCount: number;
   edgeCount: number;
   components: number;
   /** One per component. */
   genus: number[];
+  /** Boundary curves, one number per component; they are walls. */
+  boundaries: number[];
   area: number;
+  /** Extent along x, y and z, in model units. */
+  size: [number, number, number];
+  /** 'm' for glTF, '' where the file does not say. */
   unit: string;
-  /** Vertices of the input that were welded onto an earlier one at the same position. */
-  weldedVertices: number;
-  unreferencedVertices: number;
+  report: PreparationReport;
+  /** What else there is to know, a sentence each: 'skinned: shown in its bind pose'. */
+  notes: string[];
+  /** All components, numbered by their first face of the input; see `PrepareOptions.components`. */
+  parts: MeshPart[];
 }
+
+/** Files that a field can be written as. */
+export type FieldFormat = 'csv' | 'json' | 'npy' | 'ply' | 'glb';
+/** Files that loops can be written as. */
+export type LoopFormat = 'obj' | 'glb' | 'json';
 
 export interface Mesh {
   readonly info: MeshInfo;
-  /** The surface to draw and pick on: positions are x, y, z per vertex. Do not modify. */
-  readonly geometry: { positions: Float32Array; indices: Uint32Array };
-  /** The surface's vertex for each vertex of the input; 0xFFFFFFFF where no face uses it. */
+  /**
+   * The surface to draw and pick on: positions are x, y, z per vertex; `walls` has two vertices for
+   * each edge of the boundary. Do not modify.
+   */
+  readonly geometry: { positions: Float32Array; indices: Uint32Array; walls: Uint32Array };
+  /** The surface's vertex for each vertex of the input; 0xFFFFFFFF where there is none. */
   readonly vertexOfInput: Uint32Array;
   field(name: 'igf', options?: FieldOptions): Promise<Field>;
   /**
@@ -128,6 +217,7 @@ export interface Mesh {
 export interface Kernel {
   readonly mode: 'threads' | 'pool';
   readonly threads: number;
-  load(source: MeshSource, options?: CallOptions): Promise<Mesh>;
+  /** Reads, prepares and checks a model, in a worker of its own. */
+  load(source: MeshSource, options?: LoadOptions): Promise<Mesh>;
   dispose(): void;
 }

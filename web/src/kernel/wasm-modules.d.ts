@@ -27,27 +27,52 @@ declare module '*/girth.mjs' {
     delete(): void;
   }
 
-  export interface Described {
-    surface: Surface;
+  /** A surface with what was done to its input, as arrays. */
+  export interface Prepared {
     positions: Float64Array<ArrayBuffer>;
     indices: Uint32Array<ArrayBuffer>;
-    components: number;
+    /** Two vertices for each edge of the boundary. */
+    walls: Uint32Array<ArrayBuffer>;
+    vertexOfInput: Uint32Array<ArrayBuffer>;
+    inputOfVertex: Uint32Array<ArrayBuffer>;
+    /** One per component. */
     genus: number[];
+    boundaries: number[];
     area: number;
-  }
-
-  export interface Read extends Described {
-    format: 'GLB' | 'glTF' | 'OBJ';
+    parts: import('./types.js').MeshPart[];
+    report: import('./types.js').PreparationReport;
+    format: import('./types.js').MeshInfo['format'];
     /** 'metre' or ''. */
     unit: string;
-    vertexOfInput: Uint32Array<ArrayBuffer>;
-    weldedVertices: number;
-    unreferencedVertices: number;
+    notes: string[];
   }
 
+  export interface ModuleOptions {
+    weldDistance: number;
+    closeHoles: boolean;
+    components: Uint32Array;
+  }
+
+  type OnProgress = (fraction: number) => void;
+
   export interface GirthModule {
-    readSurface(bytes: Uint8Array, name: string): Read | Failed;
-    surfaceFromArrays(positions: Float64Array, indices: Uint32Array): Described | Failed;
+    /** `resource` brings a file that the model refers to. */
+    readSurface(
+      bytes: Uint8Array,
+      name: string,
+      resource: (name: string) => Uint8Array | undefined,
+      options: ModuleOptions,
+      onProgress: OnProgress,
+    ): Prepared | Failed;
+    /** Prepares a surface of arrays. */
+    surfaceFromArrays(
+      positions: Float64Array,
+      indices: Uint32Array,
+      options: ModuleOptions,
+      onProgress: OnProgress,
+    ): Prepared | Failed;
+    /** The surface of the arrays of one that was prepared. */
+    exactSurface(positions: Float64Array, indices: Uint32Array): { surface: Surface } | Failed;
   }
 
   export default function createModule(): Promise<GirthModule>;
@@ -67,7 +92,7 @@ declare module '*/girth-threads.mjs' {
   }
 
   export interface GirthThreadsModule {
-    surfaceFromArrays(positions: Float64Array, indices: Uint32Array): { surface: Surface } | Failed;
+    exactSurface(positions: Float64Array, indices: Uint32Array): { surface: Surface } | Failed;
     /** A view of one byte of the shared memory. */
     cancelFlag(): Uint8Array<SharedArrayBuffer>;
   }

@@ -122,11 +122,6 @@ export class WorkerClient<T extends CommonOperations> {
     await adopted;
   }
 
-  /** Notes that the worker has made a surface by itself. */
-  has(surface: number): void {
-    this.#surfaces.set(surface, Promise.resolve({}));
-  }
-
   /** Frees a surface in the worker. */
   drop(surface: number): void {
     if (!this.#surfaces.delete(surface)) return;

@@ -6,9 +6,11 @@ import type { WorkerLike } from './worker-client.js';
 export interface WorkerFactory {
   single(): WorkerLike;
   threads(): WorkerLike;
+  workshop(): WorkerLike;
 }
 
 export const moduleWorkers: WorkerFactory = {
   single: () => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }),
   threads: () => new Worker(new URL('./threads-worker.js', import.meta.url), { type: 'module' }),
+  workshop: () => new Worker(new URL('./workshop-worker.js', import.meta.url), { type: 'module' }),
 };

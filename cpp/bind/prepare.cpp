@@ -1,0 +1,138 @@
+// Reading and preparing surfaces: bytes or arrays in, arrays and the account of what was done out.
+
+#include <emscripten/bind.h>
+
+#include <optional>
+#include <utility>
+
+#include "boundary.h"
+#include "girth/io/read_mesh.h"
+#include "girth/prepare_surface.h"
+
+using emscripten::val;
+
+namespace girth::bind {
+namespace {
+
+/// `PrepareOptions` of types.ts; `components` is a Uint32Array.
+PrepareOptions optionsOf(const val& options) {
+  PrepareOptions prepare;
+  prepare.weldDistance = options["weldDistance"].as<double>();
+  prepare.closeHoles = options["closeHoles"].as<bool>();
+  prepare.components = copyIn<Index>(options["components"]);
+  return prepare;
+}
+
+/// `PreparationReport` of types.ts.
+val accountOf(const PreparationReport& report) {
+  val holes = val::array();
+  for (const ClosedHole& hole : report.holes) {
+    val entry = val::object();
+    entry.set("edges", hole.edges);
+    entry.set("perimeter", hole.perimeter);
+    entry.set("area", hole.area);
+    entry.set("vertex", hole.vertex);
+    holes.call<void>("push", entry);
+  }
+  val result = val::object();
+  result.set("inputVertices", report.inputVertices);
+  result.set("inputFaces", report.inputFaces);
+  result.set("weldedVertices", report.weldedVertices);
+  result.set("degenerateFaces", report.degenerateFaces);
+  result.set("flippedFaces", report.flippedFaces);
+  result.set("duplicateFaces", report.duplicateFaces);
+  result.set("unreferencedVertices", report.unreferencedVertices);
+  result.set("reorientedFaces", report.reorientedFaces);
+  result.set("oneSidedEdges", report.oneSidedEdges);
+  result.set("nonManifoldEdges", report.nonManifoldEdges);
+  result.set("nonManifoldVertices", report.nonManifoldVertices);
+  result.set("addedVertices", report.addedVertices);
+  result.set("components", report.components);
+  result.set("keptComponents", report.keptComponents);
+  result.set("boundaryCurves", report.boundaryCurves);
+  result.set("boundaryEdges", report.boundaryEdges);
+  result.set("closedHoles", report.closedHoles);
+  result.set("holes", holes);
+  return result;
+}
+
+/// `Prepared` of wasm-modules.d.ts, but for what the file says.
+val describePrepared(const PreparedSurface& prepared) {
+  val parts = val::array();
+  for (const SurfacePart& part : prepared.parts) {
+    val entry = val::object();
+    entry.set("faceCount", part.faces);
+    entry.set("area", part.area);
+    parts.call<void>("push", entry);
+  }
+  val result = describe(prepared.mesh);
+  result.set("vertexOfInput", copyOut<Index>("Uint32Array", prepared.vertexOfInput));
+  result.set("inputOfVertex", copyOut<Index>("Uint32Array", prepared.inputOfVertex));
+  result.set("parts", parts);
+  result.set("report", accountOf(prepared.report));
+  return result;
+}
+
+ExecutionContext reportingTo(const val& onProgress) {
+  ExecutionContext context;
+  context.onProgress = [onProgress](double fraction) { onProgress(fraction); };
+  return context;
+}
+
+/// Asks JavaScript for a file that a model refers to.
+io::ResourceReader readerOf(const val& resource) {
+  return [resource](std::string_view name) -> std::optional<std::vector<std::byte>> {
+    const val bytes = resource(std::string(name));
+    if (bytes.isUndefined()) return std::nullopt;
+    return copyInBytes(bytes);
+  };
+}
+
+/// The model of a file's bytes (a Uint8Array), which are gone from the memory when it returns.
+Result<io::ReadModel> modelOf(const val& bytes, const std::string& name, const val& resource) {
+  return io::readModel(copyInBytes(bytes), name, readerOf(resource));
+}
+
+/// A prepared surface of a file's bytes, or an error.
+val readSurface(const val& bytes, const std::string& name, const val& resource, const val& options,
+                const val& onProgress) {
+  return guarded([&] {
+    Result<io::ReadModel> read = modelOf(bytes, name, resource);
+    if (!read) return toJs(read.error());
+    io::ReadModel& model = read.value();
+    const Result<PreparedSurface> prepared =
+        prepareSurface(std::move(model.soup), optionsOf(options), reportingTo(onProgress));
+    if (!prepared) return toJs(prepared.error());
+    val notes = val::array();
+    for (const std::string& note : model.notes) notes.call<void>("push", note);
+    val result = describePrepared(prepared.value());
+    result.set("format", std::string(io::toString(model.format)));
+    result.set("unit", model.unit);
+    result.set("notes", notes);
+    return result;
+  });
+}
+
+/// A prepared surface of a Float64Array and a Uint32Array, or an error.
+val surfaceFromArrays(const val& positions, const val& indices, const val& options,
+                      const val& onProgress) {
+  return guarded([&] {
+    TriangleSoup soup{copyIn<double>(positions), copyIn<Index>(indices)};
+    const Result<PreparedSurface> prepared =
+        prepareSurface(std::move(soup), optionsOf(options), reportingTo(onProgress));
+    if (!prepared) return toJs(prepared.error());
+    val result = describePrepared(prepared.value());
+    result.set("format", std::string("arrays"));
+    result.set("unit", std::string());
+    result.set("notes", val::array());
+    return result;
+  });
+}
+
+EMSCRIPTEN_BINDINGS(girthPrepare) {
+  emscripten::function("readSurface", &readSurface);
+  emscripten::function("surfaceFromArrays", &surfaceFromArrays);
+}
+
+}  // namespace
+}  // namespace girth::bind

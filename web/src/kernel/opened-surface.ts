@@ -1,0 +1,52 @@
+// A surface as the module hands it out, as the page gets it.
+
+import type { ModuleOptions, Prepared } from './wasm/girth.mjs';
+import type { OpenedSurface } from './protocol.js';
+import type { MeshInfo, PrepareOptions } from './types.js';
+
+/** The options as the module wants them; numbers that no component has stay such numbers. */
+export function moduleOptions(options: PrepareOptions): ModuleOptions {
+  const { weldDistance = 0, closeHoles = false, components = [] } = options;
+  const none = 0xffffffff;
+  const number = (n: number) => (Number.isInteger(n) && n >= 0 && n < none ? n : none);
+  return { weldDistance, closeHoles, components: Uint32Array.from(components, number) };
+}
+
+export function openedSurface(
+  prepared: Prepared,
+  source: Pick<MeshInfo, 'name' | 'models'>,
+): OpenedSurface {
+  const { positions, indices, walls, vertexOfInput, inputOfVertex, genus } = prepared;
+  const { boundaries, area, unit, report, notes, parts, format } = prepared;
+  const info: MeshInfo = {
+    ...source,
+    format,
+    vertexCount: positions.length / 3,
+    faceCount: indices.length / 3,
+    // Edges inside have two sides, those of the boundary one.
+    edgeCount: (indices.length + walls.length / 2) / 2,
+    components: genus.length,
+    genus,
+    boundaries,
+    area,
+    size: extent(positions),
+    unit: unit === 'metre' ? 'm' : unit,
+    report,
+    notes,
+    parts,
+  };
+  const drawn = new Float32Array(positions);
+  return { info, arrays: { positions, indices }, drawn, walls, vertexOfInput, inputOfVertex };
+}
+
+function extent(positions: Float64Array): [number, number, number] {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; ++i) {
+    const k = i % 3;
+    const x = positions[i]!;
+    if (x < low[k]!) low[k] = x;
+    if (x > high[k]!) high[k] = x;
+  }
+  return [high[0]! - low[0]!, high[1]! - low[1]!, high[2]! - low[2]!];
+}

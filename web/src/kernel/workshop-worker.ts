@@ -1,0 +1,81 @@
+// A worker that reads models, prepares surfaces and writes files.
+
+import createModule, { type GirthModule } from './wasm/girth.mjs';
+import { failure } from './errors.js';
+import { FileSet, type SetFile } from './file-set.js';
+import { moduleOptions, openedSurface } from './opened-surface.js';
+import type { WorkshopOperations } from './protocol.js';
+import type { FileWithPath } from './types.js';
+import { checked, serveRequests, type ReportSink } from './worker-loop.js';
+
+let module: GirthModule;
+
+const progressTo = (report: ReportSink) => (progress: number) => report({ progress });
+
+function asSetFile({ path, content }: FileWithPath): SetFile {
+  const bytes = () => {
+    try {
+      return new Uint8Array(new FileReaderSync().readAsArrayBuffer(content));
+    } catch (cause) {
+      throw failure('FILE_UNREADABLE', `${path} cannot be read`, { cause });
+    }
+  };
+  return { path, size: content.size, bytes };
+}
+
+/** A file beside an address; nothing where it cannot be had. */
+function fetchedBeside(address: string, name: string): Uint8Array | undefined {
+  const request = new XMLHttpRequest();
+  try {
+    const escaped = name.split('/').map(encodeURIComponent).join('/');
+    request.open('GET', new URL(escaped, address), false);
+    request.responseType = 'arraybuffer';
+    request.send();
+  } catch {
+    return undefined;
+  }
+  const isFound = request.status >= 200 && request.status < 300;
+  return isFound ? new Uint8Array(request.response as ArrayBuffer) : undefined;
+}
+
+serveRequests<WorkshopOperations>({
+  async start() {
+    module = await createModule();
+    return {};
+  },
+
+  read({ files, address, model, prepare }, report) {
+    const set = new FileSet(files.map(asSetFile));
+    const chosen = set.model(model ?? set.models[0]!);
+    const name = chosen.path.slice(chosen.path.lastIndexOf('/') + 1);
+    const resource = (name: string) =>
+      set.resource(chosen.path, name)?.bytes() ??
+      (address === undefined ? undefined : fetchedBeside(address, name));
+    const read = checked(
+      module.readSurface(
+        chosen.bytes(),
+        name,
+        resource,
+        moduleOptions(prepare),
+        progressTo(report),
+      ),
+    );
+    return openedSurface(read, { name, models: set.models });
+  },
+
+  take({ arrays, prepare }, report) {
+    const { positions, indices } = arrays;
+    const prepared = checked(
+      module.surfaceFromArrays(positions, indices, moduleOptions(prepare), progressTo(report)),
+    );
+    return openedSurface(prepared, { name: '', models: [] });
+  },
+
+  adopt() {
+    return {};
+  },
+
+  drop() {
+    return {};
+  },
+});
