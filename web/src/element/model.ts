@@ -32,10 +32,10 @@ export class Model {
 
   /** Makes a mesh ready to draw, in slices of time. */
   static async of(mesh: Mesh, signal: AbortSignal): Promise<Model> {
-    const { positions, indices } = mesh.geometry;
-    const adjacency = await inSlices(buildAdjacency(positions.length / 3, indices), signal);
+    const { positions, indices, walls } = mesh.geometry;
+    const adjacency = await inSlices(buildAdjacency(positions.length / 3, indices, walls), signal);
     const creased = await inSlices(splitCreases(positions, indices, creaseAngle), signal);
-    const surface = new Surface(positions, indices, adjacency, creased);
+    const surface = new Surface(positions, indices, walls, adjacency, creased);
     return new Model(mesh, surface, new FieldPreview(adjacency));
   }
 

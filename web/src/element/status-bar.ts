@@ -5,6 +5,8 @@ import { make } from './dom.js';
 
 export interface StatusActions {
   cancel(): void;
+  /** Ends what `showWork` tells of. */
+  cancelWork(): void;
   /** Computes the whole field after a cancelled run. */
   restart(): void;
 }
@@ -15,11 +17,18 @@ function percent(fraction: number): string {
   return `${fraction < 1 ? Math.min(99, Math.max(fraction > 0 ? 1 : 0, rounded)) : 100}%`;
 }
 
+function cross(label: string): HTMLButtonElement {
+  const title = 'Cancel';
+  return make('button', { class: 'cross', type: 'button', 'aria-label': label, title }, '✕');
+}
+
 export class StatusBar {
   readonly element = make('div', { class: 'status' });
   private readonly progress: HTMLElement;
   private readonly partial: HTMLElement;
-  private readonly reading = make('div', { class: 'partial plate', role: 'status' });
+  private readonly work: HTMLElement;
+  private readonly workWords = make('span', { role: 'status' });
+  private readonly workShare = make('progress', { max: '1', 'aria-label': 'Preparing the model' });
   private readonly track = make('div', {
     class: 'track',
     role: 'progressbar',
@@ -34,11 +43,7 @@ export class StatusBar {
 
   constructor(actions: StatusActions) {
     this.track.append(this.bar);
-    const cancel = make(
-      'button',
-      { class: 'cross', type: 'button', 'aria-label': 'Cancel computing', title: 'Cancel' },
-      '✕',
-    );
+    const cancel = cross('Cancel computing');
     cancel.addEventListener('click', () => actions.cancel());
     this.progress = make(
       'div',
@@ -51,19 +56,24 @@ export class StatusBar {
     const restart = make('button', { type: 'button' }, 'Compute all');
     restart.addEventListener('click', () => actions.restart());
     this.partial = make('div', { class: 'partial plate', role: 'status' }, this.words, restart);
-    this.element.append(this.reading, this.progress, this.partial);
+    const stop = cross('Cancel reading');
+    stop.addEventListener('click', () => actions.cancelWork());
+    const { workWords, workShare } = this;
+    this.work = make('div', { class: 'work plate' }, workWords, workShare, stop);
+    this.element.append(this.work, this.progress, this.partial);
     this.clear();
-    this.endReading();
+    this.endWork();
   }
 
-  /** Says that a file is being read, until `endReading`. */
-  showReading(name: string): void {
-    this.reading.hidden = false;
-    this.reading.textContent = `Reading ${name || 'the model'} …`;
+  /** Says what is being done to a model, and how much of it, until `endWork`. */
+  showWork(words: string, fraction: number): void {
+    this.work.hidden = false;
+    if (this.workWords.textContent !== words) this.workWords.textContent = words;
+    this.workShare.value = fraction;
   }
 
-  endReading(): void {
-    this.reading.hidden = true;
+  endWork(): void {
+    this.work.hidden = true;
   }
 
   showProgress(fraction: number, secondsLeft: number | undefined): void {

@@ -122,6 +122,9 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
 }
 .status > * { pointer-events: auto; }
 .progress { display: flex; align-items: center; gap: 4px 12px; padding-inline: 12px 4px; block-size: 36px; }
+.work { display: flex; align-items: center; gap: 4px 12px; padding-inline: 12px 4px; block-size: 36px; min-inline-size: 0; }
+.work span { white-space: nowrap; overflow: hidden; text-overflow: ellipsis; }
+.work progress { inline-size: clamp(48px, 12vw, 120px); block-size: 4px; accent-color: var(--girth-accent); }
 .track {
   inline-size: clamp(80px, 24vw, 240px);
   block-size: 4px;

@@ -2,7 +2,9 @@
 
 import type {
   GirthErrorFields,
+  LoadOptions,
   Loop,
+  Mesh,
   MeshInfo,
   MeshSource,
   SurfacePoint,
@@ -31,8 +33,10 @@ import { style } from './style.js';
 /** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
 const narrow = 520;
 const legendHeight = 92;
-/** Milliseconds of reading before the element says that it reads. */
-const readingDelay = 150;
+/** Milliseconds of work on a model before the element says so. */
+const workDelay = 150;
+/** Shares of the time to show a model: until the kernel has it; the rest is spent on drawing. */
+const kernelShare = 0.7;
 /** The events' details; see `GirthViewer`. */
 export interface LoadDetail {
   info: MeshInfo;
@@ -55,7 +59,8 @@ export interface FieldDetail {
  * `<girth-viewer src="model.glb"></girth-viewer>`
  *
  * Attributes:
- * - `src`: address of a GLB, glTF or OBJ file.
+ * - `src`: address of a model: GLB, glTF with its buffers beside it, OBJ, PLY, STL, OFF, or a zip.
+ * - `unit`: the unit of lengths where the file does not say it, for example `mm`.
  * - `field`: `igf` (default) or `none` for a plain surface.
  * - `colormap`: `viridis` (default), `cividis`, `plasma`, `magma` or `turbo`.
  * - `range`: `auto` (default) or two numbers, the values at the ends of the colour map.
@@ -65,8 +70,8 @@ export interface FieldDetail {
  * - `turn`: turns slowly once it is computed and until touched, unless the system asks for reduced motion.
  *
  * Events: `load` (`LoadDetail`), `progress` (`ProgressDetail`), `field` (`FieldDetail`), `pick`
- * (`PickDetail`), `error` (`GirthErrorFields`), `touch` (no detail: the surface no longer turns).
- * None bubbles.
+ * (`PickDetail`), `error` (`GirthErrorFields`), `touch` (no detail: the surface no longer turns),
+ * `unit` (no detail: lengths are written in another unit). None bubbles.
  *
  * Keyboard, while the surface has the focus: arrows turn, + and − zoom, 0 resets; Shift with an
  * arrow moves a probe over the surface, Enter pins its loop, Escape hides it, Delete removes the
@@ -78,6 +83,7 @@ export interface FieldDetail {
 export class GirthViewer extends HTMLElement {
   static readonly observedAttributes = [
     'src',
+    'unit',
     'field',
     'colormap',
     'range',
@@ -98,6 +104,7 @@ export class GirthViewer extends HTMLElement {
   private readonly live = make('div', { class: 'quiet-live', 'aria-live': 'polite' });
   private readonly status = new StatusBar({
     cancel: () => this.cancel(),
+    cancelWork: () => this.loading?.abort(),
     restart: () => void this.compute(),
   });
 
@@ -203,6 +210,11 @@ export class GirthViewer extends HTMLElement {
       case 'src':
         if (value !== null && this.stage) void this.loadSrc();
         break;
+      case 'unit':
+        this.updateFormat();
+        this.updateRange();
+        if (this.model) this.dispatchEvent(new CustomEvent('unit'));
+        break;
       case 'field':
         if (value === 'none') this.cancel();
         this.paintAll();
@@ -240,6 +252,11 @@ export class GirthViewer extends HTMLElement {
     return this.requireModel().mesh.vertexOfInput;
   }
 
+  /** The unit of lengths: the file's, or where it does not say, the attribute's; '' for none. */
+  get unit(): string {
+    return this.model?.mesh.info.unit || (this.getAttribute('unit') ?? '');
+  }
+
   /** How the element writes lengths of the present field. */
   get lengthFormat(): LengthFormat {
     return this.format;
@@ -255,19 +272,46 @@ export class GirthViewer extends HTMLElement {
    * be used the model before stays, the element says why, `error` is sent and the promise rejected.
    * A newer call ends an older one.
    */
-  async load(source: MeshSource): Promise<MeshInfo> {
+  async load(
+    source: MeshSource,
+    options: Pick<LoadOptions, 'model' | 'prepare'> = {},
+  ): Promise<MeshInfo> {
+    const name = nameOf(source);
+    const address = typeof source === 'string' ? new URL(source, this.baseURI) : source;
+    return this.work(`Reading ${name || 'the model'} …`, name, async (watched) => {
+      const kernel = await sharedKernel();
+      return kernel.load(address, { ...options, ...watched });
+    });
+  }
+
+  /** Makes another mesh ready to draw and shows it, with words and a cross meanwhile. */
+  private async work(
+    words: string,
+    name: string,
+    make: (watched: { signal: AbortSignal; onProgress(share: number): void }) => Promise<Mesh>,
+  ): Promise<MeshInfo> {
     this.loading?.abort();
     const loading = new AbortController();
     this.loading = loading;
     const { signal } = loading;
-    const address = typeof source === 'string' ? new URL(source, this.baseURI) : source;
-    const name = nameOf(source);
-    const slow = setTimeout(() => this.status.showReading(name), readingDelay);
+    let share = 0;
+    let isSlow = false;
+    const show = (): void => {
+      if (isSlow && this.loading === loading) this.status.showWork(words, share);
+    };
+    const onProgress = (fraction: number): void => {
+      share = kernelShare * fraction;
+      show();
+    };
+    const slow = setTimeout(() => {
+      isSlow = true;
+      show();
+    }, workDelay);
     try {
-      const kernel = await sharedKernel();
-      signal.throwIfAborted();
-      const mesh = await kernel.load(address, { signal });
+      const mesh = await make({ signal, onProgress });
       try {
+        onProgress(1);
+        signal.throwIfAborted();
         const model = await Model.of(mesh, signal);
         await this.stage?.prepare(model.surface.object);
         signal.throwIfAborted();
@@ -284,7 +328,7 @@ export class GirthViewer extends HTMLElement {
       clearTimeout(slow);
       if (this.loading === loading) {
         this.loading = undefined;
-        this.status.endReading();
+        this.status.endWork();
       }
     }
   }
@@ -358,7 +402,7 @@ export class GirthViewer extends HTMLElement {
     this.model = model;
     surface.setColormap(this.colormapName);
     surface.showEdges(this.hasAttribute('edges'));
-    this.format = lengthFormat(2 * surface.bounds.radius, mesh.info.unit);
+    this.updateFormat();
     if (this.stage) {
       this.stage.show(surface);
       this.loops = new LoopsOnSurface(this.stage, this.canvas, model, this.format, {
@@ -460,9 +504,9 @@ export class GirthViewer extends HTMLElement {
   }
 
   private sendField(share: number): void {
-    const { mesh, extent } = this.requireModel();
+    const { extent } = this.requireModel();
     const range = extent ?? [NaN, NaN];
-    this.send<FieldDetail>('field', { name: 'igf', range, unit: mesh.info.unit, share });
+    this.send<FieldDetail>('field', { name: 'igf', range, unit: this.unit, share });
     if (share === 1) this.live.textContent = 'The girth is computed.';
   }
 
@@ -507,11 +551,7 @@ export class GirthViewer extends HTMLElement {
       this.legend.update(undefined);
       return;
     }
-    const format = lengthFormat(reach[1], model.mesh.info.unit);
-    if (JSON.stringify(format) !== JSON.stringify(this.format)) {
-      this.format = format;
-      this.loops?.setFormat(format);
-    }
+    this.updateFormat();
     const range = this.fixedRange ?? reach;
     model.surface.setRange(...range);
     this.legend.update({
@@ -519,8 +559,20 @@ export class GirthViewer extends HTMLElement {
       colormap: this.colormapName,
       range,
       extent: reach,
-      format,
+      format: this.format,
     });
+  }
+
+  /** Lengths are written alike everywhere: as fits the field's, or before there is one, the model. */
+  private updateFormat(): void {
+    const { model } = this;
+    if (!model) return;
+    const largest =
+      (this.showsField ? model.extent?.[1] : undefined) ?? 2 * model.surface.bounds.radius;
+    const format = lengthFormat(largest, this.unit);
+    if (JSON.stringify(format) === JSON.stringify(this.format)) return;
+    this.format = format;
+    this.loops?.setFormat(format);
   }
 
   // ---- odds and ends
@@ -554,7 +606,14 @@ function nameOf(source: MeshSource): string {
   if (typeof source === 'string' || source instanceof URL) {
     return decodeURIComponent(String(source).split(/[?#]/)[0]!.split('/').pop() ?? '');
   }
-  return 'name' in source && typeof source.name === 'string' ? source.name : '';
+  // Of several, that which is the model by its name; the kernel looks closer.
+  const names = (Array.isArray(source) ? (source as object[]) : [source]).map(nameOfFile);
+  return names.find((name) => /\.(glb|gltf|obj|off|ply|stl|zip)$/i.test(name)) ?? names[0] ?? '';
+}
+
+function nameOfFile(file: object): string {
+  const { name = '', path = name } = file as { name?: string; path?: string };
+  return path.slice(path.lastIndexOf('/') + 1);
 }
 
 /** Two ascending numbers; undefined for anything else. */

@@ -11,6 +11,16 @@ export interface CreasedSurface {
   copyOf: Uint32Array;
 }
 
+/** Round a vertex of up to so many faces, the face beyond an edge is sought one by one. */
+const fewFaces = 16;
+
+/** A corner's face, as its first corner; and the vertices after and before the corner in it. */
+const faceOf = (c: number): number => c - (c % 3);
+const ahead = (indices: Uint32Array, c: number): number =>
+  c % 3 === 2 ? indices[c - 2]! : indices[c + 1]!;
+const behind = (indices: Uint32Array, c: number): number =>
+  c % 3 === 0 ? indices[c + 2]! : indices[c - 1]!;
+
 /**
  * Splits vertices along edges whose faces' normals differ by more than `creaseAngle` (radians) and
  * gives every drawn vertex the mean normal of its faces, weighted by their angles at it. Yields
@@ -37,7 +47,7 @@ export function* splitCreases(
       const x = positions[b]! - positions[a]!;
       const y = positions[b + 1]! - positions[a + 1]!;
       const z = positions[b + 2]! - positions[a + 2]!;
-      const length = Math.hypot(x, y, z) || 1;
+      const length = Math.sqrt(x * x + y * y + z * z) || 1;
       e[3 * k] = x / length;
       e[3 * k + 1] = y / length;
       e[3 * k + 2] = z / length;
@@ -51,7 +61,7 @@ export function* splitCreases(
     const x = e[1]! * e[5]! - e[2]! * e[4]!;
     const y = e[2]! * e[3]! - e[0]! * e[5]!;
     const z = e[0]! * e[4]! - e[1]! * e[3]!;
-    const length = Math.hypot(x, y, z) || 1;
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
     faceNormals[f] = x / length;
     faceNormals[f + 1] = y / length;
     faceNormals[f + 2] = z / length;
@@ -60,58 +70,60 @@ export function* splitCreases(
 
   // Corners round each vertex.
   const first = new Uint32Array(vertexCount + 1);
-  for (let c = 0; c < cornerCount; ++c) first[indices[c]! + 1]!++;
+  for (let c = 0; c < cornerCount; ++c) {
+    first[indices[c]! + 1]! += 1;
+    if (c % (32 * chunk) === 0) yield;
+  }
   for (let v = 0; v < vertexCount; ++v) first[v + 1]! += first[v]!;
   yield;
   const corners = new Uint32Array(cornerCount);
   const fill = first.slice(0, vertexCount);
-  for (let c = 0; c < cornerCount; ++c) corners[fill[indices[c]!]!++] = c;
-  yield;
+  for (let c = 0; c < cornerCount; ++c) {
+    corners[fill[indices[c]!]!++] = c;
+    if (c % (32 * chunk) === 0) yield;
+  }
 
   // Faces round a vertex belong together when one can walk from one to the other across soft edges.
   const drawn = new Uint32Array(cornerCount);
   const copies: number[] = [];
   const group: number[] = [];
-  const atVertex = new Map<number, number>();
-  const drawnOfGroup = new Map<number, number>();
+  const drawnOfGroup: number[] = [];
   const find = (i: number): number => {
     while (group[i] !== i) i = group[i] = group[group[i]!]!;
     return i;
   };
-  const face = (c: number): number => c - (c % 3);
-  const ahead = (c: number): number => indices[face(c) + ((c + 1) % 3)]!;
-  const behind = (c: number): number => indices[face(c) + ((c + 2) % 3)]!;
   for (let v = 0; v < vertexCount; ++v) {
     const start = first[v]!;
     const count = first[v + 1]! - start;
-    group.length = 0;
-    for (let i = 0; i < count; ++i) group.push(i);
-    atVertex.clear();
-    for (let i = 0; i < count; ++i) atVertex.set(behind(corners[start + i]!), i);
+    const faceBefore = count > fewFaces ? new Map<number, number>() : undefined;
+    for (let i = 0; i < count; ++i) {
+      group[i] = i;
+      drawnOfGroup[i] = -1;
+      faceBefore?.set(behind(indices, corners[start + i]!), i);
+    }
     for (let i = 0; i < count; ++i) {
       const c = corners[start + i]!;
-      const j = atVertex.get(ahead(c));
-      if (j === undefined) continue;
-      const a = face(c);
-      const b = face(corners[start + j]!);
+      const next = ahead(indices, c);
+      let j = 0;
+      if (faceBefore) j = faceBefore.get(next) ?? count;
+      else while (j < count && behind(indices, corners[start + j]!) !== next) ++j;
+      if (j === count) continue;
+      const a = faceOf(c);
+      const b = faceOf(corners[start + j]!);
       const dot =
         faceNormals[a]! * faceNormals[b]! +
         faceNormals[a + 1]! * faceNormals[b + 1]! +
         faceNormals[a + 2]! * faceNormals[b + 2]!;
       if (dot >= cosine) group[find(i)] = find(j);
     }
-    let own = -1;
-    drawnOfGroup.clear();
+    let isOwnTaken = false;
     for (let i = 0; i < count; ++i) {
       const root = find(i);
-      let vertex = drawnOfGroup.get(root);
-      if (vertex === undefined) {
-        if (own < 0) vertex = own = v;
-        else {
-          vertex = vertexCount + copies.length;
-          copies.push(v);
-        }
-        drawnOfGroup.set(root, vertex);
+      let vertex = drawnOfGroup[root]!;
+      if (vertex < 0) {
+        vertex = isOwnTaken ? vertexCount + copies.push(v) - 1 : v;
+        isOwnTaken = true;
+        drawnOfGroup[root] = vertex;
       }
       drawn[corners[start + i]!] = vertex;
     }
@@ -127,12 +139,14 @@ export function* splitCreases(
   const normals = new Float32Array(3 * drawnCount);
   for (let c = 0; c < cornerCount; ++c) {
     const to = 3 * drawn[c]!;
-    const from = face(c);
+    const from = faceOf(c);
     for (let k = 0; k < 3; ++k) normals[to + k]! += angles[c]! * faceNormals[from + k]!;
+    if (c % (8 * chunk) === 0) yield;
   }
-  yield;
   for (let i = 0; i < normals.length; i += 3) {
-    const length = Math.hypot(normals[i]!, normals[i + 1]!, normals[i + 2]!) || 1;
+    if (i % (24 * chunk) === 0) yield;
+    const [x, y, z] = [normals[i]!, normals[i + 1]!, normals[i + 2]!];
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
     for (let k = 0; k < 3; ++k) normals[i + k]! /= length;
   }
   return { positions: drawnPositions, normals, indices: drawn, copyOf: Uint32Array.from(copies) };

@@ -3,7 +3,6 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  Color,
   DataTexture,
   DoubleSide,
   DynamicDrawUsage,
@@ -91,17 +90,18 @@ export class Surface {
   private readonly nextCopy: Int32Array;
   private readonly texture: DataTexture;
   private edges: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
-  private edgeColour = new Color(0x000000);
+  private readonly walls: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
   private hierarchy: MeshBVH | undefined;
   private disposed = false;
 
   /**
-   * `positions` and `indices` are the mesh's own and stay unchanged; `creased` is the same surface
-   * made ready to draw.
+   * `positions`, `indices` and `walls` are the mesh's own and stay unchanged; `creased` is the same
+   * surface made ready to draw.
    */
   constructor(
     private readonly positions: Float32Array,
     private readonly indices: Uint32Array,
+    walls: Uint32Array,
     private readonly adjacency: Adjacency,
     creased: CreasedSurface,
   ) {
@@ -146,6 +146,7 @@ export class Surface {
       polygonOffsetUnits: 2,
     });
     this.object.add(new Mesh(this.drawn, this.material));
+    if (walls.length > 0) this.walls = this.addLines(walls, 0.62);
     this.setColormap('viridis');
   }
 
@@ -194,17 +195,21 @@ export class Surface {
           if (neighbours[k]! > v) pairs.push(v, neighbours[k]!);
         }
       }
-      const geometry = new BufferGeometry();
-      geometry.setAttribute('position', this.picked.getAttribute('position'));
-      geometry.setIndex(new BufferAttribute(Uint32Array.from(pairs), 1));
-      this.edges = new LineSegments(
-        geometry,
-        new LineBasicMaterial({ color: this.edgeColour, transparent: true, opacity: 0.22 }),
-      );
-      this.edges.renderOrder = 1;
-      this.object.add(this.edges);
+      this.edges = this.addLines(Uint32Array.from(pairs), 0.22);
     }
     if (this.edges) this.edges.visible = shown;
+  }
+
+  /** Hairlines between pairs of vertices. */
+  private addLines(pairs: Uint32Array, opacity: number) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', this.picked.getAttribute('position'));
+    geometry.setIndex(new BufferAttribute(pairs, 1));
+    const material = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity });
+    const lines = new LineSegments(geometry, material);
+    lines.renderOrder = 1;
+    this.object.add(lines);
+    return lines;
   }
 
   /**
@@ -296,8 +301,10 @@ export class Surface {
     this.picked.dispose();
     this.material.dispose();
     this.texture.dispose();
-    this.edges?.geometry.dispose();
-    this.edges?.material.dispose();
+    for (const lines of [this.edges, this.walls]) {
+      lines?.geometry.dispose();
+      lines?.material.dispose();
+    }
     this.hierarchy = undefined;
     this.object.removeFromParent();
   }
