@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <thread>
 
 #include "commands.h"
@@ -138,11 +139,16 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Gir
   }
 }
 
-std::string contentFor(const std::string& extension, const std::string& model,
-                       const io::LoadedMesh& loaded, const GirthField& field, GirthMethod method) {
-  if (extension == ".csv") return io::fieldCsv(loaded, field);
-  if (extension == ".json") return io::fieldJson(loaded, field, {model, method});
-  return io::fieldPly(loaded, field);
+Result<std::string> contentFor(const std::string& extension, const std::string& model,
+                               const io::LoadedMesh& loaded, const GirthField& girth,
+                               GirthMethod method) {
+  const io::VertexField field = io::girthVertexField(girth, method, loaded.unit);
+  const std::span<const io::VertexField> fields(&field, 1);
+  if (extension == ".csv") return io::fieldCsv(loaded, fields);
+  if (extension == ".json") return io::fieldJson(loaded, fields, model);
+  if (extension == ".npy") return io::fieldNpy(loaded, field);
+  if (extension == ".glb") return io::fieldGlb(loaded, fields);
+  return io::fieldPly(loaded, fields);
 }
 
 int runOne(const std::string& model, const IgfOptions& options,
@@ -166,9 +172,10 @@ int runOne(const std::string& model, const IgfOptions& options,
   timing.computing = secondsSince(computingStart);
 
   if (!options.output.empty()) {
-    const std::string content =
+    const auto content =
         contentFor(extensionOf(options.output), model, loaded.value(), field, options.method);
-    if (auto error = writeFile(options.output, content)) {
+    if (!content) return reportError(options.output, content.error());
+    if (auto error = writeFile(options.output, content.value())) {
       return reportError(options.output, *error);
     }
   }
@@ -190,9 +197,10 @@ int runOne(const std::string& model, const IgfOptions& options,
 int runIgf(const IgfOptions& options) {
   if (!options.output.empty()) {
     const std::string extension = extensionOf(options.output);
-    if (extension != ".csv" && extension != ".json" && extension != ".ply") {
+    if (extension != ".csv" && extension != ".json" && extension != ".npy" && extension != ".ply" &&
+        extension != ".glb") {
       Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
-      error.hint = "use .csv, .json or .ply";
+      error.hint = "use .csv, .json, .npy, .ply or .glb";
       return reportError(options.output, error);
     }
     if (options.models.size() > 1) {

@@ -34,10 +34,11 @@ void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const LoopOp
   row("points", std::to_string(loop.points.size()));
 }
 
-std::string contentFor(const std::string& extension, const io::LoadedMesh& loaded,
-                       const GirthLoop& loop, const std::string& model) {
+Result<std::string> contentFor(const std::string& extension, const io::LoadedMesh& loaded,
+                               const GirthLoop& loop, const std::string& model) {
   if (extension == ".json") return io::loopJson(loaded, loop, model, true);
   if (extension == ".obj") return io::loopObj(loaded, loop);
+  if (extension == ".glb") return io::loopGlb(loaded, loop);
   return io::loopCsv(loaded, loop);
 }
 
@@ -87,9 +88,9 @@ int runLoop(const LoopOptions& options) {
     return reportError("", error);
   }
   if (!options.output.empty()) {
-    if (extension != ".json" && extension != ".obj" && extension != ".csv") {
+    if (extension != ".json" && extension != ".obj" && extension != ".glb" && extension != ".csv") {
       Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
-      error.hint = "use .json, .obj or .csv";
+      error.hint = "use .json, .obj, .glb or .csv";
       return reportError(options.output, error);
     }
     if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
@@ -102,7 +103,8 @@ int runLoop(const LoopOptions& options) {
   if (!loop) return reportError(options.model, loop.error());
   if (!options.output.empty()) {
     const auto content = contentFor(extension, loaded.value(), loop.value(), options.model);
-    if (auto error = writeFile(options.output, content)) {
+    if (!content) return reportError(options.output, content.error());
+    if (auto error = writeFile(options.output, content.value())) {
       return reportError(options.output, *error);
     }
   }

@@ -56,7 +56,7 @@ int run(int argc, char** argv) {
   igfCommand->add_option("MODEL", igf.models, "Models to read")->required();
   igfCommand->add_option(
       "-o,--output", igf.output,
-      "Write the values: .csv or .json (the file's vertices), .ply (the surface)");
+      "Write the values: .csv, .json or .npy (the file's vertices), .ply or .glb (the surface)");
   igfCommand
       ->add_option_function<std::string>(
           "--method", [&](const std::string& name) { igf.method = methods.at(name); },
@@ -87,7 +87,7 @@ int run(int argc, char** argv) {
       ->type_name("A,B,C")
       ->needs(face);
   loopCommand->add_option("-o,--output", loop.output,
-                          "Write the loop: .json, .obj (a polyline) or .csv (x,y,z)");
+                          "Write the loop: .json, .obj or .glb (a polyline) or .csv (x,y,z)");
   loopCommand->add_flag("--json", loop.json, "Print the summary as JSON");
 
   try {

@@ -5,6 +5,7 @@
 
 #include "girth/io/json_text.h"
 #include "girth/io/number_text.h"
+#include "glb_writer.h"
 
 namespace girth::io {
 namespace {
@@ -12,6 +13,12 @@ namespace {
 std::string pointText(const Vec3& point, char separator) {
   return formatNumber(point.x) + separator + formatNumber(point.y) + separator +
          formatNumber(point.z);
+}
+
+/// The vertex of the file that a vertex of the surface comes from; null where it was made here.
+std::string inputText(const LoadedMesh& loaded, Index vertex) {
+  const Index input = loaded.inputOfVertex[vertex];
+  return input == kNoIndex ? "null" : std::to_string(input);
 }
 
 std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point) {
@@ -36,7 +43,7 @@ std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point) {
   std::string weights;
   for (std::size_t i = 0; i < count; ++i) {
     const char* separator = i == 0 ? "" : ",";
-    numbers += separator + std::to_string(loaded.inputOfVertex[vertices[i]]);
+    numbers += separator + inputText(loaded, vertices[i]);
     weights += separator + formatNumber(point.weights[i]);
   }
   return "{\"position\":[" + pointText(positionOf(mesh, point), ',') + "],\"vertices\":[" +
@@ -47,9 +54,8 @@ std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point) {
 
 std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::string_view file,
                      bool withPoints) {
-  const std::string vertex = loop.base.kind == SurfacePoint::Kind::Vertex
-                                 ? std::to_string(loaded.inputOfVertex[loop.base.element])
-                                 : "null";
+  const std::string vertex =
+      loop.base.kind == SurfacePoint::Kind::Vertex ? inputText(loaded, loop.base.element) : "null";
   std::string text =
       "{\"file\":" + jsonString(file) + ",\"vertex\":" + vertex +
       ",\"base\":" + pointJson(loaded, loop.base) + ",\"length\":" + formatNumber(loop.length) +
@@ -82,6 +88,18 @@ std::string loopCsv(const LoadedMesh& loaded, const GirthLoop& loop) {
   std::string text = "x,y,z\n";
   for (const Vec3& point : polyline(loaded.mesh, loop)) text += pointText(point, ',') + "\n";
   return text;
+}
+
+Result<std::string> loopGlb(const LoadedMesh& loaded, const GirthLoop& loop) {
+  const std::vector<Vec3> points = polyline(loaded.mesh, loop);
+  if (points.empty()) return makeError(ErrorCode::EmptyMesh, -1, "the loop has no points");
+  GlbWriter writer;
+  writer.addPositions(points);
+  constexpr int kLineStrip = 3;
+  return writer.file(
+      kLineStrip, loaded.unit,
+      "{\"length\":" + formatNumber(loop.length) + ",\"kind\":" + jsonString(toString(loop.kind)) +
+          ",\"angle\":" + formatNumber(loop.angle) + ",\"unit\":" + jsonString(loaded.unit) + "}");
 }
 
 }  // namespace girth::io

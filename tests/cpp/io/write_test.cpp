@@ -4,14 +4,19 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <sstream>
 #include <string>
 
 #include "documents.h"
 #include "girth/io/number_text.h"
 #include "girth/io/write_field.h"
 #include "girth/io/write_loop.h"
+#include "girth/io/write_mesh.h"
 
 namespace girth::io::testing {
 namespace {
@@ -95,6 +100,60 @@ TEST(NumberText, independentOfTheLocale) {
   std::setlocale(LC_NUMERIC, "C");
 }
 
+using Json = nlohmann::json;
+
+/// The document of a GLB file whose container is as it should be.
+Json jsonOf(const std::string& file) {
+  const auto numberAt = [&](std::size_t at) {
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      number |= std::size_t{static_cast<unsigned char>(file[at + i])} << (8 * i);
+    }
+    return number;
+  };
+  EXPECT_EQ(file.substr(0, 4), "glTF");
+  EXPECT_EQ(numberAt(4), 2u);
+  EXPECT_EQ(numberAt(8), file.size());
+  const std::size_t length = numberAt(12);
+  EXPECT_EQ(length % 4, 0u);
+  EXPECT_EQ(numberAt(16), 0x4E4F534Au);
+  EXPECT_EQ(numberAt(20 + length), file.size() - 28 - length);
+  EXPECT_EQ(numberAt(24 + length), 0x004E4942u);
+  Json document = Json::parse(file.substr(20, length));
+  EXPECT_EQ(document["buffers"][0]["byteLength"], numberAt(20 + length));
+  return document;
+}
+
+/// Where in a GLB file an accessor's values begin.
+std::size_t offsetOf(const std::string& file, const Json& accessor) {
+  const Json document = jsonOf(file);
+  const Json& view = document["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+  const std::size_t offset = view["byteOffset"].get<std::size_t>();
+  EXPECT_EQ(offset % 4, 0u);
+  return file.size() - document["buffers"][0]["byteLength"].get<std::size_t>() + offset;
+}
+
+/// The values of an accessor of floats.
+std::vector<float> floatsOf(const std::string& file, const Json& number) {
+  const Json document = jsonOf(file);
+  const Json& accessor = document["accessors"][number.get<std::size_t>()];
+  EXPECT_EQ(accessor["componentType"], 5126);
+  const std::size_t count =
+      accessor["count"].get<std::size_t>() * (accessor["type"] == "VEC3" ? 3 : 1);
+  std::vector<float> values(count);
+  std::memcpy(values.data(), file.data() + offsetOf(file, accessor), 4 * count);
+  return values;
+}
+
+std::vector<float> floatsOf(const std::vector<Vec3>& points) {
+  std::vector<float> values;
+  for (const Vec3& p : points) {
+    values.insert(values.end(),
+                  {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  }
+  return values;
+}
+
 /// A tetrahedron with a vertex that no face uses, and one that is welded onto the first.
 LoadedMesh sample() {
   auto loaded = read(
@@ -113,22 +172,31 @@ GirthField sampleField() {
   return field;
 }
 
+/// What is written about sampleField.
+std::vector<VertexField> fieldsOf(const GirthField& field) {
+  return {girthVertexField(field, GirthMethod::Exact, "")};
+}
+
 TEST(WriteField, csvInTheFilesOrder) {
-  EXPECT_EQ(fieldCsv(sample(), sampleField()),
+  const GirthField field = sampleField();
+  EXPECT_EQ(fieldCsv(sample(), fieldsOf(field)),
             "vertex,igf,kind\n0,1.5,loop\n1,,\n2,0.3333333333333333,antipodal\n3,,\n4,2,loop\n"
             "5,1.5,loop\n");
 }
 
 TEST(WriteField, json) {
-  EXPECT_EQ(fieldJson(sample(), sampleField(), {"a\"b.obj", GirthMethod::Exact}),
-            "{\"file\":\"a\\\"b.obj\",\"field\":\"igf\",\"method\":\"exact\",\"unit\":\"\","
-            "\"complete\":false,\"vertices\":6,\n"
-            "\"igf\":[1.5,null,0.3333333333333333,null,2,1.5],\n"
-            "\"kind\":[\"loop\",null,\"antipodal\",null,\"loop\",\"loop\"]}\n");
+  const GirthField field = sampleField();
+  EXPECT_EQ(
+      fieldJson(sample(), fieldsOf(field), "a\"b.obj"),
+      "{\"file\":\"a\\\"b.obj\",\"unit\":\"\",\"complete\":false,\"vertices\":6,"
+      "\"fields\":[{\"name\":\"igf\",\"method\":\"exact\",\"unit\":\"\",\"complete\":false}],\n"
+      "\"igf\":[1.5,null,0.3333333333333333,null,2,1.5],\n"
+      "\"kind\":[\"loop\",null,\"antipodal\",null,\"loop\",\"loop\"]}\n");
 }
 
 TEST(WriteField, plyOfTheSurface) {
-  const std::string ply = fieldPly(sample(), sampleField());
+  const GirthField field = sampleField();
+  const std::string ply = fieldPly(sample(), fieldsOf(field));
   const std::string end = "end_header\n";
   const std::size_t header = ply.find(end) + end.size();
   EXPECT_TRUE(contains(ply.substr(0, header), "element vertex 4\n"));
@@ -137,6 +205,257 @@ TEST(WriteField, plyOfTheSurface) {
   EXPECT_EQ(ply.substr(header + 24, 9), packed({std::bit_cast<std::int64_t>(1.5)}, 8) + '\0');
   EXPECT_EQ(ply[header + 2 * 33 + 32], '\xFF') << "not computed";
   EXPECT_EQ(ply.substr(ply.size() - 13), '\x03' + packed({1, 2, 3}, 4));
+}
+
+/// A field whose values need every bit, on a shape of many vertices.
+struct Wild {
+  LoadedMesh loaded;
+  std::vector<double> values;
+};
+
+Wild wild() {
+  // A pyramid over a polygon, so that there is a vertex for every value.
+  std::vector<double> values{0.1,
+                             1.0 / 3,
+                             -1e-300,
+                             4.9406564584124654e-324,
+                             1.7976931348623157e308,
+                             2.2250738585072014e-308,
+                             -0.0,
+                             9007199254740992.0,
+                             3.0000000000000004,
+                             std::nextafter(1.0, 2.0)};
+  std::uint64_t state = 99;
+  while (values.size() < 400) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    const double value = std::bit_cast<double>(state ^ state >> 29);
+    if (std::isfinite(value)) values.push_back(value);
+  }
+  values[200] = std::numeric_limits<double>::quiet_NaN();
+  std::string text = "v 0 0 1\nv 0 0 -1\n";
+  const std::size_t ring = values.size() - 2;
+  for (std::size_t i = 0; i < ring; ++i) {
+    const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(ring);
+    text += "v " + formatNumber(std::cos(angle)) + " " + formatNumber(std::sin(angle)) + " 0\n";
+  }
+  for (std::size_t i = 0; i < ring; ++i) {
+    const std::string a = std::to_string(3 + i), b = std::to_string(3 + (i + 1) % ring);
+    text += "f 1 " + a + " " + b + "\nf 2 " + b + " " + a + "\n";
+  }
+  auto loaded = read(text, "wild.obj");
+  EXPECT_TRUE(loaded.ok()) << messageOf(loaded);
+  return {std::move(loaded).value(), std::move(values)};
+}
+
+/// The bits, so that 0 and -0, and NaN and NaN, compare as they should.
+std::vector<std::uint64_t> bitsOf(std::span<const double> values) {
+  std::vector<std::uint64_t> bits;
+  for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
+  return bits;
+}
+
+double doubleAt(const std::string& bytes, std::size_t at) {
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    bits |= std::uint64_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+  }
+  return std::bit_cast<double>(bits);
+}
+
+TEST(WriteField, csvKeepsEveryBit) {
+  const Wild w = wild();
+  const VertexField field{"wild", w.values, "", "", {}};
+  std::istringstream lines(fieldCsv(w.loaded, std::span(&field, 1)));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "vertex,wild");
+  std::vector<double> values;
+  while (std::getline(lines, line)) {
+    const std::size_t comma = line.find(',');
+    EXPECT_EQ(line.substr(0, comma), std::to_string(values.size()));
+    // The C library's own conversion, which is exact.
+    values.push_back(comma + 1 == line.size() ? std::numeric_limits<double>::quiet_NaN()
+                                              : std::strtod(line.c_str() + comma + 1, nullptr));
+  }
+  EXPECT_EQ(bitsOf(values), bitsOf(w.values));
+}
+
+TEST(WriteField, npyKeepsEveryBit) {
+  const Wild w = wild();
+  const VertexField field{"wild", w.values, "", "", {}};
+  const std::string npy = fieldNpy(w.loaded, field);
+  ASSERT_EQ(npy.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
+  const std::size_t length =
+      static_cast<unsigned char>(npy[8]) + 256u * static_cast<unsigned char>(npy[9]);
+  EXPECT_EQ((10 + length) % 64, 0u);
+  EXPECT_EQ(npy.substr(10, 61), "{'descr': '<f8', 'fortran_order': False, 'shape': (400,), }  ");
+  EXPECT_EQ(npy[10 + length - 1], '\n');
+  ASSERT_EQ(npy.size(), 10 + length + 8 * w.values.size());
+  std::vector<double> values;
+  for (std::size_t i = 0; i < w.values.size(); ++i) {
+    values.push_back(doubleAt(npy, 10 + length + 8 * i));
+  }
+  EXPECT_EQ(bitsOf(values), bitsOf(w.values));
+}
+
+TEST(WriteField, npyIsOfTheFile) {
+  const GirthField field = sampleField();
+  const std::string npy = fieldNpy(sample(), fieldsOf(field)[0]);
+  ASSERT_EQ(npy.size(), 128u + 6 * 8);
+  const auto at = [&](std::size_t i) { return doubleAt(npy, 128 + 8 * i); };
+  EXPECT_EQ(at(0), 1.5);
+  EXPECT_TRUE(std::isnan(at(1))) << "no face uses it";
+  EXPECT_EQ(at(2), 1.0 / 3);
+  EXPECT_TRUE(std::isnan(at(3))) << "not computed";
+  EXPECT_EQ(at(5), 1.5) << "welded";
+}
+
+TEST(WriteField, plyKeepsEveryBit) {
+  const Wild w = wild();
+  const VertexField field{"wild", w.values, "metre", "exact", {}};
+  const std::string ply = fieldPly(w.loaded, std::span(&field, 1));
+  const std::size_t body = ply.find("end_header\n") + 11;
+  EXPECT_TRUE(contains(ply.substr(0, body), "comment wild (metre, exact)\n"));
+  EXPECT_TRUE(contains(ply.substr(0, body), "property double z\nproperty double wild\n"));
+  std::vector<double> values;
+  for (std::size_t i = 0; i < w.values.size(); ++i) {
+    values.push_back(doubleAt(ply, body + 32 * i + 24));
+  }
+  EXPECT_EQ(bitsOf(values), bitsOf(w.values));
+  // The surface itself comes back through our own reader.
+  const auto again = read(ply, "wild.ply");
+  ASSERT_TRUE(again.ok()) << messageOf(again);
+  ASSERT_EQ(again.value().mesh.vertexCount(), w.loaded.mesh.vertexCount());
+  for (Index v = 0; v < w.loaded.mesh.vertexCount(); ++v) {
+    ASSERT_EQ(again.value().mesh.position(v).x, w.loaded.mesh.position(v).x);
+    ASSERT_EQ(again.value().mesh.position(v).y, w.loaded.mesh.position(v).y);
+  }
+}
+
+TEST(WriteField, severalFields) {
+  const GirthField girth = sampleField();
+  const std::vector<double> other{-1, 2, 3, 4};
+  std::vector<VertexField> fields = fieldsOf(girth);
+  fields.push_back({"sdf", other, "metre", "", {}});
+  EXPECT_EQ(fieldCsv(sample(), fields).substr(0, 41),
+            "vertex,igf,kind,sdf\n0,1.5,loop,-1\n1,,,\n2,");
+  const Json json = Json::parse(fieldJson(sample(), fields, "a"));
+  EXPECT_EQ(json["sdf"], Json::parse("[-1,null,2,3,4,-1]"));
+  EXPECT_EQ(json["fields"][1]["unit"], "metre");
+  EXPECT_TRUE(contains(fieldPly(sample(), fields),
+                       "property double igf\nproperty uchar kind\nproperty double sdf\n"));
+}
+
+TEST(WriteField, glb) {
+  const GirthField girth = sampleField();
+  const LoadedMesh loaded = sample();
+  const auto glb = fieldGlb(loaded, fieldsOf(girth));
+  ASSERT_TRUE(glb.ok());
+  const std::string& file = glb.value();
+  const Json document = jsonOf(file);
+  const Json& primitive = document["meshes"][0]["primitives"][0];
+  const Json& attributes = primitive["attributes"];
+  EXPECT_EQ(attributes.size(), 4u);
+  EXPECT_EQ(floatsOf(file, attributes["_IGF"]),
+            (std::vector<float>{1.5f, static_cast<float>(1.0 / 3), -1, 2}));
+  EXPECT_EQ(floatsOf(file, attributes["_KIND"]), (std::vector<float>{0, 1, -1, 0}));
+  EXPECT_EQ(primitive["mode"], 4);
+  EXPECT_EQ(document["meshes"][0]["extras"]["fields"]["_IGF"]["method"], "exact");
+  // The darkest colour of the map where the value is least, the lightest where it is greatest.
+  const Json& colours = document["accessors"][attributes["COLOR_0"].get<std::size_t>()];
+  EXPECT_EQ(colours["componentType"], 5123);
+  EXPECT_TRUE(colours["normalized"]);
+  EXPECT_EQ(colours["count"], 4);
+  const std::size_t begin = offsetOf(file, colours);
+  EXPECT_EQ(file.substr(begin + 8, 8), packed({3788, 20, 5810, 65535}, 2));
+  EXPECT_EQ(file.substr(begin + 16, 8), packed({14027, 14027, 14027, 65535}, 2)) << "no value";
+  EXPECT_EQ(file.substr(begin + 24, 8), packed({64372, 52369, 1212, 65535}, 2));
+  // The bounds are those of the floats that are there.
+  for (const auto& [name, accessor] : attributes.items()) {
+    if (name == "COLOR_0") continue;
+    const Json& about = document["accessors"][accessor.get<std::size_t>()];
+    const std::vector<float> values = floatsOf(file, accessor);
+    const std::size_t components = about["min"].size();
+    for (std::size_t k = 0; k < components; ++k) {
+      float low = values[k], high = values[k];
+      for (std::size_t i = k; i < values.size(); i += components) {
+        low = std::min(low, values[i]);
+        high = std::max(high, values[i]);
+      }
+      EXPECT_EQ(about["min"][k].get<double>(), static_cast<double>(low)) << name;
+      EXPECT_EQ(about["max"][k].get<double>(), static_cast<double>(high)) << name;
+    }
+  }
+  // The surface comes back through our own reader.
+  const auto again = read(file, "field.glb");
+  ASSERT_TRUE(again.ok()) << messageOf(again);
+  EXPECT_EQ(again.value().mesh.vertexCount(), 4u);
+  EXPECT_EQ(again.value().mesh.faceVertices(2), loaded.mesh.faceVertices(2));
+}
+
+TEST(WriteField, glbInOtherUnits) {
+  LoadedMesh loaded = sample();
+  loaded.unit = "millimetre";
+  const GirthField girth = sampleField();
+  const auto glb = fieldGlb(loaded, fieldsOf(girth), ColourRange{0, 4});
+  ASSERT_TRUE(glb.ok());
+  EXPECT_EQ(jsonOf(glb.value())["nodes"][0]["scale"], Json::parse("[0.001,0.001,0.001]"));
+  const auto again = read(glb.value(), "field.glb");
+  ASSERT_TRUE(again.ok()) << messageOf(again);
+  EXPECT_EQ(again.value().mesh.position(1).x, 0.001);
+}
+
+TEST(WriteField, glbOfNumbersThatFloatsDoNotHold) {
+  Wild w = wild();
+  w.values[3] = std::numeric_limits<double>::infinity();
+  const VertexField field{"wild", w.values, "", "", {}};
+  const auto glb = fieldGlb(w.loaded, std::span(&field, 1));
+  ASSERT_TRUE(glb.ok());
+  const Json attributes = jsonOf(glb.value())["meshes"][0]["primitives"][0]["attributes"];
+  for (const float value : floatsOf(glb.value(), attributes["_WILD"])) {
+    EXPECT_TRUE(std::isfinite(value));
+  }
+}
+
+TEST(WriteMesh, everyFormatIsReadAgain) {
+  const LoadedMesh& loaded = wild().loaded;
+  const SurfaceMesh& mesh = loaded.mesh;
+  for (const Format format : {Format::Obj, Format::Ply, Format::Off, Format::Glb, Format::Stl}) {
+    const auto file = meshFile(mesh, format, "");
+    ASSERT_TRUE(file.ok());
+    const auto again = modelOf(file.value(), "without a name");
+    ASSERT_TRUE(again.ok()) << toString(format) << messageOf(again);
+    EXPECT_EQ(again.value().format, format);
+    EXPECT_TRUE(again.value().notes.empty()) << again.value().notes[0];
+    const TriangleSoup& soup = again.value().soup;
+    ASSERT_EQ(soup.triangles.size(), 3u * mesh.faceCount());
+    const bool doubles = format != Format::Glb && format != Format::Stl;
+    for (Index f = 0; f < mesh.faceCount(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index vertex = soup.triangles[3 * f + k];
+        if (format != Format::Stl) {
+          ASSERT_EQ(vertex, mesh.faceVertices(f)[k]);
+        }
+        const Vec3& position = mesh.position(mesh.faceVertices(f)[k]);
+        const double x = doubles ? position.x : static_cast<double>(static_cast<float>(position.x));
+        ASSERT_EQ(soup.positions[3 * vertex], x) << toString(format);
+      }
+    }
+    const auto surface = read(file.value(), "without a name");
+    ASSERT_TRUE(surface.ok()) << toString(format) << messageOf(surface);
+    EXPECT_EQ(surface.value().mesh.vertexCount(), mesh.vertexCount());
+  }
+  EXPECT_EQ(codeOf(meshFile(mesh, Format::Gltf)), "USAGE");
+}
+
+TEST(WriteMesh, unitsAreNamed) {
+  const LoadedMesh loaded = sample();
+  for (const Format format : {Format::Obj, Format::Ply, Format::Off, Format::Stl, Format::Glb}) {
+    const auto file = meshFile(loaded.mesh, format, "millimetre");
+    ASSERT_TRUE(file.ok());
+    EXPECT_TRUE(contains(file.value(), "millimetre"));
+    EXPECT_EQ(codeOf(modelOf(file.value(), "a")), "OK");
+  }
 }
 
 TEST(WriteLoop, allFormats) {
@@ -160,6 +479,16 @@ TEST(WriteLoop, allFormats) {
   const std::string obj = loopObj(loaded, loop);
   EXPECT_TRUE(contains(obj, "v 1 0 0\n")) << obj;
   EXPECT_TRUE(contains(obj, "\nl 1 2 1\n")) << obj;
+  const auto glb = loopGlb(loaded, loop);
+  ASSERT_TRUE(glb.ok());
+  const Json document = jsonOf(glb.value());
+  const Json& primitive = document["meshes"][0]["primitives"][0];
+  EXPECT_EQ(primitive["mode"], 3);
+  EXPECT_EQ(floatsOf(glb.value(), primitive["attributes"]["POSITION"]),
+            floatsOf(polyline(loaded.mesh, loop)));
+  EXPECT_EQ(document["meshes"][0]["extras"]["length"], 2.5);
+  loop.points.clear();
+  EXPECT_EQ(codeOf(loopGlb(loaded, loop)), "EMPTY_MESH");
 }
 
 }  // namespace

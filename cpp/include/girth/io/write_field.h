@@ -1,37 +1,58 @@
-// A field of values as a file's content: CSV, JSON or PLY.
+// Fields of values as a file's content: CSV, JSON, NPY, PLY or GLB.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
-#include "girth/girth_field.h"
+#include "girth/error.h"
 #include "girth/io/read_mesh.h"
+#include "girth/io/vertex_field.h"
 
 namespace girth::io {
 
-/// What JSON says about the values beside the values.
-struct FieldOrigin {
-  /// The model's name.
-  std::string_view file;
-  GirthMethod method{GirthMethod::Exact};
+/// `vertex,igf,kind` (the fields' names, each followed by `kind` where it has kinds) and one row
+/// for every vertex of the *file*, in its order, counted from 0. Vertices that were welded share
+/// their values. Where a vertex is not on the surface, or has no value, its columns are empty.
+/// Numbers read back as the same doubles (formatNumber); lines end with "\n".
+std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fields);
+
+/// The same as one JSON object: `file`, `unit` of the model ("" where nobody knows it), `complete`,
+/// `vertices`, `fields` (of each its `name`, `method`, `unit` and whether it is `complete`), and
+/// one array for every column of the CSV but the first, under its name, with null where that is
+/// empty.
+std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fields,
+                      std::string_view file);
+
+/// The values as NumPy reads them with `numpy.load`: format version 1.0, dtype '<f8', shape (n,),
+/// one for every vertex of the *file*, in its order; NaN where the CSV is empty.
+std::string fieldNpy(const LoadedMesh& loaded, const VertexField& field);
+
+/// The surface as binary little-endian PLY: for every vertex of the *surface* (not of the file) x,
+/// y, z and each field as doubles, after a field with kinds `kind` as a byte (0 loop, 1 antipodal,
+/// 2 unresolved, 255 no value, where the field is NaN); then the faces. Comments tell units and
+/// methods.
+std::string fieldPly(const LoadedMesh& loaded, std::span<const VertexField> fields);
+
+/// Values between which the colour map of a GLB runs.
+struct ColourRange {
+  double low{0}, high{1};
 };
 
-/// "exact" or "naive".
-std::string_view toString(GirthMethod method);
-
-/// `vertex,igf,kind` and one row for every vertex of the file, in its order, counted from 0.
-/// Vertices that were welded share a value; where no face uses a vertex, or it was not computed,
-/// igf and kind are empty. Numbers read back as the same doubles (formatNumber); lines end with
-/// "\n".
-std::string fieldCsv(const LoadedMesh& loaded, const GirthField& field);
-
-/// The same as one JSON object: `file`, `method`, `unit` ("" where the file does not say),
-/// `complete`, `vertices`, and the arrays `igf` and `kind`, with null where the CSV is empty.
-std::string fieldJson(const LoadedMesh& loaded, const GirthField& field, const FieldOrigin& origin);
-
-/// The surface as binary little-endian PLY: for every vertex of the surface (not of the file) x, y,
-/// z and `igf` as doubles and `kind` as a byte (0 loop, 1 antipodal, 255 not computed, where igf is
-/// NaN); then the faces.
-std::string fieldPly(const LoadedMesh& loaded, const GirthField& field);
+/// The surface as GLB with, for every vertex of the *surface*: each field as an attribute of its
+/// name in capitals behind an underscore (`_IGF`), kinds as `_KIND`, and `COLOR_0`: the first field
+/// in the colours of viridis between the ends of `range`, by default its least and greatest value,
+/// so that any viewer shows it; grey where it has no value.
+///
+/// glTF holds numbers of 32 bits: positions and values are rounded to the nearest float, too large
+/// ones to the largest; whoever needs the bits takes CSV, NPY or PLY. It has no NaN either: where a
+/// field has no value, the attribute is -1. glTF is in metres: a model in another length that is
+/// known ("millimetre", ...) is scaled by its node; positions and fields stay in the model's unit.
+/// Units and methods stand in the mesh's `extras`.
+///
+/// Error: LIMIT_EXCEEDED where the file would pass 4 GB.
+Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexField> fields,
+                             std::optional<ColourRange> range = std::nullopt);
 
 }  // namespace girth::io

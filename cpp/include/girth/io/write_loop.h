@@ -1,4 +1,4 @@
-// A geodesic loop as a file's content: JSON, OBJ or CSV.
+// A geodesic loop as a file's content: JSON, OBJ, CSV or GLB.
 #pragma once
 
 #include <string>
@@ -21,5 +21,10 @@ std::string loopObj(const LoadedMesh& loaded, const GirthLoop& loop);
 
 /// `x,y,z` and one row for every point of the polyline; the last equals the first.
 std::string loopCsv(const LoadedMesh& loaded, const GirthLoop& loop);
+
+/// The polyline as GLB: a line strip (mode 3) with positions rounded to floats; in the mesh's
+/// `extras` the loop's `length`, `kind`, `angle` and `unit`. glTF is in metres, as in fieldGlb.
+/// Error: EMPTY_MESH where the loop is unresolved and has no points.
+Result<std::string> loopGlb(const LoadedMesh& loaded, const GirthLoop& loop);
 
 }  // namespace girth::io

@@ -1,0 +1,22 @@
+// A surface as a file's content: OBJ, PLY, STL, OFF or GLB.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "girth/error.h"
+#include "girth/io/read_mesh.h"
+#include "girth/surface_mesh.h"
+
+namespace girth::io {
+
+/// The surface in a format. OBJ and OFF are text whose numbers read back as the same doubles; PLY
+/// is binary little-endian with doubles; STL is binary and GLB is, both with positions rounded to
+/// floats, which may put vertices that lie very close onto one point. `unit` as in ReadModel: GLB
+/// is in metres, so that a model in another length that is known ("millimetre", ...) is scaled by
+/// its node; the other formats name no unit, only a comment does where there can be one.
+///
+/// Errors: USAGE for Format::Gltf (write GLB), LIMIT_EXCEEDED where GLB would pass 4 GB.
+Result<std::string> meshFile(const SurfaceMesh& mesh, Format format, std::string_view unit = {});
+
+}  // namespace girth::io
