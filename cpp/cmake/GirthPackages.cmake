@@ -1,20 +1,31 @@
 # The packages that the project is built with. A missing one is named with its Debian package.
 
-# A package with a CMake config of its own: `girth_find_package(GTest libgtest-dev GIRTH_BUILD_TESTS)`.
-macro(girth_find_package name debianPackage option)
+# A package with a CMake config of its own: `girth_find_package(GTest libgtest-dev GIRTH_BUILD_TESTS)`,
+# where the last names the option that does without it, if there is one.
+macro(girth_find_package name debianPackage)
   find_package(${name} QUIET)
   if(NOT ${name}_FOUND)
-    message(FATAL_ERROR "${name} is missing. On Debian and Ubuntu: apt-get install ${debianPackage}. "
-                        "To build without it: -D${option}=OFF.")
+    set(girthWithout "")
+    if(${ARGC} GREATER 2)
+      set(girthWithout " To build without it: -D${ARGV2}=OFF.")
+    endif()
+    message(FATAL_ERROR "${name} is missing. On Debian and Ubuntu: apt-get install ${debianPackage}."
+                        "${girthWithout}")
   endif()
 endmacro()
+
+# What compressed glTF is unpacked with. In WebAssembly the page does that.
+if(NOT EMSCRIPTEN)
+  girth_find_package(draco libdraco-dev)
+  girth_find_package(meshoptimizer libmeshoptimizer-dev)
+endif()
 
 # girth_single_headers: the headers that a reader compiles into itself. They are linked into a folder
 # of the build tree, because a cross compiler must not see the rest of /usr/include.
 function(girth_add_single_headers)
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/single_headers")
   file(MAKE_DIRECTORY "${folder}")
-  foreach(entry "tiny_gltf.h libtinygltf-dev" "tiny_obj_loader.h libtinyobjloader-dev"
+  foreach(entry "tiny_obj_loader.h libtinyobjloader-dev"
                 "nlohmann/json.hpp nlohmann-json3-dev")
     separate_arguments(entry)
     list(GET entry 0 header)

@@ -1,237 +1,281 @@
 #include "gltf_accessor.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
+#include <limits>
 #include <optional>
-#include <string>
+#include <type_traits>
 
 #include "bit_cast.h"
+#include "json_fields.h"
 
 namespace girth::io {
 namespace {
 
-Error malformed(std::string message) {
-  return makeError(ErrorCode::MalformedFile, -1, std::move(message));
+template <std::size_t kBytes>
+using UnsignedOf = std::conditional_t<
+    kBytes == 1, std::uint8_t,
+    std::conditional_t<kBytes == 2, std::uint16_t,
+                       std::conditional_t<kBytes == 4, std::uint32_t, std::uint64_t>>>;
+
+/// A little-endian number. Compilers make one load of it.
+template <class T>
+T load(const std::byte* at) {
+  using Bits = UnsignedOf<sizeof(T)>;
+  Bits bits = 0;
+  for (std::size_t i = 0; i < sizeof(T); ++i) {
+    bits = static_cast<Bits>(bits | static_cast<Bits>(std::to_integer<Bits>(at[i]) << (8 * i)));
+  }
+  return bitCast<T>(bits);
 }
 
-/// Bytes of a component; 0 for types that glTF does not have.
-std::size_t componentBytes(int type) {
-  switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return 1;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return 2;
-    case TINYGLTF_COMPONENT_TYPE_INT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
-      return 4;
-    case TINYGLTF_COMPONENT_TYPE_DOUBLE:
-      return 8;
-    default:
-      return 0;
+template <class T, bool kNormalized>
+double numberAt(const std::byte* at) {
+  const auto value = static_cast<double>(load<T>(at));
+  if constexpr (kNormalized && std::is_integral_v<T>) {
+    return std::max(value / static_cast<double>(std::numeric_limits<T>::max()), -1.0);
+  } else {
+    return value;
   }
 }
 
-/// A little-endian number of `bytes` bytes, as bits.
-std::uint64_t bitsAt(const std::byte* at, std::size_t bytes) {
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < bytes; ++i) {
-    bits |= std::to_integer<std::uint64_t>(at[i]) << (8 * i);
-  }
-  return bits;
-}
-
-/// A component as a number; normalised integers map onto [0, 1] or [-1, 1].
-double componentAt(const std::byte* at, int type, bool normalized) {
-  const std::uint64_t bits = bitsAt(at, componentBytes(type));
-  double value = 0;
-  double scale = 1;
-  switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      value = static_cast<std::int8_t>(bits);
-      scale = 127;
-      break;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      value = static_cast<std::uint8_t>(bits);
-      scale = 255;
-      break;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      value = static_cast<std::int16_t>(bits);
-      scale = 32767;
-      break;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      value = static_cast<std::uint16_t>(bits);
-      scale = 65535;
-      break;
-    case TINYGLTF_COMPONENT_TYPE_INT:
-      value = static_cast<std::int32_t>(bits);
-      scale = 2147483647;
-      break;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      value = static_cast<std::uint32_t>(bits);
-      scale = 4294967295;
-      break;
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
-      return bitCast<float>(static_cast<std::uint32_t>(bits));
-    default:
-      return bitCast<double>(bits);
-  }
-  return normalized ? std::max(value / scale, -1.0) : value;
-}
-
-/// `count` elements of `elementBytes`, `stride` bytes apart, all inside the buffer view.
-struct Elements {
-  const std::byte* first{nullptr};
-  std::size_t stride{0};
-  const std::byte* operator[](std::size_t i) const { return first + i * stride; }
+/// Elements `stride` bytes apart.
+struct Run {
+  const std::byte* first;
+  std::size_t stride;
+  std::size_t count;
 };
 
-Result<Elements> elementsOf(const GltfDocument& document, GltfBuffers& buffers, int view,
-                            std::size_t offset, std::size_t count, std::size_t elementBytes,
-                            const std::string& user) {
-  auto bytes = buffers.view(view, user);
-  if (!bytes) return bytes.error();
-  const auto& description = document.model.bufferViews[static_cast<std::size_t>(view)];
-  const std::size_t stride = description.byteStride == 0 ? elementBytes : description.byteStride;
-  if (stride < elementBytes) {
-    return malformed(user + " has elements of " + std::to_string(elementBytes) + " bytes only " +
-                     std::to_string(stride) + " bytes apart");
+template <class T, bool kNormalized>
+void copyNumbers(const Run& run, std::size_t components, double* to) {
+  for (std::size_t i = 0; i < run.count; ++i) {
+    const std::byte* at = run.first + i * run.stride;
+    for (std::size_t k = 0; k < components; ++k) {
+      *to++ = numberAt<T, kNormalized>(at + k * sizeof(T));
+    }
   }
-  const std::size_t size = bytes.value().size();
+}
+
+template <class T>
+void copyNumbers(const Run& run, std::size_t components, bool normalized, double* to) {
+  if (normalized) {
+    copyNumbers<T, true>(run, components, to);
+  } else {
+    copyNumbers<T, false>(run, components, to);
+  }
+}
+
+void copyNumbers(const Run& run, GltfComponent component, std::size_t components, bool normalized,
+                 double* to) {
+  switch (component) {
+    case GltfComponent::Byte:
+      return copyNumbers<std::int8_t>(run, components, normalized, to);
+    case GltfComponent::UnsignedByte:
+      return copyNumbers<std::uint8_t>(run, components, normalized, to);
+    case GltfComponent::Short:
+      return copyNumbers<std::int16_t>(run, components, normalized, to);
+    case GltfComponent::UnsignedShort:
+      return copyNumbers<std::uint16_t>(run, components, normalized, to);
+    case GltfComponent::Int:
+      return copyNumbers<std::int32_t>(run, components, normalized, to);
+    case GltfComponent::UnsignedInt:
+      return copyNumbers<std::uint32_t>(run, components, normalized, to);
+    case GltfComponent::Float:
+      return copyNumbers<float>(run, components, normalized, to);
+    case GltfComponent::Double:
+      return copyNumbers<double>(run, components, normalized, to);
+  }
+}
+
+template <class T>
+void copyIndices(const Run& run, Index* to) {
+  for (std::size_t i = 0; i < run.count; ++i) to[i] = load<T>(run.first + i * run.stride);
+}
+
+bool canBeIndex(GltfComponent component) {
+  return component == GltfComponent::UnsignedByte || component == GltfComponent::UnsignedShort ||
+         component == GltfComponent::UnsignedInt;
+}
+
+void copyIndices(const Run& run, GltfComponent component, Index* to) {
+  if (component == GltfComponent::UnsignedByte) return copyIndices<std::uint8_t>(run, to);
+  if (component == GltfComponent::UnsignedShort) return copyIndices<std::uint16_t>(run, to);
+  return copyIndices<std::uint32_t>(run, to);
+}
+
+std::string placeOf(std::uint32_t accessor) { return "/accessors/" + std::to_string(accessor); }
+
+}  // namespace
+
+std::size_t componentsOf(GltfShape shape) {
+  switch (shape) {
+    case GltfShape::Scalar:
+      return 1;
+    case GltfShape::Vec2:
+      return 2;
+    case GltfShape::Vec3:
+      return 3;
+    case GltfShape::Vec4:
+    case GltfShape::Mat2:
+      return 4;
+    case GltfShape::Mat3:
+      return 9;
+    case GltfShape::Mat4:
+      break;
+  }
+  return 16;
+}
+
+void appendComponents(std::span<const std::byte> bytes, GltfComponent component, bool normalized,
+                      std::vector<double>& numbers) {
+  const std::size_t count = bytes.size() / bytesOf(component);
+  const std::size_t before = numbers.size();
+  numbers.resize(before + count);
+  copyNumbers({bytes.data(), bytesOf(component), count}, component, 1, normalized,
+              numbers.data() + before);
+}
+
+/// Elements that are all inside a buffer view.
+struct GltfAccessors::Elements {
+  const std::byte* first{nullptr};
+  std::size_t stride{0};
+};
+
+Result<GltfAccessors::Elements> GltfAccessors::elementsOf(std::uint32_t view,
+                                                          const std::string& viewUser,
+                                                          std::uint64_t offset, std::uint64_t count,
+                                                          std::size_t elementBytes,
+                                                          const std::string& place) {
+  auto bytes = buffers_.view(view, viewUser);
+  if (!bytes) return bytes.error();
+  const std::uint64_t given = document_.bufferViews[view].byteStride;
+  const std::uint64_t stride = given == 0 ? elementBytes : given;
+  if (stride < elementBytes) {
+    return faultAt("/bufferViews/" + std::to_string(view) + "/byteStride",
+                   "is " + std::to_string(stride) + ", less than the " +
+                       std::to_string(elementBytes) + " bytes of an element of " + place);
+  }
+  const std::uint64_t size = bytes.value().size();
   // In terms of what fits, so that nothing can overflow.
   const bool fits = offset <= size && elementBytes <= size - offset &&
                     count - 1 <= (size - offset - elementBytes) / stride;
   if (!fits) {
-    return malformed(user + " claims " + std::to_string(count) +
-                     " elements, which reach beyond the end of buffer view " +
-                     std::to_string(view));
+    return faultAt(place, "claims " + std::to_string(count) +
+                              " elements, which reach beyond the end of buffer view " +
+                              std::to_string(view));
   }
-  return Elements{bytes.value().data() + offset, stride};
+  return Elements{bytes.value().data() + offset, static_cast<std::size_t>(stride)};
 }
 
-/// What both kinds of accessor have in common.
-struct Checked {
-  const tinygltf::Accessor* accessor{nullptr};
-  std::string name;
-  std::size_t elementBytes{0};
-};
-
-Result<Checked> check(const GltfDocument& document, GltfBuffers& buffers, int number,
-                      int wantedType, SoupBudget& budget) {
-  const auto& accessors = document.model.accessors;
-  const std::string name = "accessor " + std::to_string(number);
-  if (number < 0 || static_cast<std::size_t>(number) >= accessors.size()) {
-    return malformed("a primitive refers to " + name + ", which does not exist");
+Result<const GltfAccessor*> GltfAccessors::find(std::uint32_t number, GltfShape shape,
+                                                const std::string& user) const {
+  if (number >= document_.accessors.size()) {
+    return faultAt(user, "there is no accessor " + std::to_string(number));
   }
-  const tinygltf::Accessor& accessor = accessors[static_cast<std::size_t>(number)];
-  const std::size_t bytes = componentBytes(accessor.componentType);
-  if (bytes == 0) {
-    return malformed(name + " has the unknown component type " +
-                     std::to_string(accessor.componentType));
+  const GltfAccessor& accessor = document_.accessors[number];
+  if (accessor.shape != shape) {
+    return faultAt(placeOf(number) + "/type", "is " + std::string(toString(accessor.shape)) +
+                                                  ", but " + user + " needs " +
+                                                  std::string(toString(shape)));
   }
-  if (accessor.type != wantedType) {
-    return malformed(name + (wantedType == TINYGLTF_TYPE_VEC3 ? " holds positions, but not VEC3"
-                                                              : " holds indices, but not SCALAR"));
-  }
-  if (accessor.count == 0) return malformed(name + " is empty");
-  if (accessor.bufferView >= 0) {
-    // Fetched first: a file beside the model makes room for what it holds.
-    if (auto view = buffers.view(accessor.bufferView, name); !view) return view.error();
-  }
-  if (!budget.take(accessor.count)) {
-    return makeError(ErrorCode::LimitExceeded, number,
-                     name + " with " + std::to_string(accessor.count) +
-                         " elements makes the model far larger than its file");
-  }
-  return Checked{&accessor, name, bytes * (wantedType == TINYGLTF_TYPE_VEC3 ? 3u : 1u)};
+  if (accessor.count == 0) return faultAt(placeOf(number) + "/count", "is 0");
+  return &accessor;
 }
 
-/// Calls `put(i, bytes)` for every element, with sparse replacements applied. Elements that no
-/// buffer view stands behind are zero and are not reported.
+/// Calls `put(first element, run)` for every run of elements that have bytes behind them, later
+/// ones over earlier ones. All counts are checked, and paid for, before the first call.
 template <class Put>
-std::optional<Error> forEachElement(const GltfDocument& document, GltfBuffers& buffers,
-                                    const Checked& checked, const Put& put) {
-  const tinygltf::Accessor& accessor = *checked.accessor;
-  if (accessor.bufferView >= 0) {
-    auto elements = elementsOf(document, buffers, accessor.bufferView, accessor.byteOffset,
-                               accessor.count, checked.elementBytes, checked.name);
+Result<std::size_t> GltfAccessors::forEachRun(const GltfAccessor& accessor,
+                                              const std::string& place, const Put& put) {
+  const std::size_t elementBytes = bytesOf(accessor.component) * componentsOf(accessor.shape);
+  std::optional<Elements> base;
+  if (accessor.bufferView) {
+    auto elements = elementsOf(*accessor.bufferView, place + "/bufferView", accessor.byteOffset,
+                               accessor.count, elementBytes, place);
     if (!elements) return elements.error();
-    for (std::size_t i = 0; i < accessor.count; ++i) put(i, elements.value()[i]);
+    base = elements.value();
   }
-  if (!accessor.sparse.isSparse) return std::nullopt;
-
-  const auto& sparse = accessor.sparse;
-  const std::string name = "the sparse part of " + checked.name;
-  const std::size_t indexBytes = componentBytes(sparse.indices.componentType);
-  const bool unsignedIndices =
-      sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-      sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-      sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-  if (!unsignedIndices || sparse.count <= 0 || sparse.indices.byteOffset < 0 ||
-      sparse.values.byteOffset < 0) {
-    return malformed(name + " is not valid");
-  }
-  const auto count = static_cast<std::size_t>(sparse.count);
-  auto indices =
-      elementsOf(document, buffers, sparse.indices.bufferView,
-                 static_cast<std::size_t>(sparse.indices.byteOffset), count, indexBytes, name);
-  if (!indices) return indices.error();
-  auto values = elementsOf(document, buffers, sparse.values.bufferView,
-                           static_cast<std::size_t>(sparse.values.byteOffset), count,
-                           checked.elementBytes, name);
-  if (!values) return values.error();
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint64_t target = bitsAt(indices.value()[i], indexBytes);
-    if (target >= accessor.count) {
-      return malformed(name + " replaces element " + std::to_string(target) + " of " +
-                       std::to_string(accessor.count));
+  std::optional<Elements> indices, values;
+  if (accessor.sparse) {
+    const GltfSparse& sparse = *accessor.sparse;
+    const std::string sparsePlace = place + "/sparse";
+    if (!canBeIndex(sparse.indicesComponent)) {
+      return faultAt(sparsePlace + "/indices/componentType", "is not an unsigned integer");
     }
-    put(static_cast<std::size_t>(target), values.value()[i]);
+    if (sparse.count == 0) return faultAt(sparsePlace + "/count", "is 0");
+    auto foundIndices =
+        elementsOf(sparse.indicesView, sparsePlace + "/indices/bufferView", sparse.indicesOffset,
+                   sparse.count, bytesOf(sparse.indicesComponent), sparsePlace);
+    if (!foundIndices) return foundIndices.error();
+    auto foundValues = elementsOf(sparse.valuesView, sparsePlace + "/values/bufferView",
+                                  sparse.valuesOffset, sparse.count, elementBytes, sparsePlace);
+    if (!foundValues) return foundValues.error();
+    indices = foundIndices.value();
+    values = foundValues.value();
   }
-  return std::nullopt;
+  // Far below what the memory of WebAssembly could hold.
+  constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max() / 64;
+  if (accessor.count > kMost || !budget_.take(accessor.count)) {
+    return makeError(ErrorCode::LimitExceeded, -1,
+                     place + ": its " + std::to_string(accessor.count) +
+                         " elements make the model far larger than its file");
+  }
+  const auto count = static_cast<std::size_t>(accessor.count);
+  put.prepare(count);
+  if (base) put(0, Run{base->first, base->stride, count});
+  if (!accessor.sparse) return count;
+  for (std::size_t i = 0; i < accessor.sparse->count; ++i) {
+    Index target = 0;
+    copyIndices({indices->first + i * indices->stride, 0, 1}, accessor.sparse->indicesComponent,
+                &target);
+    if (target >= accessor.count) {
+      return faultAt(place + "/sparse", "replaces element " + std::to_string(target) + " of " +
+                                            std::to_string(accessor.count));
+    }
+    put(target, Run{values->first + i * values->stride, 0, 1});
+  }
+  return count;
 }
 
-}  // namespace
+Result<std::size_t> GltfAccessors::appendNumbers(std::uint32_t number, GltfShape shape,
+                                                 const std::string& user,
+                                                 std::vector<double>& numbers) {
+  auto accessor = find(number, shape, user);
+  if (!accessor) return accessor.error();
+  struct Put {
+    const GltfAccessor& accessor;
+    std::size_t components, before;
+    std::vector<double>& numbers;
 
-Result<std::vector<double>> readPoints(const GltfDocument& document, GltfBuffers& buffers,
-                                       int accessor, SoupBudget& budget) {
-  auto checked = check(document, buffers, accessor, TINYGLTF_TYPE_VEC3, budget);
-  if (!checked) return checked.error();
-  const tinygltf::Accessor& description = *checked.value().accessor;
-  const std::size_t bytes = componentBytes(description.componentType);
-  std::vector<double> points(3 * description.count, 0.0);
-  const auto error =
-      forEachElement(document, buffers, checked.value(), [&](std::size_t i, const std::byte* at) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          points[3 * i + k] =
-              componentAt(at + k * bytes, description.componentType, description.normalized);
-        }
-      });
-  if (error) return *error;
-  return points;
+    void prepare(std::size_t count) const { numbers.resize(before + components * count); }
+    void operator()(std::size_t first, const Run& run) const {
+      copyNumbers(run, accessor.component, components, accessor.normalized,
+                  numbers.data() + before + components * first);
+    }
+  };
+  return forEachRun(*accessor.value(), placeOf(number),
+                    Put{*accessor.value(), componentsOf(shape), numbers.size(), numbers});
 }
 
-Result<std::vector<Index>> readIndices(const GltfDocument& document, GltfBuffers& buffers,
-                                       int accessor, SoupBudget& budget) {
-  auto checked = check(document, buffers, accessor, TINYGLTF_TYPE_SCALAR, budget);
-  if (!checked) return checked.error();
-  const tinygltf::Accessor& description = *checked.value().accessor;
-  const int type = description.componentType;
-  if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
-      type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-      type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
-    return malformed(checked.value().name + " holds indices that are not unsigned integers");
+Result<std::size_t> GltfAccessors::appendIndices(std::uint32_t number, const std::string& user,
+                                                 std::vector<Index>& indices) {
+  auto accessor = find(number, GltfShape::Scalar, user);
+  if (!accessor) return accessor.error();
+  if (!canBeIndex(accessor.value()->component)) {
+    return faultAt(placeOf(number) + "/componentType",
+                   "is not an unsigned integer, but " + user + " needs one");
   }
-  std::vector<Index> indices(description.count, 0);
-  const auto error =
-      forEachElement(document, buffers, checked.value(), [&](std::size_t i, const std::byte* at) {
-        indices[i] = static_cast<Index>(bitsAt(at, componentBytes(type)));
-      });
-  if (error) return *error;
-  return indices;
+  struct Put {
+    const GltfAccessor& accessor;
+    std::size_t before;
+    std::vector<Index>& indices;
+
+    void prepare(std::size_t count) const { indices.resize(before + count); }
+    void operator()(std::size_t first, const Run& run) const {
+      copyIndices(run, accessor.component, indices.data() + before + first);
+    }
+  };
+  return forEachRun(*accessor.value(), placeOf(number),
+                    Put{*accessor.value(), indices.size(), indices});
 }
 
 }  // namespace girth::io

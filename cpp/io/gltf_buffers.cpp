@@ -2,15 +2,14 @@
 
 #include <cstdint>
 #include <string_view>
+#include <utility>
 
+#include "gltf_meshopt.h"
+#include "json_fields.h"
 #include "text.h"
 
 namespace girth::io {
 namespace {
-
-Error malformed(std::string message) {
-  return makeError(ErrorCode::MalformedFile, -1, std::move(message));
-}
 
 int hexDigit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -97,13 +96,13 @@ GltfBuffers::GltfBuffers(const GltfDocument& document, std::span<const std::byte
     : document_(document), binary_(binary), resources_(resources), budget_(budget) {}
 
 Result<std::span<const std::byte>> GltfBuffers::resource(const std::string& uri,
-                                                         std::size_t index) {
+                                                         const std::string& place) {
   if (const auto found = fetched_.find(uri); found != fetched_.end()) {
     return std::span<const std::byte>(found->second);
   }
   const std::string name = percentDecoded(uri);
-  const auto error = [&](const std::string& message) {
-    return makeError(ErrorCode::MissingResource, static_cast<std::int64_t>(index), message);
+  const auto error = [&](const std::string& what) {
+    return makeError(ErrorCode::MissingResource, -1, place + ": " + what);
   };
   if (!staysInside(name)) {
     return error("it refers to " + inQuotes(name) + ", which is not a file beside the model");
@@ -116,57 +115,80 @@ Result<std::span<const std::byte>> GltfBuffers::resource(const std::string& uri,
   return std::span<const std::byte>(fetched_.emplace(uri, std::move(*bytes)).first->second);
 }
 
-Result<std::span<const std::byte>> GltfBuffers::buffer(std::size_t index) {
-  const GltfBufferSource& source = document_.buffers[index];
-  const std::string where = "buffer " + std::to_string(index);
+Result<std::span<const std::byte>> GltfBuffers::buffer(std::uint32_t index) {
+  const GltfBuffer& source = document_.buffers[index];
+  const std::string place = "/buffers/" + std::to_string(index);
   std::span<const std::byte> bytes;
   if (source.uri.empty()) {
-    if (!source.fallbackFor.empty()) {
-      return makeError(ErrorCode::UnsupportedFeature, static_cast<std::int64_t>(index),
-                       "its geometry is compressed with the glTF extension " +
-                           inQuotes(source.fallbackFor) + ", which is not read");
-    }
-    if (index != 0) return malformed(where + " has no uri");
-    if (binary_.empty()) return malformed(where + " has neither a uri nor a binary chunk");
+    if (index != 0) return faultAt(place, "has no uri, and so no bytes");
+    if (binary_.empty()) return faultAt(place, "has neither a uri nor a binary chunk");
     bytes = binary_;
   } else if (source.uri.rfind("data:", 0) == 0) {
     auto found = decoded_.find(index);
     if (found == decoded_.end()) {
       auto data = dataOf(source.uri);
-      if (!data) return malformed(where + " has a data: URI that is not valid");
+      if (!data) return faultAt(place + "/uri", "is a data: URI that is not valid");
       found = decoded_.emplace(index, std::move(*data)).first;
     }
     bytes = found->second;
   } else {
-    auto fetched = resource(source.uri, index);
+    auto fetched = resource(source.uri, place + "/uri");
     if (!fetched) return fetched.error();
     bytes = fetched.value();
   }
   if (source.byteLength > bytes.size()) {
-    return malformed(where + " promises " + std::to_string(source.byteLength) +
-                     " bytes, but there are " + std::to_string(bytes.size()));
+    return faultAt(place + "/byteLength", "promises " + std::to_string(source.byteLength) +
+                                              " bytes, but there are " +
+                                              std::to_string(bytes.size()));
   }
   return bytes.first(static_cast<std::size_t>(source.byteLength));
 }
 
-Result<std::span<const std::byte>> GltfBuffers::view(int index, const std::string& user) {
-  const auto& views = document_.model.bufferViews;
-  const std::string where = "buffer view " + std::to_string(index);
-  if (index < 0 || static_cast<std::size_t>(index) >= views.size()) {
-    return malformed(user + " refers to " + where + ", which does not exist");
+Result<std::span<const std::byte>> GltfBuffers::range(std::uint32_t index, std::uint64_t offset,
+                                                      std::uint64_t length,
+                                                      const std::string& user) {
+  if (index >= document_.buffers.size()) {
+    return faultAt(user + "/buffer", "there is no buffer " + std::to_string(index));
   }
-  const auto& view = views[static_cast<std::size_t>(index)];
-  if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= document_.buffers.size()) {
-    return malformed(where + " refers to buffer " + std::to_string(view.buffer) +
-                     ", which does not exist");
-  }
-  auto bytes = buffer(static_cast<std::size_t>(view.buffer));
+  auto bytes = buffer(index);
   if (!bytes) return bytes.error();
   const std::span<const std::byte> all = bytes.value();
-  if (view.byteOffset > all.size() || view.byteLength > all.size() - view.byteOffset) {
-    return malformed(where + " reaches beyond the end of buffer " + std::to_string(view.buffer));
+  if (offset > all.size() || length > all.size() - offset) {
+    return faultAt(user, "reaches beyond the end of buffer " + std::to_string(index));
   }
-  return all.subspan(view.byteOffset, view.byteLength);
+  return all.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
+}
+
+Result<std::span<const std::byte>> GltfBuffers::unpacked(std::uint32_t index) {
+  const GltfBufferView& view = document_.bufferViews[index];
+  const GltfMeshopt& packed = *view.packed;
+  const std::string place =
+      "/bufferViews/" + std::to_string(index) + "/extensions/" + packed.extension;
+  auto found = unpacked_.find(index);
+  if (found == unpacked_.end()) {
+    auto bytes = range(packed.buffer, packed.byteOffset, packed.byteLength, place);
+    if (!bytes) return bytes.error();
+    budget_.allowFor(bytes.value().size());
+    auto content = unpackMeshopt(packed, bytes.value(), budget_, place);
+    if (!content) return content.error();
+    found = unpacked_.emplace(index, std::move(content).value()).first;
+  }
+  if (view.byteLength > found->second.size()) {
+    return faultAt("/bufferViews/" + std::to_string(index) + "/byteLength",
+                   "is " + std::to_string(view.byteLength) + ", but unpacked there are " +
+                       std::to_string(found->second.size()) + " bytes");
+  }
+  return std::span<const std::byte>(found->second).first(view.byteLength);
+}
+
+Result<std::span<const std::byte>> GltfBuffers::view(std::uint32_t index, const std::string& user) {
+  if (index >= document_.bufferViews.size()) {
+    return faultAt(user, "there is no buffer view " + std::to_string(index));
+  }
+  const GltfBufferView& view = document_.bufferViews[index];
+  if (view.packed) return unpacked(index);
+  return range(view.buffer, view.byteOffset, view.byteLength,
+               "/bufferViews/" + std::to_string(index));
 }
 
 }  // namespace girth::io

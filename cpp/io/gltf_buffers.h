@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "girth/io/read_mesh.h"
@@ -14,28 +16,32 @@
 
 namespace girth::io {
 
-/// Fetches buffers when they are first asked for, so that bytes that no triangle needs may be
-/// missing.
+/// Fetches buffers and unpacks buffer views when they are first asked for, so that bytes that no
+/// triangle needs may be missing. Nothing that is in the file already is copied.
 class GltfBuffers {
  public:
   /// All must outlive the object; `binary` is the GLB's binary chunk. Bytes fetched from outside
-  /// the file are added to the budget.
+  /// the file, and what packed ones may become, are added to the budget.
   GltfBuffers(const GltfDocument& document, std::span<const std::byte> binary,
               const ResourceReader& resources, SoupBudget& budget);
 
-  /// The bytes of a buffer view. `user` names who asks, for messages.
-  /// Errors: MALFORMED_FILE, MISSING_RESOURCE, UNSUPPORTED_FEATURE.
-  Result<std::span<const std::byte>> view(int index, const std::string& user);
+  /// The bytes of a buffer view, unpacked. `user` is the place of the reference, as a JSON pointer.
+  /// Errors: MALFORMED_FILE, MISSING_RESOURCE, UNSUPPORTED_FEATURE, LIMIT_EXCEEDED.
+  Result<std::span<const std::byte>> view(std::uint32_t index, const std::string& user);
 
  private:
-  Result<std::span<const std::byte>> buffer(std::size_t index);
-  Result<std::span<const std::byte>> resource(const std::string& uri, std::size_t index);
+  Result<std::span<const std::byte>> range(std::uint32_t buffer, std::uint64_t offset,
+                                           std::uint64_t length, const std::string& user);
+  Result<std::span<const std::byte>> buffer(std::uint32_t index);
+  Result<std::span<const std::byte>> resource(const std::string& uri, const std::string& place);
+  Result<std::span<const std::byte>> unpacked(std::uint32_t index);
 
   const GltfDocument& document_;
   std::span<const std::byte> binary_;
   const ResourceReader& resources_;
   SoupBudget& budget_;
-  std::map<std::size_t, std::vector<std::byte>> decoded_;
+  std::map<std::uint32_t, std::vector<std::byte>> decoded_;
+  std::map<std::uint32_t, std::vector<std::byte>> unpacked_;
   std::map<std::string, std::vector<std::byte>> fetched_;
 };
 

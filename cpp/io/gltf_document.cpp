@@ -1,12 +1,9 @@
-#define TINYGLTF_IMPLEMENTATION
 #include "gltf_document.h"
 
-#include <array>
-#include <initializer_list>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "json_fields.h"
 #include "json_nesting.h"
 #include "text.h"
 
@@ -15,40 +12,281 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
-
 // No document needs more; a recursive parser survives this.
 constexpr std::size_t kDeepest = 64;
 
-Error malformed(std::string message) {
-  return makeError(ErrorCode::MalformedFile, -1, std::move(message));
-}
+// What a double holds exactly, and far more than any file.
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 53;
 
-/// Required extensions that change how the geometry is stored or placed make it unreadable here;
-/// these families do not.
-bool leavesGeometryAlone(std::string_view extension) {
-  constexpr std::array<std::string_view, 15> kHarmless{
-      "KHR_mesh_quantization", "KHR_materials_", "KHR_texture_",
-      "KHR_lights_",           "KHR_xmp",        "KHR_animation_",
-      "KHR_techniques_",       "KHR_audio",      "KHR_interactivity",
-      "EXT_texture_",          "EXT_lights_",    "EXT_materials_",
-      "MSFT_texture_",         "MSFT_packing_",  "GOOGLE_texture_"};
-  for (const std::string_view prefix : kHarmless) {
-    if (extension.substr(0, prefix.size()) == prefix) return true;
+// More influences a vertex than any exporter writes.
+constexpr std::size_t kMostJointSets = 16;
+
+/// Required extensions that change how the geometry is stored or placed make it unreadable, unless
+/// they are among these. Names that end in '_' or '-' stand for families.
+bool isUnderstood(std::string_view extension) {
+  constexpr std::array<std::string_view, 31> kUnderstood{
+      // Read.
+      "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
+      "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_node_visibility",
+      // Beside the geometry.
+      "KHR_materials_", "KHR_texture_", "KHR_lights_", "KHR_xmp", "KHR_animation_", "KHR_technique",
+      "KHR_audio", "KHR_interactivity", "KHR_node_hoverability", "KHR_node_selectability",
+      "KHR_physics_", "KHR_collision_", "EXT_texture_", "EXT_lights_", "EXT_materials_",
+      "EXT_mesh_features", "EXT_mesh_manifold", "EXT_structural_metadata", "EXT_instance_features",
+      "MSFT_texture_", "MSFT_packing_", "MSFT_lod", "GOOGLE_texture_", "CESIUM_primitive_outline",
+      "VRM"};
+  for (const std::string_view name : kUnderstood) {
+    if (extension == name) return true;
+    const bool isFamily =
+        name.back() == '_' || name == "KHR_xmp" || name == "KHR_technique" || name == "VRM";
+    if (isFamily && extension.substr(0, name.size()) == name) return true;
   }
   return false;
 }
 
-/// Moves the named members of an object into a new one.
-Json pick(Json& from, std::initializer_list<const char*> names) {
-  Json picked = Json::object();
-  if (!from.is_object()) return picked;
-  for (const char* name : names) {
-    const auto found = from.find(name);
-    if (found != from.end()) picked[name] = std::move(*found);
+/// A document, while it is taken apart.
+class Parser {
+ public:
+  explicit Parser(const Json& document) : fields_(document, root_, fault_) {}
+
+  Result<GltfDocument> run() {
+    readList("buffers", document_.buffers,
+             [this](const JsonFields& fields) { return buffer(fields); });
+    readList("bufferViews", document_.bufferViews,
+             [this](const JsonFields& fields) { return bufferView(fields); });
+    readList("accessors", document_.accessors,
+             [this](const JsonFields& fields) { return accessor(fields); });
+    readList("meshes", document_.meshes, [this](const JsonFields& fields) { return mesh(fields); });
+    readList("nodes", document_.nodes, [this](const JsonFields& fields) { return node(fields); });
+    readList("skins", document_.skins, [](const JsonFields& fields) {
+      return GltfSkin{fields.text("name"), fields.references("joints"),
+                      fields.reference("inverseBindMatrices")};
+    });
+    readList("scenes", document_.scenes, [](const JsonFields& fields) {
+      return GltfScene{fields.text("name"), fields.references("nodes")};
+    });
+    document_.scene = fields_.reference("scene");
+    if (fault_) return *fault_;
+    return std::move(document_);
   }
-  return picked;
-}
+
+ private:
+  template <class Element, class Read>
+  void readList(const char* name, std::vector<Element>& list, const Read& read) {
+    forEachElement(fields_, name, [&](const Json& element, const JsonPlace& place) {
+      list.push_back(read(JsonFields(element, place, fault_)));
+    });
+  }
+
+  /// Calls `read` with the members of the object of that name, if there is one.
+  template <class Read>
+  void within(const JsonFields& fields, const char* name, const Read& read) {
+    const Json* member = fields.find(name);
+    if (member == nullptr) return;
+    const JsonPlace place(fields.place(), name);
+    read(JsonFields(*member, place, fault_));
+  }
+
+  template <class Read>
+  void withinExtension(const JsonFields& fields, const char* name, const Read& read) {
+    // An "extensions" that is no object holds none; whatever it is, it is not geometry.
+    if (const Json* all = fields.find("extensions"); all == nullptr || !all->is_object()) return;
+    within(fields, "extensions",
+           [&](const JsonFields& extensions) { within(extensions, name, read); });
+  }
+
+  GltfBuffer buffer(const JsonFields& fields) {
+    return {fields.text("uri"), fields.requiredInteger("byteLength", kMostBytes)};
+  }
+
+  GltfBufferView bufferView(const JsonFields& fields) {
+    GltfBufferView view;
+    view.buffer = fields.requiredReference("buffer");
+    view.byteOffset = fields.integer("byteOffset", kMostBytes).value_or(0);
+    view.byteLength = fields.requiredInteger("byteLength", kMostBytes);
+    view.byteStride = fields.integer("byteStride", kMostBytes).value_or(0);
+    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+      withinExtension(fields, name,
+                      [&](const JsonFields& extension) { view.packed = meshopt(extension, name); });
+    }
+    return view;
+  }
+
+  GltfMeshopt meshopt(const JsonFields& fields, const char* extension) {
+    GltfMeshopt packed;
+    packed.extension = extension;
+    packed.buffer = fields.requiredReference("buffer");
+    packed.byteOffset = fields.integer("byteOffset", kMostBytes).value_or(0);
+    packed.byteLength = fields.requiredInteger("byteLength", kMostBytes);
+    packed.byteStride = fields.requiredInteger("byteStride", kMostBytes);
+    packed.count = fields.requiredInteger("count", kMostBytes);
+    using Mode = GltfMeshopt::Mode;
+    using Filter = GltfMeshopt::Filter;
+    packed.mode = choice<Mode, 3>(fields, "mode",
+                                  {{{"ATTRIBUTES", Mode::Attributes},
+                                    {"TRIANGLES", Mode::Triangles},
+                                    {"INDICES", Mode::Indices}}});
+    if (fields.find("filter") == nullptr) return packed;
+    packed.filter = choice<Filter, 5>(fields, "filter",
+                                      {{{"NONE", Filter::None},
+                                        {"OCTAHEDRAL", Filter::Octahedral},
+                                        {"QUATERNION", Filter::Quaternion},
+                                        {"EXPONENTIAL", Filter::Exponential},
+                                        {"COLOR", Filter::Color}}});
+    return packed;
+  }
+
+  /// One of a few words.
+  template <class Value, std::size_t kCount>
+  Value choice(const JsonFields& fields, const char* name,
+               const std::array<std::pair<std::string_view, Value>, kCount>& choices) {
+    const std::string found = fields.text(name);
+    for (const auto& [word, value] : choices) {
+      if (found == word) return value;
+    }
+    fields.report(found.empty() ? "is missing" : "is unknown: " + inQuotes(found), name);
+    return choices[0].second;
+  }
+
+  GltfComponent component(const JsonFields& fields) {
+    constexpr std::uint64_t kFirst = 5120, kFloat = 5126, kDouble = 5130;
+    const std::uint64_t type = fields.requiredInteger("componentType", kMostBytes);
+    if (type < kFirst || (type > kFloat && type != kDouble)) {
+      fields.report("is unknown: " + std::to_string(type), "componentType");
+      return GltfComponent::Float;
+    }
+    return static_cast<GltfComponent>(type);
+  }
+
+  GltfAccessor accessor(const JsonFields& fields) {
+    GltfAccessor accessor;
+    accessor.bufferView = fields.reference("bufferView");
+    accessor.byteOffset = fields.integer("byteOffset", kMostBytes).value_or(0);
+    accessor.count = fields.requiredInteger("count", kMostBytes);
+    accessor.component = component(fields);
+    using Shape = GltfShape;
+    accessor.shape = choice<Shape, 7>(fields, "type",
+                                      {{{"SCALAR", Shape::Scalar},
+                                        {"VEC2", Shape::Vec2},
+                                        {"VEC3", Shape::Vec3},
+                                        {"VEC4", Shape::Vec4},
+                                        {"MAT2", Shape::Mat2},
+                                        {"MAT3", Shape::Mat3},
+                                        {"MAT4", Shape::Mat4}}});
+    accessor.normalized = fields.flag("normalized");
+    within(fields, "sparse",
+           [&](const JsonFields& sparse) { accessor.sparse = sparsePart(sparse); });
+    return accessor;
+  }
+
+  GltfSparse sparsePart(const JsonFields& fields) {
+    GltfSparse sparse;
+    sparse.count = fields.requiredInteger("count", kMostBytes);
+    for (const char* name : {"indices", "values"}) {
+      if (fields.find(name) == nullptr) fields.report("has no " + inQuotes(name));
+    }
+    within(fields, "indices", [&](const JsonFields& indices) {
+      sparse.indicesView = indices.requiredReference("bufferView");
+      sparse.indicesOffset = indices.integer("byteOffset", kMostBytes).value_or(0);
+      sparse.indicesComponent = component(indices);
+    });
+    within(fields, "values", [&](const JsonFields& values) {
+      sparse.valuesView = values.requiredReference("bufferView");
+      sparse.valuesOffset = values.integer("byteOffset", kMostBytes).value_or(0);
+    });
+    return sparse;
+  }
+
+  /// PREFIX_0, PREFIX_1, ...
+  std::vector<GltfReference> sets(const JsonFields& attributes, const std::string& prefix) {
+    std::vector<GltfReference> found;
+    for (std::size_t set = 0; set < kMostJointSets; ++set) {
+      const std::string name = prefix + std::to_string(set);
+      const auto reference = attributes.reference(name.c_str());
+      if (!reference) continue;
+      found.resize(set + 1);
+      found[set] = reference;
+    }
+    return found;
+  }
+
+  GltfMesh mesh(const JsonFields& fields) {
+    GltfMesh mesh;
+    mesh.name = fields.text("name");
+    mesh.weights = fields.numbers("weights", 0);
+    if (fields.find("primitives") == nullptr) fields.report("has no \"primitives\"");
+    forEachElement(fields, "primitives", [&](const Json& element, const JsonPlace& place) {
+      mesh.primitives.push_back(primitive(JsonFields(element, place, fault_)));
+    });
+    return mesh;
+  }
+
+  GltfPrimitive primitive(const JsonFields& fields) {
+    GltfPrimitive primitive;
+    constexpr std::uint64_t kLastMode = 6;
+    const std::uint64_t mode = fields.integer("mode", kMostBytes).value_or(4);
+    if (mode > kLastMode) {
+      fields.report("is unknown: " + std::to_string(mode), "mode");
+      return primitive;
+    }
+    primitive.mode = static_cast<GltfMode>(mode);
+    primitive.indices = fields.reference("indices");
+    if (fields.find("attributes") == nullptr) fields.report("has no \"attributes\"");
+    within(fields, "attributes", [&](const JsonFields& attributes) {
+      primitive.position = attributes.reference("POSITION");
+      primitive.joints = sets(attributes, "JOINTS_");
+      primitive.weights = sets(attributes, "WEIGHTS_");
+      const std::size_t most = std::max(primitive.joints.size(), primitive.weights.size());
+      primitive.joints.resize(most);
+      primitive.weights.resize(most);
+    });
+    forEachElement(fields, "targets", [&](const Json& element, const JsonPlace& place) {
+      primitive.targets.push_back(JsonFields(element, place, fault_).reference("POSITION"));
+    });
+    withinExtension(fields, "KHR_draco_mesh_compression", [&](const JsonFields& extension) {
+      GltfDraco draco;
+      draco.bufferView = extension.requiredReference("bufferView");
+      within(extension, "attributes", [&](const JsonFields& attributes) {
+        draco.position = attributes.reference("POSITION");
+        draco.joints = sets(attributes, "JOINTS_");
+        draco.weights = sets(attributes, "WEIGHTS_");
+      });
+      draco.joints.resize(primitive.joints.size());
+      draco.weights.resize(primitive.weights.size());
+      primitive.draco = std::move(draco);
+    });
+    return primitive;
+  }
+
+  GltfNode node(const JsonFields& fields) {
+    GltfNode node;
+    node.name = fields.text("name");
+    node.children = fields.references("children");
+    node.mesh = fields.reference("mesh");
+    node.skin = fields.reference("skin");
+    node.matrix = fields.numbers("matrix", 16);
+    node.translation = fields.numbers("translation", 3);
+    node.rotation = fields.numbers("rotation", 4);
+    node.scale = fields.numbers("scale", 3);
+    node.weights = fields.numbers("weights", 0);
+    withinExtension(fields, "EXT_mesh_gpu_instancing", [&](const JsonFields& extension) {
+      within(extension, "attributes", [&](const JsonFields& attributes) {
+        node.instancing =
+            GltfInstancing{attributes.reference("TRANSLATION"), attributes.reference("ROTATION"),
+                           attributes.reference("SCALE")};
+      });
+    });
+    withinExtension(fields, "KHR_node_visibility", [&](const JsonFields& extension) {
+      node.hidden = extension.find("visible") != nullptr && !extension.flag("visible");
+    });
+    return node;
+  }
+
+  JsonPlace root_;
+  std::optional<Error> fault_;
+  JsonFields fields_;
+  GltfDocument document_;
+};
 
 const std::string* stringMember(const Json& object, const char* name) {
   if (!object.is_object()) return nullptr;
@@ -56,128 +294,34 @@ const std::string* stringMember(const Json& object, const char* name) {
   return found == object.end() ? nullptr : found->get_ptr<const std::string*>();
 }
 
-/// Of `extensions` only the mark of Draco remains, without its content.
-void reduceExtensions(Json& object) {
-  const auto found = object.find("extensions");
-  if (found == object.end()) return;
-  const bool draco = found->is_object() && found->contains(std::string(kDraco));
-  object.erase(found);
-  if (draco) object["extensions"] = Json{{std::string(kDraco), Json::object()}};
-}
-
-/// tinygltf turns numbers into int unseen; a larger one would come out as another.
-bool integersFit(const Json& value) {
-  if (value.is_structured()) {
-    for (const auto& child : value) {
-      if (!integersFit(child)) return false;
-    }
-    return true;
-  }
-  if (value.is_number_unsigned()) {
-    return value.get<std::uint64_t>() <= std::uint64_t{std::numeric_limits<std::int32_t>::max()};
-  }
-  if (value.is_number_integer()) {
-    return value.get<std::int64_t>() >= std::numeric_limits<std::int32_t>::min();
-  }
-  return true;
-}
-
-/// The elements of a top-level array, each reduced by `reduce`, in `reduced`; what does not fit
-/// comes back as a message.
-template <class Reduce>
-std::optional<Error> reduceSection(Json& document, const char* section, Json& reduced,
-                                   const Reduce& reduce) {
-  const auto found = document.find(section);
-  if (found == document.end()) return std::nullopt;
-  if (!found->is_array()) return malformed(std::string("\"") + section + "\" is not an array");
-  Json& kept = reduced[section] = Json::array();
-  std::size_t number = 0;
-  for (Json& element : *found) {
-    const std::string where = std::string(section) + "[" + std::to_string(number) + "]";
-    if (!element.is_object()) return malformed(where + " is not an object");
-    Json small = reduce(element);
-    if (!integersFit(small)) return malformed(where + " has a number out of range");
-    kept.push_back(std::move(small));
-    ++number;
-  }
-  return std::nullopt;
-}
-
-/// A copy of what describes geometry. Everything else (materials, images, animations, extras) could
-/// only make tinygltf fail or work in vain.
-std::optional<Error> reduceDocument(Json& document, Json& reduced) {
-  reduced = Json::object();
-  reduced["asset"] = {{"version", "2.0"}};
-  const std::array<std::optional<Error>, 5> errors{
-      reduceSection(document, "bufferViews", reduced,
-                    [](Json& view) {
-                      return pick(view, {"buffer", "byteOffset", "byteLength", "byteStride"});
-                    }),
-      reduceSection(document, "accessors", reduced,
-                    [](Json& accessor) {
-                      Json kept = pick(accessor, {"bufferView", "byteOffset", "componentType",
-                                                  "normalized", "count", "type", "sparse"});
-                      if (const auto sparse = kept.find("sparse"); sparse != kept.end()) {
-                        *sparse = pick(*sparse, {"count", "indices", "values"});
-                        for (Json& part : *sparse) {
-                          if (!part.is_object()) continue;
-                          part = pick(part, {"bufferView", "byteOffset", "componentType"});
-                        }
-                      }
-                      return kept;
-                    }),
-      reduceSection(
-          document, "meshes", reduced,
-          [](Json& mesh) {
-            Json kept = pick(mesh, {"name", "primitives"});
-            const auto primitives = kept.find("primitives");
-            if (primitives == kept.end() || !primitives->is_array()) return kept;
-            for (Json& primitive : *primitives) {
-              primitive = pick(primitive, {"attributes", "indices", "mode", "extensions"});
-              if (const auto attributes = primitive.find("attributes");
-                  attributes != primitive.end()) {
-                *attributes = pick(*attributes, {"POSITION"});
-              }
-              reduceExtensions(primitive);
-            }
-            return kept;
-          }),
-      reduceSection(document, "nodes", reduced,
-                    [](Json& node) {
-                      return pick(node, {"name", "children", "mesh", "matrix", "rotation", "scale",
-                                         "translation"});
-                    }),
-      reduceSection(document, "scenes", reduced,
-                    [](Json& scene) {
-                      return pick(scene, {"name", "nodes"});
-                    }),
-  };
-  for (const auto& error : errors) {
-    if (error) return error;
-  }
-  if (const auto scene = document.find("scene"); scene != document.end()) {
-    if (!integersFit(*scene)) return malformed("\"scene\" is out of range");
-    reduced["scene"] = *scene;
-  }
-  return std::nullopt;
-}
-
 std::optional<Error> checkVersion(const Json& document) {
   const auto asset = document.find("asset");
-  const std::string* version = asset == document.end() ? nullptr : stringMember(*asset, "version");
-  if (asset == document.end() || !asset->is_object()) {
+  // Version 1.0 had dictionaries where 2.0 has arrays, and was often written without a version, or
+  // without anything about the asset.
+  const auto isDictionary = [&](const char* name) {
+    const auto found = document.find(name);
+    return found != document.end() && found->is_object();
+  };
+  const bool dictionaries =
+      isDictionary("meshes") || (isDictionary("accessors") && isDictionary("bufferViews"));
+  if (!dictionaries && (asset == document.end() || !asset->is_object())) {
     return makeError(ErrorCode::UnknownFormat, -1,
                      "the file is JSON, but not glTF: it has no \"asset\"");
   }
-  // Version 1.0 had dictionaries where 2.0 has arrays, and was often written without a version.
-  const auto meshes = document.find("meshes");
-  const bool dictionaries = meshes != document.end() && meshes->is_object();
-  if (version == nullptr && !dictionaries) return malformed("its \"asset\" names no glTF version");
-  const std::string found = version == nullptr ? "1.0" : *version;
-  if (dictionaries || found.substr(0, 2) != "2.") {
-    return makeError(ErrorCode::UnsupportedFeature, -1,
-                     "this is glTF " + (dictionaries ? std::string("1.0") : inQuotes(found)) +
-                         "; only version 2 is read");
+  const std::string* version = asset == document.end() ? nullptr : stringMember(*asset, "version");
+  if ((version == nullptr || version->empty()) && !dictionaries) {
+    return faultAt("/asset/version", "is missing");
+  }
+  if (dictionaries || version->substr(0, 2) != "2.") {
+    Error error =
+        makeError(ErrorCode::UnsupportedFeature, -1,
+                  "this is glTF " +
+                      (dictionaries || version->substr(0, 2) == "1." ? std::string("1.0")
+                                                                     : inQuotes(*version)) +
+                      "; only version 2 is read");
+    error.hint =
+        "convert it to glTF 2.0: open it in an editor that still reads it, export it again";
+    return error;
   }
   const std::string* least = stringMember(*asset, "minVersion");
   if (least != nullptr && *least != "2.0") {
@@ -192,135 +336,68 @@ std::optional<Error> checkExtensions(const Json& document) {
   if (required == document.end() || !required->is_array()) return std::nullopt;
   for (const Json& extension : *required) {
     const auto* name = extension.get_ptr<const std::string*>();
-    if (name == nullptr || leavesGeometryAlone(*name)) continue;
+    if (name == nullptr || isUnderstood(*name)) continue;
     return makeError(ErrorCode::UnsupportedFeature, -1,
                      "it requires the glTF extension " + inQuotes(*name) + ", which is not read");
   }
   return std::nullopt;
 }
 
-/// Draco's content has no uncompressed copy beside it where the accessor has no buffer view.
-std::optional<Error> checkDraco(const Json& reduced) {
-  const auto meshes = reduced.find("meshes");
-  const auto accessors = reduced.find("accessors");
-  if (meshes == reduced.end() || accessors == reduced.end()) return std::nullopt;
-  for (const Json& mesh : *meshes) {
-    const auto primitives = mesh.find("primitives");
-    if (primitives == mesh.end() || !primitives->is_array()) continue;
-    for (const Json& primitive : *primitives) {
-      if (!primitive.contains("extensions")) continue;
-      const auto attributes = primitive.find("attributes");
-      if (attributes == primitive.end() || !attributes->contains("POSITION")) continue;
-      const Json& position = (*attributes)["POSITION"];
-      if (!position.is_number_unsigned() || position.get<std::size_t>() >= accessors->size())
-        continue;
-      if ((*accessors)[position.get<std::size_t>()].contains("bufferView")) continue;
-      return makeError(ErrorCode::UnsupportedFeature, -1,
-                       "its geometry is compressed with the glTF extension " + inQuotes(kDraco) +
-                           ", which is not read");
-    }
-  }
-  return std::nullopt;
-}
-
-Result<std::vector<GltfBufferSource>> bufferSources(Json& document) {
-  std::vector<GltfBufferSource> sources;
-  const auto buffers = document.find("buffers");
-  if (buffers == document.end()) return sources;
-  if (!buffers->is_array()) return malformed("\"buffers\" is not an array");
-  for (Json& buffer : *buffers) {
-    const std::string where = "buffers[" + std::to_string(sources.size()) + "]";
-    if (!buffer.is_object()) return malformed(where + " is not an object");
-    GltfBufferSource source;
-    const auto length = buffer.find("byteLength");
-    if (length == buffer.end() || !length->is_number_unsigned()) {
-      return malformed(where + " has no byteLength");
-    }
-    source.byteLength = length->get<std::uint64_t>();
-    if (const auto uri = buffer.find("uri"); uri != buffer.end()) {
-      if (!uri->is_string()) return malformed(where + " has a uri that is not text");
-      source.uri = std::move(uri->get_ref<std::string&>());
-    }
-    if (const auto extensions = buffer.find("extensions");
-        extensions != buffer.end() && extensions->is_object()) {
-      for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
-        if (extensions->contains(name)) source.fallbackFor = name;
-      }
-    }
-    sources.push_back(std::move(source));
-  }
-  return sources;
-}
-
-Result<Json> parseJson(std::string_view text) {
+Result<Json> parseJson(std::string_view text, std::size_t firstByte) {
+  const auto atByte = [](std::size_t byte) { return " at byte " + std::to_string(byte); };
   if (const auto at = nestingBeyond(text, kDeepest)) {
-    return makeError(ErrorCode::LimitExceeded, static_cast<std::int64_t>(*at),
-                     "its JSON is nested more than " + std::to_string(kDeepest) +
-                         " levels deep at byte " + std::to_string(*at));
+    return makeError(ErrorCode::LimitExceeded, static_cast<std::int64_t>(firstByte + *at),
+                     "its JSON is nested more than " + std::to_string(kDeepest) + " levels deep" +
+                         atByte(firstByte + *at));
   }
   try {
     return Json::parse(text.begin(), text.end());
   } catch (const Json::parse_error& error) {
-    return makeError(ErrorCode::MalformedFile, static_cast<std::int64_t>(error.byte),
-                     error.byte >= text.size()
-                         ? "its JSON breaks off at byte " + std::to_string(error.byte)
-                         : "its JSON is not valid at byte " + std::to_string(error.byte));
+    // The parser counts bytes from 1.
+    const std::size_t byte = firstByte + (error.byte > 0 ? error.byte - 1 : 0);
+    return makeError(ErrorCode::MalformedFile, static_cast<std::int64_t>(byte),
+                     (error.byte >= text.size() ? "its JSON breaks off" : "its JSON is not valid") +
+                         atByte(byte));
   } catch (const Json::exception&) {
-    return malformed("its JSON holds a number that no double can hold");
+    return makeError(ErrorCode::MalformedFile, -1,
+                     "its JSON holds a number that no double can hold");
   }
 }
 
 }  // namespace
 
-Result<GltfDocument> parseGltfDocument(std::string_view text) {
-  auto parsed = parseJson(text);
+std::size_t bytesOf(GltfComponent component) {
+  switch (component) {
+    case GltfComponent::Byte:
+    case GltfComponent::UnsignedByte:
+      return 1;
+    case GltfComponent::Short:
+    case GltfComponent::UnsignedShort:
+      return 2;
+    case GltfComponent::Int:
+    case GltfComponent::UnsignedInt:
+    case GltfComponent::Float:
+      return 4;
+    case GltfComponent::Double:
+      break;
+  }
+  return 8;
+}
+
+std::string_view toString(GltfShape shape) {
+  constexpr std::array<std::string_view, 7> kNames{"SCALAR", "VEC2", "VEC3", "VEC4",
+                                                   "MAT2",   "MAT3", "MAT4"};
+  return kNames[static_cast<std::size_t>(shape)];
+}
+
+Result<GltfDocument> parseGltfDocument(std::string_view text, std::size_t firstByte) {
+  auto parsed = parseJson(text, firstByte);
   if (!parsed) return parsed.error();
-  Json document = std::move(parsed).value();
-  if (!document.is_object()) return malformed("its JSON is not an object");
+  const Json& document = parsed.value();
+  if (!document.is_object()) return faultAt("", "is not an object");
   if (auto error = checkVersion(document)) return *error;
   if (auto error = checkExtensions(document)) return *error;
-
-  GltfDocument result;
-  auto sources = bufferSources(document);
-  if (!sources) return sources.error();
-  result.buffers = std::move(sources).value();
-
-  Json reduced;
-  if (auto error = reduceDocument(document, reduced)) return *error;
-  if (auto error = checkDraco(reduced)) return *error;
-  document = nullptr;
-  std::string reducedText = reduced.dump();
-  if (reducedText.size() > std::numeric_limits<unsigned int>::max()) {
-    return makeError(ErrorCode::LimitExceeded, -1, "its JSON exceeds 4 GB");
-  }
-
-  tinygltf::TinyGLTF reader;
-  std::string error;
-  std::string warning;
-  try {
-    if (!reader.LoadASCIIFromString(&result.model, &error, &warning, reducedText.data(),
-                                    static_cast<unsigned int>(reducedText.size()), std::string())) {
-      std::string firstLine = error.substr(0, error.find('\n'));
-      while (!firstLine.empty() && (firstLine.back() == '.' || firstLine.back() == ' ')) {
-        firstLine.pop_back();
-      }
-      return malformed("its glTF document is not valid: " +
-                       (firstLine.empty() ? std::string("tinygltf refused it") : firstLine));
-    }
-  } catch (const Json::exception&) {
-    return malformed("its glTF document is not valid: a member has the wrong type");
-  }
-  // tinygltf leaves out primitives that it cannot make sense of.
-  for (std::size_t m = 0; m < result.model.meshes.size(); ++m) {
-    const Json& mesh = reduced["meshes"][m];
-    const auto primitives = mesh.find("primitives");
-    const std::size_t written =
-        primitives == mesh.end() || !primitives->is_array() ? 0 : primitives->size();
-    if (written == 0 || result.model.meshes[m].primitives.size() != written) {
-      return malformed("meshes[" + std::to_string(m) + "] has a primitive that is not valid");
-    }
-  }
-  return result;
+  return Parser(document).run();
 }
 
 }  // namespace girth::io

@@ -2,84 +2,60 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "glb_container.h"
 #include "gltf_accessor.h"
 #include "gltf_document.h"
+#include "gltf_draco.h"
+#include "gltf_notes.h"
+#include "gltf_skin.h"
+#include "gltf_transform.h"
+#include "json_fields.h"
 #include "soup_budget.h"
 #include "text.h"
 
 namespace girth::io {
 namespace {
 
-Error malformed(std::string message) {
-  return makeError(ErrorCode::MalformedFile, -1, std::move(message));
-}
-
-/// An affine map: the upper three rows of a 4 × 4 matrix, row by row.
-struct Transform {
-  std::array<double, 12> m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-
-  Vec3 apply(double x, double y, double z) const {
-    return {m[0] * x + m[1] * y + m[2] * z + m[3], m[4] * x + m[5] * y + m[6] * z + m[7],
-            m[8] * x + m[9] * y + m[10] * z + m[11]};
-  }
-  /// First `inner`, then this.
-  Transform after(const Transform& inner) const {
-    Transform result;
-    for (std::size_t r = 0; r < 3; ++r) {
-      for (std::size_t c = 0; c < 4; ++c) {
-        double sum = c == 3 ? m[4 * r + 3] : 0.0;
-        for (std::size_t k = 0; k < 3; ++k) sum += m[4 * r + k] * inner.m[4 * k + c];
-        result.m[4 * r + c] = sum;
-      }
-    }
-    return result;
-  }
-  bool mirrors() const {
-    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) +
-               m[2] * (m[4] * m[9] - m[5] * m[8]) <
-           0;
-  }
+/// A mesh where its node puts it.
+struct Placement {
+  Transform world;
+  const SkinPose* pose{nullptr};
+  /// Of the node; none: those of the mesh count.
+  const std::vector<double>* weights{nullptr};
 };
 
-/// A node's own transform: its matrix, or translation · rotation · scale.
-std::optional<Transform> transformOf(const tinygltf::Node& node) {
-  const auto wrong = [](const std::vector<double>& values, std::size_t size) {
-    return !values.empty() && values.size() != size;
-  };
-  if (wrong(node.matrix, 16) || wrong(node.translation, 3) || wrong(node.rotation, 4) ||
-      wrong(node.scale, 3)) {
-    return std::nullopt;
-  }
-  Transform transform;
-  auto& m = transform.m;
-  if (!node.matrix.empty()) {
-    for (std::size_t r = 0; r < 3; ++r) {
-      for (std::size_t c = 0; c < 4; ++c) m[4 * r + c] = node.matrix[4 * c + r];
-    }
-    return transform;
-  }
-  if (!node.rotation.empty()) {
-    const double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2];
-    const double w = node.rotation[3];
-    m = {1 - 2 * (y * y + z * z), 2 * (x * y - z * w),     2 * (x * z + y * w),     0,
-         2 * (x * y + z * w),     1 - 2 * (x * x + z * z), 2 * (y * z - x * w),     0,
-         2 * (x * z - y * w),     2 * (y * z + x * w),     1 - 2 * (x * x + y * y), 0};
-  }
-  for (std::size_t r = 0; r < 3; ++r) {
-    if (!node.scale.empty()) {
-      for (std::size_t c = 0; c < 3; ++c) m[4 * r + c] *= node.scale[c];
-    }
-    if (!node.translation.empty()) m[4 * r + 3] = node.translation[r];
-  }
-  return transform;
+/// Points of a primitive in the soup.
+struct Points {
+  Index first{0};
+  Index count{0};
+  bool mirrored{false};
+};
+
+/// What makes the points of two primitives of one mesh the same: where positions, morph targets,
+/// joints and weights come from. Draco's points are known by buffer view and attribute.
+using PointsKey =
+    std::tuple<GltfReference, GltfReference, std::uint32_t, std::vector<GltfReference>,
+               std::vector<GltfReference>, std::vector<GltfReference>>;
+
+PointsKey keyOf(const GltfPrimitive& primitive) {
+  const auto& draco = primitive.draco;
+  const bool isPacked = draco && draco->position;
+  return {isPacked ? std::nullopt : primitive.position,
+          isPacked ? GltfReference(draco->bufferView) : std::nullopt,
+          isPacked ? *draco->position : 0,
+          primitive.targets,
+          primitive.joints,
+          primitive.weights};
 }
 
 /// Collects the triangles of a document.
@@ -87,218 +63,531 @@ class SceneWalk {
  public:
   SceneWalk(const GltfDocument& document, std::span<const std::byte> binary,
             const ResourceReader& resources, std::size_t fileBytes)
-      : document_(document), buffers_(document, binary, resources, budget_) {
+      : document_(document),
+        buffers_(document, binary, resources, budget_),
+        accessors_(document, buffers_, budget_),
+        poses_(document.skins.size()) {
     budget_.allowFor(fileBytes);
   }
 
-  Result<TriangleSoup> run() {
-    auto roots = rootNodes();
-    if (!roots) return roots.error();
+  Result<ReadModel> run() {
     std::optional<Error> error;
-    if (document_.model.nodes.empty()) {
+    if (document_.nodes.empty()) {
       // A library of meshes, which nothing places.
-      for (std::size_t m = 0; m < document_.model.meshes.size() && !error; ++m) {
-        error = addMesh(m, Transform());
+      for (std::uint32_t m = 0; m < document_.meshes.size() && !error; ++m) {
+        error = addMesh(m, Placement());
       }
     } else {
-      error = walk(roots.value());
+      error = walk();
     }
     if (error) return *error;
-    if (soup_.triangles.empty()) {
-      return makeError(ErrorCode::EmptyMesh, -1,
-                       otherPrimitives_ ? "it holds only points or lines, no triangles"
-                                        : "its scene holds no triangles");
-    }
-    return std::move(soup_);
+    if (soup_.triangles.empty()) return nothingFound();
+    ReadModel model;
+    model.soup = std::move(soup_);
+    model.unit = "metre";
+    model.notes = notes_.sentences(document_);
+    return model;
   }
 
  private:
-  const std::vector<tinygltf::Node>& nodes() const { return document_.model.nodes; }
+  Error nothingFound() const {
+    if (auto fault = firstFaultOf(document_)) return *fault;
+    return makeError(ErrorCode::EmptyMesh, -1, notes_.whyEmpty(document_));
+  }
 
-  Result<std::vector<int>> rootNodes() const {
-    const auto& scenes = document_.model.scenes;
+  /// The scene's own nodes; where there is no scene, all that have no parent.
+  Result<std::vector<std::uint32_t>> rootNodes(std::string& place) {
+    const auto& nodes = document_.nodes;
+    const auto& scenes = document_.scenes;
     if (!scenes.empty()) {
-      const int scene = document_.model.defaultScene < 0 ? 0 : document_.model.defaultScene;
-      if (static_cast<std::size_t>(scene) >= scenes.size()) {
-        return malformed("its scene " + std::to_string(scene) + " does not exist");
+      const std::uint32_t scene = document_.scene.value_or(0);
+      if (scene >= scenes.size()) {
+        return faultAt("/scene", "there is no scene " + std::to_string(scene));
       }
-      return scenes[static_cast<std::size_t>(scene)].nodes;
+      notes_.scene = scene;
+      place = "/scenes/" + std::to_string(scene) + "/nodes";
+      return scenes[scene].nodes;
     }
-    std::vector<bool> isChild(nodes().size(), false);
-    for (const auto& node : nodes()) {
-      for (const int child : node.children) {
-        if (child >= 0 && static_cast<std::size_t>(child) < nodes().size()) {
-          isChild[static_cast<std::size_t>(child)] = true;
-        }
+    std::vector<bool> isChild(nodes.size(), false);
+    for (const GltfNode& node : nodes) {
+      for (const std::uint32_t child : node.children) {
+        if (child < nodes.size()) isChild[child] = true;
       }
     }
-    std::vector<int> roots;
-    for (std::size_t i = 0; i < nodes().size(); ++i) {
-      if (!isChild[i]) roots.push_back(static_cast<int>(i));
+    std::vector<std::uint32_t> roots;
+    for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+      if (!isChild[n]) roots.push_back(n);
     }
-    if (roots.empty() && !nodes().empty()) {
-      return malformed("its nodes form a cycle: every node is the child of another");
-    }
+    if (roots.empty()) return faultAt("/nodes", "every node is the child of another: a cycle");
+    place = "/nodes";
     return roots;
   }
 
   /// Depth first, children in order, without recursion: a chain of nodes may be as long as the
-  /// file.
-  std::optional<Error> walk(const std::vector<int>& roots) {
+  /// file. A node with several parents is placed under each.
+  std::optional<Error> walk() {
+    std::string rootPlace;
+    auto roots = rootNodes(rootPlace);
+    if (!roots) return roots.error();
     struct Visit {
-      int node;
-      Transform parent;
+      std::uint32_t node;
+      GltfReference parent;
+      Transform above;
+      bool isLeft;  // all below it was visited
     };
+    const auto& nodes = document_.nodes;
     std::vector<Visit> waiting;
-    std::vector<bool> seen(nodes().size(), false);
-    const auto enter = [&](const std::vector<int>& children, const Transform& parent) {
+    std::vector<bool> isAbove(nodes.size(), false);
+    std::vector<std::uint8_t> visits(nodes.size(), 0);
+    const auto enter = [&](const std::vector<std::uint32_t>& children, GltfReference parent,
+                           const Transform& above) {
       for (auto child = children.rbegin(); child != children.rend(); ++child) {
-        waiting.push_back({*child, parent});
+        waiting.push_back({*child, parent, above, false});
       }
     };
-    enter(roots, Transform());
+    enter(roots.value(), std::nullopt, Transform());
     while (!waiting.empty()) {
       const Visit visit = waiting.back();
       waiting.pop_back();
-      const std::string name = "node " + std::to_string(visit.node);
-      if (visit.node < 0 || static_cast<std::size_t>(visit.node) >= nodes().size()) {
-        return malformed("its scene refers to " + name + ", which does not exist");
-      }
-      const auto number = static_cast<std::size_t>(visit.node);
-      if (seen[number]) {
-        return malformed(name + " is reached twice: its nodes form a cycle or share a child");
-      }
-      seen[number] = true;
-      const tinygltf::Node& node = nodes()[number];
-      const auto own = transformOf(node);
-      if (!own) return malformed(name + " has a transform of the wrong size");
-      const Transform world = visit.parent.after(*own);
-      if (node.mesh >= 0) {
-        if (static_cast<std::size_t>(node.mesh) >= document_.model.meshes.size()) {
-          return malformed(name + " refers to mesh " + std::to_string(node.mesh) +
-                           ", which does not exist");
-        }
-        if (auto error = addMesh(static_cast<std::size_t>(node.mesh), world)) return error;
-      }
-      enter(node.children, world);
-    }
-    return std::nullopt;
-  }
-
-  std::optional<Error> addMesh(std::size_t number, const Transform& world) {
-    const tinygltf::Mesh& mesh = document_.model.meshes[number];
-    // Primitives of one mesh often share one list of vertices.
-    std::map<int, std::pair<Index, Index>> placed;
-    for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
-      const tinygltf::Primitive& primitive = mesh.primitives[p];
-      const std::string name = "primitive " + std::to_string(p) + " of mesh " +
-                               std::to_string(number) + spacedName(mesh.name);
-      if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
-        return malformed(name + " has the unknown mode " + std::to_string(primitive.mode));
-      }
-      if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
-        otherPrimitives_ = true;
+      if (visit.isLeft) {
+        isAbove[visit.node] = false;
         continue;
       }
-      const auto position = primitive.attributes.find("POSITION");
-      if (position == primitive.attributes.end()) continue;
-      auto range = placed.find(position->second);
-      if (range == placed.end()) {
-        auto added = addPoints(position->second, world, name);
-        if (!added) return added.error();
-        range = placed.emplace(position->second, added.value()).first;
+      const auto place = [&] {
+        return visit.parent ? "/nodes/" + std::to_string(*visit.parent) + "/children" : rootPlace;
+      };
+      const std::string number = std::to_string(visit.node);
+      if (visit.node >= nodes.size()) return faultAt(place(), "there is no node " + number);
+      if (isAbove[visit.node]) {
+        return faultAt(place(), "node " + number + " is below itself: a cycle of nodes");
       }
-      const auto [first, count] = range->second;
-      if (auto error = addTriangles(primitive, first, count, world.mirrors(), name)) return error;
+      if (visits[visit.node] > 0) {
+        if (visits[visit.node] == 1) ++notes_.sharedNodes;
+        if (!budget_.take(1 + nodes[visit.node].children.size())) return tooLarge("/nodes");
+      }
+      visits[visit.node] = visits[visit.node] == 0 ? 1 : 2;
+      const GltfNode& node = nodes[visit.node];
+      if (node.hidden) {
+        ++notes_.hiddenNodes;
+        continue;
+      }
+      const Transform world = visit.above.after(Transform::ofNode(node));
+      if (auto error = addNode(visit.node, world)) return error;
+      isAbove[visit.node] = true;
+      waiting.push_back({visit.node, std::nullopt, Transform(), true});
+      enter(node.children, visit.node, world);
     }
     return std::nullopt;
   }
 
-  /// Adds an accessor's points; gives the first one's number and how many there are.
-  Result<std::pair<Index, Index>> addPoints(int accessor, const Transform& world,
-                                            const std::string& name) {
-    auto points = readPoints(document_, buffers_, accessor, budget_);
-    if (!points) return points.error();
-    const std::vector<double>& local = points.value();
-    const std::size_t first = soup_.positions.size() / 3;
-    const std::size_t count = local.size() / 3;
+  std::optional<Error> addNode(std::uint32_t number, const Transform& world) {
+    const GltfNode& node = document_.nodes[number];
+    if (!node.mesh) return std::nullopt;
+    const std::string place = "/nodes/" + std::to_string(number);
+    if (*node.mesh >= document_.meshes.size()) {
+      return faultAt(place + "/mesh", "there is no mesh " + std::to_string(*node.mesh));
+    }
+    Placement placement;
+    placement.world = world;
+    if (!node.weights.empty()) placement.weights = &node.weights;
+    if (node.skin) {
+      auto pose = skinPose(*node.skin, place + "/skin");
+      if (!pose) return pose.error();
+      placement.pose = pose.value();
+    }
+    if (!node.instancing) return addMesh(*node.mesh, placement);
+    auto instances = instancesOf(*node.instancing, place);
+    if (!instances) return instances.error();
+    notes_.instances += instances.value().size();
+    for (const Transform& instance : instances.value()) {
+      placement.world = world.after(instance);
+      auto error = addMesh(*node.mesh, placement);
+      if (error && error->code == ErrorCode::LimitExceeded) {
+        error->message = place + ": its " + std::to_string(instances.value().size()) +
+                         " instances make the model far larger than its file";
+        error->hint = "export the model with fewer instances";
+      }
+      if (error) return error;
+    }
+    return std::nullopt;
+  }
+
+  Result<const SkinPose*> skinPose(std::uint32_t skin, const std::string& user) {
+    if (skin >= document_.skins.size()) {
+      return faultAt(user, "there is no skin " + std::to_string(skin));
+    }
+    if (!world_) world_.emplace(document_);
+    if (!poses_[skin]) {
+      auto pose = poseOf(document_, accessors_, *world_, skin);
+      if (!pose) return pose.error();
+      poses_[skin] = std::move(pose).value();
+    }
+    return &*poses_[skin];
+  }
+
+  Result<std::vector<Transform>> instancesOf(const GltfInstancing& instancing,
+                                             const std::string& node) {
+    const std::string place = node + "/extensions/EXT_mesh_gpu_instancing/attributes";
+    std::optional<std::size_t> count;
+    const auto read = [&](const GltfReference& accessor, GltfShape shape, const char* name,
+                          std::vector<double>& numbers) -> std::optional<Error> {
+      if (!accessor) return std::nullopt;
+      const std::string user = place + "/" + name;
+      auto found = accessors_.appendNumbers(*accessor, shape, user, numbers);
+      if (!found) return found.error();
+      if (count && *count != found.value()) {
+        return faultAt(user, "has " + std::to_string(found.value()) + " values, others " +
+                                 std::to_string(*count));
+      }
+      count = found.value();
+      return std::nullopt;
+    };
+    std::vector<double> translations, rotations, scales;
+    if (auto error = read(instancing.translation, GltfShape::Vec3, "TRANSLATION", translations)) {
+      return *error;
+    }
+    if (auto error = read(instancing.rotation, GltfShape::Vec4, "ROTATION", rotations)) {
+      return *error;
+    }
+    if (auto error = read(instancing.scale, GltfShape::Vec3, "SCALE", scales)) return *error;
+    if (!count) return std::vector<Transform>(1);
+    std::vector<Transform> instances;
+    for (std::size_t i = 0; i < *count; ++i) {
+      std::array<double, 3> translation{0, 0, 0}, scale{1, 1, 1};
+      std::array<double, 4> rotation{0, 0, 0, 1};
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!translations.empty()) translation[k] = translations[3 * i + k];
+        if (!scales.empty()) scale[k] = scales[3 * i + k];
+      }
+      for (std::size_t k = 0; k < 4 && !rotations.empty(); ++k) rotation[k] = rotations[4 * i + k];
+      instances.push_back(Transform::ofParts(translation, rotation, scale));
+    }
+    return instances;
+  }
+
+  std::optional<Error> addMesh(std::uint32_t number, const Placement& placement) {
+    const GltfMesh& mesh = document_.meshes[number];
+    // Primitives of one mesh often share one list of vertices.
+    std::map<PointsKey, Points> placed;
+    for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+      const GltfPrimitive& primitive = mesh.primitives[p];
+      const std::string place =
+          "/meshes/" + std::to_string(number) + "/primitives/" + std::to_string(p);
+      if (primitive.mode < GltfMode::Triangles) {
+        ++(primitive.mode == GltfMode::Points ? notes_.pointPrimitives : notes_.linePrimitives);
+        continue;
+      }
+      if (!primitive.position) {
+        ++notes_.primitivesWithoutPositions;
+        continue;
+      }
+      const DracoMesh* packed = nullptr;
+      if (primitive.draco) {
+        auto found = dracoMesh(*primitive.draco, place);
+        if (!found) return found.error();
+        packed = found.value();
+      }
+      const PointsKey key = keyOf(primitive);
+      auto points = placed.find(key);
+      if (points == placed.end()) {
+        auto added = addPoints(number, primitive, packed, placement, place);
+        if (!added) return added.error();
+        points = placed.emplace(key, added.value()).first;
+      }
+      if (auto error = addTriangles(primitive, packed, points->second,
+                                    place + spacedName(mesh.name), place)) {
+        return error;
+      }
+    }
+    return std::nullopt;
+  }
+
+  Result<const DracoMesh*> dracoMesh(const GltfDraco& draco, const std::string& primitive) {
+    const std::string place = primitive + "/extensions/KHR_draco_mesh_compression";
+    auto found = dracoMeshes_.find(draco.bufferView);
+    if (found == dracoMeshes_.end()) {
+      auto bytes = buffers_.view(draco.bufferView, place + "/bufferView");
+      if (!bytes) return bytes.error();
+      auto mesh = DracoMesh::unpack(bytes.value(), budget_, place);
+      if (!mesh) return mesh.error();
+      found = dracoMeshes_.emplace(draco.bufferView, std::move(mesh).value()).first;
+    }
+    return &found->second;
+  }
+
+  /// Appends an attribute's numbers, packed or not. `count`: how many elements there must be; 0 as
+  /// long as nobody knows.
+  std::optional<Error> appendAttribute(std::uint32_t accessor, GltfShape shape,
+                                       const DracoMesh* packed,
+                                       const std::optional<std::uint32_t>& packedNumber,
+                                       const std::string& user, std::size_t& count,
+                                       std::vector<double>& numbers) {
+    auto description = accessors_.find(accessor, shape, user);
+    if (!description) return description.error();
+    std::size_t found = 0;
+    if (packed != nullptr && packedNumber) {
+      const GltfAccessor& kind = *description.value();
+      const auto bytes = packed->attribute(*packedNumber, componentsOf(shape), kind.component);
+      if (!bytes) {
+        return faultAt(user, "its Draco stream has no attribute " + std::to_string(*packedNumber) +
+                                 " of type " + std::string(toString(shape)));
+      }
+      if (kind.count != packed->pointCount()) {
+        return faultAt("/accessors/" + std::to_string(accessor) + "/count",
+                       "is " + std::to_string(kind.count) + ", but its Draco stream holds " +
+                           std::to_string(packed->pointCount()));
+      }
+      if (!budget_.take(kind.count)) return tooLarge(user);
+      appendComponents(*bytes, kind.component, kind.normalized, numbers);
+      found = packed->pointCount();
+    } else {
+      auto read = accessors_.appendNumbers(accessor, shape, user, numbers);
+      if (!read) return read.error();
+      found = read.value();
+    }
+    if (count != 0 && found != count) return otherCount(user, found, count);
+    count = found;
+    return std::nullopt;
+  }
+
+  static Error otherCount(const std::string& user, std::uint64_t found, std::size_t count) {
+    return faultAt(
+        user, "has " + std::to_string(found) + " values for " + std::to_string(count) + " points");
+  }
+
+  static Error tooLarge(const std::string& place) {
+    return makeError(ErrorCode::LimitExceeded, -1,
+                     place + ": makes the model far larger than its file");
+  }
+
+  /// Adds a primitive's points, in the world.
+  Result<Points> addPoints(std::uint32_t mesh, const GltfPrimitive& primitive,
+                           const DracoMesh* packed, const Placement& placement,
+                           const std::string& place) {
+    std::vector<double>& positions = soup_.positions;
+    const std::size_t before = positions.size();
+    std::size_t count = 0;
+    if (auto error = appendAttribute(*primitive.position, GltfShape::Vec3, packed,
+                                     primitive.draco ? primitive.draco->position : std::nullopt,
+                                     place + "/attributes/POSITION", count, positions)) {
+      return *error;
+    }
+    const std::size_t first = before / 3;
     if (first + count >= kNoIndex) {
       return makeError(ErrorCode::LimitExceeded, -1, "it has more than 4 billion vertices");
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 point = world.apply(local[3 * i], local[3 * i + 1], local[3 * i + 2]);
-      if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) {
-        return makeError(ErrorCode::NonFinitePosition, static_cast<std::int64_t>(first + i),
-                         "vertex " + std::to_string(i) + " of " + name +
-                             " has a coordinate that is not a finite number");
+    double* local = positions.data() + before;
+    if (auto error = applyTargets(mesh, primitive, placement, place, local, count)) return *error;
+
+    Points points{static_cast<Index>(first), static_cast<Index>(count), false};
+    const bool isSkinned = placement.pose != nullptr && !primitive.joints.empty();
+    if (isSkinned) {
+      auto mirrored = applySkin(primitive, packed, *placement.pose, place, local, count);
+      if (!mirrored) return mirrored.error();
+      points.mirrored = 2 * mirrored.value() > count;
+      notes_.skinnedMeshes[mesh] = placement.pose->isBindPose;
+    } else {
+      points.mirrored = placement.world.mirrors();
+      for (std::size_t i = 0; i < count; ++i) {
+        double* at = local + 3 * i;
+        const Vec3 moved = placement.world.apply({at[0], at[1], at[2]});
+        at[0] = moved.x;
+        at[1] = moved.y;
+        at[2] = moved.z;
       }
-      soup_.positions.insert(soup_.positions.end(), {point.x, point.y, point.z});
     }
-    return std::pair{static_cast<Index>(first), static_cast<Index>(count)};
+    for (std::size_t i = 0; i < 3 * count; ++i) {
+      if (std::isfinite(local[i])) continue;
+      return makeError(ErrorCode::NonFinitePosition, static_cast<std::int64_t>(first + i / 3),
+                       place + spacedName(document_.meshes[mesh].name) + ": vertex " +
+                           std::to_string(i / 3) + " has a coordinate that is not a finite number");
+    }
+    return points;
   }
 
-  std::optional<Error> addTriangles(const tinygltf::Primitive& primitive, Index first, Index count,
-                                    bool mirrored, const std::string& name) {
-    std::vector<Index> corners;
-    if (primitive.indices >= 0) {
-      auto indices = readIndices(document_, buffers_, primitive.indices, budget_);
-      if (!indices) return indices.error();
-      corners = std::move(indices).value();
-    } else {
-      if (!budget_.take(count)) {
-        return makeError(ErrorCode::LimitExceeded, -1,
-                         name + " makes the model far larger than its file");
-      }
-      corners.resize(count);
-      for (Index i = 0; i < count; ++i) corners[i] = i;
+  /// Adds the morph targets, as far as their weights tell.
+  std::optional<Error> applyTargets(std::uint32_t mesh, const GltfPrimitive& primitive,
+                                    const Placement& placement, const std::string& place,
+                                    double* points, std::size_t count) {
+    if (primitive.targets.empty()) return std::nullopt;
+    const std::vector<double>& weights =
+        placement.weights != nullptr ? *placement.weights : document_.meshes[mesh].weights;
+    if (!weights.empty() && weights.size() != primitive.targets.size()) {
+      return faultAt(place + "/targets", "has " + std::to_string(primitive.targets.size()) +
+                                             " targets for " + std::to_string(weights.size()) +
+                                             " weights");
     }
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      if (corners[i] >= count) {
-        return makeError(ErrorCode::IndexOutOfRange, static_cast<std::int64_t>(i),
-                         "index " + std::to_string(i) + " of " + name + " names vertex " +
-                             std::to_string(corners[i]) + " of " + std::to_string(count));
-      }
-    }
-    const auto add = [&](Index a, Index b, Index c) {
-      if (mirrored) std::swap(b, c);
-      soup_.triangles.insert(soup_.triangles.end(), {first + a, first + b, first + c});
-    };
-    // Strips and fans repeat vertices to turn corners; such triangles are not meant to be seen.
-    const auto addVisible = [&](Index a, Index b, Index c) {
-      if (a != b && b != c && c != a) add(a, b, c);
-    };
-    const std::size_t n = corners.size();
-    if (primitive.mode == TINYGLTF_MODE_TRIANGLES) {
-      if (n % 3 != 0) {
-        return malformed(name + " has " + std::to_string(n) +
-                         " corners, which is not a whole number of triangles");
-      }
-      for (std::size_t i = 0; i < n; i += 3) add(corners[i], corners[i + 1], corners[i + 2]);
-    } else if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
-      for (std::size_t i = 0; i + 2 < n; ++i) {
-        addVisible(corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]);
-      }
-    } else {
-      for (std::size_t i = 1; i + 1 < n; ++i) addVisible(corners[i], corners[i + 1], corners[0]);
+    bool& moved = notes_.morphedMeshes[mesh];
+    for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
+      if (!primitive.targets[t]) continue;
+      const std::string user = place + "/targets/" + std::to_string(t) + "/POSITION";
+      auto target = accessors_.find(*primitive.targets[t], GltfShape::Vec3, user);
+      if (!target) return target.error();
+      if (target.value()->count != count) return otherCount(user, target.value()->count, count);
+      if (weights.empty() || weights[t] == 0) continue;
+      moved = true;
+      std::vector<double> offsets;
+      auto read = accessors_.appendNumbers(*primitive.targets[t], GltfShape::Vec3, user, offsets);
+      if (!read) return read.error();
+      for (std::size_t i = 0; i < offsets.size(); ++i) points[i] += weights[t] * offsets[i];
     }
     return std::nullopt;
+  }
+
+  Result<std::size_t> applySkin(const GltfPrimitive& primitive, const DracoMesh* packed,
+                                const SkinPose& pose, const std::string& place, double* points,
+                                std::size_t count) {
+    std::vector<Influences> sets;
+    for (std::size_t s = 0; s < primitive.joints.size(); ++s) {
+      const std::string user = place + "/attributes/";
+      const std::string joints = user + "JOINTS_" + std::to_string(s);
+      const std::string weights = user + "WEIGHTS_" + std::to_string(s);
+      if (!primitive.joints[s] || !primitive.weights[s]) {
+        return faultAt(
+            primitive.joints[s] ? joints : weights,
+            "comes without its " + std::string(primitive.joints[s] ? "weights" : "joints"));
+      }
+      sets.emplace_back();
+      const auto& draco = primitive.draco;
+      std::size_t found = count;
+      if (auto error = appendAttribute(*primitive.joints[s], GltfShape::Vec4, packed,
+                                       draco ? draco->joints[s] : std::nullopt, joints, found,
+                                       sets.back().joints)) {
+        return *error;
+      }
+      const GltfAccessor& kind = document_.accessors[*primitive.joints[s]];
+      const bool isUnsigned = kind.component == GltfComponent::UnsignedByte ||
+                              kind.component == GltfComponent::UnsignedShort ||
+                              kind.component == GltfComponent::UnsignedInt;
+      if (!isUnsigned || kind.normalized) {
+        return faultAt(joints, "does not hold unsigned integers");
+      }
+      if (auto error = appendAttribute(*primitive.weights[s], GltfShape::Vec4, packed,
+                                       draco ? draco->weights[s] : std::nullopt, weights, found,
+                                       sets.back().weights)) {
+        return *error;
+      }
+    }
+    return applyPose(pose, sets, points, count, place);
+  }
+
+  std::optional<Error> addTriangles(const GltfPrimitive& primitive, const DracoMesh* packed,
+                                    const Points& points, const std::string& name,
+                                    const std::string& place) {
+    std::vector<Index>& triangles = soup_.triangles;
+    const std::size_t before = triangles.size();
+    const bool isList = primitive.mode == GltfMode::Triangles || packed != nullptr;
+    std::vector<Index> strip;
+    // Lists go where they belong at once; corners of strips and fans have to be repeated.
+    std::vector<Index>& corners = isList ? triangles : strip;
+    if (packed != nullptr) {
+      const std::size_t found = 3 * packed->faceCount();
+      if (primitive.mode == GltfMode::Triangles && primitive.indices) {
+        auto accessor = accessors_.find(*primitive.indices, GltfShape::Scalar, place + "/indices");
+        if (!accessor) return accessor.error();
+        if (accessor.value()->count != found) {
+          return faultAt("/accessors/" + std::to_string(*primitive.indices) + "/count",
+                         "is " + std::to_string(accessor.value()->count) +
+                             ", but its Draco stream holds " + std::to_string(found));
+        }
+      }
+      if (!budget_.take(found)) return tooLarge(place);
+      packed->appendFaces(corners);
+    } else if (primitive.indices) {
+      auto read = accessors_.appendIndices(*primitive.indices, place + "/indices", corners);
+      if (!read) return read.error();
+    } else {
+      if (!budget_.take(points.count)) return tooLarge(place);
+      corners.reserve(corners.size() + points.count);
+      for (Index i = 0; i < points.count; ++i) corners.push_back(i);
+    }
+
+    // The largest index of its type parts strips and fans, in every renderer.
+    const Index restart = restartValue(primitive);
+    for (std::size_t i = isList ? before : 0; i < corners.size(); ++i) {
+      if (corners[i] < points.count || (!isList && corners[i] == restart)) continue;
+      const std::size_t corner = i - (isList ? before : 0);
+      Error error =
+          makeError(ErrorCode::IndexOutOfRange, static_cast<std::int64_t>(corner),
+                    name + ": index " + std::to_string(corner) + " names vertex " +
+                        std::to_string(corners[i]) + " of " + std::to_string(points.count));
+      if (corners[i] == restart) {
+        error.message += ", the value that parts strips, which a list does not have";
+      }
+      return error;
+    }
+    if (!isList) {
+      std::size_t from = 0;
+      while (from < strip.size()) {
+        std::size_t to = from;
+        while (to < strip.size() && strip[to] != restart) ++to;
+        const std::span<const Index> piece(strip.data() + from, to - from);
+        if (primitive.mode == GltfMode::TriangleStrip) {
+          addStrip(piece);
+        } else {
+          addFan(piece);
+        }
+        from = to + 1;
+      }
+    }
+    const std::size_t added = triangles.size() - before;
+    if (added % 3 != 0) {
+      return faultAt(name, "has " + std::to_string(added) +
+                               " corners, which is not a whole number of triangles");
+    }
+    for (std::size_t i = before; i < triangles.size(); i += 3) {
+      if (points.mirrored) std::swap(triangles[i + 1], triangles[i + 2]);
+      for (std::size_t k = i; k < i + 3; ++k) triangles[k] += points.first;
+    }
+    return std::nullopt;
+  }
+
+  Index restartValue(const GltfPrimitive& primitive) const {
+    if (!primitive.indices || *primitive.indices >= document_.accessors.size()) return kNoIndex;
+    const GltfComponent type = document_.accessors[*primitive.indices].component;
+    if (type == GltfComponent::UnsignedByte) return std::numeric_limits<std::uint8_t>::max();
+    if (type == GltfComponent::UnsignedShort) return std::numeric_limits<std::uint16_t>::max();
+    return std::numeric_limits<std::uint32_t>::max();
+  }
+
+  /// Strips and fans repeat vertices to turn corners; such triangles are not meant to be seen.
+  void addVisible(Index a, Index b, Index c) {
+    if (a != b && b != c && c != a) soup_.triangles.insert(soup_.triangles.end(), {a, b, c});
+  }
+  void addStrip(std::span<const Index> corners) {
+    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+      addVisible(corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]);
+    }
+  }
+  void addFan(std::span<const Index> corners) {
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      addVisible(corners[i], corners[i + 1], corners[0]);
+    }
   }
 
   const GltfDocument& document_;
   SoupBudget budget_;
   GltfBuffers buffers_;
+  GltfAccessors accessors_;
+  std::optional<WorldTransforms> world_;
+  std::vector<std::optional<SkinPose>> poses_;
+  std::map<std::uint32_t, DracoMesh> dracoMeshes_;
   TriangleSoup soup_;
-  bool otherPrimitives_{false};
+  GltfNotes notes_;
 };
 
-Result<ReadModel> readDocument(std::string_view json, std::span<const std::byte> binary,
-                               const ResourceReader& resources, std::size_t fileBytes,
-                               Format format) {
-  auto document = parseGltfDocument(json);
+Result<ReadModel> readDocument(std::string_view json, std::size_t firstByte,
+                               std::span<const std::byte> binary, const ResourceReader& resources,
+                               std::size_t fileBytes, Format format) {
+  auto document = parseGltfDocument(json, firstByte);
   if (!document) return document.error();
-  auto soup = SceneWalk(document.value(), binary, resources, fileBytes).run();
-  if (!soup) return soup.error();
-  return ReadModel{std::move(soup).value(), format, "metre", {}};
+  try {
+    auto model = SceneWalk(document.value(), binary, resources, fileBytes).run();
+    if (model) model.value().format = format;
+    return model;
+  } catch (const std::length_error&) {
+    return makeError(ErrorCode::OutOfMemory, -1, "there is not enough memory to read the file");
+  }
 }
 
 }  // namespace
@@ -306,13 +595,15 @@ Result<ReadModel> readDocument(std::string_view json, std::span<const std::byte>
 Result<ReadModel> readGlb(std::span<const std::byte> bytes, const ResourceReader& resources) {
   auto container = openGlb(bytes);
   if (!container) return container.error();
-  return readDocument(container.value().json, container.value().binary, resources, bytes.size(),
-                      Format::Glb);
+  const std::string_view json = container.value().json;
+  const auto* begin = reinterpret_cast<const char*>(bytes.data());
+  return readDocument(json, static_cast<std::size_t>(json.data() - begin), container.value().binary,
+                      resources, bytes.size(), Format::Glb);
 }
 
 Result<ReadModel> readGltf(std::span<const std::byte> bytes, const ResourceReader& resources) {
   const std::string_view json(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  return readDocument(json, {}, resources, bytes.size(), Format::Gltf);
+  return readDocument(json, 0, {}, resources, bytes.size(), Format::Gltf);
 }
 
 }  // namespace girth::io
