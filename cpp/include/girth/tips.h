@@ -1,0 +1,69 @@
+// Tips: where a shape ends, cut off by the lines along which the girth jumps.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/execution.h"
+#include "girth/surface_mesh.h"
+#include "girth/surface_point.h"
+
+namespace girth {
+
+/// A line across edges of the surface: a point in the middle of each, in order.
+struct ContourLine {
+  std::vector<SurfacePoint> points;
+  /// It comes back to its first point, which is not repeated. Else it ends at walls, or, where it
+  /// cuts nothing off, inside faces.
+  bool closed{false};
+};
+
+/// A region that the discontinuity contour cuts off.
+struct Tip {
+  /// Its vertices, in rising order.
+  std::vector<Index> vertices;
+  /// What cuts it off: usually one closed line.
+  std::vector<ContourLine> contour;
+  /// Area inside the contour, and the contour's length, in model units.
+  double area{0}, boundaryLength{0};
+  /// The vertex of the region that is farthest from the contour, along the surface, and how far.
+  Index apex{kNoIndex};
+  double apexDistance{0};
+  /// How far the girth rises from outside to inside: the median over the edges that the contour
+  /// crosses. Tips that noise makes rise little.
+  double jump{0};
+};
+
+/// A part of the discontinuity contour that ends somewhere: it cuts nothing off.
+struct OpenArc {
+  ContourLine line;
+  double length{0};  ///< in model units
+  double jump{0};    ///< as of a tip
+};
+
+struct Tips {
+  /// Largest jump first.
+  std::vector<Tip> tips;
+  /// Longest first.
+  std::vector<OpenArc> arcs;
+  /// Edges that the contour crosses.
+  Index crossedEdges{0};
+};
+
+/// The tips of a surface by the criterion of the paper (section 6.2; DEFINITIONS section 5), which
+/// has no parameter: the discontinuity contour crosses every edge ab with |I(a) − I(b)| > 2 |ab|,
+/// since across any other edge the girth cannot change so fast.
+///
+/// Without these edges the vertices fall apart into pieces. Where two pieces meet, the one with the
+/// larger girth is a tip, together with everything that only it connects to the other (pieces
+/// between the two go with the one whose girth is nearer to theirs). Edges of the contour within
+/// one piece form arcs that cut nothing off; they are told apart and never closed.
+///
+/// `girth`: I(v) for each vertex; where it is NaN (not computed), no edge is crossed. Time
+/// O(n log n) and a propagation of distances for each tip, unless the pieces are many. Errors:
+/// USAGE where the values are not as many as the vertices; CANCELLED.
+Result<Tips> findTips(const SurfaceMesh& mesh, std::span<const double> girth,
+                      const ExecutionContext& context = {});
+
+}  // namespace girth
