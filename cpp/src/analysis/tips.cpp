@@ -12,6 +12,7 @@
 
 #include "analysis/contour.h"
 #include "girth/geodesic_solver.h"
+#include "mesh/neighbours.h"
 
 namespace girth {
 
@@ -110,14 +111,9 @@ class Pieces {
         members.push_back(vertex);
       };
       for (std::size_t i = 0; i < members.size(); ++i) {
-        const Index start = mesh_.outgoing(members[i]);
-        for (Index h = start;;) {
-          if (!crossed_[h]) reach(mesh_.to(h));
-          const Index back = SurfaceMesh::previous(h);
-          if (!crossed_[back]) reach(mesh_.from(back));
-          h = mesh_.twin(back);
-          if (h == kNoIndex || h == start) break;
-        }
+        forEachEdge(mesh_, members[i], [&](Index h, Index neighbour) {
+          if (!crossed_[h]) reach(neighbour);
+        });
       }
       std::vector<double> values;
       for (const Index v : members) {
@@ -162,18 +158,10 @@ class TipMaker {
     std::vector<Index> rim;  // halfedges with one end inside
     std::vector<double> rises;
     for (const Index v : tip.vertices) {
-      const Index start = mesh_.outgoing(v);
-      for (Index h = start;;) {
-        tip.area += share(h) * mesh_.area(SurfaceMesh::faceOf(h));
-        const Index back = SurfaceMesh::previous(h);
-        if (!inside_[mesh_.to(h)]) cross(h, mesh_.to(h), v, rim, rises);
-        // At a wall the last edge is no outgoing halfedge.
-        if (mesh_.twin(back) == kNoIndex && !inside_[mesh_.from(back)]) {
-          cross(back, mesh_.from(back), v, rim, rises);
-        }
-        h = mesh_.twin(back);
-        if (h == kNoIndex || h == start) break;
-      }
+      forEachEdge(mesh_, v, [&](Index h, Index neighbour) {
+        if (!inside_[neighbour]) cross(h, neighbour, v, rim, rises);
+        if (mesh_.from(h) == v) tip.area += share(h) * mesh_.area(SurfaceMesh::faceOf(h));
+      });
     }
     tip.contour = contourLines(mesh_, rim, crossed_);
     for (const ContourLine& line : tip.contour) tip.boundaryLength += lengthOf(mesh_, line);
@@ -224,15 +212,11 @@ class TipMaker {
       queue.pop();
       if (!reached.emplace(v, distance).second) continue;
       radius = std::max(radius, distance);
-      const Index start = mesh_.outgoing(v);
-      for (Index h = start;;) {
-        const Index back = SurfaceMesh::previous(h);
-        for (const auto& [to, edge] : {std::pair{mesh_.to(h), h}, {mesh_.from(back), back}}) {
-          if (inside_[to] && !reached.contains(to)) queue.push({distance + mesh_.length(edge), to});
+      forEachEdge(mesh_, v, [&, from = distance](Index h, Index neighbour) {
+        if (inside_[neighbour] && !reached.contains(neighbour)) {
+          queue.push({from + mesh_.length(h), neighbour});
         }
-        h = mesh_.twin(back);
-        if (h == kNoIndex || h == start) break;
-      }
+      });
     }
     const auto distances = solver_.distances(sources, radius * (1 + 1e-9), context);
     if (!distances) return distances.error();

@@ -1,0 +1,103 @@
+// Tubes, plates and body: the parts of a shape by its girth and its thickness.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/surface_mesh.h"
+
+namespace girth {
+
+/// What a place of a shape is (paper, section 6.3).
+enum class PartKind : std::uint8_t {
+  Body,     ///< thick
+  Tube,     ///< thin, and a short loop goes round it
+  Plate,    ///< thin, but no short loop goes round it
+  Unknown,  ///< its girth or its thickness has no value
+};
+
+/// "body", "tube", "plate" or "unknown".
+std::string_view toString(PartKind kind);
+
+/// The paper's τ1 and τ2, in model units: plate = {I > girth, SDF < diameter}, tube = {I < girth,
+/// SDF < diameter}, body the rest.
+struct PartThresholds {
+  double girth{0};
+  double diameter{0};
+};
+
+/// A place to start from, by the joint distribution of the two fields over the surface's area.
+///
+/// τ2 divides the logarithm of SDF where the two sides differ most (Otsu 1979): thin from thick.
+/// Where they hardly differ (the variance between them is less than 4/5 of the whole; it is 3/4
+/// where values are spread evenly), there is no division to be found, all counts as thin, and τ2
+/// lies above every value. τ1 divides the logarithm of I over what is thin in the same way; where
+/// there is no division, it lies above every value, all being tube, if the median of I / SDF is
+/// below 2π (it is π for a round tube and 4 for a square one), and below every value otherwise.
+/// Both are 0 where no vertex has both values.
+PartThresholds suggestedThresholds(const SurfaceMesh& mesh, std::span<const double> girth,
+                                   std::span<const double> diameter);
+
+struct PartOptions {
+  PartThresholds thresholds;
+  /// 0: plain thresholds, as in the paper. Above: a vertex becomes what most of its neighbourhood
+  /// is, where the kind by thresholds counts 1 and all neighbours together count this much;
+  /// repeated until nothing changes (at most 50 times).
+  double smoothing{0};
+};
+
+/// A connected region of one kind.
+struct Part {
+  PartKind kind{PartKind::Body};
+  std::vector<Index> vertices;  ///< in rising order
+  double area{0};               ///< sum of the vertices' areas
+  /// Medians over the region; NaN where it is unknown.
+  double medianGirth{0}, medianDiameter{0};
+  /// Its thinnest place: the vertex with the least girth (tube), else the least SDF; kNoIndex where
+  /// it is unknown. The loop there is GirthSolver::loop's.
+  Index thinnest{kNoIndex};
+
+  /// Radius of the round tube with the same girth, I / 2π.
+  double equivalentRadius() const;
+};
+
+struct Parts {
+  std::vector<PartKind> kinds;  ///< of the vertices
+  std::vector<Index> partOf;    ///< of the vertices, a number in `parts`
+  std::vector<Part> parts;      ///< largest area first
+};
+
+/// The parts of a surface. `girth` and `diameter`: one value for each vertex, NaN where there is
+/// none. O(n log n). Errors: USAGE where values are not as many as vertices, or a threshold or the
+/// smoothing is negative or not a number (infinite thresholds are allowed).
+Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
+                        std::span<const double> diameter, const PartOptions& options);
+
+/// What a printer can still make, in model units; 0: any.
+struct PrintLimits {
+  double tubeDiameter{0};
+  double wallThickness{0};
+};
+
+/// A connected place that is too thin.
+struct WeakPlace {
+  PartKind kind{PartKind::Tube};  ///< Tube, or Plate for a wall
+  std::vector<Index> vertices;    ///< in rising order
+  double area{0};
+  /// The least diameter I / π of the tube, or thickness SDF of the wall, there; and the vertex.
+  double least{0};
+  Index thinnest{kNoIndex};
+};
+
+/// Places where the diameter of the round tube with the same girth, I / π, is below the limit, and
+/// elsewhere, where the thickness is below the limit for walls; the thinnest first, in shares of
+/// their limits. Errors: USAGE as above.
+Result<std::vector<WeakPlace>> findWeakPlaces(const SurfaceMesh& mesh,
+                                              std::span<const double> girth,
+                                              std::span<const double> diameter,
+                                              const PrintLimits& limits);
+
+}  // namespace girth

@@ -1,0 +1,38 @@
+// Connected regions of vertices.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "girth/surface_mesh.h"
+#include "mesh/neighbours.h"
+
+namespace girth {
+
+/// Divides the vertices into connected regions of one label, by the edges of the surface; regions
+/// in the order of their first vertex, each in rising order. Vertices for which `labelOf` gives
+/// kNoIndex are left out. O(n log n).
+template <class LabelOf>
+std::vector<std::vector<Index>> connectedRegions(const SurfaceMesh& mesh, LabelOf labelOf) {
+  std::vector<std::vector<Index>> regions;
+  std::vector<bool> taken(mesh.vertexCount(), false);
+  for (Index seed = 0; seed < mesh.vertexCount(); ++seed) {
+    const Index label = labelOf(seed);
+    if (taken[seed] || label == kNoIndex) continue;
+    std::vector<Index> region{seed};
+    taken[seed] = true;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      forEachNeighbour(mesh, region[i], [&](Index neighbour) {
+        if (taken[neighbour] || labelOf(neighbour) != label) return;
+        taken[neighbour] = true;
+        region.push_back(neighbour);
+      });
+    }
+    std::sort(region.begin(), region.end());
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
+}  // namespace girth
