@@ -103,10 +103,13 @@ bool turnedAlike(const WorkingFaces& faces, Index f, Index g) {
 
 }  // namespace
 
-void dropDuplicateFaces(WorkingFaces& faces, PreparationReport& report) {
+namespace {
+
+/// Drops copies once; `keepWalls`: but for walls between solids. Returns whether any was dropped.
+bool dropCopies(WorkingFaces& faces, bool keepWalls, PreparationReport& report) {
   const EdgeGroups edges(faces.triangles, faces.vertexCount());
   const std::vector<Copies> copies = findCopies(faces, edges);
-  if (copies.empty()) return;
+  if (copies.empty()) return false;
 
   // Patches of doubled faces, joined over edges that have no other faces; and whether a patch is a
   // wall between solids, by the edges of its rim that have others.
@@ -147,7 +150,7 @@ void dropDuplicateFaces(WorkingFaces& faces, PreparationReport& report) {
   for (Index i = 0; i < copies.size(); ++i) {
     const Index p = rootOf(patch, i);
     Index second = kNoIndex;
-    if (hasRim[p] != 0 && isWall[p] != 0) {
+    if (keepWalls && hasRim[p] != 0 && isWall[p] != 0) {
       second = copies[i][1];
       for (const Index f : copies[i]) {
         if (turnedAlike(faces, copies[i][0], f)) continue;
@@ -160,6 +163,15 @@ void dropDuplicateFaces(WorkingFaces& faces, PreparationReport& report) {
   const Index before = faces.faceCount();
   faces.filter([&](Index f) { return !dropped[f]; });
   report.duplicateFaces += before - faces.faceCount();
+  return faces.faceCount() < before;
+}
+
+}  // namespace
+
+void dropDuplicateFaces(WorkingFaces& faces, PreparationReport& report) {
+  // A patch that became single may tell its neighbours otherwise; a few rounds settle that.
+  constexpr int kMostRounds = 8;
+  for (int round = 1; dropCopies(faces, round < kMostRounds, report);) ++round;
 }
 
 // --- Faces without area --------------------------------------------------------------------------
@@ -182,14 +194,12 @@ class FlatFaces {
     version_.assign(faces_.faceCount(), 0);
     // Each flip leaves one flat face less, or shorter ones; rounding could make that go on.
     std::size_t flipsLeft = 16 * queue_.size() + 64;
-    bool flipped = false;
     while (!queue_.empty()) {
       const Entry entry = queue_.top();
       queue_.pop();
       if (dropped_[entry.face] || version_[entry.face] != entry.version) continue;
       if (flipsLeft > 0 && flip(entry.face)) {
         --flipsLeft;
-        flipped = true;
       } else {
         dropped_[entry.face] = true;
         removeFromEdges(entry.face);
@@ -197,7 +207,7 @@ class FlatFaces {
       }
     }
     faces_.filter([&](Index f) { return !dropped_[f]; });
-    return flipped;
+    return true;
   }
 
  private:

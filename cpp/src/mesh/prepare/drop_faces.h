@@ -16,7 +16,8 @@ void dropCollapsedFaces(WorkingFaces& faces, std::vector<Index>& first, Preparat
 void dropDuplicateFaces(WorkingFaces& faces, PreparationReport& report);
 
 /// Drops faces without area, where need be after flipping their longest side: see
-/// PreparationReport::flippedFaces. Returns whether any was flipped, which may make duplicates.
+/// PreparationReport::flippedFaces. Returns whether there were
+/// any: copies have to be looked at again then.
 bool dropFlatFaces(WorkingFaces& faces, PreparationReport& report);
 
 }  // namespace girth::prepare

@@ -1,6 +1,7 @@
 #include "mesh/prepare/join_faces.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
@@ -41,6 +42,22 @@ class FaceJoiner {
     });
   }
 
+  /// The sides of a face in an order that stays when the face is turned over: the flood of a
+  /// one-sided surface then meets where it met before.
+  std::array<Index, 3> sidesInOrder(Index f) const {
+    const Index h = 3 * f;
+    // Sides stand opposite to vertices: the order of those will do.
+    std::array<Index, 3> sides{h, h + 1, h + 2};
+    const auto before = [&](Index a, Index b) {
+      return faces_.triangles[SurfaceMesh::previous(a)] <
+             faces_.triangles[SurfaceMesh::previous(b)];
+    };
+    if (before(sides[1], sides[0])) std::swap(sides[0], sides[1]);
+    if (before(sides[2], sides[1])) std::swap(sides[1], sides[2]);
+    if (before(sides[1], sides[0])) std::swap(sides[0], sides[1]);
+    return sides;
+  }
+
   /// Floods each piece from its first face, over edges of two faces.
   void orient() {
     std::vector<std::uint8_t> turned(faces_.faceCount(), 0);
@@ -55,7 +72,7 @@ class FaceJoiner {
       std::size_t turnedFaces = 0;
       for (std::size_t i = 0; i < front.size(); ++i) {
         const Index f = front[i];
-        for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        for (const Index h : sidesInOrder(f)) {
           const Index across = joined_.twin[h];
           if (across == kNoIndex) continue;
           const Index g = across / 3;

@@ -13,9 +13,11 @@ class VertexSplitter {
   VertexSplitter(const WorkingFaces& faces, JoinedFaces& joined) : faces_(faces), joined_(joined) {}
 
   SplitVertices run(PreparationReport& report) {
+    // Cutting only makes more copies, and so ends; only then is clear which cuts separate nothing.
     do {
       findFans();
-    } while (cutDoubleEdges());
+    } while (visitDoubleEdges(&VertexSplitter::separate));
+    visitDoubleEdges(&VertexSplitter::joinAgain);
     return numbered(report);
   }
 
@@ -52,10 +54,11 @@ class VertexSplitter {
     }
   };
 
-  /// Two edges between the same two copies cannot be told apart. All but one are separated: their
-  /// faces get a copy of their own at one end.
-  bool cutDoubleEdges() {
-    bool cutAny = false;
+  using Visit = bool (VertexSplitter::*)(const EdgeOfCopies* edges, std::size_t count);
+
+  /// Visits cut edges whose halfedges still run between the same two copies.
+  bool visitDoubleEdges(Visit visit) {
+    bool changed = false;
     std::vector<EdgeOfCopies> edges;
     for (std::size_t i = 0; i + 1 < joined_.cutBegin.size(); ++i) {
       edges.clear();
@@ -70,20 +73,30 @@ class VertexSplitter {
       });
       for (std::size_t j = 0, end; j < edges.size(); j = end) {
         for (end = j + 1; end < edges.size() && edges[end].sameEdge(edges[j]);) ++end;
-        if (end - j > 1 && separate(&edges[j], end - j)) cutAny = true;
+        if (end - j > 1 && (this->*visit)(&edges[j], end - j)) changed = true;
       }
     }
-    return cutAny;
+    return changed;
   }
 
+  /// Whether there are two sides that can be one edge.
+  bool isOneEdge(const EdgeOfCopies* edges, std::size_t count) const {
+    return count == 2 && faces_.triangles[edges[0].halfedge] != faces_.triangles[edges[1].halfedge];
+  }
+
+  /// The two sides of a cut that separates nothing.
+  bool joinAgain(const EdgeOfCopies* edges, std::size_t count) {
+    if (!isOneEdge(edges, count)) return false;
+    joined_.twin[edges[0].halfedge] = edges[1].halfedge;
+    joined_.twin[edges[1].halfedge] = edges[0].halfedge;
+    return true;
+  }
+
+  /// Two edges between the same two copies could not be told apart. All but one are separated:
+  /// their faces get a copy of their own at one end.
   bool separate(const EdgeOfCopies* edges, std::size_t count) {
+    if (isOneEdge(edges, count)) return false;
     const Index first = edges[0].halfedge;
-    if (count == 2 && faces_.triangles[first] != faces_.triangles[edges[1].halfedge]) {
-      // The two sides of a cut that separates nothing: joined again.
-      joined_.twin[first] = edges[1].halfedge;
-      joined_.twin[edges[1].halfedge] = first;
-      return false;
-    }
     const Index partner = joined_.twin[first];
     for (std::size_t i = 0; i < count; ++i) {
       const Index h = edges[i].halfedge;

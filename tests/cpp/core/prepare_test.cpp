@@ -1,0 +1,698 @@
+// From triangles to a surface: drawn cases for every step, and random soups.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "girth/prepare_surface.h"
+#include "shapes.h"
+
+namespace girth::test {
+namespace {
+
+TriangleSoup soupOf(const Shape& shape) { return {shape.positions, shape.triangles}; }
+
+PreparedSurface prepared(const Shape& shape, const PrepareOptions& options = {}) {
+  auto result = prepareSurface(soupOf(shape), options);
+  EXPECT_TRUE(result.ok()) << (result ? "" : result.error().message);
+  return result ? std::move(result).value() : prepareSurface(soupOf(tetrahedron())).value();
+}
+
+std::string codeOf(const Result<PreparedSurface>& result) {
+  return result ? "OK" : std::string(toString(result.error().code));
+}
+
+/// A unit cube with its lowest corner at a place, eight vertices and twelve faces.
+void addCube(Shape& shape, double x, double y, double z) {
+  Index v[8];
+  for (Index i = 0; i < 8; ++i) v[i] = shape.add(x + (i & 1), y + (i >> 1 & 1), z + (i >> 2));
+  const auto side = [&](Index a, Index b, Index c, Index d) {
+    shape.face(v[a], v[b], v[c]);
+    shape.face(v[a], v[c], v[d]);
+  };
+  side(0, 2, 3, 1);
+  side(4, 5, 7, 6);
+  side(0, 1, 5, 4);
+  side(2, 6, 7, 3);
+  side(0, 4, 6, 2);
+  side(1, 3, 7, 5);
+}
+
+Shape cubesAt(const std::vector<std::array<double, 3>>& places) {
+  Shape shape;
+  for (const auto& p : places) addCube(shape, p[0], p[1], p[2]);
+  return shape;
+}
+
+void turnOver(Shape& shape, std::size_t face) {
+  std::swap(shape.triangles[3 * face + 1], shape.triangles[3 * face + 2]);
+}
+
+/// Every corner a vertex of its own.
+Shape apart(const Shape& shape) {
+  Shape soup;
+  for (const Index v : shape.triangles) {
+    soup.triangles.push_back(
+        soup.add(shape.positions[3 * v], shape.positions[3 * v + 1], shape.positions[3 * v + 2]));
+  }
+  return soup;
+}
+
+double sixfoldVolume(const SurfaceMesh& mesh) {
+  double sum = 0;
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    const auto [i, j, k] = mesh.faceVertices(f);
+    const Vec3 &a = mesh.position(i), &b = mesh.position(j), &c = mesh.position(k);
+    sum += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+           a.z * (b.x * c.y - b.y * c.x);
+  }
+  return sum;
+}
+
+Index boundaries(const SurfaceMesh& mesh) {
+  Index count = 0;
+  for (Index c = 0; c < mesh.componentCount(); ++c) count += mesh.boundaryCount(c);
+  return count;
+}
+
+/// What must hold of every result, by the counts and by geometry.
+void expectConsistent(const TriangleSoup& input, const PreparedSurface& out) {
+  const PreparationReport& report = out.report;
+  const SurfaceMesh& mesh = out.mesh;
+  EXPECT_EQ(report.inputVertices, input.positions.size() / 3);
+  EXPECT_EQ(report.inputFaces, input.triangles.size() / 3);
+  ASSERT_EQ(out.vertexOfInput.size(), input.positions.size() / 3);
+  ASSERT_EQ(out.inputOfVertex.size(), mesh.vertexCount());
+  ASSERT_EQ(out.inputOfFace.size(), mesh.faceCount());
+  EXPECT_EQ(out.parts.size(), report.components);
+  EXPECT_EQ(mesh.componentCount(), report.keptComponents);
+  EXPECT_EQ(boundaries(mesh), report.boundaryCurves);
+  if (report.keptComponents == report.components && report.closedHoles == 0) {
+    EXPECT_EQ(report.inputVertices - report.weldedVertices - report.unreferencedVertices +
+                  report.addedVertices,
+              mesh.vertexCount());
+    EXPECT_EQ(report.inputFaces - report.degenerateFaces - report.duplicateFaces, mesh.faceCount());
+    std::size_t faces = 0;
+    double area = 0;
+    for (const SurfacePart& part : out.parts) {
+      faces += part.faces;
+      area += part.area;
+    }
+    EXPECT_EQ(faces, mesh.faceCount());
+    EXPECT_NEAR(area, mesh.area(), 1e-12 * mesh.area());
+  }
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Index from = out.inputOfVertex[v];
+    if (from == kNoIndex) continue;
+    ASSERT_LT(from, report.inputVertices);
+    EXPECT_EQ(mesh.position(v).x, input.positions[3 * from]);
+    EXPECT_EQ(mesh.position(v).y, input.positions[3 * from + 1]);
+    EXPECT_EQ(mesh.position(v).z, input.positions[3 * from + 2]);
+    // The vertex that its input names is a copy of it.
+    const Index copy = out.vertexOfInput[from];
+    ASSERT_NE(copy, kNoIndex);
+    EXPECT_EQ(out.inputOfVertex[copy], from);
+  }
+}
+
+/// The faces of the input, by the places of their corners, whichever way they are turned.
+using PlacedFace = std::array<std::array<double, 3>, 3>;
+PlacedFace placed(std::array<std::array<double, 3>, 3> corners) {
+  for (auto& corner : corners) {
+    for (double& x : corner) x += 0.0;  // −0 is 0
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// Every face covers the triangle of the input that it names.
+void expectFacesOfTheInput(const TriangleSoup& input, const PreparedSurface& out) {
+  for (Index f = 0; f < out.mesh.faceCount(); ++f) {
+    ASSERT_LT(out.inputOfFace[f], out.report.inputFaces);
+    PlacedFace there, here;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index v = input.triangles[3 * std::size_t{out.inputOfFace[f]} + k];
+      there[k] = {input.positions[3 * v], input.positions[3 * v + 1], input.positions[3 * v + 2]};
+      const Vec3& p = out.mesh.position(out.mesh.faceVertices(f)[k]);
+      here[k] = {p.x, p.y, p.z};
+    }
+    EXPECT_EQ(placed(here), placed(there)) << "face " << f;
+  }
+}
+
+TriangleSoup arraysOf(const SurfaceMesh& mesh) {
+  TriangleSoup soup;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3& p = mesh.position(v);
+    soup.positions.insert(soup.positions.end(), {p.x, p.y, p.z});
+  }
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h) soup.triangles.push_back(mesh.from(h));
+  return soup;
+}
+
+void expectPreparedOnceIsEnough(const PreparedSurface& out) {
+  const TriangleSoup arrays = arraysOf(out.mesh);
+  const auto again = prepareSurface(arrays);
+  ASSERT_TRUE(again.ok()) << again.error().message;
+  EXPECT_EQ(arraysOf(again.value().mesh).positions, arrays.positions);
+  EXPECT_EQ(arraysOf(again.value().mesh).triangles, arrays.triangles);
+  EXPECT_EQ(again.value().report.reorientedFaces, 0u);
+  EXPECT_EQ(again.value().report.degenerateFaces, 0u);
+  EXPECT_EQ(again.value().report.duplicateFaces, 0u);
+}
+
+void expectSound(const Shape& input, const PreparedSurface& out) {
+  expectConsistent(soupOf(input), out);
+  expectPreparedOnceIsEnough(out);
+}
+
+// --- Steps ---------------------------------------------------------------------------------------
+
+TEST(Prepare, LeavesAGoodSurfaceAlone) {
+  for (const Shape& shape : {tetrahedron(), icosphere(2), plate(2), torus(3, 1, 12, 7)}) {
+    const PreparedSurface out = prepared(shape);
+    EXPECT_EQ(arraysOf(out.mesh).positions, shape.positions);
+    EXPECT_EQ(arraysOf(out.mesh).triangles, shape.triangles);
+    EXPECT_EQ(out.report.weldedVertices + out.report.degenerateFaces + out.report.flippedFaces +
+                  out.report.duplicateFaces + out.report.unreferencedVertices +
+                  out.report.reorientedFaces + out.report.oneSidedEdges +
+                  out.report.nonManifoldEdges + out.report.nonManifoldVertices +
+                  out.report.addedVertices + out.report.boundaryCurves,
+              0u);
+    EXPECT_EQ(out.report.components, 1u);
+    expectSound(shape, out);
+  }
+}
+
+TEST(Prepare, WeldsEqualPositions) {
+  const Shape ball = icosphere(2);
+  const PreparedSurface out = prepared(apart(ball));
+  EXPECT_EQ(out.mesh.vertexCount(), ball.vertexCount());
+  EXPECT_EQ(out.report.weldedVertices, ball.triangles.size() - ball.vertexCount());
+  EXPECT_EQ(out.report.boundaryCurves, 0u);
+  expectSound(apart(ball), out);
+
+  Shape shape = tetrahedron();
+  for (double& x : shape.positions) x += 0.0;
+  shape.add(-0.0, 0, 0);
+  shape.add(0, -0.0, 0);
+  shape.add(0, 0, 0);
+  shape.triangles = {4, 6, 5};
+  EXPECT_EQ(codeOf(prepareSurface(soupOf(shape))), "EMPTY_MESH") << "0 and -0 are one place";
+}
+
+TEST(Prepare, WeldsWithinADistance) {
+  const Shape ball = icosphere(2);
+  Shape soup = apart(ball);
+  Random random(3);
+  for (double& x : soup.positions) x += 1e-6 * (random() - 0.5);
+  EXPECT_GT(prepared(soup).report.boundaryCurves, 100u);
+  PrepareOptions options;
+  options.weldDistance = 1e-5;
+  const PreparedSurface out = prepared(soup, options);
+  EXPECT_EQ(out.mesh.vertexCount(), ball.vertexCount());
+  EXPECT_EQ(out.report.boundaryCurves, 0u);
+  expectSound(soup, out);
+
+  // A row of vertices half the distance apart: each joins the nearest that stands for itself.
+  Shape row;
+  for (Index i = 0; i < 9; ++i) row.add(0.5 * i, 0, 0);
+  for (Index i = 0; i < 9; ++i) row.face(i, row.add(0.5 * i, 10, 0), row.add(0.5 * i, 10, 10));
+  options.weldDistance = 0.5;
+  const PreparedSurface joined = prepared(row, options);
+  for (Index i = 0; i < 9; ++i) {
+    EXPECT_EQ(joined.inputOfVertex[joined.vertexOfInput[i]], i - i % 2) << i;
+  }
+
+  for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    options.weldDistance = bad;
+    EXPECT_EQ(codeOf(prepareSurface(soupOf(ball), options)), "INVALID_OPTION");
+  }
+  options.weldDistance = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(codeOf(prepareSurface(soupOf(ball), options)), "OK");
+  options.weldDistance = 1e300;
+  EXPECT_EQ(codeOf(prepareSurface(soupOf(ball), options)), "EMPTY_MESH");
+}
+
+TEST(Prepare, DropsFacesThatRepeatAVertex) {
+  Shape shape = tetrahedron();
+  shape.add(7, 7, 7);
+  shape.add(8, 8, 8);
+  shape.face(0, 0, 1);
+  shape.face(4, 5, 4);
+  const PreparedSurface out = prepared(shape);
+  EXPECT_EQ(out.report.degenerateFaces, 2u);
+  EXPECT_EQ(out.report.unreferencedVertices, 2u);
+  EXPECT_EQ(out.mesh.faceCount(), 4u);
+  EXPECT_EQ(out.vertexOfInput[5], kNoIndex);
+  EXPECT_EQ(out.report.boundaryCurves, 0u);
+  expectSound(shape, out);
+}
+
+TEST(Prepare, APoleOfRoundingErrorsIsOnePoint) {
+  // A globe whose poles are rings of vertices at sin π · r.
+  const Index around = 12, along = 8;
+  Shape shape;
+  for (Index j = 0; j <= along; ++j) {
+    const double latitude = M_PI * j / along;
+    for (Index i = 0; i < around; ++i) {
+      const double longitude = 2 * M_PI * i / around;
+      shape.add(std::sin(latitude) * std::cos(longitude), std::sin(latitude) * std::sin(longitude),
+                std::cos(latitude));
+    }
+  }
+  for (Index j = 0; j < along; ++j) {
+    for (Index i = 0; i < around; ++i) {
+      const Index a = j * around + i, b = j * around + (i + 1) % around;
+      shape.face(a, a + around, b + around);
+      shape.face(a, b + around, b);
+    }
+  }
+  const PreparedSurface out = prepared(shape);
+  EXPECT_EQ(out.report.boundaryCurves, 0u);
+  EXPECT_EQ(out.mesh.componentCount(), 1u);
+  EXPECT_EQ(out.mesh.genus(0), 0u);
+  EXPECT_EQ(out.mesh.vertexCount(), around * (along - 1) + 2);
+  expectSound(shape, out);
+}
+
+TEST(Prepare, ANeedleThatClosesTheSurfaceIsFlipped) {
+  // A cube one edge of which has a vertex in the middle on one side only; a face without area lies
+  // between.
+  Shape shape;
+  addCube(shape, 0, 0, 0);
+  const Index middle = shape.add(0.5, 0, 0);
+  // Face 1 (0, 3, 1) of the floor becomes (0, 3, m) and (m, 3, 1); the needle is (0, m, 1).
+  shape.triangles[3] = 0;
+  shape.triangles[4] = 3;
+  shape.triangles[5] = middle;
+  shape.face(middle, 3, 1);
+  shape.face(0, middle, 1);
+  const PreparedSurface out = prepared(shape);
+  EXPECT_EQ(out.report.flippedFaces, 1u);
+  EXPECT_EQ(out.report.degenerateFaces, 0u);
+  EXPECT_EQ(out.report.boundaryCurves, 0u);
+  EXPECT_EQ(out.mesh.faceCount(), 14u);
+  EXPECT_NEAR(out.mesh.area(), 6, 1e-12);
+  EXPECT_NEAR(sixfoldVolume(out.mesh), 6, 1e-12);
+  expectSound(shape, out);
+}
+
+TEST(Prepare, ARowOfNeedlesComesApart) {
+  // The same with many points on the edge, in any triangulation of the flat polygon between.
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    Shape shape;
+    addCube(shape, 0, 0, 0);
+    std::vector<Index> row{0};
+    const Index points = 2 + random.below(9);
+    for (Index i = 1; i <= points; ++i) row.push_back(shape.add(double(i) / (points + 1), 0, 0));
+    row.push_back(1);
+    shape.triangles[3] = 0;
+    shape.triangles[4] = 3;
+    shape.triangles[5] = row[1];
+    for (std::size_t i = 1; i + 1 < row.size(); ++i) shape.face(row[i], 3, row[i + 1]);
+    for (std::vector<Index> rest = row; rest.size() > 2;) {
+      const auto i = static_cast<std::ptrdiff_t>(1 + random.below(Index(rest.size() - 2)));
+      shape.face(rest[i - 1], rest[i], rest[i + 1]);
+      rest.erase(rest.begin() + i);
+    }
+    const PreparedSurface out = prepared(shape);
+    EXPECT_EQ(out.report.boundaryCurves, 0u);
+    EXPECT_NEAR(out.mesh.area(), 6, 1e-12);
+    EXPECT_NEAR(sixfoldVolume(out.mesh), 6, 1e-12);
+    expectSound(shape, out);
+  }
+}
+
+TEST(Prepare, ANeedleThatClosesNothingIsDropped) {
+  Shape shape = cubesAt({{0, 0, 0}});
+  shape.add(2, 0, 0);
+  shape.face(0, 1, 8);  // along an edge and beyond
+  const PreparedSurface out = prepared(shape);
+  EXPECT_EQ(out.report.degenerateFaces, 1u);
+  EXPECT_EQ(out.mesh.faceCount(), 12u);
+  EXPECT_EQ(out.report.unreferencedVertices, 1u);
+  expectSound(shape, out);
+}
+
+TEST(Prepare, CopiesOfFacesAreDropped) {
+  Shape twice = icosphere(1);
+  const std::size_t count = twice.triangles.size();
+  for (std::size_t i = 0; i < count / 2; ++i) twice.triangles.push_back(twice.triangles[i]);
+  for (std::size_t i = 0; i < 9; ++i) twice.triangles.push_back(twice.triangles[i]);
+  const PreparedSurface out = prepared(twice);
+  EXPECT_EQ(out.report.duplicateFaces, count / 6 + 3);
+  EXPECT_EQ(out.report.boundaryCurves, 0u);
+  expectSound(twice, out);
+}
+
+TEST(Prepare, ADoubleSidedSheetIsOneSheet) {
+  // Every face twice, back and front.
+  Shape shape;
+  for (Index i = 0; i < 9; ++i) shape.add(i % 3, i / 3, 0);
+  for (const Index a : {0u, 1u, 3u, 4u}) {
+    shape.face(a, a + 1, a + 4);
+    shape.face(a, a + 4, a + 3);
+  }
+  const std::vector<Index> front = shape.triangles;
+  for (std::size_t i = 0; i < front.size(); i += 3) {
+    shape.face(front[i], front[i + 2], front[i + 1]);
+  }
+  const PreparedSurface out = prepared(shape);
+  EXPECT_EQ(out.report.duplicateFaces, 8u);
+  EXPECT_EQ(out.mesh.faceCount(), 8u);
+  EXPECT_EQ(out.report.boundaryCurves, 1u);
+  EXPECT_EQ(arraysOf(out.mesh).triangles, front);
+  expectSound(shape, out);
+  // And with a part of it given a third time.
+  shape.triangles.insert(shape.triangles.end(), front.begin(), front.begin() + 9);
+  EXPECT_EQ(prepared(shape).mesh.faceCount(), 8u);
+  // A closed surface inside out as well.
+  Shape ball = icosphere(1);
+  const std::size_t faces = ball.triangles.size() / 3;
+  ball.triangles.insert(ball.triangles.end(), ball.triangles.begin(), ball.triangles.end());
+  for (std::size_t f = faces; f < 2 * faces; ++f) turnOver(ball, f);
+  EXPECT_EQ(prepared(ball).mesh.faceCount(), faces);
+  EXPECT_EQ(prepared(ball).report.boundaryCurves, 0u);
+}
+
+TEST(Prepare, SolidsThatShareAWallStayWhole) {
+  // Two cubes face to face, three in an L, eight in a block.
+  for (const auto& places :
+       {std::vector<std::array<double, 3>>{{0, 0, 0}, {1, 0, 0}},
+        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}}) {
+    const Shape shape = cubesAt(places);
+    const PreparedSurface out = prepared(shape);
+    EXPECT_EQ(out.report.boundaryCurves, 0u) << places.size() << " cubes";
+    EXPECT_EQ(out.report.components, places.size());
+    EXPECT_EQ(out.report.duplicateFaces, 0u);
+    for (const SurfacePart& part : out.parts) EXPECT_DOUBLE_EQ(part.area, 6);
+    expectSound(shape, out);
+  }
+}
+
+TEST(Prepare, TurnsTheFewestFaces) {
+  const Shape ball = icosphere(2);
+  Shape turned = ball;
+  Random random(5);
+  Index count = 0;
+  for (std::size_t f = 0; f < ball.triangles.size() / 3; ++f) {
+    if (random() < 0.3) {
+      turnOver(turned, f);
+      ++count;
+    }
+  }
+  const PreparedSurface out = prepared(turned);
+  EXPECT_EQ(out.report.reorientedFaces, count);
+  EXPECT_GT(sixfoldVolume(out.mesh), 0);
+  EXPECT_EQ(out.report.boundaryCurves, 0u);
+  expectSound(turned, out);
+  // Inside out as a whole: the input's business.
+  Shape inside = ball;
+  for (std::size_t f = 0; f < ball.triangles.size() / 3; ++f) turnOver(inside, f);
+  EXPECT_EQ(prepared(inside).report.reorientedFaces, 0u);
+}
+
+TEST(Prepare, AMoebiusStripIsCutAcross) {
+  Shape strip;
+  const Index around = 10;
+  for (Index i = 0; i < around; ++i) {
+    const double u = 2 * M_PI * i / around;
+    for (const double s : {-0.3, 0.0, 0.3}) {
+      const double rho = 1 + s * std::cos(u / 2);
+      strip.add(rho * std::cos(u), rho * std::sin(u), s * std::sin(u / 2));
+    }
+  }
+  for (Index i = 0; i < around; ++i) {
+    const auto at = [&](Index k, Index j) { return k < around ? 3 * k + j : 2 - j; };
+    for (Index j = 0; j < 2; ++j) {
+      strip.face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      strip.face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  }
+  const PreparedSurface out = prepared(strip);
+  EXPECT_GE(out.report.oneSidedEdges, 2u);
+  EXPECT_EQ(out.mesh.componentCount(), 1u);
+  EXPECT_EQ(out.mesh.boundaryCount(0), 1u);
+  EXPECT_EQ(out.mesh.genus(0), 0u);
+  expectSound(strip, out);
+}
+
+TEST(Prepare, SolidsThatShareAnEdgeStayWhole) {
+  const Shape two = cubesAt({{0, 0, 0}, {1, 1, 0}});
+  Shape inverted = two;
+  for (std::size_t f = 12; f < 24; ++f) turnOver(inverted, f);
+  for (const Shape& shape : {two, inverted}) {
+    const PreparedSurface out = prepared(shape);
+    EXPECT_EQ(out.report.nonManifoldEdges, 1u);
+    EXPECT_EQ(out.report.addedVertices, 2u);
+    EXPECT_EQ(out.report.nonManifoldVertices, 0u);
+    EXPECT_EQ(out.report.components, 2u);
+    EXPECT_EQ(out.report.boundaryCurves, 0u);
+    expectSound(shape, out);
+  }
+}
+
+TEST(Prepare, ASolidThatTouchesItselfStaysClosed) {
+  // A ring of cubes round a hole, two of which meet in an edge only; as one surface: walls between
+  // cubes are left out.
+  const Shape ring = cubesAt({{0, 0, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 1}, {1, 0, 0}});
+  // Drop both faces of every wall.
+  std::multiset<PlacedFace> faces;
+  const auto place = [&](std::size_t f) {
+    PlacedFace face;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index v = ring.triangles[3 * f + k];
+      face[k] = {ring.positions[3 * v], ring.positions[3 * v + 1], ring.positions[3 * v + 2]};
+    }
+    return placed(face);
+  };
+  for (std::size_t f = 0; f < ring.triangles.size() / 3; ++f) faces.insert(place(f));
+  Shape outside;
+  outside.positions = ring.positions;
+  for (std::size_t f = 0; f < ring.triangles.size() / 3; ++f) {
+    if (faces.count(place(f)) > 1) continue;
+    outside.face(ring.triangles[3 * f], ring.triangles[3 * f + 1], ring.triangles[3 * f + 2]);
+  }
+  const PreparedSurface out = prepared(outside);
+  EXPECT_EQ(out.report.boundaryCurves, 0u);
+  EXPECT_GT(out.report.nonManifoldEdges, 0u);
+  EXPECT_NEAR(sixfoldVolume(out.mesh), 30, 1e-12);
+  expectSound(outside, out);
+}
+
+TEST(Prepare, ThreeSheetsAtAnEdgeComeApart) {
+  Shape shape;
+  const Index a = shape.add(0, 0, 0), b = shape.add(0, 0, 1);
+  for (int i = 0; i < 3; ++i) {
+    const double angle = 2 * M_PI * i / 3;
+    shape.face(a, b, shape.add(std::cos(angle), std::sin(angle), 0));
+  }
+  const PreparedSurface out = prepared(shape);
+  EXPECT_EQ(out.report.nonManifoldEdges, 1u);
+  EXPECT_EQ(out.report.addedVertices, 4u);
+  EXPECT_EQ(out.report.components, 3u);
+  expectSound(shape, out);
+}
+
+TEST(Prepare, AFinLeavesTheSolidClosed) {
+  Shape shape = cubesAt({{0, 0, 0}});
+  const Index tip = shape.add(2, 0, 2);
+  shape.face(1, 5, tip);  // on the edge from (1,0,0) to (1,0,1)
+  const PreparedSurface out = prepared(shape);
+  EXPECT_EQ(out.report.nonManifoldEdges, 1u);
+  EXPECT_EQ(out.report.components, 2u);
+  EXPECT_EQ(out.parts[0].faces, 12u);
+  EXPECT_EQ(out.report.boundaryCurves, 1u) << "the fin's";
+  EXPECT_LT(out.vertexOfInput[1], 8u) << "most faces are the cube's";
+  expectSound(shape, out);
+}
+
+TEST(Prepare, PartsThatTouchAtAVertexComeApart) {
+  Shape shape = tetrahedron();
+  Shape other = tetrahedron();
+  for (std::size_t i = 0; i < other.positions.size(); i += 3) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      other.positions[i + k] = 2 * shape.positions[k] - other.positions[i + k];
+    }
+  }
+  const Index first = shape.vertexCount();
+  shape.positions.insert(shape.positions.end(), other.positions.begin(), other.positions.end());
+  for (const Index v : other.triangles) shape.triangles.push_back(v + first);
+  const PreparedSurface out = prepared(shape);
+  EXPECT_EQ(out.report.nonManifoldVertices, 1u);
+  EXPECT_EQ(out.report.addedVertices, 1u);
+  EXPECT_EQ(out.report.weldedVertices, 1u);
+  EXPECT_EQ(out.report.components, 2u);
+  EXPECT_EQ(out.report.boundaryCurves, 0u);
+  EXPECT_EQ(out.vertexOfInput[0], out.vertexOfInput[4]);
+  expectSound(shape, out);
+}
+
+TEST(Prepare, ComponentsCanBeChosen) {
+  const Shape shape = cubesAt({{0, 0, 0}, {5, 0, 0}, {9, 0, 0}});
+  PrepareOptions options;
+  options.components = {2, 0};
+  const PreparedSurface out = prepared(shape, options);
+  EXPECT_EQ(out.report.components, 3u);
+  EXPECT_EQ(out.report.keptComponents, 2u);
+  EXPECT_EQ(out.mesh.faceCount(), 24u);
+  EXPECT_EQ(out.vertexOfInput[8], kNoIndex);
+  EXPECT_EQ(out.vertexOfInput[16], 8u);
+  EXPECT_EQ(out.inputOfVertex[8], 16u);
+  EXPECT_EQ(out.inputOfFace[12], 24u);
+  EXPECT_EQ(out.parts[1].firstFace, 12u);
+  options.components = {3};
+  EXPECT_EQ(codeOf(prepareSurface(soupOf(shape), options)), "COMPONENT_OUT_OF_RANGE");
+}
+
+TEST(Prepare, SaysWhatIsWrong) {
+  EXPECT_EQ(codeOf(prepareSurface({})), "EMPTY_MESH");
+  Shape flat;
+  for (Index i = 0; i < 6; ++i) flat.add(i, 2 * i, 0);
+  flat.face(0, 1, 2);
+  flat.face(3, 4, 5);
+  const auto nothing = prepareSurface(soupOf(flat));
+  EXPECT_EQ(codeOf(nothing), "EMPTY_MESH");
+  EXPECT_EQ(nothing.error().message, "all 2 faces have no area");
+  TriangleSoup soup = soupOf(tetrahedron());
+  soup.triangles[7] = 4;
+  EXPECT_EQ(codeOf(prepareSurface(soup)), "INDEX_OUT_OF_RANGE");
+  EXPECT_EQ(prepareSurface(soup).error().element, 2);
+  soup = soupOf(tetrahedron());
+  soup.positions[5] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(codeOf(prepareSurface(soup)), "NON_FINITE_POSITION");
+  EXPECT_EQ(prepareSurface(soup).error().element, 1);
+  soup.positions.pop_back();
+  EXPECT_EQ(codeOf(prepareSurface(soup)), "EMPTY_MESH");
+  const std::atomic<bool> stop{true};
+  ExecutionContext context;
+  context.cancel = &stop;
+  EXPECT_EQ(codeOf(prepareSurface(soupOf(tetrahedron()), {}, context)), "CANCELLED");
+}
+
+TEST(Prepare, ProgressEndsAtOne) {
+  double last = 0;
+  ExecutionContext context;
+  context.onProgress = [&](double fraction) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+  };
+  ASSERT_TRUE(prepareSurface(soupOf(icosphere(3)), {}, context).ok());
+  EXPECT_EQ(last, 1);
+}
+
+// --- Any triangles -------------------------------------------------------------------------------
+
+/// Triangles at random over a few places of a small grid: much coincides, lines up and crosses.
+Shape randomSoup(std::uint64_t seed) {
+  Random random(seed);
+  Shape shape;
+  const Index grid = 2 + random.below(4), vertices = 4 + random.below(20);
+  const double jitter = random() < 0.3 ? 0.5 : 0;
+  for (Index i = 0; i < vertices; ++i) {
+    const auto coordinate = [&] { return random.below(grid) + jitter * random(); };
+    const double x = coordinate(), y = coordinate(), z = random() < 0.3 ? 0 : coordinate();
+    shape.add(x, y, z);
+  }
+  const Index faces = 1 + random.below(60);
+  for (Index i = 0; i < faces; ++i) {
+    if (i > 0 && random() < 0.1) {  // a copy, turned somehow
+      const Index f = random.below(i);
+      const Index* v = &shape.triangles[3 * std::size_t{f}];
+      const Index k = random.below(3), a = v[k], b = v[(k + 1) % 3], c = v[(k + 2) % 3];
+      random() < 0.5 ? shape.face(a, b, c) : shape.face(a, c, b);
+    } else {
+      const Index a = random.below(vertices), b = random.below(vertices),
+                  c = random.below(vertices);
+      shape.face(a, b, c);
+    }
+  }
+  return shape;
+}
+
+/// A surface some vertices of which have been put onto others: it touches, crosses and doubles
+/// itself; with some faces turned or gone.
+Shape gluedSurface(std::uint64_t seed) {
+  Random random(seed);
+  const Shape shapes[] = {octasphere(1), plate(1), torus(3, 1, 6, 4), icosphere(1)};
+  Shape shape = shapes[random.below(4)];
+  for (Index glued = random.below(8); glued > 0; --glued) {
+    const Index a = random.below(shape.vertexCount()), b = random.below(shape.vertexCount());
+    for (std::size_t k = 0; k < 3; ++k) shape.positions[3 * a + k] = shape.positions[3 * b + k];
+  }
+  const Shape whole = shape;
+  shape.triangles.clear();
+  for (std::size_t f = 0; f < whole.triangles.size() / 3; ++f) {
+    const Index* v = &whole.triangles[3 * f];
+    if (random() < 0.02) continue;
+    random() < 0.1 ? shape.face(v[0], v[2], v[1]) : shape.face(v[0], v[1], v[2]);
+  }
+  return shape;
+}
+
+TEST(Prepare, AnyTrianglesBecomeASurface) {
+  std::size_t surfaces = 0, flips = 0, oneSided = 0;
+  for (std::uint64_t seed = 0; seed < 4000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Shape shape = seed % 2 == 0 ? randomSoup(seed) : gluedSurface(seed);
+    const auto result = prepareSurface(soupOf(shape));
+    if (!result) {
+      EXPECT_EQ(codeOf(result), "EMPTY_MESH") << result.error().message;
+      continue;
+    }
+    const PreparedSurface& out = result.value();
+    ++surfaces;
+    flips += out.report.flippedFaces > 0 ? 1 : 0;
+    oneSided += out.report.oneSidedEdges > 0 ? 1 : 0;
+    expectConsistent(soupOf(shape), out);
+    if (out.report.flippedFaces == 0) expectFacesOfTheInput(soupOf(shape), out);
+    expectPreparedOnceIsEnough(out);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(surfaces, 3700u);
+  EXPECT_GT(flips, 50u);
+  EXPECT_GT(oneSided, 0u);
+}
+
+TEST(Prepare, ClosedSurfacesInAnyDisguiseStayWhole) {
+  // Corners apart, faces turned, copied and shuffled, with faces that are none in between.
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Shape shapes[] = {plate(2), torus(3, 1, 9, 5), icosphere(1), box(1, 2, 3, 2, 3, 4)};
+    const Shape& shape = shapes[seed % 4];
+    std::vector<Index> number;
+    const Shape source = relabelled(shape, seed, number);
+    Shape soup;
+    for (std::size_t f = 0; f < source.triangles.size() / 3; ++f) {
+      for (int copies = random() < 0.2 ? 2 : 1; copies > 0; --copies) {
+        Index v[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double* p = &source.positions[3 * std::size_t{source.triangles[3 * f + k]}];
+          v[k] = soup.add(p[0], p[1], p[2]);
+        }
+        random() < 0.3 ? soup.face(v[0], v[2], v[1]) : soup.face(v[0], v[1], v[2]);
+        if (random() < 0.1) soup.face(v[0], v[0], v[1]);
+      }
+    }
+    const PreparedSurface out = prepared(soup);
+    EXPECT_EQ(out.mesh.faceCount(), shape.triangles.size() / 3);
+    EXPECT_EQ(out.mesh.vertexCount(), shape.vertexCount());
+    EXPECT_EQ(out.report.boundaryCurves, 0u);
+    EXPECT_EQ(out.mesh.genus(0), shape.mesh().genus(0));
+    EXPECT_NEAR(std::fabs(sixfoldVolume(out.mesh)), sixfoldVolume(shape.mesh()), 1e-9);
+    expectConsistent(soupOf(soup), out);
+    expectPreparedOnceIsEnough(out);
+  }
+}
+
+}  // namespace
+}  // namespace girth::test
