@@ -1,16 +1,15 @@
-// The whole window takes dropped files.
+// The whole window takes dropped files and folders.
 
-const modelEnding = /\.(glb|gltf|obj)$/i;
+import type { FileWithPath } from '../src/kernel/index.js';
 
-/** The one to open of several files: the first that is a model by its name, or simply the first. */
-export function chooseModel<Named extends { name: string }>(
-  files: readonly Named[],
-): Named | undefined {
-  return files.find((file) => modelEnding.test(file.name)) ?? files[0];
-}
+/** More files than this are not one model's: somebody has dropped the whole disk. */
+const mostFiles = 2000;
 
-/** Shows `curtain` while a file is over the window and calls `open` when one is dropped. */
-export function acceptDrops(curtain: HTMLElement, open: (file: File) => void): void {
+/** Shows `curtain` while files are over the window and calls `open` when some are dropped. */
+export function acceptDrops(
+  curtain: HTMLElement,
+  open: (files: (File | FileWithPath)[]) => void,
+): void {
   const carriesFiles = (event: DragEvent): boolean =>
     event.dataTransfer?.types.includes('Files') ?? false;
   // Entering a child comes before leaving its parent: count both.
@@ -36,7 +35,41 @@ export function acceptDrops(curtain: HTMLElement, open: (file: File) => void): v
     event.preventDefault();
     depth = 0;
     curtain.hidden = true;
-    const file = chooseModel([...event.dataTransfer!.files]);
-    if (file) open(file);
+    void filesOf(event.dataTransfer!).then((files) => {
+      if (files.length > 0) open(files);
+    });
   });
+}
+
+/** The dropped files, those in folders with their paths. */
+export async function filesOf(
+  dropped: Pick<DataTransfer, 'items' | 'files'>,
+): Promise<(File | FileWithPath)[]> {
+  // Entries and files have to be asked for at once: afterwards the drop is forgotten.
+  const files = [...dropped.files];
+  const entries = [...dropped.items].map((item) => item.webkitGetAsEntry?.() ?? null);
+  if (!entries.some((entry) => entry?.isDirectory)) return files;
+  const found: FileWithPath[] = [];
+  for (const entry of entries) if (entry) await collect(entry, found);
+  return found;
+}
+
+async function collect(entry: FileSystemEntry, found: FileWithPath[]): Promise<void> {
+  if (found.length >= mostFiles || entry.name.startsWith('.')) return;
+  if (entry.isFile) {
+    const content = await new Promise<File | undefined>((resolve) =>
+      (entry as FileSystemFileEntry).file(resolve, () => resolve(undefined)),
+    );
+    if (content) found.push({ path: entry.fullPath.replace(/^\//, ''), content });
+    return;
+  }
+  const reader = (entry as FileSystemDirectoryEntry).createReader();
+  for (;;) {
+    // A folder is handed out in portions of at most 100.
+    const portion = await new Promise<FileSystemEntry[]>((resolve) =>
+      reader.readEntries(resolve, () => resolve([])),
+    );
+    if (portion.length === 0) return;
+    for (const inner of portion) await collect(inner, found);
+  }
 }

@@ -79,10 +79,13 @@ export class Model {
     surface.uploadScalars();
   }
 
-  /** Ends all work on the model and lets go of its memory; the stage disposes of the surface. */
-  dispose(): void {
+  /**
+   * Ends all work on the model and lets go of its memory, but for the mesh where that is kept; the
+   * stage disposes of the surface.
+   */
+  dispose(keepsMesh = false): void {
     this.computing?.abort();
     this.life.abort();
-    this.mesh.dispose();
+    if (!keepsMesh) this.mesh.dispose();
   }
 }

@@ -1,9 +1,12 @@
 // `<girth-viewer>`: a surface, its girth as colours, and the loop under the pointer.
 
 import type {
+  Field,
+  FieldFormat,
   GirthErrorFields,
   LoadOptions,
   Loop,
+  LoopFormat,
   Mesh,
   MeshInfo,
   MeshSource,
@@ -53,6 +56,12 @@ export interface FieldDetail {
   unit: string;
   /** 1, or the computed share of the vertices where the work was cancelled. */
   share: number;
+}
+
+/** What a remeshed surface was made of. */
+interface Original {
+  mesh: Mesh;
+  field: Field | undefined;
 }
 
 /**
@@ -110,6 +119,7 @@ export class GirthViewer extends HTMLElement {
 
   private stage: Stage | undefined;
   private model: Model | undefined;
+  private madeFrom: Original | undefined;
   private loops: LoopsOnSurface | undefined;
   private format: LengthFormat = lengthFormat(1, '');
   private colormapName: ColormapName = 'viridis';
@@ -289,6 +299,7 @@ export class GirthViewer extends HTMLElement {
     words: string,
     name: string,
     make: (watched: { signal: AbortSignal; onProgress(share: number): void }) => Promise<Mesh>,
+    before?: Original,
   ): Promise<MeshInfo> {
     this.loading?.abort();
     const loading = new AbortController();
@@ -315,7 +326,7 @@ export class GirthViewer extends HTMLElement {
         const model = await Model.of(mesh, signal);
         await this.stage?.prepare(model.surface.object);
         signal.throwIfAborted();
-        this.show(model);
+        this.show(model, before);
       } catch (error) {
         mesh.dispose();
         throw error;
@@ -331,6 +342,34 @@ export class GirthViewer extends HTMLElement {
         this.status.endWork();
       }
     }
+  }
+
+  /**
+   * Shows a surface of about `faces` faces in place of the present one; of a remeshed surface, in
+   * place of that which it was made of.
+   */
+  async remesh(faces: number): Promise<MeshInfo> {
+    const model = this.requireModel();
+    const from = this.madeFrom ?? { mesh: model.mesh, field: model.field };
+    const { name } = from.mesh.info;
+    const words = `Remeshing ${name || 'the model'} …`;
+    return this.work(words, name, (watched) => from.mesh.remesh(faces, watched), from);
+  }
+
+  /** What the surface was remeshed from; undefined where it was not. */
+  get original(): MeshInfo | undefined {
+    return this.madeFrom?.mesh.info;
+  }
+
+  /**
+   * How far the field of a remeshed surface is from that of the original: equation (1) of the paper;
+   * undefined where one of the two is not computed.
+   */
+  async differenceToOriginal(): Promise<number | undefined> {
+    const { madeFrom: before, model } = this;
+    if (!before?.field || !model?.field) return undefined;
+    const { signal } = model.life;
+    return model.mesh.difference(model.field, before.mesh, before.field, { signal });
   }
 
   /** A copy of a field's values, one per vertex of the surface; NaN where not (yet) computed. */
@@ -380,6 +419,20 @@ export class GirthViewer extends HTMLElement {
     return this.stage.snapshot();
   }
 
+  /** The field as a file's content, in the element's unit; only once it is complete. */
+  async exportField(format: FieldFormat): Promise<Uint8Array> {
+    const { mesh, field, life } = this.requireModel();
+    if (!field) throw new Error('the field is not computed yet');
+    return mesh.exportField({ ...field, unit: this.unit }, format, { signal: life.signal });
+  }
+
+  /** The pinned loops, oldest first, a file's content for each, in the element's unit. */
+  async exportLoops(format: LoopFormat): Promise<Uint8Array[]> {
+    const { mesh, life } = this.requireModel();
+    const points = this.pinned.map(({ loop }) => loop.base);
+    return mesh.exportLoops(points, format, { signal: life.signal, unit: this.unit });
+  }
+
   // ---- loading and computing
 
   private async loadSrc(): Promise<void> {
@@ -395,9 +448,10 @@ export class GirthViewer extends HTMLElement {
       : new Promise((resolve) => this.whenInView.push(resolve));
   }
 
-  private show(model: Model): void {
+  private show(model: Model, before: Original | undefined): void {
     const { mesh, surface } = model;
-    this.dropModel();
+    this.dropModel(before);
+    this.madeFrom = before;
     this.message.clear();
     this.model = model;
     surface.setColormap(this.colormapName);
@@ -510,13 +564,16 @@ export class GirthViewer extends HTMLElement {
     if (share === 1) this.live.textContent = 'The girth is computed.';
   }
 
-  private dropModel(): void {
-    const { model } = this;
+  /** `kept` is still wanted: what comes next was made of it. */
+  private dropModel(kept?: Original): void {
+    const { model, madeFrom: before } = this;
+    if (before && before.mesh !== kept?.mesh) before.mesh.dispose();
+    this.madeFrom = undefined;
     if (!model) return;
     this.loops?.dispose();
     this.loops = undefined;
     this.model = undefined;
-    model.dispose();
+    model.dispose(kept?.mesh === model.mesh);
     this.stage?.show(undefined);
     this.status.clear();
     this.legend.update(undefined);

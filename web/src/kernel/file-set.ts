@@ -81,8 +81,11 @@ function modelsAmong(files: readonly SetFile[], given: readonly SetFile[]): stri
   // A file by itself is for the reader to judge.
   if (given.length === 1 && files.length === 1 && files[0] === given[0]) return paths(files);
   const alike = files.filter(
-    ({ path, size, bytes }) =>
-      size > 0 && !otherEnding.test(path) && !zipEnding.test(path) && looksLikeModel(bytes()),
+    (file) =>
+      file.size > 0 &&
+      !otherEnding.test(file.path) &&
+      !zipEnding.test(file.path) &&
+      looksLikeModel(file.bytes()),
   );
   if (alike.length > 0) return paths(alike);
   const message =

@@ -5,25 +5,45 @@ import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
 import { FieldRun, type FieldEngine } from './field-run.js';
 import { LoopQueue } from './loop-queue.js';
 import { PoolEngine } from './pool-engine.js';
-import type { OpenedSurface, Report, SingleOperations, ThreadsOperations } from './protocol.js';
+import type {
+  OpenedSurface,
+  Report,
+  SingleOperations,
+  ThreadsOperations,
+  WorkshopOperations,
+  WrittenModel,
+} from './protocol.js';
 import { contentOf, sizeOf } from './source.js';
 import { checkedPoint } from './surface-point.js';
 import { ThreadsEngine } from './threads-engine.js';
 import type {
   CallOptions,
   Field,
+  FieldFormat,
   FieldOptions,
   Kernel,
   KernelOptions,
   LoadOptions,
   Loop,
+  LoopFormat,
   Mesh,
   MeshSource,
+  RemeshedMesh,
   SurfacePoint,
+  WatchedOptions,
 } from './types.js';
 import { WorkerClient, type SurfaceSource } from './worker-client.js';
 import { moduleWorkers, type WorkerFactory } from './workers.js';
 import { Workshop } from './workshop.js';
+
+/** Units as files call them. */
+const unitNames: Record<string, string | undefined> = {
+  m: 'metre',
+  mm: 'millimetre',
+  cm: 'centimetre',
+  in: 'inch',
+  ft: 'foot',
+};
 
 /** More workers than this cost more memory than they save time. */
 const mostThreads = 8;
@@ -151,10 +171,11 @@ export class KernelOfWorkers implements Kernel {
         return worker.request('read', { ...content, ...chosen, prepare }, { onReport });
       });
     });
-    return this.#open(opened);
+    return this.open(opened);
   }
 
-  #open(opened: OpenedSurface): MeshOfWorkers {
+  /** A mesh for the page of a surface that a worker has made. */
+  open(opened: OpenedSurface): MeshOfWorkers {
     const mesh = new MeshOfWorkers(this, { number: ++this.#lastSurface, ...opened });
     // So that the first loop need not wait for it; who asks for it learns of a failure.
     void this.#interactive.adopt(mesh.surface).catch(() => undefined);
@@ -181,6 +202,15 @@ export class KernelOfWorkers implements Kernel {
       await turn;
       return { name: 'igf', values: run.values, kinds: run.kinds, range: run.range(), unit };
     });
+  }
+
+  /** Something that a worker of its own makes of a surface. */
+  make<T>(
+    bytes: number,
+    signals: (AbortSignal | undefined)[],
+    job: (worker: WorkerClient<WorkshopOperations>) => Promise<T>,
+  ): Promise<T> {
+    return this.#work(signals, (signal) => this.#workshop.run(signal, bytes, job));
   }
 
   loop(surface: SurfaceSource, point: SurfacePoint, life: AbortSignal, options: CallOptions) {
@@ -225,15 +255,17 @@ class MeshOfWorkers implements Mesh {
   /** As the workers know it. */
   readonly surface: SurfaceSource;
   readonly #kernel: KernelOfWorkers;
+  readonly #inputOfVertex: Uint32Array;
   readonly #life = new AbortController();
 
   constructor(kernel: KernelOfWorkers, opened: OpenedSurface & { number: number }) {
-    const { number, info, arrays, drawn, walls, vertexOfInput } = opened;
+    const { number, info, arrays, drawn, walls, vertexOfInput, inputOfVertex } = opened;
     this.#kernel = kernel;
     this.surface = { number, arrays };
     this.info = info;
     this.geometry = { positions: drawn, indices: arrays.indices, walls };
     this.vertexOfInput = vertexOfInput;
+    this.#inputOfVertex = inputOfVertex;
   }
 
   async field(name: 'igf', options: FieldOptions = {}): Promise<Field> {
@@ -248,6 +280,101 @@ class MeshOfWorkers implements Mesh {
     const base = checkedPoint(point, this.info);
     const found = await this.#kernel.loop(this.surface, base, this.#life.signal, options);
     return { ...found, base, unit };
+  }
+
+  async exportField(
+    field: Field,
+    format: FieldFormat,
+    { signal }: CallOptions = {},
+  ): Promise<Uint8Array> {
+    const { values, kinds, unit } = field;
+    const { vertexCount } = this.info;
+    if (values.length !== vertexCount || kinds.length !== vertexCount) {
+      throw failure('USAGE', 'the field is not one of this mesh', { hint: 'export its own field' });
+    }
+    const { bytes } = await this.#make(signal, (worker) =>
+      worker.request('writeField', { model: this.#written(unit), values, kinds, format }),
+    );
+    return bytes;
+  }
+
+  async exportLoops(
+    points: readonly SurfacePoint[],
+    format: LoopFormat,
+    { signal, unit = this.info.unit }: CallOptions & { unit?: string } = {},
+  ): Promise<Uint8Array[]> {
+    const checked = points.map((point) => checkedPoint(point, this.info));
+    const { files } = await this.#make(signal, (worker) =>
+      worker.request('writeLoops', { model: this.#written(unit), points: checked, format }),
+    );
+    return files;
+  }
+
+  async remesh(faces: number, { signal, onProgress }: WatchedOptions = {}): Promise<RemeshedMesh> {
+    const { info } = this;
+    const { arrays } = this.surface;
+    const { opened, places } = await this.#make(signal, (worker) =>
+      worker.request(
+        'remesh',
+        { arrays, faces, info },
+        {
+          onReport: (report) => {
+            if (!signal?.aborted && 'progress' in report) onProgress?.(report.progress);
+          },
+        },
+      ),
+    );
+    const mesh = this.#kernel.open(opened);
+    const carryBack: RemeshedMesh['carryBack'] = async (values, options = {}) => {
+      if (values.length !== mesh.info.vertexCount) {
+        throw failure('USAGE', 'there is not one value for each vertex of the remeshed surface', {
+          hint: 'carry back its own values',
+        });
+      }
+      const remeshed = opened.arrays;
+      const carried = await this.#make(options.signal, (worker) =>
+        worker.request('carryBack', { original: arrays, remeshed, places, values }),
+      );
+      return carried.values;
+    };
+    return Object.assign(mesh, { carryBack });
+  }
+
+  async difference(
+    field: Field,
+    other: Mesh,
+    otherField: Field,
+    { signal }: CallOptions = {},
+  ): Promise<number> {
+    if (!(other instanceof MeshOfWorkers)) {
+      throw failure('USAGE', 'the other mesh is not one of this package', {
+        hint: 'load it with a kernel',
+      });
+    }
+    const fields = [
+      { ...this.surface.arrays, values: field.values },
+      { ...other.surface.arrays, values: otherField.values },
+    ] as const;
+    const { difference } = await this.#make(signal, (worker) =>
+      worker.request('difference', { fields }),
+    );
+    return difference;
+  }
+
+  #make<T>(
+    signal: AbortSignal | undefined,
+    job: (worker: WorkerClient<WorkshopOperations>) => Promise<T>,
+  ): Promise<T> {
+    const { positions, indices } = this.surface.arrays;
+    const bytes = positions.byteLength + indices.byteLength;
+    return this.#kernel.make(bytes, [signal, this.#life.signal], job);
+  }
+
+  #written(unit: string): WrittenModel {
+    const { vertexOfInput, info, surface } = this;
+    const inputOfVertex = this.#inputOfVertex;
+    const { name } = info;
+    return { ...surface.arrays, vertexOfInput, inputOfVertex, name, unit: unitNames[unit] ?? unit };
   }
 
   dispose(): void {

@@ -1,6 +1,6 @@
 // A surface as the module hands it out, as the page gets it.
 
-import type { ModuleOptions, Prepared } from './wasm/girth.mjs';
+import type { Described, ModuleOptions, Prepared } from './wasm/girth.mjs';
 import type { OpenedSurface } from './protocol.js';
 import type { MeshInfo, PrepareOptions } from './types.js';
 
@@ -16,11 +16,25 @@ export function openedSurface(
   prepared: Prepared,
   source: Pick<MeshInfo, 'name' | 'models'>,
 ): OpenedSurface {
-  const { positions, indices, walls, vertexOfInput, inputOfVertex, genus } = prepared;
-  const { boundaries, area, unit, report, notes, parts, format } = prepared;
+  const { vertexOfInput, inputOfVertex, unit, report, notes, parts, format } = prepared;
+  const said = { format, unit: unit === 'metre' ? 'm' : unit, report, notes, parts };
+  return { ...surfaceWith(prepared, { ...source, ...said }), vertexOfInput, inputOfVertex };
+}
+
+/** A surface that was made of another one, of which `info` tells; its input are its own vertices. */
+export function remeshedSurface(described: Described, info: MeshInfo): OpenedSurface {
+  const made = surfaceWith(described, info);
+  const same = Uint32Array.from({ length: made.info.vertexCount }, (_, vertex) => vertex);
+  return { ...made, vertexOfInput: same, inputOfVertex: same.slice() };
+}
+
+function surfaceWith(
+  described: Described,
+  said: Pick<MeshInfo, 'name' | 'models' | 'format' | 'unit' | 'report' | 'notes' | 'parts'>,
+) {
+  const { positions, indices, walls, genus, boundaries, area } = described;
   const info: MeshInfo = {
-    ...source,
-    format,
+    ...said,
     vertexCount: positions.length / 3,
     faceCount: indices.length / 3,
     // Edges inside have two sides, those of the boundary one.
@@ -30,13 +44,8 @@ export function openedSurface(
     boundaries,
     area,
     size: extent(positions),
-    unit: unit === 'metre' ? 'm' : unit,
-    report,
-    notes,
-    parts,
   };
-  const drawn = new Float32Array(positions);
-  return { info, arrays: { positions, indices }, drawn, walls, vertexOfInput, inputOfVertex };
+  return { info, arrays: { positions, indices }, drawn: new Float32Array(positions), walls };
 }
 
 function extent(positions: Float64Array): [number, number, number] {

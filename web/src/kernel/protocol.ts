@@ -3,9 +3,11 @@
 // exception: the flag that cancels the threads.
 
 import type {
+  FieldFormat,
   FileWithPath,
   GirthErrorFields,
   Loop,
+  LoopFormat,
   MeshInfo,
   PartialField,
   PrepareOptions,
@@ -28,6 +30,25 @@ export interface OpenedSurface {
   walls: Uint32Array<ArrayBuffer>;
   vertexOfInput: Uint32Array<ArrayBuffer>;
   inputOfVertex: Uint32Array<ArrayBuffer>;
+}
+
+/** What files say of a model besides a field or loops: its arrays, name and unit, as `WrittenModel`. */
+export interface WrittenModel extends SurfaceArrays {
+  vertexOfInput: Uint32Array;
+  inputOfVertex: Uint32Array;
+  name: string;
+  unit: string;
+}
+
+/** A field with the surface that it is on. */
+export interface FieldOfSurface extends SurfaceArrays {
+  values: Float64Array;
+}
+
+/** Points of a surface, one after the other: their faces, and three weights each. */
+export interface Places {
+  faces: Uint32Array<ArrayBuffer>;
+  weights: Float64Array<ArrayBuffer>;
 }
 
 /** Values of some vertices, in the order in which they were asked for. */
@@ -70,6 +91,26 @@ export interface WorkshopOperations extends CommonOperations {
   ];
   /** Prepares a surface of the caller's arrays. */
   take: [{ arrays: SurfaceArrays; prepare: PrepareOptions }, OpenedSurface];
+  /** A surface of about so many faces, and where its vertices lie on the one that was given. */
+  remesh: [
+    { arrays: SurfaceArrays; faces: number; info: MeshInfo },
+    { opened: OpenedSurface; places: Places },
+  ];
+  /** Values of a remeshed surface at the vertices of that which it was made of. */
+  carryBack: [
+    { original: SurfaceArrays; remeshed: SurfaceArrays; places: Places; values: Float64Array },
+    { values: Float64Array<ArrayBuffer> },
+  ];
+  /** The difference of two fields. */
+  difference: [{ fields: readonly [FieldOfSurface, FieldOfSurface] }, { difference: number }];
+  writeField: [
+    { model: WrittenModel; values: Float64Array; kinds: Uint8Array; format: FieldFormat },
+    { bytes: Uint8Array<ArrayBuffer> },
+  ];
+  writeLoops: [
+    { model: WrittenModel; points: readonly SurfacePoint[]; format: LoopFormat },
+    { files: Uint8Array<ArrayBuffer>[] },
+  ];
 }
 
 /** The worker that hosts the module with threads. */

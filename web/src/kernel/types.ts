@@ -211,7 +211,34 @@ export interface Mesh {
    * computed. Codes of failure: VERTEX_OUT_OF_RANGE, INVALID_POINT, CANCELLED.
    */
   loop(point: SurfacePoint, options?: CallOptions): Promise<Loop>;
+  /**
+   * The field as a file's content: CSV, JSON and NPY in the order of the input's vertices, PLY and
+   * GLB as the surface with its values (`write_field.h`). The unit written is `field.unit`.
+   */
+  exportField(field: Field, format: FieldFormat, options?: CallOptions): Promise<Uint8Array>;
+  /** The loops at some points, a file's content for each (`write_loop.h`), in the unit `unit`. */
+  exportLoops(
+    points: readonly SurfacePoint[],
+    format: LoopFormat,
+    options?: CallOptions & { unit?: string },
+  ): Promise<Uint8Array[]>;
+  /**
+   * A surface of about `faces` faces, closed where this one is and of its genus (`remesh.h`). Its
+   * input, as files and `vertexOfInput` count it, are its own vertices.
+   */
+  remesh(faces: number, options?: WatchedOptions): Promise<RemeshedMesh>;
+  /**
+   * How far a field is from one on another mesh, whatever their sizes: equation (1) of the paper
+   * (`field_difference.h`).
+   */
+  difference(field: Field, other: Mesh, otherField: Field, options?: CallOptions): Promise<number>;
   dispose(): void;
+}
+
+/** A surface of other faces that lies where the one before did. */
+export interface RemeshedMesh extends Mesh {
+  /** Values at its vertices, one each, carried to the vertices of the mesh that it was made of. */
+  carryBack(values: Float64Array, options?: CallOptions): Promise<Float64Array>;
 }
 
 export interface Kernel {

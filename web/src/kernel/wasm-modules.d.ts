@@ -1,5 +1,8 @@
 // The WebAssembly modules as `cpp/bind` makes them; the build writes them into the folder `wasm`.
 
+/* eslint-disable @typescript-eslint/consistent-type-imports --
+   an ambient module has no other way to name the types beside it */
+
 /** Functions return this in place of their result when they fail. */
 interface Failed {
   code: string;
@@ -28,17 +31,9 @@ declare module '*/girth.mjs' {
   }
 
   /** A surface with what was done to its input, as arrays. */
-  export interface Prepared {
-    positions: Float64Array<ArrayBuffer>;
-    indices: Uint32Array<ArrayBuffer>;
-    /** Two vertices for each edge of the boundary. */
-    walls: Uint32Array<ArrayBuffer>;
+  export interface Prepared extends Described {
     vertexOfInput: Uint32Array<ArrayBuffer>;
     inputOfVertex: Uint32Array<ArrayBuffer>;
-    /** One per component. */
-    genus: number[];
-    boundaries: number[];
-    area: number;
     parts: import('./types.js').MeshPart[];
     report: import('./types.js').PreparationReport;
     format: import('./types.js').MeshInfo['format'];
@@ -54,6 +49,36 @@ declare module '*/girth.mjs' {
   }
 
   type OnProgress = (fraction: number) => void;
+
+  interface Arrays {
+    positions: Float64Array<ArrayBuffer>;
+    indices: Uint32Array<ArrayBuffer>;
+  }
+
+  /** A surface's arrays, and what can be told from them. */
+  export interface Described extends Arrays {
+    /** Two vertices for each edge of the boundary. */
+    walls: Uint32Array<ArrayBuffer>;
+    /** One per component. */
+    genus: number[];
+    boundaries: number[];
+    area: number;
+  }
+
+  /** Points of a surface, one after the other: their faces, and three weights each. */
+  export interface Places {
+    faces: Uint32Array<ArrayBuffer>;
+    weights: Float64Array<ArrayBuffer>;
+  }
+
+  /** A prepared surface's arrays, and what the file said. */
+  export interface WrittenModel extends Arrays {
+    vertexOfInput: Uint32Array;
+    inputOfVertex: Uint32Array;
+    name: string;
+    /** By its name, for example 'metre'; or ''. */
+    unit: string;
+  }
 
   export interface GirthModule {
     /** `resource` brings a file that the model refers to. */
@@ -73,6 +98,36 @@ declare module '*/girth.mjs' {
     ): Prepared | Failed;
     /** The surface of the arrays of one that was prepared. */
     exactSurface(positions: Float64Array, indices: Uint32Array): { surface: Surface } | Failed;
+    /** A surface of about so many faces, and where its vertices lie on the one that was given. */
+    remesh(
+      positions: Float64Array,
+      indices: Uint32Array,
+      faces: number,
+      onProgress: OnProgress,
+    ): (Described & { places: Places }) | Failed;
+    carryBack(
+      original: Arrays,
+      remeshed: Arrays,
+      places: Places,
+      values: Float64Array,
+    ): { values: Float64Array<ArrayBuffer> } | Failed;
+    /** Equation (1) of the paper. */
+    difference(
+      one: Arrays & { values: Float64Array },
+      other: Arrays & { values: Float64Array },
+    ): { difference: number } | Failed;
+    writeField(
+      model: WrittenModel,
+      values: Float64Array,
+      kinds: Uint8Array,
+      format: string,
+    ): { bytes: Uint8Array<ArrayBuffer> } | Failed;
+    /** A file for each loop. */
+    writeLoops(
+      model: WrittenModel,
+      points: readonly import('./types.js').SurfacePoint[],
+      format: string,
+    ): { files: Uint8Array<ArrayBuffer>[] } | Failed;
   }
 
   export default function createModule(): Promise<GirthModule>;

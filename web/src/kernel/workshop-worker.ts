@@ -3,9 +3,10 @@
 import createModule, { type GirthModule } from './wasm/girth.mjs';
 import { failure } from './errors.js';
 import { FileSet, type SetFile } from './file-set.js';
-import { moduleOptions, openedSurface } from './opened-surface.js';
-import type { WorkshopOperations } from './protocol.js';
+import { moduleOptions, openedSurface, remeshedSurface } from './opened-surface.js';
+import type { FieldOfSurface, WorkshopOperations } from './protocol.js';
 import type { FileWithPath } from './types.js';
+import { unpackIfCompressed } from './unpack.js';
 import { checked, serveRequests, type ReportSink } from './worker-loop.js';
 
 let module: GirthModule;
@@ -44,18 +45,19 @@ serveRequests<WorkshopOperations>({
     return {};
   },
 
-  read({ files, address, model, prepare }, report) {
+  async read({ files, address, model, prepare }, report) {
     const set = new FileSet(files.map(asSetFile));
     const chosen = set.model(model ?? set.models[0]!);
     const name = chosen.path.slice(chosen.path.lastIndexOf('/') + 1);
     const resource = (name: string) =>
       set.resource(chosen.path, name)?.bytes() ??
       (address === undefined ? undefined : fetchedBeside(address, name));
+    const unpacked = await unpackIfCompressed(chosen.bytes(), resource);
     const read = checked(
       module.readSurface(
-        chosen.bytes(),
+        unpacked.bytes,
         name,
-        resource,
+        unpacked.resource,
         moduleOptions(prepare),
         progressTo(report),
       ),
@@ -69,6 +71,29 @@ serveRequests<WorkshopOperations>({
       module.surfaceFromArrays(positions, indices, moduleOptions(prepare), progressTo(report)),
     );
     return openedSurface(prepared, { name: '', models: [] });
+  },
+
+  remesh({ arrays, faces, info }, report) {
+    const { positions, indices } = arrays;
+    const made = checked(module.remesh(positions, indices, faces, progressTo(report)));
+    return { opened: remeshedSurface(made, info), places: made.places };
+  },
+
+  carryBack({ original, remeshed, places, values }) {
+    return checked(module.carryBack(original, remeshed, places, values));
+  },
+
+  difference({ fields }) {
+    const [one, other] = fields as [FieldOfSurface, FieldOfSurface];
+    return checked(module.difference(one, other));
+  },
+
+  writeField({ model, values, kinds, format }) {
+    return checked(module.writeField(model, values, kinds, format));
+  },
+
+  writeLoops({ model, points, format }) {
+    return checked(module.writeLoops(model, points, format));
   },
 
   adopt() {

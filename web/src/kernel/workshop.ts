@@ -1,7 +1,7 @@
 // Workers that make surfaces and files, each job in a worker of its own: it can be ended at any
 // moment without harm to anything else, and what it needed of memory goes with it.
 
-import { cancelled, GirthError } from './errors.js';
+import { cancelled, type GirthError } from './errors.js';
 import type { WorkshopOperations } from './protocol.js';
 import { WorkerClient, type WorkerLike } from './worker-client.js';
 

@@ -1,0 +1,253 @@
+// The sheet that opens from the model's line: what the file is, what was done to it, and what else
+// can be done.
+
+import type { MeshInfo, PrepareOptions } from '../src/kernel/index.js';
+import { type GirthViewer, formatCount, make } from '../src/element/index.js';
+import { byId } from './dom.js';
+import { modelFacts, plural, repairs, sizeWords } from './model-words.js';
+
+/** Units that a file may be in that does not say. */
+const units = ['mm', 'cm', 'm', 'in', 'ft'];
+/** Of very many components the largest are offered. */
+const mostParts = 100;
+
+/** What can be asked of the model that is shown. */
+export interface ModelActions {
+  /** Opens another of the files that came together. */
+  choose(model: string): void;
+  /** Reads the file once more and prepares it otherwise. */
+  prepare(change: Pick<PrepareOptions, 'closeHoles' | 'components'>): void;
+  remesh(faces: number): void;
+  /** The model as its file has it. */
+  back(): void;
+}
+
+/** What the page knows of the model beyond what the viewer says. */
+export interface ModelState {
+  prepare: PrepareOptions;
+  /** Says what a remeshed surface was before; undefined where it is the file's. */
+  remeshed?: string;
+}
+
+export class ModelDetails {
+  private readonly sheet = byId('details');
+  private readonly opener = byId<HTMLButtonElement>('details-open');
+  private readonly line = byId('model');
+  private readonly comparison = make('p', { class: 'hint', role: 'status' });
+  private shown: { info: MeshInfo; state: ModelState } | undefined;
+
+  constructor(
+    private readonly viewer: GirthViewer,
+    private readonly actions: ModelActions,
+  ) {
+    viewer.addEventListener('unit', () => this.refresh());
+  }
+
+  show(info: MeshInfo, state: ModelState): void {
+    const [name = '', ...rest] = modelFacts(info);
+    this.line.replaceChildren(make('b', {}, name), ` · ${rest.join(' · ')}`);
+    this.line.title = this.line.textContent ?? '';
+    this.comparison.textContent = '';
+    this.shown = { info, state };
+    const isRepaired = repairs(info.report, this.viewer.lengthFormat).length > 0;
+    this.opener.textContent = isRepaired ? 'repaired' : 'details';
+    this.opener.hidden = false;
+    this.refresh();
+  }
+
+  /** Says how far the field of a remeshed surface is from that of the surface before. */
+  async compare(): Promise<void> {
+    const { shown } = this;
+    const difference = await this.viewer.differenceToOriginal().catch(() => undefined);
+    if (difference === undefined || shown !== this.shown) return;
+    const words = difference.toPrecision(2).replace('-', '−');
+    this.comparison.textContent = `Its girth differs from that before by ${words} (the paper’s equation 1).`;
+  }
+
+  private refresh(): void {
+    if (!this.shown) return;
+    const { info, state } = this.shown;
+    this.sheet.replaceChildren(
+      make('h2', { id: 'details-title' }, info.name),
+      this.facts(info),
+      ...this.whatWasDone(info, state),
+      ...this.models(info),
+      ...this.components(info, state),
+      ...this.changes(info, state),
+    );
+  }
+
+  private close(): void {
+    this.sheet.hidePopover();
+  }
+
+  private facts(info: MeshInfo): HTMLElement {
+    const { viewer } = this;
+    const rows: [string, (Node | string)[]][] = [
+      ['File', [info.format]],
+      ['Size', [sizeWords(info, viewer.lengthFormat)]],
+      ['Unit', [info.unit ? `${info.unit}, as the file says` : this.unitChooser()]],
+      [
+        'Surface',
+        [`${formatCount(info.faceCount)} faces, ${formatCount(info.vertexCount)} vertices`],
+      ],
+    ];
+    return make(
+      'dl',
+      {},
+      ...rows.map(([term, words]) =>
+        make('div', {}, make('dt', {}, term), make('dd', {}, ...words)),
+      ),
+    );
+  }
+
+  private unitChooser(): HTMLElement {
+    const { viewer } = this;
+    const select = make(
+      'select',
+      { id: 'unit', 'aria-label': 'Unit of the file' },
+      make('option', { value: '' }, 'the file does not say'),
+      ...units.map((unit) => make('option', { value: unit }, unit)),
+    );
+    select.value = viewer.unit;
+    select.addEventListener('change', () => {
+      viewer.setAttribute('unit', select.value);
+      // The sheet has been drawn anew.
+      document.getElementById('unit')?.focus();
+    });
+    return select;
+  }
+
+  private whatWasDone(info: MeshInfo, { remeshed }: ModelState): HTMLElement[] {
+    const done = repairs(info.report, this.viewer.lengthFormat);
+    if (remeshed !== undefined) done.push(remeshed);
+    const lines = [...done, ...info.notes].map((line) => make('li', {}, sentence(line)));
+    const nothing = make('p', { class: 'hint' }, 'Nothing: it is a surface as it stands.');
+    return [
+      make('h3', {}, 'What was done to the file'),
+      lines.length > 0 ? make('ul', { class: 'done' }, ...lines) : nothing,
+    ];
+  }
+
+  private models({ models, name }: MeshInfo): HTMLElement[] {
+    if (models.length < 2) return [];
+    const select = make(
+      'select',
+      { 'aria-label': 'Model' },
+      ...models.map((path) => make('option', { value: path }, path)),
+    );
+    const chosen = models.find((path) => path === name || path.endsWith(`/${name}`));
+    if (chosen !== undefined) select.value = chosen;
+    select.addEventListener('change', () => {
+      this.close();
+      this.actions.choose(select.value);
+    });
+    const title = `${formatCount(models.length)} models came together`;
+    return [make('h3', {}, title), make('p', {}, select)];
+  }
+
+  private components({ parts }: MeshInfo, { prepare, remeshed }: ModelState): HTMLElement[] {
+    if (parts.length < 2 || remeshed !== undefined) return [];
+    const kept = new Set(prepare.components?.length ? prepare.components : parts.keys());
+    const largest = [...parts.keys()].sort((a, b) => parts[b]!.area - parts[a]!.area);
+    const whole = parts.reduce((sum, { area }) => sum + area, 0);
+    const offered = largest.slice(0, mostParts);
+    const boxes = offered.map((part) => {
+      const box = make('input', { type: 'checkbox', value: String(part) });
+      box.checked = kept.has(part);
+      return box;
+    });
+    const rows = offered.map((part, i) => {
+      const { faceCount, area } = parts[part]!;
+      const share = whole > 0 ? (100 * area) / whole : 0;
+      const percent = `${share < 1 ? '<\u202f1' : Math.round(share)}\u202f%`;
+      const words = make('span', {}, `${percent} of the area`);
+      return make(
+        'li',
+        {},
+        make('label', {}, boxes[i]!, plural(faceCount, 'face', 'faces'), words),
+      );
+    });
+    const apply = make('button', { type: 'button', class: 'plain' }, 'Keep these');
+    const others = largest.slice(mostParts).filter((part) => kept.has(part));
+    const wanted = (): number[] => {
+      const ticked = offered.filter((_, i) => boxes[i]!.checked);
+      return [...ticked, ...others].sort((a, b) => a - b);
+    };
+    const refresh = (): void => {
+      const now = wanted();
+      apply.disabled = now.length === 0 || now.join() === [...kept].sort((a, b) => a - b).join();
+    };
+    for (const box of boxes) box.addEventListener('change', refresh);
+    refresh();
+    apply.addEventListener('click', () => {
+      const components = wanted();
+      this.close();
+      this.actions.prepare({ components: components.length === parts.length ? [] : components });
+    });
+    const more = parts.length - offered.length;
+    return [
+      make('h3', {}, `${formatCount(parts.length)} components`),
+      make('ul', { class: 'parts' }, ...rows),
+      ...(more > 0 ? [make('p', { class: 'hint' }, `and ${formatCount(more)} smaller ones`)] : []),
+      make('p', {}, apply),
+    ];
+  }
+
+  private changes(info: MeshInfo, { prepare, remeshed }: ModelState): HTMLElement[] {
+    const buttons: HTMLElement[] = [];
+    const button = (words: string, act: () => void): void => {
+      const made = make('button', { type: 'button', class: 'plain' }, words);
+      made.addEventListener('click', () => {
+        this.close();
+        act();
+      });
+      buttons.push(made);
+    };
+    const holes = info.boundaries.reduce((sum, count) => sum + count, 0);
+    if (holes > 0 && remeshed === undefined) {
+      button(holes === 1 ? 'Close the hole' : `Close ${formatCount(holes)} holes`, () =>
+        this.actions.prepare({ closeHoles: true }),
+      );
+    }
+    const isChanged = remeshed !== undefined || prepare.closeHoles || prepare.components?.length;
+    if (isChanged) button('Back to the file', () => this.actions.back());
+    return [
+      make('h3', {}, 'Change the surface'),
+      this.remeshing(info),
+      ...(buttons.length > 0 ? [make('p', { class: 'buttons' }, ...buttons)] : []),
+      this.comparison,
+    ];
+  }
+
+  private remeshing({ faceCount }: MeshInfo): HTMLElement {
+    const number = make('input', {
+      type: 'number',
+      id: 'faces',
+      min: '4',
+      max: '200000',
+      step: '1',
+      required: '',
+      value: String(Math.min(10_000, Math.max(500, Math.round(faceCount / 2)))),
+    });
+    const form = make(
+      'form',
+      { class: 'remesh' },
+      make('label', { for: 'faces' }, 'Remesh to'),
+      number,
+      'faces',
+      make('button', { class: 'plain' }, 'Remesh'),
+    );
+    form.addEventListener('submit', (event) => {
+      event.preventDefault();
+      this.close();
+      this.actions.remesh(Number(number.value));
+    });
+    return form;
+  }
+}
+
+/** The first letter large, a full stop at the end. */
+function sentence(text: string): string {
+  return text[0]!.toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');
+}
