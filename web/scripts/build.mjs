@@ -3,6 +3,7 @@
 import { cpSync, existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { copyDecoders } from './decoders.mjs';
 import { emscriptenEnvironment, findEmscripten } from './emscripten.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
 import { setUp } from './setup.mjs';
@@ -51,11 +52,12 @@ export function wasmTree() {
   };
 }
 
-/** Both WebAssembly modules. */
+/** Both WebAssembly modules, and beside them the decoders of compressed glTF. */
 export function buildWasm() {
   const tree = wasmTree();
   configure(tree);
   run('cmake', ['--build', tree.tree], { env: tree.env });
+  copyDecoders();
 }
 
 /** The built-in example models. */

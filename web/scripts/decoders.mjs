@@ -1,0 +1,31 @@
+// The decoders of compressed glTF, copied out of their npm packages to where the kernel loads them from.
+
+import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { repository } from './run.mjs';
+
+const folder = 'web/src/kernel/wasm';
+const packages = {
+  draco: 'node_modules/draco3dgltf',
+  meshopt: 'node_modules/meshoptimizer',
+};
+
+export function copyDecoders() {
+  const to = (/** @type {string} */ name) => join(repository, folder, name);
+  const draco = (/** @type {string} */ name) => join(repository, packages.draco, name);
+  mkdirSync(join(repository, folder), { recursive: true });
+  // Draco's loader is no ES module; nothing of it but its last line is changed.
+  const licence =
+    '// Draco, by the Draco authors (https://github.com/google/draco). Licensed under the Apache\n' +
+    '// License, Version 2.0 (https://www.apache.org/licenses/LICENSE-2.0).\n';
+  const loader = readFileSync(draco('draco_decoder_gltf_nodejs.js'), 'utf8');
+  writeFileSync(
+    to('draco-decoder.mjs'),
+    `${licence}${loader}\nexport default DracoDecoderModule;\n`,
+  );
+  copyFileSync(draco('draco_decoder_gltf.wasm'), to('draco-decoder.wasm'));
+  copyFileSync(
+    join(repository, packages.meshopt, 'meshopt_decoder.mjs'),
+    to('meshopt-decoder.mjs'),
+  );
+}
