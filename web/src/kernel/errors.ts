@@ -16,6 +16,7 @@ export const hints = {
   UNKNOWN_FORMAT: 'use GLB, glTF, OBJ, PLY, STL or OFF',
   MALFORMED_FILE: 'export the model again',
   UNSUPPORTED_FEATURE: 'export the model without that feature',
+  MISSING_RESOURCE: 'keep the files that the model refers to beside it',
   LIMIT_EXCEEDED: 'use a smaller model',
   CANCELLED: 'what was computed before is kept',
   OUT_OF_MEMORY: 'use a smaller model or fewer threads',
