@@ -16,7 +16,7 @@ enum class GirthMethod : std::uint8_t {
   /// GirthSolver: early termination, windows near the frontier only. The default.
   Exact,
   /// The paper's section 4.2: the whole distance field, every pair of windows. For tests and
-  /// benchmarks; slow, and for closed surfaces only: on others no value is computed.
+  /// benchmarks; slow.
   Naive,
 };
 

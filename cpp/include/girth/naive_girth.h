@@ -9,7 +9,7 @@ namespace girth {
 
 /// I(p) by computing the whole exact distance field of p, keeping every window, and testing every
 /// mesh edge and every pair of windows that meet from opposite sides. O(n^3 log n) time and O(n^2)
-/// memory at worst. For closed surfaces. Errors: VERTEX_OUT_OF_RANGE, OPEN_EDGE, CANCELLED.
+/// memory at worst. Errors: VERTEX_OUT_OF_RANGE, CANCELLED.
 Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
                               const ExecutionContext& context = {});
 

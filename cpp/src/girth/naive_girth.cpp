@@ -61,7 +61,8 @@ class NaiveGirth {
     const double farthestVertex = *std::max_element(
         distance_.begin(), distance_.end(),
         [](double a, double b) { return (std::isinf(a) ? -1 : a) < (std::isinf(b) ? -1 : b); });
-    const bool sphere = mesh_.genus(mesh_.componentOf(source_)) == 0;
+    const Index component = mesh_.componentOf(source_);
+    const bool sphere = mesh_.genus(component) == 0 && mesh_.boundaryCount(component) < 2;
     if (best_ < kInfinity && (!sphere || best_ / 2 < farthestVertex * (1 - 1e-9))) {
       return GirthValue{best_, LoopKind::Loop};
     }
@@ -80,6 +81,9 @@ class NaiveGirth {
     return {side * std::cos(angle), side * std::sin(angle)};
   }
   Index apexVertex(Index h) const { return mesh_.from(SurfaceMesh::previous(h)); }
+
+  /// The angle on both sides together of a straight line through a vertex: a wall has one side.
+  double straightAngle(Index v) const { return mesh_.isBoundary(v) ? kPi : 2 * kPi; }
 
   // --- Step 1: the distance field, all windows kept
   // ----------------------------------------------------
@@ -102,8 +106,13 @@ class NaiveGirth {
         if (!dominated(window)) advance(window);
       } else if (event.distance == distance_[event.vertex]) {
         const Index v = event.vertex;
-        const double total = mesh_.totalAngle(v);
-        leaveVertex(v, direction_[v] + kPi - kTolerance, total - 2 * kPi + 2 * kTolerance);
+        const double total = mesh_.totalAngle(v), straight = direction_[v] + kPi;
+        if (mesh_.isBoundary(v)) {
+          leaveVertex(v, straight - kTolerance, total - straight + 2 * kTolerance);
+          leaveVertex(v, -kTolerance, straight - 2 * kPi + 2 * kTolerance);
+        } else {
+          leaveVertex(v, straight - kTolerance, total - 2 * kPi + 2 * kTolerance);
+        }
       }
     }
   }
@@ -119,6 +128,7 @@ class NaiveGirth {
   }
 
   void keep(const NaiveWindow& w) {
+    if (w.halfedge == kNoIndex) return;  // a wall: nothing goes on
     if (!(w.b1 - w.b0 > 1e-13 * mesh_.length(w.halfedge))) return;
     const double x = std::clamp(w.root.x, w.b0, w.b1);
     onHalfedge_[w.halfedge].push_back(windows_.size());
@@ -130,7 +140,7 @@ class NaiveGirth {
     if (!(distance < distance_[v])) return;
     distance_[v] = distance;
     direction_[v] = direction;
-    if (mesh_.totalAngle(v) >= 2 * kPi - 1e-9) queue_.push({distance, v, 0});
+    if (mesh_.totalAngle(v) >= straightAngle(v) - 1e-9) queue_.push({distance, v, 0});
   }
 
   /// Continues a window through its face, onto the two other sides.
@@ -182,20 +192,31 @@ class NaiveGirth {
     return angle;
   }
 
-  /// Windows from a vertex into the directions [start, start + width].
+  /// The same at its end, where it leads back.
+  double directionBack(Index halfedge) const {
+    const Index twin = mesh_.twin(halfedge);
+    return twin == kNoIndex ? mesh_.totalAngle(mesh_.to(halfedge)) : directionOf(twin);
+  }
+
+  /// Windows from a vertex into the directions [start, start + width]. Round a vertex inside, but
+  /// not at a wall, the directions come again after the total angle.
   void leaveVertex(Index v, double start, double width) {
-    const double total = mesh_.totalAngle(v);
+    const double total = mesh_.totalAngle(v), round = mesh_.isBoundary(v) ? kInfinity : total;
     Index h = mesh_.outgoing(v);
     double corner = 0;  // direction of h
     do {
       const double opening = mesh_.cornerAngle(h);
-      for (const double turn : {0.0, total, -total}) {
+      for (const double turn : {0.0, round, -round}) {
         const double low = std::max(start + turn - corner, 0.0);
         const double high = std::min(start + width + turn - corner, opening);
         if (low > high) continue;
         const Index across = SurfaceMesh::next(h);
         if (low <= 0) {
-          reach(mesh_.to(h), distance_[v] + mesh_.length(h), directionOf(mesh_.twin(h)));
+          reach(mesh_.to(h), distance_[v] + mesh_.length(h), directionBack(h));
+        }
+        const Index last = SurfaceMesh::previous(h);
+        if (mesh_.twin(last) == kNoIndex && high > opening - kTolerance) {  // along the far wall
+          reach(mesh_.from(last), distance_[v] + mesh_.length(last), directionOf(last));
         }
         // Law of sines in the face: where a ray meets the opposite side, from the end of h.
         const double length = mesh_.length(across), beta = mesh_.cornerAngle(across);
@@ -213,7 +234,7 @@ class NaiveGirth {
       }
       corner += opening;
       h = mesh_.twin(SurfaceMesh::previous(h));
-    } while (h != mesh_.outgoing(v));
+    } while (h != kNoIndex && h != mesh_.outgoing(v));
   }
 
   /// Exact distance of a point of a face, in the plane of a halfedge of that face.
@@ -248,15 +269,15 @@ class NaiveGirth {
     if (v == source_) return true;
     const double total = mesh_.totalAngle(v);
     const double between = std::fabs(direction_[v] - leaving);
+    if (mesh_.isBoundary(v)) return between >= kPi - kAngleTolerance;
     return between >= kPi - kAngleTolerance && total - between >= kPi - kAngleTolerance;
   }
 
   void testEdges() {
     for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
       const Index a = mesh_.from(h), b = mesh_.to(h);
-      if (a > b || std::isinf(distance_[a])) continue;
-      if (!passesStraight(a, directionOf(h)) || !passesStraight(b, directionOf(mesh_.twin(h))))
-        continue;
+      if ((a > b && mesh_.twin(h) != kNoIndex) || std::isinf(distance_[a])) continue;
+      if (!passesStraight(a, directionOf(h)) || !passesStraight(b, directionBack(h))) continue;
       const double along = (mesh_.length(h) + distance_[b] - distance_[a]) / 2;
       accept(h, {along, 0}, distance_[a] + mesh_.length(h) + distance_[b]);
     }
@@ -267,7 +288,7 @@ class NaiveGirth {
 
   void testWindowPairs() {
     for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
-      if (mesh_.from(h) > mesh_.to(h)) continue;
+      if (mesh_.from(h) > mesh_.to(h) || mesh_.twin(h) == kNoIndex) continue;
       const double length = mesh_.length(h), slack = kTolerance * length;
       for (const std::size_t i : onHalfedge_[h]) {
         for (const std::size_t j : onHalfedge_[mesh_.twin(h)]) {
@@ -301,7 +322,7 @@ class NaiveGirth {
     const Point corners[] = {{0, 0}, {mesh_.length(halfedge), 0}, apex(halfedge)};
     const Index vertices[] = {mesh_.from(halfedge), mesh_.to(halfedge), apexVertex(halfedge)};
     for (int k = 0; k < 3; ++k) {
-      if (mesh_.totalAngle(vertices[k]) < 2 * kPi - kAngleTolerance &&
+      if (mesh_.totalAngle(vertices[k]) < straightAngle(vertices[k]) - kAngleTolerance &&
           lengthOf(midpoint - corners[k]) < 3 * kTolerance * mesh_.length(halfedge)) {
         return;
       }
@@ -374,11 +395,6 @@ Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
     return makeError(ErrorCode::VertexOutOfRange, vertex,
                      "there is no vertex " + std::to_string(vertex) + " among " +
                          std::to_string(mesh.vertexCount()));
-  }
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
-    if (mesh.twin(h) == kNoIndex) {
-      return makeError(ErrorCode::OpenEdge, h, "the naive method is for closed surfaces");
-    }
   }
   return NaiveGirth(mesh, vertex, context).compute();
 }

@@ -48,14 +48,22 @@ void BruteForce::leave(std::size_t arrival, double start, double width) {
     const double opening = mesh_.cornerAngle(h);
     for (int turn = -2; turn <= 2; ++turn) {
       const double from = start + turn * total - corner;
-      if (all && turn != 0) continue;
+      if ((all || mesh_.isBoundary(v)) && turn != 0) continue;
       if (all || (from < 0 && from + width > 0)) {
-        arrive(mesh_.to(h), sigma + mesh_.length(h), directionOf(mesh_.twin(h)), kNone, arrival);
+        const Index twin = mesh_.twin(h);
+        const double back = twin == kNoIndex ? mesh_.totalAngle(mesh_.to(h)) : directionOf(twin);
+        arrive(mesh_.to(h), sigma + mesh_.length(h), back, kNone, arrival);
+      }
+      const Index last = SurfaceMesh::previous(h);
+      if (mesh_.twin(last) == kNoIndex &&
+          (all || (from < opening && from + width > opening))) {  // the wall on the far side
+        arrive(mesh_.from(last), sigma + mesh_.length(last), 0, kNone, arrival);
       }
       const double low = all ? 0 : std::max(from, 0.0);
       const double high = all ? opening : std::min(from + width, opening);
       if (low >= high) continue;
       const Index across = SurfaceMesh::next(h);
+      if (mesh_.twin(across) == kNoIndex) continue;
       const Point root = apex(across);
       const double length = mesh_.length(across);
       // Rays from the corner, turned from the side of h, onto the x axis on which `across` lies.
@@ -76,7 +84,7 @@ void BruteForce::leave(std::size_t arrival, double start, double width) {
     }
     corner += opening;
     h = mesh_.twin(SurfaceMesh::previous(h));
-  } while (h != mesh_.outgoing(v));
+  } while (h != kNoIndex && h != mesh_.outgoing(v));
 }
 
 void BruteForce::arrive(Index vertex, double length, double direction, std::size_t cone,
@@ -84,7 +92,14 @@ void BruteForce::arrive(Index vertex, double length, double direction, std::size
   if (length > longest_) return;
   arrivals_.push_back({vertex, length, direction, cone, before});
   const double total = mesh_.totalAngle(vertex);
-  if (total > 2 * M_PI) leave(arrivals_.size() - 1, direction + M_PI, total - 2 * M_PI);
+  if (!mesh_.isBoundary(vertex)) {
+    if (total > 2 * M_PI) leave(arrivals_.size() - 1, direction + M_PI, total - 2 * M_PI);
+    return;
+  }
+  // Up to the walls and along them.
+  const std::size_t number = arrivals_.size() - 1;
+  if (direction + M_PI < total) leave(number, direction + M_PI, total - direction);
+  if (direction - M_PI > 0) leave(number, -M_PI, direction);
 }
 
 void BruteForce::grow(std::size_t number) {
@@ -112,6 +127,7 @@ void BruteForce::grow(std::size_t number) {
   // Child through the side from A to B (in the plane of h), seen from outside: B is its start.
   const auto child = [&](Index side, Point start, double sideLength, Point end, double low,
                          double high) {
+    if (mesh_.twin(side) == kNoIndex) return;
     const Point u{(end.x - start.x) / sideLength, (end.y - start.y) / sideLength};
     const auto hit =
         [&](double x) {  // the ray over x on the halfedge, along the side from its start
@@ -202,8 +218,16 @@ std::optional<double> BruteForce::distanceAlong(const Arrival& loop, double leng
       const Arrival& before = arrivals_[arrival.before];
       if (length >= before.length) {
         Index h = mesh_.outgoing(before.vertex);
-        while (mesh_.to(h) != arrival.vertex) h = mesh_.twin(SurfaceMesh::previous(h));
-        return distanceTo(SurfacePoint::onHalfedge(h, (length - before.length) / mesh_.length(h)));
+        double share = (length - before.length) / (arrival.length - before.length);
+        while (mesh_.to(h) != arrival.vertex) {
+          const Index left = SurfaceMesh::previous(h);
+          h = mesh_.twin(left);
+          if (h != kNoIndex) continue;
+          h = left;  // along the wall on the far side
+          share = 1 - share;
+          break;
+        }
+        return distanceTo(SurfacePoint::onHalfedge(h, share));
       }
       arrival = before;
       continue;

@@ -117,14 +117,12 @@ void expectProperties(std::uint64_t seed) {
     const GirthLoop loop = solver.loop(v).value();
     EXPECT_EQ(loop.length, exact.values[v]) << at(v);
     EXPECT_EQ(loop.kind, exact.kinds[v]) << at(v);
-    if (made.closed) {
-      const GirthValue naive = naiveGirth(mesh, v).value();
-      EXPECT_NEAR(exact.values[v] / naive.length, 1, 1e-9) << at(v) << ", naive " << naive.length;
-      if (exact.kinds[v] != naive.kind) {
-        // Right only where the loop's midpoint is the farthest point as well.
-        SCOPED_TRACE(at(v) + ", loop and antipodal at once");
-        expectNothingBeyond(mesh, textbook, loop);
-      }
+    const GirthValue naive = naiveGirth(mesh, v).value();
+    EXPECT_NEAR(exact.values[v] / naive.length, 1, 1e-9) << at(v) << ", naive " << naive.length;
+    if (exact.kinds[v] != naive.kind) {
+      // Right only where the loop's midpoint is the farthest point as well.
+      SCOPED_TRACE(at(v) + ", loop and antipodal at once");
+      expectNothingBeyond(mesh, textbook, loop);
     }
     if (v % 16 == 0 || (!made.closed && v % 6 == 0)) {
       SCOPED_TRACE(at(v));

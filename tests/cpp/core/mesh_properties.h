@@ -6,7 +6,7 @@
 namespace girth::test {
 
 /// Fails the test unless, on the surface of this seed (random_meshes.h):
-///  - exact is naive at every vertex, in value to 1e-9 and in kind, where the surface is closed;
+///  - exact is naive at every vertex, in value to 1e-9 and in kind;
 ///  - the loops of some vertices, and of some points inside faces and on edges, are proven
 ///    (girth_proof.h), and those points have the value that they have as vertices;
 ///  - distances and paths from vertices and other points are those of the textbook method;

@@ -101,32 +101,31 @@ void joinWithin(double distance, std::span<const double> positions, std::vector<
   std::frexp(extent, &largest);
   if (largest - exponent > 900) return;
   using Cell = std::array<double, 3>;
+  // In two factors, neither of which overflows.
+  const double shrink = std::ldexp(1.0, -(exponent / 2));
+  const double shrinkMore = std::ldexp(1.0, -(exponent - exponent / 2));
   const auto scaled = [&](Index v) {
     const double* p = &positions[3 * std::size_t{v}];
-    return Cell{std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent),
-                std::ldexp(p[2], -exponent)};
+    return Cell{p[0] * shrink * shrinkMore, p[1] * shrink * shrinkMore, p[2] * shrink * shrinkMore};
   };
   const auto cellAt = [&](Index v) {
     const Cell p = scaled(v);
     return Cell{std::floor(p[0]), std::floor(p[1]), std::floor(p[2])};
   };
-  const double reach = std::ldexp(distance, -exponent);
+  const double reach = distance * shrink * shrinkMore;
 
-  // The cells in order, each named by one vertex in it, and chains of those in a cell that stand
-  // for themselves: a few, as they keep their distance.
-  std::vector<Index> cells;
+  // The cells in order, and for each a chain of those in it that stand for themselves: a few, as
+  // they keep their distance.
+  std::vector<Cell> cells;
   for (Index v = 0; v < vertices; ++v) {
-    if (first[v] == v) cells.push_back(v);
+    if (first[v] == v) cells.push_back(cellAt(v));
   }
-  std::sort(cells.begin(), cells.end(), [&](Index a, Index b) { return cellAt(a) < cellAt(b); });
-  cells.erase(std::unique(cells.begin(), cells.end(),
-                          [&](Index a, Index b) { return cellAt(a) == cellAt(b); }),
-              cells.end());
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   std::vector<Index> head(cells.size(), kNoIndex), next(vertices, kNoIndex);
   const auto lowerBound = [&](const Cell& cell) {
-    const auto found = std::lower_bound(cells.begin(), cells.end(), cell,
-                                        [&](Index a, const Cell& c) { return cellAt(a) < c; });
-    return static_cast<std::size_t>(found - cells.begin());
+    return static_cast<std::size_t>(std::lower_bound(cells.begin(), cells.end(), cell) -
+                                    cells.begin());
   };
 
   for (Index v = 0; v < vertices; ++v) {
@@ -141,8 +140,8 @@ void joinWithin(double distance, std::span<const double> positions, std::vector<
     for (int i = 0; i < 9; ++i) {
       const double x = own[0] + i % 3 - 1, y = own[1] + i / 3 - 1;
       const Cell last{x, y, own[2] + 1};
-      for (std::size_t c = lowerBound({x, y, own[2] - 1});
-           c < cells.size() && cellAt(cells[c]) <= last; ++c) {
+      for (std::size_t c = lowerBound({x, y, own[2] - 1}); c < cells.size() && cells[c] <= last;
+           ++c) {
         for (Index other = head[c]; other != kNoIndex; other = next[other]) {
           const Cell q = scaled(other);
           const double away = norm({p[0] - q[0], p[1] - q[1], p[2] - q[2]});
