@@ -1,5 +1,6 @@
 // Everything of the core: `#include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/geodesic_extent.h"
 #include "girth/geodesic_solver.h"
 #include "girth/girth_field.h"
 #include "girth/girth_solver.h"

@@ -5,9 +5,12 @@
 #include <condition_variable>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <thread>
 
+#include "geodesic/fast_marching.h"
 #include "geodesic/unfolding.h"
+#include "girth/marched_girth.h"
 #include "girth/naive_girth.h"
 #include "mesh/space_filling_curve.h"
 #include "parallel.h"
@@ -26,6 +29,8 @@ struct Work {
   const ExecutionContext& context;
   std::vector<Index> order;
   GirthField field;
+  std::shared_ptr<const geodesic::Unfolding> unfolding;  // for the exact method
+  std::optional<geodesic::MarchingStencils> stencils;    // for the marched one
 
   std::atomic<std::size_t> taken{0};
   std::atomic<std::size_t> done{0};
@@ -36,20 +41,28 @@ struct Work {
 /// The life of one thread: vertices, one after the other, until none are left; `afterEach` after
 /// each.
 template <class AfterEach>
-void computeVertices(Work& work, const std::shared_ptr<const geodesic::Unfolding>& unfolding,
-                     AfterEach afterEach) {
-  GirthSolver solver(unfolding);
+void computeVertices(Work& work, AfterEach afterEach) {
+  std::optional<GirthSolver> solver;
+  std::optional<geodesic::FastMarching> march;
+  if (work.method == GirthMethod::Exact) solver.emplace(work.unfolding);
+  if (work.method == GirthMethod::Marched) march.emplace(*work.stencils);
+  const auto compute = [&](Index v) -> Result<GirthValue> {
+    if (solver) return solver->value(v, work.context);
+    if (!march) return naiveGirth(work.mesh, v, work.context);
+    const GirthValue value = marchedGirth(*march, work.mesh, v, work.context);
+    if (work.context.cancelled()) return makeError(ErrorCode::Cancelled, v, "cancelled");
+    return value;
+  };
   SearchStatistics statistics;
   while (!work.context.cancelled()) {
     const std::size_t place = work.taken.fetch_add(1, std::memory_order_relaxed);
     if (place >= work.order.size()) break;
     const Index v = work.order[place];
-    const auto girth = work.method == GirthMethod::Naive ? naiveGirth(work.mesh, v, work.context)
-                                                         : solver.value(v, work.context);
+    const auto girth = compute(v);
     if (!girth) break;  // cancelled: the vertices are in range
     work.field.values[v] = girth.value().length;
     work.field.kinds[v] = girth.value().kind;
-    if (work.method == GirthMethod::Exact) statistics += solver.statistics();
+    if (solver) statistics += solver->statistics();
     work.finished[place].store(true, std::memory_order_release);
     work.done.fetch_add(1, std::memory_order_relaxed);
     afterEach();
@@ -99,15 +112,14 @@ class Reporter {
 };
 
 /// The calling thread only reports, so that callbacks come from it alone.
-void runThreads(Work& work, const std::shared_ptr<const geodesic::Unfolding>& unfolding,
-                unsigned threads, Reporter& reporter) {
+void runThreads(Work& work, unsigned threads, Reporter& reporter) {
   std::mutex mutex;
   std::condition_variable ended;
   unsigned running = threads;
   std::vector<std::thread> workers;
   for (unsigned i = 0; i < threads; ++i) {
     workers.emplace_back([&] {
-      computeVertices(work, unfolding, [] {});
+      computeVertices(work, [] {});
       const std::lock_guard lock(mutex);
       if (--running == 0) ended.notify_one();
     });
@@ -135,25 +147,31 @@ GirthField girthField(const SurfaceMesh& mesh, GirthMethod method, const Executi
             {},
             {},
             {},
+            {},
+            {},
             std::vector<std::atomic<bool>>(mesh.vertexCount())};
   work.field.values.assign(mesh.vertexCount(), std::numeric_limits<double>::quiet_NaN());
   work.field.kinds.assign(mesh.vertexCount(), LoopKind::Loop);
 
-  const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
+  if (method == GirthMethod::Exact) {
+    work.unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
+  } else if (method == GirthMethod::Marched) {
+    work.stencils.emplace(mesh);
+  }
   const unsigned threads = std::min(threadsOf(context), mesh.vertexCount());
   Reporter reporter(work, onPartial);
   if (threads == 1) {
     // No thread of its own: so it runs where there are none, as in the single-threaded WebAssembly
     // module.
     auto last = std::chrono::steady_clock::now();
-    computeVertices(work, unfolding, [&] {
+    computeVertices(work, [&] {
       const auto now = std::chrono::steady_clock::now();
       if (now - last < kReportInterval) return;
       last = now;
       reporter.report();
     });
   } else {
-    runThreads(work, unfolding, threads, reporter);
+    runThreads(work, threads, reporter);
   }
   reporter.report();
   work.field.computed = work.done.load();

@@ -1,0 +1,32 @@
+// How far the surface reaches from each point: mean and greatest geodesic distance.
+#pragma once
+
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/execution.h"
+#include "girth/surface_mesh.h"
+
+namespace girth {
+
+/// How geodesic distances are computed.
+enum class DistanceMethod : std::uint8_t {
+  Exact,         ///< windows: GeodesicSolver
+  FastMarching,  ///< Kimmel and Sethian 1998: off by a share that falls with the triangles' size
+};
+
+struct GeodesicExtent {
+  /// For each vertex p, in model units, over the vertices of its own component: the mean of the
+  /// distances from p, weighted by the vertices' areas (GeoAverage, centricity), and the greatest
+  /// (GeoFarthest, eccentricity). NaN where cancelled before.
+  std::vector<double> average, farthest;
+  bool complete{false};
+};
+
+/// GeoAverage and GeoFarthest at all vertices (DEFINITIONS section 4), by one distance field for
+/// each. The same bits for any number of threads. Time as of so many fields: O(n² log n) by fast
+/// marching, about O(n^2.5) exactly.
+GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
+                              const ExecutionContext& context = {});
+
+}  // namespace girth
