@@ -110,7 +110,8 @@ Result<std::span<const std::byte>> GltfBuffers::resource(const std::string& uri,
   auto bytes = resources_ ? resources_(name) : std::nullopt;
   // Some exporters do not escape, and so a file's name may contain a percent sign.
   if (!bytes && resources_ && name != uri && staysInside(uri)) bytes = resources_(uri);
-  if (!bytes) return error("it refers to the file " + inQuotes(name) + ", which is missing");
+  if (!bytes)
+    return error("it refers to the file " + inQuotes(name) + ", which is missing beside the model");
   budget_.allowFor(bytes->size());
   return std::span<const std::byte>(fetched_.emplace(uri, std::move(*bytes)).first->second);
 }

@@ -483,7 +483,7 @@ const aligned = (size: number) => Math.ceil(size / 8) * 8;
 function missing(name: string, isInside: boolean, place: string): Error {
   const shown = JSON.stringify(name.length > 60 ? `${name.slice(0, 57)}...` : name);
   const what = isInside
-    ? `it refers to the file ${shown}, which is missing`
+    ? `it refers to the file ${shown}, which is missing beside the model`
     : `it refers to ${shown}, which is not a file beside the model`;
   return failure('MISSING_RESOURCE', `${place}: ${what}`);
 }
