@@ -87,3 +87,99 @@ export function box(nx: number, ny: number, nz: number): string {
   }
   return objOf(points, faces);
 }
+
+/** A tube about z, open at both ends: a prism of unit radius with `sides` sides. */
+export function tube(rings: number, sides: number, length: number): string {
+  const points: Point[] = [];
+  const faces: number[][] = [];
+  for (let i = 0; i < rings; ++i) {
+    for (let k = 0; k < sides; ++k) {
+      const angle = (2 * Math.PI * k) / sides;
+      points.push([Math.cos(angle), Math.sin(angle), (length * i) / (rings - 1)]);
+      if (i === 0) continue;
+      const at = (a: number, b: number) => (i - 1 + a) * sides + ((k + b) % sides);
+      faces.push([at(0, 0), at(0, 1), at(1, 1)], [at(0, 0), at(1, 1), at(1, 0)]);
+    }
+  }
+  return objOf(points, faces);
+}
+
+/** The numbers in such a text. */
+export function arraysOf(obj: string): { positions: Float64Array; indices: Uint32Array } {
+  const numbers = (letter: string) =>
+    obj
+      .split('\n')
+      .filter((line) => line.startsWith(`${letter} `))
+      .flatMap((line) => line.slice(2).split(' ').map(Number));
+  const indices = Uint32Array.from(numbers('f'), (one) => one - 1);
+  return { positions: Float64Array.from(numbers('v')), indices };
+}
+
+/** Two surfaces in one file, the second one moved along x. */
+export function beside(one: string, other: string, distance: number): string {
+  const [a, b] = [arraysOf(one), arraysOf(other)];
+  const points: Point[] = [];
+  const faces: number[][] = [];
+  for (const [{ positions, indices }, moved] of [
+    [a, 0],
+    [b, distance],
+  ] as const) {
+    const first = points.length;
+    for (let v = 0; v < positions.length; v += 3) {
+      points.push([positions[v]! + moved, positions[v + 1]!, positions[v + 2]!]);
+    }
+    for (let f = 0; f < indices.length; f += 3) {
+      faces.push([...indices.slice(f, f + 3)].map((vertex) => first + vertex));
+    }
+  }
+  return objOf(points, faces);
+}
+
+/** The same surface as glTF, its numbers in a file that is called `buffer`. */
+export function gltf(obj: string, buffer: string): { json: string; bin: Uint8Array<ArrayBuffer> } {
+  const { positions, indices } = arraysOf(obj);
+  const places = new Float32Array(positions);
+  const [low, high] = [Math.min, Math.max].map((extreme) =>
+    [0, 1, 2].map((k) => places.filter((_, i) => i % 3 === k).reduce((a, b) => extreme(a, b))),
+  );
+  const bin = new Uint8Array(places.byteLength + indices.byteLength);
+  bin.set(new Uint8Array(places.buffer));
+  bin.set(new Uint8Array(indices.buffer), places.byteLength);
+  const json = JSON.stringify({
+    asset: { version: '2.0' },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    buffers: [{ uri: buffer, byteLength: bin.length }],
+    bufferViews: [
+      { buffer: 0, byteLength: places.byteLength },
+      { buffer: 0, byteOffset: places.byteLength, byteLength: indices.byteLength },
+    ],
+    accessors: [
+      {
+        bufferView: 0,
+        componentType: 5126,
+        count: places.length / 3,
+        type: 'VEC3',
+        min: low,
+        max: high,
+      },
+      { bufferView: 1, componentType: 5125, count: indices.length, type: 'SCALAR' },
+    ],
+  });
+  return { json, bin };
+}
+
+/** The same surface as binary STL, every corner for itself. */
+export function stl(obj: string): Uint8Array<ArrayBuffer> {
+  const { positions, indices } = arraysOf(obj);
+  const count = indices.length / 3;
+  const view = new DataView(new ArrayBuffer(84 + 50 * count));
+  view.setUint32(80, count, true);
+  indices.forEach((vertex, corner) => {
+    const at = 84 + 50 * Math.floor(corner / 3) + 12 + 12 * (corner % 3);
+    for (let k = 0; k < 3; ++k) view.setFloat32(at + 4 * k, positions[3 * vertex + k]!, true);
+  });
+  return new Uint8Array(view.buffer);
+}

@@ -33,6 +33,8 @@ export interface ServeOptions {
   policy?: string;
   /** Pages that need no file: path, for example '/test.html', to HTML. */
   pages?: Record<string, string>;
+  /** Another folder, served below '/data/'. */
+  data?: string;
 }
 
 export interface StaticServer {
@@ -60,7 +62,8 @@ const mediaTypes: Record<string, string> = {
 
 /** Serves a folder like a plain static host: no special headers unless asked for. */
 export async function serve(folder: string, options: ServeOptions = {}): Promise<StaticServer> {
-  const root = resolve(folder);
+  const roots: [string, string][] = [['/', resolve(folder)]];
+  if (options.data) roots.unshift(['/data/', resolve(options.data)]);
   const requests: string[] = [];
   const headers: Record<string, string> = { 'Cache-Control': 'no-store' };
   if (options.isolated) {
@@ -77,7 +80,9 @@ export async function serve(folder: string, options: ServeOptions = {}): Promise
       response.writeHead(200, { ...headers, 'Content-Type': mediaTypes['.html']! }).end(page);
       return;
     }
-    const file = resolve(root, `.${path.endsWith('/') ? `${path}index.html` : path}`);
+    const [mount, root] = roots.find(([mount]) => path.startsWith(mount))!;
+    const inside = path.slice(mount.length);
+    const file = resolve(root, path.endsWith('/') ? `${inside}index.html` : inside);
     const found =
       file.startsWith(root + sep) && (await stat(file).catch(() => undefined))?.isFile();
     if (!found) {

@@ -32,5 +32,5 @@ export function listPinnedLoops(viewer: GirthViewer): void {
     list.replaceChildren(...viewer.pinned.map((pinned) => row(viewer, pinned)));
     hint.hidden = viewer.pinned.length > 0;
   };
-  for (const event of ['load', 'field', 'pick']) viewer.addEventListener(event, refresh);
+  for (const event of ['load', 'unit', 'field', 'pick']) viewer.addEventListener(event, refresh);
 }

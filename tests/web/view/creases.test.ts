@@ -58,3 +58,21 @@ test('a fine torus has no creases and its faces stay where they are', () => {
   expect(surface.copyOf).toHaveLength(0);
   expect(surface.indices).toEqual(indices);
 });
+
+test('round a vertex of many faces, and beside walls, soft edges stay soft', () => {
+  // A flat fan of 40 faces with one gap: one vertex, one normal.
+  const count = 40;
+  const angles = Array.from({ length: count + 1 }, (_, i) => (1.9 * Math.PI * i) / count);
+  const positions = Float32Array.from([
+    0,
+    0,
+    0,
+    ...angles.flatMap((angle) => [Math.cos(angle), Math.sin(angle), 0]),
+  ]);
+  const indices = Uint32Array.from(
+    Array.from({ length: count }, (_, i) => [0, i + 1, i + 2]).flat(),
+  );
+  const surface = finish(splitCreases(positions, indices, 0.6));
+  expect(surface.copyOf).toHaveLength(0);
+  for (let v = 0; v < count + 2; ++v) expect(surface.normals[3 * v + 2]).toBeCloseTo(1, 6);
+});

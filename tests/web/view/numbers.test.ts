@@ -47,6 +47,8 @@ test('no ticks where there is no range', () => {
   expect(roundTicks(1, 1, 4)).toEqual([]);
   expect(roundTicks(NaN, 1, 4)).toEqual([]);
   expect(roundTicks(2, 1, 4)).toEqual([]);
+  // All values the same, but for rounding.
+  expect(roundTicks(6.265257226562474, 6.265257226562475, 4)).toEqual([]);
 });
 
 test('whole numbers have commas between thousands', () => {

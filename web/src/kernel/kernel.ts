@@ -313,7 +313,7 @@ class MeshOfWorkers implements Mesh {
   async remesh(faces: number, { signal, onProgress }: WatchedOptions = {}): Promise<RemeshedMesh> {
     const { info } = this;
     const { arrays } = this.surface;
-    const { opened, places } = await this.#make(signal, (worker) =>
+    const opened = await this.#make(signal, (worker) =>
       worker.request(
         'remesh',
         { arrays, faces, info },
@@ -333,7 +333,7 @@ class MeshOfWorkers implements Mesh {
       }
       const remeshed = opened.arrays;
       const carried = await this.#make(options.signal, (worker) =>
-        worker.request('carryBack', { original: arrays, remeshed, places, values }),
+        worker.request('carryBack', { original: arrays, remeshed, values }),
       );
       return carried.values;
     };

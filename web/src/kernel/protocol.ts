@@ -45,12 +45,6 @@ export interface FieldOfSurface extends SurfaceArrays {
   values: Float64Array;
 }
 
-/** Points of a surface, one after the other: their faces, and three weights each. */
-export interface Places {
-  faces: Uint32Array<ArrayBuffer>;
-  weights: Float64Array<ArrayBuffer>;
-}
-
 /** Values of some vertices, in the order in which they were asked for. */
 export interface Values {
   values: Float64Array<ArrayBuffer>;
@@ -91,14 +85,11 @@ export interface WorkshopOperations extends CommonOperations {
   ];
   /** Prepares a surface of the caller's arrays. */
   take: [{ arrays: SurfaceArrays; prepare: PrepareOptions }, OpenedSurface];
-  /** A surface of about so many faces, and where its vertices lie on the one that was given. */
-  remesh: [
-    { arrays: SurfaceArrays; faces: number; info: MeshInfo },
-    { opened: OpenedSurface; places: Places },
-  ];
+  /** A surface of about so many faces. */
+  remesh: [{ arrays: SurfaceArrays; faces: number; info: MeshInfo }, OpenedSurface];
   /** Values of a remeshed surface at the vertices of that which it was made of. */
   carryBack: [
-    { original: SurfaceArrays; remeshed: SurfaceArrays; places: Places; values: Float64Array },
+    { original: SurfaceArrays; remeshed: SurfaceArrays; values: Float64Array },
     { values: Float64Array<ArrayBuffer> },
   ];
   /** The difference of two fields. */

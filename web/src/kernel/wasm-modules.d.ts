@@ -65,12 +65,6 @@ declare module '*/girth.mjs' {
     area: number;
   }
 
-  /** Points of a surface, one after the other: their faces, and three weights each. */
-  export interface Places {
-    faces: Uint32Array<ArrayBuffer>;
-    weights: Float64Array<ArrayBuffer>;
-  }
-
   /** A prepared surface's arrays, and what the file said. */
   export interface WrittenModel extends Arrays {
     vertexOfInput: Uint32Array;
@@ -98,17 +92,16 @@ declare module '*/girth.mjs' {
     ): Prepared | Failed;
     /** The surface of the arrays of one that was prepared. */
     exactSurface(positions: Float64Array, indices: Uint32Array): { surface: Surface } | Failed;
-    /** A surface of about so many faces, and where its vertices lie on the one that was given. */
+    /** A surface of about so many faces. */
     remesh(
       positions: Float64Array,
       indices: Uint32Array,
       faces: number,
       onProgress: OnProgress,
-    ): (Described & { places: Places }) | Failed;
+    ): Described | Failed;
     carryBack(
       original: Arrays,
       remeshed: Arrays,
-      places: Places,
       values: Float64Array,
     ): { values: Float64Array<ArrayBuffer> } | Failed;
     /** Equation (1) of the paper. */

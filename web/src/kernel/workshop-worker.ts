@@ -4,7 +4,7 @@ import createModule, { type GirthModule } from './wasm/girth.mjs';
 import { failure } from './errors.js';
 import { FileSet, type SetFile } from './file-set.js';
 import { moduleOptions, openedSurface, remeshedSurface } from './opened-surface.js';
-import type { FieldOfSurface, WorkshopOperations } from './protocol.js';
+import type { WorkshopOperations } from './protocol.js';
 import type { FileWithPath } from './types.js';
 import { unpackIfCompressed } from './unpack.js';
 import { checked, serveRequests, type ReportSink } from './worker-loop.js';
@@ -76,16 +76,15 @@ serveRequests<WorkshopOperations>({
   remesh({ arrays, faces, info }, report) {
     const { positions, indices } = arrays;
     const made = checked(module.remesh(positions, indices, faces, progressTo(report)));
-    return { opened: remeshedSurface(made, info), places: made.places };
+    return remeshedSurface(made, info);
   },
 
-  carryBack({ original, remeshed, places, values }) {
-    return checked(module.carryBack(original, remeshed, places, values));
+  carryBack({ original, remeshed, values }) {
+    return checked(module.carryBack(original, remeshed, values));
   },
 
   difference({ fields }) {
-    const [one, other] = fields as [FieldOfSurface, FieldOfSurface];
-    return checked(module.difference(one, other));
+    return checked(module.difference(...fields));
   },
 
   writeField({ model, values, kinds, format }) {

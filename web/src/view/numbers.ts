@@ -50,7 +50,9 @@ export function formatCount(count: number): string {
  */
 export function roundTicks(low: number, high: number, wanted: number): number[] {
   const width = high - low;
-  if (!(width > 0) || !Number.isFinite(width)) return [];
+  // Ends that differ by no more than rounding have no numbers between them that could be written.
+  const least = 1e-9 * Math.max(Math.abs(low), Math.abs(high));
+  if (!(width > least) || !Number.isFinite(width)) return [];
   const raw = width / Math.max(1, wanted);
   const power = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= raw * 0.999) ?? raw;

@@ -1,0 +1,121 @@
+// Real files and broken ones, read by the command and by the page: the same surfaces, the same
+// account of what was done, the same errors. Skipped where GIRTH_DATA names no corpus.
+
+import { execFileSync } from 'node:child_process';
+import { readdirSync, statSync } from 'node:fs';
+import { join, relative } from 'node:path';
+import { afterAll, expect, test } from 'vitest';
+import type { MeshInfo } from '../../web/src/kernel/index.js';
+import type { KernelPage } from './kernel-page.js';
+import { buildKernelSite, kernelHtml, kernelSite } from './kernel-site.js';
+import { chromiumForTests, command, serve, strictPolicy, type StaticServer } from './support.js';
+
+/** Inside `page.evaluate` only. */
+declare const girth: KernelPage;
+
+const data = process.env['GIRTH_DATA'];
+const openPage = chromiumForTests();
+let server: StaticServer | undefined;
+afterAll(() => server?.close());
+
+/** Of many files every so manieth: the whole corpus is read by the command's own tests. */
+const share = 4;
+const largest = 3 * 2 ** 20;
+
+function modelsBelow(folder: string): string[] {
+  return readdirSync(folder, { recursive: true, encoding: 'utf8' })
+    .filter((name) => /\.(glb|gltf|obj|off|ply|stl)$/i.test(name))
+    .sort()
+    .map((name) => join(folder, name))
+    .filter((file) => statSync(file).size <= largest);
+}
+
+interface Outcome {
+  /** The code and words of the error, or nothing. */
+  error?: string;
+  info?: object;
+}
+
+/** What `girth info --json` says of each file: a line on one of its two outputs. */
+function byCommand(files: string[]): Map<string, Outcome> {
+  const outcomes = new Map<string, Outcome>();
+  for (const file of files) {
+    let printed: string;
+    try {
+      const stdio = ['ignore', 'pipe', 'pipe'] as const;
+      printed = execFileSync(command, ['info', '--json', file], {
+        encoding: 'utf8',
+        stdio: [...stdio],
+      });
+    } catch (thrown) {
+      const { stderr } = thrown as { stderr: string };
+      const [, code = '', words = ''] = /^girth: .*?: ([A-Z_]+): (.*)/s.exec(stderr) ?? [];
+      outcomes.set(file, { error: code ? `${code}: ${words.trim()}` : stderr });
+      continue;
+    }
+    const line = JSON.parse(printed) as Record<string, never>;
+    const { vertices, faces, edges, components, genus, area, format, unit, notes, report } = line;
+    const said = { vertices, faces, edges, components, genus, area, format, unit, notes, report };
+    outcomes.set(file, { info: said });
+  }
+  return outcomes;
+}
+
+function asCommandSays(info: MeshInfo): object {
+  const { vertexCount: vertices, faceCount: faces, edgeCount: edges } = info;
+  const { components, genus, area, format, notes, report } = info;
+  const unit = info.unit === 'm' ? 'metre' : info.unit;
+  return { vertices, faces, edges, components, genus, area, format, unit, notes, report };
+}
+
+test.runIf(data)('command and page read the same', async () => {
+  await buildKernelSite();
+  server = await serve(kernelSite, {
+    policy: strictPolicy,
+    pages: { '/': kernelHtml },
+    data: data!,
+  });
+  const files = [
+    ...modelsBelow(join(data!, 'gltf')),
+    ...modelsBelow(join(data!, 'bad')),
+    ...modelsBelow(join(data!, 'models')).filter((_, i) => i % 2 === 0),
+  ].filter((_, i) => i % share === 0);
+  const truth = byCommand(files);
+
+  const { page } = await openPage(server.url);
+  await page.waitForFunction('globalThis.girth');
+  const paths = files.map(
+    (file) => `/data/${relative(data!, file).split('/').map(encodeURIComponent).join('/')}`,
+  );
+  const read = await page.evaluate(async (paths) => {
+    const kernel = await girth.createKernel({ threads: 1, mode: 'pool' });
+    const outcomes: { info?: MeshInfo; error?: string }[] = [];
+    for (const path of paths) {
+      try {
+        const mesh = await kernel.load(new URL(path, location.href));
+        outcomes.push({ info: mesh.info });
+        mesh.dispose();
+      } catch (error) {
+        const { code, message, hint } = error as { code: string; message: string; hint: string };
+        outcomes.push({ error: `${code}: ${message}; ${hint}` });
+      }
+    }
+    kernel.dispose();
+    return outcomes;
+  }, paths);
+  await page.context().close();
+
+  const [byPage, byTheCommand] = [new Map<string, Outcome>(), new Map<string, Outcome>()];
+  files.forEach((file, i) => {
+    const name = relative(data!, file);
+    const { info, error } = read[i]!;
+    byPage.set(name, info ? { info: asCommandSays(info) } : { error: error! });
+    byTheCommand.set(name, truth.get(file)!);
+  });
+  const surfaces = read.filter(({ info }) => info).length;
+  console.log(`${files.length} files: ${surfaces} surfaces, ${files.length - surfaces} errors`);
+  expect(byPage).toEqual(byTheCommand);
+  expect(surfaces).toBeGreaterThan(60);
+});
+
+test.skipIf(data)('skipped: no corpus', () => undefined);
