@@ -1,0 +1,22 @@
+// Tips and their contours as a file's content: JSON or OBJ.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "girth/io/read_mesh.h"
+#include "girth/tips.h"
+
+namespace girth::io {
+
+/// One JSON object: `file`, `unit`, `crossedEdges`, `tips` and `arcs`. Of a tip: `area`,
+/// `boundaryLength`, `jump`, `apex` (as a point of `loopJson`), `apexDistance`, `vertices` (of the
+/// file), and `contour`: lines with `closed` and `points` [x,y,z]. Of an arc: `length`, `jump` and
+/// `line`.
+std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_view file);
+
+/// The contours as OBJ line elements: one object a tip (`o tip_1`, …) and one an arc (`o arc_1`,
+/// …).
+std::string tipsObj(const LoadedMesh& loaded, const Tips& tips);
+
+}  // namespace girth::io

@@ -1,0 +1,25 @@
+// Points and vertices of a surface as text, in the numbers of the file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "girth/io/read_mesh.h"
+#include "girth/surface_point.h"
+
+namespace girth::io {
+
+/// x, y and z between separators.
+std::string pointText(const Vec3& point, char separator);
+
+/// The vertex of the file that a vertex of the surface comes from; "null" where it was made here.
+std::string inputText(const LoadedMesh& loaded, Index vertex);
+
+/// Vertices of the surface as a JSON array of the file's; those made here are left out.
+std::string inputsJson(const LoadedMesh& loaded, const std::vector<Index>& vertices);
+
+/// `position`, and the `vertices` of the file (one, the two of an edge, or the three of a face)
+/// that the point lies between, with their `weights`.
+std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point);
+
+}  // namespace girth::io
