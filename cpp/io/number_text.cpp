@@ -117,6 +117,7 @@ std::optional<double> parseNumber(std::string_view text) {
     const double value = exponent < 0 ? whole / power : whole * power;
     return negative ? -value : value;
   }
+  if (mantissaFits && mantissa == 0) return negative ? -0.0 : 0.0;
   if (mantissaFits && exponent <= 0 && exponent >= -27) {
     const double value = dividedByPowerOfTen(mantissa, -exponent);
     return negative ? -value : value;

@@ -14,9 +14,9 @@ const configuration = ['package-lock.json', 'web/tsconfig.base.json'];
 /**
  * A build tree of CMake. Configuring sees to it that the tree is for this compiler; after that, Ninja
  * knows what is stale.
- * @param {{ tree: string, compiler?: string, wrapper?: string[], env?: NodeJS.ProcessEnv }} tree
+ * @param {{ tree: string, compiler?: string, wrapper?: string[], options?: string[], env?: NodeJS.ProcessEnv }} tree
  */
-function configure({ tree, compiler = '', wrapper = [], env = process.env }) {
+export function configure({ tree, compiler = '', wrapper = [], options = [], env = process.env }) {
   const cache = join(repository, tree, 'CMakeCache.txt');
   const isConfigured =
     existsSync(join(repository, tree, 'build.ninja')) &&
@@ -25,7 +25,7 @@ function configure({ tree, compiler = '', wrapper = [], env = process.env }) {
   if (isConfigured && warnings.length === 0) return;
   if (!isConfigured) rmSync(cache, { force: true });
   const [program = '', ...args] = [...wrapper, 'cmake', '-S', '.', '-B', tree, '-G', 'Ninja'];
-  run(program, [...args, ...warnings], { env, quiet: isConfigured });
+  run(program, [...args, ...options, ...warnings], { env, quiet: isConfigured });
 }
 
 /** The native build tree, ready to be built and to be looked at by clang-tidy. */

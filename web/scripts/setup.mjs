@@ -16,6 +16,7 @@ const elsewhere = [
   ['CMake', ['cmake']],
   ['Ninja', ['ninja']],
   ['Chromium (or set CHROMIUM to its path)', [process.env.CHROMIUM ?? 'chromium', 'chromium']],
+  ['clang', ['clang++']],
   ['clang-format', ['clang-format']],
   ['clang-tidy', ['clang-tidy']],
   ['Eigen 3', ['eigen3/Eigen/Core']],

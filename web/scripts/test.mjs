@@ -1,9 +1,10 @@
-// `npm test`: sets up, then lints, builds and runs all tests; `test.mjs native web browser` only those
+// `npm test`: sets up, then lints, builds and runs all tests; `test.mjs native fuzz web browser` only those
 // named. A part that fails does not keep the others from running. The last line is the sum.
 
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { buildNative, buildPackage, buildPage, buildWasm } from './build.mjs';
+import { runFuzzers } from './fuzz.mjs';
 import { lint } from './lint.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
 import { setUp } from './setup.mjs';
@@ -59,6 +60,10 @@ const parts = {
   native: () => {
     buildNative();
     ctest();
+  },
+  fuzz: () => {
+    const inputs = runFuzzers({ seconds: 60 });
+    console.log(`girth: fuzz: ${inputs.toLocaleString('en')} inputs in all, no finding`);
   },
   web: () => {
     buildWasm();

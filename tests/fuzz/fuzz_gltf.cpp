@@ -1,0 +1,8 @@
+// Any bytes as a glTF document with files beside it.
+#include "checks.h"
+#include "read_gltf.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace girth;
+  return fuzz::check(io::readGltf(fuzz::bytesOf(data, size), fuzz::resource));
+}
