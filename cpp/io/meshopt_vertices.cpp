@@ -6,7 +6,6 @@
 namespace girth::io {
 namespace {
 
-constexpr unsigned kVersion0 = 0xA0;
 constexpr unsigned kVersion1 = 0xA1;
 constexpr std::size_t kGroup = 16;         // bytes that share one header entry
 constexpr std::size_t kMostInBlock = 256;  // vertices
