@@ -160,6 +160,16 @@ Result<std::span<const std::byte>> GltfBuffers::range(std::uint32_t index, std::
   return all.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
 }
 
+std::optional<Error> GltfBuffers::firstFault() {
+  for (std::uint32_t i = 0; i < document_.buffers.size(); ++i) {
+    // Where packed bytes would be unpacked to.
+    const bool isPlaceholder = i > 0 && document_.buffers[i].uri.empty();
+    if (isPlaceholder) continue;
+    if (auto bytes = buffer(i); !bytes) return bytes.error();
+  }
+  return std::nullopt;
+}
+
 Result<std::span<const std::byte>> GltfBuffers::unpacked(std::uint32_t index) {
   const GltfBufferView& view = document_.bufferViews[index];
   const GltfMeshopt& packed = *view.packed;

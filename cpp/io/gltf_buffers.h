@@ -29,6 +29,9 @@ class GltfBuffers {
   /// Errors: MALFORMED_FILE, MISSING_RESOURCE, UNSUPPORTED_FEATURE, LIMIT_EXCEEDED.
   Result<std::span<const std::byte>> view(std::uint32_t index, const std::string& user);
 
+  /// Fetches all buffers that say where their bytes are: the first that cannot be had.
+  std::optional<Error> firstFault();
+
  private:
   Result<std::span<const std::byte>> range(std::uint32_t buffer, std::uint64_t offset,
                                            std::uint64_t length, const std::string& user);

@@ -13,6 +13,11 @@ class FaultFinder {
   explicit FaultFinder(const GltfDocument& document) : document_(document) {}
 
   std::optional<Error> run() {
+    for (std::size_t i = 0; i < document_.buffers.size(); ++i) {
+      if (document_.buffers[i].byteLength == 0) {
+        report(placeOf("buffers", i) + "/byteLength", "is 0");
+      }
+    }
     for (std::size_t i = 0; i < document_.bufferViews.size() && !fault_; ++i) checkView(i);
     for (std::size_t i = 0; i < document_.accessors.size() && !fault_; ++i) checkAccessor(i);
     for (std::size_t i = 0; i < document_.meshes.size() && !fault_; ++i) checkMesh(i);

@@ -90,8 +90,10 @@ class SceneWalk {
   }
 
  private:
-  Error nothingFound() const {
+  /// Most likely a document without triangles is broken.
+  Error nothingFound() {
     if (auto fault = firstFaultOf(document_)) return *fault;
+    if (auto fault = buffers_.firstFault()) return *fault;
     return makeError(ErrorCode::EmptyMesh, -1, notes_.whyEmpty(document_));
   }
 
