@@ -2,7 +2,7 @@
 
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { repository } from './run.mjs';
+import { Complaint, repository } from './run.mjs';
 
 const folder = 'web/src/kernel/wasm';
 const packages = {
@@ -14,14 +14,16 @@ export function copyDecoders() {
   const to = (/** @type {string} */ name) => join(repository, folder, name);
   const draco = (/** @type {string} */ name) => join(repository, packages.draco, name);
   mkdirSync(join(repository, folder), { recursive: true });
-  // Draco's loader is no ES module; nothing of it but its last line is changed.
+  // Draco's loader is no ES module; nothing of it but its export is changed.
   const licence =
     '// Draco, by the Draco authors (https://github.com/google/draco). Licensed under the Apache\n' +
     '// License, Version 2.0 (https://www.apache.org/licenses/LICENSE-2.0).\n';
   const loader = readFileSync(draco('draco_decoder_gltf_nodejs.js'), 'utf8');
+  const end = loader.lastIndexOf('"object"===typeof exports&&"object"===typeof module?');
+  if (end < 0) throw new Complaint('draco3dgltf exports its decoder in another way now');
   writeFileSync(
     to('draco-decoder.mjs'),
-    `${licence}${loader}\nexport default DracoDecoderModule;\n`,
+    `${licence}${loader.slice(0, end)}\nexport default DracoDecoderModule;\n`,
   );
   copyFileSync(draco('draco_decoder_gltf.wasm'), to('draco-decoder.wasm'));
   copyFileSync(

@@ -95,7 +95,7 @@ function claimsOf(bytes: Uint8Array, place: string): Claims {
   return { faces, points: vertices + front.varint(), seamLists };
 }
 
-/** A mesh in Draco's memory. */
+/** A mesh in the memory of an instance of Draco, freed with it. */
 export class UnpackedDraco {
   readonly #module: DracoModule;
   readonly #decoder: InstanceType<DracoModule['Decoder']>;
@@ -123,10 +123,7 @@ export class UnpackedDraco {
     buffer.Init(new Int8Array(bytes.buffer, bytes.byteOffset, bytes.length), bytes.length);
     const isDone = this.#decoder.DecodeBufferToMesh(buffer, this.#mesh).ok();
     module.destroy(buffer);
-    if (!isDone) {
-      this.free();
-      throw invalid();
-    }
+    if (!isDone) throw invalid();
   }
 
   get pointCount(): number {
@@ -162,11 +159,6 @@ export class UnpackedDraco {
         at,
       ),
     );
-  }
-
-  free(): void {
-    this.#module.destroy(this.#mesh);
-    this.#module.destroy(this.#decoder);
   }
 
   /** What `write` puts into memory of the module. */

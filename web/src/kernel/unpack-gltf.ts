@@ -20,6 +20,7 @@ export interface ModelBytes {
 
 /** Where the decoders come from. */
 export interface Decoders {
+  /** An instance for one file. */
   draco(): Promise<DracoModule>;
   meshopt(): Promise<typeof MeshoptDecoder>;
 }
@@ -155,12 +156,10 @@ class Unpacking {
         this.#unpackPrimitive(module, primitive, place, meshes);
       }
     } catch (thrown) {
-      // Draco's module ends for good where it cannot have more memory.
+      // Draco's module ends where it cannot have more memory.
       if (!(thrown instanceof WebAssembly.RuntimeError)) throw thrown;
       const message = 'a Draco stream asks for more memory than there is';
       throw failure('LIMIT_EXCEEDED', message, { cause: thrown });
-    } finally {
-      for (const { mesh } of meshes.values()) mesh.free();
     }
   }
 
@@ -447,9 +446,15 @@ class Unpacking {
       bytes = dataOf(uri);
       if (!bytes) throw malformed(place, 'is a data: URI that is not valid');
     } else {
-      const names = [...new Set([percentDecoded(uri), uri])].filter(staysInside);
-      for (const name of names) bytes ??= this.#resource(name);
-      if (!bytes) throw missing(percentDecoded(uri), names.length > 0, place);
+      const name = percentDecoded(uri);
+      if (!staysInside(name)) {
+        throw missing(place, `${shown(name)}, which is not a file beside the model`);
+      }
+      bytes = this.#resource(name);
+      // Some exporters do not escape, and so a file's name may contain a percent sign.
+      if (name !== uri && staysInside(uri)) bytes ??= this.#resource(uri);
+      if (!bytes)
+        throw missing(place, `the file ${shown(name)}, which is missing beside the model`);
       this.#budget.allowFor(bytes.length);
     }
     this.#fetched.set(uri, bytes);
@@ -480,13 +485,10 @@ interface DracoSource {
 
 const aligned = (size: number) => Math.ceil(size / 8) * 8;
 
-function missing(name: string, isInside: boolean, place: string): Error {
-  const shown = JSON.stringify(name.length > 60 ? `${name.slice(0, 57)}...` : name);
-  const what = isInside
-    ? `it refers to the file ${shown}, which is missing beside the model`
-    : `it refers to ${shown}, which is not a file beside the model`;
-  return failure('MISSING_RESOURCE', `${place}: ${what}`);
-}
+const missing = (place: string, what: string) =>
+  failure('MISSING_RESOURCE', `${place}: it refers to ${what}`);
+
+const shown = (name: string) => JSON.stringify(name.length > 60 ? `${name.slice(0, 57)}...` : name);
 
 /** Whether a name stays beside the model: relative, without scheme, and never up a folder. */
 function staysInside(name: string): boolean {

@@ -20,11 +20,11 @@ export async function unpackIfCompressed(
   const asGiven = { bytes, resource };
   const json = jsonOf(bytes);
   if (!json || !decoderNames.test(new TextDecoder('latin1').decode(json))) return asGiven;
-  const [{ unpackGltf }, decoders] = await Promise.all([
-    import('./unpack-gltf.js'),
-    import('./unpack-decoders.js'),
-  ]);
-  return unpackGltf(asGiven, decoders);
+  const { unpackGltf } = await import('./unpack-gltf.js');
+  return unpackGltf(asGiven, {
+    draco: async () => (await import('./unpack-decoders.js')).draco(),
+    meshopt: async () => (await import('./unpack-decoders.js')).meshopt(),
+  });
 }
 
 /** The JSON of a GLB or glTF file, if it can be one. */
