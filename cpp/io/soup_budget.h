@@ -21,7 +21,7 @@ class SoupBudget {
 
  private:
   // Small files may place a small mesh many times.
-  std::uint64_t left_{1'000'000};
+  std::uint64_t left_{4'000'000};
 };
 
 }  // namespace girth::io
