@@ -1,4 +1,5 @@
-// The subcommands. Each returns the exit code: 0 done, 1 usage, 2 bad input, 3 limit or cancelled.
+// The subcommands. Each returns the exit code: 0 done, 1 usage, 2 bad input, 3 limit or cancelled,
+// 4 too thin to print.
 #pragma once
 
 #include <array>
@@ -46,5 +47,46 @@ struct LoopOptions {
 
 /// Computes the loop at one point.
 int runLoop(const LoopOptions& options);
+
+struct FieldOptions {
+  std::string model;
+  /// "sdf", "geoaverage" or "geofarthest".
+  std::string field;
+  std::string output;
+  unsigned threads{0};
+  bool json{false};
+  /// Of sdf.
+  unsigned rays{30};
+  double coneDegrees{120};
+  /// Of geoaverage and geofarthest: by windows instead of fast marching.
+  bool exactDistances{false};
+};
+
+/// Computes another field than the girth at all vertices.
+int runField(const FieldOptions& options);
+
+struct TipsOptions {
+  std::string model;
+  std::string output;
+  unsigned threads{0};
+  bool json{false};
+};
+
+/// Finds where the shape ends.
+int runTips(const TipsOptions& options);
+
+struct PartsOptions {
+  std::string model;
+  std::string output;
+  unsigned threads{0};
+  bool json{false};
+  /// Lengths as typed, with or without a unit. Empty: found from the fields (thresholds), or not
+  /// checked (limits).
+  std::string girth, diameter, minTube, minWall;
+  double smoothing{0};
+};
+
+/// Finds tubes, plates and body, or, with limits, the places that are too thin to print.
+int runParts(const PartsOptions& options);
 
 }  // namespace girth::cli

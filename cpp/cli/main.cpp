@@ -22,7 +22,8 @@ constexpr const char* kFooter =
     "Models are GLB, glTF or OBJ files and must be closed surfaces. Vertices are numbered as in "
     "the\n"
     "file, from 0.\n"
-    "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 a limit was met or the work was cancelled.";
+    "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 a limit was met or the work was cancelled,\n"
+    "4 something is too thin to print.";
 
 /// Not read by CLI11, which rounds twice.
 std::array<double, 3> weightsOf(const std::vector<std::string>& texts) {
@@ -50,8 +51,8 @@ int run(int argc, char** argv) {
   infoCommand->add_flag("--json", info.json, "Print one JSON object for each model");
 
   IgfOptions igf;
-  const std::map<std::string, GirthMethod> methods{{"exact", GirthMethod::Exact},
-                                                   {"naive", GirthMethod::Naive}};
+  const std::map<std::string, GirthMethod> methods{
+      {"exact", GirthMethod::Exact}, {"naive", GirthMethod::Naive}, {"ms", GirthMethod::Marched}};
   CLI::App* igfCommand = app.add_subcommand("igf", "Compute the girth at every vertex");
   igfCommand->add_option("MODEL", igf.models, "Models to read")->required();
   igfCommand->add_option(
@@ -60,8 +61,8 @@ int run(int argc, char** argv) {
   igfCommand
       ->add_option_function<std::string>(
           "--method", [&](const std::string& name) { igf.method = methods.at(name); },
-          "exact (the default) or naive, the slow yardstick")
-      ->check(CLI::IsMember({"exact", "naive"}));
+          "exact (the default), naive, the slow yardstick, or ms, the fast-marching approximation")
+      ->check(CLI::IsMember({"exact", "naive", "ms"}));
   igfCommand->add_option("--threads", igf.threads, "Threads; as many as there are cores by default")
       ->check(CLI::Range(1u, 1024u));
   igfCommand->add_flag("--json", igf.json, "Print the summary as one JSON object for each model");
@@ -90,6 +91,59 @@ int run(int argc, char** argv) {
                           "Write the loop: .json, .obj or .glb (a polyline) or .csv (x,y,z)");
   loopCommand->add_flag("--json", loop.json, "Print the summary as JSON");
 
+  const auto threadsOption = [](CLI::App* command, unsigned& threads) {
+    command->add_option("--threads", threads, "Threads; as many as there are cores by default")
+        ->check(CLI::Range(1u, 1024u));
+  };
+  FieldOptions field;
+  CLI::App* fieldCommand =
+      app.add_subcommand("field", "Compute another field: thickness, centricity, ...");
+  fieldCommand->add_option("MODEL", field.model, "The model to read")->required();
+  fieldCommand
+      ->add_option("--field", field.field,
+                   "sdf (shape diameter), geoaverage or geofarthest (mean and greatest distance)")
+      ->required()
+      ->check(CLI::IsMember({"sdf", "geoaverage", "geofarthest"}));
+  fieldCommand->add_option("-o,--output", field.output,
+                           "Write the values: .csv, .json, .npy, .ply or .glb");
+  fieldCommand->add_option("--rays", field.rays, "sdf: rays from each vertex; 30 by default")
+      ->check(CLI::Range(1u, 10'000u));
+  fieldCommand
+      ->add_option("--cone", field.coneDegrees, "sdf: opening of the cone, 120 degrees by default")
+      ->check(CLI::Range(1e-3, 179.999));
+  fieldCommand->add_flag("--exact", field.exactDistances,
+                         "geoaverage, geofarthest: exact distances, not by fast marching");
+  threadsOption(fieldCommand, field.threads);
+  fieldCommand->add_flag("--json", field.json, "Print the summary as JSON");
+
+  TipsOptions tips;
+  CLI::App* tipsCommand = app.add_subcommand("tips", "Find where the shape ends");
+  tipsCommand->add_option("MODEL", tips.model, "The model to read")->required();
+  tipsCommand->add_option("-o,--output", tips.output,
+                          "Write the tips: .json, or .obj (their contours)");
+  threadsOption(tipsCommand, tips.threads);
+  tipsCommand->add_flag("--json", tips.json, "Print everything as JSON");
+
+  PartsOptions parts;
+  CLI::App* partsCommand =
+      app.add_subcommand("parts", "Find tubes and plates, or what is too thin to print");
+  partsCommand->add_option("MODEL", parts.model, "The model to read")->required();
+  partsCommand->add_option("--girth", parts.girth, "Tubes have a girth below this length (tau 1)");
+  partsCommand->add_option("--thickness", parts.diameter,
+                           "Tubes and plates are thinner than this length (tau 2)");
+  partsCommand
+      ->add_option("--smooth", parts.smoothing,
+                   "What all neighbours of a vertex count against its own kind; 0 by default")
+      ->check(CLI::Range(0.0, 1e6));
+  partsCommand->add_option("--min-tube", parts.minTube,
+                           "List tubes thinner than this diameter, as in 3mm; ends with 4");
+  partsCommand->add_option("--min-wall", parts.minWall,
+                           "List walls thinner than this, as in 1mm; ends with 4");
+  partsCommand->add_option("-o,--output", parts.output,
+                           "Write the answer: .json, or every vertex with its part: .csv, .ply");
+  threadsOption(partsCommand, parts.threads);
+  partsCommand->add_flag("--json", parts.json, "Print everything as JSON");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -102,6 +156,9 @@ int run(int argc, char** argv) {
   }
   if (infoCommand->parsed()) return runInfo(info);
   if (igfCommand->parsed()) return runIgf(igf);
+  if (fieldCommand->parsed()) return runField(field);
+  if (tipsCommand->parsed()) return runTips(tips);
+  if (partsCommand->parsed()) return runParts(parts);
   return runLoop(loop);
 }
 

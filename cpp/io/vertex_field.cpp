@@ -10,7 +10,15 @@ bool VertexField::complete() const {
 }
 
 std::string_view toString(GirthMethod method) {
-  return method == GirthMethod::Naive ? "naive" : "exact";
+  switch (method) {
+    case GirthMethod::Exact:
+      return "exact";
+    case GirthMethod::Naive:
+      return "naive";
+    case GirthMethod::Marched:
+      break;
+  }
+  return "ms";
 }
 
 VertexField girthVertexField(const GirthField& field, GirthMethod method, std::string_view unit) {

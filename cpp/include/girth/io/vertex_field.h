@@ -28,7 +28,7 @@ struct VertexField {
   bool complete() const;
 };
 
-/// "exact" or "naive".
+/// "exact", "naive" or "ms".
 std::string_view toString(GirthMethod method);
 
 /// The girth function as a field with the name "igf". Valid as long as `field`.

@@ -1,0 +1,156 @@
+#include <array>
+#include <cstdio>
+#include <optional>
+
+#include "commands.h"
+#include "compute.h"
+#include "files.h"
+#include "girth/io/write_field.h"
+#include "girth/io/write_parts.h"
+#include "girth/parts.h"
+#include "interrupt.h"
+#include "length_text.h"
+#include "report.h"
+
+namespace girth::cli {
+namespace {
+
+/// Where something is too thin to print: so that the command can stand in a build script.
+constexpr int kTooThin = 4;
+
+std::string vertexText(const io::LoadedMesh& loaded, Index vertex) {
+  if (vertex == kNoIndex || loaded.inputOfVertex[vertex] == kNoIndex) return "-";
+  return std::to_string(loaded.inputOfVertex[vertex]);
+}
+
+std::string placeText(const io::LoadedMesh& loaded, Index vertex) {
+  if (vertex == kNoIndex) return "-";
+  const Vec3& p = loaded.mesh.position(vertex);
+  return readable(p.x) + " " + readable(p.y) + " " + readable(p.z);
+}
+
+void printParts(const std::string& model, const io::LoadedMesh& loaded, const Parts& parts,
+                const PartOptions& options) {
+  constexpr std::size_t kShown = 20;
+  const std::string unit = unitSuffix(loaded.unit);
+  std::printf("%s: %zu parts, thin below %s%s, tube below %s%s round\n", model.c_str(),
+              parts.parts.size(), readable(options.thresholds.diameter).c_str(), unit.c_str(),
+              readable(options.thresholds.girth).c_str(), unit.c_str());
+  std::printf("  %-8s %12s %12s %12s %12s  %s\n", "kind", "area", "girth", "thickness", "radius",
+              "thinnest at vertex");
+  for (std::size_t i = 0; i < parts.parts.size() && i < kShown; ++i) {
+    const Part& part = parts.parts[i];
+    std::printf("  %-8s %12s %12s %12s %12s  %s\n", std::string(toString(part.kind)).c_str(),
+                readable(part.area).c_str(), readable(part.medianGirth).c_str(),
+                readable(part.medianDiameter).c_str(),
+                part.kind == PartKind::Tube ? readable(part.equivalentRadius()).c_str() : "-",
+                vertexText(loaded, part.thinnest).c_str());
+  }
+  if (parts.parts.size() > kShown) {
+    std::printf("  and %zu smaller ones\n", parts.parts.size() - kShown);
+  }
+}
+
+void printPlaces(const std::string& model, const io::LoadedMesh& loaded,
+                 const std::vector<WeakPlace>& places) {
+  const std::string unit = unitSuffix(loaded.unit);
+  if (places.empty()) {
+    std::printf("%s: passes: nothing is too thin\n", model.c_str());
+    return;
+  }
+  std::printf("%s: fails: %zu place%s too thin\n", model.c_str(), places.size(),
+              places.size() == 1 ? "" : "s");
+  std::printf("  %-5s %12s %12s %10s  %s\n", "kind", "thickness", "area", "vertex", "at");
+  for (const WeakPlace& place : places) {
+    std::printf("  %-5s %12s %12s %10s  %s%s\n", place.kind == PartKind::Tube ? "tube" : "wall",
+                readable(place.least).c_str(), readable(place.area).c_str(),
+                vertexText(loaded, place.thinnest).c_str(),
+                placeText(loaded, place.thinnest).c_str(), unit.c_str());
+  }
+}
+
+/// Reads a length where one was given.
+std::optional<Error> readLength(const std::string& text, const std::string& unit, double& length) {
+  if (text.empty()) return std::nullopt;
+  const auto read = lengthInModelUnit(text, unit);
+  if (!read) return read.error();
+  length = read.value();
+  return std::nullopt;
+}
+
+std::string contentFor(const std::string& extension, const io::LoadedMesh& loaded,
+                       const std::string& json, const GirthField& girth,
+                       const ShapeDiameterField& diameter, const std::vector<PartKind>& kinds) {
+  if (extension == ".json") return json;
+  std::vector<double> numbers;
+  for (const PartKind kind : kinds) numbers.push_back(static_cast<double>(kind));
+  const std::array<io::VertexField, 3> fields{
+      io::girthVertexField(girth, GirthMethod::Exact, loaded.unit),
+      io::VertexField{"sdf", diameter.values, loaded.unit, "", {}},
+      io::VertexField{"part", numbers, "", "", {}}};
+  return extension == ".csv" ? io::fieldCsv(loaded, fields) : io::fieldPly(loaded, fields);
+}
+
+}  // namespace
+
+int runParts(const PartsOptions& options) {
+  const std::string extension = extensionOf(options.output);
+  if (!options.output.empty()) {
+    if (extension != ".json" && extension != ".csv" && extension != ".ply") {
+      Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
+      error.hint = "use .json, .csv or .ply";
+      return reportError(options.output, error);
+    }
+    if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
+  }
+  const auto loaded = loadModel(options.model);
+  if (!loaded) return reportError(options.model, loaded.error());
+  const io::LoadedMesh& model = loaded.value();
+
+  // What was typed is looked at before long work.
+  PartOptions partOptions;
+  partOptions.smoothing = options.smoothing;
+  double tau1 = -1, tau2 = -1;
+  PrintLimits limits;
+  for (const auto& [text, length] : {std::pair{&options.girth, &tau1},
+                                     {&options.diameter, &tau2},
+                                     {&options.minTube, &limits.tubeDiameter},
+                                     {&options.minWall, &limits.wallThickness}}) {
+    if (auto error = readLength(*text, model.unit, *length)) return reportError("", *error);
+  }
+  const std::atomic<bool>& interrupted = catchInterrupts();
+  const auto diameter =
+      computeDiameter(options.model, model.mesh, {}, options.threads, interrupted);
+  if (!diameter) return reportError(options.model, diameter.error());
+  const auto girth = computeGirth(options.model, model.mesh, options.threads, interrupted);
+  if (!girth) return reportError(options.model, girth.error());
+
+  const std::vector<double>&i = girth.value().values, &sdf = diameter.value().values;
+  partOptions.thresholds = suggestedThresholds(model.mesh, i, sdf);
+  if (tau1 >= 0) partOptions.thresholds.girth = tau1;
+  if (tau2 >= 0) partOptions.thresholds.diameter = tau2;
+  const auto parts = findParts(model.mesh, i, sdf, partOptions);
+  if (!parts) return reportError(options.model, parts.error());
+  const auto places = findWeakPlaces(model.mesh, i, sdf, limits);
+  if (!places) return reportError(options.model, places.error());
+
+  const bool checks = !options.minTube.empty() || !options.minWall.empty();
+  const std::string json = checks ? io::weakPlacesJson(model, places.value(), limits, options.model)
+                                  : io::partsJson(model, parts.value(), partOptions, options.model);
+  if (!options.output.empty()) {
+    if (auto error = writeFile(options.output, contentFor(extension, model, json, girth.value(),
+                                                          diameter.value(), parts.value().kinds))) {
+      return reportError(options.output, *error);
+    }
+  }
+  if (options.json) {
+    std::fputs(json.c_str(), stdout);
+  } else if (checks) {
+    printPlaces(options.model, model, places.value());
+  } else {
+    printParts(options.model, model, parts.value(), partOptions);
+  }
+  return checks && !places.value().empty() ? kTooThin : 0;
+}
+
+}  // namespace girth::cli
