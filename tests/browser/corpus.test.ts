@@ -116,6 +116,9 @@ test.runIf(data)('command and page read the same', async () => {
   console.log(`${files.length} files: ${surfaces} surfaces, ${files.length - surfaces} errors`);
   expect(byPage).toEqual(byTheCommand);
   expect(surfaces).toBeGreaterThan(60);
+  for (const packed of [/draco/i, /meshopt/i]) {
+    expect(files.some((file, i) => packed.test(file) && read[i]!.info)).toBe(true);
+  }
 });
 
 test.skipIf(data)('skipped: no corpus', () => undefined);

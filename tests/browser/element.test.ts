@@ -2,12 +2,13 @@
 // security policy, from the npm tarball as users get it.
 
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, cpSync, mkdtempSync, rmSync } from 'node:fs';
+import { copyFileSync, cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
+import { box, gltf, stl, tube } from './meshes.js';
 import {
   chromiumForTests,
   repository,
@@ -31,6 +32,8 @@ const pages = {
     <girth-viewer id="b" src="prism.obj" colormap="magma" loop="0 3"></girth-viewer>`,
   '/below.html': `${head}${script}<p style="height: 300vh"></p><girth-viewer src="dumbbell.glb"></girth-viewer>`,
   '/missing.html': `${head}${script}<girth-viewer src="nothing.glb"></girth-viewer>`,
+  '/beside.html': `${head}${script}<girth-viewer src="parts/box.gltf"></girth-viewer>
+    <girth-viewer id="open" src="tube.stl" unit="mm"></girth-viewer>`,
   '/still.html': `${head}${script}<girth-viewer src="dumbbell.glb" field="none" loop="none"></girth-viewer>`,
 };
 
@@ -56,6 +59,11 @@ beforeAll(async () => {
   for (const name of ['chair.glb', 'dumbbell.glb'])
     copyFileSync(join(examples, name), join(site, name));
   copyFileSync(join(repository, 'tests/data/prism.obj'), join(site, 'prism.obj'));
+  const { json, bin } = gltf(box(3, 2, 2), 'data%20of%20it.bin');
+  mkdirSync(join(site, 'parts'));
+  writeFileSync(join(site, 'parts/box.gltf'), json);
+  writeFileSync(join(site, 'parts/data of it.bin'), bin);
+  writeFileSync(join(site, 'tube.stl'), stl(tube(12, 16, 4)));
   server = await serve(site, { policy: strictPolicy, pages });
 });
 
@@ -116,7 +124,8 @@ test('two on one page: each its own model, one kernel', async () => {
   await expect.poll(() => b.locator('.tag').count()).toBe(2);
   const workers = page.workers().length;
   const cores = await page.evaluate(() => navigator.hardwareConcurrency);
-  expect(workers).toBeLessThanOrEqual(Math.min(8, cores) + 1);
+  // One for each core, one for the pointer, and one that reads.
+  expect(workers).toBeLessThanOrEqual(Math.min(8, cores) + 2);
   await a.evaluate((element: GirthViewer) => element.remove());
   await b.evaluate((element: GirthViewer) => element.pinned.forEach(({ id }) => element.unpin(id)));
   expect((await hoverAnywhere(b)).length).toBeGreaterThan(0);
@@ -137,6 +146,24 @@ test('nothing is fetched or computed before the element is in view', async () =>
   expect(await viewer.evaluate((element: GirthViewer) => element.info)).toBeUndefined();
   await viewer.evaluate((element: GirthViewer) => element.scrollIntoView());
   await fieldComplete(viewer);
+});
+
+test('a glTF’s buffer is fetched from beside it; walls and units', async () => {
+  await open('/beside.html');
+  const [boxed, tubed] = [page.locator('girth-viewer').first(), page.locator('#open')];
+  await fieldComplete(boxed);
+  expect(await boxed.evaluate(({ info }: GirthViewer) => info!.faceCount)).toBe(64);
+  expect(server.requests).toContain('/parts/data of it.bin');
+  await tubed.evaluate((element) => element.scrollIntoView());
+  await fieldComplete(tubed);
+  expect(await tubed.evaluate(({ info }: GirthViewer) => info!.boundaries)).toEqual([2]);
+  expect(await tubed.locator('.legend-title').textContent()).toBe('Girth, mm');
+  const csv = await tubed.evaluate(async (element: GirthViewer) =>
+    new TextDecoder().decode(await element.exportField('csv')),
+  );
+  // A row for every corner of the STL.
+  expect(csv.trim().split('\n')).toHaveLength(1 + 3 * 352);
+  expect(complaints).toEqual([]);
 });
 
 test('a missing file is said in words and sent as an event', async () => {

@@ -297,14 +297,27 @@ describe.each(['light', 'dark'] as const)('page, %s', (colorScheme) => {
     await page.locator('#loops li').waitFor();
     await page.screenshot({ path: join(pictures, `page-${width}x${height}-${colorScheme}.png`) });
     await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core'), 'utf8'));
-    const violations = await page.evaluate(async () => {
-      const { axe } = globalThis as unknown as { axe: typeof Axe };
-      const { violations } = await axe.run(document, {
-        runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'],
+    const violations = () =>
+      page.evaluate(async () => {
+        const { axe } = globalThis as unknown as { axe: typeof Axe };
+        const { violations } = await axe.run(document, {
+          runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'],
+        });
+        return violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes[0]!.html}`);
       });
-      return violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes[0]!.html}`);
-    });
-    expect(violations).toEqual([]);
+    expect(await violations()).toEqual([]);
+    for (const [sheet, button] of [
+      ['export', page.getByRole('button', { name: 'Export' })],
+      ['details', page.locator('#details-open')],
+    ] as const) {
+      await button.click();
+      await page.locator(`#${sheet}`).waitFor();
+      expect(await violations()).toEqual([]);
+      await page.screenshot({
+        path: join(pictures, `${sheet}-${width}x${height}-${colorScheme}.png`),
+      });
+      await page.keyboard.press('Escape');
+    }
     const overflow = await page.evaluate(
       () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
     );
