@@ -1,0 +1,90 @@
+#include "girth/transfer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "mesh/nearest_point.h"
+#include "mesh/vertex_normals.h"
+
+namespace girth {
+
+namespace {
+
+/// The vertices that a point lies between, with its shares of them.
+struct Shares {
+  std::array<Index, 3> vertex;
+  std::array<double, 3> weight;
+  std::size_t count;
+
+  std::size_t largest() const {
+    std::size_t k = 0;
+    for (std::size_t i = 1; i < count; ++i) {
+      if (weight[i] > weight[k]) k = i;
+    }
+    return k;
+  }
+};
+
+Shares sharesOf(const SurfaceMesh& mesh, const SurfacePoint& point) {
+  switch (point.kind) {
+    case SurfacePoint::Kind::Vertex:
+      return {{point.element, 0, 0}, {1, 0, 0}, 1};
+    case SurfacePoint::Kind::Edge:
+      return {{mesh.from(point.element), mesh.to(point.element), 0}, point.weights, 2};
+    case SurfacePoint::Kind::Face:
+      break;
+  }
+  return {mesh.faceVertices(point.element), point.weights, 3};
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> nearestPoints(const SurfaceMesh& surface, const SurfaceMesh& points) {
+  const NearestSearch search = searchOf(surface);
+  const std::vector<Vec3> faceNormals = normalsOfFaces(surface);
+  const std::vector<Vec3> normals = normalsOfVertices(points);
+  std::vector<SurfacePoint> result(points.vertexCount());
+  Index hint = kNoIndex;
+  for (Index v = 0; v < points.vertexCount(); ++v) {
+    const Vec3& p = points.position(v);
+    auto found = search.nearest(
+        p, [&](Index f) { return dot(faceNormals[f], normals[v]) >= 0; }, hint);
+    if (found.triangle == kNoIndex) found = search.nearest(p);
+    hint = found.triangle;
+    result[v] = SurfacePoint::inFace(found.triangle, found.weights);
+  }
+  return result;
+}
+
+std::vector<double> interpolated(const SurfaceMesh& surface, std::span<const double> values,
+                                 std::span<const SurfacePoint> points, double steepest) {
+  std::vector<double> result(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Shares shares = sharesOf(surface, points[i]);
+    bool smooth = true;
+    double sum = 0;
+    for (std::size_t k = 0; k < shares.count; ++k) {
+      const Index a = shares.vertex[k], b = shares.vertex[(k + 1) % shares.count];
+      const double difference = std::fabs(values[a] - values[b]);
+      const double distance = norm(surface.position(a) - surface.position(b));
+      if (std::isnan(difference) || difference > steepest * distance) smooth = false;
+      sum += shares.weight[k] * values[a];
+    }
+    result[i] = smooth ? sum : values[shares.vertex[shares.largest()]];
+  }
+  return result;
+}
+
+std::vector<Index> nearestVertices(const SurfaceMesh& surface,
+                                   std::span<const SurfacePoint> points) {
+  std::vector<Index> result(points.size());
+  std::transform(points.begin(), points.end(), result.begin(), [&](const SurfacePoint& point) {
+    const Shares shares = sharesOf(surface, point);
+    return shares.vertex[shares.largest()];
+  });
+  return result;
+}
+
+}  // namespace girth

@@ -1,0 +1,216 @@
+// Remeshing, carrying values back, and the difference of fields.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <string>
+
+#include "girth/field_difference.h"
+#include "girth/girth_field.h"
+#include "girth/prepare_surface.h"
+#include "girth/remesh.h"
+#include "girth/transfer.h"
+#include "random_meshes.h"
+
+namespace girth::test {
+namespace {
+
+double leastAngle(const SurfaceMesh& mesh, Index f) {
+  return std::min(
+             {mesh.cornerAngle(3 * f), mesh.cornerAngle(3 * f + 1), mesh.cornerAngle(3 * f + 2)}) *
+         180 / M_PI;
+}
+
+/// Topology as before, the number met, vertices on the original, angles good.
+void expectGood(const SurfaceMesh& original, const RemeshedSurface& out, Index wanted,
+                double tolerance = 0.02) {
+  const SurfaceMesh& mesh = out.mesh;
+  EXPECT_NEAR(mesh.faceCount(), wanted, tolerance * wanted);
+  EXPECT_EQ(mesh.componentCount(), original.componentCount());
+  Index genus = 0, genusBefore = 0, walls = 0, wallsBefore = 0;
+  for (Index c = 0; c < original.componentCount(); ++c) {
+    genus += mesh.genus(c);
+    genusBefore += original.genus(c);
+    walls += mesh.boundaryCount(c);
+    wallsBefore += original.boundaryCount(c);
+  }
+  EXPECT_EQ(genus, genusBefore);
+  EXPECT_EQ(walls, wallsBefore);
+  Index thin = 0;
+  for (Index f = 0; f < mesh.faceCount(); ++f) thin += leastAngle(mesh, f) < 20 ? 1 : 0;
+  EXPECT_LE(thin, mesh.faceCount() / 50);
+  ASSERT_EQ(out.onOriginal.size(), mesh.vertexCount());
+  Index off = 0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = mesh.position(v), q = positionOf(original, out.onOriginal[v]);
+    if (std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) > 1e-9 * mesh.meanEdgeLength()) ++off;
+  }
+  EXPECT_LE(off, mesh.vertexCount() / 100);
+}
+
+RemeshedSurface remeshed(const SurfaceMesh& mesh, Index faces) {
+  auto out = remesh(mesh, {faces});
+  EXPECT_TRUE(out.ok()) << out.error().message;
+  return std::move(out).value();
+}
+
+TEST(Remesh, KeepsTopologyAndMeetsTheNumber) {
+  for (const Shape& shape : {icosphere(4), torus(3, 1, 40, 20), plate(2), octasphere(1)}) {
+    const SurfaceMesh mesh = shape.mesh();
+    for (const Index faces : {1200u, 5000u}) {
+      SCOPED_TRACE(std::to_string(mesh.faceCount()) + " to " + std::to_string(faces));
+      expectGood(mesh, remeshed(mesh, faces), faces);
+    }
+  }
+}
+
+TEST(Remesh, FromNeedles) {
+  // A few long triangles: a tall prism, and one drawn out.
+  for (const double stretch : {1.0, 6.0}) {
+    Shape shape = prism(regularPolygon(5, 1), 12, 1);
+    for (std::size_t i = 0; i < shape.positions.size(); i += 3) shape.positions[i] *= stretch;
+    const SurfaceMesh mesh = shape.mesh();
+    expectGood(mesh, remeshed(mesh, 3000), 3000);
+  }
+}
+
+TEST(Remesh, SharpEdgesAndCornersStay) {
+  const SurfaceMesh mesh = box(1, 2, 3, 4, 8, 12).mesh();
+  const RemeshedSurface out = remeshed(mesh, 900);
+  expectGood(mesh, out, 900);
+  EXPECT_NEAR(out.mesh.area(), 22, 1e-9);
+  for (int corner = 0; corner < 8; ++corner) {
+    bool found = false;
+    for (Index v = 0; v < out.mesh.vertexCount(); ++v) {
+      const Vec3& p = out.mesh.position(v);
+      found = found ||
+              (p.x == (corner & 1) && p.y == 2 * (corner >> 1 & 1) && p.z == 3 * (corner >> 2));
+    }
+    EXPECT_TRUE(found) << corner;
+  }
+}
+
+TEST(Remesh, BoundariesStay) {
+  // A flat square with a square hole, both rims kept to.
+  Shape shape;
+  const Index n = 12;
+  for (Index i = 0; i <= n * (n + 2); ++i) shape.add(i % (n + 1), i / (n + 1), 0);
+  for (Index j = 0; j < n; ++j) {
+    for (Index i = 0; i < n; ++i) {
+      if (i >= 4 && i < 8 && j >= 4 && j < 8) continue;
+      const Index a = j * (n + 1) + i;
+      shape.face(a, a + 1, a + n + 2);
+      shape.face(a, a + n + 2, a + n + 1);
+    }
+  }
+  const SurfaceMesh mesh = withoutLoneVertices(shape).mesh(OpenEdges::Wall);
+  for (const Index faces : {80u, 2000u}) {
+    const RemeshedSurface out = remeshed(mesh, faces);
+    expectGood(mesh, out, faces, 0.1);
+    double rim = 0;
+    for (Index h = 0; h < out.mesh.halfedgeCount(); ++h) {
+      if (out.mesh.twin(h) == kNoIndex) rim += out.mesh.length(h);
+    }
+    EXPECT_NEAR(rim, 64, 1e-9) << "its corners stay";
+    EXPECT_NEAR(out.mesh.area(), 128, 1e-9);
+  }
+}
+
+TEST(Remesh, AnyRandomSurface) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const RandomMesh made = randomMesh(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.history);
+    const SurfaceMesh mesh = made.shape.mesh(OpenEdges::Wall);
+    const auto out = remesh(mesh, {1000});
+    ASSERT_TRUE(out.ok()) << out.error().message;
+    EXPECT_EQ(out.value().mesh.genus(0), mesh.genus(0));
+    EXPECT_EQ(out.value().mesh.boundaryCount(0), mesh.boundaryCount(0));
+    EXPECT_NEAR(out.value().mesh.faceCount(), 1000, 60);
+  }
+}
+
+TEST(Remesh, TheSameEveryTime) {
+  const SurfaceMesh mesh = perturbed(torus(3, 1, 20, 10), 0.2, 4).mesh();
+  const RemeshedSurface one = remeshed(mesh, 700), two = remeshed(mesh, 700);
+  ASSERT_EQ(one.mesh.vertexCount(), two.mesh.vertexCount());
+  for (Index v = 0; v < one.mesh.vertexCount(); ++v) {
+    EXPECT_EQ(one.mesh.position(v).x, two.mesh.position(v).x);
+  }
+}
+
+TEST(Remesh, StopsAndSaysWhatIsWrong) {
+  const SurfaceMesh mesh = icosphere(2).mesh();
+  EXPECT_EQ(remesh(mesh, {3}).error().code, ErrorCode::InvalidOption);
+  const std::atomic<bool> stop{true};
+  ExecutionContext context;
+  context.cancel = &stop;
+  EXPECT_EQ(remesh(mesh, {1000}, context).error().code, ErrorCode::Cancelled);
+  double last = 0;
+  ExecutionContext watched;
+  watched.onProgress = [&](double fraction) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+  };
+  EXPECT_TRUE(remesh(mesh, {1000}, watched).ok());
+  EXPECT_EQ(last, 1);
+}
+
+TEST(Transfer, LinearValuesComeBack) {
+  // A linear function on a box: exact wherever the nearest point lies in the right face.
+  const SurfaceMesh mesh = box(1, 2, 3, 3, 5, 7).mesh();
+  const RemeshedSurface out = remeshed(mesh, 1500);
+  std::vector<double> values;
+  for (Index v = 0; v < out.mesh.vertexCount(); ++v) {
+    const Vec3& p = out.mesh.position(v);
+    values.push_back(p.x + 2 * p.y - p.z);
+  }
+  const auto places = nearestPoints(out.mesh, mesh);
+  const auto back = interpolated(out.mesh, values, places);
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3& p = mesh.position(v);
+    EXPECT_NEAR(back[v], p.x + 2 * p.y - p.z, 1e-9);
+  }
+  // Where values jump, that of the nearest corner is taken.
+  for (double& value : values) value = value > 1 ? 100 : 0;
+  for (const double value : interpolated(out.mesh, values, places, 2)) {
+    EXPECT_NEAR(std::fabs(value - 50), 50, 1e-9) << value;
+  }
+}
+
+TEST(Transfer, NotThroughThinWalls) {
+  const SurfaceMesh mesh = box(10, 10, 0.01, 6, 6, 1).mesh();
+  std::vector<double> values;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) values.push_back(mesh.position(v).z > 0 ? 1 : 0);
+  Shape shifted = box(10, 10, 0.01, 5, 5, 1);
+  for (std::size_t i = 2; i < shifted.positions.size(); i += 3) shifted.positions[i] -= 0.008;
+  const SurfaceMesh other = shifted.mesh();
+  const auto back = interpolated(mesh, values, nearestPoints(mesh, other));
+  for (Index v = 0; v < other.vertexCount(); ++v) {
+    const Vec3& p = other.position(v);
+    if (p.x < 1 || p.x > 9 || p.y < 1 || p.y > 9) continue;  // inside the two sides
+    EXPECT_NEAR(back[v], p.z > -0.005 ? 1 : 0, 1e-9);
+  }
+}
+
+TEST(FieldDifference, ClosedForms) {
+  const SurfaceMesh small = icosphere(2).mesh(), large = moved(icosphere(3), 5, 0.3, 1).mesh();
+  const std::vector<double> one(small.vertexCount(), 2 * std::sqrt(small.area()));
+  const std::vector<double> same(large.vertexCount(), 2 * std::sqrt(large.area()));
+  EXPECT_NEAR(fieldDifference(small, one, large, same), 0, 1e-12) << "size does not matter";
+  const std::vector<double> more(large.vertexCount(), 2.5 * std::sqrt(large.area()));
+  EXPECT_NEAR(fieldDifference(small, one, large, more), 0.5, 1e-12) << "all values moved by 0.5";
+  EXPECT_NEAR(fieldDifference(large, more, small, one), 0.5, 1e-12);
+  const std::vector<double> none(small.vertexCount(), std::nan(""));
+  EXPECT_TRUE(std::isnan(fieldDifference(small, none, large, same)));
+}
+
+TEST(Remesh, TheGirthStaysNearlyTheSame) {
+  const SurfaceMesh mesh = torus(2, 0.8, 40, 20).mesh();
+  const GirthField field = girthField(mesh);
+  const RemeshedSurface out = remeshed(mesh, 1000);
+  const GirthField other = girthField(out.mesh);
+  EXPECT_LT(fieldDifference(mesh, field.values, out.mesh, other.values), 1e-2);
+}
+
+}  // namespace
+}  // namespace girth::test
