@@ -65,19 +65,18 @@ class OffReader {
     for (std::size_t k = 0; k < 3; ++k) {
       if (!std::isfinite(position[k])) return false;
     }
-    model_.soup.positions.insert(model_.soup.positions.end(), position.begin(),
-                                 position.begin() + 3);
+    model.soup.positions.insert(model.soup.positions.end(), position.begin(), position.begin() + 3);
     return true;
   }
 
-  std::size_t vertexCount() const { return model_.soup.positions.size() / 3; }
+  std::size_t vertexCount() const { return model.soup.positions.size() / 3; }
 
   void endFace() {
-    if (!faces_.endPolygon()) ++lines_;
+    if (!faces.endPolygon()) ++lines_;
   }
 
   Result<ReadModel> finish() {
-    auto triangles = faces_.takeTriangles(model_.soup.positions);
+    auto triangles = faces.takeTriangles(model.soup.positions);
     if (!triangles) {
       return makeError(ErrorCode::LimitExceeded, -1,
                        "its polygons have too many corners to be cut into triangles");
@@ -94,16 +93,16 @@ class OffReader {
       return error;
     }
     if (lines_ > 0) {
-      model_.notes.push_back(std::to_string(lines_) +
-                             " faces with fewer than three corners were left out.");
+      model.notes.push_back(std::to_string(lines_) +
+                            " faces with fewer than three corners were left out.");
     }
-    model_.soup.triangles = std::move(*triangles);
-    model_.format = Format::Off;
-    return std::move(model_);
+    model.soup.triangles = std::move(*triangles);
+    model.format = Format::Off;
+    return std::move(model);
   }
 
-  ReadModel model_;
-  PolygonSoup faces_;
+  ReadModel model;
+  PolygonSoup faces;
 
  private:
   std::uint64_t lines_{0};
@@ -128,7 +127,7 @@ class AsciiReader : OffReader {
       }
       // Whatever is counted takes a number and its separator.
       if (static_cast<std::uint64_t>(*count) > fileSize_ / 2) {
-        return failure("it counts " + std::string(word) + " " + kNames[i] +
+        return failure("it counts " + std::to_string(*count) + " " + kNames[i] +
                        ", more than the file can hold");
       }
       counts[i] = *count;
@@ -139,7 +138,7 @@ class AsciiReader : OffReader {
     words_.skipLine();
     if (auto error = readVertices(counts[0])) return *error;
     if (auto error = readFaces(counts[1])) return *error;
-    if (!words_.atEnd()) model_.notes.push_back("What follows the last face was left out.");
+    if (!words_.atEnd()) model.notes.push_back("What follows the last face was left out.");
     return finish();
   }
 
@@ -149,7 +148,7 @@ class AsciiReader : OffReader {
   }
 
   std::optional<Error> readVertices(std::int64_t count) {
-    model_.soup.positions.reserve(3 * std::min(static_cast<std::size_t>(count), fileSize_ / 6));
+    model.soup.positions.reserve(3 * std::min(static_cast<std::size_t>(count), fileSize_ / 6));
     const std::size_t dimension = keyword_.homogeneous ? 4 : 3;
     for (std::int64_t i = 0; i < count; ++i) {
       std::array<double, 4> position{};
@@ -198,7 +197,7 @@ class AsciiReader : OffReader {
                                std::string(word.substr(0, 20)) + " of " +
                                std::to_string(vertexCount()));
         }
-        faces_.addCorner(static_cast<Index>(*vertex), vertexCount(), 0);
+        faces.addCorner(static_cast<Index>(*vertex), vertexCount(), 0);
       }
       endFace();
       words_.skipLine();
@@ -225,7 +224,7 @@ class BinaryReader : OffReader {
     if (auto error = readVertices(counts[0])) return *error;
     if (auto error = readFaces(counts[1])) return *error;
     if (cursor_.remaining() > 0) {
-      model_.notes.push_back("What follows the last face was left out.");
+      model.notes.push_back("What follows the last face was left out.");
     }
     return finish();
   }
@@ -242,7 +241,7 @@ class BinaryReader : OffReader {
     const std::size_t more = 4 * ((keyword_.normal ? 3u : 0u) + (keyword_.colour ? 4u : 0u) +
                                   (keyword_.texture ? 2u : 0u));
     const std::size_t size = 4 * dimension + more;
-    model_.soup.positions.reserve(
+    model.soup.positions.reserve(
         3 * std::min(static_cast<std::size_t>(count), cursor_.remaining() / size));
     for (std::int32_t i = 0; i < count; ++i) {
       std::array<double, 4> position{};
@@ -280,7 +279,7 @@ class BinaryReader : OffReader {
                            "byte " + std::to_string(byte()) + ": a face names vertex " +
                                std::to_string(vertex) + " of " + std::to_string(vertexCount()));
         }
-        faces_.addCorner(static_cast<Index>(vertex), vertexCount(), 0);
+        faces.addCorner(static_cast<Index>(vertex), vertexCount(), 0);
       }
       endFace();
       if (!cursor_.take(colours)) return faceEnds();

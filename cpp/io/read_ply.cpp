@@ -328,7 +328,9 @@ class BinaryBody {
   bool integer(Scalar type, std::int64_t& value) {
     switch (type) {
       case Scalar::Int8:
-        return takeAs<std::int8_t>(value);
+        if (!takeAs<std::uint8_t>(value)) return false;
+        if (value > 127) value -= 256;
+        return true;
       case Scalar::UInt8:
         return takeAs<std::uint8_t>(value);
       case Scalar::Int16:
@@ -408,8 +410,10 @@ class BodyReader {
  private:
   /// The error of the element's copy with this number, which the body has failed to give.
   Error failure(const Element& element, std::uint64_t number) const {
-    const std::string which = std::string(element.name) + " " + std::to_string(number) + " of " +
-                              std::to_string(element.count);
+    const bool known =
+        element.name == "vertex" || element.name == "face" || element.name == "tristrips";
+    const std::string which = (known ? std::string(element.name) : inQuotes(element.name)) + " " +
+                              std::to_string(number) + " of " + std::to_string(element.count);
     const std::string what = body_.problem().empty()
                                  ? "the file ends before " + which + " is complete"
                                  : body_.problem() + " (in " + which + ")";

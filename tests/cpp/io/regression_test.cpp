@@ -32,7 +32,8 @@ TEST(Regression, everyFindingIsASurfaceOrACodedError) {
     }
     const auto result = readMesh(bytesOf(content), "model." + ending, {}, options);
     EXPECT_NE(codeOf(result), "INTERNAL") << name << messageOf(result);
-    EXPECT_TRUE(result.ok() || !messageOf(result).empty()) << name;
+    EXPECT_TRUE(result.ok() || (!messageOf(result).empty() && messageOf(result).size() < 400))
+        << name;
     ++files;
   }
   EXPECT_GT(files, 0u);
