@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "girth/error.h"
+#include "girth/execution.h"
 #include "girth/surface_mesh.h"
 
 namespace girth::bind {
@@ -65,6 +66,13 @@ inline std::vector<std::byte> copyInBytes(const emscripten::val& typedArray) {
   emscripten::val(emscripten::typed_memory_view(content.size(), first))
       .call<void>("set", typedArray);
   return content;
+}
+
+/// Tells JavaScript the finished share; nothing else can be told or heard while a module works.
+inline ExecutionContext reportingTo(const emscripten::val& onProgress) {
+  ExecutionContext context;
+  context.onProgress = [onProgress](double fraction) { onProgress(fraction); };
+  return context;
 }
 
 /// The surface of a prepared one's arrays, a Float64Array and a Uint32Array: the same, bit for bit.

@@ -73,12 +73,6 @@ val describePrepared(const PreparedSurface& prepared) {
   return result;
 }
 
-ExecutionContext reportingTo(const val& onProgress) {
-  ExecutionContext context;
-  context.onProgress = [onProgress](double fraction) { onProgress(fraction); };
-  return context;
-}
-
 /// Asks JavaScript for a file that a model refers to.
 io::ResourceReader readerOf(const val& resource) {
   return [resource](std::string_view name) -> std::optional<std::vector<std::byte>> {
