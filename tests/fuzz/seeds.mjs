@@ -4,6 +4,8 @@
 import { Buffer } from 'node:buffer';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import draco3d from 'draco3dgltf';
+import { MeshoptEncoder } from 'meshoptimizer';
 
 /** A tetrahedron. */
 const points = [
@@ -280,6 +282,100 @@ const documents = {
   old: { asset: { version: '1.0' }, meshes: {} },
 };
 
+/** The tetrahedron's positions and triangles in one buffer, compressed by Draco. */
+async function dracoBuffer() {
+  const draco = await draco3d.createEncoderModule();
+  const mesh = new draco.Mesh();
+  const builder = new draco.MeshBuilder();
+  builder.AddFacesToMesh(mesh, triangles.length, new Uint32Array(triangles.flat()));
+  builder.AddFloatAttributeToMesh(
+    mesh,
+    draco.POSITION,
+    points.length,
+    3,
+    new Float32Array(points.flat()),
+  );
+  const encoded = new draco.DracoInt8Array();
+  const length = new draco.Encoder().EncodeMeshToDracoBuffer(mesh, encoded);
+  return Buffer.from(Array.from({ length }, (_, i) => encoded.GetValue(i)));
+}
+
+/** The same by meshopt, one after the other, each from a multiple of four bytes on. */
+async function meshoptBuffers() {
+  await MeshoptEncoder.ready;
+  return /** @type {const} */ ([
+    [buffer.subarray(0, 48), 4, 12, 'ATTRIBUTES'],
+    [buffer.subarray(48), 12, 2, 'TRIANGLES'],
+    [buffer.subarray(48), 12, 2, 'INDICES'],
+  ]).map(([bytes, count, byteStride, mode]) => ({
+    count,
+    byteStride,
+    mode,
+    bytes: MeshoptEncoder.encodeGltfBuffer(bytes, count, byteStride, mode),
+  }));
+}
+
+/**
+ * Documents whose geometry is really compressed, each with its buffer.
+ * @returns {Promise<Record<string, { json: object, binary: Uint8Array }>>}
+ */
+async function compressed() {
+  const binary = await dracoBuffer();
+  const [attributes, ...indices] = await meshoptBuffers();
+  if (!attributes) throw new Error('seeds: nothing was encoded');
+  const begin = 4 * Math.ceil(attributes.bytes.length / 4);
+  /** @type {Record<string, { json: object, binary: Uint8Array }>} */
+  const all = {
+    'draco-real': {
+      json: document(
+        {
+          extensionsUsed: ['KHR_draco_mesh_compression'],
+          extensionsRequired: ['KHR_draco_mesh_compression'],
+          accessors: [
+            { componentType: 5126, count: 4, type: 'VEC3' },
+            { componentType: 5125, count: 12, type: 'SCALAR' },
+          ],
+          bufferViews: [{ buffer: 0, byteLength: binary.length }],
+          buffers: [{ byteLength: binary.length }],
+        },
+        {
+          extensions: {
+            KHR_draco_mesh_compression: { bufferView: 0, attributes: { POSITION: 0 } },
+          },
+        },
+      ),
+      binary,
+    },
+  };
+  for (const [number, index] of indices.entries()) {
+    const both = Buffer.alloc(begin + index.bytes.length);
+    both.set(attributes.bytes);
+    both.set(index.bytes, begin);
+    const extension = number === 0 ? 'EXT_meshopt_compression' : 'KHR_meshopt_compression';
+    /** @param {typeof attributes} part @param {number} byteOffset */
+    const view = ({ bytes, count, byteStride, mode }, byteOffset) => ({
+      buffer: 1,
+      byteLength: count * byteStride,
+      extensions: {
+        [extension]: { buffer: 0, byteOffset, byteLength: bytes.length, byteStride, count, mode },
+      },
+    });
+    all[`meshopt-real-${number}`] = {
+      json: document({
+        extensionsUsed: [extension],
+        extensionsRequired: [extension],
+        bufferViews: [view(attributes, 0), view(index, begin)],
+        buffers: [
+          { byteLength: both.length },
+          { byteLength: 72, extensions: { [extension]: { fallback: true } } },
+        ],
+      }),
+      binary: both,
+    };
+  }
+  return all;
+}
+
 /** @param {object} json @param {Uint8Array} binary */
 function glb(json, binary) {
   const text = JSON.stringify(json);
@@ -307,8 +403,17 @@ const gltf = fromDocuments((json) => {
 gltf.beside = JSON.stringify(document({ buffers: [{ byteLength: 72, uri: 'a%20b.bin' }] }));
 gltf.absent = JSON.stringify(document({ buffers: [{ byteLength: 72, uri: '../a.bin' }] }));
 
+const glbs = fromDocuments((json) => glb(json, buffer));
+for (const [name, { json, binary }] of Object.entries(await compressed())) {
+  glbs[name] = glb(json, Buffer.concat([binary], 4 * Math.ceil(binary.length / 4)));
+  const uri = `data:;base64,${Buffer.from(binary).toString('base64')}`;
+  const { buffers, ...rest } = /** @type {{ buffers: object[] }} */ (json);
+  const [first, ...others] = buffers;
+  gltf[name] = JSON.stringify({ ...rest, buffers: [{ ...first, uri }, ...others] });
+}
+
 /** @type {Record<string, Record<string, string | Uint8Array>>} */
-const seeds = { obj, ply, stl, off, gltf, glb: fromDocuments((json) => glb(json, buffer)) };
+const seeds = { obj, ply, stl, off, gltf, glb: glbs };
 
 // The first byte is the fuzzer's: which name, what is asked of the preparation.
 /** @type {Record<string, Uint8Array>} */
