@@ -278,6 +278,49 @@ for (const mode of ['threads', 'pool'] as const) {
       expect(result).toEqual({ codes: ['CANCELLED', 'CANCELLED', 'CANCELLED'], count: 600 });
     });
 
+    test('another triangulation: its size, its genus, and values carried back', async () => {
+      const result = await page.evaluate(
+        async (text) => {
+          const kernel = await girth.createKernel({ threads: 1 });
+          const mesh = await kernel.load(girth.obj(text));
+          const progress: number[] = [];
+          const remeshed = await mesh.remesh(900, { onProgress: (share) => progress.push(share) });
+          // Heights are linear within faces: what is lost is the distance of the two surfaces.
+          const heights = (one: typeof mesh) =>
+            one.geometry.positions.filter((_, i) => i % 3 === 2);
+          const carried = await remeshed.carryBack(new Float64Array(heights(remeshed)));
+          const wrong = heights(mesh).map((height, vertex) => Math.abs(height - carried[vertex]!));
+          const values = await mesh.field('igf');
+          const same = await mesh.difference(values, mesh, values);
+          const controller = new AbortController();
+          const stopped = girth.refusal(mesh.remesh(90_000, { signal: controller.signal }));
+          setTimeout(() => controller.abort(), 50);
+          const codes = [await stopped, await girth.refusal(mesh.remesh(0))].map(
+            ({ code }) => code,
+          );
+          const { faceCount, genus } = remeshed.info;
+          const loop = await remeshed.loop(0);
+          kernel.dispose();
+          return {
+            faceCount,
+            genus,
+            wrong: Math.max(...wrong),
+            same,
+            codes,
+            progress,
+            length: loop.length,
+          };
+        },
+        torus(24, 16),
+      );
+      expect(Math.abs(result.faceCount - 900)).toBeLessThan(45);
+      expect(result).toMatchObject({ genus: [1], codes: ['CANCELLED', 'INVALID_OPTION'] });
+      expect(result.same).toBeLessThan(1e-15);
+      expect(result.wrong).toBeLessThan(0.05);
+      expect(result.length).toBeGreaterThan(3);
+      expect(result.progress).toEqual([...result.progress].sort((a, b) => a - b));
+    });
+
     test('failures have codes, elements, words and remedies', async () => {
       const codes = await page.evaluate(async () => {
         const kernel = await girth.createKernel({ threads: 1 });
