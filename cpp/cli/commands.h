@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "girth/girth_field.h"
+#include "model_options.h"
 
 namespace girth::cli {
 
 struct InfoOptions {
   std::vector<std::string> models;
+  ModelOptions preparing;
   bool json{false};
 };
 
@@ -22,6 +24,7 @@ int runInfo(const InfoOptions& options);
 
 struct IgfOptions {
   std::vector<std::string> models;
+  ModelOptions preparing;
   /// Empty: only a summary.
   std::string output;
   GirthMethod method{GirthMethod::Exact};
@@ -35,6 +38,7 @@ int runIgf(const IgfOptions& options);
 
 struct LoopOptions {
   std::string model;
+  ModelOptions preparing;
   /// A vertex in the file's numbering, from 0, or else a point of a face.
   std::optional<std::int64_t> vertex;
   /// A triangle in the file's order, from 0; polygons count as the triangles they are cut into.
@@ -50,6 +54,7 @@ int runLoop(const LoopOptions& options);
 
 struct FieldOptions {
   std::string model;
+  ModelOptions preparing;
   /// "sdf", "geoaverage" or "geofarthest".
   std::string field;
   std::string output;
@@ -67,6 +72,7 @@ int runField(const FieldOptions& options);
 
 struct TipsOptions {
   std::string model;
+  ModelOptions preparing;
   std::string output;
   unsigned threads{0};
   bool json{false};
@@ -77,6 +83,7 @@ int runTips(const TipsOptions& options);
 
 struct PartsOptions {
   std::string model;
+  ModelOptions preparing;
   std::string output;
   unsigned threads{0};
   bool json{false};

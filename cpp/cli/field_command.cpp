@@ -100,7 +100,7 @@ int runField(const FieldOptions& options) {
     }
     if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }
-  const auto loaded = loadModel(options.model);
+  const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
   const auto field = compute(options, loaded.value().mesh, catchInterrupts());
   if (!field) return reportError(options.model, field.error());

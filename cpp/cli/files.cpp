@@ -78,12 +78,6 @@ io::ResourceReader resourcesBeside(const std::string& modelPath) {
   };
 }
 
-Result<io::LoadedMesh> loadModel(const std::string& path) {
-  auto bytes = readFile(path);
-  if (!bytes) return bytes.error();
-  return io::readMesh(bytes.value(), path, resourcesBeside(path));
-}
-
 std::optional<Error> checkWritable(const std::string& path) {
   std::error_code ignored;
   const fs::path folder = folderOf(path);

@@ -18,9 +18,6 @@ Result<std::vector<std::byte>> readFile(const std::string& path);
 /// Reads the files beside a model; never outside its folder, even by way of a symbolic link.
 io::ResourceReader resourcesBeside(const std::string& modelPath);
 
-/// Reads and welds a model. Errors: those of readFile and io::readMesh.
-Result<io::LoadedMesh> loadModel(const std::string& path);
-
 /// Puts `content` at `path` as a whole or not at all: what stood there before is replaced only by
 /// the finished file. Error: FILE_UNWRITABLE.
 std::optional<Error> writeFile(const std::string& path, std::string_view content);

@@ -155,7 +155,7 @@ int runOne(const std::string& model, const IgfOptions& options,
            const std::atomic<bool>& interrupted) {
   Timing timing;
   const auto readingStart = Clock::now();
-  const auto loaded = loadModel(model);
+  const auto loaded = loadModel(model, options.preparing);
   if (!loaded) return reportError(model, loaded.error());
   timing.reading = secondsSince(readingStart);
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -61,6 +63,33 @@ Result<Index> surfaceVertex(const io::LoadedMesh& loaded, std::int64_t vertex) {
   return found;
 }
 
+/// The shares of a face's corners as they stand on the surface, where it may have been turned over
+/// since it was read.
+Result<std::array<double, 3>> sharesOnSurface(const io::LoadedMesh& loaded, Index face,
+                                              const LoopOptions& options) {
+  if (loaded.report.reorientedFaces + loaded.report.flippedFaces == 0) return options.weights;
+  const auto bytes = readFile(options.model);
+  if (!bytes) return bytes.error();
+  const auto model = io::readModel(bytes.value(), options.model, resourcesBeside(options.model));
+  if (!model) return model.error();
+  const auto corners = loaded.mesh.faceVertices(face);
+  std::array<double, 3> shares{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Index input =
+        model.value().soup.triangles[3 * static_cast<std::size_t>(*options.face) + k];
+    const Index first = loaded.inputOfVertex[loaded.vertexOfInput[input]];
+    const auto corner = std::find_if(corners.begin(), corners.end(),
+                                     [&](Index v) { return loaded.inputOfVertex[v] == first; });
+    if (corner == corners.end()) {
+      return makeError(ErrorCode::InvalidPoint, *options.face,
+                       "face " + std::to_string(*options.face) +
+                           " had no area and shares that of its neighbour now");
+    }
+    shares[static_cast<std::size_t>(corner - corners.begin())] = options.weights[k];
+  }
+  return shares;
+}
+
 /// The point of the surface that was asked for.
 Result<SurfacePoint> basePoint(const io::LoadedMesh& loaded, const LoopOptions& options) {
   if (options.vertex) {
@@ -68,14 +97,25 @@ Result<SurfacePoint> basePoint(const io::LoadedMesh& loaded, const LoopOptions& 
     if (!vertex) return vertex.error();
     return SurfacePoint::atVertex(vertex.value());
   }
-  const Index count = loaded.mesh.faceCount();
+  const Index count = loaded.report.inputFaces;
   if (*options.face < 0 || *options.face >= std::int64_t{count}) {
     Error error = makeError(ErrorCode::InvalidPoint, *options.face,
                             "there is no face " + std::to_string(*options.face));
     error.hint = "its faces are numbered from 0 to " + std::to_string(count - 1);
     return error;
   }
-  return SurfacePoint::inFace(static_cast<Index>(*options.face), options.weights);
+  const auto found = std::find(loaded.inputOfFace.begin(), loaded.inputOfFace.end(),
+                               static_cast<Index>(*options.face));
+  if (found == loaded.inputOfFace.end()) {
+    Error error = makeError(ErrorCode::InvalidPoint, *options.face,
+                            "face " + std::to_string(*options.face) + " was left out");
+    error.hint = "girth info says what was left out and why";
+    return error;
+  }
+  const auto face = static_cast<Index>(found - loaded.inputOfFace.begin());
+  const auto shares = sharesOnSurface(loaded, face, options);
+  if (!shares) return shares.error();
+  return SurfacePoint::inFace(face, shares.value());
 }
 
 }  // namespace
@@ -95,7 +135,7 @@ int runLoop(const LoopOptions& options) {
     }
     if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }
-  const auto loaded = loadModel(options.model);
+  const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
   const auto base = basePoint(loaded.value(), options);
   if (!base) return reportError(options.model, base.error());

@@ -19,8 +19,7 @@ using namespace girth;
 using namespace girth::cli;
 
 constexpr const char* kFooter =
-    "Models are GLB, glTF or OBJ files and must be closed surfaces. Vertices are numbered as in "
-    "the\n"
+    "Models are glTF, GLB, OBJ, PLY, STL or OFF files. Vertices and faces are numbered as in the\n"
     "file, from 0.\n"
     "Exit codes: 0 done, 1 wrong usage, 2 bad input, 3 a limit was met or the work was cancelled,\n"
     "4 something is too thin to print.";
@@ -48,6 +47,7 @@ int run(int argc, char** argv) {
   InfoOptions info;
   CLI::App* infoCommand = app.add_subcommand("info", "Say what a model is");
   infoCommand->add_option("MODEL", info.models, "Models to read")->required();
+  addModelOptions(*infoCommand, info.preparing);
   infoCommand->add_flag("--json", info.json, "Print one JSON object for each model");
 
   IgfOptions igf;
@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
       {"exact", GirthMethod::Exact}, {"naive", GirthMethod::Naive}, {"ms", GirthMethod::Marched}};
   CLI::App* igfCommand = app.add_subcommand("igf", "Compute the girth at every vertex");
   igfCommand->add_option("MODEL", igf.models, "Models to read")->required();
+  addModelOptions(*igfCommand, igf.preparing);
   igfCommand->add_option(
       "-o,--output", igf.output,
       "Write the values: .csv, .json or .npy (the file's vertices), .ply or .glb (the surface)");
@@ -72,6 +73,7 @@ int run(int argc, char** argv) {
   CLI::App* loopCommand =
       app.add_subcommand("loop", "Compute the loop at one vertex or at a point of a face");
   loopCommand->add_option("MODEL", loop.model, "The model to read")->required();
+  addModelOptions(*loopCommand, loop.preparing);
   auto* vertex =
       loopCommand->add_option("VERTEX", loop.vertex, "A vertex, numbered as in the file from 0");
   auto* face = loopCommand
@@ -99,6 +101,7 @@ int run(int argc, char** argv) {
   CLI::App* fieldCommand =
       app.add_subcommand("field", "Compute another field: thickness, centricity, ...");
   fieldCommand->add_option("MODEL", field.model, "The model to read")->required();
+  addModelOptions(*fieldCommand, field.preparing);
   fieldCommand
       ->add_option("--field", field.field,
                    "sdf (shape diameter), geoaverage or geofarthest (mean and greatest distance)")
@@ -119,6 +122,7 @@ int run(int argc, char** argv) {
   TipsOptions tips;
   CLI::App* tipsCommand = app.add_subcommand("tips", "Find where the shape ends");
   tipsCommand->add_option("MODEL", tips.model, "The model to read")->required();
+  addModelOptions(*tipsCommand, tips.preparing);
   tipsCommand->add_option("-o,--output", tips.output,
                           "Write the tips: .json, or .obj (their contours)");
   threadsOption(tipsCommand, tips.threads);
@@ -128,6 +132,7 @@ int run(int argc, char** argv) {
   CLI::App* partsCommand =
       app.add_subcommand("parts", "Find tubes and plates, or what is too thin to print");
   partsCommand->add_option("MODEL", parts.model, "The model to read")->required();
+  addModelOptions(*partsCommand, parts.preparing);
   partsCommand->add_option("--girth", parts.girth, "Tubes have a girth below this length (tau 1)");
   partsCommand->add_option("--thickness", parts.diameter,
                            "Tubes and plates are thinner than this length (tau 2)");

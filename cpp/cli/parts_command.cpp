@@ -103,7 +103,7 @@ int runParts(const PartsOptions& options) {
     }
     if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }
-  const auto loaded = loadModel(options.model);
+  const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
   const io::LoadedMesh& model = loaded.value();
 

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <string_view>
 
+#include "girth/io/length_unit.h"
+
 namespace girth::cli {
 namespace {
 
@@ -44,6 +46,9 @@ std::string readableTime(double seconds) {
   return formatted("%.0f min ", minutes) + formatted("%.0f s", std::floor(seconds - 60 * minutes));
 }
 
-std::string unitSuffix(const std::string& unit) { return unit == "metre" ? " m" : ""; }
+std::string unitSuffix(const std::string& unit) {
+  const io::LengthUnit* known = io::findLengthUnit(unit);
+  return known == nullptr ? "" : " " + std::string(known->symbol);
+}
 
 }  // namespace girth::cli

@@ -16,7 +16,8 @@ std::string readable(double value);
 /// Seconds as "0.42 s" or "3 min 5 s".
 std::string readableTime(double seconds);
 
-/// " m" for glTF's metres, otherwise nothing: the unit to put behind a length.
+/// " mm" for millimetres, and so on; nothing where the unit is not known: what to put behind a
+/// length.
 std::string unitSuffix(const std::string& unit);
 
 }  // namespace girth::cli

@@ -46,7 +46,7 @@ int runTips(const TipsOptions& options) {
     }
     if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }
-  const auto loaded = loadModel(options.model);
+  const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
   const std::atomic<bool>& interrupted = catchInterrupts();
   const SurfaceMesh& mesh = loaded.value().mesh;

@@ -7,8 +7,8 @@
 
 #include "binary_text.h"
 #include "girth/io/json_text.h"
+#include "girth/io/length_unit.h"
 #include "girth/io/number_text.h"
-#include "length_unit.h"
 
 namespace girth::io {
 namespace {
@@ -112,7 +112,8 @@ void GlbWriter::addTriangles(const SurfaceMesh& mesh) {
 
 Result<std::string> GlbWriter::file(int mode, std::string_view unit,
                                     const std::string& extras) const {
-  const double metres = metresIn(unit).value_or(1);
+  const LengthUnit* known = findLengthUnit(unit);
+  const double metres = known == nullptr ? 1 : known->metres;
   // Colours show as they are, from both sides.
   const std::string material =
       coloured_ ? ",\"materials\":[{\"doubleSided\":true,\"pbrMetallicRoughness\":"

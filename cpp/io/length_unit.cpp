@@ -1,24 +1,27 @@
-#include "length_unit.h"
+#include "girth/io/length_unit.h"
 
 #include <array>
-#include <utility>
 
 namespace girth::io {
+namespace {
 
-std::optional<double> metresIn(std::string_view unit) {
-  constexpr std::array<std::pair<std::string_view, double>, 7> kUnits{{
-      {"metre", 1},
-      {"centimetre", 0.01},
-      {"millimetre", 0.001},
-      {"micrometre", 1e-6},
-      {"kilometre", 1000},
-      {"inch", 0.0254},
-      {"foot", 0.3048},
-  }};
-  for (const auto& [name, metres] : kUnits) {
-    if (name == unit) return metres;
+constexpr std::array<LengthUnit, 7> kUnits{{{"um", "micrometre", 1e-6},
+                                            {"mm", "millimetre", 1e-3},
+                                            {"cm", "centimetre", 1e-2},
+                                            {"m", "metre", 1},
+                                            {"km", "kilometre", 1e3},
+                                            {"in", "inch", 0.0254},
+                                            {"ft", "foot", 0.3048}}};
+
+}  // namespace
+
+std::span<const LengthUnit> lengthUnits() { return kUnits; }
+
+const LengthUnit* findLengthUnit(std::string_view nameOrSymbol) {
+  for (const LengthUnit& unit : kUnits) {
+    if (unit.name == nameOrSymbol || unit.symbol == nameOrSymbol) return &unit;
   }
-  return std::nullopt;
+  return nullptr;
 }
 
 }  // namespace girth::io

@@ -176,13 +176,110 @@ TEST_F(Command, infoSaysWhatTheModelIs) {
   const Json info = Json::parse(lines[0]);
   EXPECT_EQ(info["format"], "GLB");
   EXPECT_EQ(info["unit"], "metre");
-  EXPECT_EQ(info["fileVertices"], 168);
+  EXPECT_EQ(info["report"]["inputVertices"], 168);
   EXPECT_EQ(info["vertices"], 44);
-  EXPECT_EQ(info["weldedVertices"], 124);
+  EXPECT_EQ(info["report"]["weldedVertices"], 124);
   EXPECT_EQ(info["faces"], 84);
   EXPECT_EQ(info["genus"], Json::array({0}));
   EXPECT_DOUBLE_EQ(info["area"], 4 * 42.0);
   EXPECT_EQ(info["boundingBox"]["max"], Json::array({1, 1, 20}));
+}
+
+/// Two open strips of squares, the second one turned over at one face, and a vertex that is too
+/// much.
+const char* const kStrips =
+    "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\n"
+    "v 0 5 0\nv 1 5 0\nv 0 6 0\nv 1 6 0\nv 9 9 9\n"
+    "f 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 5 6\n"
+    "f 7 8 10 9\n";
+
+TEST_F(Command, infoSaysWhatWasDoneToTheFile) {
+  const std::string model = write("strips.obj", kStrips);
+  const Outcome text = run({"info", model});
+  EXPECT_EQ(text.exitCode, 0) << text.errors;
+  for (const char* line :
+       {"open surface", "2 curves of 10 edges: walls", "unit unknown", "1 face turned over",
+        "1 vertex that no face uses", "0: 4 faces, area 2", "1: 2 faces, area 1"}) {
+    EXPECT_NE(text.output.find(line), std::string::npos) << line << "\n" << text.output;
+  }
+  const Json info = Json::parse(run({"info", model, "--json", "--unit", "in"}).output);
+  EXPECT_EQ(info["unit"], "inch");
+  EXPECT_EQ(info["report"]["reorientedFaces"], 1);
+  EXPECT_EQ(info["report"]["boundaryCurves"], 2);
+  EXPECT_EQ(info["boundaries"], Json::array({1, 1}));
+  EXPECT_EQ(info["parts"][1]["faces"], 2);
+}
+
+TEST_F(Command, componentsCanBeChosen) {
+  const std::string model = write("strips.obj", kStrips);
+  for (const char* largest : {"largest", "0"}) {
+    const Json info = Json::parse(run({"info", model, "--json", "--component", largest}).output);
+    EXPECT_EQ(info["faces"], 4);
+    EXPECT_EQ(info["report"]["keptComponents"], 1);
+  }
+  EXPECT_EQ(Json::parse(run({"info", model, "--json", "--component", "1"}).output)["faces"], 2);
+  EXPECT_EQ(
+      Json::parse(
+          run({"info", model, "--json", "--component", "1", "--component", "0"}).output)["faces"],
+      6);
+  for (const char* wrong : {"2", "-1", "x", ""}) {
+    EXPECT_EQ(run({"info", model, "--component", wrong}).exitCode, 1) << wrong;
+  }
+}
+
+TEST_F(Command, verticesCanBeWeldedWithinADistance) {
+  // A square whose two triangles are a hair apart.
+  const std::string model = write("hair.obj",
+                                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0.001\nv 1 1 0.001\n"
+                                  "v 0 1 0\nf 1 2 3\nf 4 5 6\n");
+  EXPECT_EQ(Json::parse(run({"info", model, "--json"}).output)["components"], 2);
+  EXPECT_EQ(Json::parse(run({"info", model, "--json", "--weld", "0.01"}).output)["components"], 1);
+  EXPECT_EQ(
+      Json::parse(
+          run({"info", model, "--json", "--unit", "cm", "--weld", "0.1mm"}).output)["components"],
+      1);
+  EXPECT_EQ(run({"info", model, "--weld", "0.1mm"}).exitCode, 1) << "the unit is not known";
+  EXPECT_EQ(run({"info", model, "--weld", "-1"}).exitCode, 1);
+}
+
+TEST_F(Command, tipsPartsAndFieldsOfASurface) {
+  const std::string model = kData + "/prism.obj";
+  const Outcome tips = run({"tips", model, "-o", path("tips.json"), "--json"});
+  EXPECT_EQ(tips.exitCode, 0) << tips.errors;
+  EXPECT_TRUE(Json::parse(tips.output)["tips"].is_array());
+  EXPECT_EQ(contentOf(path("tips.json")), tips.output);
+  EXPECT_EQ(run({"tips", model, "-o", path("tips.csv")}).exitCode, 1);
+
+  const Outcome field = run({"field", model, "--field", "sdf", "-o", path("sdf.csv"), "--json"});
+  EXPECT_EQ(field.exitCode, 0) << field.errors;
+  EXPECT_EQ(linesOf(contentOf(path("sdf.csv"))).size(), 45u);
+  EXPECT_EQ(linesOf(contentOf(path("sdf.csv")))[0], "vertex,sdf");
+  EXPECT_EQ(run({"field", model, "--field", "geoaverage"}).exitCode, 0);
+  EXPECT_EQ(run({"field", model, "--field", "nothing"}).exitCode, 1);
+  EXPECT_EQ(run({"field", model}).exitCode, 1);
+
+  // A square prism of sides 1, 20 long: all tube, 4 / π across.
+  const Json parts = Json::parse(run({"parts", model, "--json"}).output);
+  EXPECT_EQ(parts["parts"][0]["kind"], "tube");
+  EXPECT_EQ(Json::parse(run({"parts", model, "--json", "--girth", "1", "--thickness", "0.01"})
+                            .output)["parts"][0]["kind"],
+            "body");
+  EXPECT_EQ(run({"parts", model, "--girth", "wide"}).exitCode, 1);
+}
+
+TEST_F(Command, partsEndsWithFourWhereSomethingIsTooThin) {
+  const std::string model = kData + "/prism.obj";
+  const Outcome passes = run({"parts", model, "--unit", "mm", "--min-tube", "0.5mm"});
+  EXPECT_EQ(passes.exitCode, 0) << passes.output << passes.errors;
+  EXPECT_NE(passes.output.find("passes"), std::string::npos);
+  const Outcome fails =
+      run({"parts", model, "--unit", "mm", "--min-tube", "0.2cm", "--min-wall", "0.5", "--json"});
+  EXPECT_EQ(fails.exitCode, 4) << fails.errors;
+  const Json report = Json::parse(fails.output);
+  EXPECT_EQ(report["passes"], false);
+  EXPECT_EQ(report["limits"]["tubeDiameter"], 2);
+  EXPECT_EQ(report["places"][0]["kind"], "tube");
+  EXPECT_EQ(run({"parts", model, "--min-tube", "2mm"}).exitCode, 1) << "the unit is not known";
 }
 
 TEST_F(Command, igfWritesARowForEveryVertexOfTheFile) {
@@ -269,6 +366,18 @@ TEST_F(Command, loopInAFace) {
   const Json middle = Json::parse(run({"loop", prism, "--face", "30", "--json"}).output);
   for (const Json& weight : middle["base"]["weights"])
     EXPECT_NEAR(weight.get<double>(), 1.0 / 3, 1e-15);
+}
+
+TEST_F(Command, facesKeepTheirNumbersAndCornersWhenTheyAreTurnedOver) {
+  // Face 3 is the one that is turned over; its corners are vertices 1, 4 and 5 of the file.
+  const std::string model = write("strips.obj", kStrips);
+  const Json loop =
+      Json::parse(run({"loop", model, "--face", "3", "--at", "0.2,0.3,0.5", "--json"}).output);
+  const Json position = loop["base"]["position"];
+  EXPECT_NEAR(position[0].get<double>(), 0.2 * 1 + 0.3 * 1 + 0.5 * 2, 1e-12);
+  EXPECT_NEAR(position[1].get<double>(), 0.3 + 0.5, 1e-12);
+  EXPECT_EQ(run({"loop", model, "--face", "6"}).exitCode, 1);
+  EXPECT_EQ(run({"loop", model, "10"}).exitCode, 1) << "no face uses it";
 }
 
 TEST_F(Command, readsFilesBesideTheModelOnly) {

@@ -1,0 +1,85 @@
+#include "model_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "files.h"
+#include "girth/io/length_unit.h"
+#include "length_text.h"
+
+namespace girth::cli {
+namespace {
+
+/// The component that a user named. Those of `parts` are numbered by their place.
+Result<Index> componentOf(const std::string& text, const std::vector<SurfacePart>& parts) {
+  if (text == "largest") {
+    const auto largest = std::max_element(
+        parts.begin(), parts.end(),
+        [](const SurfacePart& a, const SurfacePart& b) { return a.area < b.area; });
+    return static_cast<Index>(largest - parts.begin());
+  }
+  Index number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (problem != std::errc() || end != text.data() + text.size()) {
+    Error error = makeError(ErrorCode::Usage, -1, "\"" + text + "\" is no component");
+    error.hint = "name one by its number in girth info, or say largest";
+    return error;
+  }
+  return number;
+}
+
+}  // namespace
+
+void addModelOptions(CLI::App& command, ModelOptions& options) {
+  command.add_option("--weld", options.weldDistance,
+                     "Also join vertices no farther apart than this length, as in 0.01 or 0.1mm");
+  command.add_flag("--close-holes", options.closeHoles, "Fill every hole with faces");
+  command
+      .add_option("--component", options.components,
+                  "Keep this component only: its number in girth info, or largest; may be given "
+                  "several times")
+      ->type_name("N|largest")
+      ->take_all();
+  std::vector<std::string> units;
+  for (const io::LengthUnit& unit : io::lengthUnits()) units.emplace_back(unit.symbol);
+  command
+      .add_option("--unit", options.unit,
+                  "What the file's numbers are, where it does not say: um, mm, cm, m, km, in or ft")
+      ->check(CLI::IsMember(units));
+}
+
+Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options) {
+  auto bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  auto model = io::readModel(bytes.value(), path, resourcesBeside(path));
+  if (!model) return model.error();
+  bytes.value() = {};
+  io::ReadModel& read = model.value();
+  if (const io::LengthUnit* unit = io::findLengthUnit(options.unit)) read.unit = unit->name;
+
+  PrepareOptions prepare;
+  prepare.closeHoles = options.closeHoles;
+  if (!options.weldDistance.empty()) {
+    const auto distance = lengthInModelUnit(options.weldDistance, read.unit);
+    if (!distance) return distance.error();
+    prepare.weldDistance = distance.value();
+  }
+  if (!options.components.empty()) {
+    // Which there are is known only once the surface has been prepared.
+    const auto all = prepareSurface(read.soup, prepare);
+    if (!all) return all.error();
+    for (const std::string& text : options.components) {
+      const auto component = componentOf(text, all.value().parts);
+      if (!component) return component.error();
+      prepare.components.push_back(component.value());
+    }
+  }
+  auto prepared = prepareSurface(std::move(read.soup), prepare);
+  if (!prepared) return prepared.error();
+  return io::LoadedMesh{std::move(prepared).value(), read.format, std::move(read.unit),
+                        std::move(read.notes)};
+}
+
+}  // namespace girth::cli

@@ -1,0 +1,21 @@
+// Units of length by their names and symbols.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace girth::io {
+
+struct LengthUnit {
+  std::string_view symbol;  ///< "mm"
+  std::string_view name;    ///< "millimetre": what `ReadModel::unit` holds
+  double metres;
+};
+
+/// um, mm, cm, m, km, in and ft.
+std::span<const LengthUnit> lengthUnits();
+
+/// The unit with that name or symbol; null where there is none.
+const LengthUnit* findLengthUnit(std::string_view nameOrSymbol);
+
+}  // namespace girth::io

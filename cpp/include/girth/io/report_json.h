@@ -1,0 +1,13 @@
+// What preparing a surface did, as JSON.
+#pragma once
+
+#include <string>
+
+#include "girth/prepare_surface.h"
+
+namespace girth::io {
+
+/// One object with the members of PreparationReport under their names.
+std::string reportJson(const PreparationReport& report);
+
+}  // namespace girth::io
