@@ -1,4 +1,7 @@
-// Everything of the core: `#include "girth/error.h"
+// Everything of the core: `#include <girth/girth.h>`.
+#pragma once
+
+#include "girth/error.h"
 #include "girth/execution.h"
 #include "girth/field_difference.h"
 #include "girth/geodesic_extent.h"

@@ -14,7 +14,9 @@ struct PrepareOptions {
   /// 0: vertices at exactly equal positions become one (0 and −0 are equal). Above: also vertices
   /// no farther apart than this, in model units.
   double weldDistance{0};
-  /// Fills every boundary curve with faces.
+  /// Fills every boundary curve with faces: one of up to 100 edges with the triangulation of least
+  /// area, a longer one with a fan round its middle. A curve along which that gives faces without
+  /// area only is left as it is.
   bool closeHoles{false};
   /// Keeps these components only, numbered by their first face of the input, from 0 (the index into
   /// PreparedSurface::parts); empty: all.

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "mesh/prepare/close_holes.h"
 #include "mesh/prepare/drop_faces.h"
 #include "mesh/prepare/join_faces.h"
 #include "mesh/prepare/split_vertices.h"
@@ -222,12 +223,42 @@ class Preparation {
     auto mesh = SurfaceMesh::fromArrays(positions, faces_.triangles, OpenEdges::Wall);
     if (!mesh) return mesh.error();
     mesh_.emplace(std::move(mesh).value());
+    if (options_.closeHoles) {
+      if (auto error = closeHoles(positions)) return error;
+    }
     for (Index c = 0; c < mesh_->componentCount(); ++c) {
       report_.boundaryCurves += mesh_->boundaryCount(c);
     }
     for (Index h = 0; h < mesh_->halfedgeCount(); ++h) {
       if (mesh_->twin(h) == kNoIndex) ++report_.boundaryEdges;
     }
+    return std::nullopt;
+  }
+
+  std::optional<Error> closeHoles(std::vector<double>& positions) {
+    const std::size_t coordinates = positions.size(), corners = faces_.triangles.size();
+    prepare::HoleFillings fillings = prepare::fillHoles(*mesh_);
+    if (fillings.holes.empty()) return std::nullopt;
+    const auto filled = [&] {
+      positions.resize(coordinates);
+      faces_.triangles.resize(corners);
+      positions.insert(positions.end(), fillings.positions.begin(), fillings.positions.end());
+      faces_.triangles.insert(faces_.triangles.end(), fillings.triangles.begin(),
+                              fillings.triangles.end());
+      return SurfaceMesh::fromArrays(positions, faces_.triangles, OpenEdges::Wall);
+    };
+    auto mesh = filled();
+    if (!mesh) {
+      fillings = prepare::fillHoles(*mesh_, true);
+      mesh = filled();
+    }
+    if (!mesh) return mesh.error();
+    mesh_.emplace(std::move(mesh).value());
+    report_.closedHoles = static_cast<Index>(fillings.holes.size());
+    report_.holes = std::move(fillings.holes);
+    for (ClosedHole& hole : report_.holes) hole.vertex = split_.inputOfVertex[hole.vertex];
+    split_.inputOfVertex.resize(mesh_->vertexCount(), kNoIndex);
+    faces_.inputOfFace.resize(mesh_->faceCount(), kNoIndex);
     return std::nullopt;
   }
 

@@ -171,6 +171,26 @@ void expectSound(const Shape& input, const PreparedSurface& out) {
   expectPreparedOnceIsEnough(out);
 }
 
+/// A surface some vertices of which have been put onto others: it touches, crosses and doubles
+/// itself; with some faces turned or gone.
+Shape gluedSurface(std::uint64_t seed) {
+  Random random(seed);
+  const Shape shapes[] = {octasphere(1), plate(1), torus(3, 1, 6, 4), icosphere(1)};
+  Shape shape = shapes[random.below(4)];
+  for (Index glued = random.below(8); glued > 0; --glued) {
+    const Index a = random.below(shape.vertexCount()), b = random.below(shape.vertexCount());
+    for (std::size_t k = 0; k < 3; ++k) shape.positions[3 * a + k] = shape.positions[3 * b + k];
+  }
+  const Shape whole = shape;
+  shape.triangles.clear();
+  for (std::size_t f = 0; f < whole.triangles.size() / 3; ++f) {
+    const Index* v = &whole.triangles[3 * f];
+    if (random() < 0.02) continue;
+    random() < 0.1 ? shape.face(v[0], v[2], v[1]) : shape.face(v[0], v[1], v[2]);
+  }
+  return shape;
+}
+
 // --- Steps ---------------------------------------------------------------------------------------
 
 TEST(Prepare, LeavesAGoodSurfaceAlone) {
@@ -553,6 +573,55 @@ TEST(Prepare, ComponentsCanBeChosen) {
   EXPECT_EQ(codeOf(prepareSurface(soupOf(shape), options)), "COMPONENT_OUT_OF_RANGE");
 }
 
+TEST(Prepare, HolesCanBeClosed) {
+  PrepareOptions options;
+  options.closeHoles = true;
+  // A box without one side, and a tube without caps: flat fillings of known area.
+  Shape open = box(1, 2, 3, 3, 3, 3);
+  std::vector<Index> kept;
+  for (std::size_t i = 0; i < open.triangles.size(); i += 3) {
+    const auto z = [&](std::size_t k) { return open.positions[3 * open.triangles[i + k] + 2]; };
+    if (z(0) + z(1) + z(2) == 9) continue;
+    kept.insert(kept.end(), open.triangles.begin() + static_cast<std::ptrdiff_t>(i),
+                open.triangles.begin() + static_cast<std::ptrdiff_t>(i) + 3);
+  }
+  open.triangles = kept;
+  const PreparedSurface lid = prepared(open, options);
+  ASSERT_EQ(lid.report.closedHoles, 1u);
+  EXPECT_EQ(lid.report.boundaryCurves, 0u);
+  EXPECT_EQ(lid.report.holes[0].edges, 12u);
+  EXPECT_NEAR(lid.report.holes[0].area, 2, 1e-12);
+  EXPECT_NEAR(lid.report.holes[0].perimeter, 6, 1e-12);
+  EXPECT_EQ(open.positions[3 * lid.report.holes[0].vertex + 2], 3);
+  EXPECT_NEAR(sixfoldVolume(lid.mesh), 36, 1e-12);
+  EXPECT_EQ(lid.inputOfFace.back(), kNoIndex);
+  expectSound(open, lid);
+
+  for (const Index sides : {3u, 7u, 200u}) {  // the last by fans
+    Shape tube = prism(regularPolygon(sides, 1), 2, 2);
+    tube.triangles.resize(tube.triangles.size() - std::size_t{2} * sides * 3);
+    const PreparedSurface out = prepared(tube, options);
+    EXPECT_EQ(out.report.closedHoles, 2u);
+    EXPECT_EQ(out.report.boundaryCurves, 0u);
+    EXPECT_EQ(out.mesh.genus(0), 0u);
+    const double area = sides / (4 * std::tan(M_PI / sides));
+    EXPECT_NEAR(out.report.holes[1].area / area, 1, 1e-9);
+    EXPECT_NEAR(sixfoldVolume(out.mesh) / (12 * area), 1, 1e-9);
+    EXPECT_EQ(out.inputOfVertex.back() == kNoIndex, sides == 200u);
+    expectConsistent(soupOf(tube), out);
+  }
+
+  // Any surface with holes: closed, or what is left is said.
+  for (std::uint64_t seed = 1; seed < 2000; seed += 2) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Shape shape = gluedSurface(seed);
+    const auto result = prepareSurface(soupOf(shape), options);
+    ASSERT_TRUE(result.ok()) << result.error().message;
+    expectConsistent(soupOf(shape), result.value());
+    EXPECT_EQ(result.value().report.holes.size(), result.value().report.closedHoles);
+  }
+}
+
 TEST(Prepare, SaysWhatIsWrong) {
   EXPECT_EQ(codeOf(prepareSurface({})), "EMPTY_MESH");
   Shape flat;
@@ -614,26 +683,6 @@ Shape randomSoup(std::uint64_t seed) {
                   c = random.below(vertices);
       shape.face(a, b, c);
     }
-  }
-  return shape;
-}
-
-/// A surface some vertices of which have been put onto others: it touches, crosses and doubles
-/// itself; with some faces turned or gone.
-Shape gluedSurface(std::uint64_t seed) {
-  Random random(seed);
-  const Shape shapes[] = {octasphere(1), plate(1), torus(3, 1, 6, 4), icosphere(1)};
-  Shape shape = shapes[random.below(4)];
-  for (Index glued = random.below(8); glued > 0; --glued) {
-    const Index a = random.below(shape.vertexCount()), b = random.below(shape.vertexCount());
-    for (std::size_t k = 0; k < 3; ++k) shape.positions[3 * a + k] = shape.positions[3 * b + k];
-  }
-  const Shape whole = shape;
-  shape.triangles.clear();
-  for (std::size_t f = 0; f < whole.triangles.size() / 3; ++f) {
-    const Index* v = &whole.triangles[3 * f];
-    if (random() < 0.02) continue;
-    random() < 0.1 ? shape.face(v[0], v[2], v[1]) : shape.face(v[0], v[1], v[2]);
   }
   return shape;
 }
