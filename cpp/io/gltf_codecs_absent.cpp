@@ -28,8 +28,8 @@ DracoMesh::DracoMesh(DracoMesh&&) noexcept = default;
 DracoMesh& DracoMesh::operator=(DracoMesh&&) noexcept = default;
 DracoMesh::~DracoMesh() = default;
 
-Result<DracoMesh> DracoMesh::unpack(std::span<const std::byte>, SoupBudget&,
-                                    const std::string& place) {
+Result<DracoMesh> DracoMesh::unpack(std::span<const std::byte>, const std::vector<std::uint32_t>&,
+                                    SoupBudget&, const std::string& place) {
   return unsupported(place, "KHR_draco_mesh_compression");
 }
 

@@ -7,6 +7,7 @@
 #include <draco/mesh/mesh.h>
 #include <draco/metadata/metadata_decoder.h>
 
+#include <algorithm>
 #include <cstring>
 #include <new>
 #include <stdexcept>
@@ -75,30 +76,57 @@ std::optional<Claims> claimsOf(std::span<const std::byte> bytes, bool& isOtherVe
   return claims;
 }
 
-/// A decoder that asks the budget before it makes room for attributes, whose number and size a
-/// stream tells only after its faces.
+/// A decoder that stops after the last attribute that is wanted, and that asks the budget before it
+/// makes room for attributes, whose number and size a stream tells only after its faces.
 template <class Decoder>
 class Bounded : public Decoder {
  public:
-  explicit Bounded(SoupBudget& budget) : budget_(budget) {}
+  Bounded(const std::vector<std::uint32_t>& wanted, SoupBudget& budget)
+      : wanted_(wanted), budget_(budget) {}
 
   bool isTooLarge() const { return isTooLarge_; }
 
  protected:
   bool DecodeAllAttributes() override {
+    const int end = wantedDecoders();
     std::uint64_t bytes = 0;
-    const draco::PointCloud& cloud = *this->point_cloud();
-    for (int a = 0; a < cloud.num_attributes(); ++a) {
-      const draco::PointAttribute& attribute = *cloud.attribute(a);
-      bytes += std::uint64_t{cloud.num_points()} * attribute.num_components() *
-               static_cast<std::uint64_t>(draco::DataTypeLength(attribute.data_type()));
+    for (int d = 0; d < end; ++d) {
+      for (int a = 0; a < this->attributes_decoder(d)->GetNumAttributes(); ++a) {
+        const draco::PointAttribute& attribute = attributeOf(d, a);
+        bytes += std::uint64_t{this->point_cloud()->num_points()} * attribute.num_components() *
+                 static_cast<std::uint64_t>(draco::DataTypeLength(attribute.data_type()));
+      }
     }
     // A point takes about 16 bytes.
     isTooLarge_ = !budget_.take(bytes / 16);
-    return !isTooLarge_ && Decoder::DecodeAllAttributes();
+    if (isTooLarge_) return false;
+    for (int d = 0; d < end; ++d) {
+      // Draco hands out its decoders for reading only, as it runs them itself: all of them.
+      auto* decoder = const_cast<draco::AttributesDecoderInterface*>(this->attributes_decoder(d));
+      if (!decoder->DecodeAttributes(this->buffer())) return false;
+    }
+    return true;
   }
 
  private:
+  const draco::PointAttribute& attributeOf(int decoder, int attribute) {
+    return *this->point_cloud()->attribute(
+        this->attributes_decoder(decoder)->GetAttributeId(attribute));
+  }
+
+  /// How many of the decoders, in the stream's order, have to run.
+  int wantedDecoders() {
+    int end = 0;
+    for (int d = 0; d < this->num_attributes_decoders(); ++d) {
+      for (int a = 0; a < this->attributes_decoder(d)->GetNumAttributes(); ++a) {
+        const std::uint32_t number = attributeOf(d, a).unique_id();
+        if (std::find(wanted_.begin(), wanted_.end(), number) != wanted_.end()) end = d + 1;
+      }
+    }
+    return end;
+  }
+
+  const std::vector<std::uint32_t>& wanted_;
   SoupBudget& budget_;
   bool isTooLarge_{false};
 };
@@ -106,9 +134,10 @@ class Bounded : public Decoder {
 enum class Outcome { Done, Invalid, TooLarge };
 
 template <class Decoder>
-Outcome decode(std::span<const std::byte> bytes, SoupBudget& budget, draco::Mesh& mesh) {
+Outcome decode(std::span<const std::byte> bytes, const std::vector<std::uint32_t>& wanted,
+               SoupBudget& budget, draco::Mesh& mesh) {
   draco::DecoderBuffer buffer = bufferOf(bytes);
-  Bounded<Decoder> decoder(budget);
+  Bounded<Decoder> decoder(wanted, budget);
   const draco::DecoderOptions options;
   try {
     const bool done = decoder.Decode(options, &buffer, &mesh).ok();
@@ -176,7 +205,8 @@ DracoMesh::DracoMesh(DracoMesh&&) noexcept = default;
 DracoMesh& DracoMesh::operator=(DracoMesh&&) noexcept = default;
 DracoMesh::~DracoMesh() = default;
 
-Result<DracoMesh> DracoMesh::unpack(std::span<const std::byte> bytes, SoupBudget& budget,
+Result<DracoMesh> DracoMesh::unpack(std::span<const std::byte> bytes,
+                                    const std::vector<std::uint32_t>& numbers, SoupBudget& budget,
                                     const std::string& place) {
   bool isOtherVersion = false;
   const auto claims = claimsOf(bytes, isOtherVersion);
@@ -197,9 +227,10 @@ Result<DracoMesh> DracoMesh::unpack(std::span<const std::byte> bytes, SoupBudget
   if (!budget.take(claims->points + 3 * claims->faces * (1 + claims->seamLists))) return tooLarge();
 
   auto content = std::make_unique<Content>();
-  const Outcome outcome = claims->isEdgebreaker
-                              ? decode<draco::MeshEdgebreakerDecoder>(bytes, budget, content->mesh)
-                              : decode<draco::MeshSequentialDecoder>(bytes, budget, content->mesh);
+  const Outcome outcome =
+      claims->isEdgebreaker
+          ? decode<draco::MeshEdgebreakerDecoder>(bytes, numbers, budget, content->mesh)
+          : decode<draco::MeshSequentialDecoder>(bytes, numbers, budget, content->mesh);
   if (outcome == Outcome::TooLarge) return tooLarge();
   if (outcome == Outcome::Invalid || !facesAreValid(content->mesh)) {
     return faultAt(place, "its Draco stream is not valid");

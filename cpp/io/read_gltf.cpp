@@ -1,5 +1,6 @@
 #include "read_gltf.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -285,7 +286,7 @@ class SceneWalk {
       }
       const DracoMesh* packed = nullptr;
       if (primitive.draco) {
-        auto found = dracoMesh(*primitive.draco, place);
+        auto found = dracoMesh(*primitive.draco, placement.pose != nullptr, place);
         if (!found) return found.error();
         packed = found.value();
       }
@@ -304,15 +305,26 @@ class SceneWalk {
     return std::nullopt;
   }
 
-  Result<const DracoMesh*> dracoMesh(const GltfDraco& draco, const std::string& primitive) {
+  Result<const DracoMesh*> dracoMesh(const GltfDraco& draco, bool isSkinned,
+                                     const std::string& primitive) {
     const std::string place = primitive + "/extensions/KHR_draco_mesh_compression";
-    auto found = dracoMeshes_.find(draco.bufferView);
+    std::vector<std::uint32_t> numbers;
+    const auto want = [&](const std::optional<std::uint32_t>& number) {
+      if (number) numbers.push_back(*number);
+    };
+    want(draco.position);
+    if (isSkinned) {
+      std::for_each(draco.joints.begin(), draco.joints.end(), want);
+      std::for_each(draco.weights.begin(), draco.weights.end(), want);
+    }
+    const std::pair key(draco.bufferView, numbers);
+    auto found = dracoMeshes_.find(key);
     if (found == dracoMeshes_.end()) {
       auto bytes = buffers_.view(draco.bufferView, place + "/bufferView");
       if (!bytes) return bytes.error();
-      auto mesh = DracoMesh::unpack(bytes.value(), budget_, place);
+      auto mesh = DracoMesh::unpack(bytes.value(), numbers, budget_, place);
       if (!mesh) return mesh.error();
-      found = dracoMeshes_.emplace(draco.bufferView, std::move(mesh).value()).first;
+      found = dracoMeshes_.emplace(key, std::move(mesh).value()).first;
     }
     return &found->second;
   }
@@ -573,7 +585,8 @@ class SceneWalk {
   GltfAccessors accessors_;
   std::optional<WorldTransforms> world_;
   std::vector<std::optional<SkinPose>> poses_;
-  std::map<std::uint32_t, DracoMesh> dracoMeshes_;
+  /// By buffer view and the attributes that were asked for.
+  std::map<std::pair<std::uint32_t, std::vector<std::uint32_t>>, DracoMesh> dracoMeshes_;
   TriangleSoup soup_;
   GltfNotes notes_;
 };

@@ -3,7 +3,7 @@
 
 export class UnpackBudget {
   // Small files may place a small mesh many times.
-  #left = 1_000_000;
+  #left = 4_000_000;
 
   /** Makes room for what so many bytes may describe. */
   allowFor(bytes: number): void {
