@@ -4,6 +4,7 @@
 import { execFileSync } from 'node:child_process';
 import { readdirSync, statSync } from 'node:fs';
 import { join, relative } from 'node:path';
+import { isDeepStrictEqual } from 'node:util';
 import { afterAll, expect, test } from 'vitest';
 import type { MeshInfo } from '../../web/src/kernel/index.js';
 import type { KernelPage } from './kernel-page.js';
@@ -111,7 +112,7 @@ test.runIf(data)('command and page read the same', async () => {
     const { info: wanted = {}, error: wantedError } = truth.get(file)!;
     const said = info ? asCommandSays(info, wanted) : {};
     const same = Object.entries(said).every(
-      ([key, value]) => JSON.stringify(value) === JSON.stringify(wanted[key as keyof object]),
+      ([key, value]) => isDeepStrictEqual(value, wanted[key as keyof object]),
     );
     if (!same || error !== wantedError) {
       different.push({ file: relative(data!, file), said, wanted, error, wantedError });
