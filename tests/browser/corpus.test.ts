@@ -111,8 +111,8 @@ test.runIf(data)('command and page read the same', async () => {
     const { info, error } = read[i]!;
     const { info: wanted = {}, error: wantedError } = truth.get(file)!;
     const said = info ? asCommandSays(info, wanted) : {};
-    const same = Object.entries(said).every(
-      ([key, value]) => isDeepStrictEqual(value, wanted[key as keyof object]),
+    const same = Object.entries(said).every(([key, value]) =>
+      isDeepStrictEqual(value, wanted[key as keyof object]),
     );
     if (!same || error !== wantedError) {
       different.push({ file: relative(data!, file), said, wanted, error, wantedError });
