@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "girth/girth_field.h"
+#include "girth/remesh.h"
 #include "model_options.h"
 
 namespace girth::cli {
@@ -28,6 +29,8 @@ struct IgfOptions {
   /// Empty: only a summary.
   std::string output;
   GirthMethod method{GirthMethod::Exact};
+  /// 0: on the surface as it is; else on one remeshed to so many faces, and carried back.
+  std::uint32_t faces{0};
   unsigned threads{0};
   bool json{false};
   bool stats{false};
@@ -51,6 +54,21 @@ struct LoopOptions {
 
 /// Computes the loop at one point.
 int runLoop(const LoopOptions& options);
+
+struct RemeshOptions {
+  std::string model;
+  ModelOptions preparing;
+  std::uint32_t faces{10'000};
+  std::string output;
+  bool json{false};
+};
+
+/// Writes the surface with other triangles.
+int runRemesh(const RemeshOptions& options);
+
+/// The surface with other triangles, with progress and until it is interrupted.
+Result<RemeshedSurface> remeshModel(const std::string& model, const SurfaceMesh& mesh,
+                                    std::uint32_t faces);
 
 struct FieldOptions {
   std::string model;

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <span>
 #include <thread>
 
@@ -10,6 +11,7 @@
 #include "girth/io/json_text.h"
 #include "girth/io/number_text.h"
 #include "girth/io/write_field.h"
+#include "girth/transfer.h"
 #include "interrupt.h"
 #include "progress_line.h"
 #include "report.h"
@@ -151,6 +153,21 @@ Result<std::string> contentFor(const std::string& extension, const std::string& 
   return io::fieldPly(loaded, fields);
 }
 
+/// The field of a remeshed surface at the vertices of the original.
+GirthField carriedBack(const GirthField& field, const SurfaceMesh& remeshed,
+                       const SurfaceMesh& original) {
+  constexpr double kSteepest = 2;  // beyond that the girth jumps (DEFINITIONS section 2)
+  const std::vector<SurfacePoint> places = nearestPoints(remeshed, original);
+  GirthField carried;
+  carried.values = interpolated(remeshed, field.values, places, kSteepest);
+  for (const Index v : nearestVertices(remeshed, places)) carried.kinds.push_back(field.kinds[v]);
+  carried.computed =
+      static_cast<std::size_t>(std::count_if(carried.values.begin(), carried.values.end(),
+                                             [](double value) { return !std::isnan(value); }));
+  carried.statistics = field.statistics;
+  return carried;
+}
+
 int runOne(const std::string& model, const IgfOptions& options,
            const std::atomic<bool>& interrupted) {
   Timing timing;
@@ -159,16 +176,23 @@ int runOne(const std::string& model, const IgfOptions& options,
   if (!loaded) return reportError(model, loaded.error());
   timing.reading = secondsSince(readingStart);
 
+  const auto computingStart = Clock::now();
+  std::optional<RemeshedSurface> remeshed;
+  if (options.faces > 0) {
+    auto result = remeshModel(model, loaded.value().mesh, options.faces);
+    if (!result) return reportError(model, result.error());
+    remeshed.emplace(std::move(result).value());
+  }
   ExecutionContext context;
   context.threads = options.threads;
   context.cancel = &interrupted;
-  const auto computingStart = Clock::now();
   GirthField field;
   {
     ProgressLine progress(model);
     context.onProgress = [&](double fraction) { progress.show(fraction); };
-    field = girthField(loaded.value().mesh, options.method, context);
+    field = girthField(remeshed ? remeshed->mesh : loaded.value().mesh, options.method, context);
   }
+  if (remeshed) field = carriedBack(field, remeshed->mesh, loaded.value().mesh);
   timing.computing = secondsSince(computingStart);
 
   if (!options.output.empty()) {

@@ -66,6 +66,11 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember({"exact", "naive", "ms"}));
   igfCommand->add_option("--threads", igf.threads, "Threads; as many as there are cores by default")
       ->check(CLI::Range(1u, 1024u));
+  const auto facesRange = CLI::Range(std::uint32_t{4}, std::uint32_t{100'000'000});
+  igfCommand
+      ->add_option("--faces", igf.faces,
+                   "Compute on the surface remeshed to so many faces, and carry the values back")
+      ->check(facesRange);
   igfCommand->add_flag("--json", igf.json, "Print the summary as one JSON object for each model");
   igfCommand->add_flag("--stats", igf.stats, "Print what the computation took");
 
@@ -92,6 +97,18 @@ int run(int argc, char** argv) {
   loopCommand->add_option("-o,--output", loop.output,
                           "Write the loop: .json, .obj or .glb (a polyline) or .csv (x,y,z)");
   loopCommand->add_flag("--json", loop.json, "Print the summary as JSON");
+
+  cli::RemeshOptions remeshing;
+  CLI::App* remeshCommand =
+      app.add_subcommand("remesh", "Write the surface with even triangles, as many as wanted");
+  remeshCommand->add_option("MODEL", remeshing.model, "The model to read")->required();
+  remeshCommand->add_option("--faces", remeshing.faces, "Triangles wanted; 10000 by default")
+      ->check(facesRange);
+  remeshCommand
+      ->add_option("-o,--output", remeshing.output, "Write it: .obj, .ply, .stl, .off or .glb")
+      ->required();
+  addModelOptions(*remeshCommand, remeshing.preparing);
+  remeshCommand->add_flag("--json", remeshing.json, "Print the summary as JSON");
 
   const auto threadsOption = [](CLI::App* command, unsigned& threads) {
     command->add_option("--threads", threads, "Threads; as many as there are cores by default")
@@ -161,6 +178,7 @@ int run(int argc, char** argv) {
   }
   if (infoCommand->parsed()) return runInfo(info);
   if (igfCommand->parsed()) return runIgf(igf);
+  if (remeshCommand->parsed()) return runRemesh(remeshing);
   if (fieldCommand->parsed()) return runField(field);
   if (tipsCommand->parsed()) return runTips(tips);
   if (partsCommand->parsed()) return runParts(parts);

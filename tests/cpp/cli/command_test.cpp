@@ -329,6 +329,45 @@ TEST_F(Command, naiveAgrees) {
   }
 }
 
+TEST_F(Command, remeshWritesAsManyFacesAsWanted) {
+  const std::string prism = kData + "/prism.obj";
+  for (const char* ending : {"obj", "ply", "stl", "off", "glb"}) {
+    const std::string written = path(std::string("out.") + ending);
+    const Outcome outcome = run({"remesh", prism, "--faces", "1000", "-o", written, "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    const Json summary = Json::parse(outcome.output);
+    EXPECT_EQ(summary["facesBefore"], 84);
+    const Json info = Json::parse(run({"info", written, "--json"}).output);
+    EXPECT_EQ(info["faces"], summary["faces"]);
+    EXPECT_NEAR(info["faces"].get<double>(), 1000, 20);
+    EXPECT_EQ(info["report"]["boundaryCurves"], 0) << ending;
+    EXPECT_EQ(info["genus"], Json::array({0}));
+    EXPECT_NEAR(info["area"].get<double>(), 42, 1e-5) << "its edges are sharp, and so stay";
+  }
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"remesh", prism},
+        {"remesh", prism, "-o", path("a.csv")},
+        {"remesh", prism, "-o", path("a.obj"), "--faces", "3"},
+        {"igf", prism, "--faces", "x"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
+    EXPECT_EQ(linesOf(outcome.errors).size(), 1u) << outcome.errors;
+  }
+}
+
+TEST_F(Command, igfOnARemeshedSurfaceComesBack) {
+  const std::string prism = kData + "/prism.obj";
+  ASSERT_EQ(run({"igf", prism, "-o", path("a.json")}).exitCode, 0);
+  const Outcome outcome = run({"igf", prism, "--faces", "2000", "-o", path("b.json")});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  const Json there = Json::parse(contentOf(path("a.json")));
+  const Json back = Json::parse(contentOf(path("b.json")));
+  ASSERT_EQ(back["igf"].size(), 44u) << "one for each vertex of the file";
+  // Its sides are flat and its edges stay: the same surface, away from its ends.
+  EXPECT_NEAR(back["igf"][21].get<double>(), there["igf"][21].get<double>(), 1e-6);
+  EXPECT_EQ(back["kind"][21], "loop");
+}
+
 TEST_F(Command, loopAtAVertex) {
   const Outcome outcome = run({"loop", kData + "/prism.obj", "21", "--json", "-o", path("l.json")});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;

@@ -1,0 +1,87 @@
+#include <array>
+#include <cstdio>
+#include <optional>
+
+#include "commands.h"
+#include "files.h"
+#include "girth/io/json_text.h"
+#include "girth/io/number_text.h"
+#include "girth/io/write_mesh.h"
+#include "girth/remesh.h"
+#include "interrupt.h"
+#include "progress_line.h"
+#include "report.h"
+
+namespace girth::cli {
+namespace {
+
+std::optional<io::Format> formatOf(const std::string& extension) {
+  struct Ending {
+    const char* text;
+    io::Format format;
+  };
+  constexpr std::array<Ending, 5> kEndings{{{".obj", io::Format::Obj},
+                                            {".ply", io::Format::Ply},
+                                            {".stl", io::Format::Stl},
+                                            {".off", io::Format::Off},
+                                            {".glb", io::Format::Glb}}};
+  for (const Ending& ending : kEndings) {
+    if (extension == ending.text) return ending.format;
+  }
+  return std::nullopt;
+}
+
+void print(const RemeshOptions& options, const io::LoadedMesh& loaded, const SurfaceMesh& mesh) {
+  if (options.json) {
+    const std::string text = "{\"file\":" + io::jsonString(options.model) +
+                             ",\"facesBefore\":" + std::to_string(loaded.mesh.faceCount()) +
+                             ",\"faces\":" + std::to_string(mesh.faceCount()) +
+                             ",\"vertices\":" + std::to_string(mesh.vertexCount()) +
+                             ",\"areaBefore\":" + io::formatNumber(loaded.mesh.area()) +
+                             ",\"area\":" + io::formatNumber(mesh.area()) +
+                             ",\"meanEdgeLength\":" + io::formatNumber(mesh.meanEdgeLength()) +
+                             ",\"unit\":" + io::jsonString(loaded.unit) +
+                             ",\"output\":" + io::jsonString(options.output) + "}\n";
+    std::fputs(text.c_str(), stdout);
+    return;
+  }
+  std::printf("%s: %u faces, were %u, with edges of %s%s\n", options.model.c_str(),
+              mesh.faceCount(), loaded.mesh.faceCount(), readable(mesh.meanEdgeLength()).c_str(),
+              unitSuffix(loaded.unit).c_str());
+  std::printf("  area %s of what it was\n", readable(mesh.area() / loaded.mesh.area()).c_str());
+}
+
+}  // namespace
+
+int runRemesh(const RemeshOptions& options) {
+  const auto format = formatOf(extensionOf(options.output));
+  if (!format) {
+    Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
+    error.hint = "use .obj, .ply, .stl, .off or .glb";
+    return reportError(options.output, error);
+  }
+  if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
+  const auto loaded = loadModel(options.model, options.preparing);
+  if (!loaded) return reportError(options.model, loaded.error());
+
+  const auto remeshed = remeshModel(options.model, loaded.value().mesh, options.faces);
+  if (!remeshed) return reportError(options.model, remeshed.error());
+  const auto content = io::meshFile(remeshed.value().mesh, *format, loaded.value().unit);
+  if (!content) return reportError(options.output, content.error());
+  if (auto error = writeFile(options.output, content.value())) {
+    return reportError(options.output, *error);
+  }
+  print(options, loaded.value(), remeshed.value().mesh);
+  return 0;
+}
+
+Result<RemeshedSurface> remeshModel(const std::string& model, const SurfaceMesh& mesh,
+                                    std::uint32_t faces) {
+  ExecutionContext context;
+  context.cancel = &catchInterrupts();
+  ProgressLine progress(model);
+  context.onProgress = [&](double fraction) { progress.show(fraction); };
+  return remesh(mesh, {faces}, context);
+}
+
+}  // namespace girth::cli
