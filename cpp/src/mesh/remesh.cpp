@@ -28,6 +28,10 @@ constexpr int kRounds = 12;
 /// The number of faces is met to within this share.
 constexpr double kCountTolerance = 0.01;
 
+/// Coordinates with larger exponents, up or down, are brought to a scale near 1 first: squares of
+/// areas must neither overflow nor vanish.
+constexpr double kLargest = 1e60;
+
 /// Cosine of the angle that decides whether a face has been turned over by a change.
 constexpr double kTurned = 0.2;
 
@@ -207,7 +211,9 @@ class Remesher {
     for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
       if (isFirstOfEdge(h)) push(h);
     }
-    while (!queue.empty()) {
+    // Hair and spikes are long for their area: the size of the edges is mended after this round.
+    const std::size_t most = 4 * std::size_t{wanted_} + original_.faceCount();
+    while (!queue.empty() && mesh_.faceCount() < most) {
       const Entry entry = queue.top();
       queue.pop();
       if (mesh_.length(entry.halfedge) != entry.length) continue;  // halved meanwhile
@@ -496,6 +502,39 @@ class Remesher {
   double length_;                     ///< that edges should have
 };
 
+double extentOf(const SurfaceMesh& mesh) {
+  double extent = 0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3& p = mesh.position(v);
+    extent = std::max({extent, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
+  return extent;
+}
+
+/// The same surface, larger or smaller by a power of two.
+Result<SurfaceMesh> scaled(const SurfaceMesh& mesh, double scale) {
+  std::vector<double> positions;
+  std::vector<Index> triangles;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = scale * mesh.position(v);
+    positions.insert(positions.end(), {p.x, p.y, p.z});
+  }
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h) triangles.push_back(mesh.from(h));
+  return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Wall);
+}
+
+/// Remeshes at a scale near 1.
+Result<RemeshedSurface> remeshScaled(const SurfaceMesh& mesh, double scale, Index faces,
+                                     const ExecutionContext& context) {
+  const Result<SurfaceMesh> near = scaled(mesh, scale);
+  if (!near) return near.error();
+  auto out = Remesher(near.value(), faces, context).run();
+  if (!out) return out;
+  auto back = scaled(out.value().mesh, 1 / scale);
+  if (!back) return back.error();
+  return RemeshedSurface{std::move(back).value(), std::move(out.value().onOriginal)};
+}
+
 }  // namespace
 
 Result<RemeshedSurface> remesh(const SurfaceMesh& mesh, const RemeshOptions& options,
@@ -506,6 +545,10 @@ Result<RemeshedSurface> remesh(const SurfaceMesh& mesh, const RemeshOptions& opt
                      std::to_string(options.faces) + " faces are not between 4 and 100 million");
   }
   try {
+    const double extent = extentOf(mesh);
+    if (extent > kLargest || extent < 1 / kLargest) {
+      return remeshScaled(mesh, scaleFor(extent), options.faces, context);
+    }
     return Remesher(mesh, options.faces, context).run();
   } catch (const std::bad_alloc&) {
     return makeError(ErrorCode::OutOfMemory, -1, "there is not enough memory to remesh");

@@ -129,6 +129,21 @@ TEST(Remesh, AnyRandomSurface) {
   }
 }
 
+TEST(Remesh, OfAnySizeAndShape) {
+  for (const double scale : {1e-250, 1e-70, 1e70, 1e250}) {
+    SCOPED_TRACE(scale);
+    const SurfaceMesh mesh = moved(icosphere(2), scale, 0, 0).mesh();
+    const RemeshedSurface out = remeshed(mesh, 1000);
+    EXPECT_NEAR(out.mesh.faceCount(), 1000, 20);
+    EXPECT_NEAR(out.mesh.meanEdgeLength() / scale, 0.16, 0.03);
+  }
+  // A spike, a million times as long as it is thick.
+  Shape spike = prism(regularPolygon(3, 1), 1e6, 1);
+  const auto out = remesh(spike.mesh(), {2000});
+  ASSERT_TRUE(out.ok()) << out.error().message;
+  EXPECT_LT(out.value().mesh.faceCount(), 9000u);
+}
+
 TEST(Remesh, TheSameEveryTime) {
   const SurfaceMesh mesh = perturbed(torus(3, 1, 20, 10), 0.2, 4).mesh();
   const RemeshedSurface one = remeshed(mesh, 700), two = remeshed(mesh, 700);
