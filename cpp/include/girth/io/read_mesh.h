@@ -53,14 +53,17 @@ using ResourceReader = std::function<std::optional<std::vector<std::byte>>(std::
 ///
 /// glTF: all meshes of the scene are merged, with world transforms applied (mirrored ones keep
 /// their outside); buffers come from the file, from data: URIs, or through `resources`, which is
-/// only ever asked for relative names that do not lead out of the model's folder. OBJ, PLY and OFF
-/// (ASCII and binary): vertices in the file's order, polygons cut into triangles. STL (ASCII and
-/// binary): every corner of a triangle is a vertex of its own, in the file's order.
+/// only ever asked for relative names that do not lead out of the model's folder. Draco and meshopt
+/// compression are undone (in WebAssembly by the page, beforehand); skinned meshes stand as the
+/// file stores their joints, morph targets are at rest. Faults of the document are named by JSON
+/// pointer, as in "/accessors/3/bufferView: there is no buffer view 7". OBJ, PLY and OFF (ASCII and
+/// binary): vertices in the file's order, polygons cut into triangles. STL (ASCII and binary):
+/// every corner of a triangle is a vertex of its own, in the file's order.
 ///
 /// Errors: EMPTY_FILE, UNKNOWN_FORMAT, MALFORMED_FILE (element: byte or line), UNSUPPORTED_FEATURE
-/// (Draco, meshopt, glTF 1.0, ...), MISSING_RESOURCE, NON_FINITE_POSITION (vertex; in text: line),
-/// INDEX_OUT_OF_RANGE (glTF: corner of the primitive; others: line or byte), EMPTY_MESH (also:
-/// point clouds and lines), LIMIT_EXCEEDED, OUT_OF_MEMORY.
+/// (glTF 1.0, required extensions, ...), MISSING_RESOURCE, NON_FINITE_POSITION (vertex; in text:
+/// line), INDEX_OUT_OF_RANGE (glTF: corner of the primitive; others: line or byte), EMPTY_MESH
+/// (also: point clouds and lines), LIMIT_EXCEEDED, OUT_OF_MEMORY.
 Result<ReadModel> readModel(std::span<const std::byte> bytes, std::string_view name,
                             const ResourceReader& resources = {});
 
