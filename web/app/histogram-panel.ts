@@ -81,7 +81,11 @@ export class HistogramPanel {
       this.median.textContent = '';
       return;
     }
-    const { counts, peak } = histogram(values, bins, this.reach);
+    // Values that are the same but for rounding are one bar, in the middle.
+    const [low, high] = this.reach;
+    const least = 1e-6 * Math.abs(high);
+    const widen = high - low < least ? least : 0;
+    const { counts, peak } = histogram(values, bins, [low - widen, high + widen]);
     counts.forEach((count, i) => {
       // Square root: a bin with few values among thousands can still be seen.
       const height = 100 * Math.sqrt(count / peak);

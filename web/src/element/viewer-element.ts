@@ -611,7 +611,7 @@ export class GirthViewer extends HTMLElement {
     this.updateFormat();
     const range = this.fixedRange ?? reach;
     // Where all values are the same but for rounding, they have the same colour.
-    const least = 1e-6 * Math.abs(range[1]);
+    const least = 1e-5 * Math.abs(range[1]);
     const widen = range[1] - range[0] < least ? least : 0;
     model.surface.setRange(range[0] - widen, range[1] + widen);
     this.legend.update({
