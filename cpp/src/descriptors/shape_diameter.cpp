@@ -8,6 +8,7 @@
 #include "descriptors/triangle_tree.h"
 #include "mesh/angles.h"
 #include "mesh/vector.h"
+#include "mesh/vertex_normals.h"
 #include "parallel.h"
 
 namespace girth {
@@ -40,26 +41,14 @@ std::vector<ConeRay> coneRays(const ShapeDiameterOptions& options) {
   return rays;
 }
 
-/// Into the surface: against the normals of the faces at a vertex, weighted by their angles there.
-/// Zero where they cancel out.
-std::vector<Vec3> inwardNormals(const SurfaceMesh& mesh) {
-  std::vector<Vec3> normals(mesh.vertexCount());
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
-    const auto [a, b, c] = mesh.faceVertices(f);
-    const Vec3 normal =
-        cross(mesh.position(b) - mesh.position(a), mesh.position(c) - mesh.position(a));
-    const double length = norm(normal);
-    if (!(length > 0)) continue;  // so thin that its area underflows
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      Vec3& sum = normals[mesh.from(h)];
-      sum = sum - (mesh.cornerAngle(h) / length) * normal;
-    }
+/// Unit vectors into the surface, against the vertices' normals; zero where those cancel out.
+std::vector<Vec3> inwardAxes(const SurfaceMesh& mesh) {
+  std::vector<Vec3> axes = normalsOfVertices(mesh);
+  for (Vec3& axis : axes) {
+    const double length = norm(axis);
+    axis = length > 1e-12 ? (-1 / length) * axis : Vec3{};
   }
-  for (Vec3& normal : normals) {
-    const double length = norm(normal);
-    normal = length > 1e-12 ? (1 / length) * normal : Vec3{};
-  }
-  return normals;
+  return axes;
 }
 
 /// Sum of the signed volumes between the faces and a point of the surface.
@@ -125,7 +114,7 @@ Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
   }
   const TriangleTree tree(mesh);
   const std::vector<ConeRay> rays = coneRays(options);
-  const std::vector<Vec3> axes = inwardNormals(mesh);
+  const std::vector<Vec3> axes = inwardAxes(mesh);
 
   ShapeDiameterField field;
   field.values.assign(mesh.vertexCount(), kNone);
