@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -148,9 +149,7 @@ void measureGenerated(Index faces) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Index faces = 1'000'000;
   std::vector<fs::path> roots;
   for (int i = 1; i < argc; ++i) {
@@ -168,4 +167,15 @@ int main(int argc, char** argv) {
   if (!roots.empty()) measureCorpus(roots);
   if (faces > 0) measureGenerated(faces);
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
 }

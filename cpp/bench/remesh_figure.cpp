@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -49,9 +50,7 @@ double thinShare(const girth::SurfaceMesh& mesh) {
   return static_cast<double>(thin) / mesh.faceCount();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   girth::ExecutionContext context;
   std::string model, table;
   std::vector<Index> wanted;
@@ -110,4 +109,15 @@ int main(int argc, char** argv) {
     std::fflush(stdout);
   }
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
 }

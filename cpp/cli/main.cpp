@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "girth/io/length_unit.h"
 #include "girth/io/number_text.h"
 #include "report.h"
 
@@ -33,6 +34,25 @@ std::array<double, 3> weightsOf(const std::vector<std::string>& texts) {
     weights[i] = *weight;
   }
   return weights;
+}
+
+/// Adds `--weld`, `--close-holes`, `--component` and `--unit` to a command.
+void addModelOptions(CLI::App& command, ModelOptions& options) {
+  command.add_option("--weld", options.weldDistance,
+                     "Also join vertices no farther apart than this length, as in 0.01 or 0.1mm");
+  command.add_flag("--close-holes", options.closeHoles, "Fill every hole with faces");
+  command
+      .add_option("--component", options.components,
+                  "Keep this component only: its number in girth info, or largest; may be given "
+                  "several times")
+      ->type_name("N|largest")
+      ->take_all();
+  std::vector<std::string> units;
+  for (const io::LengthUnit& unit : io::lengthUnits()) units.emplace_back(unit.symbol);
+  command
+      .add_option("--unit", options.unit,
+                  "What the file's numbers are, where it does not say: um, mm, cm, m, km, in or ft")
+      ->check(CLI::IsMember(units));
 }
 
 int run(int argc, char** argv) {

@@ -1,6 +1,5 @@
 #include "model_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <utility>
@@ -31,24 +30,6 @@ Result<Index> componentOf(const std::string& text, const std::vector<SurfacePart
 }
 
 }  // namespace
-
-void addModelOptions(CLI::App& command, ModelOptions& options) {
-  command.add_option("--weld", options.weldDistance,
-                     "Also join vertices no farther apart than this length, as in 0.01 or 0.1mm");
-  command.add_flag("--close-holes", options.closeHoles, "Fill every hole with faces");
-  command
-      .add_option("--component", options.components,
-                  "Keep this component only: its number in girth info, or largest; may be given "
-                  "several times")
-      ->type_name("N|largest")
-      ->take_all();
-  std::vector<std::string> units;
-  for (const io::LengthUnit& unit : io::lengthUnits()) units.emplace_back(unit.symbol);
-  command
-      .add_option("--unit", options.unit,
-                  "What the file's numbers are, where it does not say: um, mm, cm, m, km, in or ft")
-      ->check(CLI::IsMember(units));
-}
 
 Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options) {
   auto bytes = readFile(path);

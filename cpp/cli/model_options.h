@@ -6,10 +6,6 @@
 
 #include "girth/io/read_mesh.h"
 
-namespace CLI {
-class App;
-}
-
 namespace girth::cli {
 
 struct ModelOptions {
@@ -21,9 +17,6 @@ struct ModelOptions {
   /// What the numbers of the file are; empty: as the file says.
   std::string unit;
 };
-
-/// Adds `--weld`, `--close-holes`, `--component` and `--unit` to a command.
-void addModelOptions(CLI::App& command, ModelOptions& options);
 
 /// Reads and prepares a model. Errors: those of readFile and io::readMesh, USAGE.
 Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options);

@@ -189,7 +189,7 @@ Result<std::span<const std::byte>> GltfBuffers::unpacked(std::uint32_t index) {
                    "is " + std::to_string(view.byteLength) + ", but unpacked there are " +
                        std::to_string(found->second.size()) + " bytes");
   }
-  return std::span<const std::byte>(found->second).first(view.byteLength);
+  return std::span<const std::byte>(found->second).first(static_cast<std::size_t>(view.byteLength));
 }
 
 Result<std::span<const std::byte>> GltfBuffers::view(std::uint32_t index, const std::string& user) {

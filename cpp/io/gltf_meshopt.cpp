@@ -60,8 +60,8 @@ void undoColorFilter(std::vector<std::byte>& bytes) {
     Unsigned stored[4];
     std::memcpy(stored, bytes.data() + at, sizeof stored);
     const int y = stored[0];
-    const int orange = static_cast<Signed>(stored[1]);
-    const int green = static_cast<Signed>(stored[2]);
+    const auto orange = static_cast<int>(static_cast<Signed>(stored[1]));
+    const auto green = static_cast<int>(static_cast<Signed>(stored[2]));
     const unsigned alpha = stored[3];
     unsigned range = 1;  // the least 2^n - 1 that is not below alpha
     while (range < alpha) range = range * 2 + 1;

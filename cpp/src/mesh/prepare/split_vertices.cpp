@@ -22,8 +22,8 @@ class VertexSplitter {
   }
 
  private:
-  static constexpr auto next = SurfaceMesh::next;
-  static constexpr auto previous = SurfaceMesh::previous;
+  static Index next(Index halfedge) { return SurfaceMesh::next(halfedge); }
+  static Index previous(Index halfedge) { return SurfaceMesh::previous(halfedge); }
 
   /// Numbers the fans of each vertex in the order of their first corners.
   void findFans() {

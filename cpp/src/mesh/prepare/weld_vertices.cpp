@@ -138,7 +138,8 @@ void joinWithin(double distance, std::span<const double> positions, std::vector<
     Index nearest = kNoIndex;
     double nearestDistance = reach;
     for (int i = 0; i < 9; ++i) {
-      const double x = own[0] + i % 3 - 1, y = own[1] + i / 3 - 1;
+      const int column = i % 3 - 1, row = i / 3 - 1;
+      const double x = own[0] + column, y = own[1] + row;
       const Cell last{x, y, own[2] + 1};
       for (std::size_t c = lowerBound({x, y, own[2] - 1}); c < cells.size() && cells[c] <= last;
            ++c) {
