@@ -23,7 +23,6 @@ const elsewhere = [
   ['Spectra', ['Spectra/SymEigsSolver.h']],
   ['Draco', ['draco/compression/decode.h']],
   ['meshoptimizer', ['meshoptimizer.h']],
-  ['tinyobjloader', ['tiny_obj_loader.h']],
   ['nlohmann-json', ['nlohmann/json.hpp']],
   ['CLI11', ['CLI/CLI.hpp']],
   ['GoogleTest', ['gtest/gtest.h']],
