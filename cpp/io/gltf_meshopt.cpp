@@ -54,14 +54,17 @@ std::uint64_t leastBytes(const GltfMeshopt& packed, std::span<const std::byte> b
 /// Undoes the colour filter, which Debian's meshoptimizer does not know: appendix B of
 /// KHR_meshopt_compression. Y, Co, Cg and alpha, of as many bits as alpha tells, become red, green,
 /// blue and alpha of the full range.
-template <class Unsigned, class Signed>
+template <class Unsigned>
 void undoColorFilter(std::vector<std::byte>& bytes) {
+  const auto asSigned = [](int bits) {
+    constexpr int kValues = 1 << (8 * sizeof(Unsigned));
+    return bits < kValues / 2 ? bits : bits - kValues;
+  };
   for (std::size_t at = 0; at + 4 * sizeof(Unsigned) <= bytes.size(); at += 4 * sizeof(Unsigned)) {
     Unsigned stored[4];
     std::memcpy(stored, bytes.data() + at, sizeof stored);
     const int y = stored[0];
-    const auto orange = static_cast<int>(static_cast<Signed>(stored[1]));
-    const auto green = static_cast<int>(static_cast<Signed>(stored[2]));
+    const int orange = asSigned(stored[1]), green = asSigned(stored[2]);
     const unsigned alpha = stored[3];
     unsigned range = 1;  // the least 2^n - 1 that is not below alpha
     while (range < alpha) range = range * 2 + 1;
@@ -93,9 +96,9 @@ void undoFilter(const GltfMeshopt& packed, std::vector<std::byte>& bytes) {
       break;
     case Filter::Color:
       if (stride == 4) {
-        undoColorFilter<std::uint8_t, std::int8_t>(bytes);
+        undoColorFilter<std::uint8_t>(bytes);
       } else {
-        undoColorFilter<std::uint16_t, std::int16_t>(bytes);
+        undoColorFilter<std::uint16_t>(bytes);
       }
       break;
   }
