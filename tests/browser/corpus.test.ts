@@ -126,5 +126,3 @@ test.runIf(data)('command and page read the same', async () => {
     expect(files.some((file, i) => packed.test(file) && read[i]!.info)).toBe(true);
   }
 });
-
-test.skipIf(data)('skipped: no corpus', () => undefined);
