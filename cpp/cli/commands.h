@@ -60,6 +60,9 @@ struct RemeshOptions {
   ModelOptions preparing;
   std::uint32_t faces{10'000};
   std::string output;
+  /// Also compute the girth before and after, and tell how far apart they are.
+  bool difference{false};
+  unsigned threads{0};
   bool json{false};
 };
 

@@ -118,6 +118,11 @@ int run(int argc, char** argv) {
                           "Write the loop: .json, .obj or .glb (a polyline) or .csv (x,y,z)");
   loopCommand->add_flag("--json", loop.json, "Print the summary as JSON");
 
+  const auto threadsOption = [](CLI::App* command, unsigned& threads) {
+    command->add_option("--threads", threads, "Threads; as many as there are cores by default")
+        ->check(CLI::Range(1u, 1024u));
+  };
+
   cli::RemeshOptions remeshing;
   CLI::App* remeshCommand =
       app.add_subcommand("remesh", "Write the surface with even triangles, as many as wanted");
@@ -128,12 +133,12 @@ int run(int argc, char** argv) {
       ->add_option("-o,--output", remeshing.output, "Write it: .obj, .ply, .stl, .off or .glb")
       ->required();
   addModelOptions(*remeshCommand, remeshing.preparing);
+  remeshCommand->add_flag("--difference", remeshing.difference,
+                          "Compute the girth before and after, and print how far apart their "
+                          "distributions are (equation 1 of the paper)");
+  threadsOption(remeshCommand, remeshing.threads);
   remeshCommand->add_flag("--json", remeshing.json, "Print the summary as JSON");
 
-  const auto threadsOption = [](CLI::App* command, unsigned& threads) {
-    command->add_option("--threads", threads, "Threads; as many as there are cores by default")
-        ->check(CLI::Range(1u, 1024u));
-  };
   FieldOptions field;
   CLI::App* fieldCommand =
       app.add_subcommand("field", "Compute another field: thickness, centricity, ...");

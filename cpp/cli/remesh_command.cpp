@@ -1,9 +1,12 @@
 #include <array>
+#include <atomic>
 #include <cstdio>
 #include <optional>
 
 #include "commands.h"
+#include "compute.h"
 #include "files.h"
+#include "girth/field_difference.h"
 #include "girth/io/json_text.h"
 #include "girth/io/number_text.h"
 #include "girth/io/write_mesh.h"
@@ -31,17 +34,20 @@ std::optional<io::Format> formatOf(const std::string& extension) {
   return std::nullopt;
 }
 
-void print(const RemeshOptions& options, const io::LoadedMesh& loaded, const SurfaceMesh& mesh) {
+void print(const RemeshOptions& options, const io::LoadedMesh& loaded, const SurfaceMesh& mesh,
+           std::optional<double> difference) {
   if (options.json) {
-    const std::string text = "{\"file\":" + io::jsonString(options.model) +
-                             ",\"facesBefore\":" + std::to_string(loaded.mesh.faceCount()) +
-                             ",\"faces\":" + std::to_string(mesh.faceCount()) +
-                             ",\"vertices\":" + std::to_string(mesh.vertexCount()) +
-                             ",\"areaBefore\":" + io::formatNumber(loaded.mesh.area()) +
-                             ",\"area\":" + io::formatNumber(mesh.area()) +
-                             ",\"meanEdgeLength\":" + io::formatNumber(mesh.meanEdgeLength()) +
-                             ",\"unit\":" + io::jsonString(loaded.unit) +
-                             ",\"output\":" + io::jsonString(options.output) + "}\n";
+    const std::string text =
+        "{\"file\":" + io::jsonString(options.model) +
+        ",\"facesBefore\":" + std::to_string(loaded.mesh.faceCount()) +
+        ",\"faces\":" + std::to_string(mesh.faceCount()) +
+        ",\"vertices\":" + std::to_string(mesh.vertexCount()) +
+        ",\"areaBefore\":" + io::formatNumber(loaded.mesh.area()) +
+        ",\"area\":" + io::formatNumber(mesh.area()) +
+        ",\"meanEdgeLength\":" + io::formatNumber(mesh.meanEdgeLength()) +
+        ",\"unit\":" + io::jsonString(loaded.unit) +
+        ",\"output\":" + io::jsonString(options.output) +
+        (difference ? ",\"difference\":" + io::formatNumber(*difference) : "") + "}\n";
     std::fputs(text.c_str(), stdout);
     return;
   }
@@ -49,6 +55,20 @@ void print(const RemeshOptions& options, const io::LoadedMesh& loaded, const Sur
               mesh.faceCount(), loaded.mesh.faceCount(), readable(mesh.meanEdgeLength()).c_str(),
               unitSuffix(loaded.unit).c_str());
   std::printf("  area %s of what it was\n", readable(mesh.area() / loaded.mesh.area()).c_str());
+  if (difference) {
+    std::printf("  girth %s away from what it was (equation 1)\n", readable(*difference).c_str());
+  }
+}
+
+/// How far the girth of the new surface is from that of the old one, as distributions.
+Result<double> differenceOf(const RemeshOptions& options, const SurfaceMesh& before,
+                            const SurfaceMesh& after) {
+  const std::atomic<bool>& interrupted = catchInterrupts();
+  const auto old = computeGirth(options.model, before, options.threads, interrupted);
+  if (!old) return old.error();
+  const auto made = computeGirth(options.model, after, options.threads, interrupted);
+  if (!made) return made.error();
+  return fieldDifference(before, old.value().values, after, made.value().values);
 }
 
 }  // namespace
@@ -71,7 +91,13 @@ int runRemesh(const RemeshOptions& options) {
   if (auto error = writeFile(options.output, content.value())) {
     return reportError(options.output, *error);
   }
-  print(options, loaded.value(), remeshed.value().mesh);
+  std::optional<double> difference;
+  if (options.difference) {
+    const auto found = differenceOf(options, loaded.value().mesh, remeshed.value().mesh);
+    if (!found) return reportError(options.model, found.error());
+    difference = found.value();
+  }
+  print(options, loaded.value(), remeshed.value().mesh, difference);
   return 0;
 }
 

@@ -344,6 +344,11 @@ TEST_F(Command, remeshWritesAsManyFacesAsWanted) {
     EXPECT_EQ(info["genus"], Json::array({0}));
     EXPECT_NEAR(info["area"].get<double>(), 42, 1e-5) << "its edges are sharp, and so stay";
   }
+  const Json compared = Json::parse(
+      run({"remesh", prism, "--faces", "1000", "-o", path("a.obj"), "--difference", "--json"})
+          .output);
+  EXPECT_GE(compared["difference"].get<double>(), 0);
+  EXPECT_LT(compared["difference"].get<double>(), 0.05);
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"remesh", prism},
         {"remesh", prism, "-o", path("a.csv")},
