@@ -63,6 +63,10 @@ int run(int argc, char** argv) {
   app.footer(kFooter);
   app.set_version_flag("--version", std::string("girth ") + GIRTH_VERSION);
   app.require_subcommand(1);
+  const auto threadsOption = [](CLI::App* command, unsigned& threads) {
+    command->add_option("--threads", threads, "Threads; as many as there are cores by default")
+        ->check(CLI::Range(1u, 1024u));
+  };
 
   InfoOptions info;
   CLI::App* infoCommand = app.add_subcommand("info", "Say what a model is");
@@ -84,8 +88,7 @@ int run(int argc, char** argv) {
           "--method", [&](const std::string& name) { igf.method = methods.at(name); },
           "exact (the default), naive, the slow yardstick, or ms, the fast-marching approximation")
       ->check(CLI::IsMember({"exact", "naive", "ms"}));
-  igfCommand->add_option("--threads", igf.threads, "Threads; as many as there are cores by default")
-      ->check(CLI::Range(1u, 1024u));
+  threadsOption(igfCommand, igf.threads);
   const auto facesRange = CLI::Range(std::uint32_t{4}, std::uint32_t{100'000'000});
   igfCommand
       ->add_option("--faces", igf.faces,
@@ -117,11 +120,6 @@ int run(int argc, char** argv) {
   loopCommand->add_option("-o,--output", loop.output,
                           "Write the loop: .json, .obj or .glb (a polyline) or .csv (x,y,z)");
   loopCommand->add_flag("--json", loop.json, "Print the summary as JSON");
-
-  const auto threadsOption = [](CLI::App* command, unsigned& threads) {
-    command->add_option("--threads", threads, "Threads; as many as there are cores by default")
-        ->check(CLI::Range(1u, 1024u));
-  };
 
   cli::RemeshOptions remeshing;
   CLI::App* remeshCommand =

@@ -57,16 +57,16 @@ int runTips(const TipsOptions& options) {
   const auto tips = findTips(mesh, girth.value().values, context);
   if (!tips) return reportError(options.model, tips.error());
 
-  const std::string json = io::tipsJson(loaded.value(), tips.value(), options.model);
+  const auto json = [&] { return io::tipsJson(loaded.value(), tips.value(), options.model); };
   if (!options.output.empty()) {
     if (auto error =
             writeFile(options.output,
-                      extension == ".json" ? json : io::tipsObj(loaded.value(), tips.value()))) {
+                      extension == ".json" ? json() : io::tipsObj(loaded.value(), tips.value()))) {
       return reportError(options.output, *error);
     }
   }
   if (options.json) {
-    std::fputs(json.c_str(), stdout);
+    std::fputs(json().c_str(), stdout);
   } else {
     printText(options.model, loaded.value(), tips.value());
   }

@@ -2,8 +2,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "documents.h"
 
@@ -11,13 +9,6 @@ namespace girth::io::testing {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<std::vector<std::byte>> contentOf(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || fs::is_directory(path)) return std::nullopt;
-  const std::string content((std::istreambuf_iterator<char>(file)), {});
-  return bytesOf(content);
-}
 
 bool isModel(const fs::path& path) {
   const std::string extension = path.extension().string();

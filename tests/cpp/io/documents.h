@@ -6,7 +6,11 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <initializer_list>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +22,14 @@ namespace girth::io::testing {
 inline std::vector<std::byte> bytesOf(std::string_view text) {
   const auto* first = reinterpret_cast<const std::byte*>(text.data());
   return {first, first + text.size()};
+}
+
+/// A file's bytes; nothing where there is none.
+inline std::optional<std::vector<std::byte>> contentOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path)) return std::nullopt;
+  const std::string content((std::istreambuf_iterator<char>(file)), {});
+  return bytesOf(content);
 }
 
 /// Reads text or binary content as a file of that name.
