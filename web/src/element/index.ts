@@ -16,6 +16,7 @@ export type { PickDetail, PinnedLoop } from './loops-on-surface.js';
 export { make } from './dom.js';
 export { useKernel } from './shared-kernel.js';
 export {
+  type CameraView,
   type ColormapName,
   type Histogram,
   type LengthFormat,

@@ -13,6 +13,7 @@ import type {
   SurfacePoint,
 } from '../kernel/types.js';
 import {
+  type CameraView,
   type ColormapName,
   GroundShadow,
   Legend,
@@ -80,7 +81,8 @@ interface Original {
  *
  * Events: `load` (`LoadDetail`), `progress` (`ProgressDetail`), `field` (`FieldDetail`), `pick`
  * (`PickDetail`), `error` (`GirthErrorFields`), `touch` (no detail: the surface no longer turns),
- * `unit` (no detail: lengths are written in another unit). None bubbles.
+ * `unit` (no detail: lengths are written in another unit), `camera` (no detail: it was moved, and is at
+ * rest again). None bubbles.
  *
  * Keyboard, while the surface has the focus: arrows turn, + and − zoom, 0 resets; Shift with an
  * arrow moves a probe over the surface, Enter pins its loop, Escape hides it, Delete removes the
@@ -157,6 +159,7 @@ export class GirthViewer extends HTMLElement {
           this.touched = true;
           this.dispatchEvent(new CustomEvent('touch'));
         },
+        rested: () => this.dispatchEvent(new CustomEvent('camera')),
       });
     } catch {
       this.message.show(
@@ -404,6 +407,15 @@ export class GirthViewer extends HTMLElement {
   /** Back to the first view of the model. */
   resetView(): void {
     this.stage?.resetView();
+  }
+
+  /** From where the surface is seen; undefined before the first model. */
+  get camera(): CameraView | undefined {
+    return this.stage?.view;
+  }
+
+  set camera(view: CameraView) {
+    this.stage?.lookFrom(view);
   }
 
   /** Where a point of the surface is on the element, in CSS pixels from its top left corner. */

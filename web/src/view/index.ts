@@ -17,7 +17,7 @@ export {
   lengthFormat,
   roundTicks,
 } from './numbers.js';
-export { type ScreenPoint, Stage } from './stage.js';
+export { type CameraView, type ScreenPoint, Stage } from './stage.js';
 export { Surface, borrowedWeight, computedWeight } from './surface.js';
 export { TimeLeft, formatSeconds } from './time-left.js';
 export { inSlices } from './time-slices.js';

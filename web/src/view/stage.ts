@@ -32,6 +32,19 @@ export interface StageEvents {
   afterFrame(): void;
   /** The surface was touched: it is moved by hand, or pointed at. */
   touched(): void;
+  /** The camera was moved and has come to rest. */
+  rested(): void;
+}
+
+/** From where a surface is seen, whatever its size and place. */
+export interface CameraView {
+  /** Angle from straight above, and round the vertical axis from the front to the right; radians. */
+  polar: number;
+  azimuth: number;
+  /** From the camera to what it looks at, in radii of the surface. */
+  distance: number;
+  /** What it looks at, from the middle of the surface, in radii of the surface. */
+  target: [number, number, number];
 }
 
 /** A point of the surface on the canvas, in CSS pixels from its top left corner. */
@@ -62,6 +75,8 @@ export class Stage {
   private frameCost = 0;
   private resting = true;
   private turnsByItself = false;
+  /** Whether the camera was moved since it last came to rest. */
+  private moved = false;
 
   /** Throws where the browser has no WebGL 2. */
   constructor(
@@ -77,7 +92,10 @@ export class Stage {
     this.controls.rotateSpeed = 0.9;
     this.controls.autoRotateSpeed = 1.1;
     this.controls.addEventListener('start', () => this.touch());
-    this.controls.addEventListener('change', () => this.invalidate());
+    this.controls.addEventListener('change', () => {
+      this.moved ||= !this.turnsByItself;
+      this.invalidate();
+    });
   }
 
   /** Compiles an object's shaders beside the page's own work, so that its first frame need not wait. */
@@ -221,6 +239,36 @@ export class Stage {
     this.invalidate();
   }
 
+  /** From where the surface is seen now; undefined where there is none. */
+  get view(): CameraView | undefined {
+    if (!this.surface) return undefined;
+    const { center, radius } = this.surface.bounds;
+    const { target } = this.controls;
+    const arm = this.camera.position.clone().sub(target);
+    const distance = arm.length();
+    return {
+      polar: Math.acos(Math.min(1, Math.max(-1, arm.y / distance))),
+      azimuth: Math.atan2(arm.x, arm.z),
+      distance: distance / radius,
+      target: target.clone().sub(center).divideScalar(radius).toArray(),
+    };
+  }
+
+  /** Looks from there at once; what lies beyond the limits of moving by hand is brought within. */
+  lookFrom({ polar, azimuth, distance, target }: CameraView): void {
+    if (!this.surface) return;
+    this.touch();
+    const { center, radius } = this.surface.bounds;
+    this.controls.target.fromArray(target).clampLength(0, 4).multiplyScalar(radius).add(center);
+    const { minDistance, maxDistance } = this.controls;
+    const length = Math.min(maxDistance, Math.max(minDistance, distance * radius));
+    this.camera.position
+      .setFromSphericalCoords(length, Math.min(Math.PI - 0.01, Math.max(0.01, polar)), azimuth)
+      .add(this.controls.target);
+    this.controls.update();
+    this.invalidate();
+  }
+
   /** Turns the camera about the surface, to the right and up, in radians. */
   orbit(right: number, up: number): void {
     this.touch();
@@ -285,6 +333,10 @@ export class Stage {
     // Reports 'change', which asks for the next frame, as long as the camera still moves.
     this.controls.update(Math.min(0.1, elapsed / 1000));
     const moving = this.dirty;
+    if (this.moved && !moving) {
+      this.moved = false;
+      this.events.rested();
+    }
     const begun = performance.now();
     this.draw();
     // A task of its own comes after the browser has composited what was drawn.
