@@ -1,0 +1,178 @@
+// The distribution of a field's values over a surface: each value counts by its weight, which is the
+// area of its vertex. Values that are no numbers do not count. Everything is O(n).
+
+/** One number for each value, not negative; undefined: every value counts 1. */
+export type Weights = ArrayLike<number> | undefined;
+
+/** Smallest and largest finite value; undefined where there is none. */
+export function extent(values: ArrayLike<number>): [number, number] | undefined {
+  let low = Infinity;
+  let high = -Infinity;
+  for (let i = 0; i < values.length; ++i) {
+    const value = values[i]!;
+    if (!Number.isFinite(value)) continue;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return low <= high ? [low, high] : undefined;
+}
+
+export interface Histogram {
+  /** Weight in each bin as a share of the weight of all finite values; the bins are equally wide. */
+  shares: Float64Array;
+  low: number;
+  high: number;
+  /** The largest share. */
+  peak: number;
+}
+
+/** Sorts the values into `bins` bins over [low, high]; the last bin includes `high`. */
+export function histogram(
+  values: ArrayLike<number>,
+  weights: Weights,
+  bins: number,
+  [low, high]: readonly [number, number],
+): Histogram {
+  const shares = new Float64Array(bins);
+  const scale = high > low ? bins / (high - low) : 0;
+  let total = 0;
+  for (let i = 0; i < values.length; ++i) {
+    const value = values[i]!;
+    if (!Number.isFinite(value)) continue;
+    const weight = weights ? weights[i]! : 1;
+    total += weight;
+    if (value < low || value > high) continue;
+    const bin = Math.min(bins - 1, Math.floor((value - low) * scale));
+    shares[bin] = shares[bin]! + weight;
+  }
+  if (total > 0) for (let bin = 0; bin < bins; ++bin) shares[bin] = shares[bin]! / total;
+  return { shares, low, high, peak: shares.reduce((a, b) => Math.max(a, b), 0) };
+}
+
+/** The share of the weight that has values in [low, high]. */
+export function shareWithin(
+  values: ArrayLike<number>,
+  weights: Weights,
+  [low, high]: readonly [number, number],
+): number {
+  let within = 0;
+  let total = 0;
+  for (let i = 0; i < values.length; ++i) {
+    const value = values[i]!;
+    if (!Number.isFinite(value)) continue;
+    const weight = weights ? weights[i]! : 1;
+    total += weight;
+    if (value >= low && value <= high) within += weight;
+  }
+  return total > 0 ? within / total : 0;
+}
+
+/** The places of the values in [low, high], ascending. */
+export function placesWithin(
+  values: ArrayLike<number>,
+  [low, high]: readonly [number, number],
+): Uint32Array {
+  const places = new Uint32Array(values.length);
+  let count = 0;
+  for (let i = 0; i < values.length; ++i) {
+    if (values[i]! >= low && values[i]! <= high) places[count++] = i;
+  }
+  return places.slice(0, count);
+}
+
+/** The cumulative distribution at equally distant values: `shares[i]` of the weight is at most `at[i]`. */
+export interface Cumulative {
+  at: Float64Array;
+  shares: Float64Array;
+}
+
+/** The distribution at `steps` + 1 values from low to high; exact at each of them. */
+export function cumulative(
+  values: ArrayLike<number>,
+  weights: Weights,
+  steps: number,
+  [low, high]: readonly [number, number],
+): Cumulative {
+  const at = Float64Array.from({ length: steps + 1 }, (_, i) => low + ((high - low) * i) / steps);
+  at[steps] = high;
+  const shares = new Float64Array(steps + 1);
+  const scale = high > low ? steps / (high - low) : 0;
+  let total = 0;
+  for (let i = 0; i < values.length; ++i) {
+    const value = values[i]!;
+    if (!Number.isFinite(value)) continue;
+    const weight = weights ? weights[i]! : 1;
+    total += weight;
+    if (value > high) continue;
+    // The first of the values that is not below this one; rounding may have missed it by one.
+    let step = Math.min(steps, Math.max(0, Math.ceil((value - low) * scale)));
+    if (step > 0 && at[step - 1]! >= value) --step;
+    else if (step < steps && at[step]! < value) ++step;
+    shares[step] = shares[step]! + weight;
+  }
+  let sum = 0;
+  for (let step = 0; step <= steps; ++step) {
+    sum += shares[step]!;
+    shares[step] = total > 0 ? sum / total : 0;
+  }
+  return { at, shares };
+}
+
+/** So many values are sorted rather than divided further. */
+const fewValues = 256;
+const divisions = 1024;
+
+/**
+ * The least value such that at least `share` of the weight is at most this value; NaN where there is
+ * none. By counting in ever narrower intervals, since sorting would hold up the page.
+ */
+export function quantile(values: ArrayLike<number>, weights: Weights, share: number): number {
+  const reach = extent(values);
+  if (!reach) return NaN;
+  const weightOf = (i: number): number => (weights ? weights[i]! : 1);
+  let places: number[] | undefined;
+  let total = 0;
+  for (let i = 0; i < values.length; ++i) if (Number.isFinite(values[i])) total += weightOf(i);
+  let wanted = Math.min(1, Math.max(0, share)) * total;
+  let [low, high] = reach;
+  for (;;) {
+    const count = places?.length ?? values.length;
+    if (count <= fewValues || !(high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high))))
+      break;
+    const scale = divisions / (high - low);
+    if (!(scale > 0) || !Number.isFinite(scale)) break;
+    const binOf = (value: number): number =>
+      Math.min(divisions - 1, Math.floor((value - low) * scale));
+    const sums = new Float64Array(divisions);
+    const each = (act: (i: number, bin: number) => void): void => {
+      for (let k = 0; k < count; ++k) {
+        const i = places ? places[k]! : k;
+        if (Number.isFinite(values[i])) act(i, binOf(values[i]!));
+      }
+    };
+    each((i, bin) => (sums[bin] = sums[bin]! + weightOf(i)));
+    let chosen = 0;
+    while (chosen < divisions - 1 && sums[chosen]! < wanted) wanted -= sums[chosen++]!;
+    // Rounding in the sums may have run past the last bin that holds anything.
+    while (chosen > 0 && sums[chosen] === 0) wanted += sums[--chosen]!;
+    const inside: number[] = [];
+    let [least, most] = [Infinity, -Infinity];
+    each((i, bin) => {
+      if (bin !== chosen) return;
+      inside.push(i);
+      least = Math.min(least, values[i]!);
+      most = Math.max(most, values[i]!);
+    });
+    places = inside;
+    [low, high] = [least, most];
+  }
+  const last = (places ?? Array.from({ length: values.length }, (_, i) => i))
+    .filter((i) => Number.isFinite(values[i]))
+    .sort((a, b) => values[a]! - values[b]!);
+  let sum = 0;
+  for (const i of last) {
+    sum += weightOf(i);
+    if (sum >= wanted * (1 - 1e-12)) return values[i]!;
+  }
+  return values[last.at(-1)!]!;
+}

@@ -1,0 +1,173 @@
+// A plot on the page: uPlot draws axes and lines, scaled to the screen and to the space there is; what
+// is above it (marks, handles) is HTML.
+
+import uPlot from 'uplot';
+import { type Scale, logTicks } from './density.js';
+import { roundTicks } from '../numbers.js';
+
+/** An axis of a plot as the reader sees it. */
+export interface PlotAxis {
+  scale: Scale;
+  /** Numbers at the axis; undefined: none are written. */
+  format?: ((value: number) => string) | undefined;
+  /** What the numbers are, with the unit. */
+  label?: string | undefined;
+}
+
+export interface PlotLine {
+  y: ArrayLike<number>;
+  colour: string;
+  dash?: number[] | undefined;
+}
+
+export interface PlotContent {
+  x: PlotAxis;
+  y: PlotAxis;
+  /** Values of x that all lines share, ascending. */
+  at: ArrayLike<number>;
+  lines: readonly PlotLine[];
+  /** Draws below the lines: the plot's inside in pixels of the canvas, and pixels per CSS pixel. */
+  paint?: (context: CanvasRenderingContext2D, inside: uPlot.BBox, pixelRatio: number) => void;
+}
+
+const font = '11px system-ui, sans-serif';
+
+/** Keeps a plot as large as its host and in the colours of the page. */
+export class PlotFrame {
+  /** Above the plot's inside, its size. */
+  readonly over = document.createElement('div');
+  private readonly watchers: (() => void)[] = [];
+  private plot: uPlot | undefined;
+  private content: PlotContent | undefined;
+  private layout = '';
+
+  /** `host` has a size of its own; the colour of its text is that of numbers and axes. */
+  constructor(private readonly host: HTMLElement) {
+    this.over.className = 'plot-over';
+    const resized = new ResizeObserver(() => this.fit());
+    resized.observe(host);
+    this.watchers.push(() => resized.disconnect());
+    for (const query of ['(prefers-color-scheme: dark)', `(resolution: ${devicePixelRatio}dppx)`]) {
+      const media = window.matchMedia(query);
+      const changed = (): void => this.rebuild();
+      media.addEventListener('change', changed);
+      this.watchers.push(() => media.removeEventListener('change', changed));
+    }
+  }
+
+  show(content: PlotContent): void {
+    this.content = content;
+    // Axes that come, go or change their kind need another plot; else only what is drawn changes.
+    const { x, y, lines } = content;
+    const layout = JSON.stringify([
+      [x, y].map(({ scale, format, label }) => [scale.log, !!format, label]),
+      lines.map(({ colour, dash }) => [colour, dash]),
+    ]);
+    if (!this.plot || layout !== this.layout) {
+      this.layout = layout;
+      this.rebuild();
+      return;
+    }
+    this.plot.setData(this.data(), true);
+  }
+
+  /** Draws again what `paint` draws. */
+  repaint(): void {
+    this.plot?.redraw(false, false);
+  }
+
+  dispose(): void {
+    for (const stop of this.watchers.splice(0)) stop();
+    this.plot?.destroy();
+    this.plot = undefined;
+  }
+
+  private data(): uPlot.AlignedData {
+    const { at, lines } = this.content!;
+    return [Array.from(at), ...lines.map(({ y }) => Array.from(y))];
+  }
+
+  private fit(): void {
+    const { clientWidth, clientHeight } = this.host;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    if (!this.plot) this.rebuild();
+    else if (this.plot.width !== clientWidth || this.plot.height !== clientHeight) {
+      this.plot.setSize({ width: clientWidth, height: clientHeight });
+    }
+  }
+
+  private rebuild(): void {
+    const { content, host } = this;
+    const { clientWidth, clientHeight } = host;
+    if (!content || clientWidth === 0 || clientHeight === 0) return;
+    this.plot?.destroy();
+    const style = getComputedStyle(host);
+    const ink = style.color;
+    const line = style.getPropertyValue('--plot-line') || ink;
+    const axis = (side: 'x' | 'y'): uPlot.Axis => {
+      const { format, label } = content[side];
+      return {
+        scale: side,
+        show: !!format,
+        stroke: ink,
+        font,
+        labelFont: font,
+        grid: { stroke: line, width: 1 },
+        ticks: { show: false },
+        border: { show: false },
+        gap: 4,
+        size: side === 'x' ? 20 : 44,
+        ...(label === undefined ? {} : { label, labelSize: 16, labelGap: 0 }),
+        splits: () => this.ticks(side),
+        values: (_, ticks) => ticks.map((tick) => this.content![side].format?.(tick) ?? ''),
+        filter: (_, ticks) => ticks,
+      };
+    };
+    const scale = (side: 'x' | 'y'): uPlot.Scale => ({
+      time: false,
+      distr: content[side].scale.log ? 3 : 1,
+      range: () => [this.content![side].scale.low, this.content![side].scale.high],
+    });
+    this.plot = new uPlot(
+      {
+        width: clientWidth,
+        height: clientHeight,
+        padding: content.x.format ? [6, 10, 0, 0] : [1, 0, 1, 0],
+        legend: { show: false },
+        cursor: { show: false },
+        scales: { x: scale('x'), y: scale('y') },
+        axes: [axis('x'), axis('y')],
+        series: [
+          {},
+          ...content.lines.map(({ colour, dash }) => ({
+            scale: 'y',
+            stroke: colour,
+            width: 1.75,
+            points: { show: false },
+            ...(dash ? { dash } : {}),
+          })),
+        ],
+        hooks: {
+          drawAxes: [
+            (plot) => {
+              const { ctx, bbox } = plot;
+              ctx.save();
+              this.content!.paint?.(ctx, bbox, uPlot.pxRatio);
+              ctx.restore();
+            },
+          ],
+        },
+      },
+      this.data(),
+      host,
+    );
+    this.plot.over.append(this.over);
+  }
+
+  private ticks(side: 'x' | 'y'): number[] {
+    const { scale } = this.content![side];
+    const room = side === 'x' ? this.host.clientWidth / 64 : this.host.clientHeight / 34;
+    const wanted = Math.max(2, Math.floor(room));
+    return scale.log ? logTicks(scale, wanted) : roundTicks(scale.low, scale.high, wanted);
+  }
+}

@@ -1,0 +1,245 @@
+// Girth against thickness, a point for every vertex, with the two thresholds that make tubes, plates
+// and body of it; both can be dragged.
+
+import {
+  type Density,
+  type Scale,
+  density,
+  densityImage,
+  placeOn,
+  scaleFor,
+  valueAt,
+} from './density.js';
+import type { Weights } from './distribution.js';
+import { PlotFrame } from './plot-frame.js';
+
+export interface Thresholds {
+  girth: number;
+  diameter: number;
+}
+
+/** sRGB bytes of what lies where. */
+export interface RegionColours {
+  body: readonly [number, number, number];
+  tube: readonly [number, number, number];
+  plate: readonly [number, number, number];
+}
+
+export interface ScatterContent {
+  girth: ArrayLike<number>;
+  diameter: ArrayLike<number>;
+  weights: Weights;
+  log: boolean;
+  colours: RegionColours;
+  format: (value: number) => string;
+  /** What the axes are, with the unit. */
+  labels: { girth: string; diameter: string };
+}
+
+export interface ScatterEvents {
+  /** A threshold was moved; `settled` once the hand has let go. */
+  moved(thresholds: Thresholds, settled: boolean): void;
+}
+
+/** CSS pixels of a cell of the raster. */
+const cell = 1.5;
+/** Shares of an axis that an arrow key and a page key move. */
+const keySteps: Record<string, number> = {
+  ArrowRight: 0.01,
+  ArrowUp: 0.01,
+  ArrowLeft: -0.01,
+  ArrowDown: -0.01,
+  PageUp: 0.1,
+  PageDown: -0.1,
+};
+
+export class ScatterPlot {
+  readonly element = document.createElement('div');
+  private readonly frame = new PlotFrame(this.element);
+  private readonly handles: Record<keyof Thresholds, HTMLElement>;
+  private readonly cross = document.createElement('div');
+  private content: ScatterContent | undefined;
+  private axes: { x: Scale; y: Scale } | undefined;
+  private thresholds: Thresholds = { girth: 0, diameter: 0 };
+  private counted: { density: Density; key: string } | undefined;
+  private images: Record<keyof RegionColours, OffscreenCanvas> | undefined;
+
+  constructor(private readonly events: ScatterEvents) {
+    this.element.className = 'plot scatter';
+    this.handles = {
+      girth: this.handle('girth', 'Girth below which thin parts are tubes'),
+      diameter: this.handle('diameter', 'Thickness below which parts are thin'),
+    };
+    this.cross.className = 'plot-cross';
+    this.drags(this.cross, ['girth', 'diameter']);
+    this.frame.over.append(this.handles.girth, this.handles.diameter, this.cross);
+  }
+
+  /** Shows points; false where none of them has both values. */
+  show(content: ScatterContent): boolean {
+    this.content = content;
+    const x = scaleFor(content.girth, content.log);
+    const y = scaleFor(content.diameter, content.log);
+    this.counted = undefined;
+    this.images = undefined;
+    this.axes = x && y && { x, y };
+    if (!x || !y) return false;
+    this.frame.show({
+      x: { scale: x, format: content.format, label: content.labels.girth },
+      y: { scale: y, format: content.format, label: content.labels.diameter },
+      at: [x.low, x.high],
+      lines: [],
+      paint: (context, inside, pixelRatio) => this.paint(context, inside, pixelRatio),
+    });
+    this.place();
+    return true;
+  }
+
+  /** Moves the lines without telling it to anybody. */
+  setThresholds(thresholds: Thresholds): void {
+    this.thresholds = { ...thresholds };
+    this.place();
+    this.frame.repaint();
+  }
+
+  dispose(): void {
+    this.frame.dispose();
+  }
+
+  private handle(name: keyof Thresholds, label: string): HTMLElement {
+    const handle = document.createElement('div');
+    handle.className = `plot-handle plot-handle-${name}`;
+    handle.tabIndex = 0;
+    handle.setAttribute('role', 'slider');
+    handle.setAttribute('aria-label', label);
+    handle.setAttribute('aria-orientation', name === 'girth' ? 'horizontal' : 'vertical');
+    handle.setAttribute('aria-valuemin', '0');
+    handle.setAttribute('aria-valuemax', '100');
+    handle.setAttribute('aria-valuenow', '0');
+    this.drags(handle, [name]);
+    handle.addEventListener('keydown', (event) => {
+      const step = keySteps[event.key];
+      const scale = name === 'girth' ? this.axes?.x : this.axes?.y;
+      if (step === undefined || !scale) return;
+      event.preventDefault();
+      const place = placeOn(scale, this.thresholds[name]);
+      const from = Math.min(1, Math.max(0, Number.isNaN(place) ? 0 : place));
+      this.move({ [name]: valueAt(scale, Math.min(1, Math.max(0, from + step))) }, true);
+    });
+    return handle;
+  }
+
+  private drags(handle: HTMLElement, names: (keyof Thresholds)[]): void {
+    handle.addEventListener('pointerdown', (down) => {
+      if (down.button !== 0 || !this.axes) return;
+      down.preventDefault();
+      const { axes } = this;
+      const box = this.frame.over.getBoundingClientRect();
+      const move = (event: PointerEvent): void => {
+        const clamp = (place: number): number => Math.min(1, Math.max(0, place));
+        const change: Partial<Thresholds> = {};
+        if (names.includes('girth')) {
+          change.girth = valueAt(axes.x, clamp((event.clientX - box.left) / box.width));
+        }
+        if (names.includes('diameter')) {
+          change.diameter = valueAt(axes.y, clamp(1 - (event.clientY - box.top) / box.height));
+        }
+        this.move(change, false);
+      };
+      handle.setPointerCapture(down.pointerId);
+      handle.addEventListener('pointermove', move);
+      handle.addEventListener(
+        'lostpointercapture',
+        () => {
+          handle.removeEventListener('pointermove', move);
+          this.events.moved({ ...this.thresholds }, true);
+        },
+        { once: true },
+      );
+    });
+  }
+
+  private move(change: Partial<Thresholds>, settled: boolean): void {
+    this.setThresholds({ ...this.thresholds, ...change });
+    this.events.moved({ ...this.thresholds }, settled);
+  }
+
+  /** Places of the thresholds on the axes, within them. */
+  private places(): { right: number; up: number } {
+    const { axes, thresholds } = this;
+    const clamp = (place: number): number =>
+      Math.min(1, Math.max(0, Number.isNaN(place) ? 0 : place));
+    return {
+      right: clamp(placeOn(axes!.x, thresholds.girth)),
+      up: clamp(placeOn(axes!.y, thresholds.diameter)),
+    };
+  }
+
+  private place(): void {
+    const { handles, cross, axes, content } = this;
+    for (const one of [handles.girth, handles.diameter, cross]) one.hidden = !axes;
+    if (!axes || !content) return;
+    const { right, up } = this.places();
+    handles.girth.style.left = cross.style.left = `${100 * right}%`;
+    handles.girth.style.top = handles.diameter.style.top = cross.style.top = `${100 * (1 - up)}%`;
+    for (const [name, place] of [
+      ['girth', right],
+      ['diameter', up],
+    ] as const) {
+      handles[name].setAttribute('aria-valuenow', String(Math.round(100 * place)));
+      handles[name].setAttribute('aria-valuetext', content.format(this.thresholds[name]));
+    }
+  }
+
+  /** The points, in the colour of the region that each lies in. */
+  private paint(
+    context: CanvasRenderingContext2D,
+    inside: { left: number; top: number; width: number; height: number },
+    pixelRatio: number,
+  ): void {
+    const { content, axes } = this;
+    if (!content || !axes) return;
+    const width = Math.max(1, Math.round(inside.width / (pixelRatio * cell)));
+    const height = Math.max(1, Math.round(inside.height / (pixelRatio * cell)));
+    const key = `${width} ${height}`;
+    if (this.counted?.key !== key) {
+      const { girth, diameter, weights } = content;
+      this.counted = { key, density: density(girth, diameter, weights, axes, width, height) };
+      this.images = undefined;
+    }
+    this.images ??= this.drawImages(content.colours);
+    const { right, up } = this.places();
+    const [x, y] = [inside.left + inside.width * right, inside.top + inside.height * (1 - up)];
+    const [endX, endY] = [inside.left + inside.width, inside.top + inside.height];
+    const regions: [keyof RegionColours, number, number, number, number][] = [
+      ['body', inside.left, inside.top, endX, y],
+      ['tube', inside.left, y, x, endY],
+      ['plate', x, y, endX, endY],
+    ];
+    for (const [region, left, top, end, bottom] of regions) {
+      context.save();
+      context.beginPath();
+      context.rect(left, top, end - left, bottom - top);
+      context.clip();
+      const [r, g, b] = content.colours[region];
+      context.fillStyle = `rgb(${r} ${g} ${b} / 0.1)`;
+      context.fillRect(left, top, end - left, bottom - top);
+      context.imageSmoothingEnabled = false;
+      context.drawImage(this.images[region], inside.left, inside.top, inside.width, inside.height);
+      context.restore();
+    }
+  }
+
+  private drawImages(colours: RegionColours): Record<keyof RegionColours, OffscreenCanvas> {
+    const counted = this.counted!.density;
+    const draw = (region: keyof RegionColours): OffscreenCanvas => {
+      const canvas = new OffscreenCanvas(counted.width, counted.height);
+      const pixels = densityImage(counted, colours[region]);
+      canvas
+        .getContext('2d')!
+        .putImageData(new ImageData(pixels, counted.width, counted.height), 0, 0);
+      return canvas;
+    };
+    return { body: draw('body'), tube: draw('tube'), plate: draw('plate') };
+  }
+}
