@@ -1,0 +1,426 @@
+// Comparing shapes: distributions, transport, words and measures against what is known by hand, and
+// against slow ways that are plainly right.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "girth/retrieval/bag_of_features.h"
+#include "girth/retrieval/distribution.h"
+#include "girth/retrieval/histogram.h"
+#include "girth/retrieval/joint_histogram.h"
+#include "girth/retrieval/measures.h"
+#include "girth/retrieval/transport.h"
+#include "shapes.h"
+
+namespace girth::retrieval {
+namespace {
+
+using girth::test::Random;
+using Numbers = std::vector<double>;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Numbers randomNumbers(Random& random, std::size_t count) {
+  Numbers numbers(count);
+  for (double& number : numbers) number = random();
+  return numbers;
+}
+
+TEST(Distribution, DistanceByHand) {
+  // All at 1 against half at 0 and half at 4: half moves by 1, half by 3.
+  const auto one = distributionOf(Numbers{1}, Numbers{7});
+  const auto two = distributionOf(Numbers{4, 0}, Numbers{2, 2});
+  EXPECT_DOUBLE_EQ(earthMoversDistance(one, two), 2);
+  EXPECT_DOUBLE_EQ(earthMoversDistance(two, one), 2);
+  EXPECT_EQ(earthMoversDistance(two, two), 0);
+}
+
+TEST(Distribution, WhatHasNoValueOrNoWeightDoesNotCount) {
+  const auto plain = distributionOf(Numbers{1, 3}, Numbers{1, 1});
+  const auto spoilt =
+      distributionOf(Numbers{kNaN, 3, 1, 9, kInfinity, -5}, Numbers{4, 1, 1, 0, 2, kNaN});
+  EXPECT_EQ(earthMoversDistance(plain, spoilt), 0);
+  const auto none = distributionOf(Numbers{kNaN}, Numbers{1});
+  EXPECT_TRUE(none.empty());
+  EXPECT_TRUE(std::isnan(earthMoversDistance(plain, none)));
+}
+
+TEST(Distribution, IsTheTransportOnTheLine) {
+  Random random(1);
+  for (int round = 0; round < 50; ++round) {
+    const Numbers a = randomNumbers(random, 1 + random.below(7));
+    const Numbers b = randomNumbers(random, 1 + random.below(7));
+    const Numbers supplies = randomNumbers(random, a.size());
+    const Numbers demands = randomNumbers(random, b.size());
+    Numbers costs;
+    for (const double x : a) {
+      for (const double y : b) costs.push_back(std::fabs(x - y));
+    }
+    const auto moved = transportCost(supplies, demands, costs);
+    ASSERT_TRUE(moved.ok());
+    EXPECT_NEAR(moved.value(),
+                earthMoversDistance(distributionOf(a, supplies), distributionOf(b, demands)), 1e-8);
+  }
+}
+
+TEST(Histogram, BinsAndDistanceByHand) {
+  const auto distribution = distributionOf(Numbers{-1, 0, 0.49, 0.5, 1, 7}, Numbers(6, 1.0));
+  const auto shares = histogramOf(distribution, {0, 1}, 2);
+  ASSERT_EQ(shares.size(), 2u);
+  EXPECT_DOUBLE_EQ(shares[0], 0.5) << "below the range counts to the first bin";
+  EXPECT_DOUBLE_EQ(shares[1], 0.5) << "above it to the last";
+  EXPECT_DOUBLE_EQ(histogramDistance({1, 0, 0}, {0, 0, 1}, {0, 6}), 4) << "two bins of width 2";
+  EXPECT_TRUE(std::isnan(histogramDistance({0, 0}, {1, 0}, {0, 1})));
+}
+
+TEST(Histogram, DistanceIsNearThatOfTheDistributions) {
+  Random random(2);
+  for (int round = 0; round < 20; ++round) {
+    const auto one = distributionOf(randomNumbers(random, 300), randomNumbers(random, 300));
+    const auto two = distributionOf(randomNumbers(random, 200), randomNumbers(random, 200));
+    const double exact = earthMoversDistance(one, two);
+    const double binned =
+        histogramDistance(histogramOf(one, {0, 1}), histogramOf(two, {0, 1}), {0, 1});
+    EXPECT_NEAR(binned, exact, 1.0 / 512);
+  }
+}
+
+/// The least cost over all basic solutions of the linear programme: every choice of n + m − 1 arcs
+/// whose flows can be told one after another, from nodes with one arc left.
+double leastCostOfAllBases(const Numbers& supplies, const Numbers& demands, const Numbers& costs) {
+  const std::size_t n = supplies.size(), m = demands.size(), arcs = n * m;
+  double best = kInfinity;
+  for (std::size_t choice = 0; choice < (std::size_t{1} << arcs); ++choice) {
+    if (static_cast<std::size_t>(__builtin_popcountll(choice)) != n + m - 1) continue;
+    std::size_t left = choice;
+    Numbers rest = supplies;
+    rest.insert(rest.end(), demands.begin(), demands.end());
+    double cost = 0;
+    bool feasible = true;
+    for (bool found = true; found && left != 0 && feasible;) {
+      found = false;
+      for (std::size_t node = 0; node < n + m && feasible; ++node) {
+        std::size_t degree = 0, only = 0;
+        for (std::size_t arc = 0; arc < arcs; ++arc) {
+          if ((left >> arc & 1) == 0 || (arc / m != node && n + arc % m != node)) continue;
+          ++degree;
+          only = arc;
+        }
+        if (degree != 1) continue;
+        found = true;
+        const double flow = rest[node];
+        feasible = flow >= -1e-12;
+        cost += flow * costs[only];
+        rest[only / m] -= flow;
+        rest[n + only % m] -= flow;
+        left &= ~(std::size_t{1} << only);
+      }
+    }
+    feasible = feasible && left == 0 &&
+               std::all_of(rest.begin(), rest.end(), [](double r) { return std::fabs(r) < 1e-9; });
+    if (feasible) best = std::min(best, cost);
+  }
+  return best;
+}
+
+Numbers scaledToOne(Numbers masses) {
+  const double sum = std::accumulate(masses.begin(), masses.end(), 0.0);
+  for (double& mass : masses) mass /= sum;
+  return masses;
+}
+
+TEST(Transport, AgreesWithAllBases) {
+  Random random(3);
+  for (int round = 0; round < 60; ++round) {
+    const std::size_t n = 1 + random.below(3), m = 1 + random.below(4);
+    const Numbers supplies = scaledToOne(randomNumbers(random, n));
+    const Numbers demands = scaledToOne(randomNumbers(random, m));
+    Numbers costs = randomNumbers(random, n * m);
+    if (round % 3 == 0) {
+      for (double& cost : costs) cost = std::floor(3 * cost);  // many equal ones
+    }
+    const auto cost = transportCost(supplies, demands, costs);
+    ASSERT_TRUE(cost.ok());
+    EXPECT_NEAR(cost.value(), leastCostOfAllBases(supplies, demands, costs), 1e-8);
+  }
+}
+
+TEST(Transport, EqualSharesAreADegenerateProblem) {
+  // An assignment: every basis has arcs without flow, where a careless simplex runs in circles.
+  Random random(4);
+  for (int round = 0; round < 20; ++round) {
+    const Numbers equal(3, 1.0 / 3);
+    Numbers costs = randomNumbers(random, 9);
+    for (double& cost : costs) cost = std::floor(2 * cost);
+    const auto cost = transportCost(equal, equal, costs);
+    ASSERT_TRUE(cost.ok());
+    EXPECT_NEAR(cost.value(), leastCostOfAllBases(equal, equal, costs), 1e-9);
+  }
+  const std::size_t n = 60;
+  Numbers costs(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) costs[i * n + j] = (i + j) % n == 0 ? 0 : 1;
+  }
+  const auto cost = transportCost(Numbers(n, 1), Numbers(n, 1), costs);
+  ASSERT_TRUE(cost.ok());
+  EXPECT_NEAR(cost.value(), 0, 1e-12);
+}
+
+TEST(Transport, KnowsItsOwnOptimum) {
+  // Moving a cloud by a vector: no cheaper way than straight, whatever the shares.
+  Random random(5);
+  const std::size_t n = 80;
+  const Numbers x = randomNumbers(random, n), y = randomNumbers(random, n);
+  const Numbers shares = randomNumbers(random, n);
+  Numbers costs;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j)
+      costs.push_back(std::hypot(x[i] - x[j] - 3, y[i] - y[j] - 4));
+  }
+  const auto cost = transportCost(shares, shares, costs);
+  ASSERT_TRUE(cost.ok());
+  EXPECT_NEAR(cost.value(), 5, 1e-8);
+}
+
+TEST(Transport, RefusesWhatIsNoProblem) {
+  const auto refused = [](const Numbers& supplies, const Numbers& demands, const Numbers& costs) {
+    const auto cost = transportCost(supplies, demands, costs);
+    return !cost.ok() && cost.error().code == ErrorCode::InvalidOption;
+  };
+  EXPECT_TRUE(refused({1}, {1}, {}));
+  EXPECT_TRUE(refused({1}, {-1, 2}, {1, 1}));
+  EXPECT_TRUE(refused({0}, {1}, {1}));
+  EXPECT_TRUE(refused({kNaN}, {1}, {1}));
+  EXPECT_TRUE(refused({1}, {1}, {kInfinity}));
+  EXPECT_TRUE(refused({1}, {1}, {-1}));
+  EXPECT_TRUE(refused({}, {}, {}));
+}
+
+TEST(JointHistogram, DistanceOfShiftedCopies) {
+  Random random(6);
+  const Numbers x = randomNumbers(random, 200), y = randomNumbers(random, 200);
+  const Numbers weights = randomNumbers(random, 200);
+  Numbers shifted = x;
+  for (double& value : shifted) value += 2;
+  const JointHistogramOptions options{8, {0, 1}, {0, 1}};
+  const JointHistogramOptions shiftedOptions{8, {2, 3}, {0, 1}};
+  const auto one = jointHistogramOf(x, y, weights, options);
+  const auto two = jointHistogramOf(shifted, y, weights, shiftedOptions);
+  EXPECT_LE(one.shares.size(), 64u);
+  EXPECT_NEAR(std::accumulate(one.shares.begin(), one.shares.end(), 0.0), 1, 1e-12);
+  const auto distance = jointDistance(one, two, 0.5, 1);
+  ASSERT_TRUE(distance.ok());
+  EXPECT_NEAR(distance.value(), 4, 1e-7);
+  EXPECT_FALSE(jointDistance(one, JointHistogram{}, 1, 1).ok());
+}
+
+/// Four clouds of different sizes round the corners of a square.
+Numbers fourClouds(Random& random, std::size_t count) {
+  Numbers features;
+  for (std::size_t i = 0; i < count; ++i) {
+    features.push_back((i % 4 < 2 ? 0 : 10) + random());
+    features.push_back((i % 2 == 0 ? 0 : 10) + random());
+  }
+  return features;
+}
+
+TEST(BagOfFeatures, FindsClouds) {
+  Random random(7);
+  const Numbers features = fourClouds(random, 400);
+  const Numbers weights(400, 1);
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const auto vocabulary = vocabularyOf(features, 2, weights, {4, seed, 100});
+    ASSERT_TRUE(vocabulary.ok());
+    ASSERT_EQ(vocabulary.value().size(), 4u);
+    EXPECT_NEAR(vocabulary.value().width, 20, 1);
+    const auto bag = bagOfFeatures(vocabulary.value(), features, weights, WordChoice::Nearest);
+    for (const double share : bag) EXPECT_DOUBLE_EQ(share, 0.25);
+  }
+}
+
+TEST(BagOfFeatures, IsRepeatableForAnyNumberOfThreads) {
+  Random random(8);
+  const Numbers features = randomNumbers(random, 3 * 2000), weights = randomNumbers(random, 2000);
+  ExecutionContext one, three;
+  one.threads = 1;
+  three.threads = 3;
+  const auto a = vocabularyOf(features, 3, weights, {20, 5, 30}, one);
+  const auto b = vocabularyOf(features, 3, weights, {20, 5, 30}, three);
+  const auto c = vocabularyOf(features, 3, weights, {20, 6, 30}, three);
+  ASSERT_TRUE(a.ok() && b.ok() && c.ok());
+  EXPECT_EQ(a.value().words, b.value().words);
+  EXPECT_NE(a.value().words, c.value().words);
+}
+
+TEST(BagOfFeatures, WeightsAreCopies) {
+  Random random(9);
+  Numbers features = fourClouds(random, 8), twice;
+  for (std::size_t i = 0; i < 8; ++i) {
+    for (int copy = 0; copy < (i == 3 ? 5 : 1); ++copy) {
+      twice.insert(twice.end(), {features[2 * i], features[2 * i + 1]});
+    }
+  }
+  Numbers weights(8, 1);
+  weights[3] = 5;
+  const auto vocabulary = vocabularyOf(features, 2, weights, {3, 1, 100}).value();
+  for (const WordChoice choice : {WordChoice::Nearest, WordChoice::Soft}) {
+    const auto one = bagOfFeatures(vocabulary, features, weights, choice);
+    const auto two = bagOfFeatures(vocabulary, twice, Numbers(12, 1), choice);
+    EXPECT_NEAR(bagDistance(one, two), 0, 1e-12);
+    EXPECT_NEAR(std::accumulate(one.begin(), one.end(), 0.0), 1, 1e-12);
+  }
+}
+
+TEST(BagOfFeatures, FewFeaturesGiveFewWords) {
+  const Numbers features{1, 1, 2, kNaN}, weights{1, 1, 1, 1};
+  const auto vocabulary = vocabularyOf(features, 1, weights);
+  ASSERT_TRUE(vocabulary.ok());
+  EXPECT_EQ(vocabulary.value().size(), 2u);
+  EXPECT_FALSE(vocabularyOf(Numbers{kNaN}, 1, Numbers{1}).ok());
+  EXPECT_FALSE(vocabularyOf(features, 3, weights).ok());
+  EXPECT_FALSE(vocabularyOf(features, 1, weights, {0, 1, 1}).ok());
+  EXPECT_TRUE(std::isnan(bagDistance(Numbers{0, 0}, Numbers{0, 1})));
+}
+
+TEST(Measures, HandWorkedExample) {
+  // Model 0 is asked for; its class has 0, 1, 2 and 3. In the order of distance: 1 x 2 x x 3 x.
+  const std::vector<std::uint32_t> classes{0, 0, 0, 0, 1, 1, 1, 1};
+  const Numbers distances{0, 1, 3, 6, 2, 4, 5, 7};
+  const auto ranking = rankingOf(0, distances, classes);
+  EXPECT_EQ(ranking, (std::vector<std::uint32_t>{1, 4, 2, 5, 6, 3, 7}));
+  const RetrievalMeasures measures = measuresOf(0, ranking, classes);
+  EXPECT_DOUBLE_EQ(measures.nearestNeighbour, 1);
+  EXPECT_DOUBLE_EQ(measures.firstTier, 2.0 / 3);
+  EXPECT_DOUBLE_EQ(measures.secondTier, 1);
+  // Only 7 can be retrieved: P = 3/7, R = 1; with the query P = 4/8, R = 1.
+  EXPECT_DOUBLE_EQ(measures.eMeasure, 2 / (7.0 / 3 + 1));
+  EXPECT_DOUBLE_EQ(measures.eMeasureWithQuery, 2 / (2.0 + 1));
+  EXPECT_DOUBLE_EQ(measures.discountedGain,
+                   (1 + 1 / std::log2(3.0) + 1 / std::log2(6.0)) / (1 + 1 + 1 / std::log2(3.0)));
+  EXPECT_DOUBLE_EQ(measures.precision[0], 1) << "one of three at the first place";
+  EXPECT_DOUBLE_EQ(measures.precision[5], 1) << "recall 0.30 is one of three";
+  EXPECT_DOUBLE_EQ(measures.precision[6], 2.0 / 3) << "recall 0.35 is two of three, at place 3";
+  EXPECT_DOUBLE_EQ(measures.precision[19], 0.5) << "all three at place 6";
+}
+
+TEST(Measures, LimitsOfTwentyAClass) {
+  // DEFINITIONS section 6: 74.5% without the query, 76.9% with it.
+  std::vector<std::uint32_t> classes;
+  for (std::uint32_t i = 0; i < 600; ++i) classes.push_back(i / 20);
+  Numbers distances(600);
+  for (std::size_t i = 0; i < 600; ++i) distances[i] = static_cast<double>(i);
+  const auto perfect = measuresOf(0, rankingOf(0, distances, classes), classes);
+  EXPECT_DOUBLE_EQ(perfect.eMeasure, 38.0 / 51);
+  EXPECT_DOUBLE_EQ(perfect.eMeasureWithQuery, 40.0 / 52);
+  EXPECT_DOUBLE_EQ(perfect.discountedGain, 1);
+  EXPECT_DOUBLE_EQ(perfect.firstTier, 1);
+  EXPECT_DOUBLE_EQ(perfect.precision[19], 1);
+}
+
+TEST(Measures, TiesGainNothingAndUnknownComesLast) {
+  const std::vector<std::uint32_t> classes{0, 0, 1, 1, 0};
+  EXPECT_EQ(rankingOf(0, Numbers{0, 1, 1, 1, 1}, classes),
+            (std::vector<std::uint32_t>{2, 3, 1, 4}));
+  EXPECT_EQ(rankingOf(0, Numbers{0, kNaN, 5, kInfinity, kNaN}, classes),
+            (std::vector<std::uint32_t>{2, 3, 1, 4}));
+}
+
+/// The measures as sets and sums, straight from the definitions.
+RetrievalMeasures slowMeasures(std::size_t query, const Numbers& distances,
+                               const std::vector<std::uint32_t>& classes) {
+  const std::size_t n = classes.size();
+  const auto nearer = [&](std::size_t a, std::size_t b) {
+    if (distances[a] != distances[b]) return distances[a] < distances[b];
+    const bool inA = classes[a] == classes[query], inB = classes[b] == classes[query];
+    return inA != inB ? inB : a < b;
+  };
+  // The place of a model is one more than the number of models before it.
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i == query || classes[i] != classes[query]) continue;
+    std::size_t place = 1;
+    for (std::size_t j = 0; j < n; ++j) place += j != query && j != i && nearer(j, i) ? 1 : 0;
+    places.push_back(place);
+  }
+  std::sort(places.begin(), places.end());
+  const auto within = [&](std::size_t k) {
+    return static_cast<double>(
+        std::count_if(places.begin(), places.end(), [&](std::size_t p) { return p <= k; }));
+  };
+  RetrievalMeasures measures;
+  const auto others = static_cast<double>(places.size());
+  if (places.empty()) return measures;
+  measures.nearestNeighbour = within(1);
+  measures.firstTier = within(places.size()) / others;
+  measures.secondTier = within(2 * places.size()) / others;
+  const auto harmonic = [](double precision, double recall) {
+    return precision == 0 ? 0 : 2 / (1 / precision + 1 / recall);
+  };
+  const double retrieved = std::min<double>(32, static_cast<double>(n) - 1);
+  measures.eMeasure = harmonic(within(32) / retrieved, within(32) / others);
+  const double withQuery = std::min<double>(32, static_cast<double>(n));
+  measures.eMeasureWithQuery =
+      harmonic((within(31) + 1) / withQuery, (within(31) + 1) / (others + 1));
+  double gained = 0, best = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto gainAt = [](std::size_t place) {
+      return place < 2 ? 1.0 : std::log(2.0) / std::log(static_cast<double>(place));
+    };
+    gained += gainAt(places[i]);
+    best += gainAt(i + 1);
+  }
+  measures.discountedGain = gained / best;
+  for (std::size_t level = 1; level <= 20; ++level) {
+    const auto needed = (level * places.size() + 19) / 20;
+    measures.precision[level - 1] =
+        static_cast<double>(needed) / static_cast<double>(places[needed - 1]);
+  }
+  return measures;
+}
+
+TEST(Measures, AgreeWithAnIndependentImplementationOnRandomRankings) {
+  Random random(10);
+  for (int round = 0; round < 200; ++round) {
+    const std::size_t n = 2 + random.below(90);
+    const Index classCount = 1 + random.below(8);
+    std::vector<std::uint32_t> classes(n);
+    Numbers distances(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      classes[i] = random.below(classCount);
+      distances[i] = round % 2 == 0 ? random() : random.below(6);  // with ties
+    }
+    const std::size_t query = random.below(static_cast<Index>(n));
+    const auto fast = measuresOf(query, rankingOf(query, distances, classes), classes);
+    const auto slow = slowMeasures(query, distances, classes);
+    EXPECT_DOUBLE_EQ(fast.nearestNeighbour, slow.nearestNeighbour);
+    EXPECT_DOUBLE_EQ(fast.firstTier, slow.firstTier);
+    EXPECT_DOUBLE_EQ(fast.secondTier, slow.secondTier);
+    EXPECT_DOUBLE_EQ(fast.eMeasure, slow.eMeasure);
+    EXPECT_DOUBLE_EQ(fast.eMeasureWithQuery, slow.eMeasureWithQuery);
+    EXPECT_NEAR(fast.discountedGain, slow.discountedGain, 1e-12);
+    for (std::size_t i = 0; i < 20; ++i) EXPECT_DOUBLE_EQ(fast.precision[i], slow.precision[i]);
+  }
+}
+
+TEST(Measures, MeanLeavesOutClassesOfOne) {
+  const std::vector<std::uint32_t> classes{0, 0, 1, 2, 2, 2};
+  MeanMeasures mean(classes);
+  EXPECT_EQ(mean.mean().firstTier, 0);
+  Random random(11);
+  double sum = 0;
+  for (std::size_t query = 0; query < classes.size(); ++query) {
+    const auto measures = mean.add(query, randomNumbers(random, classes.size()));
+    if (query != 2) sum += measures.discountedGain;
+    EXPECT_EQ(mean.counts(query), query != 2);
+  }
+  EXPECT_EQ(mean.queries(), 5u);
+  EXPECT_NEAR(mean.mean().discountedGain, sum / 5, 1e-12);
+}
+
+}  // namespace
+}  // namespace girth::retrieval
