@@ -20,19 +20,20 @@ if(NOT EMSCRIPTEN)
   girth_find_package(meshoptimizer libmeshoptimizer-dev)
 endif()
 
-# girth_single_headers: the headers that a reader compiles into itself. They are linked into a folder
-# of the build tree, because a cross compiler must not see the rest of /usr/include.
+# girth_single_headers: libraries that are headers only. They are linked into a folder of the build
+# tree, because a cross compiler must not see the rest of /usr/include.
 function(girth_add_single_headers)
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/single_headers")
   file(MAKE_DIRECTORY "${folder}")
-  foreach(entry "nlohmann/json.hpp nlohmann-json3-dev")
+  foreach(entry "nlohmann/json.hpp nlohmann-json3-dev" "Eigen/Core libeigen3-dev"
+                "Spectra/SymEigsSolver.h libspectra-dev")
     separate_arguments(entry)
     list(GET entry 0 header)
     list(GET entry 1 debianPackage)
     string(MAKE_C_IDENTIFIER "GIRTH_${header}_FOLDER" variable)
     # The emsdk toolchain re-roots searches into its own system root.
     find_path(${variable} "${header}" PATHS /usr/include /usr/local/include
-              NO_CMAKE_FIND_ROOT_PATH)
+              PATH_SUFFIXES eigen3 NO_CMAKE_FIND_ROOT_PATH)
     mark_as_advanced(${variable})
     if(NOT ${variable})
       message(FATAL_ERROR "The header ${header} is missing. On Debian and Ubuntu: apt-get install "

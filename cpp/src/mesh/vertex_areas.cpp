@@ -1,5 +1,7 @@
 #include "girth/vertex_areas.h"
 
+#include "mesh/voronoi_share.h"
+
 namespace girth {
 
 std::vector<double> vertexAreas(const SurfaceMesh& mesh) {
@@ -12,17 +14,8 @@ std::vector<double> vertexAreas(const SurfaceMesh& mesh) {
       square[k] = side * side;
     }
     for (Index k = 0; k < 3; ++k) {
-      const double a = square[k], b = square[(k + 1) % 3], c = square[(k + 2) % 3];
-      double share;
-      if (a > b + c) {
-        share = area / 2;
-      } else if (b > a + c || c > a + b) {
-        share = area / 4;
-      } else {
-        // (b cot B + c cot C) / 8, with cot B = (a + c − b) / (4 · area).
-        share = (b * (a + c - b) + c * (a + b - c)) / (32 * area);
-      }
-      areas[mesh.from(3 * f + k)] += share;
+      areas[mesh.from(3 * f + k)] +=
+          voronoiShare(area, square[k], square[(k + 1) % 3], square[(k + 2) % 3]);
     }
   }
   return areas;
