@@ -59,6 +59,8 @@ struct RemeshOptions {
   std::string model;
   ModelOptions preparing;
   std::uint32_t faces{10'000};
+  /// Even triangles, rather than those that keep the shape best.
+  bool even{false};
   std::string output;
   /// Also compute the girth before and after, and tell how far apart they are.
   bool difference{false};
@@ -71,7 +73,7 @@ int runRemesh(const RemeshOptions& options);
 
 /// The surface with other triangles, with progress and until it is interrupted.
 Result<RemeshedSurface> remeshModel(const std::string& model, const SurfaceMesh& mesh,
-                                    std::uint32_t faces);
+                                    const girth::RemeshOptions& options);
 
 struct FieldOptions {
   std::string model;

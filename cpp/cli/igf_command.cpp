@@ -179,7 +179,7 @@ int runOne(const std::string& model, const IgfOptions& options,
   const auto computingStart = Clock::now();
   std::optional<RemeshedSurface> remeshed;
   if (options.faces > 0) {
-    auto result = remeshModel(model, loaded.value().mesh, options.faces);
+    auto result = remeshModel(model, loaded.value().mesh, {options.faces});
     if (!result) return reportError(model, result.error());
     remeshed.emplace(std::move(result).value());
   }

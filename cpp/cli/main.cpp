@@ -123,10 +123,13 @@ int run(int argc, char** argv) {
 
   cli::RemeshOptions remeshing;
   CLI::App* remeshCommand =
-      app.add_subcommand("remesh", "Write the surface with even triangles, as many as wanted");
+      app.add_subcommand("remesh", "Write the surface with other triangles, as many as wanted");
   remeshCommand->add_option("MODEL", remeshing.model, "The model to read")->required();
   remeshCommand->add_option("--faces", remeshing.faces, "Triangles wanted; 10000 by default")
       ->check(facesRange);
+  remeshCommand->add_flag("--even", remeshing.even,
+                          "Triangles of even size and shape, instead of those that keep the "
+                          "surface's shape best");
   remeshCommand
       ->add_option("-o,--output", remeshing.output, "Write it: .obj, .ply, .stl, .off or .glb")
       ->required();

@@ -84,7 +84,9 @@ int runRemesh(const RemeshOptions& options) {
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
 
-  const auto remeshed = remeshModel(options.model, loaded.value().mesh, options.faces);
+  const auto remeshed =
+      remeshModel(options.model, loaded.value().mesh,
+                  {options.faces, options.even ? RemeshMethod::Even : RemeshMethod::Fitting});
   if (!remeshed) return reportError(options.model, remeshed.error());
   const auto content = io::meshFile(remeshed.value().mesh, *format, loaded.value().unit);
   if (!content) return reportError(options.output, content.error());
@@ -102,12 +104,12 @@ int runRemesh(const RemeshOptions& options) {
 }
 
 Result<RemeshedSurface> remeshModel(const std::string& model, const SurfaceMesh& mesh,
-                                    std::uint32_t faces) {
+                                    const girth::RemeshOptions& options) {
   ExecutionContext context;
   context.cancel = &catchInterrupts();
   ProgressLine progress(model);
   context.onProgress = [&](double fraction) { progress.show(fraction); };
-  return remesh(mesh, {faces}, context);
+  return remesh(mesh, options, context);
 }
 
 }  // namespace girth::cli

@@ -1,6 +1,7 @@
 // Remeshing, carrying values back, and the difference of fields.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <string>
@@ -21,10 +22,9 @@ double leastAngle(const SurfaceMesh& mesh, Index f) {
          180 / M_PI;
 }
 
-/// Topology as before, the number met, vertices on the original, angles good.
-void expectGood(const SurfaceMesh& original, const RemeshedSurface& out, Index wanted,
-                double tolerance = 0.02) {
-  const SurfaceMesh& mesh = out.mesh;
+/// Topology as before, the number met.
+void expectSameTopology(const SurfaceMesh& original, const SurfaceMesh& mesh, Index wanted,
+                        double tolerance = 0.02) {
   EXPECT_NEAR(mesh.faceCount(), wanted, tolerance * wanted);
   EXPECT_EQ(mesh.componentCount(), original.componentCount());
   Index genus = 0, genusBefore = 0, walls = 0, wallsBefore = 0;
@@ -36,6 +36,13 @@ void expectGood(const SurfaceMesh& original, const RemeshedSurface& out, Index w
   }
   EXPECT_EQ(genus, genusBefore);
   EXPECT_EQ(walls, wallsBefore);
+}
+
+/// Also vertices on the original, and angles good.
+void expectGood(const SurfaceMesh& original, const RemeshedSurface& out, Index wanted,
+                double tolerance = 0.02) {
+  const SurfaceMesh& mesh = out.mesh;
+  expectSameTopology(original, mesh, wanted, tolerance);
   Index thin = 0;
   for (Index f = 0; f < mesh.faceCount(); ++f) thin += leastAngle(mesh, f) < 20 ? 1 : 0;
   EXPECT_LE(thin, mesh.faceCount() / 50);
@@ -48,10 +55,80 @@ void expectGood(const SurfaceMesh& original, const RemeshedSurface& out, Index w
   EXPECT_LE(off, mesh.vertexCount() / 100);
 }
 
-RemeshedSurface remeshed(const SurfaceMesh& mesh, Index faces) {
-  auto out = remesh(mesh, {faces});
+RemeshedSurface remeshed(const SurfaceMesh& mesh, Index faces,
+                         RemeshMethod method = RemeshMethod::Even) {
+  auto out = remesh(mesh, {faces, method});
   EXPECT_TRUE(out.ok()) << out.error().message;
   return std::move(out).value();
+}
+
+/// The farthest that a vertex lies from the surface it was made of, in shares of its size.
+double farthestOff(const SurfaceMesh& original, const RemeshedSurface& out) {
+  double farthest = 0;
+  for (Index v = 0; v < out.mesh.vertexCount(); ++v) {
+    const Vec3 p = out.mesh.position(v), q = positionOf(original, out.onOriginal[v]);
+    farthest = std::max(farthest, std::hypot(p.x - q.x, p.y - q.y, p.z - q.z));
+  }
+  return farthest / std::sqrt(original.area());
+}
+
+TEST(Remesh, FittingKeepsTheShape) {
+  const Shape sphere = icosphere(5), ring = torus(3, 1, 100, 50);
+  for (const Shape& shape : {sphere, ring, plate(2)}) {
+    const SurfaceMesh mesh = shape.mesh();
+    const Index faces = mesh.faceCount() / 10;
+    SCOPED_TRACE(std::to_string(mesh.faceCount()) + " to " + std::to_string(faces));
+    const RemeshedSurface out = remeshed(mesh, faces, RemeshMethod::Fitting);
+    expectSameTopology(mesh, out.mesh, faces);
+    EXPECT_NEAR(out.mesh.area() / mesh.area(), 1, 4e-3);
+    EXPECT_LT(farthestOff(mesh, out), 4e-3);
+  }
+  // The ball would lose four times as much of its area to chords.
+  const SurfaceMesh mesh = sphere.mesh();
+  const auto lost = [&](RemeshMethod method) {
+    return std::fabs(1 - remeshed(mesh, 500, method).mesh.area() / mesh.area());
+  };
+  EXPECT_LT(4 * lost(RemeshMethod::Fitting), lost(RemeshMethod::Even));
+}
+
+TEST(Remesh, FittingKeepsFlatSidesAndCornersExactly) {
+  const SurfaceMesh mesh = box(1, 2, 3, 8, 16, 24).mesh();
+  const RemeshedSurface out = remeshed(mesh, 200, RemeshMethod::Fitting);
+  expectSameTopology(mesh, out.mesh, 200);
+  EXPECT_NEAR(out.mesh.area(), 22, 0.02);
+  for (int corner = 0; corner < 8; ++corner) {
+    double nearest = 1;
+    for (Index v = 0; v < out.mesh.vertexCount(); ++v) {
+      const Vec3& p = out.mesh.position(v);
+      nearest = std::min(nearest, std::hypot(p.x - (corner & 1), p.y - 2 * (corner >> 1 & 1),
+                                             p.z - 3 * (corner >> 2)));
+    }
+    EXPECT_LT(nearest, 1e-2) << corner;
+  }
+}
+
+TEST(Remesh, FittingAnyRandomSurface) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const RandomMesh made = randomMesh(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.history);
+    const SurfaceMesh mesh = made.shape.mesh(OpenEdges::Wall);
+    const Index faces = std::max<Index>(4, mesh.faceCount() / 3);
+    const auto out = remesh(mesh, {faces});
+    ASSERT_TRUE(out.ok()) << out.error().message;
+    EXPECT_EQ(out.value().mesh.genus(0), mesh.genus(0));
+    EXPECT_EQ(out.value().mesh.boundaryCount(0), mesh.boundaryCount(0));
+    EXPECT_LE(out.value().mesh.faceCount(), mesh.faceCount());
+    for (Index v = 0; v < out.value().mesh.vertexCount(); ++v) {
+      ASSERT_TRUE(std::isfinite(out.value().mesh.position(v).x));
+    }
+  }
+}
+
+TEST(Remesh, FittingToTheFewestFaces) {
+  EXPECT_EQ(remeshed(icosphere(3).mesh(), 4, RemeshMethod::Fitting).mesh.faceCount(), 4u);
+  // More than there are: even triangles.
+  const SurfaceMesh mesh = icosphere(2).mesh();
+  expectGood(mesh, remeshed(mesh, 2000, RemeshMethod::Fitting), 2000);
 }
 
 TEST(Remesh, KeepsTopologyAndMeetsTheNumber) {
@@ -114,6 +191,14 @@ TEST(Remesh, BoundariesStay) {
     EXPECT_NEAR(rim, 64, 1e-9) << "its corners stay";
     EXPECT_NEAR(out.mesh.area(), 128, 1e-9);
   }
+  const RemeshedSurface fitted = remeshed(mesh, 40, RemeshMethod::Fitting);
+  expectSameTopology(mesh, fitted.mesh, 40, 0.1);
+  double rim = 0;
+  for (Index h = 0; h < fitted.mesh.halfedgeCount(); ++h) {
+    if (fitted.mesh.twin(h) == kNoIndex) rim += fitted.mesh.length(h);
+  }
+  EXPECT_NEAR(rim, 64, 1e-2);
+  EXPECT_NEAR(fitted.mesh.area(), 128, 1e-2);
 }
 
 TEST(Remesh, AnyRandomSurface) {
@@ -121,7 +206,7 @@ TEST(Remesh, AnyRandomSurface) {
     const RandomMesh made = randomMesh(seed);
     SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.history);
     const SurfaceMesh mesh = made.shape.mesh(OpenEdges::Wall);
-    const auto out = remesh(mesh, {1000});
+    const auto out = remesh(mesh, {1000, RemeshMethod::Even});
     ASSERT_TRUE(out.ok()) << out.error().message;
     EXPECT_EQ(out.value().mesh.genus(0), mesh.genus(0));
     EXPECT_EQ(out.value().mesh.boundaryCount(0), mesh.boundaryCount(0));
@@ -136,6 +221,9 @@ TEST(Remesh, OfAnySizeAndShape) {
     const RemeshedSurface out = remeshed(mesh, 1000);
     EXPECT_NEAR(out.mesh.faceCount(), 1000, 20);
     EXPECT_NEAR(out.mesh.meanEdgeLength() / scale, 0.16, 0.03);
+    const RemeshedSurface fitted = remeshed(mesh, 100, RemeshMethod::Fitting);
+    EXPECT_EQ(fitted.mesh.faceCount(), 100u);
+    EXPECT_LT(std::fabs(1 - fitted.mesh.area() / mesh.area()), 0.02);
   }
   // A spike, a million times as long as it is thick.
   Shape spike = prism(regularPolygon(3, 1), 1e6, 1);
@@ -151,6 +239,9 @@ TEST(Remesh, TheSameEveryTime) {
   for (Index v = 0; v < one.mesh.vertexCount(); ++v) {
     EXPECT_EQ(one.mesh.position(v).x, two.mesh.position(v).x);
   }
+  // As far from the origin as coordinates allow.
+  const SurfaceMesh away = moved(icosphere(4), 1, 1e6, 0).mesh();
+  EXPECT_LT(farthestOff(away, remeshed(away, 500, RemeshMethod::Fitting)), 1e-2);
 }
 
 TEST(Remesh, StopsAndSaysWhatIsWrong) {
@@ -160,6 +251,8 @@ TEST(Remesh, StopsAndSaysWhatIsWrong) {
   ExecutionContext context;
   context.cancel = &stop;
   EXPECT_EQ(remesh(mesh, {1000}, context).error().code, ErrorCode::Cancelled);
+  const SurfaceMesh dense = icosphere(5).mesh();
+  EXPECT_EQ(remesh(dense, {1000}, context).error().code, ErrorCode::Cancelled);
   double last = 0;
   ExecutionContext watched;
   watched.onProgress = [&](double fraction) {
@@ -167,6 +260,9 @@ TEST(Remesh, StopsAndSaysWhatIsWrong) {
     last = fraction;
   };
   EXPECT_TRUE(remesh(mesh, {1000}, watched).ok());
+  EXPECT_EQ(last, 1);
+  last = 0;
+  EXPECT_TRUE(remesh(dense, {1000}, watched).ok());
   EXPECT_EQ(last, 1);
 }
 
@@ -222,9 +318,11 @@ TEST(FieldDifference, ClosedForms) {
 TEST(Remesh, TheGirthStaysNearlyTheSame) {
   const SurfaceMesh mesh = torus(2, 0.8, 40, 20).mesh();
   const GirthField field = girthField(mesh);
-  const RemeshedSurface out = remeshed(mesh, 1000);
-  const GirthField other = girthField(out.mesh);
-  EXPECT_LT(fieldDifference(mesh, field.values, out.mesh, other.values), 1e-2);
+  const auto differenceTo = [&](const RemeshedSurface& out) {
+    return fieldDifference(mesh, field.values, out.mesh, girthField(out.mesh).values);
+  };
+  EXPECT_LT(differenceTo(remeshed(mesh, 1000)), 1e-2);
+  EXPECT_LT(differenceTo(remeshed(mesh, 400, RemeshMethod::Fitting)), 5e-3);
 }
 
 }  // namespace

@@ -27,6 +27,12 @@ class ChangingMesh {
   bool isVertexAlive(Index vertex) const { return outgoing_[vertex] != kNoIndex; }
   Index outgoing(Index vertex) const { return outgoing_[vertex]; }
 
+  /// Whether a halfedge is there, and stands for its edge: the one of the two with the lower
+  /// number.
+  bool isFirstOfEdge(Index h) const {
+    return isAlive(h / 3) && (twin_[h] == kNoIndex || h < twin_[h]);
+  }
+
   Index halfedgeCount() const { return static_cast<Index>(from_.size()); }
   Index vertexCount() const { return static_cast<Index>(positions_.size()); }
   /// Faces that are left.

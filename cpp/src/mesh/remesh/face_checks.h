@@ -1,0 +1,20 @@
+// What a change of a mesh may not do to its faces: turn them over, or make needles of them.
+#pragma once
+
+#include "mesh/remesh/changing_mesh.h"
+
+namespace girth::remeshing {
+
+/// Whether the faces of a vertex keep their side, and have area, when it moves to `place`; those
+/// that also have the vertex `other` do not count. A thin face may only become better.
+bool keepsFacing(const ChangingMesh& mesh, Index vertex, const Vec3& place, Index other);
+
+/// Whether the two faces that a flip makes face as the two before did, within an angle of the given
+/// cosine, and are no needles.
+bool flipsSmoothly(const ChangingMesh& mesh, Index h, double cosine);
+
+/// Flips edges where that makes the smallest of six angles larger, and faces as before within
+/// `cosine`.
+void widenAngles(ChangingMesh& mesh, double cosine);
+
+}  // namespace girth::remeshing
