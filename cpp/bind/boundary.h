@@ -68,6 +68,15 @@ inline std::vector<std::byte> copyInBytes(const emscripten::val& typedArray) {
   return content;
 }
 
+/// {bytes}, a file's content as Uint8Array, or an error.
+inline emscripten::val fileOf(const Result<std::string>& content) {
+  if (!content) return toJs(content.error());
+  const auto* first = reinterpret_cast<const std::uint8_t*>(content.value().data());
+  emscripten::val result = emscripten::val::object();
+  result.set("bytes", copyOut<std::uint8_t>("Uint8Array", {first, content.value().size()}));
+  return result;
+}
+
 /// Tells JavaScript the finished share; nothing else can be told or heard while a module works.
 inline ExecutionContext reportingTo(const emscripten::val& onProgress) {
   ExecutionContext context;
@@ -80,6 +89,11 @@ inline Result<SurfaceMesh> surfaceOf(const emscripten::val& positions,
                                      const emscripten::val& indices) {
   return SurfaceMesh::fromArrays(copyIn<double>(positions), copyIn<Index>(indices),
                                  OpenEdges::Wall);
+}
+
+/// The same of an object {positions, indices}.
+inline Result<SurfaceMesh> surfaceOf(const emscripten::val& arrays) {
+  return surfaceOf(arrays["positions"], arrays["indices"]);
 }
 
 /// A surface's arrays: {positions, indices, walls, genus, boundaries, area}.

@@ -3,43 +3,80 @@
 
 #include <emscripten/bind.h>
 
+#include <optional>
 #include <utility>
 
 #include "boundary.h"
-#include "girth/girth_field.h"
 #include "girth/girth_solver.h"
+#include "girth/io/vertex_field.h"
+#include "girth/vertex_function.h"
+#include "vertex_functions.h"
 
 using emscripten::val;
 
 namespace girth::bind {
 namespace {
 
-/// A surface and the solver that works on it.
+/// As files name it.
+std::string methodOf(const FieldRequest& request) {
+  if (request.name == "sdf") return io::methodText(request.shapeDiameter);
+  const bool isExtent = request.name == "geoaverage" || request.name == "geofarthest";
+  return std::string(io::toString(isExtent ? request.distances : DistanceMethod::Exact));
+}
+
+/// What people are to know of the values, of which so many are missing.
+std::string noteOf(const FieldRequest& request, const SurfaceMesh& mesh, Index withoutValue) {
+  if (request.name == "sdf") {
+    return shapeDiameterNote(isInsideOut(mesh), withoutValue, mesh.vertexCount());
+  }
+  return budgetNote(withoutValue, mesh.vertexCount());
+}
+
+/// A surface, and what works on it: made when it is first asked for.
 class Surface {
  public:
-  explicit Surface(SurfaceMesh mesh) : mesh_(std::move(mesh)), solver_(mesh_) {}
+  explicit Surface(SurfaceMesh mesh) : mesh_(std::move(mesh)) {}
   Surface(const Surface&) = delete;
   Surface& operator=(const Surface&) = delete;
 
   const SurfaceMesh& mesh() const { return mesh_; }
 
-  /// I(v) for a Uint32Array of vertices: {values, kinds}, or the first error.
-  val values(const val& vertices) {
+  /// A field (`FieldRequest`) at a Uint32Array of vertices: {values, kinds}, or the first error.
+  val values(const val& field, const val& vertices) {
     return guarded([&] {
+      const FieldRequest request = requestOf(field);
+      if (!evaluator_ || !(request == evaluated_)) {
+        evaluator_ = {};  // its memory first
+        const Result<VertexFunction> function = functionOf(mesh_, request);
+        if (!function) return toJs(function.error());
+        evaluator_ = function.value().evaluator(context_);
+        evaluated_ = request;
+      }
       const std::vector<Index> wanted = copyIn<Index>(vertices);
-      std::vector<double> lengths;
-      std::vector<std::uint8_t> kinds;
-      lengths.reserve(wanted.size());
+      std::vector<double> values;
+      std::vector<LoopKind> kinds;
+      values.reserve(wanted.size());
       kinds.reserve(wanted.size());
       for (const Index vertex : wanted) {
-        const Result<GirthValue> girth = solver_.value(vertex);
-        if (!girth) return toJs(girth.error());
-        lengths.push_back(girth.value().length);
-        kinds.push_back(static_cast<std::uint8_t>(girth.value().kind));
+        const Result<VertexValue> found = evaluator_(vertex);
+        if (!found) return toJs(found.error());
+        values.push_back(found.value().value);
+        kinds.push_back(found.value().kind);
       }
       val result = val::object();
-      result.set("values", copyOut<double>("Float64Array", lengths));
-      result.set("kinds", copyOut<std::uint8_t>("Uint8Array", kinds));
+      result.set("values", copyOut<double>("Float64Array", values));
+      result.set("kinds", copyOut<std::uint8_t>("Uint8Array", kindsOf(request, kinds)));
+      return result;
+    });
+  }
+
+  /// {method, note}: what is to be said of a field, of which so many vertices have no value.
+  val about(const val& field, Index withoutValue) const {
+    return guarded([&] {
+      const FieldRequest request = requestOf(field);
+      val result = val::object();
+      result.set("method", methodOf(request));
+      result.set("note", noteOf(request, mesh_, withoutValue));
       return result;
     });
   }
@@ -60,7 +97,8 @@ class Surface {
  private:
   val loop(const SurfacePoint& base) {
     return guarded([&] {
-      const Result<GirthLoop> found = solver_.loop(base);
+      if (!solver_) solver_.emplace(mesh_);
+      const Result<GirthLoop> found = solver_->loop(base);
       if (!found) return toJs(found.error());
       const GirthLoop& girth = found.value();
       std::vector<float> points;
@@ -84,7 +122,10 @@ class Surface {
   }
 
   SurfaceMesh mesh_;
-  GirthSolver solver_;
+  ExecutionContext context_;
+  std::optional<GirthSolver> solver_;
+  VertexEvaluator evaluator_;
+  FieldRequest evaluated_;
 };
 
 /// {surface} of a prepared surface's arrays, or an error; the surface is the caller's to delete.
@@ -102,6 +143,7 @@ EMSCRIPTEN_BINDINGS(girth) {
   emscripten::class_<Surface>("Surface")
       .smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
       .function("values", &Surface::values)
+      .function("about", &Surface::about)
       .function("loopAtVertex", &Surface::loopAtVertex)
       .function("loopInFace", &Surface::loopInFace)
       .function("order", &Surface::order);

@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "boundary.h"
-#include "girth/girth_field.h"
+#include "girth/vertex_function.h"
+#include "vertex_functions.h"
 
 using emscripten::val;
 
@@ -23,27 +24,27 @@ val cancelFlag() {
   return val(emscripten::typed_memory_view(1, reinterpret_cast<std::uint8_t*>(&cancelled)));
 }
 
-std::span<const std::uint8_t> asBytes(std::span<const LoopKind> kinds) {
-  return {reinterpret_cast<const std::uint8_t*>(kinds.data()), kinds.size()};
-}
-
 class Surface {
  public:
   explicit Surface(SurfaceMesh mesh) : mesh_(std::move(mesh)) {}
 
-  /// I(v) for all vertices: {complete}, or an error. Hands each value out once, meanwhile, by
-  /// `onPartial({vertices, values, kinds})`, and returns early once the flag is set.
-  val field(unsigned threads, const val& onPartial) const {
+  /// A field (`FieldRequest`) at all vertices: {complete}, or an error. Hands each value out once,
+  /// meanwhile, by `onPartial({vertices, values, kinds})`, and returns early once the flag is set.
+  val field(const val& wanted, unsigned threads, const val& onPartial) const {
     return guarded([&] {
+      const FieldRequest request = requestOf(wanted);
+      const Result<VertexFunction> function = functionOf(mesh_, request);
+      if (!function) return toJs(function.error());
       ExecutionContext context;
       context.threads = threads;
       context.cancel = &cancelled;
-      const GirthField field =
-          girthField(mesh_, GirthMethod::Exact, context, [&](const GirthPartial& partial) {
+      const VertexValues field =
+          evaluateAll(mesh_, function.value(), context, [&](const VertexPartial& partial) {
             val report = val::object();
             report.set("vertices", copyOut<Index>("Uint32Array", partial.vertices));
             report.set("values", copyOut<double>("Float64Array", partial.values));
-            report.set("kinds", copyOut<std::uint8_t>("Uint8Array", asBytes(partial.kinds)));
+            report.set("kinds",
+                       copyOut<std::uint8_t>("Uint8Array", kindsOf(request, partial.kinds)));
             onPartial(report);
           });
       val result = val::object();

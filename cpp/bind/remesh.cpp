@@ -19,11 +19,6 @@ namespace {
 /// (DEFINITIONS section 2).
 constexpr double kSteepestGirth = 2;
 
-/// A surface of {positions, indices}.
-Result<SurfaceMesh> surfaceOf(const val& arrays) {
-  return bind::surfaceOf(arrays["positions"], arrays["indices"]);
-}
-
 /// A surface of about `faces` faces, as `describe` gives it, or an error.
 val remeshSurface(const val& positions, const val& indices, double faces, const val& onProgress) {
   return guarded([&] {

@@ -1,13 +1,17 @@
-// Fields and loops as files.
+// Fields, loops, tips and parts as files.
 
 #include <emscripten/bind.h>
 
 #include <utility>
 
+#include "analysis.h"
 #include "boundary.h"
 #include "girth/girth_solver.h"
 #include "girth/io/write_field.h"
 #include "girth/io/write_loop.h"
+#include "girth/io/write_parts.h"
+#include "girth/io/write_tips.h"
+#include "girth/tips.h"
 
 using emscripten::val;
 
@@ -29,20 +33,39 @@ Result<io::LoadedMesh> loadedOf(const val& model) {
                         {}};
 }
 
-val bytesOf(const std::string& content) {
-  const auto* first = reinterpret_cast<const std::uint8_t*>(content.data());
-  return copyOut<std::uint8_t>("Uint8Array", {first, content.size()});
+/// A field of JavaScript (`NamedField` of types.ts, complete) with its own memory.
+struct WrittenField {
+  std::string name, unit, method;
+  std::vector<double> values;
+  std::vector<LoopKind> kinds;
+
+  explicit WrittenField(const val& field)
+      : name(field["name"].as<std::string>()),
+        unit(field["unit"].as<std::string>()),
+        method(field["method"].as<std::string>()),
+        values(copyIn<double>(field["values"])) {
+    for (const std::uint8_t kind : copyIn<std::uint8_t>(field["kinds"])) {
+      kinds.push_back(static_cast<LoopKind>(kind));
+    }
+  }
+  io::VertexField view() const { return {name, values, unit, method, kinds}; }
+};
+
+Error unknownFormat(const char* what, const std::string& format) {
+  return makeError(ErrorCode::Usage, -1,
+                   std::string(what) + " are not written as '" + format + "'");
 }
 
-Result<std::string> fieldFile(const io::LoadedMesh& loaded, const io::VertexField& field,
+Result<std::string> fieldFile(const io::LoadedMesh& loaded, std::span<const io::VertexField> fields,
                               const std::string& format, const std::string& name) {
-  const std::span<const io::VertexField> fields(&field, 1);
+  if (auto error = io::checkFields(loaded, fields)) return *std::move(error);
   if (format == "csv") return io::fieldCsv(loaded, fields);
   if (format == "json") return io::fieldJson(loaded, fields, name);
-  if (format == "npy") return io::fieldNpy(loaded, field);
   if (format == "ply") return io::fieldPly(loaded, fields);
   if (format == "glb") return io::fieldGlb(loaded, fields);
-  return makeError(ErrorCode::Usage, -1, "fields are not written as '" + format + "'");
+  if (format != "npy") return unknownFormat("fields", format);
+  if (fields.size() == 1) return io::fieldNpy(loaded, fields[0]);
+  return makeError(ErrorCode::Usage, -1, "NPY holds one field, not several");
 }
 
 Result<std::string> loopFile(const io::LoadedMesh& loaded, const GirthLoop& loop,
@@ -50,27 +73,21 @@ Result<std::string> loopFile(const io::LoadedMesh& loaded, const GirthLoop& loop
   if (format == "obj") return io::loopObj(loaded, loop);
   if (format == "glb") return io::loopGlb(loaded, loop);
   if (format == "json") return io::loopJson(loaded, loop, name, true);
-  return makeError(ErrorCode::Usage, -1, "loops are not written as '" + format + "'");
+  return unknownFormat("loops", format);
 }
 
-/// {bytes} of a file with the girth at every vertex, or an error.
-val writeField(const val& model, const val& values, const val& kinds, const std::string& format) {
+std::string nameOf(const val& model) { return model["name"].as<std::string>(); }
+
+/// {bytes} of a file with fields, or an error.
+val writeFields(const val& model, const val& list, const std::string& format) {
   return guarded([&] {
     const Result<io::LoadedMesh> loaded = loadedOf(model);
     if (!loaded) return toJs(loaded.error());
-    GirthField girth;
-    girth.values = copyIn<double>(values);
-    for (const std::uint8_t kind : copyIn<std::uint8_t>(kinds)) {
-      girth.kinds.push_back(static_cast<LoopKind>(kind));
-    }
-    const io::VertexField field =
-        io::girthVertexField(girth, GirthMethod::Exact, loaded.value().unit);
-    const Result<std::string> file =
-        fieldFile(loaded.value(), field, format, model["name"].as<std::string>());
-    if (!file) return toJs(file.error());
-    val result = val::object();
-    result.set("bytes", bytesOf(file.value()));
-    return result;
+    std::vector<WrittenField> owned;
+    for (unsigned i = 0; i < list["length"].as<unsigned>(); ++i) owned.emplace_back(list[i]);
+    std::vector<io::VertexField> fields;
+    for (const WrittenField& field : owned) fields.push_back(field.view());
+    return fileOf(fieldFile(loaded.value(), fields, format, nameOf(model)));
   });
 }
 
@@ -91,9 +108,9 @@ val writeLoops(const val& model, const val& points, const std::string& format) {
                                                    weights[2].as<double>()}));
       if (!loop) return toJs(loop.error());
       const Result<std::string> file =
-          loopFile(loaded.value(), loop.value(), format, model["name"].as<std::string>());
+          loopFile(loaded.value(), loop.value(), format, nameOf(model));
       if (!file) return toJs(file.error());
-      files.call<void>("push", bytesOf(file.value()));
+      files.call<void>("push", fileOf(file)["bytes"]);
     }
     val result = val::object();
     result.set("files", files);
@@ -101,9 +118,55 @@ val writeLoops(const val& model, const val& points, const std::string& format) {
   });
 }
 
+/// {bytes} of a file with the tips by the girth, or an error.
+val writeTips(const val& model, const val& girth, const std::string& format) {
+  return guarded([&] {
+    const Result<io::LoadedMesh> loaded = loadedOf(model);
+    if (!loaded) return toJs(loaded.error());
+    if (format != "json" && format != "obj") return toJs(unknownFormat("tips", format));
+    const Result<Tips> tips = findTips(loaded.value().mesh, copyIn<double>(girth));
+    if (!tips) return toJs(tips.error());
+    return fileOf(format == "json" ? io::tipsJson(loaded.value(), tips.value(), nameOf(model))
+                                   : io::tipsObj(loaded.value(), tips.value()));
+  });
+}
+
+/// {bytes} of a file with the parts, or an error.
+val writeParts(const val& model, const val& fields, const val& options, const std::string& format) {
+  return guarded([&] {
+    const Result<io::LoadedMesh> loaded = loadedOf(model);
+    if (!loaded) return toJs(loaded.error());
+    if (format != "json") return toJs(unknownFormat("parts", format));
+    const GirthAndDiameter values(fields);
+    const PartOptions wanted = partOptionsOf(options);
+    const Result<Parts> parts =
+        findParts(loaded.value().mesh, values.girth, values.diameter, wanted);
+    if (!parts) return toJs(parts.error());
+    return fileOf(io::partsJson(loaded.value(), parts.value(), wanted, nameOf(model)));
+  });
+}
+
+/// {bytes} of a file with the weak places, or an error.
+val writeWeakPlaces(const val& model, const val& fields, const val& limits,
+                    const std::string& format) {
+  return guarded([&] {
+    const Result<io::LoadedMesh> loaded = loadedOf(model);
+    if (!loaded) return toJs(loaded.error());
+    if (format != "json") return toJs(unknownFormat("weak places", format));
+    const GirthAndDiameter values(fields);
+    const PrintLimits wanted = limitsOf(limits);
+    const auto places = findWeakPlaces(loaded.value().mesh, values.girth, values.diameter, wanted);
+    if (!places) return toJs(places.error());
+    return fileOf(io::weakPlacesJson(loaded.value(), places.value(), wanted, nameOf(model)));
+  });
+}
+
 EMSCRIPTEN_BINDINGS(girthWrite) {
-  emscripten::function("writeField", &writeField);
+  emscripten::function("writeFields", &writeFields);
   emscripten::function("writeLoops", &writeLoops);
+  emscripten::function("writeTips", &writeTips);
+  emscripten::function("writeParts", &writeParts);
+  emscripten::function("writeWeakPlaces", &writeWeakPlaces);
 }
 
 }  // namespace

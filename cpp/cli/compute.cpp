@@ -9,11 +9,6 @@ namespace {
 
 Error cancelled() { return makeError(ErrorCode::Cancelled, -1, "stopped before it was finished"); }
 
-/// A remark that is no error.
-void remark(const std::string& model, const std::string& text) {
-  std::fprintf(stderr, "girth: %s: note: %s\n", model.c_str(), text.c_str());
-}
-
 }  // namespace
 
 Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh, unsigned threads,
@@ -37,16 +32,9 @@ Result<ShapeDiameterField> computeDiameter(const std::string& model, const Surfa
   auto field = shapeDiameter(mesh, options, context);
   if (!field) return field;
   if (!field.value().complete) return cancelled();
-  if (field.value().insideOut) {
-    remark(model,
-           "the surface is inside out: its faces look inwards, and thickness is measured outside; "
-           "turn the faces over");
-  }
-  if (field.value().withoutValue > 0) {
-    remark(model, std::to_string(field.value().withoutValue) + " of " +
-                      std::to_string(mesh.vertexCount()) +
-                      " vertices have no thickness: no ray from them meets a wall from inside");
-  }
+  const std::string note =
+      shapeDiameterNote(field.value().insideOut, field.value().withoutValue, mesh.vertexCount());
+  if (!note.empty()) std::fprintf(stderr, "girth: %s: note: %s\n", model.c_str(), note.c_str());
   return field;
 }
 

@@ -31,8 +31,7 @@ Result<ComputedField> compute(const FieldOptions& options, const SurfaceMesh& me
     const ShapeDiameterOptions sdf{options.coneDegrees * std::numbers::pi / 180, options.rays};
     auto field = computeDiameter(options.model, mesh, sdf, options.threads, interrupted);
     if (!field) return field.error();
-    return ComputedField{"sdf", std::to_string(options.rays) + " rays",
-                         std::move(field.value().values)};
+    return ComputedField{"sdf", io::methodText(sdf), std::move(field.value().values)};
   }
   ExecutionContext context;
   context.threads = options.threads;
@@ -44,7 +43,7 @@ Result<ComputedField> compute(const FieldOptions& options, const SurfaceMesh& me
   GeodesicExtent extent = geodesicExtent(mesh, distances, context);
   if (!extent.complete) return stopped;
   return ComputedField{
-      options.field, options.exactDistances ? "exact" : "fast marching",
+      options.field, std::string(io::toString(distances)),
       options.field == "geoaverage" ? std::move(extent.average) : std::move(extent.farthest)};
 }
 

@@ -2,8 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace girth::io {
+namespace {
+
+bool isName(std::string_view text) {
+  const auto isSmall = [](char c) { return c >= 'a' && c <= 'z'; };
+  return !text.empty() && isSmall(text.front()) &&
+         std::all_of(text.begin(), text.end(),
+                     [&](char c) { return isSmall(c) || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+}  // namespace
 
 bool VertexField::complete() const {
   return std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
@@ -19,6 +30,43 @@ std::string_view toString(GirthMethod method) {
       break;
   }
   return "ms";
+}
+
+std::string_view toString(DistanceMethod method) {
+  return method == DistanceMethod::Exact ? "exact" : "fast marching";
+}
+
+std::string methodText(const ShapeDiameterOptions& options) {
+  return std::to_string(options.rays) + (options.rays == 1 ? " ray" : " rays");
+}
+
+std::optional<Error> checkFields(const LoadedMesh& loaded, std::span<const VertexField> fields) {
+  const auto fault = [](const std::string& message) {
+    return makeError(ErrorCode::Usage, -1, message);
+  };
+  if (fields.empty()) return fault("there is no field to write");
+  const std::size_t vertices = loaded.mesh.vertexCount();
+  // Columns that files have already.
+  std::set<std::string_view> names{"vertex", "kind", "x", "y", "z"};
+  bool hasKinds = false;
+  for (const VertexField& field : fields) {
+    if (!isName(field.name)) {
+      return fault("'" + field.name +
+                   "' is not a name of a small letter, then small letters, digits and underscores");
+    }
+    if (!names.insert(field.name).second) {
+      return fault("the name '" + field.name + "' is taken by another column");
+    }
+    if (field.values.size() != vertices ||
+        (!field.kinds.empty() && field.kinds.size() != vertices)) {
+      return fault("'" + field.name + "' has " + std::to_string(field.values.size()) +
+                   " values and " + std::to_string(field.kinds.size()) + " kinds for " +
+                   std::to_string(vertices) + " vertices");
+    }
+    if (hasKinds && !field.kinds.empty()) return fault("several fields have kinds");
+    hasKinds = hasKinds || !field.kinds.empty();
+  }
+  return std::nullopt;
 }
 
 VertexField girthVertexField(const GirthField& field, GirthMethod method, std::string_view unit) {

@@ -1,17 +1,17 @@
 // The page on which the kernel's browser tests run: the public API, and what the tests measure with.
 
 import { createKernel, GirthError } from '../../web/src/kernel/index.js';
-import type { FieldOptions, Mesh } from '../../web/src/kernel/index.js';
+import type { FieldName, FieldOptions, Mesh } from '../../web/src/kernel/index.js';
 
 /** A field with everything that was reported on the way, as plain data. */
-async function watchedField(mesh: Mesh, options: FieldOptions = {}) {
+async function watchedField(mesh: Mesh, options: FieldOptions = {}, name: FieldName = 'igf') {
   const progress: number[] = [];
   const reported = new Uint8Array(mesh.info.vertexCount);
   let wrong = 0;
   let batches = 0;
   const partials: [number, number][] = [];
   const from = performance.now();
-  const field = await mesh.field('igf', {
+  const field = await mesh.field(name, {
     ...options,
     onProgress: (fraction) => progress.push(fraction),
     onPartial: (partial) => {
@@ -29,6 +29,9 @@ async function watchedField(mesh: Mesh, options: FieldOptions = {}) {
     kinds: Array.from(field.kinds),
     range: field.range,
     unit: field.unit,
+    method: field.method,
+    withoutValue: field.withoutValue,
+    note: field.note,
     milliseconds,
     progress,
     batches,
@@ -47,6 +50,19 @@ async function refusal(promise: Promise<unknown>) {
     return { code, element, message, hint };
   }
   return { code: 'nothing was refused' };
+}
+
+/** Content as it can leave the page: typed arrays as plain ones. */
+type Plain<T> = T extends { readonly BYTES_PER_ELEMENT: number }
+  ? number[]
+  : T extends object
+    ? { [K in keyof T]: Plain<T[K]> }
+    : T;
+
+function plain<T>(content: T): Plain<T> {
+  const unwrap = (_: string, value: unknown) =>
+    ArrayBuffer.isView(value) ? Array.from(value as Float64Array) : value;
+  return JSON.parse(JSON.stringify(content, unwrap)) as Plain<T>;
 }
 
 const obj = (text: string, name = 'test.obj') => new File([text], name);
@@ -68,6 +84,6 @@ function watchPage() {
   };
 }
 
-const tools = { createKernel, GirthError, watchedField, refusal, obj, watchPage };
+const tools = { createKernel, GirthError, watchedField, refusal, plain, obj, watchPage };
 export type KernelPage = typeof tools;
 Object.assign(globalThis, { girth: tools });

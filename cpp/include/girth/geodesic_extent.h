@@ -6,6 +6,7 @@
 #include "girth/error.h"
 #include "girth/execution.h"
 #include "girth/surface_mesh.h"
+#include "girth/vertex_function.h"
 
 namespace girth {
 
@@ -18,7 +19,8 @@ enum class DistanceMethod : std::uint8_t {
 struct GeodesicExtent {
   /// For each vertex p, in model units, over the vertices of its own component: the mean of the
   /// distances from p, weighted by the vertices' areas (GeoAverage, centricity), and the greatest
-  /// (GeoFarthest, eccentricity). NaN where cancelled before.
+  /// (GeoFarthest, eccentricity). NaN where cancelled before, and where exact distances would take
+  /// more than 67 million windows.
   std::vector<double> average, farthest;
   bool complete{false};
 };
@@ -28,5 +30,12 @@ struct GeodesicExtent {
 /// marching, about O(n^2.5) exactly.
 GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
                               const ExecutionContext& context = {});
+
+/// Which of the two.
+enum class ExtentMeasure : std::uint8_t { Average, Farthest };
+
+/// GeoAverage or GeoFarthest, in model units, vertex by vertex.
+VertexFunction geodesicExtentFunction(const SurfaceMesh& mesh, ExtentMeasure measure,
+                                      DistanceMethod method);
 
 }  // namespace girth

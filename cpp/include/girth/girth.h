@@ -8,6 +8,7 @@
 #include "girth/geodesic_solver.h"
 #include "girth/girth_field.h"
 #include "girth/girth_solver.h"
+#include "girth/heat_kernel.h"
 #include "girth/naive_girth.h"
 #include "girth/parts.h"
 #include "girth/prepare_surface.h"
@@ -28,3 +29,5 @@
 #include "girth/triangle_soup.h"
 #include "girth/vertex_areas.h"
 #include "girth/vertex_function.h"
+#include "girth/vertex_signatures.h"
+#include "girth/wave_kernel.h"

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <span>
-#include <vector>
 
 #include "girth/execution.h"
 #include "girth/girth_solver.h"
 #include "girth/surface_mesh.h"
+#include "girth/vertex_function.h"
 
 namespace girth {
 
@@ -23,34 +22,22 @@ enum class GirthMethod : std::uint8_t {
   Marched,
 };
 
-/// A value for every vertex, in the order of the vertices.
-struct GirthField {
-  /// I(v) in model units; NaN at a vertex that was not reached before the work was cancelled.
-  std::vector<double> values;
-  std::vector<LoopKind> kinds;
-  /// Vertices computed; less than all of them only after cancelling.
-  std::size_t computed{0};
+/// I(v) in model units for every vertex.
+struct GirthField : VertexValues {
   /// What it cost.
   SearchStatistics statistics;
-
-  bool complete() const { return computed == values.size(); }
 };
 
-/// Values that were finished since the last report: value[i] and kind[i] belong to vertex[i].
-struct GirthPartial {
-  std::span<const Index> vertices;
-  std::span<const double> values;
-  std::span<const LoopKind> kinds;
-};
-
-/// I(v) for all vertices. `onPartial`, where given, is called on the calling thread every few
-/// hundredths of a second with what is new, in the order of `coarseToFineOrder`, so that early
-/// reports are spread over the whole surface. The same bits for any number of threads.
+/// I(v) for all vertices, as `evaluateAll` of girthFunction.
 GirthField girthField(const SurfaceMesh& mesh, GirthMethod method = GirthMethod::Exact,
                       const ExecutionContext& context = {},
-                      const std::function<void(const GirthPartial&)>& onPartial = {});
+                      const std::function<void(const VertexPartial&)>& onPartial = {});
 
-/// All vertices, ordered so that every prefix is spread evenly over the surface. O(n log n).
-std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh);
+/// I(v), in model units, with its kind.
+VertexFunction girthFunction(const SurfaceMesh& mesh, GirthMethod method = GirthMethod::Exact);
+
+/// The angle at v between the two ends of the loop through it (GirthLoop::angle), in radians; NaN
+/// where the loop is unresolved.
+VertexFunction loopAngleFunction(const SurfaceMesh& mesh);
 
 }  // namespace girth

@@ -1,11 +1,13 @@
 // The shape diameter function: how thick the body under a point of its surface is.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "girth/error.h"
 #include "girth/execution.h"
 #include "girth/surface_mesh.h"
+#include "girth/vertex_function.h"
 
 namespace girth {
 
@@ -22,8 +24,7 @@ struct ShapeDiameterField {
   std::vector<double> values;
   /// Vertices that no ray gave a value.
   Index withoutValue{0};
-  /// The surface is closed, but encloses a negative volume: its faces look inwards, and what is
-  /// measured is the space around it.
+  /// isInsideOut of the surface.
   bool insideOut{false};
   bool complete{false};
 };
@@ -45,5 +46,17 @@ struct ShapeDiameterField {
 Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
                                          const ShapeDiameterOptions& options = {},
                                          const ExecutionContext& context = {});
+
+/// The shape diameter, in model units, vertex by vertex. The same errors.
+Result<VertexFunction> shapeDiameterFunction(const SurfaceMesh& mesh,
+                                             const ShapeDiameterOptions& options = {});
+
+/// Whether the surface is closed, but encloses a negative volume: its faces look inwards, and what
+/// is measured is the space around it. O(n).
+bool isInsideOut(const SurfaceMesh& mesh);
+
+/// What people are to know of the values, in sentences: that the surface is inside out, that so
+/// many of its vertices have no thickness. Empty where there is nothing to say.
+std::string shapeDiameterNote(bool insideOut, Index withoutValue, Index vertices);
 
 }  // namespace girth

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "geodesic/fast_marching.h"
 #include "geodesic/propagation.h"
 #include "girth/vertex_areas.h"
+#include "mesh/check_vertex.h"
 #include "parallel.h"
 
 namespace girth {
@@ -15,6 +18,7 @@ namespace girth {
 namespace {
 
 constexpr std::size_t kGrain = 16;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Adds up the distances from one vertex.
 struct Sum {
@@ -35,52 +39,97 @@ struct UntilCancelled {
   std::size_t effort() const { return 0; }
 };
 
+/// What the vertices of a surface have in common.
+struct Distances {
+  const SurfaceMesh& mesh;
+  std::vector<double> areas;
+  // One of the two, by the method.
+  std::optional<geodesic::MarchingStencils> stencils;
+  std::optional<geodesic::Unfolding> unfolding;
+
+  Distances(const SurfaceMesh& surface, DistanceMethod method)
+      : mesh(surface), areas(vertexAreas(surface)) {
+    if (method == DistanceMethod::FastMarching) stencils.emplace(surface);
+    if (method == DistanceMethod::Exact) unfolding.emplace(surface);
+  }
+};
+
+/// Mean and greatest distance from a vertex.
+struct Extent {
+  double average{kNone}, farthest{kNone};
+};
+
+/// Computes distances from one vertex after the other; one for each thread.
+class ExtentSolver {
+ public:
+  explicit ExtentSolver(const Distances& distances) : shared_(&distances) {
+    if (distances.stencils) march_.emplace(*distances.stencils);
+    if (distances.unfolding) propagation_.emplace(*distances.unfolding);
+  }
+
+  /// Without a value where cancelled.
+  Extent at(Index vertex, const ExecutionContext& context) {
+    Sum sum;
+    double unit = 1;
+    if (march_) {
+      march_->run(vertex, [&](Index reached, double distance) {
+        sum.add(distance, shared_->areas[reached]);
+        return !context.cancelled();
+      });
+    } else {
+      const geodesic::Unfolding& unfolding = *shared_->unfolding;
+      const SurfacePoint source = unfolding.fromMesh(SurfacePoint::atVertex(vertex));
+      UntilCancelled visitor{context};
+      propagation_->run(std::span(&source, 1), geodesic::Keep::Nothing, visitor);
+      if (propagation_->gaveUp()) return {};
+      for (const Index reached : propagation_->reachedVertices()) {
+        sum.add(propagation_->distance(reached), shared_->areas[unfolding.vertexInMesh(reached)]);
+      }
+      unit = unfolding.unit();
+    }
+    if (context.cancelled()) return {};
+    return {sum.total / sum.weight * unit, sum.greatest * unit};
+  }
+
+ private:
+  const Distances* shared_;
+  std::optional<geodesic::FastMarching> march_;
+  std::optional<geodesic::Propagation> propagation_;
+};
+
 }  // namespace
 
 GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
                               const ExecutionContext& context) {
-  const double none = std::numeric_limits<double>::quiet_NaN();
   GeodesicExtent extent;
-  extent.average.assign(mesh.vertexCount(), none);
-  extent.farthest.assign(mesh.vertexCount(), none);
-  const std::vector<double> areas = vertexAreas(mesh);
-  const auto store = [&](Index vertex, const Sum& sum, double unit) {
-    if (context.cancelled()) return;
-    extent.average[vertex] = sum.total / sum.weight * unit;
-    extent.farthest[vertex] = sum.greatest * unit;
-  };
-  if (method == DistanceMethod::FastMarching) {
-    const geodesic::MarchingStencils stencils(mesh);
-    extent.complete =
-        inParallel(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
-          geodesic::FastMarching march(stencils);
-          for (auto v = static_cast<Index>(begin); v < end && !context.cancelled(); ++v) {
-            Sum sum;
-            march.run(v, [&](Index vertex, double distance) {
-              sum.add(distance, areas[vertex]);
-              return !context.cancelled();
-            });
-            store(v, sum, 1);
-          }
-        });
-  } else {
-    const geodesic::Unfolding unfolding(mesh);
-    extent.complete =
-        inParallel(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
-          geodesic::Propagation propagation(unfolding);
-          UntilCancelled visitor{context};
-          for (auto v = static_cast<Index>(begin); v < end && !context.cancelled(); ++v) {
-            const SurfacePoint source = unfolding.fromMesh(SurfacePoint::atVertex(v));
-            propagation.run(std::span(&source, 1), geodesic::Keep::Nothing, visitor);
-            Sum sum;
-            for (const Index reached : propagation.reachedVertices()) {
-              sum.add(propagation.distance(reached), areas[unfolding.vertexInMesh(reached)]);
-            }
-            store(v, sum, unfolding.unit());
-          }
-        });
-  }
+  extent.average.assign(mesh.vertexCount(), kNone);
+  extent.farthest.assign(mesh.vertexCount(), kNone);
+  const Distances distances(mesh, method);
+  extent.complete =
+      inParallel(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
+        ExtentSolver solver(distances);
+        for (auto v = static_cast<Index>(begin); v < end && !context.cancelled(); ++v) {
+          const Extent found = solver.at(v, context);
+          extent.average[v] = found.average;
+          extent.farthest[v] = found.farthest;
+        }
+      });
   return extent;
+}
+
+VertexFunction geodesicExtentFunction(const SurfaceMesh& mesh, ExtentMeasure measure,
+                                      DistanceMethod method) {
+  const auto distances = std::make_shared<const Distances>(mesh, method);
+  return {[distances, measure](const ExecutionContext& context) -> VertexEvaluator {
+    const auto solver = std::make_shared<ExtentSolver>(*distances);
+    // The distances are held as long as the solver reads them.
+    return [distances, solver, measure, &context](Index v) -> Result<VertexValue> {
+      if (auto error = checkVertex(distances->mesh, v)) return *std::move(error);
+      const Extent extent = solver->at(v, context);
+      if (context.cancelled()) return makeError(ErrorCode::Cancelled, v, "cancelled");
+      return VertexValue{measure == ExtentMeasure::Average ? extent.average : extent.farthest};
+    };
+  }};
 }
 
 }  // namespace girth

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "descriptors/triangle_tree.h"
 #include "mesh/angles.h"
+#include "mesh/check_vertex.h"
 #include "mesh/vector.h"
 #include "mesh/vertex_normals.h"
 #include "parallel.h"
@@ -97,11 +101,37 @@ double robustMean(std::vector<Length>& lengths) {
   return weight > 0 ? sum / weight : median;
 }
 
-}  // namespace
+/// What the vertices of a surface have in common.
+struct Cones {
+  const SurfaceMesh& mesh;
+  TriangleTree tree;
+  std::vector<ConeRay> rays;
+  std::vector<Vec3> axes;
 
-Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
-                                         const ShapeDiameterOptions& options,
-                                         const ExecutionContext& context) {
+  Cones(const SurfaceMesh& surface, const ShapeDiameterOptions& options)
+      : mesh(surface), tree(surface), rays(coneRays(options)), axes(inwardAxes(surface)) {}
+
+  /// The value at a vertex; `lengths` is scratch memory.
+  double at(Index vertex, std::vector<Length>& lengths) const {
+    const Vec3 axis = axes[vertex];
+    if (dot(axis, axis) == 0) return kNone;
+    // Two directions across the axis (Duff et al. 2017).
+    const double sign = axis.z < 0 ? -1 : 1;
+    const double a = -1 / (sign + axis.z), b = axis.x * axis.y * a;
+    const Vec3 across{1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x};
+    const Vec3 along{b, sign + axis.y * axis.y * a, -axis.y};
+    lengths.clear();
+    for (const ConeRay& ray : rays) {
+      const Vec3 direction =
+          ray.direction.x * across + ray.direction.y * along + ray.direction.z * axis;
+      const auto hit = tree.firstHit(mesh.position(vertex), direction, vertex);
+      if (hit && hit->fromBehind) lengths.push_back({hit->distance, ray.weight});
+    }
+    return robustMean(lengths);
+  }
+};
+
+std::optional<Error> check(const ShapeDiameterOptions& options) {
   if (!(options.coneAngle > 0 && options.coneAngle < kPi)) {
     return makeError(ErrorCode::Usage, -1,
                      "the cone's angle " + std::to_string(options.coneAngle) +
@@ -112,37 +142,59 @@ Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
         ErrorCode::Usage, -1,
         "the number of rays " + std::to_string(options.rays) + " is not between 1 and 10000");
   }
-  const TriangleTree tree(mesh);
-  const std::vector<ConeRay> rays = coneRays(options);
-  const std::vector<Vec3> axes = inwardAxes(mesh);
+  return std::nullopt;
+}
 
+}  // namespace
+
+Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
+                                         const ShapeDiameterOptions& options,
+                                         const ExecutionContext& context) {
+  if (auto error = check(options)) return *std::move(error);
+  const Cones cones(mesh, options);
   ShapeDiameterField field;
   field.values.assign(mesh.vertexCount(), kNone);
-  field.insideOut = !isOpen(mesh) && enclosedVolume(mesh) < 0;
+  field.insideOut = isInsideOut(mesh);
   field.complete =
       inParallel(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
         std::vector<Length> lengths;
         for (auto v = static_cast<Index>(begin); v < end; ++v) {
-          const Vec3 axis = axes[v];
-          // Two directions across the axis (Duff et al. 2017).
-          const double sign = axis.z < 0 ? -1 : 1;
-          const double a = -1 / (sign + axis.z), b = axis.x * axis.y * a;
-          const Vec3 across{1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x};
-          const Vec3 along{b, sign + axis.y * axis.y * a, -axis.y};
-          lengths.clear();
-          if (dot(axis, axis) == 0) continue;
-          for (const ConeRay& ray : rays) {
-            const Vec3 direction =
-                ray.direction.x * across + ray.direction.y * along + ray.direction.z * axis;
-            const auto hit = tree.firstHit(mesh.position(v), direction, v);
-            if (hit && hit->fromBehind) lengths.push_back({hit->distance, ray.weight});
-          }
-          field.values[v] = robustMean(lengths);
+          field.values[v] = cones.at(v, lengths);
         }
       });
   field.withoutValue = static_cast<Index>(std::count_if(
       field.values.begin(), field.values.end(), [](double value) { return std::isnan(value); }));
   return field;
+}
+
+Result<VertexFunction> shapeDiameterFunction(const SurfaceMesh& mesh,
+                                             const ShapeDiameterOptions& options) {
+  if (auto error = check(options)) return *std::move(error);
+  const auto cones = std::make_shared<const Cones>(mesh, options);
+  return VertexFunction{[cones](const ExecutionContext&) -> VertexEvaluator {
+    return [cones, lengths = std::vector<Length>()](Index v) mutable -> Result<VertexValue> {
+      if (auto error = checkVertex(cones->mesh, v)) return *std::move(error);
+      return VertexValue{cones->at(v, lengths)};
+    };
+  }};
+}
+
+bool isInsideOut(const SurfaceMesh& mesh) { return !isOpen(mesh) && enclosedVolume(mesh) < 0; }
+
+std::string shapeDiameterNote(bool insideOut, Index withoutValue, Index vertices) {
+  std::string note;
+  if (insideOut) {
+    note =
+        "the surface is inside out: its faces look inwards, and thickness is measured outside; "
+        "turn "
+        "the faces over";
+  }
+  if (withoutValue > 0) {
+    note += (note.empty() ? "" : ". ") + std::to_string(withoutValue) + " of " +
+            std::to_string(vertices) +
+            " vertices have no thickness: no ray from them meets a wall from inside";
+  }
+  return note;
 }
 
 }  // namespace girth

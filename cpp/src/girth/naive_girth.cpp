@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mesh/angles.h"
+#include "mesh/check_vertex.h"
 
 namespace girth {
 
@@ -391,11 +392,7 @@ class NaiveGirth {
 
 Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
                               const ExecutionContext& context) {
-  if (vertex >= mesh.vertexCount()) {
-    return makeError(ErrorCode::VertexOutOfRange, vertex,
-                     "there is no vertex " + std::to_string(vertex) + " among " +
-                         std::to_string(mesh.vertexCount()));
-  }
+  if (auto error = checkVertex(mesh, vertex)) return *std::move(error);
   return NaiveGirth(mesh, vertex, context).compute();
 }
 

@@ -1,6 +1,6 @@
 // A worker that answers at once or when told to, without a thread and without WebAssembly.
 
-import type { Reply, Report, Request } from '../../../web/src/kernel/protocol.js';
+import type { FieldRequest, Reply, Report, Request } from '../../../web/src/kernel/protocol.js';
 import type { WorkerLike } from '../../../web/src/kernel/worker-client.js';
 
 /** What a fake does with a request: its answer, or a promise of it. A thrown error is answered too. */
@@ -51,6 +51,9 @@ export class FakeWorker implements WorkerLike {
 /** I(v) of the fakes: any function that tells the vertices apart. */
 export const fakeValue = (vertex: number) => Math.sqrt(vertex + 1);
 
+/** The thickness of the fakes: the first vertex has none. */
+export const fakeThickness = (vertex: number) => (vertex === 0 ? NaN : 1 / vertex);
+
 /** A surface of `count` vertices as the fakes answer about it. */
 export function fakeSurface(count: number): Behaviour {
   return ({ operation, arguments: args }) => {
@@ -63,13 +66,27 @@ export function fakeSurface(count: number): Behaviour {
           ),
         };
       case 'values': {
-        const { vertices } = args as { vertices: Uint32Array };
+        const { field, vertices } = args as { field: FieldRequest; vertices: Uint32Array };
+        const isGirth = field.name === 'igf';
         return {
-          values: Float64Array.from(vertices, fakeValue),
-          kinds: Uint8Array.from(vertices, (v) => v % 2),
+          values: Float64Array.from(vertices, isGirth ? fakeValue : fakeThickness),
+          kinds: Uint8Array.from(isGirth ? vertices : [], (v) => v % 2),
           milliseconds: 1,
         };
       }
+      case 'about': {
+        const { field, withoutValue } = args as { field: FieldRequest; withoutValue: number };
+        return {
+          method: `${field.name} by fakes`,
+          note: withoutValue > 0 ? 'some are missing' : '',
+        };
+      }
+      case 'parts':
+        return { kinds: new Uint8Array(count), partOf: new Uint32Array(count), parts: [] };
+      case 'weakPlaces':
+        return { places: [] };
+      case 'writeFields':
+        return { bytes: new Uint8Array(1) };
       case 'loop':
         return { length: 1, polyline: new Float32Array(6) };
       case 'take':

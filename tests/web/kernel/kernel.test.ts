@@ -89,6 +89,7 @@ describe('a run', () => {
     const partials: PartialField[] = [];
     const run = new FieldRun(
       4,
+      true,
       { onProgress: (f) => progress.push(f), onPartial: (p) => partials.push(p) },
       () => now,
     );
@@ -107,6 +108,24 @@ describe('a run', () => {
     expect(partials.map((p) => [...p.vertices])).toEqual([[2], [0, 3], [1]]);
     expect(progress).toEqual([0.25, 0.75, 1]);
     expect(run.range()).toEqual([0, 3]);
+    expect(run.withoutValue).toBe(0);
+  });
+
+  test('missing values count, and are not in the range', () => {
+    const partials: PartialField[] = [];
+    const run = new FieldRun(3, false, { onPartial: (p) => partials.push(p) }, () => 0);
+    const none = new Uint8Array(0);
+    run.add({ vertices: Uint32Array.of(1), values: Float64Array.of(NaN), kinds: none });
+    expect(run.range()).toEqual([NaN, NaN]);
+    run.add({ vertices: Uint32Array.of(0), values: Float64Array.of(2), kinds: none });
+    run.add({ vertices: Uint32Array.of(2), values: Float64Array.of(5), kinds: none });
+    expect(run.range()).toEqual([2, 5]);
+    expect(run.withoutValue).toBe(1);
+    expect(run.kinds).toHaveLength(0);
+    expect(partials.map((p) => [[...p.vertices], [...p.kinds]])).toEqual([
+      [[1], []],
+      [[0, 2], []],
+    ]);
   });
 });
 
@@ -208,6 +227,102 @@ describe('a field by a pool', () => {
     crashes = false;
     expect((await mesh.field('igf')).values[9]).toBe(fakeValue(9));
     expect(workers.filter(({ terminated }) => terminated).length).toBeGreaterThan(0);
+  });
+});
+
+describe('fields', () => {
+  test('have a unit, a method and a note; missing values are NaN', async () => {
+    const { kernel } = await fakeKernel(fakeSurface(20));
+    const mesh = await kernel.load(anyArrays);
+    const sdf = await mesh.field('sdf');
+    expect(sdf).toMatchObject({
+      name: 'sdf',
+      range: [1 / 19, 1],
+      unit: 'm',
+      method: 'sdf by fakes',
+      withoutValue: 1,
+      note: 'some are missing',
+    });
+    expect(sdf.kinds).toHaveLength(0);
+    expect(await mesh.field('angle')).toMatchObject({ name: 'angle', unit: 'rad' });
+    expect(await mesh.field('igf')).toMatchObject({ withoutValue: 0, note: '', unit: 'm' });
+  });
+
+  test('what was asked for reaches the workers; what was not, is the usual', async () => {
+    const asked: object[] = [];
+    const surface = fakeSurface(1);
+    const { kernel } = await fakeKernel((request, report) => {
+      if (request.operation === 'values') {
+        asked.push((request.arguments as { field: object }).field);
+      }
+      return surface(request, report);
+    });
+    const mesh = await kernel.load(anyArrays);
+    await mesh.field('sdf', { sdf: { rays: 7 } });
+    await mesh.field('geofarthest', { distances: 'exact' });
+    expect(asked).toEqual([
+      { name: 'sdf', coneAngle: (2 * Math.PI) / 3, rays: 7, distances: 'fast-marching' },
+      { name: 'geofarthest', coneAngle: (2 * Math.PI) / 3, rays: 30, distances: 'exact' },
+    ]);
+    for (const name of ['toString', 'girth', ''] as unknown as 'igf'[]) {
+      expect(await codeOf(mesh.field(name))).toBe('USAGE');
+    }
+  });
+
+  test('of another mesh, or another field, are refused; nothing is asked of a worker', async () => {
+    const { kernel, readers } = await fakeKernel(fakeSurface(20));
+    const mesh = await kernel.load(anyArrays);
+    const [igf, sdf] = [await mesh.field('igf'), await mesh.field('sdf')];
+    const short = { ...igf, values: igf.values.slice(1) };
+    const thresholds = { girth: 1, diameter: 1 };
+    const limits = { tubeDiameter: 1, wallThickness: 1 };
+    const before = readers[0]!.operations.length;
+    for (const refused of [
+      mesh.tips(sdf),
+      mesh.tips(short),
+      mesh.suggestedThresholds(igf, igf),
+      mesh.parts(sdf, igf, thresholds),
+      mesh.parts(short, sdf, thresholds),
+      mesh.weakPlaces(igf, { ...sdf, values: new Float64Array(0) }, limits),
+      mesh.exportField(short, 'csv'),
+      mesh.exportFields([igf, { ...sdf, kinds: new Uint8Array(3) }], 'csv'),
+      mesh.exportTips(sdf, 'json'),
+      mesh.exportParts(igf, igf, thresholds, 'json'),
+      mesh.exportWeakPlaces(sdf, sdf, limits, 'json'),
+    ]) {
+      expect(await codeOf(refused)).toBe('USAGE');
+    }
+    expect(readers[0]!.operations).toHaveLength(before);
+  });
+
+  test('are written in the unit that is said; other units stay', async () => {
+    const written: object[] = [];
+    const surface = fakeSurface(4);
+    const { kernel } = await fakeKernel((request, report) => {
+      if (request.operation === 'writeFields') {
+        const { model, fields, format } = request.arguments as {
+          model: { unit: string };
+          fields: { name: string; unit: string; method: string; kinds: Uint8Array }[];
+          format: string;
+        };
+        const named = fields.map(({ name, unit, kinds }) => [name, unit, kinds.length]);
+        written.push([model.unit, ...named, format]);
+      }
+      return surface(request, report);
+    });
+    const mesh = await kernel.load(anyArrays);
+    const [igf, angle] = [await mesh.field('igf'), await mesh.field('angle')];
+    const part = { name: 'part', values: new Float64Array(4), unit: '' };
+    await mesh.exportField(igf, 'csv');
+    await mesh.exportField({ ...igf, unit: 'mm' }, 'npy');
+    await mesh.exportField(angle, 'glb');
+    await mesh.exportFields([igf, angle, part], 'ply', { unit: 'in' });
+    expect(written).toEqual([
+      ['metre', ['igf', 'metre', 4], 'csv'],
+      ['millimetre', ['igf', 'millimetre', 4], 'npy'],
+      ['metre', ['angle', 'radian', 0], 'glb'],
+      ['inch', ['igf', 'inch', 4], ['angle', 'radian', 0], ['part', '', 0], 'ply'],
+    ]);
   });
 });
 

@@ -1,16 +1,12 @@
 // One computation of a field, apart from who computes it: collects what is finished, reports it
 // evenly, and ends exactly once, also when it is stopped.
 
+import type { FieldRequest } from './protocol.js';
 import type { SurfaceSource } from './worker-client.js';
 import type { FieldOptions, PartialField } from './types.js';
 
 /** Reports closer together than this are put together: the page draws each of them. */
 const reportMilliseconds = 40;
-
-export interface FieldValues {
-  values: Float64Array<ArrayBuffer>;
-  kinds: Uint8Array<ArrayBuffer>;
-}
 
 /** Computes whole fields, one at a time. */
 export interface FieldEngine {
@@ -18,11 +14,17 @@ export interface FieldEngine {
    * Calls `run.add` with new values until all are there. When `signal` fires it stops the work;
    * the promise may settle later than that, once the workers are free again.
    */
-  compute(surface: SurfaceSource, run: FieldRun, signal: AbortSignal): Promise<void>;
+  compute(
+    surface: SurfaceSource,
+    field: FieldRequest,
+    run: FieldRun,
+    signal: AbortSignal,
+  ): Promise<void>;
 }
 
 export class FieldRun {
   readonly values: Float64Array<ArrayBuffer>;
+  /** Empty where the field has none. */
   readonly kinds: Uint8Array<ArrayBuffer>;
   readonly #options: FieldOptions;
   readonly #now: () => number;
@@ -31,9 +33,14 @@ export class FieldRun {
   #unreported: PartialField[] = [];
   #reportedAt = -Infinity;
 
-  constructor(vertexCount: number, options: FieldOptions, now = () => performance.now()) {
-    this.values = new Float64Array(vertexCount);
-    this.kinds = new Uint8Array(vertexCount);
+  constructor(
+    vertexCount: number,
+    hasKinds: boolean,
+    options: FieldOptions,
+    now = () => performance.now(),
+  ) {
+    this.values = new Float64Array(vertexCount).fill(NaN);
+    this.kinds = new Uint8Array(hasKinds ? vertexCount : 0);
     this.#options = options;
     this.#now = now;
   }
@@ -46,8 +53,8 @@ export class FieldRun {
   add(partial: PartialField): void {
     partial.vertices.forEach((vertex, i) => {
       this.values[vertex] = partial.values[i]!;
-      this.kinds[vertex] = partial.kinds[i]!;
     });
+    partial.kinds.forEach((kind, i) => (this.kinds[partial.vertices[i]!] = kind));
     this.#done += partial.vertices.length;
     this.#unreported.push(partial);
     if (this.complete || this.#now() - this.#reportedAt >= reportMilliseconds) this.flush();
@@ -67,13 +74,21 @@ export class FieldRun {
     }
   }
 
+  /** Vertices that the field has no value for. */
+  get withoutValue(): number {
+    let count = 0;
+    for (const value of this.values) if (Number.isNaN(value)) ++count;
+    return count;
+  }
+
+  /** The smallest and the largest value; NaN twice where there is none. */
   range(): [number, number] {
     let [low, high] = [Infinity, -Infinity];
     for (const value of this.values) {
       if (value < low) low = value;
       if (value > high) high = value;
     }
-    return [low, high];
+    return low <= high ? [low, high] : [NaN, NaN];
   }
 }
 
@@ -82,13 +97,13 @@ function joined(partials: PartialField[]): PartialField {
   const whole = {
     vertices: new Uint32Array(count),
     values: new Float64Array(count),
-    kinds: new Uint8Array(count),
+    kinds: new Uint8Array(partials[0]!.kinds.length > 0 ? count : 0),
   };
   let at = 0;
   for (const { vertices, values, kinds } of partials) {
     whole.vertices.set(vertices, at);
     whole.values.set(values, at);
-    whole.kinds.set(kinds, at);
+    if (whole.kinds.length > 0) whole.kinds.set(kinds, at);
     at += vertices.length;
   }
   return whole;

@@ -1,49 +1,36 @@
-// Kernels and meshes: who does what. Nothing is computed on the page's own thread.
+// Kernels: which workers there are, and who does what. Nothing is computed on the page's own thread.
 
 import { linked, untilAborted } from './abort.js';
-import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
+import { cancelled, fieldsOf, GirthError } from './errors.js';
+import { hasKinds } from './field-request.js';
 import { FieldRun, type FieldEngine } from './field-run.js';
 import { LoopQueue } from './loop-queue.js';
+import { MeshOfWorkers } from './mesh.js';
 import { PoolEngine } from './pool-engine.js';
 import type {
+  FieldRequest,
   OpenedSurface,
   Report,
   SingleOperations,
   ThreadsOperations,
   WorkshopOperations,
-  WrittenModel,
 } from './protocol.js';
 import { contentOf, sizeOf } from './source.js';
-import { checkedPoint } from './surface-point.js';
 import { ThreadsEngine } from './threads-engine.js';
 import type {
   CallOptions,
   Field,
-  FieldFormat,
   FieldOptions,
   Kernel,
   KernelOptions,
   LoadOptions,
-  Loop,
-  LoopFormat,
   Mesh,
   MeshSource,
-  RemeshedMesh,
   SurfacePoint,
-  WatchedOptions,
 } from './types.js';
 import { WorkerClient, type SurfaceSource } from './worker-client.js';
 import { moduleWorkers, type WorkerFactory } from './workers.js';
 import { Workshop } from './workshop.js';
-
-/** Units as files call them. */
-const unitNames: Record<string, string | undefined> = {
-  m: 'metre',
-  mm: 'millimetre',
-  cm: 'centimetre',
-  in: 'inch',
-  ft: 'foot',
-};
 
 /** More workers than this cost more memory than they save time. */
 const mostThreads = 8;
@@ -182,25 +169,31 @@ export class KernelOfWorkers implements Kernel {
     return mesh;
   }
 
-  /** The field of a mesh; fields are computed one after the other, each by all workers. */
+  /** A field of a mesh; fields are computed one after the other, each by all workers. */
   field(
     surface: SurfaceSource,
-    unit: string,
+    request: FieldRequest,
     life: AbortSignal,
     options: FieldOptions,
-  ): Promise<Field> {
-    const run = new FieldRun(surface.arrays.positions.length / 3, options);
+  ): Promise<Omit<Field, 'unit'>> {
+    const run = new FieldRun(surface.arrays.positions.length / 3, hasKinds(request), options);
     return this.#work([options.signal, life], async (signal) => {
       // The caller keeps what is finished; a disposed mesh has no use for it.
       signal.addEventListener('abort', () => {
         if (options.signal?.aborted && !life.aborted) run.flush();
       });
       const turn = this.#fields.then(async () => {
-        if (!signal.aborted) await this.#engine.compute(surface, run, signal);
+        if (!signal.aborted) await this.#engine.compute(surface, request, run, signal);
       });
       this.#fields = turn.catch(() => undefined);
       await turn;
-      return { name: 'igf', values: run.values, kinds: run.kinds, range: run.range(), unit };
+      if (signal.aborted) throw cancelled();
+      const { values, kinds, withoutValue } = run;
+      const about = await this.#interactive.requestOn(surface, 'about', {
+        field: request,
+        withoutValue,
+      });
+      return { name: request.name, values, kinds, range: run.range(), withoutValue, ...about };
     });
   }
 
@@ -245,141 +238,5 @@ export class KernelOfWorkers implements Kernel {
     } finally {
       release();
     }
-  }
-}
-
-class MeshOfWorkers implements Mesh {
-  readonly info: Mesh['info'];
-  readonly geometry: Mesh['geometry'];
-  readonly vertexOfInput: Uint32Array;
-  /** As the workers know it. */
-  readonly surface: SurfaceSource;
-  readonly #kernel: KernelOfWorkers;
-  readonly #inputOfVertex: Uint32Array;
-  readonly #life = new AbortController();
-
-  constructor(kernel: KernelOfWorkers, opened: OpenedSurface & { number: number }) {
-    const { number, info, arrays, drawn, walls, vertexOfInput, inputOfVertex } = opened;
-    this.#kernel = kernel;
-    this.surface = { number, arrays };
-    this.info = info;
-    this.geometry = { positions: drawn, indices: arrays.indices, walls };
-    this.vertexOfInput = vertexOfInput;
-    this.#inputOfVertex = inputOfVertex;
-  }
-
-  async field(name: 'igf', options: FieldOptions = {}): Promise<Field> {
-    if (name !== 'igf') {
-      throw failure('USAGE', `there is no field '${String(name)}'`, { hint: "use 'igf'" });
-    }
-    return this.#kernel.field(this.surface, this.info.unit, this.#life.signal, options);
-  }
-
-  async loop(point: SurfacePoint, options: CallOptions = {}): Promise<Loop> {
-    const { unit } = this.info;
-    const base = checkedPoint(point, this.info);
-    const found = await this.#kernel.loop(this.surface, base, this.#life.signal, options);
-    return { ...found, base, unit };
-  }
-
-  async exportField(
-    field: Field,
-    format: FieldFormat,
-    { signal }: CallOptions = {},
-  ): Promise<Uint8Array> {
-    const { values, kinds, unit } = field;
-    const { vertexCount } = this.info;
-    if (values.length !== vertexCount || kinds.length !== vertexCount) {
-      throw failure('USAGE', 'the field is not one of this mesh', { hint: 'export its own field' });
-    }
-    const { bytes } = await this.#make(signal, (worker) =>
-      worker.request('writeField', { model: this.#written(unit), values, kinds, format }),
-    );
-    return bytes;
-  }
-
-  async exportLoops(
-    points: readonly SurfacePoint[],
-    format: LoopFormat,
-    { signal, unit = this.info.unit }: CallOptions & { unit?: string } = {},
-  ): Promise<Uint8Array[]> {
-    const checked = points.map((point) => checkedPoint(point, this.info));
-    const { files } = await this.#make(signal, (worker) =>
-      worker.request('writeLoops', { model: this.#written(unit), points: checked, format }),
-    );
-    return files;
-  }
-
-  async remesh(faces: number, { signal, onProgress }: WatchedOptions = {}): Promise<RemeshedMesh> {
-    const { info } = this;
-    const { arrays } = this.surface;
-    const opened = await this.#make(signal, (worker) =>
-      worker.request(
-        'remesh',
-        { arrays, faces, info },
-        {
-          onReport: (report) => {
-            if (!signal?.aborted && 'progress' in report) onProgress?.(report.progress);
-          },
-        },
-      ),
-    );
-    const mesh = this.#kernel.open(opened);
-    const carryBack: RemeshedMesh['carryBack'] = async (values, options = {}) => {
-      if (values.length !== mesh.info.vertexCount) {
-        throw failure('USAGE', 'there is not one value for each vertex of the remeshed surface', {
-          hint: 'carry back its own values',
-        });
-      }
-      const remeshed = opened.arrays;
-      const carried = await this.#make(options.signal, (worker) =>
-        worker.request('carryBack', { original: arrays, remeshed, values }),
-      );
-      return carried.values;
-    };
-    return Object.assign(mesh, { carryBack });
-  }
-
-  async difference(
-    field: Field,
-    other: Mesh,
-    otherField: Field,
-    { signal }: CallOptions = {},
-  ): Promise<number> {
-    if (!(other instanceof MeshOfWorkers)) {
-      throw failure('USAGE', 'the other mesh is not one of this package', {
-        hint: 'load it with a kernel',
-      });
-    }
-    const fields = [
-      { ...this.surface.arrays, values: field.values },
-      { ...other.surface.arrays, values: otherField.values },
-    ] as const;
-    const { difference } = await this.#make(signal, (worker) =>
-      worker.request('difference', { fields }),
-    );
-    return difference;
-  }
-
-  #make<T>(
-    signal: AbortSignal | undefined,
-    job: (worker: WorkerClient<WorkshopOperations>) => Promise<T>,
-  ): Promise<T> {
-    const { positions, indices } = this.surface.arrays;
-    const bytes = positions.byteLength + indices.byteLength;
-    return this.#kernel.make(bytes, [signal, this.#life.signal], job);
-  }
-
-  #written(unit: string): WrittenModel {
-    const { vertexOfInput, info, surface } = this;
-    const inputOfVertex = this.#inputOfVertex;
-    const { name } = info;
-    return { ...surface.arrays, vertexOfInput, inputOfVertex, name, unit: unitNames[unit] ?? unit };
-  }
-
-  dispose(): void {
-    if (this.#life.signal.aborted) return;
-    this.#life.abort('the mesh has been disposed of');
-    this.#kernel.drop(this.surface.number);
   }
 }

@@ -2,7 +2,7 @@
 // worker gets the next chunk as soon as it has returned one.
 
 import { cancelled } from './errors.js';
-import type { SingleOperations } from './protocol.js';
+import type { FieldRequest, SingleOperations } from './protocol.js';
 import type { FieldEngine, FieldRun } from './field-run.js';
 import type { SurfaceSource, WorkerClient } from './worker-client.js';
 
@@ -29,7 +29,12 @@ export class PoolEngine implements FieldEngine {
     this.#workers = workers;
   }
 
-  async compute(surface: SurfaceSource, run: FieldRun, signal: AbortSignal): Promise<void> {
+  async compute(
+    surface: SurfaceSource,
+    field: FieldRequest,
+    run: FieldRun,
+    signal: AbortSignal,
+  ): Promise<void> {
     const { order } = await this.#workers[0]!.requestOn(surface, 'order', {});
     if (signal.aborted) return;
     let next = 0;
@@ -45,6 +50,7 @@ export class PoolEngine implements FieldEngine {
             const size = chunkSize(speed, order.length - next, this.#workers.length);
             const vertices = order.slice(next, (next += size));
             const { values, kinds, milliseconds } = await worker.requestOn(surface, 'values', {
+              field,
               vertices,
             });
             if (signal.aborted) return;

@@ -3,15 +3,24 @@
 // exception: the flag that cancels the threads.
 
 import type {
+  Field,
   FieldFormat,
+  FieldName,
   FileWithPath,
   GirthErrorFields,
   Loop,
   LoopFormat,
   MeshInfo,
+  NamedField,
   PartialField,
+  PartOptions,
+  Parts,
+  PartThresholds,
   PrepareOptions,
+  PrintLimits,
   SurfacePoint,
+  Tips,
+  WeakPlace,
 } from './types.js';
 
 /** A surface's exact arrays: every worker that gets them makes the same surface, bit for bit. */
@@ -40,6 +49,22 @@ export interface WrittenModel extends SurfaceArrays {
   unit: string;
 }
 
+/** A field with everything that it depends on besides the surface. */
+export interface FieldRequest {
+  name: FieldName;
+  /** Of 'sdf'. */
+  coneAngle: number;
+  rays: number;
+  /** Of 'geoaverage' and 'geofarthest'. */
+  distances: 'fast-marching' | 'exact';
+}
+
+/** The two fields that tell parts, one value for each vertex. */
+export interface GirthAndDiameter {
+  girth: Float64Array;
+  diameter: Float64Array;
+}
+
 /** A field with the surface that it is on. */
 export interface FieldOfSurface extends SurfaceArrays {
   values: Float64Array;
@@ -48,6 +73,7 @@ export interface FieldOfSurface extends SurfaceArrays {
 /** Values of some vertices, in the order in which they were asked for. */
 export interface Values {
   values: Float64Array<ArrayBuffer>;
+  /** Empty but for the girth. */
   kinds: Uint8Array<ArrayBuffer>;
   /** How long the worker took, in milliseconds. */
   milliseconds: number;
@@ -72,7 +98,12 @@ export interface CommonOperations {
 /** A worker that computes with the module without threads. */
 export interface SingleOperations extends CommonOperations {
   order: [{ surface: number }, { order: Uint32Array<ArrayBuffer> }];
-  values: [{ surface: number; vertices: Uint32Array<ArrayBuffer> }, Values];
+  values: [{ surface: number; field: FieldRequest; vertices: Uint32Array<ArrayBuffer> }, Values];
+  /** What is to be said of a field, of which so many vertices have no value. */
+  about: [
+    { surface: number; field: FieldRequest; withoutValue: number },
+    Pick<Field, 'method' | 'note'>,
+  ];
   loop: [{ surface: number; point: SurfacePoint }, Omit<Loop, 'base' | 'unit'>];
 }
 
@@ -94,8 +125,36 @@ export interface WorkshopOperations extends CommonOperations {
   ];
   /** The difference of two fields. */
   difference: [{ fields: readonly [FieldOfSurface, FieldOfSurface] }, { difference: number }];
-  writeField: [
-    { model: WrittenModel; values: Float64Array; kinds: Uint8Array; format: FieldFormat },
+  vertexAreas: [{ arrays: SurfaceArrays }, { areas: Float64Array<ArrayBuffer> }];
+  tips: [{ arrays: SurfaceArrays; girth: Float64Array }, Tips];
+  thresholds: [{ arrays: SurfaceArrays; fields: GirthAndDiameter }, PartThresholds];
+  parts: [
+    { arrays: SurfaceArrays; fields: GirthAndDiameter; options: Required<PartOptions> },
+    Parts,
+  ];
+  weakPlaces: [
+    { arrays: SurfaceArrays; fields: GirthAndDiameter; limits: PrintLimits },
+    { places: WeakPlace[] },
+  ];
+  writeFields: [
+    { model: WrittenModel; fields: readonly NamedField[]; format: FieldFormat },
+    { bytes: Uint8Array<ArrayBuffer> },
+  ];
+  writeTips: [
+    { model: WrittenModel; girth: Float64Array; format: string },
+    { bytes: Uint8Array<ArrayBuffer> },
+  ];
+  writeParts: [
+    {
+      model: WrittenModel;
+      fields: GirthAndDiameter;
+      options: Required<PartOptions>;
+      format: string;
+    },
+    { bytes: Uint8Array<ArrayBuffer> },
+  ];
+  writeWeakPlaces: [
+    { model: WrittenModel; fields: GirthAndDiameter; limits: PrintLimits; format: string },
     { bytes: Uint8Array<ArrayBuffer> },
   ];
   writeLoops: [
@@ -107,7 +166,7 @@ export interface WorkshopOperations extends CommonOperations {
 /** The worker that hosts the module with threads. */
 export interface ThreadsOperations extends CommonOperations {
   /** Reports all values while it runs, each once; answers early once the flag is set. */
-  field: [{ surface: number; threads: number }, { complete: boolean }];
+  field: [{ surface: number; field: FieldRequest; threads: number }, { complete: boolean }];
 }
 
 /** The arguments and the answer of an operation of a table like those above. */

@@ -1,7 +1,7 @@
 // Fields by the threads of one module: a single call that blocks the worker which hosts it.
 
 import { failure } from './errors.js';
-import type { ThreadsOperations } from './protocol.js';
+import type { FieldRequest, ThreadsOperations } from './protocol.js';
 import type { FieldEngine, FieldRun } from './field-run.js';
 import type { SurfaceSource, WorkerClient } from './worker-client.js';
 
@@ -14,7 +14,12 @@ export class ThreadsEngine implements FieldEngine {
     this.#threads = threads;
   }
 
-  async compute(surface: SurfaceSource, run: FieldRun, signal: AbortSignal): Promise<void> {
+  async compute(
+    surface: SurfaceSource,
+    field: FieldRequest,
+    run: FieldRun,
+    signal: AbortSignal,
+  ): Promise<void> {
     const { cancelFlag } = await this.#worker.start();
     if (!cancelFlag) throw failure('INTERNAL', 'the module with threads has no flag to cancel it');
     if (!signal.aborted) await this.#worker.adopt(surface);
@@ -28,7 +33,7 @@ export class ThreadsEngine implements FieldEngine {
       const { complete } = await this.#worker.requestOn(
         surface,
         'field',
-        { threads: this.#threads },
+        { field, threads: this.#threads },
         {
           onReport: (report) => {
             if (!signal.aborted && 'partial' in report) run.add(report.partial);

@@ -21,10 +21,10 @@ serveRequests<ThreadsOperations>({
     return {};
   },
 
-  field({ surface: number, threads }, report) {
+  field({ surface: number, field, threads }, report) {
     const surface = surfaces.get(number);
     if (!surface) throw new Error(`surface ${number} is not known to this worker`);
-    return checked(surface.field(threads, (partial) => report({ partial })));
+    return checked(surface.field(field, threads, (partial) => report({ partial })));
   },
 
   drop({ surface }) {

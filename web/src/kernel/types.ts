@@ -66,6 +66,11 @@ export interface CallOptions {
   signal?: AbortSignal;
 }
 
+export interface ExportOptions extends CallOptions {
+  /** Of lengths, where the file does not say it: 'mm'. */
+  unit?: string;
+}
+
 export interface WatchedOptions extends CallOptions {
   /** The finished share in [0, 1]; never falls; ends with 1. */
   onProgress?: (fraction: number) => void;
@@ -77,29 +82,144 @@ export interface LoadOptions extends WatchedOptions {
   prepare?: PrepareOptions;
 }
 
+/**
+ * Functions of the surface that are computed vertex by vertex. In model units: the girth; the shape
+ * diameter, which is the thickness (`shape_diameter.h`); the mean and the greatest geodesic distance
+ * (`geodesic_extent.h`). In radians: the angle between the two ends of the loop at its base.
+ */
+export type FieldName = 'igf' | 'sdf' | 'geoaverage' | 'geofarthest' | 'angle';
+
 /** Values finished since the last report; values[i] and kinds[i] belong to vertex vertices[i]. */
 export interface PartialField {
   vertices: Uint32Array;
+  /** NaN where there is no value. */
   values: Float64Array;
-  /** 0: loop, 1: antipodal, 2: unresolved. */
+  /** Of the girth, 0: loop, 1: antipodal, 2: unresolved; of other fields empty. */
   kinds: Uint8Array;
 }
 
 export interface FieldOptions extends WatchedOptions {
   /** New values, coarse to fine: each batch is spread over the whole surface. */
   onPartial?: (partial: PartialField) => void;
+  /** Of 'sdf': the cone's full opening in radians (default 120°), and its number of rays (30). */
+  sdf?: { coneAngle?: number; rays?: number };
+  /** Of 'geoaverage' and 'geofarthest': how distances are computed; fast marching by default. */
+  distances?: 'fast-marching' | 'exact';
 }
 
 export interface Field {
-  name: 'igf';
-  /** One per vertex of the surface, in its order. */
+  name: FieldName;
+  /** One per vertex of the surface, in its order; NaN where there is no value. */
   values: Float64Array;
-  /** 0: loop, 1: antipodal, 2: unresolved; one per vertex. */
+  /** Of the girth, 0: loop, 1: antipodal, 2: unresolved; one per vertex. Of other fields empty. */
   kinds: Uint8Array;
-  /** Smallest and largest value. */
+  /** Smallest and largest value; NaN twice where no vertex has one. */
   range: [number, number];
-  /** 'm' for glTF, '' where the file does not say. */
+  /** For lengths that of the model: 'm' for glTF, '' where the file does not say. 'rad' for angles. */
   unit: string;
+  /** How it was computed: 'exact', '30 rays', 'fast marching'. */
+  method: string;
+  /** Vertices that have no value. */
+  withoutValue: number;
+  /** What is to be known of the values, in sentences: 'the surface is inside out: ...'; or ''. */
+  note: string;
+}
+
+/** A field to write, also one that was not computed here. */
+export interface NamedField {
+  /** A small letter, then small letters, digits and underscores: 'part'. */
+  name: string;
+  values: Float64Array;
+  kinds?: Uint8Array;
+  /** As of `Field`; '' for plain numbers. */
+  unit: string;
+  method?: string;
+}
+
+/** A line across edges of the surface. */
+export interface ContourLine {
+  /** It comes back to its first point, which is not repeated. Else it ends at walls or in faces. */
+  closed: boolean;
+  /** x, y, z per point. */
+  polyline: Float32Array;
+}
+
+/** Where the shape ends (`tips.h`): a region that the discontinuity contour of the girth cuts off. */
+export interface Tip {
+  /** In rising order. */
+  vertices: Uint32Array;
+  /** What cuts it off: usually one closed line. */
+  contour: ContourLine[];
+  area: number;
+  /** Length of the contour. */
+  boundaryLength: number;
+  /** The vertex farthest from the contour, along the surface, and how far. */
+  apex: number;
+  apexDistance: number;
+  /** How far the girth rises from outside to inside. */
+  jump: number;
+}
+
+export interface Tips {
+  /** Largest jump first. */
+  tips: Tip[];
+  /** Parts of the contour that cut nothing off; longest first. */
+  arcs: { line: ContourLine; length: number; jump: number }[];
+  crossedEdges: number;
+}
+
+export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
+
+/** τ1 and τ2 of the paper, in model units; from 0 to Infinity. */
+export interface PartThresholds {
+  girth: number;
+  diameter: number;
+}
+
+export interface PartOptions extends PartThresholds {
+  /** 0 (default): plain thresholds; above: what a vertex's neighbourhood weighs against it. */
+  smoothing?: number;
+}
+
+/** A connected region of one kind (`parts.h`). */
+export interface Part {
+  kind: PartKind;
+  /** In rising order. */
+  vertices: Uint32Array;
+  area: number;
+  /** NaN where it is unknown. */
+  medianGirth: number;
+  medianDiameter: number;
+  /** The vertex of the least girth (tubes) or diameter (others); -1 where it is unknown. */
+  thinnest: number;
+  /** Of the round tube of the same girth: I / 2π. */
+  equivalentRadius: number;
+}
+
+export interface Parts {
+  /** Of the vertices; 0: body, 1: tube, 2: plate, 3: unknown. */
+  kinds: Uint8Array;
+  /** Of the vertices: the number of their part. */
+  partOf: Uint32Array;
+  /** Largest area first. */
+  parts: Part[];
+}
+
+/** What can still be printed, in model units; 0: everything. */
+export interface PrintLimits {
+  tubeDiameter: number;
+  wallThickness: number;
+}
+
+/** A connected place that is too thin to print (`parts.h`). */
+export interface WeakPlace {
+  /** 'plate': a wall. */
+  kind: 'tube' | 'plate';
+  vertices: Uint32Array;
+  area: number;
+  /** The least diameter I / π of the tube, or thickness of the wall; and the vertex where it is. */
+  least: number;
+  thinnest: number;
 }
 
 /** A point of a face. */
@@ -205,7 +325,8 @@ export interface Mesh {
   readonly geometry: { positions: Float32Array; indices: Uint32Array; walls: Uint32Array };
   /** The surface's vertex for each vertex of the input; 0xFFFFFFFF where there is none. */
   readonly vertexOfInput: Uint32Array;
-  field(name: 'igf', options?: FieldOptions): Promise<Field>;
+  /** Codes of failure: USAGE for options out of range, CANCELLED. */
+  field(name: FieldName, options?: FieldOptions): Promise<Field>;
   /**
    * The loop at a vertex or at a point of a face. Served at once, also while a field is being
    * computed. Codes of failure: VERTEX_OUT_OF_RANGE, INVALID_POINT, CANCELLED.
@@ -213,15 +334,61 @@ export interface Mesh {
   loop(point: SurfacePoint, options?: CallOptions): Promise<Loop>;
   /**
    * The field as a file's content: CSV, JSON and NPY in the order of the input's vertices, PLY and
-   * GLB as the surface with its values (`write_field.h`). The unit written is `field.unit`.
+   * GLB as the surface with its values (`write_field.h`). Lengths and the model are written in the
+   * unit `unit`, by default that of the field if it is a length, else the model's.
    */
-  exportField(field: Field, format: FieldFormat, options?: CallOptions): Promise<Uint8Array>;
+  exportField(field: Field, format: FieldFormat, options?: ExportOptions): Promise<Uint8Array>;
+  /** Several fields in one file, columns in their order; NPY takes only one. */
+  exportFields(
+    fields: readonly NamedField[],
+    format: FieldFormat,
+    options?: ExportOptions,
+  ): Promise<Uint8Array>;
   /** The loops at some points, a file's content for each (`write_loop.h`), in the unit `unit`. */
   exportLoops(
     points: readonly SurfacePoint[],
     format: LoopFormat,
-    options?: CallOptions & { unit?: string },
+    options?: ExportOptions,
   ): Promise<Uint8Array[]>;
+  /**
+   * The area that each vertex stands for, which weighs it in distributions (`vertex_areas.h`); they
+   * add up to `info.area`.
+   */
+  vertexAreas(options?: CallOptions): Promise<Float64Array>;
+  /**
+   * The tips by the girth. Of this and the next: USAGE where a field is not one of this mesh or not
+   * the one that is asked for.
+   */
+  tips(igf: Field, options?: CallOptions): Promise<Tips>;
+  /** Thresholds to start from; both 0 where no vertex has both values. */
+  suggestedThresholds(igf: Field, sdf: Field, options?: CallOptions): Promise<PartThresholds>;
+  /** Tubes, plates and body. USAGE where a threshold or the smoothing is negative or no number. */
+  parts(igf: Field, sdf: Field, parts: PartOptions, options?: CallOptions): Promise<Parts>;
+  /** Places too thin to print, thinnest first. USAGE where a limit is negative or no number. */
+  weakPlaces(
+    igf: Field,
+    sdf: Field,
+    limits: PrintLimits,
+    options?: CallOptions,
+  ): Promise<WeakPlace[]>;
+  /** The tips as a file's content (`write_tips.h`): JSON, or the contours as OBJ lines. */
+  exportTips(igf: Field, format: 'json' | 'obj', options?: ExportOptions): Promise<Uint8Array>;
+  /** The parts as a file's content (`write_parts.h`). */
+  exportParts(
+    igf: Field,
+    sdf: Field,
+    parts: PartOptions,
+    format: 'json',
+    options?: ExportOptions,
+  ): Promise<Uint8Array>;
+  /** The weak places as a file's content (`write_parts.h`). */
+  exportWeakPlaces(
+    igf: Field,
+    sdf: Field,
+    limits: PrintLimits,
+    format: 'json',
+    options?: ExportOptions,
+  ): Promise<Uint8Array>;
   /**
    * A surface of about `faces` faces, closed where this one is and of its genus (`remesh.h`). Its
    * input, as files and `vertexOfInput` count it, are its own vertices.

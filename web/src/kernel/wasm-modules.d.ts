@@ -22,8 +22,13 @@ declare module '*/girth.mjs' {
 
   export interface Surface {
     values(
+      field: import('./protocol.js').FieldRequest,
       vertices: Uint32Array,
     ): { values: Float64Array<ArrayBuffer>; kinds: Uint8Array<ArrayBuffer> } | Failed;
+    about(
+      field: import('./protocol.js').FieldRequest,
+      withoutValue: number,
+    ): { method: string; note: string } | Failed;
     loopAtVertex(vertex: number): FoundLoop | Failed;
     loopInFace(face: number, a: number, b: number, c: number): FoundLoop | Failed;
     order(): Uint32Array<ArrayBuffer> | Failed;
@@ -74,6 +79,15 @@ declare module '*/girth.mjs' {
     unit: string;
   }
 
+  interface GirthAndDiameter {
+    girth: Float64Array;
+    diameter: Float64Array;
+  }
+
+  interface Bytes {
+    bytes: Uint8Array<ArrayBuffer>;
+  }
+
   export interface GirthModule {
     /** `resource` brings a file that the model refers to. */
     readSurface(
@@ -109,12 +123,40 @@ declare module '*/girth.mjs' {
       one: Arrays & { values: Float64Array },
       other: Arrays & { values: Float64Array },
     ): { difference: number } | Failed;
-    writeField(
+    vertexAreas(arrays: Arrays): { areas: Float64Array<ArrayBuffer> } | Failed;
+    tips(arrays: Arrays, girth: Float64Array): import('./types.js').Tips | Failed;
+    suggestedThresholds(
+      arrays: Arrays,
+      fields: GirthAndDiameter,
+    ): import('./types.js').PartThresholds | Failed;
+    parts(
+      arrays: Arrays,
+      fields: GirthAndDiameter,
+      options: Required<import('./types.js').PartOptions>,
+    ): import('./types.js').Parts | Failed;
+    weakPlaces(
+      arrays: Arrays,
+      fields: GirthAndDiameter,
+      limits: import('./types.js').PrintLimits,
+    ): { places: import('./types.js').WeakPlace[] } | Failed;
+    writeFields(
       model: WrittenModel,
-      values: Float64Array,
-      kinds: Uint8Array,
+      fields: readonly import('./types.js').NamedField[],
       format: string,
-    ): { bytes: Uint8Array<ArrayBuffer> } | Failed;
+    ): Bytes | Failed;
+    writeTips(model: WrittenModel, girth: Float64Array, format: string): Bytes | Failed;
+    writeParts(
+      model: WrittenModel,
+      fields: GirthAndDiameter,
+      options: Required<import('./types.js').PartOptions>,
+      format: string,
+    ): Bytes | Failed;
+    writeWeakPlaces(
+      model: WrittenModel,
+      fields: GirthAndDiameter,
+      limits: import('./types.js').PrintLimits,
+      format: string,
+    ): Bytes | Failed;
     /** A file for each loop. */
     writeLoops(
       model: WrittenModel,
@@ -129,6 +171,7 @@ declare module '*/girth.mjs' {
 declare module '*/girth-threads.mjs' {
   export interface Surface {
     field(
+      field: import('./protocol.js').FieldRequest,
       threads: number,
       onPartial: (partial: {
         vertices: Uint32Array<ArrayBuffer>;

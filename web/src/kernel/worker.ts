@@ -29,10 +29,14 @@ serveRequests<SingleOperations>({
     return { order: checked(surfaceOf(surface).order()) };
   },
 
-  values({ surface, vertices }) {
+  values({ surface, field, vertices }) {
     const from = performance.now();
-    const { values, kinds } = checked(surfaceOf(surface).values(vertices));
+    const { values, kinds } = checked(surfaceOf(surface).values(field, vertices));
     return { values, kinds, milliseconds: performance.now() - from };
+  },
+
+  about({ surface, field, withoutValue }) {
+    return checked(surfaceOf(surface).about(field, withoutValue));
   },
 
   loop({ surface: number, point }) {

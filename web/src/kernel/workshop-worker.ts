@@ -87,8 +87,40 @@ serveRequests<WorkshopOperations>({
     return checked(module.difference(...fields));
   },
 
-  writeField({ model, values, kinds, format }) {
-    return checked(module.writeField(model, values, kinds, format));
+  vertexAreas({ arrays }) {
+    return checked(module.vertexAreas(arrays));
+  },
+
+  tips({ arrays, girth }) {
+    return checked(module.tips(arrays, girth));
+  },
+
+  thresholds({ arrays, fields }) {
+    return checked(module.suggestedThresholds(arrays, fields));
+  },
+
+  parts({ arrays, fields, options }) {
+    return checked(module.parts(arrays, fields, options));
+  },
+
+  weakPlaces({ arrays, fields, limits }) {
+    return checked(module.weakPlaces(arrays, fields, limits));
+  },
+
+  writeFields({ model, fields, format }) {
+    return checked(module.writeFields(model, fields, format));
+  },
+
+  writeTips({ model, girth, format }) {
+    return checked(module.writeTips(model, girth, format));
+  },
+
+  writeParts({ model, fields, options, format }) {
+    return checked(module.writeParts(model, fields, options, format));
+  },
+
+  writeWeakPlaces({ model, fields, limits, format }) {
+    return checked(module.writeWeakPlaces(model, fields, limits, format));
   },
 
   writeLoops({ model, points, format }) {

@@ -1,11 +1,15 @@
 // A field on a surface, as files call it: what all writers of fields take.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "girth/geodesic_extent.h"
 #include "girth/girth_field.h"
+#include "girth/io/read_mesh.h"
+#include "girth/shape_diameter.h"
 
 namespace girth::io {
 
@@ -30,6 +34,15 @@ struct VertexField {
 
 /// "exact", "naive" or "ms".
 std::string_view toString(GirthMethod method);
+
+/// How values were computed, in words: "exact" or "fast marching"; "30 rays".
+std::string_view toString(DistanceMethod method);
+std::string methodText(const ShapeDiameterOptions& options);
+
+/// Whether files can hold the fields: USAGE where there is none, where one does not have a value
+/// for each vertex (and a kind, if it has kinds at all), where names are not as above or come
+/// twice, or where several have kinds.
+std::optional<Error> checkFields(const LoadedMesh& loaded, std::span<const VertexField> fields);
 
 /// The girth function as a field with the name "igf". Valid as long as `field`.
 VertexField girthVertexField(const GirthField& field, GirthMethod method, std::string_view unit);

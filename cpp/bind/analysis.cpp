@@ -1,0 +1,172 @@
+// Tips, tubes and plates, and what they are weighed with.
+
+#include "analysis.h"
+
+#include <emscripten/bind.h>
+
+#include <cmath>
+#include <utility>
+
+#include "girth/tips.h"
+#include "girth/vertex_areas.h"
+
+using emscripten::val;
+
+namespace girth::bind {
+namespace {
+
+/// `ContourLine` of types.ts.
+val lineOf(const SurfaceMesh& mesh, const ContourLine& line) {
+  std::vector<float> points;
+  points.reserve(3 * line.points.size());
+  for (const SurfacePoint& point : line.points) {
+    const Vec3 p = positionOf(mesh, point);
+    points.insert(points.end(),
+                  {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  }
+  val result = val::object();
+  result.set("closed", line.closed);
+  result.set("polyline", copyOut<float>("Float32Array", points));
+  return result;
+}
+
+/// `Tip` of types.ts.
+val tipOf(const SurfaceMesh& mesh, const Tip& tip) {
+  val contour = val::array();
+  for (const ContourLine& line : tip.contour) contour.call<void>("push", lineOf(mesh, line));
+  val result = val::object();
+  result.set("vertices", copyOut<Index>("Uint32Array", tip.vertices));
+  result.set("contour", contour);
+  result.set("area", tip.area);
+  result.set("boundaryLength", tip.boundaryLength);
+  result.set("apex", tip.apex);
+  result.set("apexDistance", tip.apexDistance);
+  result.set("jump", tip.jump);
+  return result;
+}
+
+/// A vertex, or -1.
+double vertexOf(Index vertex) { return vertex == kNoIndex ? -1 : static_cast<double>(vertex); }
+
+/// `Part` of types.ts.
+val partOf(const Part& part) {
+  val result = val::object();
+  result.set("kind", std::string(toString(part.kind)));
+  result.set("vertices", copyOut<Index>("Uint32Array", part.vertices));
+  result.set("area", part.area);
+  result.set("medianGirth", part.medianGirth);
+  result.set("medianDiameter", part.medianDiameter);
+  result.set("thinnest", vertexOf(part.thinnest));
+  result.set("equivalentRadius", part.equivalentRadius());
+  return result;
+}
+
+/// {areas} of the vertices, or an error.
+val areasOfVertices(const val& arrays) {
+  return guarded([&] {
+    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
+    if (!mesh) return toJs(mesh.error());
+    val result = val::object();
+    result.set("areas", copyOut<double>("Float64Array", vertexAreas(mesh.value())));
+    return result;
+  });
+}
+
+/// `Tips` of types.ts, or an error.
+val tips(const val& arrays, const val& girth) {
+  return guarded([&] {
+    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
+    if (!mesh) return toJs(mesh.error());
+    const Result<Tips> found = findTips(mesh.value(), copyIn<double>(girth));
+    if (!found) return toJs(found.error());
+    val regions = val::array(), arcs = val::array();
+    for (const Tip& tip : found.value().tips) {
+      regions.call<void>("push", tipOf(mesh.value(), tip));
+    }
+    for (const OpenArc& arc : found.value().arcs) {
+      val entry = val::object();
+      entry.set("line", lineOf(mesh.value(), arc.line));
+      entry.set("length", arc.length);
+      entry.set("jump", arc.jump);
+      arcs.call<void>("push", entry);
+    }
+    val result = val::object();
+    result.set("tips", regions);
+    result.set("arcs", arcs);
+    result.set("crossedEdges", found.value().crossedEdges);
+    return result;
+  });
+}
+
+/// {girth, diameter}, or an error.
+val thresholds(const val& arrays, const val& fields) {
+  return guarded([&] {
+    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
+    if (!mesh) return toJs(mesh.error());
+    const GirthAndDiameter values(fields);
+    const PartThresholds found = suggestedThresholds(mesh.value(), values.girth, values.diameter);
+    val result = val::object();
+    result.set("girth", found.girth);
+    result.set("diameter", found.diameter);
+    return result;
+  });
+}
+
+/// `Parts` of types.ts, or an error.
+val parts(const val& arrays, const val& fields, const val& options) {
+  return guarded([&] {
+    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
+    if (!mesh) return toJs(mesh.error());
+    const GirthAndDiameter values(fields);
+    const Result<Parts> found =
+        findParts(mesh.value(), values.girth, values.diameter, partOptionsOf(options));
+    if (!found) return toJs(found.error());
+    std::vector<std::uint8_t> kinds;
+    for (const PartKind kind : found.value().kinds) {
+      kinds.push_back(static_cast<std::uint8_t>(kind));
+    }
+    val list = val::array();
+    for (const Part& part : found.value().parts) list.call<void>("push", partOf(part));
+    val result = val::object();
+    result.set("kinds", copyOut<std::uint8_t>("Uint8Array", kinds));
+    result.set("partOf", copyOut<Index>("Uint32Array", found.value().partOf));
+    result.set("parts", list);
+    return result;
+  });
+}
+
+/// {places}, each a `WeakPlace` of types.ts, or an error.
+val weakPlaces(const val& arrays, const val& fields, const val& limits) {
+  return guarded([&] {
+    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
+    if (!mesh) return toJs(mesh.error());
+    const GirthAndDiameter values(fields);
+    const auto found =
+        findWeakPlaces(mesh.value(), values.girth, values.diameter, limitsOf(limits));
+    if (!found) return toJs(found.error());
+    val places = val::array();
+    for (const WeakPlace& place : found.value()) {
+      val entry = val::object();
+      entry.set("kind", std::string(toString(place.kind)));
+      entry.set("vertices", copyOut<Index>("Uint32Array", place.vertices));
+      entry.set("area", place.area);
+      entry.set("least", place.least);
+      entry.set("thinnest", vertexOf(place.thinnest));
+      places.call<void>("push", entry);
+    }
+    val result = val::object();
+    result.set("places", places);
+    return result;
+  });
+}
+
+EMSCRIPTEN_BINDINGS(girthAnalysis) {
+  emscripten::function("vertexAreas", &areasOfVertices);
+  emscripten::function("tips", &tips);
+  emscripten::function("suggestedThresholds", &thresholds);
+  emscripten::function("parts", &parts);
+  emscripten::function("weakPlaces", &weakPlaces);
+}
+
+}  // namespace
+}  // namespace girth::bind

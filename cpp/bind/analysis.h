@@ -1,0 +1,32 @@
+// Tips and parts as JavaScript asks for them: shared by what computes them and what writes them.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <vector>
+
+#include "boundary.h"
+#include "girth/parts.h"
+
+namespace girth::bind {
+
+/// {girth, diameter}: one value of each for every vertex.
+struct GirthAndDiameter {
+  std::vector<double> girth, diameter;
+
+  explicit GirthAndDiameter(const emscripten::val& fields)
+      : girth(copyIn<double>(fields["girth"])), diameter(copyIn<double>(fields["diameter"])) {}
+};
+
+/// `PartOptions` of types.ts.
+inline PartOptions partOptionsOf(const emscripten::val& options) {
+  return {{options["girth"].as<double>(), options["diameter"].as<double>()},
+          options["smoothing"].as<double>()};
+}
+
+/// `PrintLimits` of types.ts.
+inline PrintLimits limitsOf(const emscripten::val& limits) {
+  return {limits["tubeDiameter"].as<double>(), limits["wallThickness"].as<double>()};
+}
+
+}  // namespace girth::bind

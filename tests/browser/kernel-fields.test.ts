@@ -1,0 +1,298 @@
+// Fields besides the girth, tips and parts, with the real modules in Chromium: the same bits as the
+// command gives, with threads and with a pool; and what is said of surfaces that have none.
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import type { FieldName, FieldOptions } from '../../web/src/kernel/index.js';
+import type { KernelPage } from './kernel-page.js';
+import { buildKernelSite, kernelHtml, kernelSite } from './kernel-site.js';
+import { box, dumbbell, torus, tube } from './meshes.js';
+import { chromiumForTests, command, serve, strictPolicy, type StaticServer } from './support.js';
+
+/** Inside `page.evaluate` only. */
+declare const girth: KernelPage;
+
+const scratch = mkdtempSync(join(tmpdir(), 'girth-fields-'));
+const openPage = chromiumForTests();
+
+beforeAll(buildKernelSite);
+
+afterAll(() => rmSync(scratch, { recursive: true }));
+
+/** What the command writes about a model, given as OBJ. */
+function written(text: string, ending: string, ...words: string[]): string {
+  const [model, output] = [join(scratch, 'model.obj'), join(scratch, `output.${ending}`)];
+  writeFileSync(model, text);
+  const [name, ...options] = words;
+  execFileSync(command, [name!, model, ...options, '-o', output], { stdio: 'ignore' });
+  return readFileSync(output, 'utf8');
+}
+
+/** The second column of a CSV. */
+const column = (csv: string) =>
+  csv
+    .trim()
+    .split('\n')
+    .slice(1)
+    .map((row) => row.split(',')[1]!)
+    .map((cell) => (cell === '' ? NaN : Number(cell)));
+
+/** JSON that the command or the kernel has written. */
+type Written = Record<string, unknown>;
+
+/** How many numbers differ, bit for bit. */
+const differing = (a: number[], b: number[]) =>
+  a.length === b.length ? a.filter((value, i) => !Object.is(value, b[i])).length : Infinity;
+
+/** Two bulbs on a thin neck: tips, a tube, and thick ends. */
+const bulbs = dumbbell(30, 18);
+
+/** A model with its faces turned over. */
+const turned = (text: string) => text.replace(/^f (\S+) (\S+) (\S+)$/gm, 'f $1 $3 $2');
+
+for (const mode of ['threads', 'pool'] as const) {
+  describe(`fields, ${mode}`, () => {
+    let server: StaticServer;
+    let page: Page;
+    let complaints: string[];
+
+    beforeAll(async () => {
+      server = await serve(kernelSite, {
+        isolated: mode === 'threads',
+        policy: strictPolicy,
+        pages: { '/': kernelHtml },
+      });
+      ({ page, complaints } = await openPage(server.url));
+      await page.waitForFunction('globalThis.girth');
+    });
+
+    afterAll(async () => {
+      expect(complaints.filter((line) => !line.includes('404'))).toEqual([]);
+      await page.context().close();
+      await server.close();
+    });
+
+    const fields: [FieldName, FieldOptions, string[], string][] = [
+      ['sdf', {}, [], '30 rays'],
+      [
+        'sdf',
+        { sdf: { rays: 7, coneAngle: Math.PI / 2 } },
+        ['--rays', '7', '--cone', '90'],
+        '7 rays',
+      ],
+      ['geoaverage', {}, [], 'fast marching'],
+      ['geofarthest', {}, [], 'fast marching'],
+      ['geoaverage', { distances: 'exact' }, ['--exact'], 'exact'],
+    ];
+    test.each(fields)(
+      '%s %o: the same bits as the command',
+      async (name, options, words, method) => {
+        for (const text of [bulbs, torus(24, 16), tube(12, 9, 3)]) {
+          const native = column(written(text, 'csv', 'field', '--field', name, ...words));
+          const field = await page.evaluate(
+            async ([text, name, options]) => {
+              const kernel = await girth.createKernel({ threads: 2 });
+              const mesh = await kernel.load(girth.obj(text));
+              const field = await girth.watchedField(mesh, options, name);
+              kernel.dispose();
+              return field;
+            },
+            [text, name, options] as const,
+          );
+          expect(differing(field.values, native)).toBe(0);
+          const known = native.filter((value) => !Number.isNaN(value));
+          expect(field).toMatchObject({
+            range: [Math.min(...known), Math.max(...known)],
+            withoutValue: native.length - known.length,
+            method,
+            unit: '',
+            kinds: [],
+            reportedOnce: true,
+            wrong: 0,
+          });
+          expect(field.progress.at(-1)).toBe(1);
+        }
+      },
+    );
+
+    test('angle: that of the loops', async () => {
+      const result = await page.evaluate(async (text) => {
+        const kernel = await girth.createKernel({ threads: 2 });
+        const mesh = await kernel.load(girth.obj(text));
+        const field = await girth.watchedField(mesh, {}, 'angle');
+        const angles = [];
+        for (let v = 0; v < mesh.info.vertexCount; v += 7) angles.push((await mesh.loop(v)).angle);
+        kernel.dispose();
+        return { field, angles };
+      }, bulbs);
+      const { field, angles } = result;
+      expect(field.values.filter((_, v) => v % 7 === 0)).toEqual(angles);
+      expect(field).toMatchObject({ unit: 'rad', method: 'exact', withoutValue: 0, note: '' });
+      expect(Math.max(...angles)).toBeGreaterThan(1);
+    });
+
+    test('a field in mid-run is cancelled, and the next one starts', async () => {
+      const result = await page.evaluate(
+        async ([long, short]) => {
+          const kernel = await girth.createKernel({ threads: 2 });
+          const mesh = await kernel.load(girth.obj(long));
+          const controller = new AbortController();
+          let reported = 0;
+          const { code } = await girth.refusal(
+            mesh.field('geoaverage', {
+              distances: 'exact',
+              signal: controller.signal,
+              onPartial: ({ vertices }) => {
+                reported += vertices.length;
+                setTimeout(() => controller.abort());
+              },
+            }),
+          );
+          const next = await kernel.load(girth.obj(short));
+          const field = await girth.watchedField(next, {}, 'sdf');
+          kernel.dispose();
+          return { code, reported, vertexCount: mesh.info.vertexCount, field };
+        },
+        [torus(160, 110), box(4, 3, 2)] as const,
+      );
+      expect(result.code).toBe('CANCELLED');
+      expect(result.reported).toBeGreaterThan(0);
+      expect(result.reported).toBeLessThan(result.vertexCount);
+      expect(result.field.values.every((value) => value > 0)).toBe(true);
+    });
+
+    test('thickness of an open surface and of one inside out: said in words', async () => {
+      const notes = await page.evaluate(
+        async ([open, out]) => {
+          const kernel = await girth.createKernel({ threads: 1 });
+          const told = [];
+          for (const text of [open, out]) {
+            const mesh = await kernel.load(girth.obj(text));
+            const field = await girth.watchedField(mesh, {}, 'sdf');
+            told.push(field);
+          }
+          kernel.dispose();
+          return told.map(({ note, withoutValue, values }) => ({
+            note,
+            withoutValue,
+            count: values.length,
+          }));
+        },
+        // A single triangle has no inside at all.
+        ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', turned(torus(24, 16))] as const,
+      );
+      expect(notes[0]).toMatchObject({ withoutValue: 3, count: 3 });
+      expect(notes[0]!.note).toContain('3 of 3 vertices have no thickness');
+      expect(notes[1]!.note).toContain('inside out');
+    });
+
+    test('options out of range are refused, with words', async () => {
+      const refusals = await page.evaluate(
+        async (text) => {
+          const kernel = await girth.createKernel({ threads: 1 });
+          const mesh = await kernel.load(girth.obj(text));
+          const wrong = [
+            { rays: 0 },
+            { rays: NaN },
+            { rays: 1e9 },
+            { coneAngle: 0 },
+            { coneAngle: 4 },
+            { coneAngle: NaN },
+          ];
+          const result = [];
+          for (const sdf of wrong) result.push(await girth.refusal(mesh.field('sdf', { sdf })));
+          const { values } = await mesh.field('sdf');
+          kernel.dispose();
+          return { result, count: values.length };
+        },
+        box(2, 2, 2),
+      );
+      expect(refusals.result.map(({ code }) => code)).toEqual(Array(6).fill('USAGE'));
+      for (const { message } of refusals.result) expect(message).toMatch(/cone|rays/);
+      expect(refusals.count).toBeGreaterThan(0);
+    });
+
+    test('tips, thresholds, parts and weak places: as the command writes them', async () => {
+      const tips = JSON.parse(written(bulbs, 'json', 'tips')) as Written;
+      const parts = JSON.parse(written(bulbs, 'json', 'parts')) as Written;
+      const places = JSON.parse(
+        written(bulbs, 'json', 'parts', '--girth', '2', '--thickness', '1'),
+      ) as Written;
+      const found = await page.evaluate(async (text) => {
+        const kernel = await girth.createKernel({ threads: 2 });
+        const mesh = await kernel.load(girth.obj(text, 'model.obj'));
+        const [igf, sdf] = [await mesh.field('igf'), await mesh.field('sdf')];
+        const suggested = await mesh.suggestedThresholds(igf, sdf);
+        const json = (bytes: Uint8Array) => JSON.parse(new TextDecoder().decode(bytes)) as Written;
+        const chosen = { girth: 2, diameter: 1 };
+        const areas = await mesh.vertexAreas();
+        const limits = { tubeDiameter: 0.5, wallThickness: 0.1 };
+        const result = {
+          area: mesh.info.area,
+          areas: areas.reduce((sum, area) => sum + area, 0),
+          suggested,
+          tips: girth.plain(await mesh.tips(igf)),
+          parts: girth.plain(await mesh.parts(igf, sdf, suggested)),
+          weak: girth.plain(await mesh.weakPlaces(igf, sdf, limits)),
+          writtenTips: json(await mesh.exportTips(igf, 'json')),
+          writtenParts: json(await mesh.exportParts(igf, sdf, suggested, 'json')),
+          writtenChosen: json(await mesh.exportParts(igf, sdf, chosen, 'json')),
+          writtenWeak: json(await mesh.exportWeakPlaces(igf, sdf, limits, 'json')),
+          contours: new TextDecoder().decode(await mesh.exportTips(igf, 'obj')),
+          csv: new TextDecoder().decode(await mesh.exportFields([igf, sdf], 'csv')).split('\n')[0],
+          refusals: [
+            await girth.refusal(mesh.parts(igf, sdf, { girth: NaN, diameter: 1 })),
+            await girth.refusal(mesh.parts(igf, sdf, { girth: 1, diameter: -1 })),
+            await girth.refusal(mesh.parts(igf, sdf, { girth: 1, diameter: 1, smoothing: -1 })),
+            await girth.refusal(mesh.weakPlaces(igf, sdf, { tubeDiameter: -1, wallThickness: 0 })),
+            await girth.refusal(mesh.exportFields([igf, sdf], 'npy')),
+            await girth.refusal(mesh.exportFields([igf, igf], 'csv')),
+            await girth.refusal(mesh.exportFields([], 'csv')),
+            await girth.refusal(mesh.exportFields([{ ...sdf, name: 'a,b' }], 'csv')),
+            await girth.refusal(mesh.exportTips(igf, 'csv' as 'obj')),
+          ],
+        };
+        kernel.dispose();
+        return result;
+      }, bulbs);
+      expect(found.areas / found.area).toBeCloseTo(1, 12);
+      const { file: _, ...tipsAsWritten } = tips;
+      expect(found.writtenTips).toMatchObject(tipsAsWritten);
+      const { file: __, ...partsAsWritten } = parts;
+      expect(found.writtenParts).toMatchObject(partsAsWritten);
+      expect(found.suggested).toEqual(parts['thresholds']);
+      const { file: ___, ...chosenAsWritten } = places;
+      expect(found.writtenChosen).toMatchObject(chosenAsWritten);
+
+      // The objects say the same as the files.
+      expect(found.tips.tips.length).toBeGreaterThan(0);
+      expect(found.tips.tips.map(({ jump, area, vertices }) => ({ jump, area, vertices }))).toEqual(
+        (tips['tips'] as Written[]).map(({ jump, area, vertices }) => ({ jump, area, vertices })),
+      );
+      for (const { contour, apex, vertices } of found.tips.tips) {
+        expect(vertices).toContain(apex);
+        expect(contour.every(({ closed, polyline }) => closed && polyline.length >= 9)).toBe(true);
+      }
+      expect(found.contours).toMatch(/^o tip_1\n/);
+      const named = found.parts.parts.map(({ kind, vertices }) => ({ kind, vertices }));
+      expect(named).toEqual(
+        (parts['parts'] as Written[]).map(({ kind, vertices }) => ({ kind, vertices })),
+      );
+      found.parts.parts.forEach(({ kind, vertices, thinnest }, number) => {
+        for (const v of vertices) {
+          expect(found.parts.partOf[v]).toBe(number);
+          expect(['body', 'tube', 'plate', 'unknown'][found.parts.kinds[v]!]).toBe(kind);
+        }
+        if (kind !== 'unknown') expect(vertices).toContain(thinnest);
+      });
+      expect(found.writtenWeak['passes']).toBe(found.weak.length === 0);
+      expect(found.csv).toBe('vertex,igf,kind,sdf');
+      expect(found.refusals.map(({ code }) => code)).toEqual(Array(9).fill('USAGE'));
+      expect(found.refusals[0]!.message).toContain("girth's threshold");
+    });
+  });
+}
