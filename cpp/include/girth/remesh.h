@@ -14,16 +14,13 @@ namespace girth {
 /// What the new triangles are to be good at.
 enum class RemeshMethod : std::uint8_t {
   /// To keep the shape: edges are collapsed where that moves the surface least, by quadrics
-  /// (Garland
-  /// and Heckbert 1997), and vertices put where they fit the planes of the faces best, beside the
-  /// surface rather than on it, so that area and girth hardly shrink. Triangles are longer where
-  /// the
-  /// surface is bent one way only. It only removes: where more triangles are wanted than there are,
-  /// they are made as by Even.
+  /// (Garland and Heckbert 1997), and vertices put where they fit the planes of the faces best,
+  /// beside the surface rather than on it, so that area and girth hardly shrink. Sharp points, on
+  /// which loops hang, are kept. Triangles are longer where the surface is bent one way only. It
+  /// only removes: where more triangles are wanted than there are, they are made as by Even.
   Fitting,
   /// To be of even size and good shape: isotropic remeshing (Botsch and Kobbelt 2004). Long edges
-  /// are
-  /// split, short ones collapsed, edges flipped for even valences, and vertices moved along the
+  /// are split, short ones collapsed, edges flipped for even valences, and vertices moved along the
   /// surface, always back onto the original. Few triangles cut thin parts short.
   Even,
 };

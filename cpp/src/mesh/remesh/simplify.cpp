@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -20,9 +21,11 @@ namespace {
 /// How much the distance to the vertices that were counts besides that to the planes of the faces:
 /// it keeps triangles in shape where the surface is flat, and makes the best place of a vertex a
 /// single one everywhere.
-constexpr double kPointShare = 1e-3;
+constexpr double kPlaceShare = 1e-3;
 /// How much a boundary counts more than a surface: its walls stay where they are.
 constexpr double kWallShare = 100;
+/// How much faces at sharp points count more than others.
+constexpr double kPointShare = 100;
 /// Flips at the end may turn faces by no more than this: cos 8°.
 constexpr double kHardlyTurned = 0.99;
 
@@ -62,12 +65,21 @@ class Simplifier {
   struct Entry {
     double cost;
     Index halfedge;
-    /// The changes of its two ends when it was entered.
-    Index changesFrom, changesTo;
+    /// The last changes of its two ends when it was entered.
+    Index changeFrom, changeTo;
     bool operator<(const Entry& other) const {
       return cost != other.cost ? cost > other.cost : halfedge > other.halfedge;
     }
   };
+
+  /// How much a face counts: more where it holds a sharp point, one whose angles sum to less than
+  /// π. Loops of all around hang on such a point, however small it is (paper, section 3.1).
+  double weightOf(Index face) const {
+    for (const Index v : original_.faceVertices(face)) {
+      if (original_.totalAngle(v) < std::numbers::pi) return kPointShare;
+    }
+    return 1;
+  }
 
   void collectPlanes() {
     faceNormals_ = normalsOfFaces(original_);
@@ -76,9 +88,9 @@ class Simplifier {
     for (Index h = 0; h < original_.halfedgeCount(); ++h) {
       const Index a = original_.from(h), b = original_.to(h);
       const Vec3 p = original_.position(a) - middle_;
-      const double third = original_.area(h / 3) / 3;
+      const double third = weightOf(h / 3) * original_.area(h / 3) / 3;
       quadrics_[a] += Quadric::ofPlane(p, faceNormals_[h / 3], third);
-      quadrics_[a] += Quadric::ofPoint(p, kPointShare * third);
+      quadrics_[a] += Quadric::ofPoint(p, kPlaceShare * third);
       if (original_.twin(h) != kNoIndex) continue;
       // A plane through the wall, upright on its face.
       const double length = original_.length(h);
@@ -124,14 +136,14 @@ class Simplifier {
       const Index h = entry.halfedge;
       if (!mesh_.isAlive(h / 3)) continue;
       const Index a = mesh_.from(h), b = mesh_.to(h);
-      if (changes_[a] != entry.changesFrom || changes_[b] != entry.changesTo) continue;
+      if (changes_[a] != entry.changeFrom || changes_[b] != entry.changeTo) continue;
       if (!mesh_.canCollapse(h)) continue;
       const Quadric quadric = quadricOf(h);
       const Vec3 place = meetingPoint(h, quadric) + middle_;
       if (!keepsFacing(mesh_, a, place, b) || !keepsFacing(mesh_, b, place, a)) continue;
       const Index left = mesh_.collapse(h, place);
       quadrics_[left] = quadric;
-      ++changes_[left];
+      changes_[left] = ++collapses_;
       mesh_.forEachOutgoing(left, [&](Index out) {
         push(out);
         const Index back = ChangingMesh::previous(out);
@@ -155,7 +167,8 @@ class Simplifier {
   Vec3 middle_;
   std::vector<Vec3> faceNormals_;
   std::vector<Quadric> quadrics_;  ///< of the vertices, about the middle
-  std::vector<Index> changes_;     ///< how often each vertex has changed
+  std::vector<Index> changes_;     ///< the collapse that each vertex last came from; 0: none
+  Index collapses_{0};
   std::priority_queue<Entry> queue_;
   double reached_{0};
 };
