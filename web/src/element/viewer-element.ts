@@ -3,6 +3,7 @@
 import type {
   Field,
   FieldFormat,
+  FieldName,
   GirthErrorFields,
   LoadOptions,
   Loop,
@@ -10,53 +11,83 @@ import type {
   Mesh,
   MeshInfo,
   MeshSource,
+  NamedField,
+  PartOptions,
+  Parts,
+  PartThresholds,
+  PrintLimits,
   SurfacePoint,
+  Tips,
+  WeakPlace,
 } from '../kernel/types.js';
 import {
   type CameraView,
-  type ColormapName,
-  GroundShadow,
   Legend,
   type LengthFormat,
   type ScreenPoint,
+  type ShownName,
   Stage,
-  TimeLeft,
-  inSlices,
+  fieldTitle,
+  fieldUnit,
   isColormapName,
+  isFieldName,
+  isShownName,
   lengthFormat,
-  splatShadow,
 } from '../view/index.js';
 import { make } from './dom.js';
-import { LoopsOnSurface, type PickDetail, type PinnedLoop } from './loops-on-surface.js';
+import type { FieldState, FieldsHost } from './fields.js';
+import { groundUnder } from './ground.js';
+import type { PickDetail, PinnedLoop } from './loops-on-surface.js';
 import { MessageBox } from './message-box.js';
 import { Model } from './model.js';
+import { fieldsOf, nameOf, parseCount, parseRange, parseVertices } from './parse.js';
+import { type PartsWish, type PlaceOnSurface, type PlacePicture, Presented } from './presented.js';
+import type { ShadingWishes, ShownField } from './shading.js';
 import { sharedKernel } from './shared-kernel.js';
+import { withLegend } from './snapshot.js';
 import { StatusBar } from './status-bar.js';
 import { style } from './style.js';
+import type { TipsChoice } from './tips-on-surface.js';
+import { Work, type Watched } from './work.js';
 
 /** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
 const narrow = 520;
 const legendHeight = 92;
-/** Milliseconds of work on a model before the element says so. */
-const workDelay = 150;
 /** Shares of the time to show a model: until the kernel has it; the rest is spent on drawing. */
 const kernelShare = 0.7;
+/** More lines of equal value than this are no lines. */
+const mostIsolines = 100;
+
 /** The events' details; see `GirthViewer`. */
 export interface LoadDetail {
   info: MeshInfo;
 }
 export interface ProgressDetail {
+  name: FieldName;
   /** The finished share in [0, 1]. */
   fraction: number;
   /** Undefined while it is too early to tell. */
   secondsLeft: number | undefined;
 }
 export interface FieldDetail {
-  name: 'igf';
+  name: FieldName;
+  /** NaN twice where there is no value. */
   range: [number, number];
+  /** Of the values; lengths in the element's unit. */
   unit: string;
   /** 1, or the computed share of the vertices where the work was cancelled. */
   share: number;
+}
+export interface FieldChangeDetail {
+  name: ShownName;
+  /** Undefined as long as there is nothing to show. */
+  shown: ShownField | undefined;
+}
+export interface HoverDetail {
+  /** The vertex nearest to what is pointed at; undefined beside the surface. */
+  vertex: number | undefined;
+  /** The values there of every field that is computed there. */
+  values: Partial<Record<FieldName, number>>;
 }
 
 /** What a remeshed surface was made of. */
@@ -71,25 +102,32 @@ interface Original {
  * Attributes:
  * - `src`: address of a model: GLB, glTF with its buffers beside it, OBJ, PLY, STL, OFF, or a zip.
  * - `unit`: the unit of lengths where the file does not say it, for example `mm`.
- * - `field`: `igf` (default) or `none` for a plain surface.
- * - `colormap`: `viridis` (default), `cividis`, `plasma`, `magma` or `turbo`.
- * - `range`: `auto` (default) or two numbers, the values at the ends of the colour map.
+ * - `field`: what colours the surface: `igf` (the girth, default), `sdf` (the shape diameter), `geoaverage`
+ *   and `geofarthest` (mean and greatest geodesic distance), `angle` (of the loop at its base), `kind` (of
+ *   the loop), `tips` (how far the girth rises at the tip that a place is in), `parts` (tubes, plates and
+ *   body) or `none`.
+ * - `colormap`: `viridis` (default), `cividis`, `plasma`, `magma`, `turbo`, or `rdbu`, which diverges and is
+ *   the default where values have both signs.
+ * - `range`: `auto` (default); two numbers, the values at the ends of the colour map; or two percentages as
+ *   in `5% 95%`, the shares of the surface's area that lie below them.
+ * - `isolines`: so many lines of equal value between the ends of the range; none by default.
  * - `loop`: `hover` (default), `none`, or vertices whose loops are pinned once the model is there,
  *   as in `loop="12 4031"`.
  * - `edges`: draws the mesh's edges.
  * - `turn`: turns slowly once it is computed and until touched, unless the system asks for reduced motion.
  *
- * Events: `load` (`LoadDetail`), `progress` (`ProgressDetail`), `field` (`FieldDetail`), `pick`
- * (`PickDetail`), `error` (`GirthErrorFields`), `touch` (no detail: the surface no longer turns),
- * `unit` (no detail: lengths are written in another unit), `camera` (no detail: it was moved, and is at
- * rest again). None bubbles.
+ * Events: `load` (`LoadDetail`), `progress` (`ProgressDetail`), `field` (`FieldDetail`: one is computed, or
+ * was cancelled), `fieldchange` (`FieldChangeDetail`: the surface is coloured otherwise), `hover`
+ * (`HoverDetail`), `pick` (`PickDetail`), `error` (`GirthErrorFields`), `touch` (no detail: the surface no
+ * longer turns), `unit` (no detail: lengths are written in another unit), `camera` (no detail: it was moved,
+ * and is at rest again). None bubbles.
  *
  * Keyboard, while the surface has the focus: arrows turn, + and − zoom, 0 resets; Shift with an
  * arrow moves a probe over the surface, Enter pins its loop, Escape hides it, Delete removes the
  * last pinned loop.
  *
- * Nothing is fetched for `src` or computed before the element is in view. All elements of a page
- * share one kernel.
+ * Nothing is fetched for `src` or computed before the element is in view, and no field before it is asked
+ * for, by the attribute or by a method. All elements of a page share one kernel.
  */
 export class GirthViewer extends HTMLElement {
   static readonly observedAttributes = [
@@ -98,6 +136,7 @@ export class GirthViewer extends HTMLElement {
     'field',
     'colormap',
     'range',
+    'isolines',
     'loop',
     'edges',
     'turn',
@@ -115,23 +154,24 @@ export class GirthViewer extends HTMLElement {
   private readonly live = make('div', { class: 'quiet-live', 'aria-live': 'polite' });
   private readonly status = new StatusBar({
     cancel: () => this.cancel(),
-    cancelWork: () => this.loading?.abort(),
-    restart: () => void this.compute(),
+    cancelWork: () => this.work.cancel(),
+    restart: () => void this.restart(),
   });
+  private readonly work = new Work(this.status);
 
   private stage: Stage | undefined;
-  private model: Model | undefined;
+  private presented: Presented | undefined;
   private madeFrom: Original | undefined;
-  private loops: LoopsOnSurface | undefined;
-  private format: LengthFormat = lengthFormat(1, '');
-  private colormapName: ColormapName = 'viridis';
-  private fixedRange: [number, number] | undefined;
+  /** The field whose computation was cancelled. */
+  private halted: FieldName | undefined;
+  private readonly said = new WeakSet<object>();
 
   private inView = false;
   /** Whether the surface was moved by hand, so that it no longer turns by itself. */
   private touched = false;
+  private pointedVertex: number | undefined;
+  private tipsTurn = 0;
   private whenInView: (() => void)[] = [];
-  private loading: AbortController | undefined;
   private readonly watchers: (() => void)[] = [];
 
   constructor() {
@@ -152,8 +192,8 @@ export class GirthViewer extends HTMLElement {
   connectedCallback(): void {
     try {
       this.stage = new Stage(this.canvas, {
-        beforeFrame: () => this.beforeFrame(),
-        afterFrame: () => this.loops?.place(),
+        beforeFrame: () => this.presented?.spread() ?? false,
+        afterFrame: () => this.presented?.loops.place(),
         touched: () => {
           if (this.touched) return;
           this.touched = true;
@@ -204,8 +244,7 @@ export class GirthViewer extends HTMLElement {
 
   disconnectedCallback(): void {
     for (const stop of this.watchers.splice(0)) stop();
-    this.loading?.abort();
-    this.loading = undefined;
+    this.work.cancel();
     this.dropModel();
     this.stage?.dispose();
     this.stage = undefined;
@@ -224,29 +263,29 @@ export class GirthViewer extends HTMLElement {
         if (value !== null && this.stage) void this.loadSrc();
         break;
       case 'unit':
-        this.updateFormat();
-        this.updateRange();
-        if (this.model) this.dispatchEvent(new CustomEvent('unit'));
+        this.restyle(false);
+        if (this.presented) this.dispatchEvent(new CustomEvent('unit'));
         break;
       case 'field':
         if (value === 'none') this.cancel();
-        this.paintAll();
-        if (this.model && !this.model.field && value !== 'none') void this.compute();
-        break;
-      case 'colormap':
-        this.colormapName = isColormapName(value) ? value : 'viridis';
-        this.model?.surface.setColormap(this.colormapName);
-        this.updateRange();
+        this.restyle(true);
+        void this.showField();
         break;
       case 'range':
-        this.fixedRange = parseRange(value);
-        this.updateRange();
+        this.restyle(false);
+        // Percentages ask for the vertices' areas.
+        void this.showField();
+        break;
+      case 'colormap':
+      case 'isolines':
+        this.restyle(false);
+        this.sendChange();
         break;
       case 'loop':
-        if (value === 'none') this.loops?.clear();
+        if (value === 'none') this.presented?.loops.clear();
         break;
       case 'edges':
-        this.model?.surface.showEdges(value !== null);
+        this.presented?.model.surface.showEdges(value !== null);
         break;
       case 'turn':
         this.updateTurning();
@@ -257,27 +296,37 @@ export class GirthViewer extends HTMLElement {
 
   /** The model that is shown; undefined before the first. */
   get info(): MeshInfo | undefined {
-    return this.model?.mesh.info;
+    return this.presented?.model.mesh.info;
   }
 
   /** The vertex of the surface for each vertex of the file; 0xFFFFFFFF where no face uses it. */
   get vertexOfInput(): Uint32Array {
-    return this.requireModel().mesh.vertexOfInput;
+    return this.require().model.mesh.vertexOfInput;
   }
 
   /** The unit of lengths: the file's, or where it does not say, the attribute's; '' for none. */
   get unit(): string {
-    return this.model?.mesh.info.unit || (this.getAttribute('unit') ?? '');
+    return this.info?.unit || (this.getAttribute('unit') ?? '');
   }
 
-  /** How the element writes lengths of the present field. */
+  /** How the element writes lengths: those of loops, and the girth. */
   get lengthFormat(): LengthFormat {
-    return this.format;
+    return this.presented?.lengthFormat ?? lengthFormat(1, this.unit);
+  }
+
+  /** How the element writes the values of a field. */
+  formatOf(name: ShownName): LengthFormat {
+    return this.require().shading.formatOf(name);
+  }
+
+  /** What colours the surface, with its range; undefined as long as there is nothing to show. */
+  get shown(): ShownField | undefined {
+    return this.presented?.shading.shown;
   }
 
   /** The pinned loops, oldest first. */
   get pinned(): PinnedLoop[] {
-    return this.loops?.pinned ?? [];
+    return this.presented?.loops.pinned ?? [];
   }
 
   /**
@@ -291,60 +340,42 @@ export class GirthViewer extends HTMLElement {
   ): Promise<MeshInfo> {
     const name = nameOf(source);
     const address = typeof source === 'string' ? new URL(source, this.baseURI) : source;
-    return this.work(`Reading ${name || 'the model'} …`, name, async (watched) => {
+    return this.bring(`Reading ${name || 'the model'} …`, name, async (watched) => {
       const kernel = await sharedKernel();
       return kernel.load(address, { ...options, ...watched });
     });
   }
 
   /** Makes another mesh ready to draw and shows it, with words and a cross meanwhile. */
-  private async work(
+  private bring(
     words: string,
     name: string,
-    make: (watched: { signal: AbortSignal; onProgress(share: number): void }) => Promise<Mesh>,
+    make: (watched: Watched) => Promise<Mesh>,
     before?: Original,
   ): Promise<MeshInfo> {
-    this.loading?.abort();
-    const loading = new AbortController();
-    this.loading = loading;
-    const { signal } = loading;
-    let share = 0;
-    let isSlow = false;
-    const show = (): void => {
-      if (isSlow && this.loading === loading) this.status.showWork(words, share);
-    };
-    const onProgress = (fraction: number): void => {
-      share = kernelShare * fraction;
-      show();
-    };
-    const slow = setTimeout(() => {
-      isSlow = true;
-      show();
-    }, workDelay);
-    try {
-      const mesh = await make({ signal, onProgress });
+    return this.work.run(words, async ({ signal, onProgress }) => {
       try {
-        onProgress(1);
-        signal.throwIfAborted();
-        const model = await Model.of(mesh, signal);
-        await this.stage?.prepare(model.surface.object);
-        signal.throwIfAborted();
-        this.show(model, before);
+        const mesh = await make({
+          signal,
+          onProgress: (fraction) => onProgress(kernelShare * fraction),
+        });
+        try {
+          onProgress(kernelShare);
+          signal.throwIfAborted();
+          const model = await Model.of(mesh, this.fieldsHost, signal);
+          await this.stage?.prepare(model.surface.object);
+          signal.throwIfAborted();
+          this.show(model, before);
+        } catch (error) {
+          mesh.dispose();
+          throw error;
+        }
+        return mesh.info;
       } catch (error) {
-        mesh.dispose();
+        if (!signal.aborted) this.fail(name, error);
         throw error;
       }
-      return mesh.info;
-    } catch (error) {
-      if (!signal.aborted) this.fail(name, error);
-      throw error;
-    } finally {
-      clearTimeout(slow);
-      if (this.loading === loading) {
-        this.loading = undefined;
-        this.status.endWork();
-      }
-    }
+    });
   }
 
   /**
@@ -352,11 +383,11 @@ export class GirthViewer extends HTMLElement {
    * place of that which it was made of.
    */
   async remesh(faces: number): Promise<MeshInfo> {
-    const model = this.requireModel();
-    const from = this.madeFrom ?? { mesh: model.mesh, field: model.field };
+    const { mesh, fields } = this.require().model;
+    const from = this.madeFrom ?? { mesh, field: fields.get('igf')?.field };
     const { name } = from.mesh.info;
     const words = `Remeshing ${name || 'the model'} …`;
-    return this.work(words, name, (watched) => from.mesh.remesh(faces, watched), from);
+    return this.bring(words, name, (watched) => from.mesh.remesh(faces, watched), from);
   }
 
   /** What the surface was remeshed from; undefined where it was not. */
@@ -369,40 +400,112 @@ export class GirthViewer extends HTMLElement {
    * undefined where one of the two is not computed.
    */
   async differenceToOriginal(): Promise<number | undefined> {
-    const { madeFrom: before, model } = this;
-    if (!before?.field || !model?.field) return undefined;
-    const { signal } = model.life;
-    return model.mesh.difference(model.field, before.mesh, before.field, { signal });
+    const { madeFrom: before } = this;
+    const { mesh, fields, life } = this.require().model;
+    const field = fields.get('igf')?.field;
+    if (!before?.field || !field) return undefined;
+    return mesh.difference(field, before.mesh, before.field, { signal: life.signal });
   }
 
+  // ---- fields, tips and parts
+
   /** A copy of a field's values, one per vertex of the surface; NaN where not (yet) computed. */
-  values(name: 'igf'): Float64Array {
-    const model = this.requireModel();
-    if (name !== 'igf') throw new RangeError(`no field is called ${String(name)}`);
-    return model.values.slice();
+  values(name: FieldName): Float64Array {
+    const { fields } = this.require().model;
+    if (!isFieldName(name)) throw new RangeError(`no field is called ${String(name)}`);
+    return fields.valuesOf(name).slice();
   }
+
+  /** A whole field; computed now, in view of the user, unless it is there. Cancelling rejects. */
+  async fieldOf(name: FieldName): Promise<Field> {
+    if (!isFieldName(name)) throw new RangeError(`no field is called ${String(name)}`);
+    return this.require().model.fields.compute(name);
+  }
+
+  /** The computed share of a field's vertices. */
+  shareOf(name: FieldName): number {
+    return this.require().model.fields.shareOf(name);
+  }
+
+  /** The area that each vertex of the surface stands for. */
+  async areas(): Promise<Float64Array> {
+    return this.require().model.areas();
+  }
+
+  /** The tips; the girth is computed first unless it is there. */
+  async tips(): Promise<Tips> {
+    return this.require().model.tips();
+  }
+
+  /** Draws the tips' contours and apexes and tints their regions, or no longer. */
+  async showTips(choice: TipsChoice): Promise<void> {
+    const presented = this.require();
+    const turn = ++this.tipsTurn;
+    if (!choice.shown) {
+      presented.tips.clear();
+      return;
+    }
+    const tips = await presented.model.tips();
+    if (this.presented === presented && turn === this.tipsTurn) presented.tips.show(tips, choice);
+  }
+
+  /** Thresholds to start from; girth and shape diameter are computed first. */
+  async suggestedThresholds(): Promise<PartThresholds> {
+    return this.require().model.suggestedThresholds();
+  }
+
+  /** Tubes, plates and body as connected parts; girth and shape diameter are computed first. */
+  async parts(options: PartOptions): Promise<Parts> {
+    return this.require().model.parts(options);
+  }
+
+  /** The thresholds that colour the surface by parts; undefined until they were first chosen. */
+  get thresholds(): Required<PartsWish> | undefined {
+    return this.presented?.thresholds;
+  }
+
+  /**
+   * Where tubes and plates begin, in model units: shown at once where `field` is `parts`; what is
+   * smoothed follows when it is computed. Throws a RangeError for what is no number from 0 on.
+   */
+  setThresholds(wish: PartsWish): void {
+    this.require().setThresholds(wish);
+  }
+
+  /** Places that are too thin to print, thinnest first. */
+  async weakPlaces(limits: PrintLimits): Promise<WeakPlace[]> {
+    return this.require().model.weakPlaces(limits);
+  }
+
+  /** Shows these vertices as they are and fades the others; nothing said: all as they are. */
+  mark(vertices?: ArrayLike<number>): void {
+    this.require().mark(vertices);
+  }
+
+  /** Stops computing fields; what there is stays. */
+  cancel(): void {
+    this.presented?.model.fields.cancel();
+  }
+
+  // ---- loops
 
   /** The exact loop at a vertex of the surface, or at a point of one of its faces. */
   async loop(point: SurfacePoint): Promise<Loop> {
-    const { mesh, life } = this.requireModel();
+    const { mesh, life } = this.require().model;
     return mesh.loop(point, { signal: life.signal });
   }
 
   /** Computes the loop at a vertex or at a point of a face, and keeps it on the surface. */
   async pin(point: SurfacePoint): Promise<PinnedLoop> {
-    if (!this.loops) throw new Error('no model is on the page');
-    return this.loops.pin(point);
+    return this.require().loops.pin(point);
   }
 
   /** Removes a pinned loop; nothing happens where there is none of that id. */
   unpin(id: number): void {
-    this.loops?.unpin(id);
+    this.presented?.loops.unpin(id);
   }
 
-  /** Stops computing the field; what there is stays. */
-  cancel(): void {
-    this.model?.computing?.abort();
-  }
+  // ---- where one looks, and pictures of it
 
   /** Back to the first view of the model. */
   resetView(): void {
@@ -418,29 +521,86 @@ export class GirthViewer extends HTMLElement {
     this.stage?.lookFrom(view);
   }
 
+  /** Moves the camera to where a place is seen well: smoothly, unless the system asks for less motion. */
+  flyTo(place: PlaceOnSurface): void {
+    const atOnce = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+    this.require().flyTo(place, atOnce);
+  }
+
   /** Where a point of the surface is on the element, in CSS pixels from its top left corner. */
   screenPosition(point: SurfacePoint): ScreenPoint {
-    const { surface } = this.requireModel();
+    const { surface } = this.require().model;
+    return this.stage!.project(surface.positionOf(point));
+  }
+
+  /**
+   * The picture as it is now, as a PNG: with a transparent background; or with the legend, on the
+   * element's paper.
+   */
+  async snapshot(options: { legend?: boolean } = {}): Promise<Blob> {
     if (!this.stage) throw new Error('the element is not on a page');
-    return this.stage.project(surface.positionOf(point));
+    const picture = this.stage.picture();
+    const content = options.legend ? this.presented?.shading.legend : undefined;
+    return blobOf(options.legend ? withLegend(picture, content, this) : picture);
   }
 
-  /** The picture as it is now, without the legend, as a PNG with a transparent background. */
-  async snapshot(): Promise<Blob> {
-    if (!this.stage) throw new Error('the element is not on a page');
-    return this.stage.snapshot();
+  /**
+   * A picture of one place as a PNG with a transparent background: the camera looks at it from where it
+   * is seen best, its loop is drawn if it is given, and the rest of the surface is faded. What is on the
+   * element stays as it is.
+   */
+  async snapshotOf(picture: PlacePicture): Promise<Blob> {
+    return blobOf(this.require().pictureOf(picture));
   }
 
-  /** The field as a file's content, in the element's unit; only once it is complete. */
-  async exportField(format: FieldFormat): Promise<Uint8Array> {
-    const { mesh, field, life } = this.requireModel();
-    if (!field) throw new Error('the field is not computed yet');
-    return mesh.exportField({ ...field, unit: this.unit }, format, { signal: life.signal });
+  // ---- files, in the element's unit
+
+  /** A field as a file's content; computed first unless it is there. */
+  async exportField(format: FieldFormat, name: FieldName = 'igf'): Promise<Uint8Array> {
+    const { mesh, life } = this.require().model;
+    const { unit } = this;
+    return mesh.exportField(await this.fieldOf(name), format, { signal: life.signal, unit });
   }
 
-  /** The pinned loops, oldest first, a file's content for each, in the element's unit. */
+  /** Several fields in one file, also such as were not computed here; NPY takes only one. */
+  async exportFields(
+    fields: readonly (FieldName | NamedField)[],
+    format: FieldFormat,
+  ): Promise<Uint8Array> {
+    const { mesh, life } = this.require().model;
+    const { unit } = this;
+    const whole = await Promise.all(
+      fields.map(async (field) => (typeof field === 'string' ? this.fieldOf(field) : field)),
+    );
+    return mesh.exportFields(whole, format, { signal: life.signal, unit });
+  }
+
+  /** The tips as a file's content. */
+  async exportTips(format: 'json' | 'obj'): Promise<Uint8Array> {
+    const { mesh, life } = this.require().model;
+    const { unit } = this;
+    return mesh.exportTips(await this.fieldOf('igf'), format, { signal: life.signal, unit });
+  }
+
+  /** The parts as a file's content. */
+  async exportParts(options: PartOptions, format: 'json'): Promise<Uint8Array> {
+    const { model } = this.require();
+    const { igf, sdf } = await model.girthAndDiameter();
+    const { signal } = model.life;
+    return model.mesh.exportParts(igf, sdf, options, format, { signal, unit: this.unit });
+  }
+
+  /** The places that are too thin to print as a file's content. */
+  async exportWeakPlaces(limits: PrintLimits, format: 'json'): Promise<Uint8Array> {
+    const { model } = this.require();
+    const { igf, sdf } = await model.girthAndDiameter();
+    const { signal } = model.life;
+    return model.mesh.exportWeakPlaces(igf, sdf, limits, format, { signal, unit: this.unit });
+  }
+
+  /** The pinned loops, oldest first, a file's content for each. */
   async exportLoops(format: LoopFormat): Promise<Uint8Array[]> {
-    const { mesh, life } = this.requireModel();
+    const { mesh, life } = this.require().model;
     const points = this.pinned.map(({ loop }) => loop.base);
     return mesh.exportLoops(points, format, { signal: life.signal, unit: this.unit });
   }
@@ -461,53 +621,39 @@ export class GirthViewer extends HTMLElement {
   }
 
   private show(model: Model, before: Original | undefined): void {
-    const { mesh, surface } = model;
     this.dropModel(before);
+    if (!this.stage) throw new Error('the element is no longer on a page');
     this.madeFrom = before;
     this.message.clear();
-    this.model = model;
-    surface.setColormap(this.colormapName);
-    surface.showEdges(this.hasAttribute('edges'));
-    this.updateFormat();
-    if (this.stage) {
-      this.stage.show(surface);
-      this.loops = new LoopsOnSurface(this.stage, this.canvas, model, this.format, {
-        followsPointer: () => this.getAttribute('loop') !== 'none',
-        picked: (detail) => this.send<PickDetail>('pick', detail),
-        failed: (error) => this.fail('', error),
-      });
-      this.legend.element.after(this.loops.element);
-    }
-    this.send<LoadDetail>('load', { info: mesh.info });
-    void this.afterShowing(model);
-    void this.compute();
+    model.surface.showEdges(this.hasAttribute('edges'));
+    // The unit of what is shown is the model's own, which is not there yet.
+    const wishes = { ...this.wishes, unit: model.mesh.info.unit || this.wishes.unit };
+    this.presented = new Presented(this.stage, this.canvas, model, wishes, {
+      followsPointer: () => this.getAttribute('loop') !== 'none',
+      pointed: (vertex) => this.pointed(vertex),
+      picked: (detail) => this.send<PickDetail>('pick', detail),
+      failed: (error) => this.fail('', error),
+      relabelled: (legend) => this.legend.update(legend),
+    });
+    this.legend.element.after(this.presented.loops.element);
+    this.send<LoadDetail>('load', { info: model.mesh.info });
+    void this.afterShowing(this.presented);
+    void this.showField();
   }
 
   /** What may come after the first picture. */
-  private async afterShowing(model: Model): Promise<void> {
+  private async afterShowing({ model, loops }: Presented): Promise<void> {
     const { signal } = model.life;
     try {
       await new Promise((resolve) => setTimeout(resolve));
       signal.throwIfAborted();
       await model.surface.prepareToPick();
       signal.throwIfAborted();
-      const { positions, indices } = model.mesh.geometry;
-      const { center, radius } = model.surface.bounds;
-      let [ground, top] = [Infinity, -Infinity];
-      for (let i = 1; i < positions.length; i += 3) {
-        ground = Math.min(ground, positions[i]!);
-        top = Math.max(top, positions[i]!);
-      }
-      const halfWidth = 1.5 * radius;
-      const grid = await inSlices(
-        splatShadow(positions, indices, [center.x, center.z], ground, halfWidth, top - ground),
-        signal,
-      );
-      const shadow = new GroundShadow(grid, model.surface.bounds, ground, halfWidth);
+      const shadow = await groundUnder(model.mesh, model.surface, signal);
       await this.stage?.prepare(shadow.object);
       signal.throwIfAborted();
       this.stage?.setShadow(shadow);
-      await this.loops?.prepare();
+      await loops.prepare();
       signal.throwIfAborted();
       for (const vertex of parseVertices(this.getAttribute('loop'))) await this.pin(vertex);
     } catch (error) {
@@ -515,192 +661,164 @@ export class GirthViewer extends HTMLElement {
     }
   }
 
-  private async compute(): Promise<void> {
-    const { model } = this;
-    if (!model || model.computing || model.field) return;
+  /** `kept` is still wanted: what comes next was made of it. */
+  private dropModel(kept?: Original): void {
+    const { presented, madeFrom: before } = this;
+    if (before && before.mesh !== kept?.mesh) before.mesh.dispose();
+    this.madeFrom = undefined;
+    this.halted = undefined;
+    this.pointedVertex = undefined;
+    if (!presented) return;
+    this.presented = undefined;
+    presented.dispose(kept?.mesh === presented.model.mesh);
+    this.status.clear();
+    this.legend.update(undefined);
+  }
+
+  /** Computes what the attributes ask for, and shows it. */
+  private async showField(): Promise<void> {
+    const { presented } = this;
+    if (!presented) return;
+    const { name } = this.wishes;
+    const isWanted = (): boolean => this.presented === presented && this.wishes.name === name;
     await this.untilInView();
-    if (!this.showsField || this.model !== model || model.computing) return;
-    const computing = new AbortController();
-    model.computing = computing;
-    const timeLeft = new TimeLeft(performance.now());
-    this.updateTurning();
-    this.status.showProgress(0, undefined);
+    if (!isWanted()) return;
     try {
-      const field = await model.mesh.field('igf', {
-        signal: computing.signal,
-        onProgress: (fraction) => {
-          if (this.model !== model || computing.signal.aborted) return;
-          const secondsLeft = timeLeft.update(fraction, performance.now());
-          this.status.showProgress(fraction, secondsLeft);
-          this.send<ProgressDetail>('progress', { fraction, secondsLeft });
-        },
-        onPartial: (partial) => {
-          if (this.model !== model || !this.showsField) return;
-          model.receive(partial);
-          this.stage?.invalidateSoon();
-        },
-      });
-      if (this.model !== model) return;
-      model.field = field;
-      this.status.clear();
-      this.paintAll();
-      this.sendField(1);
+      await presented.shading.prepare();
+      if (!isWanted()) return;
+      presented.paint();
+      this.sendChange();
     } catch (error) {
-      if (this.model !== model) return;
-      if (computing.signal.aborted) {
-        const share = model.preview.computed / model.mesh.info.vertexCount;
-        this.status.showPartial(share);
-        this.sendField(share);
+      if (this.presented === presented) this.fail('', error);
+    }
+  }
+
+  private readonly fieldsHost: FieldsHost = {
+    received: (state, partial) => {
+      if (!this.isPresent(state)) return;
+      this.presented!.shading.receive(state, partial);
+      this.stage?.invalidateSoon();
+    },
+    progressed: (name, fraction, secondsLeft) => {
+      this.status.showProgress(fieldTitle(name), fraction, secondsLeft);
+      this.updateTurning();
+      if (fraction > 0) this.send<ProgressDetail>('progress', { name, fraction, secondsLeft });
+    },
+    ended: (state, error) => {
+      if (!this.isPresent(state)) return;
+      const { name, field } = state;
+      const { shading, model } = this.presented!;
+      if (!model.fields.computing) this.status.clear();
+      if (field) {
+        if (shading.wishes.name === name) this.presented!.paint();
+        this.sendField(name, field.range, 1);
+      } else if (fieldsOf(error).code === 'CANCELLED') {
+        const share = model.fields.shareOf(name);
+        this.halted = name;
+        this.status.showPartial(fieldTitle(name), share);
+        this.sendField(name, state.preview?.range ?? [NaN, NaN], share);
       } else {
-        this.status.clear();
         this.fail(model.mesh.info.name, error);
       }
-    } finally {
-      model.computing = undefined;
       this.updateTurning();
-    }
+    },
+  };
+
+  /** Whether a field is one of the model that is shown. */
+  private isPresent(state: FieldState): boolean {
+    return this.presented?.model.fields.get(state.name) === state;
+  }
+
+  /** Goes on with what was cancelled. */
+  private async restart(): Promise<void> {
+    const { halted } = this;
+    this.halted = undefined;
+    // What goes wrong is said where the field ends.
+    if (halted && this.presented) await this.fieldOf(halted).catch(() => undefined);
+    await this.showField();
   }
 
   /** Turns where it is asked for, but not while it computes: the work goes first. */
   private updateTurning(): void {
     if (!this.stage) return;
     const still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-    this.stage.turning =
-      this.hasAttribute('turn') && !this.touched && !still && !this.model?.computing;
-  }
-
-  private sendField(share: number): void {
-    const { extent } = this.requireModel();
-    const range = extent ?? [NaN, NaN];
-    this.send<FieldDetail>('field', { name: 'igf', range, unit: this.unit, share });
-    if (share === 1) this.live.textContent = 'The girth is computed.';
-  }
-
-  /** `kept` is still wanted: what comes next was made of it. */
-  private dropModel(kept?: Original): void {
-    const { model, madeFrom: before } = this;
-    if (before && before.mesh !== kept?.mesh) before.mesh.dispose();
-    this.madeFrom = undefined;
-    if (!model) return;
-    this.loops?.dispose();
-    this.loops = undefined;
-    this.model = undefined;
-    model.dispose(kept?.mesh === model.mesh);
-    this.stage?.show(undefined);
-    this.status.clear();
-    this.legend.update(undefined);
+    const isBusy = this.presented?.model.fields.computing ?? false;
+    const turning = this.hasAttribute('turn') && !this.touched && !still && !isBusy;
+    if (this.stage.turning !== turning) this.stage.turning = turning;
   }
 
   // ---- colours
 
-  private get showsField(): boolean {
-    return this.getAttribute('field') !== 'none';
+  /** What the attributes ask for. */
+  private get wishes(): ShadingWishes {
+    const field = this.getAttribute('field');
+    const colormap = this.getAttribute('colormap');
+    return {
+      name: isShownName(field) ? field : 'igf',
+      colormap: isColormapName(colormap) ? colormap : undefined,
+      range: parseRange(this.getAttribute('range')),
+      isolines: parseCount(this.getAttribute('isolines'), mostIsolines),
+      unit: this.unit,
+    };
   }
 
-  /** Once a frame: colours spread a little further. Returns whether some are still to come. */
-  private beforeFrame(): boolean {
-    const { model } = this;
-    if (!model || model.field || model.preview.computed === 0 || !this.showsField) return false;
-    const done = model.spread();
-    this.updateRange();
-    return !done;
-  }
-
-  private paintAll(): void {
-    if (this.showsField) this.model?.paint();
-    else this.model?.surface.clearScalars();
-    this.updateRange();
-    this.stage?.invalidate();
-  }
-
-  private updateRange(): void {
-    const { model } = this;
-    const reach = this.showsField ? model?.extent : undefined;
-    if (!model || !reach) {
-      this.legend.update(undefined);
-      return;
-    }
-    this.updateFormat();
-    const range = this.fixedRange ?? reach;
-    // Where all values are the same but for rounding, they have the same colour.
-    const least = 1e-5 * Math.abs(range[1]);
-    const widen = range[1] - range[0] < least ? least : 0;
-    model.surface.setRange(range[0] - widen, range[1] + widen);
-    this.legend.update({
-      title: 'Girth',
-      colormap: this.colormapName,
-      range,
-      extent: reach,
-      format: this.format,
-    });
-  }
-
-  /** Lengths are written alike everywhere: as fits the field's, or before there is one, the model. */
-  private updateFormat(): void {
-    const { model } = this;
-    if (!model) return;
-    const largest =
-      (this.showsField ? model.extent?.[1] : undefined) ?? 2 * model.surface.bounds.radius;
-    const format = lengthFormat(largest, this.unit);
-    if (JSON.stringify(format) === JSON.stringify(this.format)) return;
-    this.format = format;
-    this.loops?.setFormat(format);
+  /** Shows what there is as the attributes ask for now; `anew` where each vertex has another colour. */
+  private restyle(anew: boolean): void {
+    const { presented } = this;
+    if (!presented) return;
+    presented.shading.wishes = this.wishes;
+    if (anew) presented.paint();
+    else presented.refresh();
   }
 
   // ---- odds and ends
 
-  private requireModel(): Model {
-    if (!this.model) throw new Error('no model is loaded');
-    return this.model;
+  private require(): Presented {
+    if (!this.presented) throw new Error('no model is loaded');
+    return this.presented;
+  }
+
+  private pointed(vertex: number | undefined): void {
+    if (vertex === this.pointedVertex) return;
+    this.pointedVertex = vertex;
+    const values = vertex === undefined ? {} : this.require().valuesAt(vertex);
+    this.send<HoverDetail>('hover', { vertex, values });
+  }
+
+  private sendField(name: FieldName, range: [number, number], share: number): void {
+    const unit = fieldUnit(name, this.unit);
+    this.send<FieldDetail>('field', { name, range, unit, share });
+    if (share === 1) this.live.textContent = `${fieldTitle(name)}: computed.`;
+  }
+
+  private sendChange(): void {
+    if (!this.presented) return;
+    const { name } = this.wishes;
+    this.send<FieldChangeDetail>('fieldchange', { name, shown: this.shown });
   }
 
   private send<Detail>(name: string, detail: Detail): void {
     this.dispatchEvent(new CustomEvent(name, { detail }));
   }
 
+  /** Says what went wrong, once; that something was cancelled is no news. */
   private fail(name: string, error: unknown): void {
     const fields = fieldsOf(error);
-    this.message.show(name, fields, this.model !== undefined);
+    if (fields.code === 'CANCELLED') return;
+    if (error instanceof Error) {
+      if (this.said.has(error)) return;
+      this.said.add(error);
+    }
+    this.message.show(name, fields, this.presented !== undefined);
     this.send<GirthErrorFields>('error', fields);
   }
 }
 
-function fieldsOf(error: unknown): GirthErrorFields {
-  if (error instanceof Error && 'code' in error && typeof error.code === 'string') {
-    const { element = -1, hint = '' } = error as Partial<GirthErrorFields>;
-    return { code: error.code, element, message: error.message, hint };
-  }
-  const message = error instanceof Error ? error.message : String(error);
-  return { code: 'INTERNAL', element: -1, message, hint: 'reload the page and try again' };
-}
-
-function nameOf(source: MeshSource): string {
-  if (typeof source === 'string' || source instanceof URL) {
-    return decodeURIComponent(String(source).split(/[?#]/)[0]!.split('/').pop() ?? '');
-  }
-  // Of several, that which is the model by its name; the kernel looks closer.
-  const names = (Array.isArray(source) ? (source as object[]) : [source]).map(nameOfFile);
-  return names.find((name) => /\.(glb|gltf|obj|off|ply|stl|zip)$/i.test(name)) ?? names[0] ?? '';
-}
-
-function nameOfFile(file: object): string {
-  const { name = '', path = name } = file as { name?: string; path?: string };
-  return path.slice(path.lastIndexOf('/') + 1);
-}
-
-/** Two ascending numbers; undefined for anything else. */
-function parseRange(text: string | null): [number, number] | undefined {
-  const numbers = (text ?? '')
-    .trim()
-    .split(/[\s,]+/)
-    .map(Number);
-  const [low = NaN, high = NaN] = numbers;
-  return numbers.length === 2 && low < high ? [low, high] : undefined;
-}
-
-function parseVertices(text: string | null): number[] {
-  return (text ?? '')
-    .split(/[\s,]+/)
-    .filter((word) => /^\d+$/.test(word))
-    .map(Number);
+function blobOf(canvas: HTMLCanvasElement): Promise<Blob> {
+  return new Promise((resolve, reject) => {
+    canvas.toBlob(
+      (blob) => (blob ? resolve(blob) : reject(new Error('the picture is empty'))),
+      'image/png',
+    );
+  });
 }

@@ -1,0 +1,141 @@
+// How a surface is coloured: by a scalar, by categories, or by where two scalars lie from two thresholds.
+// Colours stay sRGB from the tables to the canvas.
+
+import { colormapSize } from './colormaps.js';
+
+/** What colours the surface; the values of the uniform `mode`. */
+export const shadingModes = { plain: 0, scalar: 1, categories: 2, thresholds: 3 } as const;
+export type ShadingMode = keyof typeof shadingModes;
+
+/** As many categories as there are components in an attribute. */
+export const mostCategories = 4;
+
+/**
+ * Attributes of a vertex beside its position and normal. `scalar`: the value times its weight, and the
+ * weight. `pair`: the same of two values with one weight. `category`: 1 at the number of its category.
+ * `flags`: 1 where it is marked, where it belongs to a tip, where that tip is selected, and 0.
+ */
+export const vertexShader = /* glsl */ `
+  attribute vec2 scalar;
+  attribute vec3 pair;
+  attribute vec4 category;
+  attribute vec4 flags;
+  varying vec2 vScalar;
+  varying vec3 vPair;
+  varying vec4 vCategory;
+  varying vec3 vFlags;
+  varying vec3 vNormal;
+  varying vec3 vView;
+
+  void main() {
+    vScalar = scalar;
+    vPair = pair;
+    vCategory = category;
+    vFlags = flags.xyz;
+    vNormal = normalMatrix * normal;
+    vec4 seen = modelViewMatrix * vec4(position, 1.0);
+    vView = -seen.xyz;
+    gl_Position = projectionMatrix * seen;
+  }
+`;
+
+// Where a quantity passes a limit is found in the triangle, so that such lines are a pixel sharp however
+// coarse the mesh is. Light only scales colours, by a factor between 0.70 and 1.04, the same for the three
+// channels, so that hue and order of a map survive.
+export const fragmentShader = /* glsl */ `
+  uniform int mode;
+  uniform sampler2D colormap;
+  uniform vec2 range;
+  uniform float isolines;
+  uniform float pixelRatio;
+  uniform vec3 plain;
+  uniform vec3 palette[${mostCategories}];
+  uniform float hatched[${mostCategories}];
+  uniform vec2 thresholds;
+  uniform float marking;
+  uniform float tinting;
+  uniform vec3 tint;
+  varying vec2 vScalar;
+  varying vec3 vPair;
+  varying vec4 vCategory;
+  varying vec3 vFlags;
+  varying vec3 vNormal;
+  varying vec3 vView;
+
+  // 0 below 0, 1 above, with an edge of one pixel.
+  float above(float quantity) {
+    return clamp(0.5 + quantity / max(fwidth(quantity), 1e-30), 0.0, 1.0);
+  }
+
+  float brightness(vec3 colour) {
+    return dot(colour, vec3(0.2126, 0.7152, 0.0722));
+  }
+
+  // Slanting stripes of the screen, for what is not to be told by its colour alone.
+  vec3 categoryColour(int number) {
+    float across = (gl_FragCoord.x + gl_FragCoord.y) / (7.0 * pixelRatio);
+    float stripe = smoothstep(0.0, 0.16, abs(fract(across) - 0.5) - 0.25);
+    return palette[number] * (1.0 - 0.28 * hatched[number] * stripe);
+  }
+
+  vec3 byScalar() {
+    // Neighbours' values that a vertex shows until it has its own weigh 0.88: a little paler.
+    float known = above(vScalar.y - 0.5) * mix(0.88, 1.0, smoothstep(0.88, 1.0, vScalar.y));
+    float value = vScalar.x / max(vScalar.y, 1e-6);
+    float place = (value - range.x) / max(range.y - range.x, 1e-30);
+    float texel =
+      (0.5 + clamp(place, 0.0, 1.0) * ${(colormapSize - 1).toFixed(1)}) / ${colormapSize.toFixed(1)};
+    vec3 colour = texture2D(colormap, vec2(texel, 0.5)).rgb;
+
+    float level = place * (isolines + 1.0);
+    float perPixel = max(fwidth(level), 1e-6);
+    float away = abs(level - clamp(floor(level + 0.5), 1.0, isolines)) / (perPixel * pixelRatio);
+    // Where the value jumps within a triangle its lines would only be a dark smear.
+    float line = (1.0 - smoothstep(0.3, 1.1, away)) * (1.0 - smoothstep(0.2, 0.5, perPixel));
+    float contrast = step(brightness(colour), 0.3);
+    colour = mix(colour, vec3(contrast), 0.6 * line * step(0.5, isolines));
+    return mix(plain, colour, known);
+  }
+
+  vec3 byCategory() {
+    int first = 0;
+    int second = 1;
+    if (vCategory[1] > vCategory[0]) { first = 1; second = 0; }
+    for (int i = 2; i < ${mostCategories}; ++i) {
+      if (vCategory[i] > vCategory[first]) { second = first; first = i; }
+      else if (vCategory[i] > vCategory[second]) { second = i; }
+    }
+    float lead = vCategory[first] - vCategory[second];
+    float share = clamp(0.5 + lead / max(fwidth(lead), 1e-6), 0.5, 1.0);
+    return mix(categoryColour(second), categoryColour(first), share);
+  }
+
+  // Body, tube, plate and unknown, in this order.
+  vec3 byThresholds() {
+    vec2 values = vPair.xy / max(vPair.z, 1e-6);
+    float thin = above(thresholds.y - values.y);
+    float flat_ = above(values.x - thresholds.x);
+    vec3 part = mix(categoryColour(1), categoryColour(2), flat_);
+    vec3 colour = mix(categoryColour(0), part, thin);
+    return mix(categoryColour(3), colour, above(vPair.z - 0.5));
+  }
+
+  void main() {
+    vec3 colour = plain;
+    if (mode == ${shadingModes.scalar}) colour = byScalar();
+    else if (mode == ${shadingModes.categories}) colour = byCategory();
+    else if (mode == ${shadingModes.thresholds}) colour = byThresholds();
+
+    float inTip = above(vFlags.y - 0.5);
+    float inSelected = above(vFlags.z - 0.5);
+    colour = mix(colour, tint, tinting * max(0.3 * inTip, 0.68 * inSelected));
+    colour = mix(colour, mix(plain, vec3(brightness(colour)), 0.15), marking * (1.0 - above(vFlags.x - 0.5)));
+
+    vec3 normal = normalize(vNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 view = normalize(vView);
+    float key = 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.75, 0.65)));
+    float rim = 1.0 - clamp(dot(normal, view), 0.0, 1.0);
+    float light = mix(0.78, 1.04, smoothstep(0.05, 0.95, key)) - 0.08 * rim * rim * rim;
+    gl_FragColor = vec4(colour * light, 1.0);
+  }
+`;
