@@ -144,9 +144,10 @@ int run(int argc, char** argv) {
   addModelOptions(*fieldCommand, field.preparing);
   fieldCommand
       ->add_option("--field", field.field,
-                   "sdf (shape diameter), geoaverage or geofarthest (mean and greatest distance)")
+                   "sdf (shape diameter), geoaverage or geofarthest (mean and greatest distance), "
+                   "hks, sihks or wks (heat and wave kernel signatures)")
       ->required()
-      ->check(CLI::IsMember({"sdf", "geoaverage", "geofarthest"}));
+      ->check(CLI::IsMember({"sdf", "geoaverage", "geofarthest", "hks", "sihks", "wks"}));
   fieldCommand->add_option("-o,--output", field.output,
                            "Write the values: .csv, .json, .npy, .ply or .glb");
   fieldCommand->add_option("--rays", field.rays, "sdf: rays from each vertex; 30 by default")
@@ -156,6 +157,12 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(1e-3, 179.999));
   fieldCommand->add_flag("--exact", field.exactDistances,
                          "geoaverage, geofarthest: exact distances, not by fast marching");
+  addSpectralFieldOptions(*fieldCommand, field.spectral);
+  fieldCommand
+      ->add_option("--maxima", field.maxima,
+                   "List so many of the field's maxima, those that rise highest above their "
+                   "surroundings first; with hks: persistent heat maxima")
+      ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{1'000'000}));
   threadsOption(fieldCommand, field.threads);
   fieldCommand->add_flag("--json", field.json, "Print the summary as JSON");
 
@@ -189,6 +196,11 @@ int run(int argc, char** argv) {
   threadsOption(partsCommand, parts.threads);
   partsCommand->add_flag("--json", parts.json, "Print everything as JSON");
 
+  RetrieveOptions retrieve;
+  CLI::App* retrieveCommand = app.add_subcommand(
+      "retrieve", "Measure how well descriptors find shapes of the same class in a collection");
+  addRetrieveOptions(*retrieveCommand, retrieve);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -205,6 +217,7 @@ int run(int argc, char** argv) {
   if (fieldCommand->parsed()) return runField(field);
   if (tipsCommand->parsed()) return runTips(tips);
   if (partsCommand->parsed()) return runParts(parts);
+  if (retrieveCommand->parsed()) return runRetrieve(retrieve);
   return runLoop(loop);
 }
 
