@@ -258,6 +258,26 @@ TEST_F(Command, tipsPartsAndFieldsOfASurface) {
   EXPECT_EQ(run({"field", model, "--field", "nothing"}).exitCode, 1);
   EXPECT_EQ(run({"field", model}).exitCode, 1);
 
+  // Spectral ones: several numbers a vertex, or one of them; maxima of a field.
+  const std::string csv = path("sihks.csv"), npy = path("wks.npy");
+  EXPECT_EQ(run({"field", model, "--field", "sihks", "-o", csv}).exitCode, 0);
+  EXPECT_TRUE(linesOf(contentOf(csv))[0].starts_with("vertex,sihks_1,sihks_2,"));
+  EXPECT_TRUE(linesOf(contentOf(csv))[0].ends_with(",sihks_19"));
+  const Outcome whole = run({"field", model, "--field", "wks", "-o", npy});
+  EXPECT_EQ(whole.exitCode, 1);
+  EXPECT_NE(whole.errors.find("--only"), std::string::npos);
+  EXPECT_EQ(run({"field", model, "--field", "wks", "--only", "100", "-o", npy}).exitCode, 0);
+  EXPECT_EQ(run({"field", model, "--field", "wks", "--only", "101", "-o", npy}).exitCode, 1);
+  EXPECT_EQ(run({"field", model, "--field", "hks", "--time", "nan"}).exitCode, 1);
+  EXPECT_EQ(run({"field", model, "--field", "hks", "--time", "0.1,0.2", "--maxima", "3"}).exitCode,
+            1);
+  const Json heat = Json::parse(
+      run({"field", model, "--field", "hks", "--time", "0.01", "--maxima", "2", "--json"}).output);
+  ASSERT_EQ(heat["maxima"].size(), 2u);
+  EXPECT_GE(heat["maxima"][0]["persistence"], heat["maxima"][1]["persistence"]);
+  EXPECT_EQ(heat["maxima"][0]["value"], heat["max"]);
+  EXPECT_EQ(heat["components"], 1);
+
   // A square prism of sides 1, 20 long: all tube, 4 / π across.
   const Json parts = Json::parse(run({"parts", model, "--json"}).output);
   EXPECT_EQ(parts["parts"][0]["kind"], "tube");
