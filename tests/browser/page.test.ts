@@ -235,11 +235,14 @@ for (const isolated of [true, false]) {
       expect(await viewer.getAttribute('colormap')).toBe('magma');
       const top = viewer.locator('.legend-tick').first();
       const before = await top.textContent();
-      await page.getByLabel('Upper end of the colour map').focus();
+      await page.getByLabel('Upper end of the colours').focus();
       for (let i = 0; i < 3; ++i) await page.keyboard.press('PageDown');
       expect(await top.textContent()).toMatch(/^≥/);
-      await page.getByRole('button', { name: 'Full range' }).click();
+      expect(await page.locator('#range').inputValue()).toBe('own');
+      await page.locator('#range').selectOption('full range');
       expect(await top.textContent()).toBe(before);
+      await page.locator('#range').selectOption('5 to 95 %');
+      await expect.poll(() => top.textContent()).toMatch(/^≥/);
       await page.getByLabel('Edges').check();
       expect(await viewer.getAttribute('edges')).toBe('');
     });
