@@ -57,7 +57,7 @@ struct SignatureOptions {
   VocabularyOptions vocabulary;
   WordChoice words{WordChoice::Soft};
   /// Features of each model that the words are chosen among, spread over its vertices.
-  std::size_t featuresPerModel{250};
+  std::size_t featuresPerModel{100};
 };
 
 /// The signatures of a numbered collection. First every model's fields are handed over (`add`),
