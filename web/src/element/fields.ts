@@ -70,7 +70,8 @@ export class Fields {
     }
     if (state.field) return Promise.resolve(state.field);
     state.preview ??= new FieldPreview(this.adjacency);
-    if (!state.running) {
+    // One that was cancelled and is only coming to its end does not count.
+    if (!state.running || state.running.abort.signal.aborted) {
       const abort = new AbortController();
       state.running = { promise: this.run(state, abort), abort };
     }
@@ -82,8 +83,9 @@ export class Fields {
     for (const { running } of this.states.values()) running?.abort.abort();
   }
 
-  private async run(state: FieldState, { signal }: AbortController): Promise<Field> {
+  private async run(state: FieldState, abort: AbortController): Promise<Field> {
     const { name } = state;
+    const { signal } = abort;
     const timeLeft = new TimeLeft(performance.now());
     let failure: unknown;
     try {
@@ -94,7 +96,9 @@ export class Fields {
           if (signal.aborted) return;
           this.host.progressed(name, fraction, timeLeft.update(fraction, performance.now()));
         },
-        onPartial: (partial) => this.host.received(state, partial),
+        onPartial: (partial) => {
+          if (!signal.aborted) this.host.received(state, partial);
+        },
       });
       state.field = field;
       state.preview = undefined;
@@ -103,8 +107,10 @@ export class Fields {
       failure = error;
       throw error;
     } finally {
-      state.running = undefined;
-      this.host.ended(state, failure);
+      if (!state.running || state.running.abort === abort) {
+        state.running = undefined;
+        this.host.ended(state, failure);
+      }
     }
   }
 }
