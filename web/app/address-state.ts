@@ -41,9 +41,10 @@ export interface PageState {
 const mostLoops = 50;
 const mostComponents = 1000;
 
-/** Five significant digits: more than can be seen. */
+/** Angles and shares to what can be seen. */
 function short(value: number): string {
-  return String(Number(value.toPrecision(5)));
+  // No '-0'.
+  return String(Number(value.toFixed(4)) + 0);
 }
 
 function writePoint(point: SurfacePoint): string {
@@ -165,7 +166,7 @@ const parts: {
   diameter: [readThreshold, (diameter) => (diameter === Infinity ? 'inf' : String(diameter))],
   smoothing: [readThreshold, String],
   tip: [readCount, String],
-  jump: [readThreshold, short],
+  jump: [readThreshold, (jump) => String(Number(jump.toPrecision(6)))],
   panel: [readPanel, (panel) => panel],
 };
 

@@ -11,6 +11,12 @@ export class CategoryShares {
     this.element.append(this.bar, this.list);
   }
 
+  /** Nothing is to be said. */
+  clear(): void {
+    this.bar.replaceChildren();
+    this.list.replaceChildren();
+  }
+
   /** `kinds`: for each vertex the number of its category; empty while it is not known. */
   show(
     categories: readonly Category[],

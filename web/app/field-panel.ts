@@ -5,6 +5,9 @@ import {
   type ShownName,
   colormapNames,
   colourAt,
+  derivedNames,
+  fieldNames,
+  fieldTitle,
   formatCount,
   formatLength,
   formatNumber,
@@ -29,18 +32,19 @@ import type { ComputedFields } from './computed-fields.js';
 import { byId } from './dom.js';
 import { RangeSliders } from './range-sliders.js';
 
-/** What can colour the surface, as it stands in the list. */
-const fieldWords: Partial<Record<ShownName, string>> = {
+/** What can colour the surface. */
+const shownNames: readonly ShownName[] = [...fieldNames, ...derivedNames, 'none'];
+/** Where the list says it otherwise than the legend. */
+const listWords: Partial<Record<ShownName, string>> = {
   igf: 'Girth (IGF)',
   sdf: 'Thickness (SDF)',
   geoaverage: 'Mean distance (GeoAverage)',
   geofarthest: 'Greatest distance (GeoFarthest)',
-  angle: 'Angle of the loop',
-  kind: 'Kind of loop',
   tips: 'Tip persistence',
   parts: 'Tubes and plates',
   none: 'None',
 };
+const wordsFor = (name: ShownName): string => listWords[name] ?? fieldTitle(name);
 const ranges: [string, string][] = [
   ['', 'full range'],
   ['1% 99%', '1 to 99 %'],
@@ -57,6 +61,8 @@ export interface FieldPage {
   changed(): void;
   /** The kinds of the present parts; undefined where there are none. */
   partKinds(): Uint8Array | undefined;
+  /** How far the girth rises at the tip that each vertex is in, 0 elsewhere; undefined as above. */
+  tipRises(): Float64Array | undefined;
 }
 
 export class FieldPanel {
@@ -88,9 +94,7 @@ export class FieldPanel {
     private readonly page: FieldPage,
   ) {
     const { field, plot } = this;
-    for (const [name, words] of Object.entries(fieldWords)) {
-      field.append(make('option', { value: name }, words));
-    }
+    field.append(...shownNames.map((name) => make('option', { value: name }, wordsFor(name))));
     field.addEventListener('change', () => this.choose(field.value as ShownName));
     const kindButton = (kind: DistributionKind, words: string): HTMLButtonElement => {
       const button = make(
@@ -161,9 +165,7 @@ export class FieldPanel {
     viewer.addEventListener('hover', (event) => {
       const { vertex } = (event as CustomEvent<{ vertex: number | undefined }>).detail;
       const name = this.name;
-      this.plot.markValue(
-        vertex === undefined || !isFieldName(name) ? undefined : this.valuesOf(name)[vertex],
-      );
+      this.plot.markValue(vertex === undefined ? undefined : this.valuesOf(name)[vertex]);
     });
   }
 
@@ -244,7 +246,9 @@ export class FieldPanel {
 
   private valuesOf(name: ShownName): Float64Array {
     const { viewer } = this;
-    return viewer.info && isFieldName(name) ? viewer.values(name) : new Float64Array();
+    const none = new Float64Array();
+    if (name === 'tips') return this.page.tipRises() ?? none;
+    return viewer.info && isFieldName(name) ? viewer.values(name) : none;
   }
 
   private setKind(kind: DistributionKind): void {
@@ -264,7 +268,7 @@ export class FieldPanel {
     this.timer = undefined;
     const { name, plot, sliders } = this;
     this.field.value = name;
-    const isNumeric = isFieldName(name);
+    const isNumeric = isFieldName(name) || name === 'tips';
     const values = this.valuesOf(name);
     const reach = extent(values);
     plot.element.hidden = !isNumeric;
@@ -302,7 +306,7 @@ export class FieldPanel {
     const middle = quantile(values, this.areas, 0.5);
     plot.element.setAttribute(
       'aria-label',
-      `Distribution of ${fieldWords[name]} from ${format(reach[0])} to ${format(reach[1])}, median ` +
+      `Distribution of ${wordsFor(name)} from ${format(reach[0])} to ${format(reach[1])}, median ` +
         `${format(middle)}. Arrows mark a range.`,
     );
     this.paint();
@@ -312,7 +316,7 @@ export class FieldPanel {
   private showShares(): void {
     const { name, viewer, categories, areas } = this;
     if (name === 'parts') categories.show(partKinds, this.page.partKinds() ?? [], areas);
-    else if (name !== 'kind') categories.show([], [], areas);
+    else if (name === 'none') categories.clear();
     else {
       categories.show(girthKinds, [], areas);
       if (!this.computed.has('igf')) return;

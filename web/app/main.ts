@@ -29,9 +29,10 @@ const changed = (): void => address.changed();
 const field = new FieldPanel(viewer, computed, {
   changed,
   partKinds: () => parts.kinds,
+  tipRises: () => tips.rises,
 });
 const loops = new PinnedList(viewer, changed);
-const tips = new TipsPanel(viewer, changed);
+const tips = new TipsPanel(viewer, { changed, found: () => field.refresh() });
 const parts = new PartsPanel(viewer, {
   changed,
   found: () => field.refresh(),

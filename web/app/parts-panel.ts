@@ -6,6 +6,7 @@ import { ScatterPlot } from '../src/view/plots/index.js';
 import type { PageState } from './address-state.js';
 import { formatArea } from './area-words.js';
 import { LengthInput } from './length-input.js';
+import { plural } from './model-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
 import { ThresholdSlider } from './threshold-slider.js';
@@ -271,7 +272,9 @@ export class PartsPanel {
     const format = viewer.lengthFormat;
     const of = (kind: PartKind): Part[] => found?.parts.filter((part) => part.kind === kind) ?? [];
     const [tubes, plates] = [of('tube'), of('plate')];
-    this.panel.summary = found ? `${tubes.length} · ${plates.length}` : '';
+    this.panel.summary = found
+      ? `${plural(tubes.length, 'tube', 'tubes')}, ${plural(plates.length, 'plate', 'plates')}`
+      : '';
     this.titles.tube.textContent = `Tubes: ${tubes.length}`;
     this.titles.plate.textContent = `Plates: ${plates.length}`;
     for (const title of Object.values(this.titles)) title.hidden = !found;

@@ -1,7 +1,7 @@
 // The print check: what is too thin for a printer, listed, pictured and reported.
 
 import { type GirthViewer, formatLength, make } from '../src/element/index.js';
-import type { PrintLimits, WeakPlace } from '../src/kernel/index.js';
+import type { MeshInfo, PrintLimits, WeakPlace } from '../src/kernel/index.js';
 import { formatArea } from './area-words.js';
 import { LengthInput } from './length-input.js';
 import { modelFacts, plural } from './model-words.js';
@@ -189,10 +189,10 @@ export class PrintPanel {
     this.list.show(
       places.map((place) => {
         const made = pictures.get(place);
-        const loop = made?.loop === undefined ? '' : `loop ${formatLength(made.loop, format)} · `;
+        const loop = made?.loop === undefined ? '' : `loop ${formatLength(made.loop, format)}, `;
         return {
           main: formatLength(place.least, format),
-          detail: `${placeName(place)} · ${loop}${formatArea(place.area, format)}`,
+          detail: `${placeName(place)}, ${loop}${formatArea(place.area, format)}`,
           picture:
             made?.picture === undefined ? undefined : make('img', { src: made.picture, alt: '' }),
           choose: () => this.choose(place),
@@ -222,6 +222,12 @@ export class PrintPanel {
     return made;
   }
 
+  /** The whole shape, as it is coloured now. */
+  private async overview({ vertexCount }: MeshInfo): Promise<string> {
+    const vertices = Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex);
+    return dataAddress(await this.viewer.snapshotOf({ vertices, width: 960, height: 640 }));
+  }
+
   private async save(ending: 'html' | 'json'): Promise<void> {
     const { check, viewer } = this;
     const { info } = viewer;
@@ -245,7 +251,7 @@ export class PrintPanel {
         format: viewer.lengthFormat,
         places,
         more: check.places.length - places.length,
-        overview: await dataAddress(await viewer.snapshot()),
+        overview: await this.overview(info),
         date: new Date().toISOString().slice(0, 10),
       };
       saveFile(printReportHtml(report), name);

@@ -9,6 +9,14 @@ import { PlaceList } from './place-list.js';
 
 const steps = 200;
 
+/** What the panel needs of the page. */
+export interface TipsPage {
+  /** What is shown was changed by hand. */
+  changed(): void;
+  /** The tips are known. */
+  found(): void;
+}
+
 export class TipsPanel {
   readonly panel = new Panel('tips-panel');
   private readonly list = new PlaceList('Tips');
@@ -24,13 +32,15 @@ export class TipsPanel {
   });
   private readonly jumpText = make('output', { for: 'tips-jump' });
   private readonly words = make('p', { class: 'hint', role: 'status' });
+  /** How far the girth rises at the tip that each vertex is in, 0 elsewhere. */
+  rises: Float64Array | undefined;
   private tips: Tips | undefined;
   private selected: number | undefined;
   private pending: Pick<PageState, 'tip' | 'jump'> = {};
 
   constructor(
     private readonly viewer: GirthViewer,
-    private readonly changed: () => void,
+    private readonly page: TipsPage,
   ) {
     this.shown.checked = true;
     this.panel.body.append(
@@ -53,11 +63,11 @@ export class TipsPanel {
       this.refresh();
       this.draw();
     });
-    this.jump.addEventListener('change', changed);
+    this.jump.addEventListener('change', () => page.changed());
     this.panel.onToggle((isOpen) => {
       this.draw();
       if (isOpen) void this.compute();
-      changed();
+      page.changed();
     });
     viewer.addEventListener('unit', () => this.refresh());
     this.clear();
@@ -66,6 +76,7 @@ export class TipsPanel {
   /** Another model. */
   clear(): void {
     this.tips = undefined;
+    this.rises = undefined;
     this.selected = undefined;
     this.pending = {};
     this.jump.value = '0';
@@ -99,7 +110,13 @@ export class TipsPanel {
       const tips = await viewer.tips();
       if (viewer.info !== info) return;
       this.tips = tips;
+      this.rises = new Float64Array(info.vertexCount);
+      // The largest last: a vertex in several tips has the rise of the highest.
+      for (const { vertices, jump } of [...tips.tips].reverse()) {
+        for (const vertex of vertices) this.rises[vertex] = jump;
+      }
       this.applyPending(false);
+      this.page.found();
     } catch (error) {
       if (viewer.info !== info) return;
       const words = error instanceof Error ? error.message : String(error);
@@ -135,7 +152,7 @@ export class TipsPanel {
     this.selected = number;
     this.draw();
     this.viewer.flyTo({ vertices: tip.vertices });
-    this.changed();
+    this.page.changed();
   }
 
   private refresh(): void {

@@ -15,7 +15,6 @@ export {
 } from './field-words.js';
 export { FieldPreview } from './field-preview.js';
 export { GroundShadow, splatShadow } from './ground-shadow.js';
-export { type Histogram, extent, histogram, median } from './histogram.js';
 export { Latest } from './latest.js';
 export { Legend, type LegendContent, type ScaleContent } from './legend.js';
 export { type LegendInk, drawLegend } from './legend-picture.js';
