@@ -3,7 +3,7 @@
 import { linked, untilAborted } from './abort.js';
 import { cancelled, fieldsOf, GirthError } from './errors.js';
 import { hasKinds } from './field-request.js';
-import { FieldRun, type FieldEngine } from './field-run.js';
+import { FieldRun, summaryOf, type FieldEngine } from './field-run.js';
 import { LoopQueue } from './loop-queue.js';
 import { MeshOfWorkers } from './mesh.js';
 import { PoolEngine } from './pool-engine.js';
@@ -12,6 +12,7 @@ import type {
   OpenedSurface,
   Report,
   SingleOperations,
+  SpectralOperations,
   ThreadsOperations,
   WorkshopOperations,
 } from './protocol.js';
@@ -49,7 +50,9 @@ export async function openKernel(
   factory: WorkerFactory,
 ): Promise<KernelOfWorkers> {
   const threads = threadsOf(options.threads);
-  const workshop = new Workshop(() => factory.workshop());
+  const workshop = new Workshop<WorkshopOperations>(() => factory.workshop());
+  // One after the other: the second one may need the spectrum of the first.
+  const spectral = new Workshop<SpectralOperations>(() => factory.spectral(), 1);
   const interactive = new WorkerClient<SingleOperations>(() => factory.single());
   const isolated = globalThis.crossOriginIsolated === true;
   if (options.mode === 'threads' && !isolated) {
@@ -73,7 +76,15 @@ export async function openKernel(
     if (host && !hostFailure) {
       const engine = new ThreadsEngine(host, threads);
       void interactive.start().catch(() => undefined);
-      return new KernelOfWorkers('threads', threads, workshop, interactive, [host], engine);
+      return new KernelOfWorkers(
+        'threads',
+        threads,
+        workshop,
+        spectral,
+        interactive,
+        [host],
+        engine,
+      );
     }
     if (hostFailure) {
       warnOnce(
@@ -93,7 +104,15 @@ export async function openKernel(
   );
   // They load while the page fetches its model; a failure shows when they are needed.
   for (const worker of [interactive, ...pool]) void worker.start().catch(() => undefined);
-  return new KernelOfWorkers('pool', threads, workshop, interactive, pool, new PoolEngine(pool));
+  return new KernelOfWorkers(
+    'pool',
+    threads,
+    workshop,
+    spectral,
+    interactive,
+    pool,
+    new PoolEngine(pool),
+  );
 }
 
 function threadsOf(wanted: number | 'auto' = 'auto'): number {
@@ -114,7 +133,8 @@ type AnyWorker = Pick<WorkerClient<SingleOperations>, 'drop' | 'terminate'>;
 export class KernelOfWorkers implements Kernel {
   readonly mode: 'threads' | 'pool';
   readonly threads: number;
-  readonly #workshop: Workshop;
+  readonly #workshop: Workshop<WorkshopOperations>;
+  readonly #spectral: Workshop<SpectralOperations>;
   readonly #interactive: WorkerClient<SingleOperations>;
   readonly #workers: readonly AnyWorker[];
   readonly #engine: FieldEngine;
@@ -127,7 +147,8 @@ export class KernelOfWorkers implements Kernel {
   constructor(
     mode: 'threads' | 'pool',
     threads: number,
-    workshop: Workshop,
+    workshop: Workshop<WorkshopOperations>,
+    spectral: Workshop<SpectralOperations>,
     interactive: WorkerClient<SingleOperations>,
     computing: readonly AnyWorker[],
     engine: FieldEngine,
@@ -135,6 +156,7 @@ export class KernelOfWorkers implements Kernel {
     this.mode = mode;
     this.threads = threads;
     this.#workshop = workshop;
+    this.#spectral = spectral;
     this.#interactive = interactive;
     this.#workers = [interactive, ...computing];
     this.#engine = engine;
@@ -188,12 +210,13 @@ export class KernelOfWorkers implements Kernel {
       this.#fields = turn.catch(() => undefined);
       await turn;
       if (signal.aborted) throw cancelled();
-      const { values, kinds, withoutValue } = run;
+      const { values, kinds } = run;
+      const { range, withoutValue } = summaryOf(values);
       const about = await this.#interactive.requestOn(surface, 'about', {
         field: request,
         withoutValue,
       });
-      return { name: request.name, values, kinds, range: run.range(), withoutValue, ...about };
+      return { name: request.name, values, kinds, range, withoutValue, ...about };
     });
   }
 
@@ -206,18 +229,28 @@ export class KernelOfWorkers implements Kernel {
     return this.#work(signals, (signal) => this.#workshop.run(signal, bytes, job));
   }
 
+  /** Something that a worker of its own makes of a surface's spectrum. */
+  makeSpectral<T>(
+    bytes: number,
+    signals: (AbortSignal | undefined)[],
+    job: (worker: WorkerClient<SpectralOperations>) => Promise<T>,
+  ): Promise<T> {
+    return this.#work(signals, (signal) => this.#spectral.run(signal, bytes, job));
+  }
+
   loop(surface: SurfaceSource, point: SurfacePoint, life: AbortSignal, options: CallOptions) {
     return this.#work([options.signal, life], (signal) => this.#loops.loop(surface, point, signal));
   }
 
   drop(surface: number): void {
-    for (const worker of this.#workers) worker.drop(surface);
+    for (const worker of [this.#spectral, ...this.#workers]) worker.drop(surface);
   }
 
   dispose(): void {
     const reason = 'the kernel has been disposed of';
     this.#life.abort(reason);
-    for (const worker of [this.#workshop, ...this.#workers]) worker.terminate(cancelled(reason));
+    const workers = [this.#workshop, this.#spectral, ...this.#workers];
+    for (const worker of workers) worker.terminate(cancelled(reason));
   }
 
   /** Runs work that ends with CANCELLED when a signal fires or the kernel is disposed of. */
