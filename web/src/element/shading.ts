@@ -21,6 +21,11 @@ import type { FieldState } from './fields.js';
 import type { Model } from './model.js';
 import type { RangeChoice } from './parse.js';
 
+/**
+ * Along an edge that no jump crosses the girth changes by at most twice its length; within a narrow
+ * triangle of such edges by more.
+ */
+const steepestGirth = 4;
 /** Milliseconds a frame may spend on spreading colours. */
 const spreadBudget = 5;
 
@@ -229,7 +234,7 @@ export class Shading {
     const widen = range[1] - range[0] < least ? least : 0;
     surface.setColormap(colormap);
     surface.setRange(range[0] - widen, range[1] + widen);
-    surface.setIsolines(isolines);
+    surface.setIsolines(isolines, name === 'igf' ? steepestGirth : Infinity);
     this.current = { name, range, extent, colormap, format };
     this.content = {
       title,

@@ -17,12 +17,15 @@ export const derivedNames = ['kind', 'tips', 'parts'] as const;
 /** What can colour a surface. */
 export type ShownName = FieldName | (typeof derivedNames)[number] | 'none';
 
-const words: Record<ShownName, string> = {
+const words: Record<ShownName | 'hks' | 'wks' | 'sihks', string> = {
   igf: 'Girth',
   sdf: 'Shape diameter',
   geoaverage: 'Mean distance',
   geofarthest: 'Greatest distance',
   angle: 'Angle of the loop',
+  hks: 'Heat kernel signature',
+  wks: 'Wave kernel signature',
+  sihks: 'Scale-invariant heat kernel',
   kind: 'Kind of loop',
   tips: 'Rise at the tip',
   parts: 'Parts',

@@ -47,6 +47,7 @@ export const fragmentShader = /* glsl */ `
   uniform sampler2D colormap;
   uniform vec2 range;
   uniform float isolines;
+  uniform float steepest;
   uniform float pixelRatio;
   uniform vec3 plain;
   uniform vec3 palette[${mostCategories}];
@@ -78,6 +79,15 @@ export const fragmentShader = /* glsl */ `
     return palette[number] * (1.0 - 0.28 * hatched[number] * stripe);
   }
 
+  // How fast a quantity changes along the surface, in model units.
+  float steepness(float quantity) {
+    vec3 right = dFdx(vView);
+    vec3 up = dFdy(vView);
+    vec3 normal = cross(right, up);
+    vec3 gradient = dFdx(quantity) * cross(up, normal) + dFdy(quantity) * cross(normal, right);
+    return length(gradient) / max(dot(normal, normal), 1e-30);
+  }
+
   vec3 byScalar() {
     // Neighbours' values that a vertex shows until it has its own weigh 0.88: a little paler.
     float known = above(vScalar.y - 0.5) * mix(0.88, 1.0, smoothstep(0.88, 1.0, vScalar.y));
@@ -90,8 +100,9 @@ export const fragmentShader = /* glsl */ `
     float level = place * (isolines + 1.0);
     float perPixel = max(fwidth(level), 1e-6);
     float away = abs(level - clamp(floor(level + 0.5), 1.0, isolines)) / (perPixel * pixelRatio);
-    // Where the value jumps within a triangle its lines would only be a dark smear.
+    // Too close together they would only be a dark smear; and where the value jumps there are none.
     float line = (1.0 - smoothstep(0.3, 1.1, away)) * (1.0 - smoothstep(0.2, 0.5, perPixel));
+    line *= 1.0 - above(steepness(value) - steepest);
     float contrast = step(brightness(colour), 0.3);
     colour = mix(colour, vec3(contrast), 0.6 * line * step(0.5, isolines));
     return mix(plain, colour, known);

@@ -99,6 +99,7 @@ export class Surface {
         colormap: { value: this.texture },
         range: { value: new Vector2(0, 1) },
         isolines: { value: 0 },
+        steepest: { value: 0 },
         pixelRatio: { value: 1 },
         plain: { value: new Vector3(0.72, 0.72, 0.73) },
         palette: { value: Array.from({ length: mostCategories }, () => new Vector3()) },
@@ -133,9 +134,13 @@ export class Surface {
     this.vector2('range').set(low, high);
   }
 
-  /** So many lines of equal value, evenly spaced between the ends of the range; 0: none. */
-  setIsolines(count: number): void {
+  /**
+   * So many lines of equal value, evenly spaced between the ends of the range; 0: none. Where the value
+   * changes by more than `steepest` for each unit of length it jumps, and has no lines.
+   */
+  setIsolines(count: number, steepest: number): void {
     this.material.uniforms['isolines']!.value = count;
+    this.material.uniforms['steepest']!.value = Math.min(steepest, 1e30);
   }
 
   /** The screen's pixels for each CSS pixel. */
