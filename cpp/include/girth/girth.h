@@ -27,6 +27,7 @@
 #include "girth/search_statistics.h"
 #include "girth/shape_diameter.h"
 #include "girth/spectrum.h"
+#include "girth/surface_changes.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
 #include "girth/tips.h"

@@ -5,28 +5,13 @@
 #include <limits>
 
 #include "parallel.h"
+#include "random.h"
 
 namespace girth::retrieval {
 
 namespace {
 
 constexpr std::size_t kGrain = 256;
-
-/// Repeatable random numbers (splitmix64), the same on every platform.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  /// In [0, 1).
-  double operator()() {
-    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15ull);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-
- private:
-  std::uint64_t state_;
-};
 
 /// Four sums at a time, which a processor adds side by side; the same order everywhere.
 double squaredDistance(const double* a, const double* b, std::size_t dimensions) {
