@@ -35,11 +35,11 @@ export interface Drawing {
   smoothed?: number[];
 }
 
-/** Cells on each side of the square. */
-export const cells = 40;
+/** Cells on each side of the square, unless said otherwise. */
+const usualCells = 40;
 
 /** A square in the plane z = 0, x and y from -1 to 1, its front towards +z; vertex by row and column. */
-export function square(): Pick<Drawing, 'positions' | 'indices'> {
+export function square(cells = usualCells): Pick<Drawing, 'positions' | 'indices'> {
   const positions: number[] = [];
   const indices: number[] = [];
   for (let row = 0; row <= cells; ++row) {
@@ -55,8 +55,11 @@ export function square(): Pick<Drawing, 'positions' | 'indices'> {
 }
 
 /** A number for each vertex of the square. */
-export function overSquare<Value>(value: (x: number, y: number) => Value): Value[] {
-  const { positions } = square();
+export function overSquare<Value>(
+  value: (x: number, y: number) => Value,
+  cells = usualCells,
+): Value[] {
+  const { positions } = square(cells);
   return Array.from({ length: positions.length / 3 }, (_, v) =>
     value(positions[3 * v]!, positions[3 * v + 1]!),
   );
@@ -64,8 +67,8 @@ export function overSquare<Value>(value: (x: number, y: number) => Value): Value
 
 /** The vertex of the square nearest to a place. */
 export function vertexAt(x: number, y: number): number {
-  const place = (coordinate: number): number => Math.round(((coordinate + 1) * cells) / 2);
-  return place(y) * (cells + 1) + place(x);
+  const place = (coordinate: number): number => Math.round(((coordinate + 1) * usualCells) / 2);
+  return place(y) * (usualCells + 1) + place(x);
 }
 
 /** Shows a drawing in the page's element, seen from straight in front; how often the kernel was asked. */

@@ -148,6 +148,24 @@ describe('fields', () => {
     expect(await viewer.locator('.legend-line').count()).toBe(3);
   });
 
+  test('there are no lines of equal value where the girth jumps', async () => {
+    // From 0 to 4 within a single column of triangles, 0.05 wide.
+    const igf = overSquare((x) => (x < 0.01 ? 0 : 4));
+    const viewer = await draw(page, { ...square(), fields: { igf, sdf: igf } });
+    await legendSays(viewer, 'Girth');
+    await viewer.evaluate((element: GirthViewer) => {
+      element.camera = { ...element.camera!, distance: 0.4 };
+    });
+    const across = Array.from({ length: 120 }, (_, i) => [i / 2000, 0.01] as const);
+    const plain = await pixelsAt(viewer, across);
+    await set(viewer, 'isolines', '3');
+    expect(await pixelsAt(viewer, across)).toEqual(plain);
+    await set(viewer, 'field', 'sdf');
+    await legendSays(viewer, 'Shape diameter');
+    const lined = await pixelsAt(viewer, across);
+    expect(lined.filter((pixel, i) => Math.abs(sum(pixel) - sum(plain[i]!)) > 60)).not.toEqual([]);
+  });
+
   test('each field is computed once, when it is asked for', async () => {
     const fields = {
       igf: overSquare((x) => 2 + x),
@@ -354,6 +372,24 @@ describe('tips', () => {
 });
 
 describe('places', () => {
+  test('points to compare with are diamonds', async () => {
+    const viewer = await draw(page, rising);
+    await legendSays(viewer, 'Girth');
+    const vertex = vertexAt(0.5, 0.5);
+    // On the diamond, and in the corner that a square would have.
+    const places = [
+      [0.5, 0.5],
+      [0.525, 0.525],
+    ] as const;
+    const plain = await pixelsAt(viewer, places);
+    await viewer.evaluate((element: GirthViewer, v) => element.showPoints([v]), vertex);
+    const [middle, corner] = await pixelsAt(viewer, places);
+    expect(middle!.b).toBeGreaterThan(middle!.r + 80);
+    expect(corner).toEqual(plain[1]);
+    await viewer.evaluate((element: GirthViewer) => element.showPoints());
+    expect(await pixelsAt(viewer, places)).toEqual(plain);
+  });
+
   test('marked vertices keep their colours, the others fade', async () => {
     const viewer = await draw(page, rising);
     await legendSays(viewer, 'Girth');

@@ -49,6 +49,8 @@ test('every field has a name in words and a unit', () => {
   expect(fieldUnit('sdf', 'mm')).toBe('mm');
   expect(fieldUnit('angle', 'mm')).toBe('rad');
   expect(fieldUnit('kind', 'mm')).toBe('');
+  expect(fieldUnit('hks', 'mm')).toBe('1/mm²');
+  expect(fieldUnit('hks', '')).toBe('');
   expect(isFieldName('tips')).toBe(false);
   for (const wrong of ['toString', '', null]) expect(isShownName(wrong)).toBe(false);
 });

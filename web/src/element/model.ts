@@ -1,11 +1,14 @@
 // One model on the stage: its surface, and what is computed of it.
 
 import type {
+  FieldName,
+  Maximum,
   Mesh,
   PartOptions,
   Parts,
   PartThresholds,
   PrintLimits,
+  SpectralOptions,
   Tips,
   WeakPlace,
 } from '../kernel/types.js';
@@ -43,6 +46,20 @@ export class Model {
   tips(): Promise<Tips> {
     return this.once('tips', async () =>
       this.mesh.tips(await this.fields.compute('igf'), this.watched),
+    );
+  }
+
+  /** The maxima of a field, or its minima, most persistent first. */
+  maxima(name: FieldName, minima: boolean): Promise<Maximum[]> {
+    return this.once(`${name} ${minima ? 'minima' : 'maxima'}`, async () =>
+      this.mesh.maxima(await this.fields.compute(name), { ...this.watched, minima }),
+    );
+  }
+
+  /** Where heat stays longest, most persistent first. */
+  heatMaxima(options: SpectralOptions): Promise<Maximum[]> {
+    return this.once(`heat maxima ${JSON.stringify(options)}`, () =>
+      this.mesh.heatMaxima({ ...options, ...this.watched }),
     );
   }
 

@@ -7,6 +7,7 @@ import {
   type LengthFormat,
   LoopBand,
   type Place,
+  PointMarks,
   type Stage,
   lengthFormat,
 } from '../view/index.js';
@@ -53,6 +54,7 @@ export class Presented {
   readonly loops: LoopsOnSurface;
   readonly tips: TipsOnSurface;
   private readonly smoother: Latest<PartsWish, Parts>;
+  private points: PointMarks | undefined;
   private marked: ArrayLike<number> | undefined;
   private wished: PartsWish | undefined;
   private format: LengthFormat;
@@ -160,6 +162,14 @@ export class Presented {
     this.stage.invalidate();
   }
 
+  showPoints(vertices: ArrayLike<number>): void {
+    if (this.points) this.stage.remove(this.points);
+    const { surface } = this.model;
+    const places = Array.from(vertices, (vertex) => surface.positionOf(vertex).toArray());
+    this.points = places.length > 0 ? new PointMarks(places) : undefined;
+    if (this.points) this.stage.add(this.points);
+  }
+
   flyTo(place: PlaceOnSurface, atOnce: boolean): void {
     this.stage.flyTo(this.placeOf(place), atOnce);
   }
@@ -197,6 +207,7 @@ export class Presented {
     this.smoother.clear();
     this.loops.dispose();
     this.tips.clear();
+    this.showPoints([]);
     this.model.dispose(keepsMesh);
     this.stage.show(undefined);
   }

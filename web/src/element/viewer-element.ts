@@ -8,6 +8,7 @@ import type {
   LoadOptions,
   Loop,
   LoopFormat,
+  Maximum,
   Mesh,
   MeshInfo,
   MeshSource,
@@ -16,6 +17,7 @@ import type {
   Parts,
   PartThresholds,
   PrintLimits,
+  SpectralOptions,
   SurfacePoint,
   Tips,
   WeakPlace,
@@ -103,8 +105,9 @@ interface Original {
  * - `src`: address of a model: GLB, glTF with its buffers beside it, OBJ, PLY, STL, OFF, or a zip.
  * - `unit`: the unit of lengths where the file does not say it, for example `mm`.
  * - `field`: what colours the surface: `igf` (the girth, default), `sdf` (the shape diameter), `geoaverage`
- *   and `geofarthest` (mean and greatest geodesic distance), `angle` (of the loop at its base), `kind` (of
- *   the loop), `tips` (how far the girth rises at the tip that a place is in), `parts` (tubes, plates and
+ *   and `geofarthest` (mean and greatest geodesic distance), `angle` (of the loop at its base), `hks`, `wks`
+ *   and `sihks` (one number of the heat, wave and scale-invariant heat kernel signatures), `kind` (of the
+ *   loop), `tips` (how far the girth rises at the tip that a place is in), `parts` (tubes, plates and
  *   body) or `none`.
  * - `colormap`: `viridis` (default), `cividis`, `plasma`, `magma`, `turbo`, or `rdbu`, which diverges and is
  *   the default where values have both signs.
@@ -447,6 +450,21 @@ export class GirthViewer extends HTMLElement {
     }
     const tips = await presented.model.tips();
     if (this.presented === presented && turn === this.tipsTurn) presented.tips.show(tips, choice);
+  }
+
+  /** Where a field is greatest, or least, among its surroundings; most persistent first. */
+  async maxima(name: FieldName, options: { minima?: boolean } = {}): Promise<Maximum[]> {
+    return this.require().model.maxima(name, options.minima ?? false);
+  }
+
+  /** Where heat stays longest, most persistent first: the paper's comparison with the tips. */
+  async heatMaxima(options: SpectralOptions = {}): Promise<Maximum[]> {
+    return this.require().model.heatMaxima(options);
+  }
+
+  /** Marks vertices with diamonds, to be compared with the tips; nothing said: none. */
+  showPoints(vertices: ArrayLike<number> = []): void {
+    this.require().showPoints(vertices);
   }
 
   /** Thresholds to start from; girth and shape diameter are computed first. */

@@ -89,8 +89,13 @@ export interface Dot {
   size: number;
 }
 
-/** Dots of one colour with a dark ring, in front of what is drawn up to `order`. */
-export function makeDots(dots: readonly Dot[], colour: string, order: number): Dots {
+/** Round dots or diamonds of one colour with a dark rim, in front of what is drawn up to `order`. */
+export function makeDots(
+  dots: readonly Dot[],
+  colour: string,
+  order: number,
+  shape: 'round' | 'diamond' = 'round',
+): Dots {
   const geometry = new BufferGeometry();
   const places = dots.flatMap(({ place }) => [place[0]!, place[1]!, place[2]!]);
   geometry.setAttribute('position', new BufferAttribute(Float32Array.from(places), 3));
@@ -121,7 +126,8 @@ export function makeDots(dots: readonly Dot[], colour: string, order: number): D
       uniform float pixelRatio;
       varying float vSize;
       void main() {
-        float radius = length(gl_PointCoord - 0.5) * (vSize + 2.0);
+        vec2 away = abs(gl_PointCoord - 0.5) * (vSize + 2.0);
+        float radius = ${shape === 'round' ? 'length(away)' : 'away.x + away.y'};
         float outer = 0.5 * vSize;
         float alpha = 1.0 - smoothstep(outer - 0.7, outer + 0.7, radius);
         if (alpha <= 0.0) discard;

@@ -9,6 +9,9 @@ export const fieldNames: readonly FieldName[] = [
   'geoaverage',
   'geofarthest',
   'angle',
+  'hks',
+  'wks',
+  'sihks',
 ];
 
 /** What is made of fields: the girth's kinds, the rise at the tip that a place is in, tubes and plates. */
@@ -17,7 +20,7 @@ export const derivedNames = ['kind', 'tips', 'parts'] as const;
 /** What can colour a surface. */
 export type ShownName = FieldName | (typeof derivedNames)[number] | 'none';
 
-const words: Record<ShownName | 'hks' | 'wks' | 'sihks', string> = {
+const words: Record<ShownName, string> = {
   igf: 'Girth',
   sdf: 'Shape diameter',
   geoaverage: 'Mean distance',
@@ -47,6 +50,18 @@ export function fieldTitle(name: ShownName): string {
 
 /** The unit of a field's values, where that of lengths is `unit`. */
 export function fieldUnit(name: ShownName, unit: string): string {
-  if (name === 'angle') return 'rad';
-  return name === 'kind' || name === 'parts' ? '' : unit;
+  switch (name) {
+    case 'angle':
+      return 'rad';
+    case 'hks':
+    case 'wks':
+      return unit && `1/${unit}²`;
+    case 'sihks':
+    case 'kind':
+    case 'parts':
+    case 'none':
+      return '';
+    default:
+      return unit;
+  }
 }

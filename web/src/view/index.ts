@@ -27,6 +27,7 @@ export {
   lengthFormat,
   roundTicks,
 } from './numbers.js';
+export { PointMarks } from './point-marks.js';
 export { quantile } from './plots/distribution.js';
 export { type CameraView, type Place, type ScreenPoint, Stage } from './stage.js';
 export { Surface, borrowedWeight, computedWeight } from './surface.js';
