@@ -20,6 +20,7 @@
 #include "girth/io/png.h"
 #include "girth/io/thumbnail.h"
 #include "girth/io/write_study.h"
+#include "girth/retrieval/descriptor_rows.h"
 #include "girth/retrieval/measures.h"
 #include "girth/retrieval/pair_distances.h"
 #include "girth/retrieval/signatures.h"
@@ -33,6 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using retrieval::Descriptor;
+using retrieval::DescriptorRows;
 using retrieval::MeanMeasures;
 using retrieval::PairDistances;
 using retrieval::RetrievalMeasures;
@@ -51,6 +53,24 @@ Error stopped() {
 }
 
 void say(const std::string& text) { std::fprintf(stderr, "girth: note: %s\n", text.c_str()); }
+
+/// The paper's, its composite both ways, and what does best without training.
+std::vector<std::string> defaultDescriptors() {
+  return {"igf",
+          "igf-ms",
+          "sdf",
+          "geoaverage",
+          "geofarthest",
+          "hks",
+          "sihks",
+          "wks",
+          "igf-sdf",
+          "igf+sdf",
+          "log-igf",
+          "log-sdf",
+          "log-igf+log-sdf",
+          "log-igf+log-sdf+sihks"};
+}
 
 /// "2/8": the third of eight shares, counted from 0.
 struct Shard {
@@ -112,41 +132,6 @@ Contents contentsOf(const Collection& collection, Loaded& loaded) {
   }
   return contents;
 }
-
-std::vector<std::string> baseNames(const std::vector<Descriptor>& descriptors) {
-  std::set<std::string> names;
-  for (const Descriptor& descriptor : descriptors) {
-    for (const Descriptor::Term& term : descriptor.terms) names.insert(term.name);
-  }
-  return {names.begin(), names.end()};
-}
-
-/// One descriptor's distances from the rows of what it is made of.
-class Rows {
- public:
-  Rows(const Descriptor& descriptor, const std::map<std::string, PairDistances>& bases,
-       std::size_t models)
-      : descriptor_(descriptor), bases_(bases), part_(models) {}
-
-  /// False if cancelled.
-  bool row(std::size_t model, std::vector<double>& row, const ExecutionContext& context) {
-    std::fill(row.begin(), row.end(), 0.0);
-    for (const Descriptor::Term& term : descriptor_.terms) {
-      const PairDistances& base = bases_.at(term.name);
-      if (!base.row(model, part_, context)) return false;
-      const double factor = descriptor_.terms.size() == 1 && term.weight == 1 ? 1
-                            : base.mean() > 0 ? term.weight / base.mean()
-                                              : 0;
-      for (std::size_t i = 0; i < row.size(); ++i) row[i] += factor * part_[i];
-    }
-    return true;
-  }
-
- private:
-  const Descriptor& descriptor_;
-  const std::map<std::string, PairDistances>& bases_;
-  std::vector<double> part_;
-};
 
 /// Greys of distances, from 0, dark, to twice the mean; several models to a pixel where there are
 /// more than fit.
@@ -267,7 +252,8 @@ class Retrieval {
     loaded_.notes = collection.notes;
     Contents contents = contentsOf(collection, loaded_);
     const std::vector<retrieval::FieldGroup> groups = retrieval::groupsOf(descriptors_);
-    Signatures signatures(baseNames(descriptors_), collection.models.size(), options_.signatures);
+    Signatures signatures(retrieval::termsOf(descriptors_), collection.models.size(),
+                          options_.signatures);
     std::vector<ModelFields::Work> works;
     std::vector<std::vector<std::size_t>> models;
     for (std::size_t w = 0; w < contents.works.size(); ++w) {
@@ -359,7 +345,7 @@ class Retrieval {
                  ": it has one model only, which can be found by none and is not asked for");
     }
     auto shared = std::make_shared<Signatures>(std::move(signatures));
-    for (const std::string& name : baseNames(descriptors_)) {
+    for (const std::string& name : retrieval::termsOf(descriptors_)) {
       bases_.emplace(name, PairDistances(loaded_.models.size(), [shared, name, originals](
                                                                     std::size_t a, std::size_t b) {
                        return shared->distance(name, originals[a], originals[b]);
@@ -399,7 +385,7 @@ class Retrieval {
     for (const CollectionModel& model : loaded_.models) classes.push_back(model.ofClass);
     MeanMeasures mean(classes);
     MatrixPicture matrix(n);
-    Rows rows(descriptor, bases_, n);
+    DescriptorRows rows(descriptor, bases_, n);
     std::vector<double> row(n);
     const bool shown = study_.descriptors.empty();
     if (shown) study_.shownDescriptor = descriptor.name;
@@ -558,7 +544,7 @@ class Retrieval {
 int runRetrieve(const RetrieveOptions& options) {
   std::vector<Descriptor> descriptors;
   for (const std::string& name :
-       options.descriptors.empty() ? retrieval::descriptorNames() : options.descriptors) {
+       options.descriptors.empty() ? defaultDescriptors() : options.descriptors) {
     auto descriptor = retrieval::parseDescriptor(name);
     if (!descriptor) return reportError("", descriptor.error());
     descriptors.push_back(std::move(descriptor).value());
