@@ -13,7 +13,10 @@ function withoutMoves({ camera, range, panel, ...rest }: PageState): PageState {
 
 export class Address {
   private timer: ReturnType<typeof setTimeout> | undefined;
-  private isHeld = true;
+  /** How many are still bringing about what the address says. */
+  private holders = 0;
+  /** What needs no writing: the state as it came about by itself, or was written last. */
+  private known = '';
 
   constructor(
     private readonly read: () => PageState,
@@ -37,25 +40,33 @@ export class Address {
     return link.href;
   }
 
-  /** Nothing is written while what the address says is still being brought about. */
-  hold(isHeld: boolean): void {
-    this.isHeld = isHeld;
-    if (isHeld) clearTimeout(this.timer);
+  /** Nothing is written until some work on bringing about what the address says is over. */
+  async during(work: Promise<unknown>): Promise<void> {
+    ++this.holders;
+    clearTimeout(this.timer);
+    await work.catch(() => undefined);
+    if (--this.holders === 0) this.changed();
+  }
+
+  /** What is shown now did not come about by hand. */
+  settle(): void {
+    this.known = writeState(this.read());
   }
 
   /** What is shown has changed: writes it before long. */
   changed(): void {
-    if (this.isHeld) return;
+    if (this.holders > 0) return;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.write(), delay);
   }
 
   private write(): void {
-    if (this.isHeld) return;
+    if (this.holders > 0) return;
     const before = this.state;
     const now = this.read();
     const text = writeState(now);
-    if (text === writeState(before)) return;
+    if (text === this.known || text === writeState(before)) return;
+    this.known = text;
     const address = text === '' ? location.pathname + location.search : `#${text}`;
     const isStep = writeState(withoutMoves(now)) !== writeState(withoutMoves(before));
     if (isStep) history.pushState(null, '', address);

@@ -85,8 +85,8 @@ function apply(state: PageState): void {
   parts.apply(state);
   panels[state.panel ?? 'loops'].open();
   if (state.camera) viewer.camera = state.camera;
-  address.hold(true);
-  void loops.apply(state).then(() => address.hold(false));
+  address.settle();
+  void address.during(loops.apply(state));
 }
 
 /** Opens the model that a link names, or the first example, and then applies the rest. */
@@ -105,7 +105,6 @@ async function go(state: PageState): Promise<void> {
     return;
   }
   wanted = state;
-  address.hold(true);
   const prepare = {
     ...(state.closed ? { closeHoles: true } : {}),
     ...(state.components ? { components: state.components } : {}),
@@ -113,10 +112,9 @@ async function go(state: PageState): Promise<void> {
   if (isAddress)
     await session.open({ source: state.model!, link: { model: state.model! }, prepare });
   else if (example) await openExample(example, prepare);
-  address.hold(false);
 }
 
-const address = new Address(read, (state) => void go(state));
+const address = new Address(read, (state) => void address.during(go(state)));
 
 // ---- opening models
 
@@ -220,4 +218,4 @@ explanation.addEventListener('click', (event) => {
 });
 
 await examples.prepare();
-void go(address.state).then(() => address.hold(false));
+void address.during(go(address.state));

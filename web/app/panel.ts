@@ -7,7 +7,7 @@ export class Panel {
   readonly element: HTMLDetailsElement;
   /** Where the panel's own things go. */
   readonly body = make('div', { class: 'body' });
-  private readonly count = make('output', { class: 'count' });
+  private readonly count = make('span', { class: 'count' });
 
   constructor(id: string) {
     this.element = byId<HTMLDetailsElement>(id);
