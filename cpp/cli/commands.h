@@ -125,4 +125,20 @@ int runParts(const PartsOptions& options);
 /// Finds out how well descriptors find shapes of the same class in a collection, and reports it.
 int runRetrieve(const RetrieveOptions& options);
 
+struct SignatureCommandOptions : ComparisonOptions {
+  std::string model;
+  std::string output;
+};
+
+/// Writes the histograms that a model is compared by.
+int runSignature(const SignatureCommandOptions& options);
+
+struct CompareOptions : ComparisonOptions {
+  std::vector<std::string> models;
+  bool json{false};
+};
+
+/// Says how far models are apart.
+int runCompare(const CompareOptions& options);
+
 }  // namespace girth::cli

@@ -13,6 +13,7 @@
 #include "girth/io/length_unit.h"
 #include "girth/io/number_text.h"
 #include "report.h"
+#include "study_options.h"
 
 namespace {
 
@@ -201,6 +202,24 @@ int run(int argc, char** argv) {
       "retrieve", "Measure how well descriptors find shapes of the same class in a collection");
   addRetrieveOptions(*retrieveCommand, retrieve);
 
+  SignatureCommandOptions signature;
+  CLI::App* signatureCommand =
+      app.add_subcommand("signature", "Write the histograms that a model is compared by");
+  signatureCommand->add_option("MODEL", signature.model, "The model to read")->required();
+  signatureCommand->add_option("-o,--output", signature.output, "Write them: .csv or .json")
+      ->required();
+  addComparisonOptions(*signatureCommand, signature);
+
+  CompareOptions compare;
+  CLI::App* compareCommand = app.add_subcommand("compare", "Say how far models are apart");
+  compareCommand->add_option("MODEL", compare.models, "Two models or more")->required();
+  addComparisonOptions(*compareCommand, compare);
+  compareCommand->add_flag("--json", compare.json, "Print the distances as JSON");
+
+  StudyOptions study;
+  CLI::App* studyCommand = app.add_subcommand("study", "Repeat one of the paper's studies");
+  addStudyOptions(*studyCommand, study);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -218,6 +237,9 @@ int run(int argc, char** argv) {
   if (tipsCommand->parsed()) return runTips(tips);
   if (partsCommand->parsed()) return runParts(parts);
   if (retrieveCommand->parsed()) return runRetrieve(retrieve);
+  if (signatureCommand->parsed()) return runSignature(signature);
+  if (compareCommand->parsed()) return runCompare(compare);
+  if (studyCommand->parsed()) return runStudy(*studyCommand, study);
   return runLoop(loop);
 }
 

@@ -18,8 +18,7 @@ void addComparisonOptions(CLI::App& command, ComparisonOptions& options) {
   command
       .add_option("--descriptors", options.descriptors,
                   "Which, with commas between: " + names +
-                      ", or sums of them such as igf+sdf and 2*igf+sdf; all of those named by "
-                      "default")
+                      ", or sums of them such as igf+sdf and 2*igf+sdf")
       ->delimiter(',');
   command
       .add_option("--faces", options.fields.faces,
@@ -62,6 +61,14 @@ void addComparisonOptions(CLI::App& command, ComparisonOptions& options) {
       "Count each feature to its nearest word only, not softly to all");
   command.add_option("--seed", options.signatures.vocabulary.seed,
                      "What the words are drawn with; 1 by default");
+  command
+      .add_option("--pairs", options.fields.spectrum.pairs,
+                  "hks, sihks, wks: eigenpairs at most; 300 by default")
+      ->check(CLI::Range(Index{2}, Index{100'000}));
+  command
+      .add_option("--sihks-eigenfunctions", options.fields.sihks.eigenfunctions,
+                  "sihks: use so many of them only; all by default")
+      ->check(CLI::Range(Index{1}, Index{100'000}));
   command
       .add_option("--threads", options.threads, "Threads; as many as there are cores by default")
       ->check(CLI::Range(1u, 1024u));

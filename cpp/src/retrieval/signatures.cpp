@@ -15,14 +15,16 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 enum class Kind : std::uint8_t { Scalar, Joint, Words };
 
 struct Row {
-  std::string_view name;
+  std::string name;
   Kind kind;
   /// The fields it is made of; the second only of joint ones.
   std::string_view field, second;
   std::vector<FieldGroup> groups;
+  /// Values count by their logarithms.
+  bool logarithm{false};
 };
 
-const std::vector<Row>& table() {
+const std::vector<Row>& plainTable() {
   static const std::vector<Row> rows{
       {"igf", Kind::Scalar, "igf", "", {FieldGroup::Girth}},
       {"igf-ms", Kind::Scalar, "igf-ms", "", {FieldGroup::MarchedGirth}},
@@ -37,6 +39,20 @@ const std::vector<Row>& table() {
   return rows;
 }
 
+const std::vector<Row>& table() {
+  static const std::vector<Row> rows = [] {
+    std::vector<Row> all = plainTable();
+    for (Row row : plainTable()) {
+      if (row.kind != Kind::Scalar) continue;
+      row.name = "log-" + row.name;
+      row.logarithm = true;
+      all.push_back(std::move(row));
+    }
+    return all;
+  }();
+  return rows;
+}
+
 const Row* rowOf(std::string_view name) {
   const auto row = std::find_if(table().begin(), table().end(),
                                 [&](const Row& candidate) { return candidate.name == name; });
@@ -46,7 +62,7 @@ const Row* rowOf(std::string_view name) {
 Error notADescriptor(std::string_view text) {
   Error error = makeError(ErrorCode::Usage, -1, "\"" + std::string(text) + "\" is no descriptor");
   error.hint = "use";
-  for (const Row& row : table()) error.hint += " " + std::string(row.name) + ",";
+  for (const Row& row : table()) error.hint += " " + row.name + ",";
   error.hint += " or sums such as igf+sdf and 2*igf+sdf";
   return error;
 }
@@ -68,6 +84,13 @@ bool parseWeight(std::string_view text, double& weight) {
   }
   weight = static_cast<double>(digits) / static_cast<double>(scale);
   return count > 0 && weight > 0 && weight <= 1e6;
+}
+
+/// What is not positive has none.
+std::vector<double> logarithmsOf(std::span<const double> values) {
+  std::vector<double> logarithms(values.begin(), values.end());
+  for (double& value : logarithms) value = value > 0 ? std::log(value) : kNone;
+  return logarithms;
 }
 
 /// The values on their common scale.
@@ -114,7 +137,7 @@ FeatureSample sampleOf(const StudyField& field, const std::vector<double>& weigh
 
 std::vector<std::string> descriptorNames() {
   std::vector<std::string> names;
-  for (const Row& row : table()) names.emplace_back(row.name);
+  for (const Row& row : table()) names.push_back(row.name);
   return names;
 }
 
@@ -174,7 +197,10 @@ struct Signatures::Content {
     if (field == nullptr) return;
     switch (column.row->kind) {
       case Kind::Scalar:
-        column.distributions[model] = distributionOf(field->values, fields.weights);
+        column.distributions[model] =
+            column.row->logarithm
+                ? retrieval::distributionOf(logarithmsOf(field->values), fields.weights)
+                : retrieval::distributionOf(field->values, fields.weights);
         rescale(column.distributions[model], options.scale);
         break;
       case Kind::Joint: {
@@ -201,8 +227,8 @@ struct Signatures::Content {
     column.range = rangeOf(ends);
     for (Distribution& distribution : column.distributions) {
       column.histograms.push_back(histogramOf(distribution, column.range, options.bins));
-      distribution = {};
     }
+    column.distributions.clear();
   }
 
   /// The standard deviations of both fields over all models: what makes lengths of different kinds
@@ -296,6 +322,13 @@ void Signatures::addWords(std::size_t model, const StudyFields& fields) {
     column.bags[model] =
         bagOfFeatures(column.vocabulary, field->values, fields.weights, content_->options.words);
   }
+}
+
+const Distribution* Signatures::distributionOf(std::string_view name, std::size_t model) const {
+  const auto found = content_->columns.find(name);
+  if (found == content_->columns.end()) return nullptr;
+  const auto& distributions = found->second.distributions;
+  return model < distributions.size() ? &distributions[model] : nullptr;
 }
 
 double Signatures::distance(std::string_view name, std::size_t one, std::size_t two) const {

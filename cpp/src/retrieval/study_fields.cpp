@@ -1,5 +1,6 @@
 #include "girth/retrieval/study_fields.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -12,6 +13,8 @@
 namespace girth::retrieval {
 
 namespace {
+
+constexpr Index kVerticesPerPair = 5, kLeastPairs = 10;
 
 Error stopped() { return makeError(ErrorCode::Cancelled, -1, "stopped before it was finished"); }
 
@@ -62,7 +65,10 @@ Result<std::vector<StudyField>> spectralFields(const SurfaceMesh& surface,
                                                const FieldParameters& parameters,
                                                const ExecutionContext& context) {
   constexpr std::size_t kTimes = 16;
-  const auto spectrum = laplaceSpectrum(surface, parameters.spectrum, context);
+  SpectrumOptions options = parameters.spectrum;
+  options.pairs =
+      std::min(options.pairs, std::max(kLeastPairs, surface.vertexCount() / kVerticesPerPair));
+  const auto spectrum = laplaceSpectrum(surface, options, context);
   if (!spectrum) return spectrum.error();
   std::vector<double> times;
   for (std::size_t i = 0; i < kTimes; ++i) {
@@ -186,7 +192,8 @@ std::string parametersText(FieldGroup group, const FieldParameters& parameters) 
   }
   if (group == FieldGroup::Spectral) {
     const SihksOptions& sihks = parameters.sihks;
-    text += " pairs " + std::to_string(parameters.spectrum.pairs) + " sihks";
+    text += " pairs " + std::to_string(parameters.spectrum.pairs) + " of " +
+            std::to_string(kVerticesPerPair) + " sihks";
     for (const double value :
          {sihks.base, sihks.first, sihks.last, sihks.step, sihks.referenceArea}) {
       text += " " + exactText(value);

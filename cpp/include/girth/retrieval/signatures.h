@@ -19,7 +19,8 @@ namespace girth::retrieval {
 
 /// The names of the descriptors that stand by themselves: "igf", "igf-ms", "sdf", "geoaverage" and
 /// "geofarthest" are distributions of a field; "hks", "sihks" and "wks" are bags of features;
-/// "igf-sdf" is the joint distribution of two fields.
+/// "igf-sdf" is the joint distribution of two fields. "log-igf" and so on are the distributions of
+/// logarithms: values count by their ratios, and so thin parts as much as thick ones.
 std::vector<std::string> descriptorNames();
 
 /// A descriptor: one of those above, or a weighted sum of some.
@@ -80,6 +81,10 @@ class Signatures {
   /// How far two models are apart by one of the names. Symmetric; NaN where one of them has no
   /// value at all. May be called by several threads.
   double distance(std::string_view name, std::size_t one, std::size_t two) const;
+
+  /// The distribution of a one-dimensional descriptor; null for the others, and once `finish` has
+  /// turned distributions into histograms.
+  const Distribution* distributionOf(std::string_view name, std::size_t model) const;
 
  private:
   struct Content;

@@ -41,6 +41,8 @@ struct FieldParameters {
   bool unitArea{true};
   ShapeDiameterOptions diameter;
   DistanceMethod distances{DistanceMethod::FastMarching};
+  /// Never more than one pair for 5 vertices (but 10): faster waves tell of the triangles, not of
+  /// the shape, and spoil wks.
   SpectrumOptions spectrum;
   SihksOptions sihks;
   WksOptions wks;
