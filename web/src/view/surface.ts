@@ -94,8 +94,9 @@ export class Surface {
       vertexShader,
       fragmentShader,
       side: DoubleSide,
+      defines: { SHADING: shadingModes.scalar },
       uniforms: {
-        mode: { value: shadingModes.plain },
+        coloured: { value: 0 },
         colormap: { value: this.texture },
         range: { value: new Vector2(0, 1) },
         isolines: { value: 0 },
@@ -139,6 +140,7 @@ export class Surface {
    * changes by more than `steepest` for each unit of length it jumps, and has no lines.
    */
   setIsolines(count: number, steepest: number): void {
+    this.define('LINES', count > 0 ? '' : undefined);
     this.material.uniforms['isolines']!.value = count;
     this.material.uniforms['steepest']!.value = Math.min(steepest, 1e30);
   }
@@ -150,7 +152,8 @@ export class Surface {
 
   /** What the surface is coloured by, of what was set before. */
   shadeBy(mode: ShadingMode): void {
-    this.material.uniforms['mode']!.value = shadingModes[mode];
+    this.material.uniforms['coloured']!.value = mode === 'plain' ? 0 : 1;
+    this.define('SHADING', shadingModes[mode === 'plain' ? 'scalar' : mode]);
   }
 
   /** The value of one vertex and how strongly it shows; weight 0 is plain grey. */
@@ -200,15 +203,31 @@ export class Surface {
 
   /** Shows these vertices as they are and fades the others; undefined: all as they are. */
   mark(vertices: ArrayLike<number> | undefined): void {
-    this.material.uniforms['marking']!.value = vertices ? 1 : 0;
+    this.setFlags('marking', vertices !== undefined);
     this.setFlag(0, vertices ? [vertices] : []);
   }
 
   /** Tints regions, one of them strongly. */
   tint(regions: readonly ArrayLike<number>[], selected: ArrayLike<number> | undefined): void {
-    this.material.uniforms['tinting']!.value = regions.length > 0 || selected ? 1 : 0;
+    this.setFlags('tinting', regions.length > 0 || selected !== undefined);
     this.setFlag(1, regions);
     this.setFlag(2, selected ? [selected] : []);
+  }
+
+  private setFlags(use: 'marking' | 'tinting', used: boolean): void {
+    const { uniforms } = this.material;
+    uniforms[use]!.value = used ? 1 : 0;
+    const isUsed = uniforms['marking']!.value === 1 || uniforms['tinting']!.value === 1;
+    this.define('FLAGS', isUsed ? '' : undefined);
+  }
+
+  /** Chooses the program: one that is new to the page is compiled with the next frame. */
+  private define(name: string, value: unknown): void {
+    const { defines } = this.material;
+    if (defines![name] === value) return;
+    if (value === undefined) delete defines![name];
+    else defines![name] = value;
+    this.material.needsUpdate = true;
   }
 
   private setFlag(component: number, regions: readonly ArrayLike<number>[]): void {
