@@ -207,7 +207,7 @@ export class FieldPanel {
   /** Colours the surface as an open panel wants it, and afterwards as it was. */
   colourForPanel(name: ShownName, wanted: boolean): void {
     if (wanted) {
-      if (this.name !== name) this.before = this.name;
+      this.before = this.name;
       this.choose(name);
     } else if (this.name === name) {
       this.choose(this.before ?? 'igf');

@@ -32,7 +32,11 @@ const field = new FieldPanel(viewer, computed, {
   tipRises: () => tips.rises,
 });
 const loops = new PinnedList(viewer, changed);
-const tips = new TipsPanel(viewer, { changed, found: () => field.refresh() });
+const tips = new TipsPanel(viewer, {
+  changed,
+  found: () => field.refresh(),
+  colour: (bySdf) => field.colourForPanel('sdf', bySdf),
+});
 const parts = new PartsPanel(viewer, {
   changed,
   found: () => field.refresh(),

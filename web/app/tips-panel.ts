@@ -6,6 +6,7 @@ import type { PageState } from './address-state.js';
 import { formatArea } from './area-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
+import { TipRivals } from './tip-rivals.js';
 
 const steps = 200;
 
@@ -15,6 +16,8 @@ export interface TipsPage {
   changed(): void;
   /** The tips are known. */
   found(): void;
+  /** Colours the surface by thickness, beside the tips, or as before. */
+  colour(bySdf: boolean): void;
 }
 
 export class TipsPanel {
@@ -31,6 +34,7 @@ export class TipsPanel {
     value: '0',
   });
   private readonly jumpText = make('output', { for: 'tips-jump' });
+  private readonly rivals: TipRivals;
   private readonly words = make('p', { class: 'hint', role: 'status' });
   /** How far the girth rises at the tip that each vertex is in, 0 elsewhere. */
   rises: Float64Array | undefined;
@@ -43,6 +47,7 @@ export class TipsPanel {
     private readonly page: TipsPage,
   ) {
     this.shown.checked = true;
+    this.rivals = new TipRivals(viewer, page);
     this.panel.body.append(
       this.words,
       make('label', { class: 'check' }, this.shown, ' Show them on the surface'),
@@ -57,6 +62,7 @@ export class TipsPanel {
       this.arcsTitle,
       make('p', { class: 'hint' }, 'Here the girth jumps, but nothing is cut off.'),
       this.arcs.element,
+      this.rivals.element,
     );
     this.shown.addEventListener('change', () => this.draw());
     this.jump.addEventListener('input', () => {
@@ -67,6 +73,7 @@ export class TipsPanel {
     this.panel.onToggle((isOpen) => {
       this.draw();
       if (isOpen) void this.compute();
+      else this.rivals.clear(this.tips?.tips.length ?? 0);
       page.changed();
     });
     viewer.addEventListener('unit', () => this.refresh());
@@ -80,6 +87,7 @@ export class TipsPanel {
     this.selected = undefined;
     this.pending = {};
     this.jump.value = '0';
+    this.rivals.clear(0);
     this.refresh();
   }
 
@@ -116,6 +124,7 @@ export class TipsPanel {
         for (const vertex of vertices) this.rises[vertex] = jump;
       }
       this.applyPending(false);
+      this.rivals.expect(tips.tips.length);
       this.page.found();
     } catch (error) {
       if (viewer.info !== info) return;
