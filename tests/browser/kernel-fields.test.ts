@@ -200,6 +200,61 @@ for (const mode of ['threads', 'pool'] as const) {
       }
     });
 
+    test('shapes compared: by themselves, each with itself, by their own difference', async () => {
+      const result = await page.evaluate(
+        async ([a, b, c]) => {
+          const kernel = await girth.createKernel({ threads: 2 });
+          const meshes = [];
+          for (const text of [a, b, c]) meshes.push(await kernel.load(girth.obj(text)));
+          const progress: number[] = [];
+          const { matrices, failed } = await kernel.compare(meshes, {
+            descriptors: ['igf', 'sdf', 'geofarthest', 'igf-ms', 'sihks', 'igf-sdf', '2*igf+sdf'],
+            onProgress: (share) => progress.push(share),
+          });
+          const differences = [];
+          for (const name of ['igf', 'sdf', 'geofarthest'] as const) {
+            const fields = [await meshes[0]!.field(name), await meshes[1]!.field(name)];
+            differences.push(await meshes[0]!.difference(fields[0]!, meshes[1]!, fields[1]!));
+          }
+          const refused = [
+            await girth.refusal(kernel.compare(meshes, { descriptors: ['igf', 'none'] })),
+            await girth.refusal(kernel.compare(meshes, { descriptors: ['igf'], faces: -1 })),
+          ];
+          const few = await kernel.compare(meshes, { descriptors: ['igf'], faces: 300 });
+          kernel.dispose();
+          const plain = matrices.map(({ distances }) => Array.from(distances));
+          const fewer = Array.from(few.matrices[0]!.distances);
+          return { matrices: plain, failed, progress, differences, refused, fewer };
+        },
+        [bulbs, torus(24, 16), torus(30, 18)] as const,
+      );
+      expect(result.failed).toEqual([]);
+      result.matrices.forEach((matrix) => {
+        for (let i = 0; i < 3; ++i) {
+          expect(matrix[4 * i]).toBe(0);
+          for (let k = 0; k < i; ++k) {
+            expect(matrix[3 * i + k]).toBeGreaterThan(0);
+            expect(matrix[3 * i + k]).toBe(matrix[3 * k + i]);
+          }
+        }
+        // Two tori are more alike than a torus and the bulbs.
+        expect(matrix[5]!).toBeLessThan(Math.min(matrix[1]!, matrix[2]!));
+      });
+      result.differences.forEach((difference, d) => {
+        expect(result.matrices[d]![1]! / difference).toBeCloseTo(1, 9);
+      });
+      // Scaled to its mean, each part counts by its weight.
+      const mean = (matrix: number[]) => (matrix[1]! + matrix[2]! + matrix[5]!) / 3;
+      const [igf, sdf] = [result.matrices[0]!, result.matrices[1]!];
+      const sum = (2 * igf[1]!) / mean(igf) + sdf[1]! / mean(sdf);
+      expect(result.matrices[6]![1]! / sum).toBeCloseTo(1, 9);
+      expect(result.fewer[1]! / igf[1]!).toBeGreaterThan(0.5);
+      expect(result.fewer[1]! / igf[1]!).toBeLessThan(2);
+      expect(result.progress).toEqual([...result.progress].sort((a, b) => a - b));
+      expect(result.progress.at(-1)).toBe(1);
+      expect(result.refused.map(({ code }) => code)).toEqual(['USAGE', 'INVALID_OPTION']);
+    });
+
     test('a field in mid-run is cancelled, and the next one starts', async () => {
       const result = await page.evaluate(
         async ([long, short]) => {

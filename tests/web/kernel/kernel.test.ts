@@ -26,7 +26,7 @@ async function fakeKernel(behaviour: Behaviour, threads = 3) {
     return worker;
   };
   const [single, workshop] = [makeFor(workers), makeFor(readers)];
-  const factory = { single, threads: single, workshop, spectral: makeFor(spectral) };
+  const factory = { single, threads: single, workshop, studies: makeFor(spectral) };
   const kernel = await openKernel({ threads, mode: 'pool' }, factory);
   return { kernel, workers, readers, spectral };
 }
@@ -413,6 +413,103 @@ describe('spectral fields', () => {
   });
 });
 
+describe('comparing shapes', () => {
+  /** Fakes whose shapes are as far apart as their vertex counts; `broken` faces fail. */
+  const comparing =
+    (asked: object[], broken = -1): Behaviour =>
+    (request, report) => {
+      const args = request.arguments as {
+        arrays: { positions: Float64Array };
+        group: string;
+        faces: number;
+        models: { weights: Float64Array }[][];
+        descriptors: string[];
+      };
+      switch (request.operation) {
+        case 'take': {
+          const { positions } = args.arrays;
+          return fakeSurface(positions.length / 3)(request, report);
+        }
+        case 'fieldGroups':
+          return { groups: ['igf', 'sdf'] };
+        case 'studyFields': {
+          const count = args.arrays.positions.length / 3;
+          asked.push([count, args.group, args.faces]);
+          if (count === broken) throw new GirthError({ ...usage, message: 'it is broken' });
+          report({ progress: 0.5 });
+          return { weights: new Float64Array(count), fields: [] };
+        }
+        case 'compare': {
+          const sizes = args.models.map((groups) => groups[0]!.weights.length);
+          const matrix = sizes.flatMap((a) => sizes.map((b) => Math.abs(a - b)));
+          return { matrices: args.descriptors.map(() => Float64Array.from(matrix)) };
+        }
+        default:
+          return {};
+      }
+    };
+  const usage = { code: 'USAGE', element: -1, hint: '' };
+  const arraysOf = (count: number) => ({
+    positions: new Float64Array(3 * count),
+    indices: new Uint32Array(3),
+  });
+
+  test('every pair, by every descriptor; what is known is not computed again', async () => {
+    const asked: object[] = [];
+    const { kernel } = await fakeKernel(comparing(asked));
+    const meshes = [];
+    for (const count of [3, 5, 9]) meshes.push(await kernel.load(arraysOf(count)));
+    const progress: number[] = [];
+    const descriptors = ['igf', 'igf+sdf'];
+    const result = await kernel.compare(meshes, {
+      descriptors,
+      onProgress: (share) => progress.push(share),
+    });
+    expect(result.failed).toEqual([]);
+    expect(result.matrices.map(({ descriptor }) => descriptor)).toEqual(descriptors);
+    expect([...result.matrices[1]!.distances]).toEqual([0, 2, 6, 2, 0, 4, 6, 4, 0]);
+    expect(asked).toHaveLength(6);
+    expect(asked).toContainEqual([5, 'sdf', 10_000]);
+    expect(progress).toEqual([...progress].sort((a, b) => a - b));
+    expect(progress.at(-1)).toBe(1);
+    await kernel.compare([meshes[2]!, meshes[0]!], { descriptors });
+    expect(asked).toHaveLength(6);
+    await kernel.compare(meshes.slice(1), { descriptors, faces: 500 });
+    expect(asked).toHaveLength(10);
+  });
+
+  test('a shape that fails is named, and the others are compared', async () => {
+    const { kernel } = await fakeKernel(comparing([], 5));
+    const meshes = [];
+    for (const count of [3, 5, 9]) meshes.push(await kernel.load(arraysOf(count)));
+    const { matrices, failed } = await kernel.compare(meshes, { descriptors: ['igf'] });
+    expect(failed).toMatchObject([{ shape: 1, error: { code: 'USAGE', message: 'it is broken' } }]);
+    expect([...matrices[0]!.distances]).toEqual([0, NaN, 6, NaN, NaN, NaN, 6, NaN, 0]);
+  });
+
+  test('is cancelled by its signal, and when one of the meshes is disposed of', async () => {
+    const surface = comparing([]);
+    const { kernel, spectral } = await fakeKernel((request, report) =>
+      request.operation === 'studyFields'
+        ? new Promise<object>(() => undefined)
+        : surface(request, report),
+    );
+    const meshes = [await kernel.load(arraysOf(3)), await kernel.load(arraysOf(5))];
+    const controller = new AbortController();
+    const { signal } = controller;
+    const first = codeOf(kernel.compare(meshes, { descriptors: ['igf'], signal }));
+    await vi.waitFor(() => expect(spectral).toHaveLength(2));
+    await vi.waitFor(() => expect(spectral[1]!.operations).toContain('studyFields'));
+    controller.abort();
+    expect(await first).toBe('CANCELLED');
+    expect(spectral.every(({ terminated }) => terminated)).toBe(true);
+    const second = codeOf(kernel.compare(meshes, { descriptors: ['igf'] }));
+    meshes[0]!.dispose();
+    expect(await second).toBe('CANCELLED');
+    expect(await codeOf(kernel.compare([{}] as never, { descriptors: [] }))).toBe('USAGE');
+  });
+});
+
 describe('loops', () => {
   test('the newest goes first, and aborted ones never run', async () => {
     const asked: number[] = [];
@@ -472,7 +569,7 @@ describe('starting and loading', () => {
     for (let i = 0; i < 2; ++i) {
       const kernel = await openKernel(
         { mode: 'threads', threads: 2 },
-        { single: make, threads, workshop: make, spectral: make },
+        { single: make, threads, workshop: make, studies: make },
       );
       expect(kernel.mode).toBe('pool');
     }
@@ -488,7 +585,7 @@ describe('starting and loading', () => {
       {
         single: () => new FakeWorker(fakeSurface(10)),
         workshop: () => new FakeWorker(fakeSurface(10)),
-        spectral: () => new FakeWorker(fakeSurface(10)),
+        studies: () => new FakeWorker(fakeSurface(10)),
         threads: () =>
           new FakeWorker(() => {
             throw new Error('no nested workers');
@@ -508,7 +605,7 @@ describe('starting and loading', () => {
           single: () => worker,
           threads: () => worker,
           workshop: () => worker,
-          spectral: () => worker,
+          studies: () => worker,
         },
       ),
     );
@@ -521,7 +618,7 @@ describe('starting and loading', () => {
     const never = () => new FakeWorker(() => new Promise<object>(() => undefined));
     const opening = openKernel(
       { mode: 'pool' },
-      { single: never, threads: never, workshop: never, spectral: never },
+      { single: never, threads: never, workshop: never, studies: never },
     );
     const refused = expect(opening).rejects.toMatchObject({
       code: 'INTERNAL',

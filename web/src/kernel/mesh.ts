@@ -15,7 +15,7 @@ import type {
   GirthAndDiameter,
   OpenedSurface,
   Report,
-  SpectralOperations,
+  StudiesOperations,
   WorkshopOperations,
   WrittenModel,
 } from './protocol.js';
@@ -78,6 +78,8 @@ export class MeshOfWorkers implements Mesh {
   readonly #kernel: KernelOfWorkers;
   readonly #inputOfVertex: Uint32Array;
   readonly #life = new AbortController();
+  /** Fires when the mesh is disposed of. */
+  readonly life = this.#life.signal;
 
   constructor(kernel: KernelOfWorkers, opened: OpenedSurface & { number: number }) {
     const { number, info, arrays, drawn, walls, vertexOfInput, inputOfVertex } = opened;
@@ -346,7 +348,7 @@ export class MeshOfWorkers implements Mesh {
 
   #makeSpectral<T>(
     signal: AbortSignal | undefined,
-    job: (worker: WorkerClient<SpectralOperations>) => Promise<T>,
+    job: (worker: WorkerClient<StudiesOperations>) => Promise<T>,
   ): Promise<T> {
     return this.#kernel.makeSpectral(this.#bytes, [signal, this.#life.signal], job);
   }

@@ -173,14 +173,33 @@ export interface WorkshopOperations extends CommonOperations {
   ];
 }
 
-/** A worker with the module that knows spectra; it is ended where its work is no longer wanted. */
-export interface SpectralOperations extends CommonOperations {
+/** Fields that shapes are compared by, and the weight of each vertex (`study_fields.h`). */
+export interface StudyFields {
+  weights: Float64Array<ArrayBuffer>;
+  /** `dimensions` numbers for each vertex. */
+  fields: { name: string; dimensions: number; values: Float64Array<ArrayBuffer> }[];
+}
+
+/**
+ * A worker with the module that knows spectra and compares shapes; it is ended where its work is no
+ * longer wanted.
+ */
+export interface StudiesOperations extends CommonOperations {
   /** Keeps the spectrum for the next request about the same surface. */
   spectralField: [
     { surface: number; field: SpectralRequest },
     { values: Float64Array<ArrayBuffer>; method: string },
   ];
   heatMaxima: [{ surface: number; field: SpectralRequest }, { maxima: Maximum[] }];
+  /** The groups of fields that descriptors need. */
+  fieldGroups: [{ descriptors: readonly string[] }, { groups: string[] }];
+  /** One group of a surface, made anew of about so many faces where it has more. */
+  studyFields: [{ arrays: SurfaceArrays; group: string; faces: number }, StudyFields];
+  /** For each descriptor the distances between all models, row after row. */
+  compare: [
+    { models: readonly (readonly StudyFields[])[]; descriptors: readonly string[] },
+    { matrices: Float64Array<ArrayBuffer>[] },
+  ];
 }
 
 /** The worker that hosts the module with threads. */

@@ -448,9 +448,36 @@ export interface RemeshedMesh extends Mesh {
   carryBack(values: Float64Array, options?: CallOptions): Promise<Float64Array>;
 }
 
+export interface CompareOptions extends WatchedOptions {
+  /**
+   * What to compare by (`retrieval/signatures.h`): 'igf', 'igf-ms', 'sdf', 'geoaverage',
+   * 'geofarthest' (with 'log-' before: their logarithms), 'hks', 'sihks', 'wks', 'igf-sdf', and sums
+   * such as '2*igf+sdf'.
+   */
+  descriptors: readonly string[];
+  /** Surfaces of more faces are made anew of about so many; 10,000 by default, 0: none is. */
+  faces?: number;
+}
+
+export interface Comparison {
+  /**
+   * For each descriptor the distances between all shapes, each scaled to area 1: that of i and j is
+   * `distances[i * shapes + j]`, NaN where one of them has no value or has failed.
+   */
+  matrices: { descriptor: string; distances: Float64Array }[];
+  /** Shapes whose fields could not be computed, by their place. */
+  failed: { shape: number; error: GirthErrorFields }[];
+}
+
 export interface Kernel {
   readonly mode: 'threads' | 'pool';
   readonly threads: number;
+  /**
+   * How far shapes are apart, two at a time in workers of their own; what was computed of a mesh is
+   * kept as long as the mesh. USAGE for descriptors that there are not; where all meshes fail, the
+   * first one's error.
+   */
+  compare(meshes: readonly Mesh[], options: CompareOptions): Promise<Comparison>;
   /** Reads, prepares and checks a model, in a worker of its own. */
   load(source: MeshSource, options?: LoadOptions): Promise<Mesh>;
   dispose(): void;

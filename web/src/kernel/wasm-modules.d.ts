@@ -198,7 +198,7 @@ declare module '*/girth-threads.mjs' {
   }): Promise<GirthThreadsModule>;
 }
 
-declare module '*/girth-spectral.mjs' {
+declare module '*/girth-studies.mjs' {
   type OnProgress = (fraction: number) => void;
 
   export interface SpectralSurface {
@@ -215,11 +215,23 @@ declare module '*/girth-spectral.mjs' {
     delete(): void;
   }
 
-  export interface GirthSpectralModule {
+  export interface GirthStudiesModule {
     spectralSurface(
       arrays: import('./protocol.js').SurfaceArrays,
     ): { surface: SpectralSurface } | Failed;
+    fieldGroups(descriptors: readonly string[]): { groups: string[] } | Failed;
+    studyFields(
+      arrays: import('./protocol.js').SurfaceArrays,
+      group: string,
+      faces: number,
+      onProgress: OnProgress,
+    ): import('./protocol.js').StudyFields | Failed;
+    compare(
+      models: readonly (readonly import('./protocol.js').StudyFields[])[],
+      descriptors: readonly string[],
+      onProgress: OnProgress,
+    ): { matrices: Float64Array<ArrayBuffer>[] } | Failed;
   }
 
-  export default function createModule(): Promise<GirthSpectralModule>;
+  export default function createModule(): Promise<GirthStudiesModule>;
 }

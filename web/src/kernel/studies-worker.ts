@@ -1,13 +1,14 @@
-// A worker that computes spectra and what is made of them; it keeps the latest spectrum.
+// A worker that computes spectra and what is made of them (it keeps the latest spectrum), and compares
+// shapes.
 
 import createModule, {
-  type GirthSpectralModule,
+  type GirthStudiesModule,
   type SpectralSurface,
-} from './wasm/girth-spectral.mjs';
-import type { SpectralOperations } from './protocol.js';
+} from './wasm/girth-studies.mjs';
+import type { StudiesOperations } from './protocol.js';
 import { checked, progressTo, serveRequests } from './worker-loop.js';
 
-let module: GirthSpectralModule;
+let module: GirthStudiesModule;
 const surfaces = new Map<number, SpectralSurface>();
 
 /** The surface; spectra of others are let go of. */
@@ -18,7 +19,7 @@ function surfaceOf(number: number): SpectralSurface {
   return surface;
 }
 
-serveRequests<SpectralOperations>({
+serveRequests<StudiesOperations>({
   async start() {
     module = await createModule();
     return {};
@@ -35,6 +36,18 @@ serveRequests<SpectralOperations>({
 
   heatMaxima({ surface, field }, report) {
     return checked(surfaceOf(surface).heatMaxima(field, progressTo(report)));
+  },
+
+  fieldGroups({ descriptors }) {
+    return checked(module.fieldGroups(descriptors));
+  },
+
+  studyFields({ arrays, group, faces }, report) {
+    return checked(module.studyFields(arrays, group, faces, progressTo(report)));
+  },
+
+  compare({ models, descriptors }, report) {
+    return checked(module.compare(models, descriptors, progressTo(report)));
   },
 
   drop({ surface }) {
