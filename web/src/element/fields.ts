@@ -40,8 +40,9 @@ export class Fields {
     return this.states.get(name);
   }
 
-  get computing(): boolean {
-    return [...this.states.values()].some(({ running }) => running !== undefined);
+  /** Of the fields that are being computed, the one that was asked for first. */
+  get computing(): FieldName | undefined {
+    return [...this.states.values()].find(({ running }) => running)?.name;
   }
 
   /** The values there are, one per vertex; NaN where there is none, or none yet. */

@@ -17,7 +17,7 @@ export type {
   HoverDetail,
   LoadDetail,
   ProgressDetail,
-} from './viewer-element.js';
+} from './events.js';
 export type { PickDetail, PinnedLoop } from './loops-on-surface.js';
 export type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
 export type { ShownField } from './shading.js';

@@ -224,9 +224,9 @@ export class Surface {
   /** Chooses the program: one that is new to the page is compiled with the next frame. */
   private define(name: string, value: unknown): void {
     const { defines } = this.material;
-    if (defines![name] === value) return;
-    if (value === undefined) delete defines![name];
-    else defines![name] = value;
+    if (defines[name] === value) return;
+    if (value === undefined) delete defines[name];
+    else defines[name] = value;
     this.material.needsUpdate = true;
   }
 
