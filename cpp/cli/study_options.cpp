@@ -7,6 +7,7 @@ namespace girth::cli {
 namespace {
 
 constexpr const char* kAccuracy = "accuracy";
+constexpr const char* kRobustness = "robustness";
 
 }  // namespace
 
@@ -24,10 +25,15 @@ void addStudyOptions(CLI::App& group, StudyOptions& options) {
       ->add_option("--threads", options.accuracy.threads,
                    "Threads; as many as there are cores by default")
       ->check(CLI::Range(1u, 1024u));
+  addRobustnessOptions(
+      *group.add_subcommand(
+          kRobustness, "How little the girth changes with a surface's triangles, noise and pose"),
+      options.robustness);
 }
 
 int runStudy(const CLI::App& group, const StudyOptions& options) {
   if (group.got_subcommand(kAccuracy)) return runAccuracyStudy(options.accuracy);
+  if (group.got_subcommand(kRobustness)) return runRobustnessStudy(options.robustness);
   return 1;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "girth/surface_mesh.h"
+#include "robustness_study.h"
 
 namespace CLI {
 class App;
@@ -22,6 +23,7 @@ struct AccuracyOptions {
 /// Everything that can be studied.
 struct StudyOptions {
   AccuracyOptions accuracy;
+  RobustnessStudyOptions robustness;
 };
 
 /// Adds the studies to the command group `study`.

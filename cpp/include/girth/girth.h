@@ -20,6 +20,7 @@
 #include "girth/retrieval/histogram.h"
 #include "girth/retrieval/joint_histogram.h"
 #include "girth/retrieval/measures.h"
+#include "girth/retrieval/robustness.h"
 #include "girth/retrieval/pair_distances.h"
 #include "girth/retrieval/signatures.h"
 #include "girth/retrieval/study_fields.h"

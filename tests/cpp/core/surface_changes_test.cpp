@@ -100,15 +100,7 @@ TEST(SurfaceChanges, ABridgeIsAHandle) {
 }
 
 TEST(SurfaceChanges, PartsFaceEachOtherAcrossGaps) {
-  // A ring with a piece cut out: a banana whose ends face each other. Bent over 330 degrees.
-  test::Shape bent = test::prism(test::regularPolygon(12, 0.3), 20, 60);
-  for (Index v = 0; v < bent.vertexCount(); ++v) {
-    double* p = &bent.positions[3 * v];
-    const double angle = p[2] / 20 * 330 * M_PI / 180, radius = 3.5 + p[0];
-    p[0] = radius * std::cos(angle);
-    p[2] = radius * std::sin(angle);
-  }
-  const SurfaceMesh mesh = bent.mesh();
+  const SurfaceMesh mesh = test::bentRod(12, 60).mesh();
   const auto places = facingPlaces(mesh, 1);
   ASSERT_TRUE(places.ok());
   ASSERT_EQ(places.value().size(), 1u);
