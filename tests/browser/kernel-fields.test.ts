@@ -139,22 +139,25 @@ for (const mode of ['threads', 'pool'] as const) {
       expect(Math.max(...angles)).toBeGreaterThan(1);
     });
 
-    // Rounding differs between compilers: no bits here. The last pair is not one of two alike.
+    // Rounding differs between compilers: no bits here. On a surface whose values differ: of equal
+    // eigenvalues some may be cut off, and which eigenfunctions those are is arbitrary.
+    const uneven = torus(24, 16);
     const spectral: [SpectralFieldName, SpectralOptions, string[], string][] = [
-      ['hks', { pairs: 41, time: 0.01 }, ['--pairs', '41', '--time', '0.01'], 'hks'],
+      ['hks', { pairs: 40, time: 0.01 }, ['--pairs', '40', '--time', '0.01'], 'hks'],
       ['wks', { pairs: 60, component: 20 }, ['--pairs', '60'], 'wks_20'],
       ['sihks', { pairs: 60 }, ['--pairs', '60'], 'sihks_1'],
     ];
     test.each(spectral)('%s %o: what the command gives', async (name, spectral, words, named) => {
-      const native = column(written(bulbs, 'csv', 'field', '--field', name, ...words), named);
+      const native = column(written(uneven, 'csv', 'field', '--field', name, ...words), named);
       const { field, other, refused } = await page.evaluate(
-        async ([text, name, spectral]) => {
+        async ([text, symmetric, name, spectral]) => {
           const kernel = await girth.createKernel({ threads: 2 });
           const mesh = await kernel.load(girth.obj(text));
           const progress: number[] = [];
           const onProgress = (share: number) => progress.push(share);
           const field = girth.plain(await mesh.field(name, { spectral, onProgress }));
-          const other = girth.plain(await mesh.heatMaxima(spectral));
+          const two = await kernel.load(girth.obj(symmetric));
+          const other = girth.plain(await two.heatMaxima(spectral));
           const wrong = [{ pairs: 0 }, { pairs: NaN }, { component: 0 }, { component: 101 }];
           const refused = [];
           for (const one of wrong) {
@@ -164,7 +167,7 @@ for (const mode of ['threads', 'pool'] as const) {
           kernel.dispose();
           return { field: { ...field, progress }, other, refused };
         },
-        [bulbs, name, spectral] as const,
+        [uneven, bulbs, name, spectral] as const,
       );
       const largest = Math.max(...native.map(Math.abs));
       const off = field.values.map((value, v) => Math.abs(value - native[v]!) / largest);
