@@ -4,11 +4,11 @@
 
 #include <emscripten/bind.h>
 
-#include <cmath>
 #include <utility>
 
 #include "girth/tips.h"
 #include "girth/vertex_areas.h"
+#include "maxima.h"
 
 using emscripten::val;
 
@@ -135,6 +135,21 @@ val parts(const val& arrays, const val& fields, const val& options) {
   });
 }
 
+/// {maxima} of the values, or of their negatives, or an error.
+val maxima(const val& arrays, const val& values, bool minima) {
+  return guarded([&] {
+    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
+    if (!mesh) return toJs(mesh.error());
+    std::vector<double> heights = copyIn<double>(values);
+    const double sign = minima ? -1 : 1;
+    for (double& height : heights) height *= sign;
+    auto found = persistentMaxima(mesh.value(), heights);
+    if (!found) return toJs(found.error());
+    for (PersistentMaximum& maximum : found.value()) maximum.value *= sign;
+    return describe(found.value());
+  });
+}
+
 /// {places}, each a `WeakPlace` of types.ts, or an error.
 val weakPlaces(const val& arrays, const val& fields, const val& limits) {
   return guarded([&] {
@@ -165,6 +180,7 @@ EMSCRIPTEN_BINDINGS(girthAnalysis) {
   emscripten::function("tips", &tips);
   emscripten::function("suggestedThresholds", &thresholds);
   emscripten::function("parts", &parts);
+  emscripten::function("maxima", &maxima);
   emscripten::function("weakPlaces", &weakPlaces);
 }
 

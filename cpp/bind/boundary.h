@@ -77,9 +77,11 @@ inline emscripten::val fileOf(const Result<std::string>& content) {
   return result;
 }
 
-/// Tells JavaScript the finished share; nothing else can be told or heard while a module works.
+/// For the modules without threads: tells JavaScript the finished share; nothing else can be told
+/// or heard while a module works.
 inline ExecutionContext reportingTo(const emscripten::val& onProgress) {
   ExecutionContext context;
+  context.threads = 1;
   context.onProgress = [onProgress](double fraction) { onProgress(fraction); };
   return context;
 }

@@ -11,6 +11,8 @@
 #include "girth/girth_field.h"
 #include "girth/remesh.h"
 #include "model_options.h"
+#include "retrieve_options.h"
+#include "spectral_field.h"
 
 namespace girth::cli {
 
@@ -78,7 +80,7 @@ Result<RemeshedSurface> remeshModel(const std::string& model, const SurfaceMesh&
 struct FieldOptions {
   std::string model;
   ModelOptions preparing;
-  /// "sdf", "geoaverage" or "geofarthest".
+  /// "sdf", "geoaverage", "geofarthest", or a spectral one: "hks", "sihks" or "wks".
   std::string field;
   std::string output;
   unsigned threads{0};
@@ -88,6 +90,9 @@ struct FieldOptions {
   double coneDegrees{120};
   /// Of geoaverage and geofarthest: by windows instead of fast marching.
   bool exactDistances{false};
+  SpectralFieldOptions spectral;
+  /// How many of the most persistent maxima to list.
+  std::uint32_t maxima{0};
 };
 
 /// Computes another field than the girth at all vertices.
@@ -118,5 +123,24 @@ struct PartsOptions {
 
 /// Finds tubes, plates and body, or, with limits, the places that are too thin to print.
 int runParts(const PartsOptions& options);
+
+/// Finds out how well descriptors find shapes of the same class in a collection, and reports it.
+int runRetrieve(const RetrieveOptions& options);
+
+struct SignatureCommandOptions : ComparisonOptions {
+  std::string model;
+  std::string output;
+};
+
+/// Writes the histograms that a model is compared by.
+int runSignature(const SignatureCommandOptions& options);
+
+struct CompareOptions : ComparisonOptions {
+  std::vector<std::string> models;
+  bool json{false};
+};
+
+/// Says how far models are apart.
+int runCompare(const CompareOptions& options);
 
 }  // namespace girth::cli

@@ -11,6 +11,7 @@
 #include "girth/io/json_text.h"
 #include "girth/io/number_text.h"
 #include "girth/io/write_field.h"
+#include "girth/persistent_maxima.h"
 #include "interrupt.h"
 #include "progress_line.h"
 #include "report.h"
@@ -18,20 +19,21 @@
 namespace girth::cli {
 namespace {
 
-/// A field with its own memory.
-struct ComputedField {
-  std::string name, method;
-  std::vector<double> values;
-};
-
-Result<ComputedField> compute(const FieldOptions& options, const SurfaceMesh& mesh,
-                              const std::atomic<bool>& interrupted) {
+Result<std::vector<ComputedField>> compute(const FieldOptions& options,
+                                           const io::LoadedMesh& loaded,
+                                           const std::atomic<bool>& interrupted) {
+  const SurfaceMesh& mesh = loaded.mesh;
+  if (isSpectralField(options.field)) {
+    return computeSpectralField(options.field, options.spectral, options.model, mesh, loaded.unit,
+                                interrupted);
+  }
   const Error stopped = makeError(ErrorCode::Cancelled, -1, "stopped before it was finished");
   if (options.field == "sdf") {
     const ShapeDiameterOptions sdf{options.coneDegrees * std::numbers::pi / 180, options.rays};
     auto field = computeDiameter(options.model, mesh, sdf, options.threads, interrupted);
     if (!field) return field.error();
-    return ComputedField{"sdf", io::methodText(sdf), std::move(field.value().values)};
+    return std::vector<ComputedField>{
+        {"sdf", io::methodText(sdf), loaded.unit, std::move(field.value().values)}};
   }
   ExecutionContext context;
   context.threads = options.threads;
@@ -42,28 +44,66 @@ Result<ComputedField> compute(const FieldOptions& options, const SurfaceMesh& me
       options.exactDistances ? DistanceMethod::Exact : DistanceMethod::FastMarching;
   GeodesicExtent extent = geodesicExtent(mesh, distances, context);
   if (!extent.complete) return stopped;
-  return ComputedField{
-      options.field, std::string(io::toString(distances)),
-      options.field == "geoaverage" ? std::move(extent.average) : std::move(extent.farthest)};
+  return std::vector<ComputedField>{
+      {options.field, std::string(io::toString(distances)), loaded.unit,
+       options.field == "geoaverage" ? std::move(extent.average) : std::move(extent.farthest)}};
 }
 
 Result<std::string> contentFor(const std::string& extension, const std::string& model,
-                               const io::LoadedMesh& loaded, const io::VertexField& field) {
-  const std::array<io::VertexField, 1> fields{field};
+                               const io::LoadedMesh& loaded,
+                               const std::vector<ComputedField>& computed) {
+  std::vector<io::VertexField> fields;
+  for (const ComputedField& field : computed) {
+    fields.push_back({field.name, field.values, field.unit, field.method, {}});
+  }
   if (extension == ".csv") return io::fieldCsv(loaded, fields);
   if (extension == ".json") return io::fieldJson(loaded, fields, model);
-  if (extension == ".npy") return io::fieldNpy(loaded, field);
   if (extension == ".ply") return io::fieldPly(loaded, fields);
-  return io::fieldGlb(loaded, fields);
+  if (extension == ".glb") return io::fieldGlb(loaded, fields);
+  if (fields.size() == 1) return io::fieldNpy(loaded, fields[0]);
+  Error error = makeError(ErrorCode::Usage, -1, "NPY holds one number for each vertex here");
+  error.hint = "choose one with --only, or use .csv, .json, .ply or .glb";
+  return error;
 }
 
-void print(const FieldOptions& options, const io::LoadedMesh& loaded, const ComputedField& field) {
+/// The number of a vertex in the file; -1 where it was made here.
+std::int64_t inFile(const io::LoadedMesh& loaded, Index vertex) {
+  const Index input = loaded.inputOfVertex[vertex];
+  return input == kNoIndex ? -1 : static_cast<std::int64_t>(input);
+}
+
+std::string maximaJson(const io::LoadedMesh& loaded, const std::vector<PersistentMaximum>& maxima) {
+  std::string text;
+  for (const PersistentMaximum& maximum : maxima) {
+    text += (text.empty() ? "" : ",");
+    text += "{\"vertex\":" + std::to_string(inFile(loaded, maximum.vertex)) +
+            ",\"value\":" + io::formatNumber(maximum.value) +
+            ",\"persistence\":" + io::formatNumber(maximum.persistence) + "}";
+  }
+  return ",\"maxima\":[" + text + "]";
+}
+
+void printMaxima(const io::LoadedMesh& loaded, const std::vector<PersistentMaximum>& maxima) {
+  std::printf("  %7s %12s %12s  %s\n", "maximum", "value", "persistence", "vertex");
+  for (std::size_t i = 0; i < maxima.size(); ++i) {
+    const std::int64_t vertex = inFile(loaded, maxima[i].vertex);
+    std::printf("  %7zu %12s %12s  %s\n", i + 1, readable(maxima[i].value).c_str(),
+                readable(maxima[i].persistence).c_str(),
+                vertex < 0 ? "(made here)" : std::to_string(vertex).c_str());
+  }
+}
+
+void print(const FieldOptions& options, const io::LoadedMesh& loaded,
+           const std::vector<ComputedField>& fields, const std::vector<PersistentMaximum>& maxima) {
   std::vector<double> values;
-  std::copy_if(field.values.begin(), field.values.end(), std::back_inserter(values),
-               [](double value) { return !std::isnan(value); });
+  for (const ComputedField& field : fields) {
+    std::copy_if(field.values.begin(), field.values.end(), std::back_inserter(values),
+                 [](double value) { return !std::isnan(value); });
+  }
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
   const double median = n == 0 ? 0 : (values[(n - 1) / 2] + values[n / 2]) / 2;
+  const ComputedField& first = fields[0];
   if (options.json) {
     const auto number = [&](double value) {
       return n == 0 ? std::string("null") : io::formatNumber(value);
@@ -71,19 +111,26 @@ void print(const FieldOptions& options, const io::LoadedMesh& loaded, const Comp
     const std::string text =
         "{\"file\":" + io::jsonString(options.model) +
         ",\"field\":" + io::jsonString(options.field) +
-        ",\"method\":" + io::jsonString(field.method) + ",\"unit\":" + io::jsonString(loaded.unit) +
-        ",\"vertices\":" + std::to_string(field.values.size()) +
-        ",\"withValue\":" + std::to_string(n) + ",\"min\":" + number(n == 0 ? 0 : values.front()) +
-        ",\"median\":" + number(median) + ",\"max\":" + number(n == 0 ? 0 : values.back()) + "}\n";
+        ",\"method\":" + io::jsonString(first.method) + ",\"unit\":" + io::jsonString(first.unit) +
+        ",\"components\":" + std::to_string(fields.size()) +
+        ",\"vertices\":" + std::to_string(first.values.size()) +
+        ",\"withValue\":" + std::to_string(n / fields.size()) +
+        ",\"min\":" + number(n == 0 ? 0 : values.front()) + ",\"median\":" + number(median) +
+        ",\"max\":" + number(n == 0 ? 0 : values.back()) +
+        (options.maxima > 0 ? maximaJson(loaded, maxima) : "") + "}\n";
     std::fputs(text.c_str(), stdout);
     return;
   }
-  std::printf("%s: %s (%s) at %zu of %zu vertices\n", options.model.c_str(), options.field.c_str(),
-              field.method.c_str(), n, field.values.size());
+  const std::string components =
+      fields.size() == 1 ? "" : std::to_string(fields.size()) + " components ";
+  std::printf("%s: %s (%s) %sat %zu of %zu vertices\n", options.model.c_str(),
+              options.field.c_str(), first.method.c_str(), components.c_str(), n / fields.size(),
+              first.values.size());
   if (n == 0) return;
   std::printf("  min %s, median %s, max %s%s\n", readable(values.front()).c_str(),
               readable(median).c_str(), readable(values.back()).c_str(),
-              unitSuffix(loaded.unit).c_str());
+              isSpectralField(options.field) ? "" : unitSuffix(first.unit).c_str());
+  if (options.maxima > 0) printMaxima(loaded, maxima);
 }
 
 }  // namespace
@@ -101,18 +148,28 @@ int runField(const FieldOptions& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
-  const auto field = compute(options, loaded.value().mesh, catchInterrupts());
-  if (!field) return reportError(options.model, field.error());
+  const auto fields = compute(options, loaded.value(), catchInterrupts());
+  if (!fields) return reportError(options.model, fields.error());
+  std::vector<PersistentMaximum> maxima;
+  if (options.maxima > 0) {
+    if (fields.value().size() > 1) {
+      Error error = makeError(ErrorCode::Usage, -1, "maxima are those of one number a vertex");
+      error.hint = "choose one with --only";
+      return reportError("", error);
+    }
+    auto found = persistentMaxima(loaded.value().mesh, fields.value()[0].values);
+    if (!found) return reportError(options.model, found.error());
+    maxima = std::move(found).value();
+    maxima.resize(std::min<std::size_t>(maxima.size(), options.maxima));
+  }
   if (!options.output.empty()) {
-    const io::VertexField written{
-        field.value().name, field.value().values, loaded.value().unit, field.value().method, {}};
-    const auto content = contentFor(extension, options.model, loaded.value(), written);
+    const auto content = contentFor(extension, options.model, loaded.value(), fields.value());
     if (!content) return reportError(options.output, content.error());
     if (auto error = writeFile(options.output, content.value())) {
       return reportError(options.output, *error);
     }
   }
-  print(options, loaded.value(), field.value());
+  print(options, loaded.value(), fields.value(), maxima);
   return 0;
 }
 

@@ -13,6 +13,7 @@
 #include "girth/io/length_unit.h"
 #include "girth/io/number_text.h"
 #include "report.h"
+#include "study_options.h"
 
 namespace {
 
@@ -147,9 +148,10 @@ int run(int argc, char** argv) {
   addModelOptions(*fieldCommand, field.preparing);
   fieldCommand
       ->add_option("--field", field.field,
-                   "sdf (shape diameter), geoaverage or geofarthest (mean and greatest distance)")
+                   "sdf (shape diameter), geoaverage or geofarthest (mean and greatest distance), "
+                   "hks, sihks or wks (heat and wave kernel signatures)")
       ->required()
-      ->check(CLI::IsMember({"sdf", "geoaverage", "geofarthest"}));
+      ->check(CLI::IsMember({"sdf", "geoaverage", "geofarthest", "hks", "sihks", "wks"}));
   fieldCommand->add_option("-o,--output", field.output,
                            "Write the values: .csv, .json, .npy, .ply or .glb");
   fieldCommand->add_option("--rays", field.rays, "sdf: rays from each vertex; 30 by default")
@@ -159,6 +161,12 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(1e-3, 179.999));
   fieldCommand->add_flag("--exact", field.exactDistances,
                          "geoaverage, geofarthest: exact distances, not by fast marching");
+  addSpectralFieldOptions(*fieldCommand, field.spectral);
+  fieldCommand
+      ->add_option("--maxima", field.maxima,
+                   "List so many of the field's maxima, those that rise highest above their "
+                   "surroundings first; with hks: persistent heat maxima")
+      ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{1'000'000}));
   threadsOption(fieldCommand, field.threads);
   fieldCommand->add_flag("--json", field.json, "Print the summary as JSON");
 
@@ -192,6 +200,29 @@ int run(int argc, char** argv) {
   threadsOption(partsCommand, parts.threads);
   partsCommand->add_flag("--json", parts.json, "Print everything as JSON");
 
+  RetrieveOptions retrieve;
+  CLI::App* retrieveCommand = app.add_subcommand(
+      "retrieve", "Measure how well descriptors find shapes of the same class in a collection");
+  addRetrieveOptions(*retrieveCommand, retrieve);
+
+  SignatureCommandOptions signature;
+  CLI::App* signatureCommand =
+      app.add_subcommand("signature", "Write the histograms that a model is compared by");
+  signatureCommand->add_option("MODEL", signature.model, "The model to read")->required();
+  signatureCommand->add_option("-o,--output", signature.output, "Write them: .csv or .json")
+      ->required();
+  addComparisonOptions(*signatureCommand, signature);
+
+  CompareOptions compare;
+  CLI::App* compareCommand = app.add_subcommand("compare", "Say how far models are apart");
+  compareCommand->add_option("MODEL", compare.models, "Two models or more")->required();
+  addComparisonOptions(*compareCommand, compare);
+  compareCommand->add_flag("--json", compare.json, "Print the distances as JSON");
+
+  StudyOptions study;
+  CLI::App* studyCommand = app.add_subcommand("study", "Repeat one of the paper's studies");
+  addStudyOptions(*studyCommand, study);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -208,6 +239,10 @@ int run(int argc, char** argv) {
   if (fieldCommand->parsed()) return runField(field);
   if (tipsCommand->parsed()) return runTips(tips);
   if (partsCommand->parsed()) return runParts(parts);
+  if (retrieveCommand->parsed()) return runRetrieve(retrieve);
+  if (signatureCommand->parsed()) return runSignature(signature);
+  if (compareCommand->parsed()) return runCompare(compare);
+  if (studyCommand->parsed()) return runStudy(*studyCommand, study);
   return runLoop(loop);
 }
 

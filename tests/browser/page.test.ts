@@ -11,6 +11,7 @@ import type { GirthViewer } from '../../web/src/element/index.js';
 import type { SurfacePoint } from '../../web/src/kernel/index.js';
 import { watchLongTasks, withoutDrawing } from './long-tasks.js';
 import { torus } from './meshes.js';
+import { drop, pictures, site } from './page-support.js';
 import {
   chromiumForTests,
   repository,
@@ -21,9 +22,7 @@ import {
 } from './support.js';
 import { fieldBegun, fieldComplete, hover, loopByCommand, placeOnSurface } from './viewer-page.js';
 
-const site = join(repository, 'build/page');
 const data = join(repository, 'tests/data');
-const pictures = join(repository, 'build/pictures');
 
 const openPage = chromiumForTests();
 
@@ -31,23 +30,6 @@ beforeAll(() => {
   requireBuilt('build/page/index.html', 'build:page');
   mkdirSync(pictures, { recursive: true });
 });
-
-/** Drops a file onto the window, as from the desktop. */
-async function drop(page: Page, name: string, bytes: Buffer): Promise<void> {
-  await page.evaluate(
-    ({ name, base64 }) => {
-      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([bytes], name));
-      for (const type of ['dragenter', 'dragover', 'drop']) {
-        document.body.dispatchEvent(
-          new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }),
-        );
-      }
-    },
-    { name, base64: bytes.toString('base64') },
-  );
-}
 
 for (const isolated of [true, false]) {
   describe(isolated ? 'page, isolated' : 'page, not isolated', () => {
@@ -102,7 +84,7 @@ for (const isolated of [true, false]) {
     test('a dropped OBJ: the length under the pointer is the command’s', async () => {
       await modelIs('chair.glb');
       const file = join(data, 'prism.obj');
-      await drop(page, 'prism.obj', readFileSync(file));
+      await drop(page, { name: 'prism.obj', bytes: readFileSync(file) });
       await modelIs('prism.obj');
       await fieldComplete(viewer);
       expect(await page.locator('#invitation').isVisible()).toBe(false);
@@ -171,7 +153,7 @@ for (const isolated of [true, false]) {
     test('cancelled in mid-run it keeps what there is and says how much', async () => {
       await modelIs('chair.glb');
       // Minutes of work: it is in mid-run whenever the click comes.
-      await drop(page, 'endless.obj', Buffer.from(torus(160, 110)));
+      await drop(page, { name: 'endless.obj', bytes: Buffer.from(torus(160, 110)) });
       await modelIs('endless.obj');
       const progress = viewer.locator('[role=progressbar]');
       const words = viewer.getByText(/^partial: \d+% of vertices$/);
@@ -203,7 +185,7 @@ for (const isolated of [true, false]) {
       });
 
       // The workers are free again: another model is computed from end to end.
-      await drop(page, 'prism.obj', readFileSync(join(data, 'prism.obj')));
+      await drop(page, { name: 'prism.obj', bytes: readFileSync(join(data, 'prism.obj')) });
       await modelIs('prism.obj');
       await fieldComplete(viewer);
       expect(await words.isVisible()).toBe(false);
@@ -213,7 +195,7 @@ for (const isolated of [true, false]) {
       await modelIs('chair.glb');
       const message = viewer.getByRole('alert');
       for (const name of ['truncated.glb', 'text.glb', 'nan.obj', 'index.obj', 'empty.obj']) {
-        await drop(page, name, readFileSync(join(data, 'bad', name)));
+        await drop(page, { name, bytes: readFileSync(join(data, 'bad', name)) });
         const words = viewer.getByText(`${name} could not be used.`);
         await words.waitFor({ timeout: 20_000 });
         expect(await message.textContent()).toContain('What helps:');
@@ -235,11 +217,14 @@ for (const isolated of [true, false]) {
       expect(await viewer.getAttribute('colormap')).toBe('magma');
       const top = viewer.locator('.legend-tick').first();
       const before = await top.textContent();
-      await page.getByLabel('Upper end of the colour map').focus();
+      await page.getByLabel('Upper end of the colours').focus();
       for (let i = 0; i < 3; ++i) await page.keyboard.press('PageDown');
       expect(await top.textContent()).toMatch(/^≥/);
-      await page.getByRole('button', { name: 'Full range' }).click();
+      expect(await page.locator('#range').inputValue()).toBe('own');
+      await page.locator('#range').selectOption('full range');
       expect(await top.textContent()).toBe(before);
+      await page.locator('#range').selectOption('5 to 95 %');
+      await expect.poll(() => top.textContent()).toMatch(/^≥/);
       await page.getByLabel('Edges').check();
       expect(await viewer.getAttribute('edges')).toBe('');
     });

@@ -31,7 +31,7 @@ export interface ServeOptions {
   isolated?: boolean;
   /** A Content-Security-Policy, for example `strictPolicy`. */
   policy?: string;
-  /** Pages that need no file: path, for example '/test.html', to HTML. */
+  /** Pages and scripts that need no file: path, for example '/test.html', to content. */
   pages?: Record<string, string>;
   /** Another folder, served below '/data/'. */
   data?: string;
@@ -77,7 +77,8 @@ export async function serve(folder: string, options: ServeOptions = {}): Promise
     requests.push(path);
     const page = options.pages?.[path];
     if (page !== undefined) {
-      response.writeHead(200, { ...headers, 'Content-Type': mediaTypes['.html']! }).end(page);
+      const type = mediaTypes[extname(path)] ?? mediaTypes['.html']!;
+      response.writeHead(200, { ...headers, 'Content-Type': type }).end(page);
       return;
     }
     const [mount, root] = roots.find(([mount]) => path.startsWith(mount))!;

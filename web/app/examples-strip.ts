@@ -14,33 +14,37 @@ export interface Example {
 
 export class ExamplesStrip {
   private readonly about = make('p');
+  private readonly folder = new URL('examples/', document.baseURI);
   private readonly buttons = new Map<Example, HTMLButtonElement>();
 
   constructor(
     private readonly strip: HTMLElement,
-    private readonly load: (address: string) => void,
+    private readonly chosen: (example: Example) => void,
   ) {}
 
-  /** Fetches the list and opens its first example. */
-  async open(): Promise<void> {
-    const folder = new URL('examples/', document.baseURI);
-    const response = await fetch(new URL('index.json', folder));
+  /** Fetches the list. */
+  async prepare(): Promise<void> {
+    const response = await fetch(new URL('index.json', this.folder));
     const examples = (await response.json()) as Example[];
     for (const example of examples) {
       const button = make('button', { type: 'button', title: example.about }, example.title);
       button.dataset['example'] = example.name;
-      button.addEventListener('click', () => {
-        this.choose(example);
-        this.load(new URL(example.file, folder).href);
-      });
+      button.addEventListener('click', () => this.chosen(example));
       this.buttons.set(example, button);
     }
     this.strip.append(...this.buttons.values(), this.about);
-    this.buttons.values().next().value?.click();
+  }
+
+  get all(): Example[] {
+    return [...this.buttons.keys()];
+  }
+
+  addressOf({ file }: Example): string {
+    return new URL(file, this.folder).href;
   }
 
   /** Marks an example as the one that is shown; none where the user's own model is. */
-  choose(example: Example | undefined): void {
+  mark(example: Example | undefined): void {
     this.about.textContent = example?.about ?? '';
     for (const [one, button] of this.buttons) {
       button.setAttribute('aria-pressed', String(one === example));

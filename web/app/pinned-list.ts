@@ -1,36 +1,75 @@
 // The pinned loops, each with its length and a cross.
 
 import { type GirthViewer, type PinnedLoop, formatLength, make } from '../src/element/index.js';
+import type { PageState } from './address-state.js';
 import { byId } from './dom.js';
+import { Panel } from './panel.js';
 
-function row(viewer: GirthViewer, { id, loop }: PinnedLoop): HTMLElement {
-  const length = formatLength(loop.length, viewer.lengthFormat);
-  const remove = make(
-    'button',
-    { type: 'button', 'aria-label': `Remove loop ${id}, ${length}`, title: 'Remove' },
-    '✕',
-  );
-  remove.addEventListener('click', () => viewer.unpin(id));
-  const { base, kind } = loop;
-  const place = typeof base === 'number' ? `vertex ${base}` : `face ${base.face}`;
-  const words = { loop: place, antipodal: 'there and back', unresolved: 'or more' }[kind];
-  return make(
-    'li',
-    {},
-    make('i', {}, String(id)),
-    make('b', {}, length),
-    make('span', {}, words),
-    remove,
-  );
-}
+export class PinnedList {
+  readonly panel = new Panel('loops-panel');
+  private readonly list = byId('loops');
+  private readonly hint = byId('no-loops');
 
-/** Keeps the list as the element has it. */
-export function listPinnedLoops(viewer: GirthViewer): void {
-  const list = byId('loops');
-  const hint = byId('no-loops');
-  const refresh = (): void => {
-    list.replaceChildren(...viewer.pinned.map((pinned) => row(viewer, pinned)));
-    hint.hidden = viewer.pinned.length > 0;
-  };
-  for (const event of ['load', 'unit', 'field', 'pick']) viewer.addEventListener(event, refresh);
+  constructor(
+    private readonly viewer: GirthViewer,
+    private readonly changed: () => void,
+  ) {
+    this.panel.body.append(this.hint, this.list);
+    this.panel.onToggle(changed);
+    const refresh = (): void => this.refresh();
+    for (const event of ['load', 'unit', 'field', 'pick']) viewer.addEventListener(event, refresh);
+    viewer.addEventListener('pick', changed);
+  }
+
+  read(): PageState {
+    const loops = this.viewer.pinned.map(({ loop }) => loop.base);
+    return loops.length > 0 ? { loops } : {};
+  }
+
+  /** Pins what is missing and removes what is too much. */
+  async apply({ loops = [] }: PageState): Promise<void> {
+    const { viewer } = this;
+    const wanted = new Set(loops.map((base) => JSON.stringify(base)));
+    for (const { id, loop } of viewer.pinned) {
+      if (!wanted.delete(JSON.stringify(loop.base))) viewer.unpin(id);
+    }
+    const { info } = viewer;
+    for (const base of loops) {
+      if (viewer.info !== info) return;
+      // A place that this model does not have is no reason to complain.
+      if (wanted.delete(JSON.stringify(base))) await viewer.pin(base).catch(() => undefined);
+    }
+  }
+
+  private refresh(): void {
+    const { pinned } = this.viewer;
+    this.list.replaceChildren(...pinned.map((one) => this.row(one)));
+    this.hint.hidden = pinned.length > 0;
+    this.panel.summary = pinned.length > 0 ? String(pinned.length) : '';
+  }
+
+  private row({ id, loop }: PinnedLoop): HTMLElement {
+    const { viewer } = this;
+    const length = formatLength(loop.length, viewer.lengthFormat);
+    const remove = make(
+      'button',
+      { type: 'button', 'aria-label': `Remove loop ${id}, ${length}`, title: 'Remove' },
+      '✕',
+    );
+    remove.addEventListener('click', () => {
+      viewer.unpin(id);
+      this.changed();
+    });
+    const { base, kind } = loop;
+    const place = typeof base === 'number' ? `vertex ${base}` : `face ${base.face}`;
+    const words = { loop: place, antipodal: 'there and back', unresolved: 'or more' }[kind];
+    return make(
+      'li',
+      {},
+      make('i', {}, String(id)),
+      make('b', {}, length),
+      make('span', {}, words),
+      remove,
+    );
+  }
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "parallel.h"
+#include "random.h"
 
 namespace girth::retrieval {
 
@@ -12,25 +13,26 @@ namespace {
 
 constexpr std::size_t kGrain = 256;
 
-/// Repeatable random numbers (splitmix64), the same on every platform.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  /// In [0, 1).
-  double operator()() {
-    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15ull);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-
- private:
-  std::uint64_t state_;
-};
-
+/// Four sums at a time, which a processor adds side by side; the same order everywhere.
 double squaredDistance(const double* a, const double* b, std::size_t dimensions) {
+  double sums[4] = {0, 0, 0, 0};
+  std::size_t d = 0;
+  for (; d + 4 <= dimensions; d += 4) {
+    for (std::size_t k = 0; k < 4; ++k) sums[k] += (a[d + k] - b[d + k]) * (a[d + k] - b[d + k]);
+  }
+  for (; d < dimensions; ++d) sums[0] += (a[d] - b[d]) * (a[d] - b[d]);
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+/// The squared distance, or, where it is not below `enough`, any number of at least `enough`.
+double squaredDistanceBelow(const double* a, const double* b, std::size_t dimensions,
+                            double enough) {
+  constexpr std::size_t kStretch = 16;
   double sum = 0;
-  for (std::size_t d = 0; d < dimensions; ++d) sum += (a[d] - b[d]) * (a[d] - b[d]);
+  for (std::size_t d = 0; d < dimensions; d += kStretch) {
+    sum += squaredDistance(a + d, b + d, std::min(kStretch, dimensions - d));
+    if (sum >= enough) break;
+  }
   return sum;
 }
 
@@ -42,8 +44,9 @@ bool isFinite(const double* feature, std::size_t dimensions) {
 std::pair<std::size_t, double> nearestWord(const Vocabulary& vocabulary, const double* feature) {
   std::pair<std::size_t, double> nearest{0, std::numeric_limits<double>::infinity()};
   for (std::size_t w = 0; w < vocabulary.size(); ++w) {
-    const double distance = squaredDistance(
-        feature, vocabulary.words.data() + w * vocabulary.dimensions, vocabulary.dimensions);
+    const double distance =
+        squaredDistanceBelow(feature, vocabulary.words.data() + w * vocabulary.dimensions,
+                             vocabulary.dimensions, nearest.second);
     if (distance < nearest.second) nearest = {w, distance};
   }
   return nearest;

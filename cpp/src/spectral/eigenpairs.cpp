@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "mesh/angles.h"
+#include "random.h"
 
 namespace girth::spectral {
 
@@ -120,14 +121,9 @@ class InverseOperator {
 
 /// Numbers between −½ and ½, the same everywhere.
 Vector arbitraryVector(Eigen::Index n, std::uint64_t seed) {
+  Random random(seed);
   Vector x(n);
-  std::uint64_t state = 0x9E3779B97F4A7C15ull * (seed + 1);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    x[i] = static_cast<double>(state >> 11) * 0x1p-53 - 0.5;
-  }
+  for (Eigen::Index i = 0; i < n; ++i) x[i] = random() - 0.5;
   return x;
 }
 

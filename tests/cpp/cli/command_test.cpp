@@ -1,8 +1,6 @@
 // The girth command as a user runs it: what it prints, what it writes, and with which code it ends.
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,83 +9,22 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "command.h"
+
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-const std::string kData = GIRTH_TEST_DATA;
-
-std::string contentOf(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return lines;
-}
-
-struct Outcome {
-  int exitCode;
-  std::string output, errors;
-};
-
-/// A folder for the files of one test.
-class Command : public ::testing::Test {
- protected:
-  Command() {
-    std::string name = (fs::temp_directory_path() / "girth-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~Command() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  std::string write(const std::string& name, const std::string& content) const {
-    std::ofstream(path(name), std::ios::binary) << content;
-    return path(name);
-  }
-
-  /// Starts the command; `wait` ends it.
-  pid_t start(const std::vector<std::string>& arguments) const {
-    const pid_t child = fork();
-    if (child != 0) return child;
-    if (std::freopen(path("stdout").c_str(), "wb", stdout) == nullptr ||
-        std::freopen(path("stderr").c_str(), "wb", stderr) == nullptr) {
-      _exit(126);
-    }
-    std::vector<std::string> copies{GIRTH_COMMAND};
-    copies.insert(copies.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    for (std::string& copy : copies) pointers.push_back(copy.data());
-    pointers.push_back(nullptr);
-    execv(pointers[0], pointers.data());
-    _exit(127);
-  }
-
-  Outcome wait(pid_t child) const {
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-            contentOf(path("stdout")), contentOf(path("stderr"))};
-  }
-
-  Outcome run(const std::vector<std::string>& arguments) const { return wait(start(arguments)); }
-
-  fs::path folder_;
-};
+using girth::test::Command;
+using girth::test::contentOf;
+using girth::test::kData;
+using girth::test::linesOf;
+using girth::test::Outcome;
 
 TEST_F(Command, helpAndVersion) {
   const Outcome help = run({"--help"});
@@ -257,6 +194,26 @@ TEST_F(Command, tipsPartsAndFieldsOfASurface) {
   EXPECT_EQ(run({"field", model, "--field", "geoaverage"}).exitCode, 0);
   EXPECT_EQ(run({"field", model, "--field", "nothing"}).exitCode, 1);
   EXPECT_EQ(run({"field", model}).exitCode, 1);
+
+  // Spectral ones: several numbers a vertex, or one of them; maxima of a field.
+  const std::string csv = path("sihks.csv"), npy = path("wks.npy");
+  EXPECT_EQ(run({"field", model, "--field", "sihks", "-o", csv}).exitCode, 0);
+  EXPECT_TRUE(linesOf(contentOf(csv))[0].starts_with("vertex,sihks_1,sihks_2,"));
+  EXPECT_TRUE(linesOf(contentOf(csv))[0].ends_with(",sihks_19"));
+  const Outcome whole = run({"field", model, "--field", "wks", "-o", npy});
+  EXPECT_EQ(whole.exitCode, 1);
+  EXPECT_NE(whole.errors.find("--only"), std::string::npos);
+  EXPECT_EQ(run({"field", model, "--field", "wks", "--only", "100", "-o", npy}).exitCode, 0);
+  EXPECT_EQ(run({"field", model, "--field", "wks", "--only", "101", "-o", npy}).exitCode, 1);
+  EXPECT_EQ(run({"field", model, "--field", "hks", "--time", "nan"}).exitCode, 1);
+  EXPECT_EQ(run({"field", model, "--field", "hks", "--time", "0.1,0.2", "--maxima", "3"}).exitCode,
+            1);
+  const Json heat = Json::parse(
+      run({"field", model, "--field", "hks", "--time", "0.01", "--maxima", "2", "--json"}).output);
+  ASSERT_EQ(heat["maxima"].size(), 2u);
+  EXPECT_GE(heat["maxima"][0]["persistence"], heat["maxima"][1]["persistence"]);
+  EXPECT_EQ(heat["maxima"][0]["value"], heat["max"]);
+  EXPECT_EQ(heat["components"], 1);
 
   // A square prism of sides 1, 20 long: all tube, 4 / π across.
   const Json parts = Json::parse(run({"parts", model, "--json"}).output);

@@ -102,6 +102,17 @@ std::vector<double> regularPolygon(Index sides, double side, Index parts) {
   return polygon;
 }
 
+Shape bentRod(Index corners, Index rings) {
+  Shape shape = prism(regularPolygon(corners, 3.6 / corners), 20, rings);
+  for (Index v = 0; v < shape.vertexCount(); ++v) {
+    double* p = &shape.positions[3 * v];
+    const double angle = p[2] / 20 * 330 * M_PI / 180, radius = 3.5 + p[0];
+    p[0] = radius * std::cos(angle);
+    p[2] = radius * std::sin(angle);
+  }
+  return shape;
+}
+
 Shape pyramid(Index sides, double apexAngle, Index rings) {
   Shape shape;
   // Edges of length 1 from the apex; each face has its share of the apex angle.

@@ -346,6 +346,31 @@ TEST(WriteField, severalFields) {
                        "property double igf\nproperty uchar kind\nproperty double sdf\n"));
 }
 
+TEST(WriteField, whatFilesCannotHoldIsSaid) {
+  const LoadedMesh loaded = sample();
+  const GirthField girth = sampleField();
+  const std::vector<double> other{-1, 2, 3, 4}, few{1, 2, 3};
+  const std::vector<VertexField> igf = fieldsOf(girth);
+  const auto check = [&](std::vector<VertexField> fields) -> std::string {
+    const auto error = checkFields(loaded, fields);
+    if (!error) return "";
+    EXPECT_EQ(error->code, ErrorCode::Usage);
+    return error->message;
+  };
+  EXPECT_EQ(check({igf[0], {"part_2", other, "", "", {}}}), "");
+  EXPECT_EQ(check({}), "there is no field to write");
+  for (const char* name : {"", "2a", "A", "a,b", "a b", "\xc3\xa4", "_a", "a\n"}) {
+    EXPECT_TRUE(contains(check({{name, other, "", "", {}}}), "is not a name")) << name;
+  }
+  for (const char* name : {"vertex", "kind", "x", "igf"}) {
+    EXPECT_TRUE(contains(check({igf[0], {name, other, "", "", {}}}), "is taken")) << name;
+  }
+  EXPECT_TRUE(contains(check({{"sdf", few, "", "", {}}}), "3 values"));
+  EXPECT_TRUE(
+      contains(check({{"sdf", other, "", "", std::span(girth.kinds).first(2)}}), "2 kinds"));
+  EXPECT_TRUE(contains(check({igf[0], {"again", other, "", "", girth.kinds}}), "several"));
+}
+
 TEST(WriteField, glb) {
   const GirthField girth = sampleField();
   const LoadedMesh loaded = sample();

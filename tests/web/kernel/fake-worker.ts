@@ -56,7 +56,7 @@ export const fakeThickness = (vertex: number) => (vertex === 0 ? NaN : 1 / verte
 
 /** A surface of `count` vertices as the fakes answer about it. */
 export function fakeSurface(count: number): Behaviour {
-  return ({ operation, arguments: args }) => {
+  return ({ operation, arguments: args }, report) => {
     switch (operation) {
       case 'order':
         // Even vertices first, then odd ones.
@@ -81,6 +81,15 @@ export function fakeSurface(count: number): Behaviour {
           note: withoutValue > 0 ? 'some are missing' : '',
         };
       }
+      case 'spectralField':
+        report({ progress: 0.5 });
+        return {
+          values: Float64Array.from({ length: count }, (_, v) => fakeValue(v)),
+          method: 'by fakes',
+        };
+      case 'heatMaxima':
+      case 'maxima':
+        return { maxima: [{ vertex: 1, value: 2, persistence: 2, saddle: -1 }] };
       case 'parts':
         return { kinds: new Uint8Array(count), partOf: new Uint32Array(count), parts: [] };
       case 'weakPlaces':

@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { GirthError, fieldsOf, hints } from '../../../web/src/kernel/errors.js';
-import { FieldRun } from '../../../web/src/kernel/field-run.js';
+import { FieldRun, summaryOf } from '../../../web/src/kernel/field-run.js';
 import { openKernel } from '../../../web/src/kernel/kernel.js';
 import { chunkSize } from '../../../web/src/kernel/pool-engine.js';
 import type { FileWithPath, MeshArrays, PartialField } from '../../../web/src/kernel/types.js';
@@ -19,15 +19,16 @@ const anyArrays: MeshArrays = {
 async function fakeKernel(behaviour: Behaviour, threads = 3) {
   const workers: FakeWorker[] = [];
   const readers: FakeWorker[] = [];
+  const spectral: FakeWorker[] = [];
   const makeFor = (list: FakeWorker[]) => () => {
     const worker = new FakeWorker(behaviour);
     list.push(worker);
     return worker;
   };
   const [single, workshop] = [makeFor(workers), makeFor(readers)];
-  const factory = { single, threads: single, workshop };
+  const factory = { single, threads: single, workshop, studies: makeFor(spectral) };
   const kernel = await openKernel({ threads, mode: 'pool' }, factory);
-  return { kernel, workers, readers };
+  return { kernel, workers, readers, spectral };
 }
 
 /** A promise with its settling functions. */
@@ -107,8 +108,7 @@ describe('a run', () => {
     run.add(one(1));
     expect(partials.map((p) => [...p.vertices])).toEqual([[2], [0, 3], [1]]);
     expect(progress).toEqual([0.25, 0.75, 1]);
-    expect(run.range()).toEqual([0, 3]);
-    expect(run.withoutValue).toBe(0);
+    expect(summaryOf(run.values)).toEqual({ range: [0, 3], withoutValue: 0 });
   });
 
   test('missing values count, and are not in the range', () => {
@@ -116,11 +116,10 @@ describe('a run', () => {
     const run = new FieldRun(3, false, { onPartial: (p) => partials.push(p) }, () => 0);
     const none = new Uint8Array(0);
     run.add({ vertices: Uint32Array.of(1), values: Float64Array.of(NaN), kinds: none });
-    expect(run.range()).toEqual([NaN, NaN]);
+    expect(summaryOf(run.values)).toEqual({ range: [NaN, NaN], withoutValue: 3 });
     run.add({ vertices: Uint32Array.of(0), values: Float64Array.of(2), kinds: none });
     run.add({ vertices: Uint32Array.of(2), values: Float64Array.of(5), kinds: none });
-    expect(run.range()).toEqual([2, 5]);
-    expect(run.withoutValue).toBe(1);
+    expect(summaryOf(run.values)).toEqual({ range: [2, 5], withoutValue: 1 });
     expect(run.kinds).toHaveLength(0);
     expect(partials.map((p) => [[...p.vertices], [...p.kinds]])).toEqual([
       [[1], []],
@@ -317,12 +316,197 @@ describe('fields', () => {
     await mesh.exportField({ ...igf, unit: 'mm' }, 'npy');
     await mesh.exportField(angle, 'glb');
     await mesh.exportFields([igf, angle, part], 'ply', { unit: 'in' });
+    await mesh.exportField(await mesh.field('hks'), 'csv');
     expect(written).toEqual([
       ['metre', ['igf', 'metre', 4], 'csv'],
       ['millimetre', ['igf', 'millimetre', 4], 'npy'],
       ['metre', ['angle', 'radian', 0], 'glb'],
       ['inch', ['igf', 'inch', 4], ['angle', 'radian', 0], ['part', '', 0], 'ply'],
+      ['metre', ['hks', 'metre^-2', 0], 'csv'],
     ]);
+  });
+});
+
+describe('spectral fields', () => {
+  test('come from a worker that starts when it is needed, and keeps what it has', async () => {
+    const { kernel, spectral } = await fakeKernel(fakeSurface(20));
+    const mesh = await kernel.load(anyArrays);
+    await mesh.field('igf');
+    expect(spectral).toHaveLength(0);
+    const progress: number[] = [];
+    const [hks, maxima] = await Promise.all([
+      mesh.field('hks', { onProgress: (f) => progress.push(f) }),
+      mesh.heatMaxima(),
+    ]);
+    expect(hks).toMatchObject({ name: 'hks', unit: '1/m²', method: 'by fakes', withoutValue: 0 });
+    expect(hks.range).toEqual([fakeValue(0), fakeValue(19)]);
+    expect(progress).toEqual([0.5, 1]);
+    expect(maxima).toHaveLength(1);
+    expect(await mesh.field('sihks')).toMatchObject({ unit: '' });
+    expect(spectral.map(({ operations }) => operations)).toEqual([
+      ['start', 'adopt', 'spectralField', 'heatMaxima', 'spectralField'],
+    ]);
+  });
+
+  test('are cancelled by ending the worker; a disposed mesh leaves none behind', async () => {
+    let stuck = true;
+    const surface = fakeSurface(20);
+    const { kernel, spectral } = await fakeKernel((request, report) =>
+      request.operation === 'spectralField' && stuck
+        ? new Promise<object>(() => undefined)
+        : surface(request, report),
+    );
+    const mesh = await kernel.load(anyArrays);
+    const other = await kernel.load(anyArrays);
+    const controller = new AbortController();
+    const field = codeOf(mesh.field('wks', { signal: controller.signal }));
+    await vi.waitFor(() => expect(spectral[0]!.operations).toContain('spectralField'));
+    controller.abort();
+    expect(await field).toBe('CANCELLED');
+    stuck = false;
+    await mesh.field('wks');
+    expect(spectral.map(({ terminated }) => terminated)).toEqual([true, false]);
+    other.dispose();
+    expect(spectral[1]!.terminated).toBe(false);
+    mesh.dispose();
+    expect(spectral[1]!.terminated).toBe(true);
+    expect(await codeOf(mesh.field('wks'))).toBe('CANCELLED');
+  });
+
+  test('what was asked for reaches the worker; what was not, is the usual', async () => {
+    const asked: object[] = [];
+    const surface = fakeSurface(5);
+    const { kernel } = await fakeKernel((request, report) => {
+      if (/spectralField|heatMaxima/.test(request.operation)) {
+        asked.push((request.arguments as { field: object }).field);
+      }
+      return surface(request, report);
+    });
+    const mesh = await kernel.load(anyArrays);
+    await mesh.field('hks', { spectral: { time: 0.01 } });
+    await mesh.field('wks', { spectral: { pairs: 50, component: 7 } });
+    await mesh.field('wks');
+    await mesh.field('sihks');
+    await mesh.heatMaxima({ time: 0.03 });
+    expect(asked).toEqual([
+      { name: 'hks', pairs: 300, time: 0.01, component: 1 },
+      { name: 'wks', pairs: 50, time: 0.002, component: 7 },
+      { name: 'wks', pairs: 300, time: 0.002, component: 20 },
+      { name: 'sihks', pairs: 300, time: 0.002, component: 1 },
+      { name: 'hks', pairs: 300, time: 0.03, component: 1 },
+    ]);
+  });
+
+  test('maxima of any field of the mesh', async () => {
+    const asked: object[] = [];
+    const surface = fakeSurface(5);
+    const { kernel } = await fakeKernel((request, report) => {
+      if (request.operation === 'maxima') asked.push(request.arguments);
+      return surface(request, report);
+    });
+    const mesh = await kernel.load(anyArrays);
+    const values = Float64Array.of(1, 2, 3, 4, 5);
+    expect(await mesh.maxima({ name: 'a', values, unit: '' }, { minima: true })).toHaveLength(1);
+    expect(asked).toMatchObject([{ values, minima: true }]);
+    const few = { name: 'a', values: values.slice(1), unit: '' };
+    expect(await codeOf(mesh.maxima(few))).toBe('USAGE');
+  });
+});
+
+describe('comparing shapes', () => {
+  /** Fakes whose shapes are as far apart as their vertex counts; `broken` faces fail. */
+  const comparing =
+    (asked: object[], broken = -1): Behaviour =>
+    (request, report) => {
+      const args = request.arguments as {
+        arrays: { positions: Float64Array };
+        group: string;
+        faces: number;
+        models: { weights: Float64Array }[][];
+        descriptors: string[];
+      };
+      switch (request.operation) {
+        case 'take': {
+          const { positions } = args.arrays;
+          return fakeSurface(positions.length / 3)(request, report);
+        }
+        case 'fieldGroups':
+          return { groups: ['igf', 'sdf'] };
+        case 'studyFields': {
+          const count = args.arrays.positions.length / 3;
+          asked.push([count, args.group, args.faces]);
+          if (count === broken) throw new GirthError({ ...usage, message: 'it is broken' });
+          report({ progress: 0.5 });
+          return { weights: new Float64Array(count), fields: [] };
+        }
+        case 'compare': {
+          const sizes = args.models.map((groups) => groups[0]!.weights.length);
+          const matrix = sizes.flatMap((a) => sizes.map((b) => Math.abs(a - b)));
+          return { matrices: args.descriptors.map(() => Float64Array.from(matrix)) };
+        }
+        default:
+          return {};
+      }
+    };
+  const usage = { code: 'USAGE', element: -1, hint: '' };
+  const arraysOf = (count: number) => ({
+    positions: new Float64Array(3 * count),
+    indices: new Uint32Array(3),
+  });
+
+  test('every pair, by every descriptor; what is known is not computed again', async () => {
+    const asked: object[] = [];
+    const { kernel } = await fakeKernel(comparing(asked));
+    const meshes = [];
+    for (const count of [3, 5, 9]) meshes.push(await kernel.load(arraysOf(count)));
+    const progress: number[] = [];
+    const descriptors = ['igf', 'igf+sdf'];
+    const result = await kernel.compare(meshes, {
+      descriptors,
+      onProgress: (share) => progress.push(share),
+    });
+    expect(result.failed).toEqual([]);
+    expect(result.matrices.map(({ descriptor }) => descriptor)).toEqual(descriptors);
+    expect([...result.matrices[1]!.distances]).toEqual([0, 2, 6, 2, 0, 4, 6, 4, 0]);
+    expect(asked).toHaveLength(6);
+    expect(asked).toContainEqual([5, 'sdf', 10_000]);
+    expect(progress).toEqual([...progress].sort((a, b) => a - b));
+    expect(progress.at(-1)).toBe(1);
+    await kernel.compare([meshes[2]!, meshes[0]!], { descriptors });
+    expect(asked).toHaveLength(6);
+    await kernel.compare(meshes.slice(1), { descriptors, faces: 500 });
+    expect(asked).toHaveLength(10);
+  });
+
+  test('a shape that fails is named, and the others are compared', async () => {
+    const { kernel } = await fakeKernel(comparing([], 5));
+    const meshes = [];
+    for (const count of [3, 5, 9]) meshes.push(await kernel.load(arraysOf(count)));
+    const { matrices, failed } = await kernel.compare(meshes, { descriptors: ['igf'] });
+    expect(failed).toMatchObject([{ shape: 1, error: { code: 'USAGE', message: 'it is broken' } }]);
+    expect([...matrices[0]!.distances]).toEqual([0, NaN, 6, NaN, NaN, NaN, 6, NaN, 0]);
+  });
+
+  test('is cancelled by its signal, and when one of the meshes is disposed of', async () => {
+    const surface = comparing([]);
+    const { kernel, spectral } = await fakeKernel((request, report) =>
+      request.operation === 'studyFields'
+        ? new Promise<object>(() => undefined)
+        : surface(request, report),
+    );
+    const meshes = [await kernel.load(arraysOf(3)), await kernel.load(arraysOf(5))];
+    const controller = new AbortController();
+    const { signal } = controller;
+    const first = codeOf(kernel.compare(meshes, { descriptors: ['igf'], signal }));
+    await vi.waitFor(() => expect(spectral).toHaveLength(2));
+    await vi.waitFor(() => expect(spectral[1]!.operations).toContain('studyFields'));
+    controller.abort();
+    expect(await first).toBe('CANCELLED');
+    expect(spectral.every(({ terminated }) => terminated)).toBe(true);
+    const second = codeOf(kernel.compare(meshes, { descriptors: ['igf'] }));
+    meshes[0]!.dispose();
+    expect(await second).toBe('CANCELLED');
+    expect(await codeOf(kernel.compare([{}] as never, { descriptors: [] }))).toBe('USAGE');
   });
 });
 
@@ -385,7 +569,7 @@ describe('starting and loading', () => {
     for (let i = 0; i < 2; ++i) {
       const kernel = await openKernel(
         { mode: 'threads', threads: 2 },
-        { single: make, threads, workshop: make },
+        { single: make, threads, workshop: make, studies: make },
       );
       expect(kernel.mode).toBe('pool');
     }
@@ -401,6 +585,7 @@ describe('starting and loading', () => {
       {
         single: () => new FakeWorker(fakeSurface(10)),
         workshop: () => new FakeWorker(fakeSurface(10)),
+        studies: () => new FakeWorker(fakeSurface(10)),
         threads: () =>
           new FakeWorker(() => {
             throw new Error('no nested workers');
@@ -416,7 +601,12 @@ describe('starting and loading', () => {
     const opening = codeOf(
       openKernel(
         { mode: 'pool' },
-        { single: () => worker, threads: () => worker, workshop: () => worker },
+        {
+          single: () => worker,
+          threads: () => worker,
+          workshop: () => worker,
+          studies: () => worker,
+        },
       ),
     );
     worker.crash('');
@@ -428,7 +618,7 @@ describe('starting and loading', () => {
     const never = () => new FakeWorker(() => new Promise<object>(() => undefined));
     const opening = openKernel(
       { mode: 'pool' },
-      { single: never, threads: never, workshop: never },
+      { single: never, threads: never, workshop: never, studies: never },
     );
     const refused = expect(opening).rejects.toMatchObject({
       code: 'INTERNAL',

@@ -34,3 +34,11 @@ test('only names of the list are names', () => {
     expect(isColormapName(wrong)).toBe(false);
   }
 });
+
+test('the diverging map is blue below its light middle and red above', () => {
+  const at = (place: number) => (colourAt('rdbu', place).match(/\d+/g) ?? []).map(Number);
+  const [low, middle, high] = [at(0.1), at(0.5), at(0.9)];
+  expect(low[2]).toBeGreaterThan(low[0]! + 50);
+  expect(high[0]).toBeGreaterThan(high[2]! + 50);
+  for (const channel of middle) expect(channel).toBeGreaterThan(230);
+});

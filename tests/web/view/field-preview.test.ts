@@ -93,3 +93,22 @@ test('a value that comes twice is counted once', () => {
   preview.receive(partial([3, 4]), () => undefined);
   expect(preview.computed).toBe(2);
 });
+
+test('a vertex without a value lends none, and is none of the range', () => {
+  // Four vertices in a row.
+  const row = {
+    first: Uint32Array.of(0, 1, 3, 5, 6),
+    neighbours: Uint32Array.of(1, 0, 2, 1, 3, 2),
+  };
+  const preview = new FieldPreview(row);
+  const changed: number[] = [];
+  preview.receive(
+    { vertices: Uint32Array.of(0, 3), values: Float64Array.of(NaN, 5), kinds: new Uint8Array() },
+    (vertex) => changed.push(vertex),
+  );
+  expect(changed).toEqual([0, 3]);
+  expect(preview.computed).toBe(2);
+  expect(preview.range).toEqual([5, 5]);
+  preview.spread(() => undefined);
+  expect([...preview.shown]).toEqual([NaN, 5, 5, 5]);
+});

@@ -17,6 +17,10 @@ test('small models in metres are written in millimetres', () => {
   expect(formatLength(0.0342, lengthFormat(0.09, 'm'))).toBe('34.20\u202fmm');
 });
 
+test('angles are written in degrees', () => {
+  expect(formatLength(Math.PI, lengthFormat(3, 'rad'))).toBe('180.0°');
+});
+
 test('without a unit there is none', () => {
   expect(formatLength(120, lengthFormat(340, ''))).toBe('120.0');
 });

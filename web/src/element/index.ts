@@ -11,23 +11,38 @@ declare global {
 }
 
 export { GirthViewer };
-export type { FieldDetail, LoadDetail, ProgressDetail } from './viewer-element.js';
+export type {
+  FieldChangeDetail,
+  FieldDetail,
+  HoverDetail,
+  LoadDetail,
+  ProgressDetail,
+} from './events.js';
 export type { PickDetail, PinnedLoop } from './loops-on-surface.js';
+export type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
+export type { ShownField } from './shading.js';
+export type { TipsChoice } from './tips-on-surface.js';
 export { make } from './dom.js';
 export { useKernel } from './shared-kernel.js';
 export {
   type CameraView,
+  type Category,
   type ColormapName,
-  type Histogram,
   type LengthFormat,
   type ScreenPoint,
+  type ShownName,
   colormapNames,
   colourAt,
-  extent,
+  derivedNames,
+  fieldNames,
+  fieldTitle,
   formatCount,
   formatLength,
   formatNumber,
-  histogram,
+  girthKinds,
+  isColormapName,
+  isFieldName,
+  isShownName,
   lengthFormat,
-  median,
+  partKinds,
 } from '../view/index.js';

@@ -43,9 +43,11 @@ interface Pin extends PinnedLoop {
   midpoint: Surface['bounds']['center'];
 }
 
-interface Host {
+export interface LoopsHost {
   /** False where loops do not follow the pointer. */
   followsPointer(): boolean;
+  /** The vertex nearest to what is pointed at; undefined where that is beside the surface. */
+  pointed(vertex: number | undefined): void;
   picked(detail: PickDetail): void;
   failed(error: unknown): void;
 }
@@ -78,7 +80,7 @@ export class LoopsOnSurface {
     private readonly canvas: HTMLCanvasElement,
     private readonly model: Model,
     private format: LengthFormat,
-    private readonly host: Host,
+    private readonly host: LoopsHost,
   ) {
     this.request = new Latest(
       (point, signal) => model.mesh.loop(point, { signal }),
@@ -191,6 +193,7 @@ export class LoopsOnSurface {
         if (event.pointerType === 'touch') return;
         this.pointer = undefined;
         this.clear();
+        this.host.pointed(undefined);
       },
       { signal },
     );
@@ -209,14 +212,15 @@ export class LoopsOnSurface {
   private moved(event: PointerEvent): void {
     if (event.buttons !== 0 || event.pointerType === 'touch') return;
     this.remember(event);
-    if (!this.host.followsPointer()) return;
     this.pickRequested ||= requestAnimationFrame(() => {
       this.pickRequested = 0;
       const { pointer } = this;
       if (!pointer) return;
       const point = this.stage.pick(pointer.x, pointer.y);
-      this.canvas.classList.toggle('picking', point !== undefined);
-      if (point === undefined) {
+      this.host.pointed(point && this.model.surface.nearestVertex(point));
+      const isFollowed = point !== undefined && this.host.followsPointer();
+      this.canvas.classList.toggle('picking', isFollowed);
+      if (!isFollowed) {
         this.clear();
         return;
       }
@@ -233,6 +237,9 @@ export class LoopsOnSurface {
     if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > clickSlack) return;
     this.remember(event);
     const point = this.stage.pick(event.clientX, event.clientY);
+    if (event.pointerType === 'touch') {
+      this.host.pointed(point && this.model.surface.nearestVertex(point));
+    }
     if (point === undefined) this.clear();
     // What is seen is what is pinned, even if the surface has just moved a little further.
     else if (event.pointerType !== 'touch') this.pinHere(this.hovered ?? point);
@@ -322,7 +329,9 @@ export class LoopsOnSurface {
     stage.touch();
     if (this.hovered === undefined) {
       const vertex = this.vertexInMiddle();
-      if (vertex !== undefined) this.hoverOn(vertex);
+      if (vertex === undefined) return;
+      this.hoverOn(vertex);
+      this.host.pointed(vertex);
       return;
     }
     let vertex = model.surface.nearestVertex(this.hovered);
@@ -343,6 +352,7 @@ export class LoopsOnSurface {
       [vertex, reached] = [next, best];
     }
     this.hoverOn(vertex);
+    this.host.pointed(vertex);
   }
 
   /** A vertex near the middle of the view, which may itself look past the surface or through a hole. */

@@ -1,82 +1,89 @@
-// One model on the stage: its surface, and its field as far as it is computed.
+// One model on the stage: its surface, and what is computed of it.
 
-import type { Field, Mesh, PartialField } from '../kernel/types.js';
-import {
-  FieldPreview,
-  Surface,
-  borrowedWeight,
-  buildAdjacency,
-  computedWeight,
-  inSlices,
-  splitCreases,
-} from '../view/index.js';
+import type {
+  FieldName,
+  Maximum,
+  Mesh,
+  PartOptions,
+  Parts,
+  PartThresholds,
+  PrintLimits,
+  SpectralOptions,
+  Tips,
+  WeakPlace,
+} from '../kernel/types.js';
+import { Surface, buildAdjacency, inSlices, splitCreases } from '../view/index.js';
+import { Fields, type FieldsHost } from './fields.js';
 
 /** Edges sharper than this stay visible as creases, in radians. */
 const creaseAngle = (38 * Math.PI) / 180;
-/** Milliseconds a frame may spend on spreading colours. */
-const spreadBudget = 5;
 
 export class Model {
-  /** Set once the whole field is there. */
-  field: Field | undefined;
-  /** Aborted to cancel the field; set while it is computed. */
-  computing: AbortController | undefined;
   /** Aborted when the model goes. */
   readonly life = new AbortController();
+  private readonly kept = new Map<string, Promise<unknown>>();
 
   private constructor(
     readonly mesh: Mesh,
     readonly surface: Surface,
-    readonly preview: FieldPreview,
+    readonly fields: Fields,
   ) {}
 
   /** Makes a mesh ready to draw, in slices of time. */
-  static async of(mesh: Mesh, signal: AbortSignal): Promise<Model> {
+  static async of(mesh: Mesh, host: FieldsHost, signal: AbortSignal): Promise<Model> {
     const { positions, indices, walls } = mesh.geometry;
     const adjacency = await inSlices(buildAdjacency(positions.length / 3, indices, walls), signal);
     const creased = await inSlices(splitCreases(positions, indices, creaseAngle), signal);
     const surface = new Surface(positions, indices, walls, adjacency, creased);
-    return new Model(mesh, surface, new FieldPreview(adjacency));
+    return new Model(mesh, surface, new Fields(mesh, adjacency, host));
   }
 
-  /** The smallest and largest value there is; undefined before the first. */
-  get extent(): [number, number] | undefined {
-    return this.field?.range ?? this.preview.range;
+  /** The area that each vertex stands for. */
+  areas(): Promise<Float64Array> {
+    return this.once('areas', () => this.mesh.vertexAreas(this.watched));
   }
 
-  /** The values there are, one per vertex; NaN where there is none yet. */
-  get values(): Float64Array {
-    return this.field?.values ?? this.preview.values;
-  }
-
-  /** Takes new values and colours their vertices. */
-  receive(partial: PartialField): void {
-    this.preview.receive(partial, (vertex) =>
-      this.surface.setScalar(vertex, this.preview.shown[vertex]!, computedWeight),
+  tips(): Promise<Tips> {
+    return this.once('tips', async () =>
+      this.mesh.tips(await this.fields.compute('igf'), this.watched),
     );
   }
 
-  /** Spreads colours to vertices without a value, for a few milliseconds; true when all are done. */
-  spread(): boolean {
-    const { surface, preview } = this;
-    const done = preview.spread(
-      (vertex) => surface.setScalar(vertex, preview.shown[vertex]!, borrowedWeight),
-      performance.now() + spreadBudget,
-      () => performance.now(),
+  /** The maxima of a field, or its minima, most persistent first. */
+  maxima(name: FieldName, minima: boolean): Promise<Maximum[]> {
+    return this.once(`${name} ${minima ? 'minima' : 'maxima'}`, async () =>
+      this.mesh.maxima(await this.fields.compute(name), { ...this.watched, minima }),
     );
-    surface.uploadScalars();
-    return done;
   }
 
-  /** Colours every vertex anew. */
-  paint(): void {
-    const { surface, preview, field } = this;
-    const shown = field?.values ?? preview.shown;
-    for (let v = 0; v < shown.length; ++v) {
-      const known = field || preview.isComputed(v) ? computedWeight : borrowedWeight;
-      surface.setScalar(v, shown[v]!, Number.isNaN(shown[v]) ? 0 : known);
-    }
-    surface.uploadScalars();
+  /** Where heat stays longest, most persistent first. */
+  heatMaxima(options: SpectralOptions): Promise<Maximum[]> {
+    return this.once(`heat maxima ${JSON.stringify(options)}`, () =>
+      this.mesh.heatMaxima({ ...options, ...this.watched }),
+    );
+  }
+
+  /** Thresholds to start from. */
+  suggestedThresholds(): Promise<PartThresholds> {
+    return this.once('thresholds', async () => {
+      const { igf, sdf } = await this.girthAndDiameter();
+      return this.mesh.suggestedThresholds(igf, sdf, this.watched);
+    });
+  }
+
+  async parts(options: PartOptions): Promise<Parts> {
+    const { igf, sdf } = await this.girthAndDiameter();
+    return this.mesh.parts(igf, sdf, options, this.watched);
+  }
+
+  async weakPlaces(limits: PrintLimits): Promise<WeakPlace[]> {
+    const { igf, sdf } = await this.girthAndDiameter();
+    return this.mesh.weakPlaces(igf, sdf, limits, this.watched);
+  }
+
+  async girthAndDiameter() {
+    const [igf, sdf] = await Promise.all([this.fields.compute('igf'), this.fields.compute('sdf')]);
+    return { igf, sdf };
   }
 
   /**
@@ -84,8 +91,22 @@ export class Model {
    * stage disposes of the surface.
    */
   dispose(keepsMesh = false): void {
-    this.computing?.abort();
+    this.fields.cancel();
     this.life.abort();
     if (!keepsMesh) this.mesh.dispose();
+  }
+
+  private get watched(): { signal: AbortSignal } {
+    return { signal: this.life.signal };
+  }
+
+  /** Computes something once; again where it failed or was cancelled. */
+  private once<Answer>(name: string, compute: () => Promise<Answer>): Promise<Answer> {
+    const there = this.kept.get(name) as Promise<Answer> | undefined;
+    if (there) return there;
+    const promise = compute();
+    this.kept.set(name, promise);
+    promise.catch(() => this.kept.delete(name));
+    return promise;
   }
 }

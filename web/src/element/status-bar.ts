@@ -32,11 +32,11 @@ export class StatusBar {
   private readonly track = make('div', {
     class: 'track',
     role: 'progressbar',
-    'aria-label': 'Computing the girth',
     'aria-valuemin': '0',
     'aria-valuemax': '100',
   });
   private readonly bar = make('div', { class: 'bar' });
+  private readonly what = make('span', { class: 'what' });
   private readonly share = make('span', { class: 'share' });
   private readonly left = make('span', { class: 'left' });
   private readonly words = make('span');
@@ -48,6 +48,7 @@ export class StatusBar {
     this.progress = make(
       'div',
       { class: 'progress plate' },
+      this.what,
       this.track,
       this.share,
       this.left,
@@ -76,19 +77,22 @@ export class StatusBar {
     this.work.hidden = true;
   }
 
-  showProgress(fraction: number, secondsLeft: number | undefined): void {
+  /** `title` is what is computed. */
+  showProgress(title: string, fraction: number, secondsLeft: number | undefined): void {
     this.partial.hidden = true;
     this.progress.hidden = false;
+    this.what.textContent = title;
+    this.track.setAttribute('aria-label', `Computing: ${title}`);
     this.bar.style.transform = `scaleX(${fraction.toFixed(4)})`;
     this.track.setAttribute('aria-valuenow', String(Math.round(100 * fraction)));
     this.share.textContent = percent(fraction);
     this.left.textContent = secondsLeft === undefined ? '' : `${formatSeconds(secondsLeft)} left`;
   }
 
-  showPartial(fraction: number): void {
+  showPartial(title: string, fraction: number): void {
     this.progress.hidden = true;
     this.partial.hidden = false;
-    this.words.textContent = `partial: ${percent(fraction)} of vertices`;
+    this.words.textContent = `${title}, partial: ${percent(fraction)} of vertices`;
   }
 
   clear(): void {

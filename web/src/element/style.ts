@@ -89,6 +89,26 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   line-height: 1;
   white-space: nowrap;
 }
+.legend-line {
+  position: absolute;
+  inset-inline: 0;
+  inset-block-end: calc(100% * var(--place));
+  block-size: 1px;
+  background: rgb(255 255 255 / 0.75);
+}
+.legend-key { list-style: none; margin: 0; padding: 0; display: grid; gap: 4px; }
+.legend-key li { display: flex; align-items: center; gap: 8px; }
+.legend-key i {
+  inline-size: 12px;
+  block-size: 12px;
+  border-radius: 3px;
+  background: var(--colour);
+  box-shadow: 0 0 0 1px color-mix(in srgb, var(--girth-ink) 22%, transparent);
+}
+.legend-key i.hatched {
+  background: repeating-linear-gradient(135deg, rgb(0 0 0 / 0.3) 0 2px, transparent 2px 4px) var(--colour);
+}
+.legend-note { margin: 12px 0 0; color: var(--girth-quiet); max-inline-size: 15rem; }
 /* A narrow element lays the legend down, so that it leaves the surface its room. */
 @container (max-width: 520px) {
   .legend { inset-inline: 20px; inset-block-end: 50px; display: flex; align-items: flex-start; gap: 16px; }
@@ -108,6 +128,9 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   .legend-tick:first-child { transform: translateX(-100%); }
   .legend-tick:last-child { transform: none; }
   .legend-tick.inner { display: none; }
+  .legend-line { inset-inline: calc(100% * var(--place)) auto; inset-block: 0; inline-size: 1px; block-size: auto; }
+  .legend-key { display: flex; flex-wrap: wrap; gap: 2px 14px; margin-block-start: -5px; }
+  .legend-note { margin: -5px 0 0; max-inline-size: 8rem; }
 }
 
 .status {
@@ -133,6 +156,7 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   overflow: hidden;
 }
 .bar { block-size: 100%; background: var(--girth-accent); transform-origin: 0 50%; transform: scaleX(0); }
+.what { white-space: nowrap; }
 .share { min-inline-size: 4ch; text-align: end; }
 .left { min-inline-size: 11ch; color: var(--girth-quiet); white-space: nowrap; }
 .partial { display: flex; align-items: center; gap: 8px; padding-inline: 12px 4px; block-size: 36px; white-space: nowrap; }

@@ -1,33 +1,64 @@
 // Fields as workers are asked for them.
 
 import { failure } from './errors.js';
-import type { FieldRequest } from './protocol.js';
-import type { FieldName, FieldOptions } from './types.js';
+import type { FieldRequest, SpectralRequest } from './protocol.js';
+import type {
+  FieldName,
+  FieldOptions,
+  SpectralFieldName,
+  SpectralOptions,
+  VertexFieldName,
+} from './types.js';
 
-/** All fields; whether their values are lengths. */
-const names: Record<FieldName, { isLength: boolean }> = {
-  igf: { isLength: true },
-  sdf: { isLength: true },
-  geoaverage: { isLength: true },
-  geofarthest: { isLength: true },
-  angle: { isLength: false },
+type Kind = 'length' | 'angle' | 'density' | 'number';
+
+/** All fields, and what their values are. */
+const kinds: Record<FieldName, Kind> = {
+  igf: 'length',
+  sdf: 'length',
+  geoaverage: 'length',
+  geofarthest: 'length',
+  angle: 'angle',
+  hks: 'density',
+  wks: 'density',
+  sihks: 'number',
 };
 
 export const isLength = (name: string) =>
-  Object.hasOwn(names, name) && names[name as FieldName].isLength;
+  Object.hasOwn(kinds, name) && kinds[name as FieldName] === 'length';
+
+export const isSpectral = (name: FieldName): name is SpectralFieldName =>
+  name === 'hks' || name === 'wks' || name === 'sihks';
 
 /** Whether each value also says how it came about. */
 export const hasKinds = ({ name }: FieldRequest) => name === 'igf';
 
+/** Throws where there is no such field. */
+export function checkName(name: string): void {
+  if (Object.hasOwn(kinds, name)) return;
+  const known = Object.keys(kinds).map((one) => `'${one}'`);
+  throw failure('USAGE', `there is no field '${name}'`, { hint: `use ${known.join(', ')}` });
+}
+
+/** The unit of a field on a model with the unit `unit`. */
+export function unitOf(name: FieldName, unit: string): string {
+  const kind = kinds[name];
+  if (kind === 'length') return unit;
+  if (kind === 'angle') return 'rad';
+  return kind === 'density' && unit !== '' ? `1/${unit}²` : '';
+}
+
 /** The request with everything that the caller did not say. The core checks the numbers. */
-export function fieldRequest(name: FieldName, options: FieldOptions): FieldRequest {
-  if (!Object.hasOwn(names, name)) {
-    const known = Object.keys(names).map((one) => `'${one}'`);
-    throw failure('USAGE', `there is no field '${String(name)}'`, {
-      hint: `use ${known.join(', ')}`,
-    });
-  }
+export function fieldRequest(name: VertexFieldName, options: FieldOptions): FieldRequest {
   const { sdf: { coneAngle = (2 * Math.PI) / 3, rays = 30 } = {}, distances = 'fast-marching' } =
     options;
   return { name, coneAngle, rays, distances };
+}
+
+/** The same for a field made of vibrations. */
+export function spectralRequest(
+  name: SpectralFieldName,
+  { pairs = 300, time = 2e-3, component = name === 'wks' ? 20 : 1 }: SpectralOptions = {},
+): SpectralRequest {
+  return { name, pairs, time, component };
 }

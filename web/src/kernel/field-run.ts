@@ -73,23 +73,18 @@ export class FieldRun {
       this.#options.onProgress?.(progress);
     }
   }
+}
 
-  /** Vertices that the field has no value for. */
-  get withoutValue(): number {
-    let count = 0;
-    for (const value of this.values) if (Number.isNaN(value)) ++count;
-    return count;
+/** The smallest and the largest value, NaN twice where there is none, and how many are missing. */
+export function summaryOf(values: Float64Array): { range: [number, number]; withoutValue: number } {
+  let [low, high] = [Infinity, -Infinity];
+  let withoutValue = 0;
+  for (const value of values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+    if (Number.isNaN(value)) ++withoutValue;
   }
-
-  /** The smallest and the largest value; NaN twice where there is none. */
-  range(): [number, number] {
-    let [low, high] = [Infinity, -Infinity];
-    for (const value of this.values) {
-      if (value < low) low = value;
-      if (value > high) high = value;
-    }
-    return low <= high ? [low, high] : [NaN, NaN];
-  }
+  return { range: low <= high ? [low, high] : [NaN, NaN], withoutValue };
 }
 
 function joined(partials: PartialField[]): PartialField {

@@ -1,9 +1,10 @@
 // Kernels: which workers there are, and who does what. Nothing is computed on the page's own thread.
 
 import { linked, untilAborted } from './abort.js';
-import { cancelled, fieldsOf, GirthError } from './errors.js';
+import { compareShapes } from './compare.js';
+import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
 import { hasKinds } from './field-request.js';
-import { FieldRun, type FieldEngine } from './field-run.js';
+import { FieldRun, summaryOf, type FieldEngine } from './field-run.js';
 import { LoopQueue } from './loop-queue.js';
 import { MeshOfWorkers } from './mesh.js';
 import { PoolEngine } from './pool-engine.js';
@@ -12,6 +13,7 @@ import type {
   OpenedSurface,
   Report,
   SingleOperations,
+  StudiesOperations,
   ThreadsOperations,
   WorkshopOperations,
 } from './protocol.js';
@@ -19,6 +21,8 @@ import { contentOf, sizeOf } from './source.js';
 import { ThreadsEngine } from './threads-engine.js';
 import type {
   CallOptions,
+  CompareOptions,
+  Comparison,
   Field,
   FieldOptions,
   Kernel,
@@ -49,7 +53,11 @@ export async function openKernel(
   factory: WorkerFactory,
 ): Promise<KernelOfWorkers> {
   const threads = threadsOf(options.threads);
-  const workshop = new Workshop(() => factory.workshop());
+  const workshop = new Workshop<WorkshopOperations>(() => factory.workshop());
+  // One after the other: the second one may need the spectrum of the first.
+  const spectral = new Workshop<StudiesOperations>(() => factory.studies(), 1);
+  const comparing = new Workshop<StudiesOperations>(() => factory.studies());
+  const workshops = { making: workshop, spectral, comparing };
   const interactive = new WorkerClient<SingleOperations>(() => factory.single());
   const isolated = globalThis.crossOriginIsolated === true;
   if (options.mode === 'threads' && !isolated) {
@@ -73,7 +81,7 @@ export async function openKernel(
     if (host && !hostFailure) {
       const engine = new ThreadsEngine(host, threads);
       void interactive.start().catch(() => undefined);
-      return new KernelOfWorkers('threads', threads, workshop, interactive, [host], engine);
+      return new KernelOfWorkers('threads', threads, workshops, interactive, [host], engine);
     }
     if (hostFailure) {
       warnOnce(
@@ -93,7 +101,7 @@ export async function openKernel(
   );
   // They load while the page fetches its model; a failure shows when they are needed.
   for (const worker of [interactive, ...pool]) void worker.start().catch(() => undefined);
-  return new KernelOfWorkers('pool', threads, workshop, interactive, pool, new PoolEngine(pool));
+  return new KernelOfWorkers('pool', threads, workshops, interactive, pool, new PoolEngine(pool));
 }
 
 function threadsOf(wanted: number | 'auto' = 'auto'): number {
@@ -109,12 +117,19 @@ function warnOnce(text: string): void {
   console.warn(text);
 }
 
+/** Workers for jobs: models and files; spectra; comparisons. */
+interface Workshops {
+  making: Workshop<WorkshopOperations>;
+  spectral: Workshop<StudiesOperations>;
+  comparing: Workshop<StudiesOperations>;
+}
+
 type AnyWorker = Pick<WorkerClient<SingleOperations>, 'drop' | 'terminate'>;
 
 export class KernelOfWorkers implements Kernel {
   readonly mode: 'threads' | 'pool';
   readonly threads: number;
-  readonly #workshop: Workshop;
+  readonly #workshops: Workshops;
   readonly #interactive: WorkerClient<SingleOperations>;
   readonly #workers: readonly AnyWorker[];
   readonly #engine: FieldEngine;
@@ -127,14 +142,14 @@ export class KernelOfWorkers implements Kernel {
   constructor(
     mode: 'threads' | 'pool',
     threads: number,
-    workshop: Workshop,
+    workshops: Workshops,
     interactive: WorkerClient<SingleOperations>,
     computing: readonly AnyWorker[],
     engine: FieldEngine,
   ) {
     this.mode = mode;
     this.threads = threads;
-    this.#workshop = workshop;
+    this.#workshops = workshops;
     this.#interactive = interactive;
     this.#workers = [interactive, ...computing];
     this.#engine = engine;
@@ -145,7 +160,7 @@ export class KernelOfWorkers implements Kernel {
     const { model, prepare = {}, onProgress } = options;
     const opened = await this.#work([options.signal], async (signal) => {
       const content = await contentOf(source, signal);
-      return this.#workshop.run(signal, sizeOf(content), (worker) => {
+      return this.#workshops.making.run(signal, sizeOf(content), (worker) => {
         const onReport = (report: Report) => {
           if (!signal.aborted && 'progress' in report) onProgress?.(report.progress);
         };
@@ -188,12 +203,13 @@ export class KernelOfWorkers implements Kernel {
       this.#fields = turn.catch(() => undefined);
       await turn;
       if (signal.aborted) throw cancelled();
-      const { values, kinds, withoutValue } = run;
+      const { values, kinds } = run;
+      const { range, withoutValue } = summaryOf(values);
       const about = await this.#interactive.requestOn(surface, 'about', {
         field: request,
         withoutValue,
       });
-      return { name: request.name, values, kinds, range: run.range(), withoutValue, ...about };
+      return { name: request.name, values, kinds, range, withoutValue, ...about };
     });
   }
 
@@ -203,7 +219,29 @@ export class KernelOfWorkers implements Kernel {
     signals: (AbortSignal | undefined)[],
     job: (worker: WorkerClient<WorkshopOperations>) => Promise<T>,
   ): Promise<T> {
-    return this.#work(signals, (signal) => this.#workshop.run(signal, bytes, job));
+    return this.#work(signals, (signal) => this.#workshops.making.run(signal, bytes, job));
+  }
+
+  /** Something that a worker of its own makes of a surface's spectrum. */
+  makeSpectral<T>(
+    bytes: number,
+    signals: (AbortSignal | undefined)[],
+    job: (worker: WorkerClient<StudiesOperations>) => Promise<T>,
+  ): Promise<T> {
+    return this.#work(signals, (signal) => this.#workshops.spectral.run(signal, bytes, job));
+  }
+
+  async compare(meshes: readonly Mesh[], options: CompareOptions): Promise<Comparison> {
+    const own = meshes.map((mesh) => {
+      if (mesh instanceof MeshOfWorkers) return mesh;
+      throw failure('USAGE', 'one of the meshes is not of this package', {
+        hint: 'load it with a kernel',
+      });
+    });
+    const lives = own.map(({ life }) => life);
+    return this.#work([options.signal, ...lives], (signal) =>
+      compareShapes(this.#workshops.comparing, own, options, signal),
+    );
   }
 
   loop(surface: SurfaceSource, point: SurfacePoint, life: AbortSignal, options: CallOptions) {
@@ -211,13 +249,16 @@ export class KernelOfWorkers implements Kernel {
   }
 
   drop(surface: number): void {
-    for (const worker of this.#workers) worker.drop(surface);
+    for (const worker of [this.#workshops.spectral, ...this.#workers]) worker.drop(surface);
   }
 
   dispose(): void {
     const reason = 'the kernel has been disposed of';
     this.#life.abort(reason);
-    for (const worker of [this.#workshop, ...this.#workers]) worker.terminate(cancelled(reason));
+    const { making, spectral, comparing } = this.#workshops;
+    for (const one of [making, spectral, comparing, ...this.#workers]) {
+      one.terminate(cancelled(reason));
+    }
   }
 
   /** Runs work that ends with CANCELLED when a signal fires or the kernel is disposed of. */

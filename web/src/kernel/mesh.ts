@@ -1,11 +1,21 @@
 // A mesh as the page has it: what can be asked of it, and by whom it is answered.
 
 import { failure } from './errors.js';
-import { fieldRequest, isLength } from './field-request.js';
+import {
+  checkName,
+  fieldRequest,
+  isLength,
+  isSpectral,
+  spectralRequest,
+  unitOf,
+} from './field-request.js';
+import { summaryOf } from './field-run.js';
 import type { KernelOfWorkers } from './kernel.js';
 import type {
   GirthAndDiameter,
   OpenedSurface,
+  Report,
+  StudiesOperations,
   WorkshopOperations,
   WrittenModel,
 } from './protocol.js';
@@ -19,6 +29,7 @@ import type {
   FieldOptions,
   Loop,
   LoopFormat,
+  Maximum,
   Mesh,
   NamedField,
   PartOptions,
@@ -26,6 +37,8 @@ import type {
   PartThresholds,
   PrintLimits,
   RemeshedMesh,
+  SpectralFieldName,
+  SpectralOptions,
   SurfacePoint,
   Tips,
   WatchedOptions,
@@ -42,7 +55,17 @@ const unitNames: Record<string, string | undefined> = {
   ft: 'foot',
   rad: 'radian',
 };
-const unitName = (unit: string) => unitNames[unit] ?? unit;
+function unitName(unit: string): string {
+  const ofDensity = /^1\/(.+)²$/.exec(unit)?.[1];
+  return ofDensity === undefined ? (unitNames[unit] ?? unit) : `${unitName(ofDensity)}^-2`;
+}
+
+/** Passes a worker's progress on, until it is no longer wanted. */
+const progressOf =
+  (signal: AbortSignal | undefined, onProgress: WatchedOptions['onProgress']) =>
+  (report: Report) => {
+    if (!signal?.aborted && 'progress' in report) onProgress?.(report.progress);
+  };
 
 const whole = ({ girth, diameter, smoothing = 0 }: PartOptions) => ({ girth, diameter, smoothing });
 
@@ -55,6 +78,8 @@ export class MeshOfWorkers implements Mesh {
   readonly #kernel: KernelOfWorkers;
   readonly #inputOfVertex: Uint32Array;
   readonly #life = new AbortController();
+  /** Fires when the mesh is disposed of. */
+  readonly life = this.#life.signal;
 
   constructor(kernel: KernelOfWorkers, opened: OpenedSurface & { number: number }) {
     const { number, info, arrays, drawn, walls, vertexOfInput, inputOfVertex } = opened;
@@ -67,9 +92,35 @@ export class MeshOfWorkers implements Mesh {
   }
 
   async field(name: FieldName, options: FieldOptions = {}): Promise<Field> {
-    const request = fieldRequest(name, options);
-    const field = await this.#kernel.field(this.surface, request, this.#life.signal, options);
-    return { ...field, unit: isLength(name) ? this.info.unit : 'rad' };
+    checkName(String(name));
+    const field = isSpectral(name)
+      ? await this.#spectralField(name, options)
+      : await this.#kernel.field(
+          this.surface,
+          fieldRequest(name, options),
+          this.#life.signal,
+          options,
+        );
+    return { ...field, unit: unitOf(name, this.info.unit) };
+  }
+
+  async #spectralField(
+    name: SpectralFieldName,
+    { spectral, signal, onProgress }: FieldOptions,
+  ): Promise<Omit<Field, 'unit'>> {
+    const field = spectralRequest(name, spectral);
+    const { values, method } = await this.#makeSpectral(signal, (worker) =>
+      worker.requestOn(
+        this.surface,
+        'spectralField',
+        { field },
+        { onReport: progressOf(signal, onProgress) },
+      ),
+    );
+    const kinds = new Uint8Array(0);
+    const { range, withoutValue } = summaryOf(values);
+    onProgress?.(1);
+    return { name, values, kinds, range, method, withoutValue, note: '' };
   }
 
   async loop(point: SurfacePoint, options: CallOptions = {}): Promise<Loop> {
@@ -113,6 +164,36 @@ export class MeshOfWorkers implements Mesh {
     const options = whole(parts);
     const { arrays } = this.surface;
     return this.#make(signal, (worker) => worker.request('parts', { arrays, fields, options }));
+  }
+
+  async maxima(
+    { values }: NamedField,
+    { signal, minima = false }: CallOptions & { minima?: boolean } = {},
+  ): Promise<Maximum[]> {
+    this.#checkCount(values);
+    const { arrays } = this.surface;
+    const found = await this.#make(signal, (worker) =>
+      worker.request('maxima', { arrays, values, minima }),
+    );
+    return found.maxima;
+  }
+
+  async heatMaxima({
+    signal,
+    onProgress,
+    ...options
+  }: WatchedOptions & SpectralOptions = {}): Promise<Maximum[]> {
+    const field = spectralRequest('hks', options);
+    const { maxima } = await this.#makeSpectral(signal, (worker) =>
+      worker.requestOn(
+        this.surface,
+        'heatMaxima',
+        { field },
+        { onReport: progressOf(signal, onProgress) },
+      ),
+    );
+    onProgress?.(1);
+    return maxima;
   }
 
   async weakPlaces(
@@ -218,11 +299,7 @@ export class MeshOfWorkers implements Mesh {
       worker.request(
         'remesh',
         { arrays, faces, info },
-        {
-          onReport: (report) => {
-            if (!signal?.aborted && 'progress' in report) onProgress?.(report.progress);
-          },
-        },
+        { onReport: progressOf(signal, onProgress) },
       ),
     );
     const mesh = this.#kernel.open(opened);
@@ -266,9 +343,19 @@ export class MeshOfWorkers implements Mesh {
     signal: AbortSignal | undefined,
     job: (worker: WorkerClient<WorkshopOperations>) => Promise<T>,
   ): Promise<T> {
+    return this.#kernel.make(this.#bytes, [signal, this.#life.signal], job);
+  }
+
+  #makeSpectral<T>(
+    signal: AbortSignal | undefined,
+    job: (worker: WorkerClient<StudiesOperations>) => Promise<T>,
+  ): Promise<T> {
+    return this.#kernel.makeSpectral(this.#bytes, [signal, this.#life.signal], job);
+  }
+
+  get #bytes(): number {
     const { positions, indices } = this.surface.arrays;
-    const bytes = positions.byteLength + indices.byteLength;
-    return this.#kernel.make(bytes, [signal, this.#life.signal], job);
+    return positions.byteLength + indices.byteLength;
   }
 
   #checkCount(values: { length: number }): void {

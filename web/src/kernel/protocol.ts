@@ -5,11 +5,11 @@
 import type {
   Field,
   FieldFormat,
-  FieldName,
   FileWithPath,
   GirthErrorFields,
   Loop,
   LoopFormat,
+  Maximum,
   MeshInfo,
   NamedField,
   PartialField,
@@ -18,8 +18,11 @@ import type {
   PartThresholds,
   PrepareOptions,
   PrintLimits,
+  SpectralFieldName,
+  SpectralOptions,
   SurfacePoint,
   Tips,
+  VertexFieldName,
   WeakPlace,
 } from './types.js';
 
@@ -51,12 +54,17 @@ export interface WrittenModel extends SurfaceArrays {
 
 /** A field with everything that it depends on besides the surface. */
 export interface FieldRequest {
-  name: FieldName;
+  name: VertexFieldName;
   /** Of 'sdf'. */
   coneAngle: number;
   rays: number;
   /** Of 'geoaverage' and 'geofarthest'. */
   distances: 'fast-marching' | 'exact';
+}
+
+/** One number of a signature made of the surface's vibrations. */
+export interface SpectralRequest extends Required<SpectralOptions> {
+  name: SpectralFieldName;
 }
 
 /** The two fields that tell parts, one value for each vertex. */
@@ -132,6 +140,8 @@ export interface WorkshopOperations extends CommonOperations {
     { arrays: SurfaceArrays; fields: GirthAndDiameter; options: Required<PartOptions> },
     Parts,
   ];
+  /** The maxima of values; of their negatives where `minima` are wanted. */
+  maxima: [{ arrays: SurfaceArrays; values: Float64Array; minima: boolean }, { maxima: Maximum[] }];
   weakPlaces: [
     { arrays: SurfaceArrays; fields: GirthAndDiameter; limits: PrintLimits },
     { places: WeakPlace[] },
@@ -160,6 +170,35 @@ export interface WorkshopOperations extends CommonOperations {
   writeLoops: [
     { model: WrittenModel; points: readonly SurfacePoint[]; format: LoopFormat },
     { files: Uint8Array<ArrayBuffer>[] },
+  ];
+}
+
+/** Fields that shapes are compared by, and the weight of each vertex (`study_fields.h`). */
+export interface StudyFields {
+  weights: Float64Array<ArrayBuffer>;
+  /** `dimensions` numbers for each vertex. */
+  fields: { name: string; dimensions: number; values: Float64Array<ArrayBuffer> }[];
+}
+
+/**
+ * A worker with the module that knows spectra and compares shapes; it is ended where its work is no
+ * longer wanted.
+ */
+export interface StudiesOperations extends CommonOperations {
+  /** Keeps the spectrum for the next request about the same surface. */
+  spectralField: [
+    { surface: number; field: SpectralRequest },
+    { values: Float64Array<ArrayBuffer>; method: string },
+  ];
+  heatMaxima: [{ surface: number; field: SpectralRequest }, { maxima: Maximum[] }];
+  /** The groups of fields that descriptors need. */
+  fieldGroups: [{ descriptors: readonly string[] }, { groups: string[] }];
+  /** One group of a surface, made anew of about so many faces where it has more. */
+  studyFields: [{ arrays: SurfaceArrays; group: string; faces: number }, StudyFields];
+  /** For each descriptor the distances between all models, row after row. */
+  compare: [
+    { models: readonly (readonly StudyFields[])[]; descriptors: readonly string[] },
+    { matrices: Float64Array<ArrayBuffer>[] },
   ];
 }
 

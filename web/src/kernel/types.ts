@@ -87,7 +87,16 @@ export interface LoadOptions extends WatchedOptions {
  * diameter, which is the thickness (`shape_diameter.h`); the mean and the greatest geodesic distance
  * (`geodesic_extent.h`). In radians: the angle between the two ends of the loop at its base.
  */
-export type FieldName = 'igf' | 'sdf' | 'geoaverage' | 'geofarthest' | 'angle';
+export type VertexFieldName = 'igf' | 'sdf' | 'geoaverage' | 'geofarthest' | 'angle';
+
+/**
+ * Functions made of the surface's vibrations, one number of each signature: the heat kernel and wave
+ * kernel signatures, in 1 / squared model units, and the scale-invariant heat kernel signature
+ * (`heat_kernel.h`, `wave_kernel.h`). They are there all at once, and without partial values.
+ */
+export type SpectralFieldName = 'hks' | 'wks' | 'sihks';
+
+export type FieldName = VertexFieldName | SpectralFieldName;
 
 /** Values finished since the last report; values[i] and kinds[i] belong to vertex vertices[i]. */
 export interface PartialField {
@@ -105,6 +114,27 @@ export interface FieldOptions extends WatchedOptions {
   sdf?: { coneAngle?: number; rays?: number };
   /** Of 'geoaverage' and 'geofarthest': how distances are computed; fast marching by default. */
   distances?: 'fast-marching' | 'exact';
+  /** Of 'hks', 'wks' and 'sihks'. */
+  spectral?: SpectralOptions;
+}
+
+export interface SpectralOptions {
+  /** Eigenfunctions: 300 by default. */
+  pairs?: number;
+  /** Of 'hks' and heat maxima: a share of the surface's area; 0.002 by default. */
+  time?: number;
+  /** Which number, counted from 1: of 'wks' the energy (of 100; 20), of 'sihks' the frequency (of 19; 1). */
+  component?: number;
+}
+
+/** A maximum of a field, and how far it rises above its surroundings (`persistent_maxima.h`). */
+export interface Maximum {
+  vertex: number;
+  value: number;
+  /** How far one must go down from it to reach a higher maximum, in the field's unit. */
+  persistence: number;
+  /** Where its surroundings meet those of a higher maximum; -1 for the highest of a component. */
+  saddle: number;
 }
 
 export interface Field {
@@ -115,9 +145,12 @@ export interface Field {
   kinds: Uint8Array;
   /** Smallest and largest value; NaN twice where no vertex has one. */
   range: [number, number];
-  /** For lengths that of the model: 'm' for glTF, '' where the file does not say. 'rad' for angles. */
+  /**
+   * For lengths that of the model: 'm' for glTF, '' where the file does not say. 'rad' for angles;
+   * '1/m²' for heat and wave kernels, '' where the model's is not known.
+   */
   unit: string;
-  /** How it was computed: 'exact', '30 rays', 'fast marching'. */
+  /** How it was computed: 'exact', '30 rays', 'fast marching', '300 eigenpairs'. */
   method: string;
   /** Vertices that have no value. */
   withoutValue: number;
@@ -325,7 +358,7 @@ export interface Mesh {
   readonly geometry: { positions: Float32Array; indices: Uint32Array; walls: Uint32Array };
   /** The surface's vertex for each vertex of the input; 0xFFFFFFFF where there is none. */
   readonly vertexOfInput: Uint32Array;
-  /** Codes of failure: USAGE for options out of range, CANCELLED. */
+  /** Codes of failure: USAGE and INVALID_OPTION for options out of range, CANCELLED. */
   field(name: FieldName, options?: FieldOptions): Promise<Field>;
   /**
    * The loop at a vertex or at a point of a face. Served at once, also while a field is being
@@ -371,6 +404,13 @@ export interface Mesh {
     limits: PrintLimits,
     options?: CallOptions,
   ): Promise<WeakPlace[]>;
+  /** The maxima of a field along the surface's edges, or its minima; most persistent first. */
+  maxima(field: NamedField, options?: CallOptions & { minima?: boolean }): Promise<Maximum[]>;
+  /**
+   * Where heat stays longest (`heat_maxima.h`), most persistent first: the paper's comparison with
+   * the girth's tips. Of the options, `component` does not matter.
+   */
+  heatMaxima(options?: WatchedOptions & SpectralOptions): Promise<Maximum[]>;
   /** The tips as a file's content (`write_tips.h`): JSON, or the contours as OBJ lines. */
   exportTips(igf: Field, format: 'json' | 'obj', options?: ExportOptions): Promise<Uint8Array>;
   /** The parts as a file's content (`write_parts.h`). */
@@ -408,9 +448,36 @@ export interface RemeshedMesh extends Mesh {
   carryBack(values: Float64Array, options?: CallOptions): Promise<Float64Array>;
 }
 
+export interface CompareOptions extends WatchedOptions {
+  /**
+   * What to compare by (`retrieval/signatures.h`): 'igf', 'igf-ms', 'sdf', 'geoaverage',
+   * 'geofarthest' (with 'log-' before: their logarithms), 'hks', 'sihks', 'wks', 'igf-sdf', and sums
+   * such as '2*igf+sdf'.
+   */
+  descriptors: readonly string[];
+  /** Surfaces of more faces are made anew of about so many; 10,000 by default, 0: none is. */
+  faces?: number;
+}
+
+export interface Comparison {
+  /**
+   * For each descriptor the distances between all shapes, each scaled to area 1: that of i and j is
+   * `distances[i * shapes + j]`, NaN where one of them has no value or has failed.
+   */
+  matrices: { descriptor: string; distances: Float64Array }[];
+  /** Shapes whose fields could not be computed, by their place. */
+  failed: { shape: number; error: GirthErrorFields }[];
+}
+
 export interface Kernel {
   readonly mode: 'threads' | 'pool';
   readonly threads: number;
+  /**
+   * How far shapes are apart, two at a time in workers of their own; what was computed of a mesh is
+   * kept as long as the mesh. USAGE for descriptors that there are not; where all meshes fail, the
+   * first one's error.
+   */
+  compare(meshes: readonly Mesh[], options: CompareOptions): Promise<Comparison>;
   /** Reads, prepares and checks a model, in a worker of its own. */
   load(source: MeshSource, options?: LoadOptions): Promise<Mesh>;
   dispose(): void;

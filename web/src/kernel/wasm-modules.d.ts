@@ -134,6 +134,11 @@ declare module '*/girth.mjs' {
       fields: GirthAndDiameter,
       options: Required<import('./types.js').PartOptions>,
     ): import('./types.js').Parts | Failed;
+    maxima(
+      arrays: Arrays,
+      values: Float64Array,
+      minima: boolean,
+    ): { maxima: import('./types.js').Maximum[] } | Failed;
     weakPlaces(
       arrays: Arrays,
       fields: GirthAndDiameter,
@@ -191,4 +196,42 @@ declare module '*/girth-threads.mjs' {
   export default function createModule(options: {
     girthThreads: number;
   }): Promise<GirthThreadsModule>;
+}
+
+declare module '*/girth-studies.mjs' {
+  type OnProgress = (fraction: number) => void;
+
+  export interface SpectralSurface {
+    field(
+      request: import('./protocol.js').SpectralRequest,
+      onProgress: OnProgress,
+    ): { values: Float64Array<ArrayBuffer>; method: string } | Failed;
+    heatMaxima(
+      request: import('./protocol.js').SpectralRequest,
+      onProgress: OnProgress,
+    ): { maxima: import('./types.js').Maximum[] } | Failed;
+    /** Lets go of the spectrum. */
+    forget(): void;
+    delete(): void;
+  }
+
+  export interface GirthStudiesModule {
+    spectralSurface(
+      arrays: import('./protocol.js').SurfaceArrays,
+    ): { surface: SpectralSurface } | Failed;
+    fieldGroups(descriptors: readonly string[]): { groups: string[] } | Failed;
+    studyFields(
+      arrays: import('./protocol.js').SurfaceArrays,
+      group: string,
+      faces: number,
+      onProgress: OnProgress,
+    ): import('./protocol.js').StudyFields | Failed;
+    compare(
+      models: readonly (readonly import('./protocol.js').StudyFields[])[],
+      descriptors: readonly string[],
+      onProgress: OnProgress,
+    ): { matrices: Float64Array<ArrayBuffer>[] } | Failed;
+  }
+
+  export default function createModule(): Promise<GirthStudiesModule>;
 }

@@ -122,6 +122,11 @@ export class WorkerClient<T extends CommonOperations> {
     await adopted;
   }
 
+  /** Whether the worker has been given the surface. */
+  knows(surface: number): boolean {
+    return this.#surfaces.has(surface);
+  }
+
   /** Frees a surface in the worker. */
   drop(surface: number): void {
     if (!this.#surfaces.delete(surface)) return;

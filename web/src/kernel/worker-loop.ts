@@ -8,6 +8,9 @@ import type { GirthErrorFields } from './types.js';
 /** Passes a report to the page, also while a request is being worked on. */
 export type ReportSink = (report: Report) => void;
 
+/** Passes the finished share of a call on to the page. */
+export const progressTo = (report: ReportSink) => (progress: number) => report({ progress });
+
 type Handlers<T> = {
   [K in keyof T]: (
     args: Arguments<T, K>,

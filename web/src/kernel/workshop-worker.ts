@@ -7,11 +7,9 @@ import { moduleOptions, openedSurface, remeshedSurface } from './opened-surface.
 import type { WorkshopOperations } from './protocol.js';
 import type { FileWithPath } from './types.js';
 import { unpackIfCompressed } from './unpack.js';
-import { checked, serveRequests, type ReportSink } from './worker-loop.js';
+import { checked, progressTo, serveRequests } from './worker-loop.js';
 
 let module: GirthModule;
-
-const progressTo = (report: ReportSink) => (progress: number) => report({ progress });
 
 function asSetFile({ path, content }: FileWithPath): SetFile {
   const bytes = () => {
@@ -101,6 +99,10 @@ serveRequests<WorkshopOperations>({
 
   parts({ arrays, fields, options }) {
     return checked(module.parts(arrays, fields, options));
+  },
+
+  maxima({ arrays, values, minima }) {
+    return checked(module.maxima(arrays, values, minima));
   },
 
   weakPlaces({ arrays, fields, limits }) {

@@ -1,27 +1,26 @@
-// Workers that make surfaces and files, each job in a worker of its own: it can be ended at any
+// Workers for jobs (surfaces, files, spectra), each job in a worker of its own: it can be ended at any
 // moment without harm to anything else, and what it needed of memory goes with it.
 
 import { cancelled, type GirthError } from './errors.js';
-import type { WorkshopOperations } from './protocol.js';
+import type { CommonOperations } from './protocol.js';
 import { WorkerClient, type WorkerLike } from './worker-client.js';
 
-type Worker = WorkerClient<WorkshopOperations>;
-
-/** So many jobs at a time: each may need several times the memory of a model. */
-const mostJobs = 2;
 /** A worker that has had this many bytes to work on is not kept: a module's memory never shrinks. */
 const heavy = 8 * 2 ** 20;
 
-export class Workshop {
+export class Workshop<T extends CommonOperations> {
   readonly #create: () => WorkerLike;
-  readonly #busy = new Set<Worker>();
-  #idle: Worker | undefined;
+  readonly #mostJobs: number;
+  readonly #busy = new Set<WorkerClient<T>>();
+  #idle: WorkerClient<T> | undefined;
   #waiting: (() => void)[] = [];
   #jobs = 0;
   #closed: GirthError | undefined;
 
-  constructor(create: () => WorkerLike) {
+  /** `mostJobs` at a time: each may need several times the memory of a model. */
+  constructor(create: () => WorkerLike, mostJobs = 2) {
     this.#create = create;
+    this.#mostJobs = mostJobs;
   }
 
   /** Starts a worker to have it ready. */
@@ -34,14 +33,15 @@ export class Workshop {
    * Runs a job, when its turn has come. `bytes` says how large its input is. When the signal fires
    * the job's worker is ended, and the job fails.
    */
-  async run<T>(
+  async run<R>(
     signal: AbortSignal,
     bytes: number,
-    job: (worker: Worker) => Promise<T>,
-  ): Promise<T> {
-    while (this.#jobs >= mostJobs) await new Promise<void>((turn) => this.#waiting.push(turn));
+    job: (worker: WorkerClient<T>) => Promise<R>,
+  ): Promise<R> {
+    while (this.#jobs >= this.#mostJobs)
+      await new Promise<void>((turn) => this.#waiting.push(turn));
     ++this.#jobs;
-    let worker: Worker | undefined;
+    let worker: WorkerClient<T> | undefined;
     const stop = () => worker?.terminate(this.#closed ?? cancelled());
     try {
       if (this.#closed) throw this.#closed;
@@ -61,6 +61,14 @@ export class Workshop {
         else this.#idle = worker;
       }
     }
+  }
+
+  /** Lets go of a surface: the worker that knows it is ended, as its memory would never shrink. */
+  drop(surface: number): void {
+    for (const worker of this.#busy) worker.drop(surface);
+    if (!this.#idle?.knows(surface)) return;
+    this.#idle.terminate(cancelled());
+    this.#idle = undefined;
   }
 
   /** Ends all workers at once and for good. */

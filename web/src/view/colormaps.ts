@@ -4,6 +4,7 @@ import {
   interpolateCividis,
   interpolateMagma,
   interpolatePlasma,
+  interpolateRdBu,
   interpolateTurbo,
   interpolateViridis,
 } from 'd3-scale-chromatic';
@@ -17,11 +18,16 @@ const interpolators = {
   plasma: interpolatePlasma,
   magma: interpolateMagma,
   turbo: interpolateTurbo,
+  // Blue below the middle, red above.
+  rdbu: (place: number) => interpolateRdBu(1 - place),
 } as const;
 
 export type ColormapName = keyof typeof interpolators;
 
-/** The names, the default first. All but turbo also read in order of lightness. */
+/**
+ * The names, the default first. All but turbo and the diverging `rdbu`, which is for values on both sides
+ * of 0, also read in order of lightness.
+ */
 export const colormapNames = Object.keys(interpolators) as ColormapName[];
 
 export function isColormapName(name: string | null | undefined): name is ColormapName {

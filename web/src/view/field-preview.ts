@@ -15,7 +15,7 @@ const unreached = 0xffff;
 export class FieldPreview {
   /** One per vertex: computed, or borrowed from the nearest computed one; NaN where there is none. */
   readonly shown: Float32Array;
-  /** One per vertex: the computed value; NaN where there is none yet. */
+  /** One per vertex: the computed value; NaN where there is none, or none yet. */
   readonly values: Float64Array;
   /** Vertices computed so far. */
   computed = 0;
@@ -47,11 +47,13 @@ export class FieldPreview {
       this.values[vertex] = value;
       this.shown[vertex] = value;
       this.hops[vertex] = 0;
+      changed(vertex);
+      // A place without a value has none to lend.
+      if (Number.isNaN(value)) continue;
       this.range = this.range
         ? [Math.min(this.range[0], value), Math.max(this.range[1], value)]
         : [value, value];
       this.queue.push(vertex);
-      changed(vertex);
     }
   }
 

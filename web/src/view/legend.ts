@@ -1,9 +1,11 @@
-// The legend of a scalar field: the colour map with numbers and the unit.
+// The legend of a field: the colour map with numbers and the unit, or the categories with their names.
 
+import type { Category } from './categories.js';
 import { type ColormapName, colormapStops } from './colormaps.js';
 import { type LengthFormat, formatNumber, roundTicks } from './numbers.js';
 
-export interface LegendContent {
+/** Of a field of numbers. */
+export interface ScaleContent {
   title: string;
   colormap: ColormapName;
   /** The values at the ends of the colour map. */
@@ -11,15 +13,65 @@ export interface LegendContent {
   /** The field's smallest and largest value: the ends say so where there is more beyond. */
   extent: readonly [number, number];
   format: LengthFormat;
+  /** Lines of equal value, evenly spaced between the ends. */
+  isolines: number;
+  /** What else there is to say, for example what grey means; '' for nothing. */
+  note: string;
+}
+
+/** Of a field of categories. */
+export interface KeyContent {
+  title: string;
+  categories: readonly Category[];
+  note: string;
+}
+
+export type LegendContent = ScaleContent | KeyContent;
+
+/** A number beside the bar. */
+export interface Tick {
+  /** Share of the bar's length below it. */
+  place: number;
+  text: string;
+  /** Not one of the two ends. */
+  inner: boolean;
 }
 
 /** Share of the bar next to each end that is kept free of inner ticks. */
 const endZone = 0.1;
 
+/** The legend's heading: what it is, and in which unit. */
+export function headingOf(content: LegendContent): string {
+  const unit = 'format' in content ? content.format.unit : '';
+  return unit ? `${content.title}, ${unit}` : content.title;
+}
+
+/** The numbers beside a colour map, the highest first. */
+export function ticksOf({ range: [low, high], extent, format }: ScaleContent): Tick[] {
+  const beyond = (sign: string, more: boolean): string => (more ? `${sign}\u2009` : '');
+  const inner = roundTicks(low, high, 4)
+    .map((value) => ({ value, place: (value - low) / (high - low) }))
+    .filter(({ place }) => place > endZone && place < 1 - endZone)
+    .map(({ value, place }) => ({ place, text: formatNumber(value, format), inner: true }));
+  const atEnd = (place: number, text: string): Tick => ({ place, text, inner: false });
+  return [
+    atEnd(1, beyond('≥', extent[1] > high) + formatNumber(high, format)),
+    ...inner.reverse(),
+    atEnd(0, beyond('≤', extent[0] < low) + formatNumber(low, format)),
+  ];
+}
+
+/** Where lines of equal value lie on the bar, as shares of its length. */
+export function linePlaces(isolines: number): number[] {
+  return Array.from({ length: isolines }, (_, i) => (i + 1) / (isolines + 1));
+}
+
 export class Legend {
   readonly element = document.createElement('figure');
   private readonly title = document.createElement('figcaption');
   private readonly bar = document.createElement('div');
+  private readonly key = document.createElement('ul');
+  private readonly note = document.createElement('p');
   private shown = '';
 
   constructor() {
@@ -27,7 +79,9 @@ export class Legend {
     this.element.hidden = true;
     this.title.className = 'legend-title';
     this.bar.className = 'legend-bar';
-    this.element.append(this.title, this.bar);
+    this.key.className = 'legend-key';
+    this.note.className = 'legend-note';
+    this.element.append(this.title, this.bar, this.key, this.note);
   }
 
   update(content: LegendContent | undefined): void {
@@ -35,31 +89,39 @@ export class Legend {
     const key = JSON.stringify(content);
     if (!content || key === this.shown) return;
     this.shown = key;
-    const { title, colormap, range, extent, format } = content;
-    this.title.textContent = format.unit ? `${title}, ${format.unit}` : title;
-    this.bar.style.setProperty('--colours', colormapStops(colormap));
-    const [low, high] = range;
-    const inner = roundTicks(low, high, 4).filter((tick) => {
-      const place = (tick - low) / (high - low);
-      return place > endZone && place < 1 - endZone;
-    });
-    const beyond = (sign: string, more: boolean): string => (more ? `${sign}\u2009` : '');
-    this.bar.replaceChildren(
-      tickAt(1, beyond('≥', extent[1] > high) + formatNumber(high, format)),
-      ...inner.reverse().map((value) => {
-        const tick = tickAt((value - low) / (high - low), formatNumber(value, format));
-        tick.classList.add('inner');
-        return tick;
-      }),
-      tickAt(0, beyond('≤', extent[0] < low) + formatNumber(low, format)),
+    this.title.textContent = headingOf(content);
+    this.note.textContent = content.note;
+    this.note.hidden = content.note === '';
+    const isScale = 'range' in content;
+    this.bar.hidden = !isScale;
+    this.key.hidden = isScale;
+    if (isScale) this.showScale(content);
+    else this.key.replaceChildren(...content.categories.map(keyEntry));
+  }
+
+  private showScale(content: ScaleContent): void {
+    this.bar.style.setProperty('--colours', colormapStops(content.colormap));
+    const lines = linePlaces(content.isolines).map((place) => at(place, 'legend-line', ''));
+    const ticks = ticksOf(content).map(({ place, text, inner }) =>
+      at(place, inner ? 'legend-tick inner' : 'legend-tick', text),
     );
+    this.bar.replaceChildren(...ticks, ...lines);
   }
 }
 
-function tickAt(place: number, text: string): HTMLElement {
-  const tick = document.createElement('span');
-  tick.className = 'legend-tick';
-  tick.style.setProperty('--place', place.toFixed(4));
-  tick.textContent = text;
-  return tick;
+function at(place: number, className: string, text: string): HTMLElement {
+  const element = document.createElement('span');
+  element.className = className;
+  element.style.setProperty('--place', place.toFixed(4));
+  element.textContent = text;
+  return element;
+}
+
+function keyEntry({ name, colour, hatched }: Category): HTMLElement {
+  const entry = document.createElement('li');
+  const swatch = document.createElement('i');
+  swatch.style.setProperty('--colour', colour);
+  swatch.classList.toggle('hatched', hatched);
+  entry.append(swatch, name);
+  return entry;
 }

@@ -1,27 +1,11 @@
 // A loop on the surface: a bright band with a soft shadow, its midpoint a dot.
 
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Color,
-  GreaterDepth,
-  Group,
-  LessEqualDepth,
-  NotEqualStencilFunc,
-  Points,
-  ReplaceStencilOp,
-  ShaderMaterial,
-} from 'three';
+import { Group } from 'three';
 import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineGeometry } from 'three/addons/lines/LineGeometry.js';
-import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import type { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import type { Loop } from '../kernel/types.js';
-
-/**
- * How much nearer to the eye than it is a line is drawn, as a share of its distance: along the line
- * of sight, so that it does not move on the screen, and in proportion to the size of a pixel.
- */
-const lift = 0.002;
+import { type Dots, type Overlay, makeDots, strokeMaterial } from './fat-lines.js';
 
 /** The strokes of a band from the bottom up; widths in CSS pixels. */
 const strokes = [
@@ -41,12 +25,12 @@ export interface BandStyle {
   weight: number;
 }
 
-export class LoopBand {
+export class LoopBand implements Overlay {
   readonly object = new Group();
 
   private readonly line: LineGeometry;
   private readonly materials: LineMaterial[];
-  private readonly dots: Points<BufferGeometry, ShaderMaterial>;
+  private readonly dots: Dots;
 
   constructor(loop: Loop, style: BandStyle) {
     const antipodal = loop.kind === 'antipodal';
@@ -56,22 +40,14 @@ export class LoopBand {
     if (known) this.line.setPositions(loop.polyline);
     this.materials = (known ? strokes : []).map(({ part, width, opacity }, order) => {
       const dashed = antipodal && part !== 'shadow';
-      const material = new LineMaterial({
-        color: part === 'shadow' ? '#05060a' : style.colour,
-        linewidth: width * style.weight,
-        transparent: true,
+      const material = strokeMaterial({
+        colour: part === 'shadow' ? '#05060a' : style.colour,
+        width: width * style.weight,
         opacity: antipodal && part === 'shadow' ? 0.6 * opacity : opacity,
-        depthWrite: false,
-        depthFunc: part === 'hidden' ? GreaterDepth : LessEqualDepth,
+        hidden: part === 'hidden',
         dashed,
+        ...(part === 'band' ? {} : { once: order + 1 }),
       });
-      // A stroke covers each pixel once, so that its overlapping segments do not add up.
-      if (part !== 'band') {
-        material.stencilWrite = true;
-        material.stencilRef = order + 1;
-        material.stencilFunc = NotEqualStencilFunc;
-        material.stencilZPass = ReplaceStencilOp;
-      }
       if (dashed) {
         // Out and back may be one path: dashes symmetric about both its ends fall on each other.
         const dashes = 2 * Math.max(4, Math.round(strokesPerLoop / 2));
@@ -80,7 +56,6 @@ export class LoopBand {
         material.gapSize = 0.4;
         material.dashOffset = 0.3;
       }
-      if (part !== 'hidden') liftLine(material);
       const object = new Line2(this.line, material);
       if (dashed) object.computeLineDistances();
       object.renderOrder = 2 + order;
@@ -88,7 +63,12 @@ export class LoopBand {
       this.object.add(object);
       return material;
     });
-    this.dots = makeDots(loop, style);
+    // The base point is a small dot, the midpoint a larger one.
+    const dots = [
+      { place: known ? loop.polyline : loop.midpoint, size: 8 * style.weight },
+      { place: loop.midpoint, size: 15 * style.weight },
+    ];
+    this.dots = makeDots(dots, style.colour, 2 + strokes.length);
     this.object.add(this.dots);
   }
 
@@ -118,74 +98,4 @@ function lengthOf(polyline: Float32Array): number {
     );
   }
   return length || 1;
-}
-
-/** Moves a line towards the eye, so that the surface it lies on does not cut it. */
-function liftLine(material: LineMaterial): void {
-  material.onBeforeCompile = (shader) => {
-    shader.vertexShader = shader.vertexShader.replace(
-      'float aspect =',
-      `float lift = ${(1 - lift).toFixed(4)};\n float aspect =`,
-    );
-    for (const end of ['Start', 'End']) {
-      shader.vertexShader = shader.vertexShader.replace(
-        `modelViewMatrix * vec4( instance${end}, 1.0 );`,
-        `modelViewMatrix * vec4( instance${end}, 1.0 ); ${end.toLowerCase()}.xyz *= lift;`,
-      );
-    }
-  };
-  material.customProgramCacheKey = () => 'lifted';
-}
-
-/** The base point as a small dot, the midpoint as a larger one with a dark ring. */
-function makeDots(loop: Loop, style: BandStyle): Points<BufferGeometry, ShaderMaterial> {
-  const geometry = new BufferGeometry();
-  const base = loop.polyline.length > 0 ? loop.polyline.subarray(0, 3) : loop.midpoint;
-  geometry.setAttribute(
-    'position',
-    new BufferAttribute(Float32Array.from([...base, ...loop.midpoint]), 3),
-  );
-  geometry.setAttribute(
-    'size',
-    new BufferAttribute(Float32Array.from([8 * style.weight, 15 * style.weight]), 1),
-  );
-  const material = new ShaderMaterial({
-    transparent: true,
-    depthWrite: false,
-    uniforms: { pixelRatio: { value: 1 }, colour: { value: srgb(style.colour) } },
-    vertexShader: /* glsl */ `
-      attribute float size;
-      uniform float pixelRatio;
-      varying float vSize;
-      void main() {
-        vSize = size * pixelRatio;
-        vec4 seen = modelViewMatrix * vec4(position, 1.0);
-        gl_Position = projectionMatrix * vec4(seen.xyz * ${(1 - 2 * lift).toFixed(4)}, 1.0);
-        gl_PointSize = vSize + 2.0;
-      }
-    `,
-    fragmentShader: /* glsl */ `
-      uniform vec3 colour;
-      uniform float pixelRatio;
-      varying float vSize;
-      void main() {
-        float radius = length(gl_PointCoord - 0.5) * (vSize + 2.0);
-        float outer = 0.5 * vSize;
-        float alpha = 1.0 - smoothstep(outer - 0.7, outer + 0.7, radius);
-        if (alpha <= 0.0) discard;
-        float inner = outer - 2.2 * pixelRatio;
-        vec3 shown = mix(colour, vec3(0.03, 0.04, 0.06), smoothstep(inner - 0.7, inner + 0.7, radius));
-        gl_FragColor = vec4(shown, alpha);
-      }
-    `,
-  });
-  const dots = new Points(geometry, material);
-  dots.frustumCulled = false;
-  dots.renderOrder = 2 + strokes.length;
-  return dots;
-}
-
-/** The colour's sRGB components, for shaders that write them to the canvas as they are. */
-function srgb(css: string): Color {
-  return new Color(css).convertLinearToSRGB();
 }

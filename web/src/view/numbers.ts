@@ -1,11 +1,11 @@
-// Lengths as people read them: one unit and one number of decimals for a whole field, so that
-// numbers keep their width while they change.
+// Lengths and other values as people read them: one unit and one number of decimals for a whole field,
+// so that numbers keep their width while they change.
 
-/** How the lengths of one field are written. */
+/** How the values of one field are written: lengths, angles or plain numbers. */
 export interface LengthFormat {
   /** Written after the number; '' where the file does not say its unit. */
   unit: string;
-  /** Multiplies a length in model units. */
+  /** Multiplies a value in the field's own unit. */
   scale: number;
   decimals: number;
 }
@@ -14,10 +14,11 @@ const minus = '\u2212';
 const thinSpace = '\u202f';
 
 /**
- * The format for lengths up to `largest` (model units, of unit `unit`): four significant digits at
- * that length. Metres become millimetres below 10 cm, and kilometres from 1 km.
+ * The format for values up to `largest`, of unit `unit`: four significant digits at that value. Metres
+ * become millimetres below 10 cm, and kilometres from 1 km; radians become degrees with one decimal.
  */
 export function lengthFormat(largest: number, unit: string): LengthFormat {
+  if (unit === 'rad') return { unit: '°', scale: 180 / Math.PI, decimals: 1 };
   const size = Number.isFinite(largest) && largest > 0 ? largest : 1;
   let scale = 1;
   let written = unit;
@@ -35,7 +36,8 @@ export function formatNumber(length: number, format: LengthFormat): string {
 /** The number with its unit. */
 export function formatLength(length: number, format: LengthFormat): string {
   const number = formatNumber(length, format);
-  return format.unit ? `${number}${thinSpace}${format.unit}` : number;
+  if (format.unit === '') return number;
+  return `${number}${format.unit === '°' ? '' : thinSpace}${format.unit}`;
 }
 
 /** A whole number with commas between thousands. */

@@ -6,20 +6,26 @@ import {
   PerspectiveCamera,
   Raycaster,
   Scene,
+  Sphere,
   Vector2,
-  type Vector3,
+  Vector3,
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { FacePoint } from '../kernel/types.js';
+import { bestDirection, eased, viewBetween } from './camera-flight.js';
+import type { Overlay } from './fat-lines.js';
 import type { GroundShadow } from './ground-shadow.js';
-import type { LoopBand } from './loop-band.js';
 import type { Surface } from './surface.js';
 
 /** Smallest of the two viewing angles, in degrees. */
 const viewingAngle = 28;
 /** Milliseconds between two frames of a surface that only turns by itself. */
 const turningInterval = 30;
+/** Milliseconds of a flight of the camera. */
+const flightTime = 700;
+/** Of a place's points so many are looked for, to see whether it is hidden. */
+const sightings = 14;
 /** Milliseconds between two frames while only colours change, at least and at most. */
 const colourInterval = [100, 1000] as const;
 /** Share of the time that may go into such frames, where drawing is slow: the work goes first. */
@@ -47,6 +53,13 @@ export interface CameraView {
   target: [number, number, number];
 }
 
+/** A place of a surface to look at. */
+export interface Place {
+  points: readonly Vector3[];
+  /** From where to look rather, if that is known: the mean normal. */
+  outwards?: Vector3 | undefined;
+}
+
 /** A point of the surface on the canvas, in CSS pixels from its top left corner. */
 export interface ScreenPoint {
   x: number;
@@ -58,8 +71,8 @@ export interface ScreenPoint {
 export class Stage {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly bands = new Group();
-  private readonly bandSet = new Set<LoopBand>();
+  private readonly onSurface = new Group();
+  private readonly overlays = new Set<Overlay>();
   private readonly camera = new PerspectiveCamera(viewingAngle, 1, 0.01, 100);
   private readonly controls: OrbitControls;
   private readonly raycaster = new Raycaster();
@@ -77,6 +90,7 @@ export class Stage {
   private turnsByItself = false;
   /** Whether the camera was moved since it last came to rest. */
   private moved = false;
+  private flight: { from: CameraView; to: CameraView; begun: number } | undefined;
 
   /** Throws where the browser has no WebGL 2. */
   constructor(
@@ -85,13 +99,16 @@ export class Stage {
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
     this.renderer.setClearColor(0x000000, 0);
-    this.scene.add(this.bands);
+    this.scene.add(this.onSurface);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.14;
     this.controls.rotateSpeed = 0.9;
     this.controls.autoRotateSpeed = 1.1;
-    this.controls.addEventListener('start', () => this.touch());
+    this.controls.addEventListener('start', () => {
+      this.flight = undefined;
+      this.touch();
+    });
     this.controls.addEventListener('change', () => {
       this.moved ||= !this.turnsByItself;
       this.invalidate();
@@ -110,6 +127,7 @@ export class Stage {
     this.surface = surface;
     if (surface) {
       this.scene.add(surface.object);
+      surface.setPixelRatio(this.renderer.getPixelRatio());
       this.resetView();
     }
     this.invalidate();
@@ -122,16 +140,16 @@ export class Stage {
     this.invalidate();
   }
 
-  add(band: LoopBand): void {
-    band.setPixelRatio(this.renderer.getPixelRatio());
-    this.bandSet.add(band);
-    this.bands.add(band.object);
+  add(overlay: Overlay): void {
+    overlay.setPixelRatio(this.renderer.getPixelRatio());
+    this.overlays.add(overlay);
+    this.onSurface.add(overlay.object);
     this.invalidate();
   }
 
-  remove(band: LoopBand): void {
-    this.bandSet.delete(band);
-    band.dispose();
+  remove(overlay: Overlay): void {
+    this.overlays.delete(overlay);
+    overlay.dispose();
     this.invalidate();
   }
 
@@ -144,13 +162,13 @@ export class Stage {
     this.height = Math.max(1, height);
     this.renderer.setPixelRatio(Math.min(2, pixelRatio));
     this.renderer.setSize(this.width, this.height, false);
-    for (const band of this.bandSet) band.setPixelRatio(this.renderer.getPixelRatio());
+    const ratio = this.renderer.getPixelRatio();
+    this.surface?.setPixelRatio(ratio);
+    for (const overlay of this.overlays) overlay.setPixelRatio(ratio);
     // The standard angle fits into the width and into the height that is left.
     const room = Math.max(0.4 * this.height, this.height - bottom);
-    const half = Math.tan((viewingAngle * Math.PI) / 360);
-    const fit = this.height / Math.min(this.width, room);
     this.camera.aspect = this.width / this.height;
-    this.camera.fov = (360 / Math.PI) * Math.atan(half * fit);
+    this.camera.fov = fovFor(Math.min(this.width, room), this.height);
     const down = (this.height - room) / 2;
     this.camera.setViewOffset(this.width, this.height, 0, down, this.width, this.height);
     this.draw();
@@ -227,6 +245,7 @@ export class Stage {
   resetView(): void {
     const { surface } = this;
     if (!surface) return;
+    this.flight = undefined;
     const { center, radius } = surface.bounds;
     const distance = (1.08 * radius) / Math.sin((viewingAngle * Math.PI) / 360);
     this.controls.target.copy(center);
@@ -255,9 +274,25 @@ export class Stage {
   }
 
   /** Looks from there at once; what lies beyond the limits of moving by hand is brought within. */
-  lookFrom({ polar, azimuth, distance, target }: CameraView): void {
-    if (!this.surface) return;
+  lookFrom(view: CameraView): void {
+    this.flight = undefined;
     this.touch();
+    this.setView(view);
+  }
+
+  /** Moves to where a place is seen well: smoothly, or at once. */
+  flyTo(place: Place, atOnce: boolean): void {
+    const { view: from } = this;
+    if (!from || place.points.length === 0) return;
+    this.touch();
+    const to = this.viewOf(place);
+    this.flight = atOnce ? undefined : { from, to, begun: performance.now() };
+    if (atOnce) this.setView(to);
+    this.invalidate();
+  }
+
+  private setView({ polar, azimuth, distance, target }: CameraView): void {
+    if (!this.surface) return;
     const { center, radius } = this.surface.bounds;
     this.controls.target.fromArray(target).clampLength(0, 4).multiplyScalar(radius).add(center);
     const { minDistance, maxDistance } = this.controls;
@@ -269,8 +304,32 @@ export class Stage {
     this.invalidate();
   }
 
+  /** From where a place is seen well, with what is round it. */
+  private viewOf({ points, outwards }: Place): CameraView {
+    const surface = this.surface!;
+    const { center, radius } = surface.bounds;
+    const ball = new Sphere().setFromPoints([...points]);
+    const reach = Math.min(radius, Math.max(1.35 * ball.radius, 0.16 * radius));
+    const distance = (1.08 * reach) / Math.sin((viewingAngle * Math.PI) / 360);
+    const step = Math.max(1, Math.floor(points.length / sightings));
+    const looked = points.filter((_, i) => i % step === 0);
+    const seen = (direction: Vector3): number => {
+      const eye = ball.center.clone().addScaledVector(direction, distance);
+      return looked.filter((point) => !surface.hides(point, eye)).length / looked.length;
+    };
+    const present = this.camera.position.clone().sub(this.controls.target).normalize();
+    const { x, y, z } = bestDirection(present, outwards, seen);
+    return {
+      polar: Math.acos(Math.min(1, Math.max(-1, y))),
+      azimuth: Math.atan2(x, z),
+      distance: distance / radius,
+      target: ball.center.sub(center).divideScalar(radius).toArray(),
+    };
+  }
+
   /** Turns the camera about the surface, to the right and up, in radians. */
   orbit(right: number, up: number): void {
+    this.flight = undefined;
     this.touch();
     const arm = this.camera.position.clone().sub(this.controls.target);
     const radius = arm.length();
@@ -284,6 +343,7 @@ export class Stage {
 
   /** Multiplies the distance to the surface. */
   zoom(factor: number): void {
+    this.flight = undefined;
     this.touch();
     const arm = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
     arm.clampLength(this.controls.minDistance, this.controls.maxDistance);
@@ -292,23 +352,68 @@ export class Stage {
     this.invalidate();
   }
 
-  /** The picture as it is now, as a PNG with a transparent background. */
-  snapshot(): Promise<Blob> {
+  /** The picture as it is now, transparent where nothing is. */
+  picture(): HTMLCanvasElement {
     this.draw();
-    return new Promise((resolve, reject) => {
-      this.canvas.toBlob(
-        (blob) => (blob ? resolve(blob) : reject(new Error('the canvas is empty'))),
-        'image/png',
-      );
-    });
+    return this.copy();
+  }
+
+  /**
+   * A picture of a place of the surface, with `overlay` instead of what else is drawn on it. What is on
+   * the canvas stays. Size in pixels.
+   */
+  pictureOf(
+    place: Place,
+    overlay: Overlay | undefined,
+    width: number,
+    height: number,
+  ): HTMLCanvasElement {
+    const { renderer, scene, surface } = this;
+    if (!surface) throw new Error('no surface is shown');
+    const [size, ratio] = [renderer.getSize(new Vector2()), renderer.getPixelRatio()];
+    const camera = new PerspectiveCamera(fovFor(width, height), width / height);
+    const view = this.viewOf(place);
+    const { center, radius } = surface.bounds;
+    const target = new Vector3().fromArray(view.target).multiplyScalar(radius).add(center);
+    camera.position
+      .setFromSphericalCoords(view.distance * radius, view.polar, view.azimuth)
+      .add(target);
+    camera.lookAt(target);
+    this.onSurface.visible = false;
+    if (this.shadow) this.shadow.object.visible = false;
+    overlay?.setPixelRatio(1);
+    if (overlay) scene.add(overlay.object);
+    try {
+      // Drawn and copied before the browser shows anything of it.
+      renderer.setPixelRatio(1);
+      renderer.setSize(width, height, false);
+      surface.setPixelRatio(1);
+      this.render(camera);
+      return this.copy();
+    } finally {
+      overlay?.object.removeFromParent();
+      this.onSurface.visible = true;
+      if (this.shadow) this.shadow.object.visible = true;
+      surface.setPixelRatio(ratio);
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(size.x, size.y, false);
+      this.draw();
+    }
+  }
+
+  private copy(): HTMLCanvasElement {
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [this.canvas.width, this.canvas.height];
+    copy.getContext('2d')!.drawImage(this.canvas, 0, 0);
+    return copy;
   }
 
   dispose(): void {
     cancelAnimationFrame(this.requested);
     clearTimeout(this.soon);
     this.resting = true;
-    for (const band of this.bandSet) band.dispose();
-    this.bandSet.clear();
+    for (const overlay of this.overlays) overlay.dispose();
+    this.overlays.clear();
     this.show(undefined);
     this.controls.dispose();
     this.renderer.dispose();
@@ -323,6 +428,7 @@ export class Stage {
   private frame(now: number): void {
     this.requested = 0;
     const again = this.events.beforeFrame();
+    this.fly(now);
     const elapsed = now - this.lastFrame;
     if (!this.dirty && this.turnsByItself && elapsed < turningInterval) {
       this.schedule();
@@ -333,7 +439,7 @@ export class Stage {
     // Reports 'change', which asks for the next frame, as long as the camera still moves.
     this.controls.update(Math.min(0.1, elapsed / 1000));
     const moving = this.dirty;
-    if (this.moved && !moving) {
+    if (this.moved && !moving && !this.flight) {
       this.moved = false;
       this.events.rested();
     }
@@ -346,8 +452,22 @@ export class Stage {
     else if (moving) this.schedule();
   }
 
+  /** Goes on with a flight of the camera. */
+  private fly(now: number): void {
+    if (!this.flight) return;
+    const { from, to, begun } = this.flight;
+    const time = (now - begun) / flightTime;
+    if (time >= 1) this.flight = undefined;
+    this.setView(viewBetween(from, to, eased(time)));
+  }
+
   private draw(): void {
-    const { surface, camera } = this;
+    this.render(this.camera);
+    this.events.afterFrame();
+  }
+
+  private render(camera: PerspectiveCamera): void {
+    const { surface } = this;
     if (surface) {
       const { center, radius } = surface.bounds;
       const distance = camera.position.distanceTo(center);
@@ -356,6 +476,11 @@ export class Stage {
       camera.updateProjectionMatrix();
     }
     this.renderer.render(this.scene, camera);
-    this.events.afterFrame();
   }
+}
+
+/** The vertical angle, in degrees, with which the standard angle fits into a width and the height. */
+function fovFor(width: number, height: number): number {
+  const half = Math.tan((viewingAngle * Math.PI) / 360);
+  return (360 / Math.PI) * Math.atan((half * height) / Math.min(width, height));
 }

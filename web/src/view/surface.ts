@@ -3,9 +3,9 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  Color,
   DataTexture,
   DoubleSide,
-  DynamicDrawUsage,
   Group,
   LineBasicMaterial,
   LineSegments,
@@ -22,54 +22,20 @@ import { MeshBVH } from 'three-mesh-bvh';
 import type { FacePoint, SurfacePoint } from '../kernel/types.js';
 import type { Adjacency } from './adjacency.js';
 import { weightsIn } from './barycentric.js';
+import type { Category } from './categories.js';
 import { type ColormapName, colormapSize, colormapTable } from './colormaps.js';
 import type { CreasedSurface } from './creases.js';
+import { DrawnVertices } from './drawn-vertices.js';
+import {
+  type ShadingMode,
+  fragmentShader,
+  mostCategories,
+  shadingModes,
+  vertexShader,
+} from './surface-shader.js';
 
 /** Faces from which the hierarchy for picking is built in a worker: more would hold up the page. */
 const manyFaces = 4000;
-
-const vertexShader = /* glsl */ `
-  attribute vec2 scalar;
-  varying vec2 vScalar;
-  varying vec3 vNormal;
-  varying vec3 vView;
-
-  void main() {
-    vScalar = scalar;
-    vNormal = normalMatrix * normal;
-    vec4 seen = modelViewMatrix * vec4(position, 1.0);
-    vView = -seen.xyz;
-    gl_Position = projectionMatrix * seen;
-  }
-`;
-
-// Colours stay sRGB from the table to the canvas. Light only scales them, by a factor between
-// 0.70 and 1.04, the same for the three channels, so that hue and order of the map survive.
-const fragmentShader = /* glsl */ `
-  uniform sampler2D colormap;
-  uniform vec2 range;
-  uniform vec3 plain;
-  varying vec2 vScalar;
-  varying vec3 vNormal;
-  varying vec3 vView;
-
-  void main() {
-    vec3 normal = normalize(vNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    vec3 view = normalize(vView);
-
-    float known = clamp(vScalar.y, 0.0, 1.0);
-    float value = vScalar.x / max(vScalar.y, 1e-6);
-    float place = clamp((value - range.x) / max(range.y - range.x, 1e-30), 0.0, 1.0);
-    float texel = (0.5 + place * ${(colormapSize - 1).toFixed(1)}) / ${colormapSize.toFixed(1)};
-    vec3 colour = mix(plain, texture2D(colormap, vec2(texel, 0.5)).rgb, known);
-
-    float key = 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.75, 0.65)));
-    float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float rim = 1.0 - facing;
-    float light = mix(0.78, 1.04, smoothstep(0.05, 0.95, key)) - 0.08 * rim * rim * rim;
-    gl_FragColor = vec4(colour * light, 1.0);
-  }
-`;
 
 const hierarchyOptions = { indirect: true, targetLeafSize: 8 };
 
@@ -85,9 +51,9 @@ export class Surface {
   private readonly drawn: BufferGeometry;
   private readonly picked: BufferGeometry;
   private readonly material: ShaderMaterial;
+  private readonly vertices: DrawnVertices;
   private readonly scalar: BufferAttribute;
-  private readonly firstCopy: Int32Array;
-  private readonly nextCopy: Int32Array;
+  private readonly flags: BufferAttribute;
   private readonly texture: DataTexture;
   private edges: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
   private readonly walls: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
@@ -105,21 +71,14 @@ export class Surface {
     private readonly adjacency: Adjacency,
     creased: CreasedSurface,
   ) {
-    const vertexCount = positions.length / 3;
-    const drawnCount = creased.positions.length / 3;
-    this.firstCopy = new Int32Array(vertexCount).fill(-1);
-    this.nextCopy = new Int32Array(creased.copyOf.length).fill(-1);
-    creased.copyOf.forEach((vertex, copy) => {
-      this.nextCopy[copy] = this.firstCopy[vertex]!;
-      this.firstCopy[vertex] = copy;
-    });
-
-    this.scalar = new BufferAttribute(new Float32Array(2 * drawnCount), 2);
-    this.scalar.setUsage(DynamicDrawUsage);
+    this.vertices = new DrawnVertices(positions.length / 3, creased.copyOf);
+    this.scalar = this.vertices.attribute(2, 'floats');
+    this.flags = this.vertices.attribute(4, 'shares');
     this.drawn = new BufferGeometry();
     this.drawn.setAttribute('position', new BufferAttribute(creased.positions, 3));
     this.drawn.setAttribute('normal', new BufferAttribute(creased.normals, 3));
     this.drawn.setAttribute('scalar', this.scalar);
+    this.drawn.setAttribute('flags', this.flags);
     this.drawn.setIndex(new BufferAttribute(creased.indices, 1));
     this.drawn.computeBoundingSphere();
     this.bounds = boundsOf(positions);
@@ -135,15 +94,31 @@ export class Surface {
       vertexShader,
       fragmentShader,
       side: DoubleSide,
+      defines: { SHADING: shadingModes.scalar },
       uniforms: {
+        coloured: { value: 0 },
         colormap: { value: this.texture },
         range: { value: new Vector2(0, 1) },
+        isolines: { value: 0 },
+        steepest: { value: 0 },
+        pixelRatio: { value: 1 },
         plain: { value: new Vector3(0.72, 0.72, 0.73) },
+        palette: { value: Array.from({ length: mostCategories }, () => new Vector3()) },
+        hatched: { value: new Array<number>(mostCategories).fill(0) },
+        thresholds: { value: new Vector2() },
+        marking: { value: 0 },
+        tinting: { value: 0 },
+        tint: { value: new Vector3(1, 0.48, 0.27) },
       },
       // Leaves room in depth for loops and edges drawn on the surface.
       polygonOffset: true,
       polygonOffsetFactor: 1.5,
       polygonOffsetUnits: 2,
+    });
+    // Until they are first needed; the two cost much memory.
+    Object.assign(this.material.defaultAttributeValues, {
+      pair: [0, 0, 0],
+      category: [0, 0, 0, 0],
     });
     this.object.add(new Mesh(this.drawn, this.material));
     if (walls.length > 0) this.walls = this.addLines(walls, 0.62);
@@ -157,21 +132,34 @@ export class Surface {
 
   /** The values at the two ends of the colour map. */
   setRange(low: number, high: number): void {
-    (this.material.uniforms['range']!.value as Vector2).set(low, high);
+    this.vector2('range').set(low, high);
+  }
+
+  /**
+   * So many lines of equal value, evenly spaced between the ends of the range; 0: none. Where the value
+   * changes by more than `steepest` for each unit of length it jumps, and has no lines.
+   */
+  setIsolines(count: number, steepest: number): void {
+    this.define('LINES', count > 0 ? '' : undefined);
+    this.material.uniforms['isolines']!.value = count;
+    this.material.uniforms['steepest']!.value = Math.min(steepest, 1e30);
+  }
+
+  /** The screen's pixels for each CSS pixel. */
+  setPixelRatio(ratio: number): void {
+    this.material.uniforms['pixelRatio']!.value = ratio;
+  }
+
+  /** What the surface is coloured by, of what was set before. */
+  shadeBy(mode: ShadingMode): void {
+    this.material.uniforms['coloured']!.value = mode === 'plain' ? 0 : 1;
+    this.define('SHADING', shadingModes[mode === 'plain' ? 'scalar' : mode]);
   }
 
   /** The value of one vertex and how strongly it shows; weight 0 is plain grey. */
   setScalar(vertex: number, value: number, weight: number): void {
-    const data = this.scalar.array;
     // Stored times its weight, so that values are averaged by weight across a face.
-    const weighted = weight > 0 ? value * weight : 0;
-    data[2 * vertex] = weighted;
-    data[2 * vertex + 1] = weight;
-    const vertexCount = this.firstCopy.length;
-    for (let copy = this.firstCopy[vertex]!; copy >= 0; copy = this.nextCopy[copy]!) {
-      data[2 * (vertexCount + copy)] = weighted;
-      data[2 * (vertexCount + copy) + 1] = weight;
-    }
+    this.vertices.set(this.scalar, vertex, weight > 0 ? value * weight : 0, weight);
   }
 
   /** Sends what `setScalar` changed with the next frame. */
@@ -179,10 +167,98 @@ export class Surface {
     this.scalar.needsUpdate = true;
   }
 
-  /** All vertices grey. */
-  clearScalars(): void {
-    this.scalar.array.fill(0);
-    this.uploadScalars();
+  /** Sorts the vertices: a number below `categories.length` for each. */
+  setCategories(numbers: ArrayLike<number>, categories: readonly Category[]): void {
+    const attribute = this.ensure('category', 4, 'shares');
+    const data = attribute.array.fill(0);
+    for (let vertex = 0; vertex < numbers.length; ++vertex) {
+      data[4 * vertex + numbers[vertex]!] = 255;
+    }
+    this.vertices.upload(attribute);
+    this.setPalette(categories);
+  }
+
+  /** Two values for each vertex, NaN where there is none, which thresholds divide. */
+  setPair(girth: Float64Array, diameter: Float64Array): void {
+    const attribute = this.ensure('pair', 3, 'floats');
+    const data = attribute.array;
+    for (let vertex = 0; vertex < girth.length; ++vertex) {
+      const known = !Number.isNaN(girth[vertex]! + diameter[vertex]!);
+      data[3 * vertex] = known ? girth[vertex]! : 0;
+      data[3 * vertex + 1] = known ? diameter[vertex]! : 0;
+      data[3 * vertex + 2] = known ? 1 : 0;
+    }
+    this.vertices.upload(attribute);
+  }
+
+  /**
+   * Where the two values of `setPair` divide the surface, and the four categories that they make of it:
+   * body where the second value is not below its threshold, else tube where the first is below its own
+   * and plate where it is not; and what has no values.
+   */
+  setThresholds(girth: number, diameter: number, categories: readonly Category[]): void {
+    this.vector2('thresholds').set(Math.min(girth, 1e30), Math.min(diameter, 1e30));
+    this.setPalette(categories);
+  }
+
+  /** Shows these vertices as they are and fades the others; undefined: all as they are. */
+  mark(vertices: ArrayLike<number> | undefined): void {
+    this.setFlags('marking', vertices !== undefined);
+    this.setFlag(0, vertices ? [vertices] : []);
+  }
+
+  /** Tints regions, one of them strongly. */
+  tint(regions: readonly ArrayLike<number>[], selected: ArrayLike<number> | undefined): void {
+    this.setFlags('tinting', regions.length > 0 || selected !== undefined);
+    this.setFlag(1, regions);
+    this.setFlag(2, selected ? [selected] : []);
+  }
+
+  private setFlags(use: 'marking' | 'tinting', used: boolean): void {
+    const { uniforms } = this.material;
+    uniforms[use]!.value = used ? 1 : 0;
+    const isUsed = uniforms['marking']!.value === 1 || uniforms['tinting']!.value === 1;
+    this.define('FLAGS', isUsed ? '' : undefined);
+  }
+
+  /** Chooses the program: one that is new to the page is compiled with the next frame. */
+  private define(name: string, value: unknown): void {
+    const { defines } = this.material;
+    if (defines[name] === value) return;
+    if (value === undefined) delete defines[name];
+    else defines[name] = value;
+    this.material.needsUpdate = true;
+  }
+
+  private setFlag(component: number, regions: readonly ArrayLike<number>[]): void {
+    const data = this.flags.array;
+    for (let i = component; i < data.length; i += 4) data[i] = 0;
+    for (const vertices of regions) {
+      for (let i = 0; i < vertices.length; ++i) data[4 * vertices[i]! + component] = 255;
+    }
+    this.vertices.upload(this.flags);
+  }
+
+  private setPalette(categories: readonly Category[]): void {
+    const { palette, hatched } = this.material.uniforms;
+    categories.forEach(({ colour, hatched: striped }, i) => {
+      const { r, g, b } = new Color(colour).convertLinearToSRGB();
+      (palette!.value as Vector3[])[i]!.set(r, g, b);
+      (hatched!.value as number[])[i] = striped ? 1 : 0;
+    });
+  }
+
+  /** An attribute of the drawn surface, made when it is first asked for. */
+  private ensure(name: string, size: number, kind: 'floats' | 'shares'): BufferAttribute {
+    const there = this.drawn.getAttribute(name) as BufferAttribute | undefined;
+    if (there) return there;
+    const made = this.vertices.attribute(size, kind);
+    this.drawn.setAttribute(name, made);
+    return made;
+  }
+
+  private vector2(uniform: string): Vector2 {
+    return this.material.uniforms[uniform]!.value as Vector2;
   }
 
   /** Draws every edge of the mesh as a hairline, or none. */
@@ -283,6 +359,11 @@ export class Surface {
       position.addScaledVector(this.positionOf(vertex), point.weights[k]!);
     });
     return position;
+  }
+
+  /** Away from the inside, at a vertex; at a crease, on one side of it. */
+  normalOf(vertex: number): Vector3 {
+    return new Vector3().fromBufferAttribute(this.drawn.getAttribute('normal'), vertex);
   }
 
   /** The vertices that share an edge with one. */

@@ -17,7 +17,7 @@ struct VocabularyOptions {
   /// The same seed always gives the same words.
   std::uint64_t seed{1};
   /// Rounds of Lloyd's algorithm at most; it ends when no feature changes its word.
-  unsigned rounds{100};
+  unsigned rounds{50};
 };
 
 /// The words that features are replaced by.

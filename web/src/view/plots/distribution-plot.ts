@@ -47,19 +47,23 @@ export class DistributionPlot {
   private range: [number, number] | undefined;
   private marked: number | undefined;
 
-  constructor(private readonly events: DistributionEvents) {
+  /** Without events no range can be marked: it is a picture. */
+  constructor(private readonly events?: DistributionEvents) {
     const { element, band, mark } = this;
     const { over } = this.frame;
     element.className = 'plot';
-    element.tabIndex = 0;
-    element.setAttribute('role', 'slider');
-    element.setAttribute('aria-valuemin', '0');
-    element.setAttribute('aria-valuemax', String(histogramBins));
     band.className = 'plot-band';
     mark.className = 'plot-mark';
     over.append(band, mark);
-    over.addEventListener('pointerdown', (event) => this.beginDrag(event));
-    element.addEventListener('keydown', (event) => this.key(event));
+    element.setAttribute('role', events ? 'slider' : 'img');
+    element.classList.toggle('fixed', !events);
+    if (events) {
+      element.tabIndex = 0;
+      element.setAttribute('aria-valuemin', '0');
+      element.setAttribute('aria-valuemax', String(histogramBins));
+      over.addEventListener('pointerdown', (event) => this.beginDrag(event));
+      element.addEventListener('keydown', (event) => this.key(event));
+    }
     this.place();
   }
 
@@ -228,7 +232,7 @@ export class DistributionPlot {
 
   private setBrush(range: ValueRange | undefined, settled: boolean): void {
     this.brush = range;
-    this.events.brushed(this.range, settled);
+    this.events?.brushed(this.range, settled);
   }
 
   /** Puts the band and the mark where they belong. */
@@ -237,6 +241,7 @@ export class DistributionPlot {
     const format = content?.format;
     band.hidden = !range || !content;
     mark.hidden = marked === undefined || !Number.isFinite(marked) || !content;
+    if (!this.events) return;
     if (!content || !format) {
       element.setAttribute('aria-valuenow', '0');
       element.setAttribute('aria-valuetext', 'no range marked');

@@ -18,3 +18,4 @@ export {
   DistributionPlot,
 } from './distribution-plot.js';
 export { type RegionColours, type Thresholds, ScatterPlot } from './scatter-plot.js';
+export { type LengthFormat, formatCount, formatLength, formatNumber } from '../numbers.js';

@@ -1,0 +1,43 @@
+// What the commands that compare shapes let one choose.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "girth/retrieval/signatures.h"
+#include "girth/retrieval/study_fields.h"
+
+namespace CLI {
+class App;
+}
+
+namespace girth::cli {
+
+/// How shapes are compared.
+struct ComparisonOptions {
+  /// Names and sums; empty: all names.
+  std::vector<std::string> descriptors;
+  retrieval::FieldParameters fields;
+  retrieval::SignatureOptions signatures;
+  unsigned threads{0};
+};
+
+struct RetrieveOptions : ComparisonOptions {
+  std::vector<std::string> folders;
+  /// A class file for each folder, as far as they go.
+  std::vector<std::string> classes;
+  std::string output;
+  /// Empty: in the output.
+  std::string cache;
+  /// "I/N", or empty.
+  std::string shard;
+  std::string title;
+};
+
+/// Adds --descriptors, --faces and so on.
+void addComparisonOptions(CLI::App& command, ComparisonOptions& options);
+
+/// Adds all options of `girth retrieve`.
+void addRetrieveOptions(CLI::App& command, RetrieveOptions& options);
+
+}  // namespace girth::cli

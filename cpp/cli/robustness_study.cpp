@@ -1,0 +1,113 @@
+// girth study robustness: the paper's Figures 7, 8 and 9.
+#include "robustness_study.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include "files.h"
+#include "girth/io/write_robustness.h"
+#include "interrupt.h"
+#include "model_fields.h"
+#include "progress_line.h"
+#include "report.h"
+
+namespace girth::cli {
+namespace {
+
+std::string cell(const std::optional<double>& value, const char* format, double factor = 1) {
+  if (!value || std::isnan(*value)) return "-";
+  char text[32];
+  std::snprintf(text, sizeof(text), format, factor * *value);
+  return text;
+}
+
+void print(const std::string& model, const std::vector<retrieval::RobustnessRow>& rows) {
+  std::printf("%s: how far the girth moves, as distributions (equation 1)\n", model.c_str());
+  std::printf("  %-6s %-34s %7s %10s %10s %10s\n", "figure", "change", "faces", "difference",
+              "the paper", "unchanged");
+  for (const retrieval::RobustnessRow& row : rows) {
+    std::printf("  %-6s %-34s %7u %10s %10s %10s%s%s\n", row.figure.c_str(), row.change.c_str(),
+                row.faces, cell(row.difference, "%.1e").c_str(), cell(row.paper, "%.1e").c_str(),
+                cell(row.unchanged, "%.1f%%", 100).c_str(), row.note.empty() ? "" : "  ",
+                row.note.c_str());
+  }
+  std::printf(
+      "  figure 7: against the model as it is, the paper's worst; others: against it with "
+      "even triangles\n");
+}
+
+}  // namespace
+
+void addRobustnessOptions(CLI::App& command, RobustnessStudyOptions& options) {
+  const auto range = CLI::Range(std::uint32_t{4}, std::uint32_t{100'000'000});
+  command.add_option("MODEL", options.model, "The model to change")->required();
+  command.add_option("--poses", options.poses, "The same thing in other poses");
+  command
+      .add_option("--faces", options.study.faces,
+                  "Triangles of the even mesh that is changed; 10000 by default")
+      ->check(range);
+  command
+      .add_option("--sizes", options.study.sizes,
+                  "Triangles to remesh the model to, N,N,...; 2000 to 50000 by default")
+      ->delimiter(',')
+      ->check(range);
+  command
+      .add_option("--stretch", options.study.stretch,
+                  "How much longer uneven triangles are in one direction; 4 by default")
+      ->check(CLI::Range(1.0, 100.0));
+  command.add_option("--seed", options.study.seed, "Of the noise; 1 by default");
+  command.add_option("-o,--output", options.output, "Write the table: .csv or .json");
+  command
+      .add_option("--threads", options.threads, "Threads; as many as there are cores by default")
+      ->check(CLI::Range(1u, 1024u));
+  command.add_flag("--json", options.json, "Print the table as JSON");
+}
+
+int runRobustnessStudy(const RobustnessStudyOptions& options) {
+  const std::string extension = extensionOf(options.output);
+  if (!options.output.empty()) {
+    if (extension != ".csv" && extension != ".json") {
+      Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
+      error.hint = "use .csv or .json";
+      return reportError(options.output, error);
+    }
+    if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
+  }
+  const auto model = readSurface(options.model);
+  if (!model) return reportError(options.model, model.error());
+  std::vector<retrieval::NamedSurface> poses;
+  for (const std::string& path : options.poses) {
+    auto pose = readSurface(path);
+    if (!pose) return reportError(path, pose.error());
+    poses.push_back({std::filesystem::path(path).filename().string(), std::move(pose).value()});
+  }
+  std::optional<Result<std::vector<retrieval::RobustnessRow>>> rows;
+  {
+    ProgressLine progress(options.model);
+    ExecutionContext context;
+    context.threads = options.threads;
+    context.cancel = &catchInterrupts();
+    context.onProgress = [&](double fraction) { progress.show(fraction); };
+    rows = retrieval::robustnessStudy(model.value(), poses, options.study, context);
+  }
+  if (!*rows) return reportError(options.model, rows->error());
+  const auto json = [&] { return io::robustnessJson(rows->value(), options.model); };
+  if (!options.output.empty()) {
+    const std::string content = extension == ".csv" ? io::robustnessCsv(rows->value()) : json();
+    if (auto error = writeFile(options.output, content)) {
+      return reportError(options.output, *error);
+    }
+  }
+  if (options.json) {
+    std::fputs(json().c_str(), stdout);
+  } else {
+    print(options.model, rows->value());
+  }
+  return 0;
+}
+
+}  // namespace girth::cli

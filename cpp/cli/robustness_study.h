@@ -1,0 +1,30 @@
+// `girth study robustness`
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "girth/retrieval/robustness.h"
+
+namespace CLI {
+class App;
+}
+
+namespace girth::cli {
+
+struct RobustnessStudyOptions {
+  std::string model;
+  std::vector<std::string> poses;
+  retrieval::RobustnessOptions study;
+  /// Empty: only the table on standard output.
+  std::string output;
+  unsigned threads{0};
+  bool json{false};
+};
+
+void addRobustnessOptions(CLI::App& command, RobustnessStudyOptions& options);
+
+/// How little the girth changes with a surface's triangles, noise and pose.
+int runRobustnessStudy(const RobustnessStudyOptions& options);
+
+}  // namespace girth::cli

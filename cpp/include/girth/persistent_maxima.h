@@ -1,0 +1,32 @@
+// The maxima of a field, ranked by how far they rise above their surroundings.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/surface_mesh.h"
+
+namespace girth {
+
+struct PersistentMaximum {
+  Index vertex{0};
+  double value{0};
+  /// How far one must go down from it, at least, to reach a higher maximum: 0 or more, in the
+  /// field's unit. Of the highest of a component: how far down to its least value.
+  double persistence{0};
+  /// The vertex where its surroundings meet those of a higher maximum; kNoIndex for the highest.
+  Index saddle{kNoIndex};
+};
+
+/// All maxima of `values` along the surface's edges, most persistent first: the topological
+/// persistence of the connected components of the sets {values ≥ c} (Edelsbrunner, Letscher and
+/// Zomorodian 2002). Of equal values the vertex with the lower number counts as higher; maxima that
+/// only this makes are left out, but for one of each component. For minima, hand over the negated
+/// values. Vertices without a value (NaN) are not part of the surface.
+///
+/// O(n log n). Errors: USAGE where the values are not as many as the vertices.
+Result<std::vector<PersistentMaximum>> persistentMaxima(const SurfaceMesh& mesh,
+                                                        std::span<const double> values);
+
+}  // namespace girth

@@ -1,0 +1,53 @@
+#include "girth/io/write_robustness.h"
+
+#include <cmath>
+
+#include "girth/io/json_text.h"
+#include "girth/io/number_text.h"
+
+namespace girth::io {
+namespace {
+
+using retrieval::RobustnessRow;
+
+std::string csvText(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string number(double value, const char* none) {
+  return std::isfinite(value) ? formatNumber(value) : std::string(none);
+}
+
+std::string number(const std::optional<double>& value, const char* none) {
+  return value ? number(*value, none) : std::string(none);
+}
+
+}  // namespace
+
+std::string robustnessCsv(std::span<const RobustnessRow> rows) {
+  std::string text = "figure,change,faces,difference,unchanged,paper,note\n";
+  for (const RobustnessRow& row : rows) {
+    text += row.figure + "," + csvText(row.change) + "," + std::to_string(row.faces) + "," +
+            number(row.difference, "") + "," + number(row.unchanged, "") + "," +
+            number(row.paper, "") + "," + csvText(row.note) + "\n";
+  }
+  return text;
+}
+
+std::string robustnessJson(std::span<const RobustnessRow> rows, std::string_view file) {
+  std::string text;
+  for (const RobustnessRow& row : rows) {
+    text += text.empty() ? "\n" : ",\n";
+    text += "{\"figure\":" + jsonString(row.figure) + ",\"change\":" + jsonString(row.change) +
+            ",\"faces\":" + std::to_string(row.faces) +
+            ",\"difference\":" + number(row.difference, "null") +
+            ",\"unchanged\":" + number(row.unchanged, "null") +
+            ",\"paper\":" + number(row.paper, "null") + ",\"note\":" + jsonString(row.note) + "}";
+  }
+  return "{\"file\":" + jsonString(file) + ",\"rows\":[" + text + "]}\n";
+}
+
+}  // namespace girth::io

@@ -1,0 +1,260 @@
+// The page's tips, parts and print check: lists, thresholds, reports and files.
+
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Download, Locator, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
+import type { GirthViewer } from '../../web/src/element/index.js';
+import { box } from './meshes.js';
+import { drop, examples, modelIs, openPanel, site } from './page-support.js';
+import {
+  type StaticServer,
+  chromiumForTests,
+  command,
+  requireBuilt,
+  serve,
+  strictPolicy,
+} from './support.js';
+import { fieldComplete } from './viewer-page.js';
+
+const openPage = chromiumForTests();
+let server: StaticServer;
+let page: Page;
+let viewer: Locator;
+let complaints: string[];
+let close: () => Promise<void>;
+
+beforeAll(async () => {
+  requireBuilt('build/page/index.html', 'build:page');
+  server = await serve(site, { isolated: true, policy: strictPolicy });
+});
+afterAll(() => server.close());
+beforeEach(async () => {
+  const opened = await openPage(server.url, { reducedMotion: 'reduce' });
+  ({ page, complaints } = opened);
+  close = () => opened.context.close();
+  viewer = page.locator('girth-viewer');
+});
+afterEach(async () => {
+  expect(complaints).toEqual([]);
+  await close();
+});
+
+async function openExample(name: string): Promise<void> {
+  await modelIs(page, 'chair.glb');
+  await page.getByRole('button', { name }).click();
+  await modelIs(page, `${name.toLowerCase()}.glb`);
+  await fieldComplete(viewer);
+}
+
+const textOf = async (download: Download): Promise<string> =>
+  readFileSync(await download.path(), 'utf8');
+
+async function downloadBy(act: () => Promise<void>): Promise<Download> {
+  const [download] = await Promise.all([page.waitForEvent('download'), act()]);
+  return download;
+}
+
+test('the octopus has eight tips; one is chosen and flown to; noise can be ranked away', async () => {
+  await openExample('Octopus');
+  const panel = await openPanel(page, 'tips');
+  const rows = panel.getByRole('list', { name: 'Tips', exact: true }).getByRole('button');
+  await expect.poll(() => rows.count()).toBe(8);
+  expect(await panel.locator('.count').textContent()).toBe('8');
+  // Area, reach and rise with their units, as the element has them.
+  const { jump, apexDistance } = await viewer.evaluate(
+    async (element: GirthViewer) => (await element.tips()).tips[1]!,
+  );
+  const words = await rows.nth(1).textContent();
+  expect(words).toContain(`${jump.toFixed(4)}\u202fm`);
+  expect(words).toContain(`${apexDistance.toFixed(4)}\u202fm long`);
+  expect(words).toMatch(/cm²|mm²/);
+  const camera = () => viewer.evaluate((element: GirthViewer) => JSON.stringify(element.camera));
+  const before = await camera();
+  await rows.nth(1).click();
+  expect(await rows.nth(1).getAttribute('aria-pressed')).toBe('true');
+  await expect.poll(camera).not.toBe(before);
+  // Arcs that cut nothing off are listed as open.
+  const arcs = await viewer.evaluate(
+    async (element: GirthViewer) => (await element.tips()).arcs.length,
+  );
+  const listed = panel.getByRole('list', { name: 'Open lines' }).getByRole('button');
+  expect(await listed.count()).toBe(Math.min(100, arcs));
+
+  await panel.getByLabel('Hide what rises less than').focus();
+  await page.keyboard.press('End');
+  await expect.poll(() => rows.count()).toBe(1);
+  expect(await panel.locator('p[role=status]').textContent()).toBe('7 hidden.');
+});
+
+test('a box has no tips, and says so', async () => {
+  await modelIs(page, 'chair.glb');
+  await drop(page, { name: 'box.obj', bytes: Buffer.from(box(3, 3, 3)) });
+  await modelIs(page, 'box.obj');
+  await fieldComplete(viewer);
+  const panel = await openPanel(page, 'tips');
+  await expect.poll(() => panel.locator('p[role=status]').textContent()).toContain('no tips');
+  expect(await panel.locator('.count').textContent()).toBe('0');
+});
+
+test('thresholds by number, by dragging in the plot, by slider; automatic again', async () => {
+  await modelIs(page, 'chair.glb');
+  await fieldComplete(viewer);
+  const panel = await openPanel(page, 'parts');
+  await panel.locator('.controls').waitFor();
+  const girth = page.locator('#parts-girth');
+  const suggested = await girth.inputValue();
+  expect(await page.locator('#field-name').inputValue()).toBe('parts');
+
+  await girth.fill('0.2');
+  await girth.press('Enter');
+  await page.locator('#parts-diameter').fill('0.05');
+  await page.locator('#parts-diameter').press('Enter');
+  const thresholds = () =>
+    viewer.evaluate((element: GirthViewer) => [
+      element.thresholds!.girth,
+      element.thresholds!.diameter,
+    ]);
+  expect(await thresholds()).toEqual([0.2, 0.05]);
+  const counts = () =>
+    viewer.evaluate(async (element: GirthViewer) => {
+      const { parts } = await element.parts(element.thresholds!);
+      const of = (kind: string) => parts.filter((part) => part.kind === kind).length;
+      return [of('tube'), of('plate')];
+    });
+  const [tubes, plates] = await counts();
+  expect(tubes).toBeGreaterThan(0);
+  expect(plates).toBeGreaterThan(0);
+  await expect.poll(() => panel.locator('h3').first().textContent()).toBe(`Tubes: ${tubes}`);
+  expect(await panel.locator('h3').nth(1).textContent()).toBe(`Plates: ${plates}`);
+
+  const cross = (await panel.locator('.plot-cross').boundingBox())!;
+  await page.mouse.move(cross.x + cross.width / 2, cross.y + cross.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(cross.x - 20, cross.y + 25, { steps: 3 });
+  await page.mouse.up();
+  const dragged = await thresholds();
+  expect(dragged[0]).toBeLessThan(0.2);
+  expect(dragged[1]).toBeLessThan(0.05);
+  await panel.getByRole('slider', { name: 'Girth below which' }).first().focus();
+  await page.keyboard.press('ArrowRight');
+  expect((await thresholds())[0]).toBeGreaterThan(dragged[0]!);
+
+  await girth.fill('-1');
+  await girth.press('Enter');
+  expect(await girth.getAttribute('aria-invalid')).toBe('true');
+  await page.locator('#automatic').click();
+  await expect.poll(() => girth.inputValue()).toBe(suggested);
+  // Closed, the surface is coloured as before.
+  await panel.locator('summary').click();
+  await expect.poll(() => page.locator('#field-name').inputValue()).toBe('igf');
+});
+
+test('the print check finds the command’s places, pictured and reported', async () => {
+  await modelIs(page, 'chair.glb');
+  await fieldComplete(viewer);
+  const panel = await openPanel(page, 'print');
+  await page.locator('#check').click();
+  await expect.poll(() => panel.locator('.answer').textContent()).toContain('Say how thin');
+  await page.locator('#min-tube').fill('0.04');
+  await page.locator('#min-wall').fill('0.02');
+  await page.locator('#check').click();
+  await panel.locator('.places img').first().waitFor({ timeout: 60_000 });
+
+  const chair = join(examples, 'chair.glb');
+  const run = (): string => {
+    try {
+      const limits = ['--min-tube', '0.04m', '--min-wall', '0.02m'];
+      return execFileSync(command, ['parts', chair, ...limits, '--json'], { encoding: 'utf8' });
+    } catch (error) {
+      const { status, stdout } = error as { status: number; stdout: string };
+      expect(status).toBe(4);
+      return stdout;
+    }
+  };
+  const json = await downloadBy(() => panel.getByRole('button', { name: 'JSON' }).click());
+  expect(json.suggestedFilename()).toBe('chair-print-check.json');
+  const [mine, theirs] = [await textOf(json), run()].map(
+    (text) => JSON.parse(text) as { file: string; places: unknown[] },
+  );
+  expect(mine).toEqual({ ...theirs, file: 'chair.glb' });
+  const count = theirs!.places.length;
+  expect(count).toBeGreaterThan(0);
+  expect(await panel.locator('.answer').textContent()).toMatch(
+    count === 1 ? 'one place is' : `${count} places are`,
+  );
+
+  const html = await downloadBy(() => panel.getByRole('button', { name: 'Report (HTML)' }).click());
+  const report = await page.context().newPage();
+  const asked: string[] = [];
+  report.on('request', (request) => asked.push(request.url()));
+  await report.setContent(await textOf(html));
+  expect(await report.locator('tbody tr').count()).toBe(Math.min(60, count));
+  const drawn = await report
+    .locator('img')
+    .evaluateAll((images: HTMLImageElement[]) =>
+      Promise.all(images.map((image) => image.decode().then(() => image.naturalWidth))),
+    );
+  expect(drawn.length).toBe(Math.min(60, count) + 1);
+  expect(Math.min(...drawn)).toBeGreaterThan(100);
+  expect(asked.filter((address) => !address.startsWith('data:'))).toEqual([]);
+  await report.close();
+
+  // Nothing fails any more; and a number that is none is said to be none.
+  await page.locator('#min-tube').fill('0.001');
+  await page.locator('#min-wall').fill('0.0001');
+  await page.locator('#check').click();
+  await expect.poll(() => panel.locator('.answer').textContent()).toContain('Passes');
+  await page.locator('#min-tube').fill('three');
+  await page.locator('#check').click();
+  await expect.poll(() => panel.locator('.answer').textContent()).toContain('That is no length');
+});
+
+test('a file without a unit that is open: the print check says both', async () => {
+  await modelIs(page, 'chair.glb');
+  const open = readFileSync(join(import.meta.dirname, '../data/bad/open.obj'));
+  await drop(page, { name: 'open.obj', bytes: open });
+  await modelIs(page, 'open.obj');
+  const panel = await openPanel(page, 'print');
+  const cautions = panel.locator('.cautions li');
+  expect(await cautions.allTextContents()).toEqual([
+    expect.stringContaining('does not say its unit'),
+    expect.stringContaining('The surface is open'),
+  ]);
+  await page.locator('#print-unit').selectOption('mm');
+  await expect.poll(() => cautions.count()).toBe(1);
+  expect(await panel.locator('.unit').first().textContent()).toBe('mm');
+});
+
+test('every computed field by name, tips and parts as files', async () => {
+  await modelIs(page, 'chair.glb');
+  await fieldComplete(viewer);
+  await page.locator('#field-name').selectOption('sdf');
+  await expect
+    .poll(() => viewer.locator('.legend-title').textContent(), { timeout: 30_000 })
+    .toMatch(/diameter/);
+  const exporting = async (name: string, group: string, format: string): Promise<Download> => {
+    await page.getByRole('button', { name: 'Export' }).click();
+    await page.locator('#export').waitFor();
+    if (name) await page.locator('#export-name').selectOption(name);
+    return downloadBy(() => page.locator(`#${group} [data-format=${format}]`).click());
+  };
+  const sdf = await exporting('sdf', 'export-field', 'csv');
+  expect(sdf.suggestedFilename()).toBe('chair-sdf.csv');
+  expect((await textOf(sdf)).split('\n')[0]).toMatch(/^vertex,sdf/);
+  const all = await textOf(await exporting('all', 'export-field', 'csv'));
+  expect(all.split('\n')[0]).toMatch(/^vertex,igf,.*sdf/);
+  const tips = JSON.parse(await textOf(await exporting('', 'export-tips', 'json'))) as {
+    tips: unknown[];
+  };
+  expect(tips.tips.length).toBe(4);
+  const parts = await exporting('', 'export-parts', 'json');
+  expect(parts.suggestedFilename()).toBe('chair-parts.json');
+  const picture = await exporting('', 'export-picture', 'png');
+  expect(
+    readFileSync(await picture.path())
+      .subarray(1, 4)
+      .toString(),
+  ).toBe('PNG');
+});

@@ -1,0 +1,88 @@
+// The girth command as a program of its own, run in a folder of the test's.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace girth::test {
+
+namespace fs = std::filesystem;
+
+inline const std::string kData = GIRTH_TEST_DATA;
+
+inline std::string contentOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+struct Outcome {
+  int exitCode;
+  std::string output, errors;
+};
+
+/// A folder for the files of one test.
+class Command : public ::testing::Test {
+ protected:
+  Command() {
+    std::string name = (fs::temp_directory_path() / "girth-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~Command() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::string write(const std::string& name, const std::string& content) const {
+    std::ofstream(path(name), std::ios::binary) << content;
+    return path(name);
+  }
+
+  /// Starts the command; `wait` ends it.
+  pid_t start(const std::vector<std::string>& arguments) const {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    if (std::freopen(path("stdout").c_str(), "wb", stdout) == nullptr ||
+        std::freopen(path("stderr").c_str(), "wb", stderr) == nullptr) {
+      _exit(126);
+    }
+    std::vector<std::string> copies{GIRTH_COMMAND};
+    copies.insert(copies.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& copy : copies) pointers.push_back(copy.data());
+    pointers.push_back(nullptr);
+    execv(pointers[0], pointers.data());
+    _exit(127);
+  }
+
+  Outcome wait(pid_t child) const {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            contentOf(path("stdout")), contentOf(path("stderr"))};
+  }
+
+  Outcome run(const std::vector<std::string>& arguments) const { return wait(start(arguments)); }
+
+  fs::path folder_;
+};
+
+}  // namespace girth::test

@@ -1,0 +1,139 @@
+// Functions of the vertices, one by one and all together.
+
+#include "girth/vertex_function.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "girth/geodesic_extent.h"
+#include "girth/girth_field.h"
+#include "girth/shape_diameter.h"
+#include "shapes.h"
+
+namespace girth::test {
+namespace {
+
+/// Bits, so that NaN equals itself.
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i] != b[i] && !(std::isnan(a[i]) && std::isnan(b[i]))) return false;
+  }
+  return true;
+}
+
+struct Named {
+  const char* name;
+  VertexFunction function;
+  std::vector<double> all;
+};
+
+std::vector<Named> functionsOf(const SurfaceMesh& mesh) {
+  const GeodesicExtent marched = geodesicExtent(mesh, DistanceMethod::FastMarching);
+  const GeodesicExtent exact = geodesicExtent(mesh, DistanceMethod::Exact);
+  return {
+      {"girth", girthFunction(mesh), girthField(mesh).values},
+      {"marched girth", girthFunction(mesh, GirthMethod::Marched),
+       girthField(mesh, GirthMethod::Marched).values},
+      {"naive girth", girthFunction(mesh, GirthMethod::Naive),
+       girthField(mesh, GirthMethod::Naive).values},
+      {"shape diameter", shapeDiameterFunction(mesh).value(), shapeDiameter(mesh).value().values},
+      {"mean distance",
+       geodesicExtentFunction(mesh, ExtentMeasure::Average, DistanceMethod::FastMarching),
+       marched.average},
+      {"greatest distance",
+       geodesicExtentFunction(mesh, ExtentMeasure::Farthest, DistanceMethod::FastMarching),
+       marched.farthest},
+      {"exact mean distance",
+       geodesicExtentFunction(mesh, ExtentMeasure::Average, DistanceMethod::Exact), exact.average},
+      {"exact greatest distance",
+       geodesicExtentFunction(mesh, ExtentMeasure::Farthest, DistanceMethod::Exact),
+       exact.farthest},
+  };
+}
+
+TEST(VertexFunction, OneByOneAsAllTogether) {
+  const SurfaceMesh mesh = perturbed(octasphere(2), 0.1, 3).mesh();
+  for (const Named& named : functionsOf(mesh)) {
+    SCOPED_TRACE(named.name);
+    const ExecutionContext context;
+    const VertexEvaluator evaluate = named.function.evaluator(context);
+    std::vector<double> values(mesh.vertexCount());
+    // Backwards: what was computed before must not matter.
+    for (Index v = mesh.vertexCount(); v-- > 0;) values[v] = evaluate(v).value().value;
+    EXPECT_TRUE(same(values, named.all));
+    for (const unsigned threads : {1u, 3u}) {
+      ExecutionContext several;
+      several.threads = threads;
+      const VertexValues all = evaluateAll(mesh, named.function, several);
+      EXPECT_TRUE(all.complete());
+      EXPECT_TRUE(same(all.values, named.all));
+    }
+    EXPECT_EQ(evaluate(mesh.vertexCount()).error().code, ErrorCode::VertexOutOfRange);
+    EXPECT_EQ(evaluate(kNoIndex).error().code, ErrorCode::VertexOutOfRange);
+    EXPECT_EQ(evaluate(0).value().value, named.all[0]);
+  }
+}
+
+TEST(VertexFunction, EvaluatorsOutliveTheirFunction) {
+  const SurfaceMesh mesh = octasphere(2).mesh();
+  const ExecutionContext context;
+  std::vector<std::pair<VertexEvaluator, double>> evaluators;
+  for (const Named& named : functionsOf(mesh)) {
+    evaluators.emplace_back(named.function.evaluator(context), named.all[5]);
+  }
+  for (const auto& [evaluate, value] : evaluators) EXPECT_EQ(evaluate(5).value().value, value);
+}
+
+TEST(VertexFunction, AngleIsThatOfTheLoop) {
+  const SurfaceMesh mesh = perturbed(octasphere(2), 0.2, 1).mesh();
+  const VertexValues angles = evaluateAll(mesh, loopAngleFunction(mesh));
+  GirthSolver solver(mesh);
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    EXPECT_EQ(angles.values[v], solver.loop(v).value().angle) << v;
+  }
+}
+
+TEST(VertexFunction, StopsWhenTold) {
+  const SurfaceMesh few = octasphere(1).mesh(), mesh = octasphere(4).mesh();
+  for (const Named& named : functionsOf(few)) {
+    SCOPED_TRACE(named.name);
+    std::atomic<bool> stopped{true};
+    ExecutionContext context;
+    context.cancel = &stopped;
+    EXPECT_EQ(evaluateAll(few, named.function, context).computed, 0u);
+  }
+  const VertexFunction far =
+      geodesicExtentFunction(mesh, ExtentMeasure::Average, DistanceMethod::Exact);
+  std::atomic<bool> cancel{false};
+  ExecutionContext context;
+  context.cancel = &cancel;
+  context.onProgress = [&](double) { cancel = true; };
+  const VertexValues values = evaluateAll(mesh, far, context);
+  EXPECT_LT(values.computed, values.values.size());
+  std::size_t numbers = 0;
+  for (const double value : values.values) numbers += std::isfinite(value);
+  EXPECT_EQ(numbers, values.computed);
+}
+
+TEST(VertexFunction, OptionsAreChecked) {
+  const SurfaceMesh mesh = octasphere(1).mesh();
+  EXPECT_EQ(shapeDiameterFunction(mesh, {0, 30}).error().code, ErrorCode::Usage);
+  EXPECT_EQ(shapeDiameterFunction(mesh, {1, 0}).error().code, ErrorCode::Usage);
+}
+
+TEST(VertexFunction, NotesSayWhatIsMissing) {
+  EXPECT_EQ(budgetNote(0, 9), "");
+  EXPECT_NE(budgetNote(2, 9).find("2 of 9 vertices"), std::string::npos);
+  EXPECT_EQ(shapeDiameterNote(false, 0, 9), "");
+  EXPECT_NE(shapeDiameterNote(true, 0, 9).find("inside out"), std::string::npos);
+  const std::string both = shapeDiameterNote(true, 3, 9);
+  EXPECT_NE(both.find("turn the faces over. 3 of 9 vertices"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace girth::test

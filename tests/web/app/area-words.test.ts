@@ -1,0 +1,15 @@
+import { expect, test } from 'vitest';
+import { formatArea } from '../../../web/app/area-words.js';
+
+test.each([
+  [20.5, { unit: 'mm', scale: 1, decimals: 2 }, '20.5\u202fmm²'],
+  [2.5e-5, { unit: 'mm', scale: 1000, decimals: 2 }, '25.0\u202fmm²'],
+  [0.5, { unit: 'm', scale: 1, decimals: 2 }, '0.500\u202fm²'],
+  [0.0123, { unit: 'm', scale: 1, decimals: 2 }, '123\u202fcm²'],
+  [0.0000123, { unit: 'm', scale: 1, decimals: 2 }, '12.3\u202fmm²'],
+  [0, { unit: '', scale: 1, decimals: 2 }, '0.00'],
+  [1.5e-9, { unit: '', scale: 1, decimals: 2 }, '1.50\u202f×\u202f10⁻⁹'],
+  [12345678, { unit: '', scale: 1, decimals: 2 }, '1.23\u202f×\u202f10⁷'],
+])('%s %o is %s', (area, format, words) => {
+  expect(formatArea(area, format)).toBe(words);
+});

@@ -1,0 +1,82 @@
+import { expect, test } from 'vitest';
+import { Fields, type FieldState } from '../../../web/src/element/fields.js';
+import type { Field, FieldName, FieldOptions, Mesh } from '../../../web/src/kernel/types.js';
+
+const vertexCount = 3;
+const adjacency = { first: Uint32Array.of(0, 1, 3, 4), neighbours: Uint32Array.of(1, 0, 2, 1) };
+
+/** A mesh whose fields are finished by hand, and what the host was told. */
+function drawn() {
+  const runs: { name: FieldName; options: FieldOptions; finish: () => void }[] = [];
+  const mesh = {
+    info: { vertexCount },
+    field: (name: FieldName, options: FieldOptions) =>
+      new Promise<Field>((resolve, reject) => {
+        const values = Float64Array.of(1, 2, 3);
+        const field = { name, values, range: [1, 3] } as unknown as Field;
+        runs.push({ name, options, finish: () => resolve(field) });
+        options.signal!.addEventListener('abort', () =>
+          reject(Object.assign(new Error('cancelled'), { code: 'CANCELLED' })),
+        );
+      }),
+  } as unknown as Mesh;
+  const ended: { name: FieldName; whole: boolean; code: string | undefined }[] = [];
+  const fields = new Fields(mesh, adjacency, {
+    received: ({ preview }, partial) => preview!.receive(partial, () => undefined),
+    progressed: () => undefined,
+    ended: ({ name, field }: FieldState, error) =>
+      ended.push({ name, whole: !!field, code: (error as { code?: string } | undefined)?.code }),
+  });
+  return { fields, runs, ended };
+}
+
+test('a field is computed once, however often it is asked for', async () => {
+  const { fields, runs, ended } = drawn();
+  const both = [fields.compute('igf'), fields.compute('igf')];
+  expect(runs).toHaveLength(1);
+  expect(fields.computing).toBe('igf');
+  runs[0]!.finish();
+  const [one, other] = await Promise.all(both);
+  expect(one).toBe(other);
+  expect(await fields.compute('igf')).toBe(one);
+  expect(runs).toHaveLength(1);
+  expect(fields.shareOf('igf')).toBe(1);
+  expect(ended).toEqual([{ name: 'igf', whole: true, code: undefined }]);
+});
+
+test('what was cancelled keeps its values and can be computed again', async () => {
+  const { fields, runs, ended } = drawn();
+  const first = fields.compute('igf');
+  runs[0]!.options.onPartial!({
+    vertices: Uint32Array.of(1),
+    values: Float64Array.of(7),
+    kinds: new Uint8Array(1),
+  });
+  fields.cancel();
+  await expect(first).rejects.toThrow('cancelled');
+  expect(ended).toEqual([{ name: 'igf', whole: false, code: 'CANCELLED' }]);
+  expect(fields.shareOf('igf')).toBeCloseTo(1 / 3);
+  expect([...fields.valuesOf('igf')]).toEqual([NaN, 7, NaN]);
+  const second = fields.compute('igf');
+  runs[1]!.finish();
+  expect((await second).values).toHaveLength(vertexCount);
+});
+
+test('asked for again before the cancelled computation has ended', async () => {
+  const { fields, runs, ended } = drawn();
+  const first = fields.compute('sdf').catch((error: Error) => error.message);
+  fields.cancel();
+  const second = fields.compute('sdf');
+  expect(await first).toBe('cancelled');
+  expect(fields.computing).toBeDefined();
+  runs[1]!.finish();
+  await second;
+  expect(fields.computing).toBeUndefined();
+  expect(ended).toEqual([{ name: 'sdf', whole: true, code: undefined }]);
+});
+
+test('a field that nobody asked for has no values', () => {
+  const { fields } = drawn();
+  expect([...fields.valuesOf('angle')]).toEqual([NaN, NaN, NaN]);
+  expect(fields.shareOf('angle')).toBe(0);
+});

@@ -1,0 +1,44 @@
+import { expect, test } from 'vitest';
+import { nameOf, parseCount, parseRange, parseVertices } from '../../../web/src/element/parse.js';
+
+test('a range is two ascending numbers or percentages', () => {
+  expect(parseRange('1 2.5')).toEqual({ by: 'values', ends: [1, 2.5] });
+  expect(parseRange(' -1e-3,4 ')).toEqual({ by: 'values', ends: [-1e-3, 4] });
+  expect(parseRange('5% 95%')).toEqual({ by: 'shares', ends: [0.05, 0.95] });
+  expect(parseRange('0% 100%')).toEqual({ by: 'shares', ends: [0, 1] });
+  const wrong = [
+    'auto',
+    '',
+    '1',
+    '2 1',
+    '1 1',
+    '1 2 3',
+    '1 NaN',
+    '5% 3',
+    '-1% 5%',
+    '5% 101%',
+    '% 5%',
+  ];
+  for (const text of [...wrong, '0 Infinity', null])
+    expect(parseRange(text), text ?? '').toBeUndefined();
+});
+
+test('a count is a whole number, and not too large', () => {
+  expect(parseCount('12', 100)).toBe(12);
+  expect(parseCount('7.6', 100)).toBe(8);
+  expect(parseCount('1e9', 100)).toBe(100);
+  for (const text of ['', 'many', '-3', '0', 'NaN', null]) expect(parseCount(text, 100)).toBe(0);
+});
+
+test('vertices are the whole numbers of a list', () => {
+  expect(parseVertices('12 4031')).toEqual([12, 4031]);
+  expect(parseVertices('hover, 3,x 4.5 -1')).toEqual([3]);
+  expect(parseVertices(null)).toEqual([]);
+});
+
+test('a source’s name is that of the model in it', () => {
+  expect(nameOf('a/b%20c.glb?x=1#y')).toBe('b c.glb');
+  const file = (path: string) => ({ path, content: new Blob() });
+  expect(nameOf([file('m/tex.png'), file('m/a.gltf')])).toBe('a.gltf');
+  expect(nameOf({ positions: new Float32Array(), indices: new Uint32Array() })).toBe('');
+});

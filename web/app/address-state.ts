@@ -1,0 +1,204 @@
+// What the page shows, written as the fragment of its address and read from it. Whatever cannot be
+// understood there is left out without a word: the rest still holds.
+
+import type { CameraView } from '../src/element/index.js';
+import type { SurfacePoint } from '../src/kernel/index.js';
+
+export const panelNames = ['loops', 'tips', 'parts', 'print', 'compare'] as const;
+export type PanelName = (typeof panelNames)[number];
+
+export interface PageState {
+  /** An example's name, or the address of a model. */
+  model?: string;
+  /** The name of a file that was dropped: a link cannot have the file itself. */
+  file?: string;
+  /** Holes were closed; only these components were kept; it was remeshed to so many faces. */
+  closed?: boolean;
+  components?: number[];
+  faces?: number;
+  /** Of lengths, where the file does not say it. */
+  unit?: string;
+  field?: string;
+  colormap?: string;
+  /** As the element's attribute: two numbers or two percentages. */
+  range?: string;
+  isolines?: number;
+  edges?: boolean;
+  camera?: CameraView;
+  /** Where loops are pinned. */
+  loops?: SurfacePoint[];
+  /** The thresholds of parts, in model units, and their smoothing. */
+  girth?: number;
+  diameter?: number;
+  smoothing?: number;
+  /** The selected tip, from 1; tips that jump less are hidden. */
+  tip?: number;
+  jump?: number;
+  panel?: PanelName;
+}
+
+/** More loops than these are not pinned from a link: each costs a computation. */
+const mostLoops = 50;
+const mostComponents = 1000;
+
+/** Angles and shares to what can be seen. */
+function short(value: number): string {
+  // No '-0'.
+  return String(Number(value.toFixed(4)) + 0);
+}
+
+function writePoint(point: SurfacePoint): string {
+  if (typeof point === 'number') return String(point);
+  // Exactly as they are: the loop is then the same to the last digit.
+  return `${point.face}:${point.weights[0]}:${point.weights[1]}`;
+}
+
+function readPoint(text: string): SurfacePoint | undefined {
+  const [first = '', ...rest] = text.split(':');
+  const number = readCount(first);
+  if (number === undefined) return undefined;
+  if (rest.length === 0) return number;
+  const [a = NaN, b = NaN] = rest.map(readNumber).map((share) => share ?? NaN);
+  const c = Math.max(0, 1 - a - b);
+  if (rest.length !== 2 || !(a >= 0 && b >= 0 && a + b <= 1 + 1e-9)) return undefined;
+  return { face: number, weights: [a, b, c] };
+}
+
+function readNumber(text: string): number | undefined {
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text)) return undefined;
+  const number = Number(text);
+  return Number.isFinite(number) ? number : undefined;
+}
+
+/** Not negative; thresholds may be infinite. */
+function readThreshold(text: string): number | undefined {
+  if (text === 'inf') return Infinity;
+  const number = readNumber(text);
+  return number !== undefined && number >= 0 ? number : undefined;
+}
+
+function readCount(text: string): number | undefined {
+  return /^\d{1,9}$/.test(text) ? Number(text) : undefined;
+}
+
+function readWord(text: string): string | undefined {
+  return /^[a-z][a-z0-9-]{0,30}$/i.test(text) ? text : undefined;
+}
+
+/** Two ascending numbers, or percentages. */
+function readRange(text: string): string | undefined {
+  const ends = text.split(' ');
+  const isPercent = ends.every((end) => end.endsWith('%'));
+  const [low, high] = ends.map((end) => readNumber(isPercent ? end.slice(0, -1) : end));
+  if (ends.length !== 2 || low === undefined || high === undefined || !(low < high))
+    return undefined;
+  if (isPercent && (low < 0 || high > 100)) return undefined;
+  return text;
+}
+
+function readCamera(text: string): CameraView | undefined {
+  const numbers = text.split(',').map(readNumber);
+  if (numbers.length !== 6 || numbers.some((number) => number === undefined)) return undefined;
+  const [polar, azimuth, distance, x, y, z] = numbers as number[];
+  if (!(distance! > 0)) return undefined;
+  return { polar: polar!, azimuth: azimuth!, distance: distance!, target: [x!, y!, z!] };
+}
+
+function readAll<Type>(
+  text: string,
+  most: number,
+  read: (text: string) => Type | undefined,
+): Type[] | undefined {
+  const read_ = text
+    .split(',')
+    .slice(0, most)
+    .map(read)
+    .filter((one) => one !== undefined);
+  return read_.length > 0 ? read_ : undefined;
+}
+
+/** A relative address would mean something else on another page; others than these are no models. */
+function readModel(text: string): string | undefined {
+  if (readWord(text)) return text;
+  try {
+    const { protocol, href } = new URL(text);
+    return protocol === 'https:' || protocol === 'http:' ? href : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+function readFile(text: string): string | undefined {
+  return text.length <= 200 ? text : undefined;
+}
+
+const readFlag = (text: string): boolean | undefined => (text === '1' ? true : undefined);
+const readPanel = (text: string): PanelName | undefined => panelNames.find((name) => name === text);
+
+type Reader<Type> = (text: string) => Type | undefined;
+type Writer<Type> = (value: Type) => string;
+
+/** How each part of the state is read and written; their order in the fragment. */
+const parts: {
+  [Key in keyof PageState]-?: [Reader<PageState[Key]>, Writer<NonNullable<PageState[Key]>>];
+} = {
+  model: [readModel, (model) => model],
+  file: [readFile, (file) => file],
+  closed: [readFlag, () => '1'],
+  components: [(text) => readAll(text, mostComponents, readCount), (numbers) => numbers.join(',')],
+  faces: [readCount, String],
+  unit: [readWord, (unit) => unit],
+  field: [readWord, (field) => field],
+  colormap: [readWord, (name) => name],
+  range: [readRange, (range) => range],
+  isolines: [readCount, String],
+  edges: [readFlag, () => '1'],
+  camera: [
+    readCamera,
+    ({ polar, azimuth, distance, target }) =>
+      [polar, azimuth, distance, ...target].map(short).join(','),
+  ],
+  loops: [
+    (text) => readAll(text, mostLoops, readPoint),
+    (loops) => loops.map(writePoint).join(','),
+  ],
+  girth: [readThreshold, (girth) => (girth === Infinity ? 'inf' : String(girth))],
+  diameter: [readThreshold, (diameter) => (diameter === Infinity ? 'inf' : String(diameter))],
+  smoothing: [readThreshold, String],
+  tip: [readCount, String],
+  jump: [readThreshold, (jump) => String(Number(jump.toPrecision(6)))],
+  panel: [readPanel, (panel) => panel],
+};
+
+/** Without the '#' in front. */
+export function writeState(state: PageState): string {
+  const words: string[] = [];
+  for (const [key, [, write]] of Object.entries(parts)) {
+    const value = state[key as keyof PageState];
+    if (value === undefined || value === false || (Array.isArray(value) && value.length === 0))
+      continue;
+    const text = (write as Writer<unknown>)(value);
+    // Legible where the rules for addresses allow it.
+    words.push(`${key}=${encodeURIComponent(text).replace(/%(2C|3A|2F|40)/g, decodeURIComponent)}`);
+  }
+  return words.join('&');
+}
+
+/** With or without the '#' in front. */
+export function readState(fragment: string): PageState {
+  const state: PageState = {};
+  for (const word of fragment.replace(/^#/, '').split('&')) {
+    const [key = '', ...rest] = word.split('=');
+    if (!Object.hasOwn(parts, key)) continue;
+    let text: string;
+    try {
+      text = decodeURIComponent(rest.join('=').replace(/\+/g, ' '));
+    } catch {
+      continue;
+    }
+    if (text === '') continue;
+    const value = parts[key as keyof PageState][0](text);
+    if (value !== undefined) Object.assign(state, { [key]: value });
+  }
+  return state;
+}

@@ -1,0 +1,75 @@
+// The page's address says what is shown, so that a link reproduces it and 'back' goes back to it.
+
+import { type PageState, readState, writeState } from './address-state.js';
+
+/** Milliseconds after a change until it is in the address: many changes come together. */
+const delay = 250;
+
+/** What a hand moves all the time makes no step to go back to. */
+function withoutMoves({ camera, range, panel, ...rest }: PageState): PageState {
+  void [camera, range, panel];
+  return rest;
+}
+
+export class Address {
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  /** How many are still bringing about what the address says. */
+  private holders = 0;
+  /** What needs no writing: the state as it came about by itself, or was written last. */
+  private known = '';
+
+  constructor(
+    private readonly read: () => PageState,
+    apply: (state: PageState) => void,
+  ) {
+    window.addEventListener('popstate', () => {
+      clearTimeout(this.timer);
+      apply(this.state);
+    });
+  }
+
+  /** What the address says. */
+  get state(): PageState {
+    return readState(location.hash);
+  }
+
+  /** What is shown as an address. */
+  get link(): string {
+    const link = new URL(location.href);
+    link.hash = writeState(this.read());
+    return link.href;
+  }
+
+  /** Nothing is written until some work on bringing about what the address says is over. */
+  async during(work: Promise<unknown>): Promise<void> {
+    ++this.holders;
+    clearTimeout(this.timer);
+    await work.catch(() => undefined);
+    if (--this.holders === 0) this.changed();
+  }
+
+  /** What is shown now did not come about by hand. */
+  settle(): void {
+    this.known = writeState(this.read());
+  }
+
+  /** What is shown has changed: writes it before long. */
+  changed(): void {
+    if (this.holders > 0) return;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.write(), delay);
+  }
+
+  private write(): void {
+    if (this.holders > 0) return;
+    const before = this.state;
+    const now = this.read();
+    const text = writeState(now);
+    if (text === this.known || text === writeState(before)) return;
+    this.known = text;
+    const address = text === '' ? location.pathname + location.search : `#${text}`;
+    const isStep = writeState(withoutMoves(now)) !== writeState(withoutMoves(before));
+    if (isStep) history.pushState(null, '', address);
+    else history.replaceState(null, '', address);
+  }
+}

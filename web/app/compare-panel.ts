@@ -1,0 +1,293 @@
+// Several models by their fields: distributions over each other, distances, and who is most alike.
+
+import type { FieldName } from '../src/kernel/index.js';
+import { fieldNames, fieldTitle, formatCount, make } from '../src/element/index.js';
+import { DistributionPlot, extent } from '../src/view/plots/index.js';
+import { ComparedModel } from './compared-model.js';
+import { DistanceMatrix, distanceWords } from './distance-matrix.js';
+import { kernel } from './kernel.js';
+import { Panel } from './panel.js';
+import { PlaceList } from './place-list.js';
+import type { Opened } from './session.js';
+import { thumbnail } from './thumbnail.js';
+
+/** More models than these are too many for workers that keep them all. */
+export const mostModels = 24;
+/** Told apart by colour and dashes; the first is the one that is asked about. */
+const colours = ['#c2410c', '#0072b2', '#009e73', '#8a6d00', '#56b4e9', '#a0529c', '#6b7280'];
+const dashes = [undefined, [6, 3], [2, 2], [9, 3, 2, 3]];
+
+export interface ComparePage {
+  /** The model that is on the page, and its name. */
+  present(): { opened: Opened; name: string } | undefined;
+  /** The built-in examples. */
+  gallery(): { opened: Opened; name: string }[];
+  /** Shows a model on the page. */
+  show(opened: Opened): void;
+  changed(): void;
+}
+
+export class ComparePanel {
+  readonly panel = new Panel('compare-panel');
+  private readonly field = make('select', { id: 'compare-field', 'aria-label': 'Compare by' });
+  private readonly plot = new DistributionPlot();
+  private readonly matrix = new DistanceMatrix((row) => this.ask(row));
+  private readonly ranking = new PlaceList('Ranking');
+  private readonly rankingTitle = make('h3');
+  private readonly words = make('p', { class: 'hint', role: 'status' });
+  private readonly results: HTMLElement;
+  private readonly buttons: Record<
+    'keep' | 'gallery' | 'show' | 'remove' | 'clear',
+    HTMLButtonElement
+  >;
+  private models: ComparedModel[] = [];
+  private query: ComparedModel | undefined;
+  private readonly distances = new Map<string, number>();
+  private readonly pictures = new Map<string, HTMLCanvasElement>();
+  /** For keys: what a model is called here. */
+  private readonly numbers = new Map<ComparedModel, number>();
+  private running = false;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(page: ComparePage) {
+    for (const name of fieldNames) {
+      if (name !== 'angle') this.field.append(make('option', { value: name }, fieldTitle(name)));
+    }
+    this.field.addEventListener('change', () => this.computeAll());
+    const button = (words: string, act: () => void): HTMLButtonElement => {
+      const made = make('button', { type: 'button', class: 'plain' }, words);
+      made.addEventListener('click', act);
+      return made;
+    };
+    this.buttons = {
+      keep: button('Add this model', () => {
+        const present = page.present();
+        if (present) this.add([present]);
+      }),
+      gallery: button('Add the examples', () => this.add(page.gallery())),
+      show: button('Show it', () => this.query && page.show(this.query.opened)),
+      remove: button('Remove it', () => this.query && this.remove(this.query)),
+      clear: button('Remove all', () => this.clear()),
+    };
+    this.plot.element.classList.add('compared');
+    this.results = make(
+      'div',
+      {},
+      make('div', { class: 'row' }, this.field),
+      this.plot.element,
+      this.rankingTitle,
+      this.ranking.element,
+      make('p', { class: 'buttons' }, this.buttons.show, this.buttons.remove, this.buttons.clear),
+      this.matrix.element,
+    );
+    this.panel.body.append(
+      make('p', { class: 'hint' }, 'Keep models here, or drop several, to see which are alike.'),
+      make('p', { class: 'buttons' }, this.buttons.keep, this.buttons.gallery),
+      this.words,
+      this.results,
+    );
+    this.panel.onToggle(() => {
+      this.refresh();
+      page.changed();
+    });
+    this.refresh();
+  }
+
+  /** Takes models in; those that are there already are not taken twice. */
+  add(some: readonly { opened: Opened; name: string }[]): void {
+    const key = ({ source, model, prepare, remeshed }: Opened): string =>
+      JSON.stringify([typeof source === 'string' ? source : '', model, prepare, remeshed?.faces]);
+    let left = mostModels - this.models.length;
+    for (const { opened, name } of some) {
+      const isThere = this.models.some(
+        (one) => one.opened.source === opened.source && key(one.opened) === key(opened),
+      );
+      if (isThere) continue;
+      if (--left < 0) break;
+      this.models.push(new ComparedModel(opened, name, () => this.refreshSoon()));
+    }
+    this.words.textContent =
+      left < 0 ? `No more than ${mostModels} are compared; remove some first.` : '';
+    this.query ??= this.models[0];
+    this.computeAll();
+  }
+
+  private get name(): FieldName {
+    return this.field.value as FieldName;
+  }
+
+  private remove(model: ComparedModel): void {
+    model.dispose();
+    this.models = this.models.filter((one) => one !== model);
+    if (this.query === model) this.query = this.models[0];
+    this.words.textContent = '';
+    this.refresh();
+  }
+
+  private clear(): void {
+    for (const model of this.models) model.dispose();
+    this.models = [];
+    this.query = undefined;
+    this.distances.clear();
+    this.pictures.clear();
+    this.words.textContent = '';
+    this.refresh();
+  }
+
+  private ask(number: number): void {
+    this.query = this.models[number];
+    this.refresh();
+  }
+
+  /** One model after another: each uses all workers by itself. */
+  private computeAll(): void {
+    this.refresh();
+    void this.computeMissing();
+  }
+
+  private async computeMissing(): Promise<void> {
+    if (this.running) return;
+    this.running = true;
+    try {
+      const own = await kernel;
+      for (;;) {
+        const { name } = this;
+        const next = this.models.find((model) => !model.failure && !model.fieldOf(name));
+        if (!next) break;
+        await next.compute(own, name);
+        if (!this.models.includes(next)) continue;
+        if (!next.failure && !next.fieldOf(name)) next.failure = 'cancelled';
+        await this.measure(next, name);
+        this.refresh();
+      }
+    } catch (error) {
+      this.words.textContent = error instanceof Error ? `${error.message}.` : String(error);
+    } finally {
+      this.running = false;
+    }
+  }
+
+  /** Its distances to all that are computed. */
+  private async measure(model: ComparedModel, name: FieldName): Promise<void> {
+    for (const other of this.models) {
+      if (other === model || !other.fieldOf(name)) continue;
+      const distance = await model.differenceTo(other, name).catch(() => NaN);
+      if (distance !== undefined) this.distances.set(this.keyOf(model, other, name), distance);
+    }
+  }
+
+  private keyOf(a: ComparedModel, b: ComparedModel, name: FieldName): string {
+    const numberOf = (model: ComparedModel): number => {
+      const number = this.numbers.get(model) ?? this.numbers.size;
+      this.numbers.set(model, number);
+      return number;
+    };
+    const [i, j] = [numberOf(a), numberOf(b)];
+    return `${name} ${Math.min(i, j)} ${Math.max(i, j)}`;
+  }
+
+  private distance(a: ComparedModel, b: ComparedModel): number | undefined {
+    if (a === b) return a.fieldOf(this.name) ? 0 : undefined;
+    if (a.failure || b.failure) return NaN;
+    return this.distances.get(this.keyOf(a, b, this.name));
+  }
+
+  private refreshSoon(): void {
+    this.timer ??= setTimeout(() => this.refresh(), 200);
+  }
+
+  private refresh(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    const { models, query, buttons } = this;
+    this.panel.summary = models.length > 0 ? formatCount(models.length) : '';
+    this.results.hidden = models.length === 0;
+    buttons.show.disabled = buttons.remove.disabled = !query;
+    if (!this.panel.isOpen || !query) return;
+    this.showPlot();
+    this.showRanking(query);
+    this.matrix.element.hidden = models.length < 3;
+    this.matrix.show(
+      models.map(({ name }) => name),
+      models.map((a) => models.map((b) => this.distance(a, b))),
+      models.indexOf(query),
+    );
+  }
+
+  private colourOf(model: ComparedModel): string {
+    return colours[this.models.indexOf(model) % colours.length]!;
+  }
+
+  private showPlot(): void {
+    const drawn = this.models.flatMap((model) => {
+      const values = model.normalised(this.name);
+      return values ? [{ model, values }] : [];
+    });
+    const reaches = drawn.flatMap(({ values }) => extent(values) ?? []);
+    this.plot.element.hidden = reaches.length === 0;
+    if (reaches.length === 0) return;
+    const [low, high] = [Math.min(...reaches), Math.max(...reaches)];
+    this.plot.show({
+      kind: 'cdf',
+      series: drawn.map(({ model, values }) => ({
+        values,
+        weights: model.weights,
+        colour: this.colourOf(model),
+        dash: dashes[Math.floor(this.models.indexOf(model) / colours.length) % dashes.length],
+      })),
+      range: [low, high > low ? high : low + 1e-9],
+      colourOf: () => ({ colour: 'transparent', faint: true }),
+      format: (value) => String(Number(value.toPrecision(3))),
+      axes: { label: `${fieldTitle(this.name)} / √area` },
+    });
+    this.plot.element.setAttribute(
+      'aria-label',
+      `Cumulative distributions of ${drawn.map(({ model }) => model.name).join(', ')}`,
+    );
+  }
+
+  private showRanking(query: ComparedModel): void {
+    const { name, models } = this;
+    const rows = models.map((model) => ({ model, distance: this.distance(query, model) }));
+    const far = (distance: number | undefined): number =>
+      distance === undefined || Number.isNaN(distance) ? Infinity : distance;
+    rows.sort((a, b) =>
+      a.model === query ? -1 : b.model === query ? 1 : far(a.distance) - far(b.distance),
+    );
+    this.rankingTitle.textContent = `Most like ${query.name}`;
+    this.ranking.show(
+      rows.map(({ model, distance }) => ({
+        lead: String(models.indexOf(model) + 1),
+        colour: this.colourOf(model),
+        main: model.name,
+        detail: this.detail(model, query, distance),
+        picture: this.pictureOf(model, name),
+        choose: () => {
+          this.query = model;
+          this.refresh();
+        },
+      })),
+    );
+    this.ranking.select(0);
+  }
+
+  private detail(model: ComparedModel, query: ComparedModel, distance: number | undefined): string {
+    if (model.failure) return model.failure;
+    if (!model.fieldOf(this.name)) {
+      return model.share > 0 ? `computing, ${Math.floor(100 * model.share)}\u202f%` : 'waiting';
+    }
+    return model === query ? 'asked about' : distanceWords(distance);
+  }
+
+  private pictureOf(model: ComparedModel, name: FieldName): HTMLCanvasElement | undefined {
+    if (!model.mesh) return undefined;
+    const field = model.fieldOf(name);
+    const key = `${this.keyOf(model, model, name)} ${field !== undefined}`;
+    let picture = this.pictures.get(key);
+    if (!picture) {
+      picture = thumbnail(model.mesh, field, 'viridis');
+      this.pictures.set(key, picture);
+    }
+    return picture;
+  }
+}

@@ -1,0 +1,86 @@
+// A model that is compared with others: read, and its fields computed, in the kernel's workers.
+
+import type { Field, FieldName, Kernel, Mesh } from '../src/kernel/index.js';
+import type { Opened } from './session.js';
+
+export class ComparedModel {
+  mesh: Mesh | undefined;
+  /** The area that each vertex stands for; of a surface whose own area is 1. */
+  weights: Float64Array | undefined;
+  /** The finished share of what is computed now. */
+  share = 0;
+  /** Why it cannot be compared; '' where it can. */
+  failure = '';
+  private readonly life = new AbortController();
+  private readonly fields = new Map<FieldName, Promise<Field>>();
+  private readonly known = new Map<FieldName, Field>();
+  private loaded: Promise<Mesh> | undefined;
+
+  constructor(
+    readonly opened: Opened,
+    readonly name: string,
+    private readonly changed: () => void,
+  ) {}
+
+  /** The field, once it is computed. */
+  fieldOf(name: FieldName): Field | undefined {
+    return this.known.get(name);
+  }
+
+  /** Values as if the surface had the area 1: size does not matter. */
+  normalised(name: FieldName): Float64Array | undefined {
+    const field = this.known.get(name);
+    const area = this.mesh?.info.area ?? 0;
+    if (!field || !(area > 0)) return undefined;
+    const scale = field.unit === 'rad' ? 1 : 1 / Math.sqrt(area);
+    return field.values.map((value) => value * scale);
+  }
+
+  /** Reads the model and computes a field; what goes wrong is in `failure`. */
+  async compute(kernel: Kernel, name: FieldName): Promise<void> {
+    const { signal } = this.life;
+    try {
+      this.loaded ??= this.load(kernel);
+      this.mesh = await this.loaded;
+      this.weights ??= await this.mesh.vertexAreas({ signal });
+      if (!this.fields.has(name)) {
+        this.share = 0;
+        const onProgress = (share: number): void => {
+          this.share = share;
+          this.changed();
+        };
+        this.fields.set(name, this.mesh.field(name, { signal, onProgress }));
+      }
+      this.known.set(name, await this.fields.get(name)!);
+    } catch (error) {
+      if (!signal.aborted) this.failure = error instanceof Error ? error.message : String(error);
+    }
+    this.changed();
+  }
+
+  /** Equation (1) of the paper; undefined while one of the two fields is missing. */
+  async differenceTo(other: ComparedModel, name: FieldName): Promise<number | undefined> {
+    const [field, otherField] = [this.known.get(name), other.known.get(name)];
+    if (!this.mesh || !other.mesh || !field || !otherField) return undefined;
+    return this.mesh.difference(field, other.mesh, otherField, { signal: this.life.signal });
+  }
+
+  dispose(): void {
+    this.life.abort();
+    this.mesh?.dispose();
+  }
+
+  private async load(kernel: Kernel): Promise<Mesh> {
+    const { source, model, prepare, remeshed } = this.opened;
+    const { signal } = this.life;
+    const options = { signal, prepare, ...(model === undefined ? {} : { model }) };
+    const address = typeof source === 'string' ? new URL(source, document.baseURI) : source;
+    const mesh = await kernel.load(address, options);
+    if (!remeshed) return mesh;
+    try {
+      return await mesh.remesh(remeshed.faces, { signal });
+    } finally {
+      mesh.dispose();
+    }
+  }
+}

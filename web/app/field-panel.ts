@@ -1,0 +1,429 @@
+// Which field colours the surface, its distribution, and how it is coloured.
+
+import {
+  type GirthViewer,
+  type ShownName,
+  colormapNames,
+  colourAt,
+  derivedNames,
+  fieldNames,
+  fieldTitle,
+  formatCount,
+  formatLength,
+  formatNumber,
+  girthKinds,
+  isColormapName,
+  isFieldName,
+  isShownName,
+  make,
+  partKinds,
+} from '../src/element/index.js';
+import {
+  type DistributionKind,
+  DistributionPlot,
+  extent,
+  placesWithin,
+  quantile,
+  shareWithin,
+} from '../src/view/plots/index.js';
+import type { PageState } from './address-state.js';
+import { CategoryShares } from './category-shares.js';
+import type { ComputedFields } from './computed-fields.js';
+import { byId } from './dom.js';
+import { RangeSliders } from './range-sliders.js';
+
+/** What can colour the surface. */
+const shownNames: readonly ShownName[] = [...fieldNames, ...derivedNames, 'none'];
+/** Where the list says it otherwise than the legend. */
+const listWords: Partial<Record<ShownName, string>> = {
+  igf: 'Girth (IGF)',
+  sdf: 'Thickness (SDF)',
+  geoaverage: 'Mean distance (GeoAverage)',
+  geofarthest: 'Greatest distance (GeoFarthest)',
+  tips: 'Tip persistence',
+  parts: 'Tubes and plates',
+  none: 'None',
+};
+const wordsFor = (name: ShownName): string => listWords[name] ?? fieldTitle(name);
+const ranges: [string, string][] = [
+  ['', 'full range'],
+  ['1% 99%', '1 to 99 %'],
+  ['5% 95%', '5 to 95 %'],
+];
+const ownRange = 'own';
+const isolineCounts = [0, 5, 10, 20, 40];
+/** Milliseconds between two pictures while values arrive. */
+const interval = 200;
+
+/** What the panel needs of the page. */
+export interface FieldPage {
+  /** What is shown was changed by hand. */
+  changed(): void;
+  /** The kinds of the present parts; undefined where there are none. */
+  partKinds(): Uint8Array | undefined;
+  /** How far the girth rises at the tip that each vertex is in, 0 elsewhere; undefined as above. */
+  tipRises(): Float64Array | undefined;
+}
+
+export class FieldPanel {
+  private readonly field = make('select', { id: 'field-name', 'aria-label': 'Field' });
+  private readonly kindButtons: Record<DistributionKind, HTMLButtonElement>;
+  private readonly plot = new DistributionPlot({
+    brushed: (range) => this.brushed(range),
+  });
+  private readonly categories = new CategoryShares();
+  private readonly sliders = new RangeSliders((low, high) => this.setRange(`${low} ${high}`));
+  private readonly rangeChoice = make('select', {
+    id: 'range',
+    'aria-label': 'Range of the colours',
+  });
+  private readonly caption = make('p', { class: 'caption', role: 'status' });
+  private readonly colormap = make('select', { id: 'colormap', 'aria-label': 'Colours' });
+  private readonly isolines = make('select', { id: 'isolines' });
+  private readonly edges = make('input', { id: 'edges', type: 'checkbox' });
+  private kind: DistributionKind = 'histogram';
+  private areas: Float64Array | undefined;
+  /** What coloured the surface before a panel wanted something else. */
+  private before: ShownName | undefined;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private marking = 0;
+
+  constructor(
+    private readonly viewer: GirthViewer,
+    private readonly computed: ComputedFields,
+    private readonly page: FieldPage,
+  ) {
+    const { field, plot } = this;
+    field.append(...shownNames.map((name) => make('option', { value: name }, wordsFor(name))));
+    field.addEventListener('change', () => this.choose(field.value as ShownName));
+    const kindButton = (kind: DistributionKind, words: string): HTMLButtonElement => {
+      const button = make(
+        'button',
+        { type: 'button', 'aria-pressed': 'false', 'aria-label': words, title: words },
+        icon(kind),
+      );
+      button.addEventListener('click', () => this.setKind(kind));
+      return button;
+    };
+    this.kindButtons = {
+      histogram: kindButton('histogram', 'Histogram'),
+      cdf: kindButton('cdf', 'Cumulative distribution'),
+    };
+    plot.element.id = 'distribution';
+    this.rangeChoice.append(
+      ...ranges.map(([value, words]) => make('option', { value }, words)),
+      make('option', { value: ownRange, hidden: '' }, 'own range'),
+    );
+    this.rangeChoice.addEventListener('change', () => this.setRange(this.rangeChoice.value));
+    this.colormap.append(...colormapNames.map((name) => make('option', { value: name }, name)));
+    this.colormap.addEventListener('change', () => {
+      viewer.setAttribute('colormap', this.colormap.value);
+      this.paint();
+      page.changed();
+    });
+    this.isolines.append(
+      ...isolineCounts.map((count) =>
+        make('option', { value: String(count) }, count === 0 ? 'no lines' : `${count} lines`),
+      ),
+    );
+    this.isolines.addEventListener('change', () => {
+      setAttribute(viewer, 'isolines', this.isolines.value === '0' ? '' : this.isolines.value);
+      page.changed();
+    });
+    this.edges.addEventListener('change', () => {
+      viewer.toggleAttribute('edges', this.edges.checked);
+      page.changed();
+    });
+    const kinds = make(
+      'div',
+      { class: 'switch', role: 'group', 'aria-label': 'Distribution' },
+      ...Object.values(this.kindButtons),
+    );
+    byId('field').append(
+      make('div', { class: 'row first' }, field, kinds),
+      plot.element,
+      this.categories.element,
+      this.sliders.element,
+      make('div', { class: 'ends' }, this.sliders.low, this.rangeChoice, this.sliders.high),
+      this.caption,
+      make(
+        'div',
+        { class: 'row' },
+        this.colormap,
+        this.isolines,
+        make('label', { class: 'check' }, this.edges, ' Edges'),
+      ),
+    );
+    this.isolines.setAttribute('aria-label', 'Lines of equal value');
+    this.setKind('histogram');
+    this.apply({});
+
+    viewer.addEventListener('progress', () => this.refreshSoon());
+    viewer.addEventListener('field', () => this.refresh());
+    viewer.addEventListener('fieldchange', () => this.refresh());
+    viewer.addEventListener('unit', () => this.refresh());
+    viewer.addEventListener('hover', (event) => {
+      const { vertex } = (event as CustomEvent<{ vertex: number | undefined }>).detail;
+      const name = this.name;
+      this.plot.markValue(vertex === undefined ? undefined : this.valuesOf(name)[vertex]);
+    });
+  }
+
+  /** What colours the surface. */
+  get name(): ShownName {
+    const name = this.viewer.getAttribute('field');
+    return isShownName(name) ? name : 'igf';
+  }
+
+  /** Colours the surface otherwise; for other panels too. */
+  choose(name: ShownName): void {
+    if (name === this.name) return;
+    this.setBrush(undefined);
+    setAttribute(this.viewer, 'field', name === 'igf' ? '' : name);
+    // Values of one field mean nothing for another; shares do.
+    if (!this.viewer.getAttribute('range')?.includes('%')) this.viewer.removeAttribute('range');
+    this.refresh();
+    this.page.changed();
+  }
+
+  /** Another model: an empty plot, and the full range. */
+  clear(): void {
+    this.areas = undefined;
+    this.setBrush(undefined);
+    this.viewer.removeAttribute('range');
+    this.refresh();
+    const { viewer } = this;
+    const { info } = viewer;
+    void viewer.areas().then(
+      (areas) => {
+        if (viewer.info !== info) return;
+        this.areas = areas;
+        this.refresh();
+      },
+      () => undefined,
+    );
+  }
+
+  /** Colours the surface as an open panel wants it, and afterwards as it was. */
+  colourForPanel(name: ShownName, wanted: boolean): void {
+    if (wanted) {
+      this.before = this.name;
+      this.choose(name);
+    } else if (this.name === name) {
+      this.choose(this.before ?? 'igf');
+      this.before = undefined;
+    }
+  }
+
+  read(): PageState {
+    const { viewer, name } = this;
+    const state: PageState = {};
+    if (name !== 'igf') state.field = name;
+    const [colormap, range] = [viewer.getAttribute('colormap'), viewer.getAttribute('range')];
+    if (colormap) state.colormap = colormap;
+    if (range) state.range = range;
+    const isolines = Number(viewer.getAttribute('isolines') ?? 0);
+    if (isolines > 0) state.isolines = isolines;
+    if (viewer.hasAttribute('edges')) state.edges = true;
+    return state;
+  }
+
+  apply({ field, colormap, range, isolines, edges }: PageState): void {
+    const { viewer } = this;
+    setAttribute(viewer, 'field', isShownName(field ?? null) && field !== 'igf' ? field! : '');
+    setAttribute(viewer, 'colormap', isColormapName(colormap) ? colormap : '');
+    setAttribute(viewer, 'range', range ?? '');
+    setAttribute(viewer, 'isolines', isolines ? String(isolines) : '');
+    viewer.toggleAttribute('edges', edges ?? false);
+    this.edges.checked = edges ?? false;
+    const count = String(isolines ?? 0);
+    if (![...this.isolines.options].some(({ value }) => value === count)) {
+      this.isolines.append(make('option', { value: count }, `${count} lines`));
+    }
+    this.isolines.value = count;
+    this.refresh();
+  }
+
+  private valuesOf(name: ShownName): Float64Array {
+    const { viewer } = this;
+    const none = new Float64Array();
+    if (name === 'tips') return this.page.tipRises() ?? none;
+    return viewer.info && isFieldName(name) ? viewer.values(name) : none;
+  }
+
+  private setKind(kind: DistributionKind): void {
+    this.kind = kind;
+    for (const [one, button] of Object.entries(this.kindButtons)) {
+      button.setAttribute('aria-pressed', String(one === kind));
+    }
+    this.refresh();
+  }
+
+  private refreshSoon(): void {
+    this.timer ??= setTimeout(() => this.refresh(), interval);
+  }
+
+  refresh(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    const { name, plot, sliders } = this;
+    this.field.value = name;
+    const isNumeric = isFieldName(name) || name === 'tips';
+    const values = this.valuesOf(name);
+    const reach = extent(values);
+    plot.element.hidden = !isNumeric;
+    this.categories.element.hidden = isNumeric;
+    for (const button of Object.values(this.kindButtons)) button.disabled = !isNumeric;
+    sliders.disabled = !reach;
+    this.rangeChoice.disabled = !reach;
+    if (!isNumeric) this.showShares();
+    if (!reach) {
+      sliders.show(undefined, undefined, String);
+      plot.element.setAttribute('aria-label', 'Distribution: no values yet');
+      this.caption.textContent = '';
+      if (isNumeric) {
+        plot.show({
+          kind: this.kind,
+          series: [],
+          range: [0, 1],
+          colourOf: () => ({ colour: 'transparent', faint: true }),
+          format: String,
+        });
+      }
+      return;
+    }
+    const format = (value: number): string => formatLength(value, this.format);
+    // Values that are the same but for rounding are one bar, in the middle.
+    const least = 1e-6 * Math.abs(reach[1]);
+    const widen = reach[1] - reach[0] < least ? least : 0;
+    plot.show({
+      kind: this.kind,
+      series: [{ values, weights: this.areas, colour: getComputedStyle(plot.element).color }],
+      range: [reach[0] - widen, reach[1] + widen],
+      colourOf: (value) => this.colourOf(value),
+      format,
+    });
+    const middle = quantile(values, this.areas, 0.5);
+    plot.element.setAttribute(
+      'aria-label',
+      `Distribution of ${wordsFor(name)} from ${format(reach[0])} to ${format(reach[1])}, median ` +
+        `${format(middle)}. Arrows mark a range.`,
+    );
+    this.paint();
+    this.writeCaption(values, reach);
+  }
+
+  private showShares(): void {
+    const { name, viewer, categories, areas } = this;
+    if (name === 'parts') categories.show(partKinds, this.page.partKinds() ?? [], areas);
+    else if (name === 'none') categories.clear();
+    else {
+      categories.show(girthKinds, [], areas);
+      if (!this.computed.has('igf')) return;
+      const { info } = viewer;
+      void viewer.fieldOf('igf').then(({ kinds }) => {
+        if (viewer.info === info && this.name === 'kind')
+          categories.show(girthKinds, kinds, this.areas);
+      });
+    }
+  }
+
+  private get format() {
+    const { viewer, name } = this;
+    return viewer.info ? viewer.formatOf(name) : viewer.lengthFormat;
+  }
+
+  /** The range that the colours span. */
+  private get ends(): readonly [number, number] | undefined {
+    return this.viewer.shown?.range;
+  }
+
+  private colourOf(value: number): { colour: string; faint: boolean } {
+    const [low, high] = this.ends ?? [0, 1];
+    return {
+      colour: colourAt(this.viewer.shown?.colormap ?? 'viridis', (value - low) / (high - low)),
+      faint: value < low || value > high,
+    };
+  }
+
+  /** Colours of the bars, and the ends of the range. */
+  private paint(): void {
+    const { viewer, plot, sliders } = this;
+    const range = viewer.getAttribute('range') ?? '';
+    const offered = ranges.some(([value]) => value === range);
+    this.rangeChoice.value = offered ? range : ownRange;
+    this.colormap.value = viewer.shown?.colormap ?? viewer.getAttribute('colormap') ?? 'viridis';
+    plot.recolour((value) => this.colourOf(value));
+    sliders.show(extent(this.valuesOf(this.name)), this.ends, (value) =>
+      formatLength(value, this.format),
+    );
+  }
+
+  private setRange(range: string): void {
+    setAttribute(this.viewer, 'range', range);
+    this.paint();
+    this.page.changed();
+  }
+
+  private setBrush(range: [number, number] | undefined): void {
+    this.plot.brush = range;
+    this.brushed(range);
+  }
+
+  private brushed(range: [number, number] | undefined): void {
+    const { viewer } = this;
+    // Once a frame is enough: a finger moves more often.
+    cancelAnimationFrame(this.marking);
+    this.marking = requestAnimationFrame(() => {
+      if (!viewer.info) return;
+      const values = this.valuesOf(this.name);
+      viewer.mark(range && placesWithin(values, range));
+      const reach = extent(values);
+      if (reach) this.writeCaption(values, reach);
+    });
+  }
+
+  private writeCaption(values: Float64Array, reach: readonly [number, number]): void {
+    const range = this.plot.brush;
+    const format = (value: number): string => formatLength(value, this.format);
+    if (!range) {
+      const without = values.reduce((count, value) => count + (Number.isFinite(value) ? 0 : 1), 0);
+      const isWhole = isFieldName(this.name) && this.computed.has(this.name);
+      this.caption.textContent =
+        `median ${format(quantile(values, this.areas, 0.5))}` +
+        (without > 0 && isWhole ? ` · no value at ${formatCount(without)} vertices` : '');
+      return;
+    }
+    const low = Math.max(range[0], reach[0]);
+    const high = Math.min(range[1], reach[1]);
+    const share = 100 * shareWithin(values, this.areas, range);
+    const percent = share > 0 && share < 0.1 ? '<\u202f0.1' : share.toFixed(1);
+    const clear = make('button', { type: 'button', 'aria-label': 'Mark nothing' }, '✕');
+    this.caption.title = 'Share of the area with these values';
+    clear.addEventListener('click', () => this.setBrush(undefined));
+    this.caption.replaceChildren(
+      make('span', {}, `${formatNumber(low, this.format)} to ${format(high)}: ${percent}\u202f%`),
+      clear,
+    );
+  }
+}
+
+/** A small picture of a kind of plot. */
+function icon(kind: DistributionKind): SVGElement {
+  const space = 'http://www.w3.org/2000/svg';
+  const picture = document.createElementNS(space, 'svg');
+  picture.setAttribute('viewBox', '0 0 18 14');
+  const path = document.createElementNS(space, 'path');
+  path.setAttribute(
+    'd',
+    kind === 'histogram' ? 'M3 14V8M7 14V3M11 14V6M15 14V10' : 'M1 13C7 13 6 2 17 2',
+  );
+  picture.append(path);
+  return picture;
+}
+
+/** An attribute that is absent rather than empty. */
+function setAttribute(element: HTMLElement, name: string, value: string): void {
+  if (value === '') element.removeAttribute(name);
+  else element.setAttribute(name, value);
+}

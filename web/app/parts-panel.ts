@@ -1,0 +1,309 @@
+// Tubes and plates: girth against thickness with the two thresholds, and the parts that they make.
+
+import { type GirthViewer, formatLength, make, partKinds } from '../src/element/index.js';
+import type { Field, Part, PartKind, Parts, PartThresholds } from '../src/kernel/index.js';
+import { ScatterPlot } from '../src/view/plots/index.js';
+import type { PageState } from './address-state.js';
+import { formatArea } from './area-words.js';
+import { LengthInput } from './length-input.js';
+import { plural } from './model-words.js';
+import { Panel } from './panel.js';
+import { PlaceList } from './place-list.js';
+import { ThresholdSlider } from './threshold-slider.js';
+
+/** What a vertex's neighbourhood may weigh against it. */
+const smoothings: [number, string][] = [
+  [0, 'not smoothed'],
+  [0.5, 'smoothed, weight 0.5'],
+  [1, 'smoothed, weight 1'],
+  [2, 'smoothed, weight 2'],
+];
+
+/** What the panel needs of the page. */
+export interface PartsPage {
+  /** What is shown was changed by hand. */
+  changed(): void;
+  /** Other parts than before were found. */
+  found(): void;
+  /** The surface is to be coloured by parts, or no longer. */
+  colour(byParts: boolean): void;
+}
+
+export class PartsPanel {
+  readonly panel = new Panel('parts-panel');
+  private readonly plot = new ScatterPlot({
+    moved: (thresholds, settled) => this.setThresholds(thresholds, settled),
+  });
+  private readonly log = make('input', { id: 'parts-log', type: 'checkbox' });
+  private readonly inputs: Record<keyof PartThresholds, LengthInput>;
+  private readonly sliders: Record<keyof PartThresholds, ThresholdSlider>;
+  private readonly smoothing = make('select', { id: 'smoothing', 'aria-label': 'Smoothing' });
+  private readonly words = make('p', { class: 'hint', role: 'status' });
+  private readonly tubes = new PlaceList('Tubes');
+  private readonly plates = new PlaceList('Plates');
+  private readonly titles = { tube: make('h3'), plate: make('h3') };
+  private readonly controls: HTMLElement;
+  private fields: { igf: Field; sdf: Field; areas: Float64Array } | undefined;
+  private thresholds: PartThresholds | undefined;
+  private found: Parts | undefined;
+  private pending: PageState = {};
+  /** Whether the thresholds are those that are suggested. */
+  private isSuggested = true;
+  private asked = 0;
+
+  constructor(
+    private readonly viewer: GirthViewer,
+    private readonly page: PartsPage,
+  ) {
+    const { plot, log } = this;
+    log.checked = true;
+    log.addEventListener('change', () => this.drawPlot());
+    const input = (name: keyof PartThresholds, words: string): LengthInput =>
+      new LengthInput(`parts-${name}`, words, (length) => {
+        if (length === undefined || !this.thresholds) return this.write();
+        this.setThresholds({ ...this.thresholds, [name]: length }, true);
+      });
+    this.inputs = {
+      girth: input('girth', 'Tube: girth below'),
+      diameter: input('diameter', 'Thin: below'),
+    };
+    const slider = (name: keyof PartThresholds, label: string): ThresholdSlider =>
+      new ThresholdSlider(label, (length, settled) =>
+        this.setThresholds({ ...this.thresholds!, [name]: length }, settled),
+      );
+    this.sliders = {
+      girth: slider('girth', 'Girth below which thin parts are tubes'),
+      diameter: slider('diameter', 'Thickness below which parts are thin'),
+    };
+    for (const [weight, words] of smoothings) {
+      this.smoothing.append(make('option', { value: String(weight) }, words));
+    }
+    this.smoothing.addEventListener('change', () => void this.find());
+    const automatic = make(
+      'button',
+      { type: 'button', class: 'plain', id: 'automatic' },
+      'Automatic',
+    );
+    automatic.addEventListener('click', () => void this.suggest());
+    this.controls = make(
+      'div',
+      { class: 'controls' },
+      plot.element,
+      make('label', { class: 'check' }, log, ' Logarithmic'),
+      this.inputs.girth.label,
+      this.sliders.girth.element,
+      this.inputs.diameter.label,
+      this.sliders.diameter.element,
+      make('div', { class: 'row' }, this.smoothing, automatic),
+    );
+    this.panel.body.append(
+      this.words,
+      this.controls,
+      this.titles.tube,
+      this.tubes.element,
+      this.titles.plate,
+      this.plates.element,
+    );
+    this.panel.onToggle((isOpen) => {
+      if (isOpen) void this.compute();
+      else page.colour(false);
+      page.changed();
+    });
+    // Only by hand: a link says itself what colours the surface.
+    this.panel.onChosen(() => page.colour(true));
+    viewer.addEventListener('unit', () => this.refresh());
+    this.clear();
+  }
+
+  /** What each vertex is, by the present parts; undefined where there are none yet. */
+  get kinds(): Uint8Array | undefined {
+    return this.found?.kinds;
+  }
+
+  /** The thresholds and the smoothing, as exports need them. */
+  get choice(): (PartThresholds & { smoothing: number }) | undefined {
+    return this.thresholds && { ...this.thresholds, smoothing: Number(this.smoothing.value) };
+  }
+
+  clear(): void {
+    ++this.asked;
+    this.fields = undefined;
+    this.thresholds = undefined;
+    this.found = undefined;
+    this.pending = {};
+    this.smoothing.value = '0';
+    this.controls.hidden = true;
+    this.refresh();
+    this.words.textContent = '';
+  }
+
+  read(): PageState {
+    const { choice } = this;
+    if (!choice) return this.pending;
+    const { girth, diameter, smoothing } = choice;
+    return {
+      ...(this.isSuggested ? {} : { girth, diameter }),
+      ...(smoothing > 0 ? { smoothing } : {}),
+    };
+  }
+
+  apply({ girth, diameter, smoothing }: PageState): void {
+    this.pending = {};
+    if (girth !== undefined) this.pending.girth = girth;
+    if (diameter !== undefined) this.pending.diameter = diameter;
+    if (smoothing !== undefined) this.pending.smoothing = smoothing;
+    if (this.fields) void this.applyPending();
+    else if (this.panel.isOpen) void this.compute();
+  }
+
+  /** Computes what thresholds divide, where it is not there yet. */
+  async compute(): Promise<void> {
+    const { viewer } = this;
+    const { info } = viewer;
+    if (!info || this.fields) return;
+    this.words.textContent = 'As soon as girth and thickness are computed …';
+    try {
+      const [igf, sdf, areas] = await Promise.all([
+        viewer.fieldOf('igf'),
+        viewer.fieldOf('sdf'),
+        viewer.areas(),
+      ]);
+      if (viewer.info !== info || this.fields) return;
+      this.fields = { igf, sdf, areas };
+      this.controls.hidden = !this.drawPlot();
+      this.words.textContent = sdf.note;
+      if (this.controls.hidden) {
+        this.words.textContent = `${sdf.note} No vertex has both a girth and a thickness.`.trim();
+        return;
+      }
+      await this.applyPending();
+    } catch (error) {
+      if (viewer.info !== info) return;
+      const words = error instanceof Error ? error.message : String(error);
+      this.words.textContent = `No parts: ${words}.`;
+    }
+  }
+
+  private async applyPending(): Promise<void> {
+    const { girth, diameter, smoothing = 0 } = this.pending;
+    this.pending = {};
+    const { asked } = this;
+    const suggested = await this.viewer.suggestedThresholds();
+    if (asked !== this.asked) return;
+    const weight = String(smoothing);
+    if (![...this.smoothing.options].some(({ value }) => value === weight)) {
+      this.smoothing.append(make('option', { value: weight }, `smoothed, weight ${weight}`));
+    }
+    this.smoothing.value = weight;
+    const chosen = { girth: girth ?? suggested.girth, diameter: diameter ?? suggested.diameter };
+    this.setThresholds(chosen, true, girth === undefined && diameter === undefined);
+  }
+
+  private async suggest(): Promise<void> {
+    const { asked } = this;
+    const suggested = await this.viewer.suggestedThresholds();
+    if (asked === this.asked) this.setThresholds(suggested, true, true);
+  }
+
+  private drawPlot(): boolean {
+    const { fields, viewer } = this;
+    if (!fields) return false;
+    const { igf, sdf, areas } = fields;
+    const format = viewer.lengthFormat;
+    const [body, tube, plate] = partKinds.map(({ colour }) => bytesOf(colour));
+    const unit = format.unit ? `, ${format.unit}` : '';
+    const isShown = this.plot.show({
+      girth: igf.values,
+      diameter: sdf.values,
+      weights: areas,
+      log: this.log.checked,
+      colours: { body: darker(body!), tube: tube!, plate: plate! },
+      format: (length) => String(Number((length * format.scale).toPrecision(2))),
+      labels: { girth: `Girth${unit}`, diameter: `Thickness${unit}` },
+    });
+    if (this.thresholds) this.plot.setThresholds(this.thresholds);
+    return isShown;
+  }
+
+  private setThresholds(thresholds: PartThresholds, settled: boolean, isSuggested = false): void {
+    this.isSuggested = isSuggested;
+    this.thresholds = { ...thresholds };
+    this.plot.setThresholds(thresholds);
+    this.viewer.setThresholds(thresholds);
+    this.write();
+    if (settled) void this.find();
+  }
+
+  /** The parts by the present thresholds. */
+  private async find(): Promise<void> {
+    const { choice, viewer } = this;
+    if (!choice) return;
+    const asked = ++this.asked;
+    try {
+      const found = await viewer.parts(choice);
+      if (asked !== this.asked) return;
+      this.found = found;
+      this.refresh();
+      this.page.found();
+    } catch (error) {
+      if (asked !== this.asked) return;
+      this.words.textContent = error instanceof Error ? `${error.message}.` : String(error);
+    }
+    this.page.changed();
+  }
+
+  private write(): void {
+    const { thresholds, fields } = this;
+    const format = this.viewer.lengthFormat;
+    for (const name of ['girth', 'diameter'] as const) {
+      this.inputs[name].show(format);
+      this.inputs[name].value = thresholds?.[name];
+      const field = name === 'girth' ? fields?.igf : fields?.sdf;
+      this.sliders[name].show(field?.range, thresholds?.[name], (length) =>
+        formatLength(length, format),
+      );
+    }
+  }
+
+  private refresh(): void {
+    const { found, viewer } = this;
+    this.write();
+    if (this.fields) this.drawPlot();
+    const format = viewer.lengthFormat;
+    const of = (kind: PartKind): Part[] => found?.parts.filter((part) => part.kind === kind) ?? [];
+    const [tubes, plates] = [of('tube'), of('plate')];
+    this.panel.summary = found
+      ? `${plural(tubes.length, 'tube', 'tubes')}, ${plural(plates.length, 'plate', 'plates')}`
+      : '';
+    this.titles.tube.textContent = `Tubes: ${tubes.length}`;
+    this.titles.plate.textContent = `Plates: ${plates.length}`;
+    for (const title of Object.values(this.titles)) title.hidden = !found;
+    const fly = ({ vertices }: Part): void => viewer.flyTo({ vertices });
+    this.tubes.show(
+      tubes.map((part) => ({
+        colour: partKinds[1]!.colour,
+        main: `r ${formatLength(part.equivalentRadius, format)}`,
+        detail: `girth ${formatLength(part.medianGirth, format)} · ${formatArea(part.area, format)}`,
+        choose: () => fly(part),
+      })),
+    );
+    this.plates.show(
+      plates.map((part) => ({
+        colour: partKinds[2]!.colour,
+        main: formatLength(part.medianDiameter, format),
+        detail: `thick · girth ${formatLength(part.medianGirth, format)} · ${formatArea(part.area, format)}`,
+        choose: () => fly(part),
+      })),
+    );
+  }
+}
+
+function bytesOf(colour: string): [number, number, number] {
+  const code = Number.parseInt(colour.slice(1), 16);
+  return [code >> 16, (code >> 8) & 255, code & 255];
+}
+
+/** The body's light grey would not be seen as points on paper. */
+function darker([r, g, b]: readonly number[]): [number, number, number] {
+  return [0.62 * r!, 0.62 * g!, 0.62 * b!];
+}

@@ -1,0 +1,277 @@
+// The print check: what is too thin for a printer, listed, pictured and reported.
+
+import { type GirthViewer, formatLength, make } from '../src/element/index.js';
+import type { MeshInfo, PrintLimits, WeakPlace } from '../src/kernel/index.js';
+import { formatArea } from './area-words.js';
+import { LengthInput } from './length-input.js';
+import { modelFacts, plural } from './model-words.js';
+import { Panel } from './panel.js';
+import { PlaceList } from './place-list.js';
+import {
+  type PrintReport,
+  type ReportedPlace,
+  answerWords,
+  placeName,
+  printReportHtml,
+} from './print-report.js';
+import { saveFile, stemOf } from './save-file.js';
+
+/** Units that a printed thing may be given in. */
+const units = ['mm', 'cm', 'm', 'in'];
+/** Places that get a picture in the list, and in the report. */
+const picturedPlaces = 12;
+const reportedPlaces = 60;
+
+interface Check {
+  limits: PrintLimits;
+  places: WeakPlace[];
+  pictures: Map<WeakPlace, ReportedPlace>;
+}
+
+export class PrintPanel {
+  readonly panel = new Panel('print-panel');
+  private readonly unit = make('select', { id: 'print-unit' });
+  private readonly unitWords = make('span', { class: 'said' });
+  private readonly tube = new LengthInput('min-tube', 'Smallest tube', () => undefined);
+  private readonly wall = new LengthInput('min-wall', 'Smallest wall', () => undefined);
+  private readonly answer = make('p', { class: 'answer', role: 'status' });
+  private readonly cautions = make('ul', { class: 'cautions' });
+  private readonly list = new PlaceList('Places that are too thin');
+  private readonly reports: HTMLElement;
+  private check: Check | undefined;
+  /** What is to be known of the thickness. */
+  private note = '';
+  private asked = 0;
+
+  constructor(
+    private readonly viewer: GirthViewer,
+    changed: () => void,
+  ) {
+    const { unit } = this;
+    unit.append(
+      make('option', { value: '' }, 'choose'),
+      ...units.map((name) => make('option', { value: name }, name)),
+    );
+    unit.addEventListener('change', () => viewer.setAttribute('unit', unit.value));
+    const submit = make('button', { class: 'plain', id: 'check' }, 'Check');
+    const form = make(
+      'form',
+      {},
+      make(
+        'p',
+        { class: 'length' },
+        make('label', { for: 'print-unit' }, 'Unit of the file'),
+        unit,
+        this.unitWords,
+      ),
+      this.tube.label,
+      this.wall.label,
+      make('p', {}, submit),
+    );
+    form.noValidate = true;
+    form.addEventListener('submit', (event) => {
+      event.preventDefault();
+      void this.run();
+    });
+    const html = make('button', { type: 'button', class: 'plain' }, 'Report (HTML)');
+    html.addEventListener('click', () => void this.save('html'));
+    const json = make('button', { type: 'button', class: 'plain' }, 'JSON');
+    json.addEventListener('click', () => void this.save('json'));
+    this.reports = make('p', { class: 'buttons' }, html, json);
+    this.panel.body.append(form, this.answer, this.cautions, this.reports, this.list.element);
+    this.panel.onToggle((isOpen) => {
+      if (isOpen) this.refresh();
+      else if (viewer.info) viewer.mark(undefined);
+      changed();
+    });
+    viewer.addEventListener('unit', () => {
+      // Limits were typed in another unit.
+      for (const input of [this.tube, this.wall]) input.value = undefined;
+      this.forget();
+    });
+    this.clear();
+  }
+
+  clear(): void {
+    for (const input of [this.tube, this.wall]) input.value = undefined;
+    this.forget();
+  }
+
+  private forget(): void {
+    ++this.asked;
+    this.check = undefined;
+    this.note = '';
+    this.answer.textContent = '';
+    this.answer.className = 'answer';
+    this.panel.summary = '';
+    this.refresh();
+  }
+
+  private refresh(): void {
+    const { viewer } = this;
+    const { info } = viewer;
+    const said = info?.unit ?? '';
+    this.unit.hidden = said !== '';
+    this.unitWords.textContent = said === '' ? '' : said;
+    if (viewer.unit && !units.includes(viewer.unit) && said === '') {
+      this.unit.append(make('option', { value: viewer.unit }, viewer.unit));
+    }
+    this.unit.value = said === '' ? viewer.unit : '';
+    for (const input of [this.tube, this.wall]) input.show(viewer.lengthFormat);
+    this.cautions.replaceChildren(...this.words().map((line) => make('li', {}, line)));
+    this.reports.hidden = !this.check;
+    this.list.element.hidden = !this.check?.places.length;
+  }
+
+  /** What stands in the way of trusting the answer. */
+  private words(): string[] {
+    const { info, unit } = this.viewer;
+    if (!info) return [];
+    const words: string[] = [];
+    if (!unit) {
+      words.push('The file does not say its unit. Choose it, or give lengths in the file’s own.');
+    }
+    const holes = info.boundaries.reduce((sum, count) => sum + count, 0);
+    if (holes > 0) {
+      words.push(
+        `The surface is open: it has ${plural(holes, 'hole', 'holes')}, and thickness near ${holes === 1 ? 'it' : 'them'} ` +
+          'may be wrong. What can be printed is closed.',
+      );
+    }
+    if (this.note) words.push(this.note);
+    return words;
+  }
+
+  private async run(): Promise<void> {
+    const { viewer, tube, wall } = this;
+    const { info } = viewer;
+    const wrong = [tube, wall].find(({ isWrong }) => isWrong);
+    if (wrong || (!tube.value && !wall.value)) {
+      this.answer.className = 'answer';
+      this.answer.textContent = wrong
+        ? 'That is no length: type a number, such as 1.5.'
+        : 'Say how thin a tube or a wall may be.';
+      (wrong ?? tube).input.focus();
+      return;
+    }
+    if (!info) return;
+    const limits = { tubeDiameter: tube.value ?? 0, wallThickness: wall.value ?? 0 };
+    const asked = ++this.asked;
+    this.answer.className = 'answer';
+    this.answer.textContent = 'Checking …';
+    try {
+      const sdf = await viewer.fieldOf('sdf');
+      const places = await viewer.weakPlaces(limits);
+      if (asked !== this.asked || viewer.info !== info) return;
+      this.note = sentence(sdf.note);
+      this.check = { limits, places, pictures: new Map() };
+      this.show();
+      for (const place of places.slice(0, picturedPlaces)) {
+        await this.picture(this.check, place);
+        if (asked !== this.asked || viewer.info !== info) return;
+        this.show();
+      }
+    } catch (error) {
+      if (asked !== this.asked || viewer.info !== info) return;
+      this.answer.textContent = `Not checked: ${error instanceof Error ? error.message : String(error)}.`;
+    }
+  }
+
+  private show(): void {
+    const { check, viewer } = this;
+    if (!check) return;
+    const { places, pictures } = check;
+    const format = viewer.lengthFormat;
+    this.answer.className = `answer ${places.length > 0 ? 'fails' : 'passes'}`;
+    this.answer.textContent = answerWords(places.length);
+    this.panel.summary = places.length > 0 ? `${places.length} ✕` : '✓';
+    this.refresh();
+    this.list.show(
+      places.map((place) => {
+        const made = pictures.get(place);
+        const loop = made?.loop === undefined ? '' : `loop ${formatLength(made.loop, format)}, `;
+        return {
+          main: formatLength(place.least, format),
+          detail: `${placeName(place)}, ${loop}${formatArea(place.area, format)}`,
+          picture:
+            made?.picture === undefined ? undefined : make('img', { src: made.picture, alt: '' }),
+          choose: () => this.choose(place),
+        };
+      }),
+    );
+  }
+
+  private choose(place: WeakPlace): void {
+    this.viewer.mark(place.vertices);
+    this.viewer.flyTo({ vertices: place.vertices });
+  }
+
+  /** The loop at a place, where it is a tube, and a picture of both. */
+  private async picture({ pictures }: Check, place: WeakPlace): Promise<ReportedPlace> {
+    const { viewer } = this;
+    const known = pictures.get(place);
+    if (known) return known;
+    const loop =
+      place.kind === 'tube' && place.thinnest >= 0 ? await viewer.loop(place.thinnest) : undefined;
+    const picture = await viewer.snapshotOf({
+      vertices: place.vertices,
+      ...(loop ? { loop } : {}),
+    });
+    const made = { place, loop: loop?.length, picture: await dataAddress(picture) };
+    pictures.set(place, made);
+    return made;
+  }
+
+  /** The whole shape, as it is coloured now. */
+  private async overview({ vertexCount }: MeshInfo): Promise<string> {
+    const vertices = Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex);
+    return dataAddress(await this.viewer.snapshotOf({ vertices, width: 960, height: 640 }));
+  }
+
+  private async save(ending: 'html' | 'json'): Promise<void> {
+    const { check, viewer } = this;
+    const { info } = viewer;
+    if (!check || !info) return;
+    const name = `${stemOf(info.name)}-print-check.${ending}`;
+    try {
+      if (ending === 'json') {
+        saveFile(await viewer.exportWeakPlaces(check.limits, 'json'), name);
+        return;
+      }
+      const places: ReportedPlace[] = [];
+      for (const place of check.places.slice(0, reportedPlaces)) {
+        places.push(await this.picture(check, place));
+      }
+      const [, ...facts] = modelFacts(info);
+      const report: PrintReport = {
+        model: info.name,
+        facts: facts.join(' · '),
+        cautions: this.words(),
+        limits: check.limits,
+        format: viewer.lengthFormat,
+        places,
+        more: check.places.length - places.length,
+        overview: await this.overview(info),
+        date: new Date().toISOString().slice(0, 10),
+      };
+      saveFile(printReportHtml(report), name);
+    } catch (error) {
+      this.answer.textContent = `That could not be written: ${error instanceof Error ? error.message : String(error)}.`;
+    }
+  }
+}
+
+function sentence(text: string): string {
+  return text === ''
+    ? ''
+    : text[0]!.toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');
+}
+
+function dataAddress(blob: Blob): Promise<string> {
+  return new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.addEventListener('load', () => resolve(reader.result as string));
+    reader.addEventListener('error', () => reject(reader.error ?? new Error('no picture')));
+    reader.readAsDataURL(blob);
+  });
+}

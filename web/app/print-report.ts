@@ -1,0 +1,142 @@
+// The print check as one HTML file: no network, no scripts, pictures inside; good on paper too.
+
+import type { PrintLimits, WeakPlace } from '../src/kernel/index.js';
+import { type LengthFormat, formatCount, formatLength } from '../src/view/plots/index.js';
+import { formatArea } from './area-words.js';
+
+export interface ReportedPlace {
+  place: WeakPlace;
+  /** Length of the loop at its thinnest vertex; undefined where there is none. */
+  loop?: number | undefined;
+  /** A PNG as a data: address; undefined where it could not be made. */
+  picture?: string | undefined;
+}
+
+export interface PrintReport {
+  /** The file's name and what it is, in words. */
+  model: string;
+  facts: string;
+  /** What stands in the way of trusting the answer, a sentence each. */
+  cautions: readonly string[];
+  limits: PrintLimits;
+  format: LengthFormat;
+  places: readonly ReportedPlace[];
+  /** Places beyond those that are listed. */
+  more: number;
+  /** The whole shape, a PNG as a data: address. */
+  overview?: string | undefined;
+  date: string;
+}
+
+const style = `
+  :root { color-scheme: light; }
+  body { font: 15px/1.5 system-ui, sans-serif; color: #1c1d21; background: #fff; margin: 40px auto;
+    max-width: 46rem; padding: 0 20px; font-variant-numeric: tabular-nums; }
+  h1 { font-size: 24px; margin: 0 0 4px; letter-spacing: -0.01em; overflow-wrap: anywhere; }
+  h2 { font-size: 17px; margin: 32px 0 8px; }
+  p { margin: 0 0 8px; }
+  .quiet { color: #5d6069; }
+  .answer { font-size: 19px; font-weight: 650; margin: 20px 0 8px; padding-inline-start: 14px;
+    border-inline-start: 4px solid; }
+  .fails { border-color: #c2410c; }
+  .passes { border-color: #15803d; }
+  .overview { display: block; width: 100%; max-height: 26rem; object-fit: contain; }
+  table { border-collapse: collapse; width: 100%; }
+  th, td { text-align: start; padding: 8px 14px 8px 0; border-block-end: 1px solid #dfe0e3; }
+  th { font-weight: 600; color: #5d6069; font-size: 13px; vertical-align: bottom; }
+  td.number, th.number { text-align: end; white-space: nowrap; }
+  td img { display: block; width: 150px; height: 112px; object-fit: contain; }
+  tr { break-inside: avoid; }
+  thead { display: table-header-group; }
+  @page { margin: 16mm; }
+  @media print { body { margin: 0; max-width: none; padding: 0; } }
+`;
+
+function escaped(text: string): string {
+  const names: Record<string, string> = {
+    '&': '&amp;',
+    '<': '&lt;',
+    '>': '&gt;',
+    '"': '&quot;',
+    "'": '&#39;',
+  };
+  return text.replace(/[&<>"']/g, (letter) => names[letter]!);
+}
+
+/** Only what this page itself has drawn goes into the file. */
+function image(address: string | undefined, name: string, alt: string): string {
+  if (!address || !/^data:image\/png;base64,[A-Za-z0-9+/=]+$/.test(address)) return '';
+  return `<img class="${name}" src="${address}" alt="${escaped(alt)}">`;
+}
+
+/** 'Tube' or 'wall', as printers call it. */
+export function placeName({ kind }: Pick<WeakPlace, 'kind'>): string {
+  return kind === 'tube' ? 'tube' : 'wall';
+}
+
+/** 'Tubes from 3.00 mm, walls from 1.00 mm'. */
+export function limitWords(limits: PrintLimits, format: LengthFormat): string {
+  const words: string[] = [];
+  if (limits.tubeDiameter > 0)
+    words.push(`tubes from ${formatLength(limits.tubeDiameter, format)}`);
+  if (limits.wallThickness > 0)
+    words.push(`walls from ${formatLength(limits.wallThickness, format)}`);
+  return words.join(', ');
+}
+
+/** 'Fails: 3 places are too thin.' */
+export function answerWords(count: number): string {
+  if (count === 0) return 'Passes: nothing is too thin.';
+  return count === 1
+    ? 'Fails: one place is too thin.'
+    : `Fails: ${formatCount(count)} places are too thin.`;
+}
+
+export function printReportHtml(report: PrintReport): string {
+  const { model, facts, cautions, limits, format, places, more, overview, date } = report;
+  const rows = places.map(({ place, loop, picture }, i) => {
+    const name = placeName(place);
+    const least = formatLength(place.least, format);
+    const cells = [
+      `<td class="number">${i + 1}</td>`,
+      `<td>${image(picture, 'place', `Place ${i + 1}: a ${name} of ${least}`)}</td>`,
+      `<td>${name}</td>`,
+      `<td class="number">${escaped(least)}</td>`,
+      `<td class="number">${loop === undefined ? '–' : escaped(formatLength(loop, format))}</td>`,
+      `<td class="number">${escaped(formatArea(place.area, format))}</td>`,
+      `<td class="number">${place.thinnest < 0 ? '–' : place.thinnest}</td>`,
+    ];
+    return `<tr>${cells.join('')}</tr>`;
+  });
+  const count = places.length + more;
+  const table = `
+    <h2>Places that are too thin</h2>
+    <table>
+      <thead><tr><th class="number">No.</th><th>Picture</th><th>What</th>
+        <th class="number">Thickness</th><th class="number">Loop round it</th>
+        <th class="number">Area</th><th class="number">Vertex</th></tr></thead>
+      <tbody>${rows.join('\n')}</tbody>
+    </table>
+    ${more > 0 ? `<p class="quiet">and ${formatCount(more)} smaller ones</p>` : ''}`;
+  return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Print check: ${escaped(model)}</title>
+<style>${style}</style>
+</head>
+<body>
+<h1>Print check: ${escaped(model)}</h1>
+<p class="quiet">${escaped(facts)}</p>
+<p>What can be printed: ${escaped(limitWords(limits, format))}.</p>
+<p class="answer ${count > 0 ? 'fails' : 'passes'}">${answerWords(count)}</p>
+${cautions.map((caution) => `<p>${escaped(caution)}</p>`).join('\n')}
+${image(overview, 'overview', `The whole of ${model}`)}
+${count > 0 ? table : ''}
+<p class="quiet">The diameter of a tube is its girth divided by π; the thickness of a wall is its shape
+diameter. Made with Girth, ${escaped(date)}.</p>
+</body>
+</html>
+`;
+}

@@ -1,0 +1,96 @@
+// Which model is on the page, where it came from, and what was done to it.
+
+import type { MeshSource, PrepareOptions } from '../src/kernel/index.js';
+import { type GirthViewer, formatCount } from '../src/element/index.js';
+import type { PageState } from './address-state.js';
+
+/** A model that can be read again, to be prepared otherwise. */
+export interface Opened {
+  source: MeshSource;
+  /** How a link names it: an example or an address, or the name of a file that it cannot have. */
+  link: Pick<PageState, 'model' | 'file'>;
+  /** Which of several models that came together. */
+  model?: string | undefined;
+  prepare: PrepareOptions;
+  /** What was done to it after reading: the wished faces, and words for it. */
+  remeshed?: { faces: number; words: string } | undefined;
+}
+
+export class Session {
+  /** What is shown. */
+  opened: Opened | undefined;
+  /** What will be shown when the element has it. */
+  private next: Opened | undefined;
+
+  constructor(private readonly viewer: GirthViewer) {}
+
+  /** Shows a model; what goes wrong is written on the surface by the element itself. */
+  async open(wanted: Opened): Promise<boolean> {
+    this.next = wanted;
+    const { source, model, prepare } = wanted;
+    const options = model === undefined ? { prepare } : { prepare, model };
+    return this.viewer.load(source, options).then(
+      () => true,
+      () => false,
+    );
+  }
+
+  async remesh(faces: number): Promise<boolean> {
+    const { opened, viewer } = this;
+    if (!opened || !viewer.info) return false;
+    const before = formatCount(
+      opened.remeshed ? viewer.original!.faceCount : viewer.info.faceCount,
+    );
+    const words = `remeshed from ${before} to about ${formatCount(faces)} faces`;
+    this.next = { ...opened, remeshed: { faces, words } };
+    return viewer.remesh(faces).then(
+      () => true,
+      () => false,
+    );
+  }
+
+  /** The same model, prepared otherwise. */
+  reopen(change: PrepareOptions): void {
+    const { opened } = this;
+    if (!opened) return;
+    const prepare = { ...opened.prepare, ...change };
+    void this.open({ ...opened, prepare, remeshed: undefined });
+  }
+
+  /** The model as its file has it. */
+  back(): void {
+    if (this.opened) void this.open({ ...this.opened, prepare: {}, remeshed: undefined });
+  }
+
+  /** Another of the models that came together. */
+  choose(model: string): void {
+    const { opened } = this;
+    if (!opened) return;
+    void this.open({ source: opened.source, link: { file: model }, model, prepare: {} });
+  }
+
+  /** The element shows what was asked for last; returns whether it is another model than before. */
+  arrived(): boolean {
+    const { opened, next } = this;
+    this.opened = next;
+    return opened?.source !== next?.source || opened?.model !== next?.model;
+  }
+
+  read(): PageState {
+    const { opened } = this;
+    if (!opened) return {};
+    const { prepare, remeshed, link } = opened;
+    const state: PageState = { ...link };
+    if (prepare.closeHoles) state.closed = true;
+    if (prepare.components?.length) state.components = [...prepare.components];
+    if (remeshed) state.faces = remeshed.faces;
+    return state;
+  }
+
+  /** Whether what is shown is what a link names, prepared in the same way. */
+  isOf(state: PageState): boolean {
+    const keys = ['model', 'file', 'closed', 'components', 'faces'] as const;
+    const now = this.read();
+    return keys.every((key) => JSON.stringify(now[key]) === JSON.stringify(state[key]));
+  }
+}

@@ -1,0 +1,130 @@
+// What other ways find where a shape ends, beside the tips: the comparison of the paper's Figure 13.
+
+import { type GirthViewer, fieldTitle, formatLength, make } from '../src/element/index.js';
+import type { Maximum } from '../src/kernel/index.js';
+import { PlaceList } from './place-list.js';
+
+/** `sdf` colours the surface; the others are points. */
+const rivals = [
+  ['', 'nothing'],
+  ['heat', 'persistent heat maxima'],
+  ['geoaverage', 'maxima of the mean distance'],
+  ['sdf', 'thickness, as colours'],
+] as const;
+type Rival = (typeof rivals)[number][0];
+const most = 50;
+
+export interface RivalsPage {
+  /** Colours the surface by thickness, or as before. */
+  colour(bySdf: boolean): void;
+}
+
+export class TipRivals {
+  readonly element = make('div', { class: 'rivals' });
+  private readonly choice = make('select', { id: 'rival' });
+  private readonly count = make('input', {
+    id: 'rival-count',
+    type: 'number',
+    min: '1',
+    max: String(most),
+  });
+  private readonly countLine: HTMLElement;
+  private readonly words = make('p', { class: 'hint', role: 'status' });
+  private readonly list = new PlaceList('Points beside the tips');
+  private found: { rival: Rival; maxima: Maximum[] } | undefined;
+  /** Whether the surface is coloured by thickness for this. */
+  private isColoured = false;
+  private asked = 0;
+
+  constructor(
+    private readonly viewer: GirthViewer,
+    private readonly page: RivalsPage,
+  ) {
+    const { choice, count } = this;
+    choice.append(...rivals.map(([value, words]) => make('option', { value }, words)));
+    choice.addEventListener('change', () => void this.choose());
+    count.addEventListener('input', () => this.draw());
+    this.countLine = make(
+      'p',
+      { class: 'length' },
+      make('label', { for: 'rival-count' }, 'The most persistent'),
+      count,
+    );
+    this.element.append(
+      make('div', { class: 'row' }, make('label', { for: 'rival' }, 'Beside them'), choice),
+      this.words,
+      this.countLine,
+      this.list.element,
+    );
+    this.clear(0);
+  }
+
+  /** Another model, or the panel is closed; `tips`: so many points are as many as the tips. */
+  clear(tips: number): void {
+    ++this.asked;
+    this.colour(false);
+    this.choice.value = '';
+    this.found = undefined;
+    this.expect(tips);
+    this.draw();
+  }
+
+  /** As many points as there are tips, to begin with. */
+  expect(tips: number): void {
+    this.count.value = String(Math.min(most, Math.max(1, tips)));
+  }
+
+  private colour(bySdf: boolean): void {
+    if (bySdf === this.isColoured) return;
+    this.isColoured = bySdf;
+    this.page.colour(bySdf);
+  }
+
+  private async choose(): Promise<void> {
+    const { viewer } = this;
+    const rival = this.choice.value as Rival;
+    const asked = ++this.asked;
+    this.found = undefined;
+    this.draw();
+    this.colour(rival === 'sdf');
+    if (rival === '' || rival === 'sdf') return;
+    this.words.textContent = 'Computing …';
+    try {
+      const maxima = await (rival === 'heat' ? viewer.heatMaxima() : viewer.maxima(rival));
+      if (asked !== this.asked) return;
+      this.found = { rival, maxima };
+      this.draw();
+    } catch (error) {
+      if (asked !== this.asked) return;
+      this.words.textContent = `Not found: ${error instanceof Error ? error.message : String(error)}.`;
+    }
+  }
+
+  private draw(): void {
+    const { found, viewer } = this;
+    const wanted = Math.min(most, Math.max(0, Math.floor(Number(this.count.value)) || 0));
+    const shown = found?.maxima.slice(0, wanted) ?? [];
+    if (viewer.info) viewer.showPoints(shown.map(({ vertex }) => vertex));
+    this.countLine.hidden = !found;
+    this.words.textContent = found
+      ? `${found.maxima.length} in all, as diamonds on the surface.`
+      : '';
+    const words = ({ persistence }: Maximum): string => {
+      if (!Number.isFinite(persistence)) return 'the highest';
+      return found?.rival === 'geoaverage'
+        ? formatLength(persistence, viewer.formatOf('geoaverage'))
+        : persistence.toPrecision(3);
+    };
+    this.list.show(
+      shown.map((maximum) => ({
+        main: words(maximum),
+        detail: `persistence, vertex ${maximum.vertex}`,
+        choose: () => viewer.flyTo({ vertex: maximum.vertex }),
+      })),
+    );
+    this.list.element.setAttribute(
+      'aria-label',
+      found?.rival === 'geoaverage' ? `Maxima: ${fieldTitle('geoaverage')}` : 'Heat maxima',
+    );
+  }
+}

@@ -1,0 +1,219 @@
+// The tips of the shape: a list, the lines on the surface, and what noise may have made.
+
+import { type GirthViewer, formatLength, make } from '../src/element/index.js';
+import type { Tips } from '../src/kernel/index.js';
+import type { PageState } from './address-state.js';
+import { formatArea } from './area-words.js';
+import { Panel } from './panel.js';
+import { PlaceList } from './place-list.js';
+import { TipRivals } from './tip-rivals.js';
+
+const steps = 200;
+
+/** What the panel needs of the page. */
+export interface TipsPage {
+  /** What is shown was changed by hand. */
+  changed(): void;
+  /** The tips are known. */
+  found(): void;
+  /** Colours the surface by thickness, beside the tips, or as before. */
+  colour(bySdf: boolean): void;
+}
+
+export class TipsPanel {
+  readonly panel = new Panel('tips-panel');
+  private readonly list = new PlaceList('Tips');
+  private readonly arcs = new PlaceList('Open lines');
+  private readonly arcsTitle = make('h3', {}, 'Open lines');
+  private readonly shown = make('input', { id: 'tips-shown', type: 'checkbox' });
+  private readonly jump = make('input', {
+    id: 'tips-jump',
+    type: 'range',
+    min: '0',
+    max: String(steps),
+    value: '0',
+  });
+  private readonly jumpText = make('output', { for: 'tips-jump' });
+  private readonly rivals: TipRivals;
+  private readonly words = make('p', { class: 'hint', role: 'status' });
+  /** How far the girth rises at the tip that each vertex is in, 0 elsewhere. */
+  rises: Float64Array | undefined;
+  private tips: Tips | undefined;
+  private selected: number | undefined;
+  private pending: Pick<PageState, 'tip' | 'jump'> = {};
+
+  constructor(
+    private readonly viewer: GirthViewer,
+    private readonly page: TipsPage,
+  ) {
+    this.shown.checked = true;
+    this.rivals = new TipRivals(viewer, page);
+    this.panel.body.append(
+      this.words,
+      make('label', { class: 'check' }, this.shown, ' Show them on the surface'),
+      make(
+        'div',
+        { class: 'slide' },
+        make('label', { for: 'tips-jump' }, 'Hide what rises less than'),
+        this.jumpText,
+        this.jump,
+      ),
+      this.list.element,
+      this.arcsTitle,
+      make('p', { class: 'hint' }, 'Here the girth jumps, but nothing is cut off.'),
+      this.arcs.element,
+      this.rivals.element,
+    );
+    this.shown.addEventListener('change', () => this.draw());
+    this.jump.addEventListener('input', () => {
+      this.refresh();
+      this.draw();
+    });
+    this.jump.addEventListener('change', () => page.changed());
+    this.panel.onToggle((isOpen) => {
+      this.draw();
+      if (isOpen) void this.compute();
+      else this.rivals.clear(this.tips?.tips.length ?? 0);
+      page.changed();
+    });
+    viewer.addEventListener('unit', () => this.refresh());
+    this.clear();
+  }
+
+  /** Another model. */
+  clear(): void {
+    this.tips = undefined;
+    this.rises = undefined;
+    this.selected = undefined;
+    this.pending = {};
+    this.jump.value = '0';
+    this.rivals.clear(0);
+    this.refresh();
+  }
+
+  read(): PageState {
+    if (!this.tips) return this.pending;
+    const state: PageState = {};
+    if (this.selected !== undefined) state.tip = this.selected + 1;
+    if (this.leastJump > 0) state.jump = this.leastJump;
+    return state;
+  }
+
+  apply({ tip, jump }: PageState): void {
+    this.pending = {
+      ...(tip === undefined ? {} : { tip }),
+      ...(jump === undefined ? {} : { jump }),
+    };
+    if (this.tips) this.applyPending(true);
+    else if (this.panel.isOpen) void this.compute();
+  }
+
+  /** Finds the tips, once the girth is there. */
+  async compute(): Promise<void> {
+    const { viewer } = this;
+    const { info } = viewer;
+    if (!info || this.tips) return;
+    this.words.textContent = 'As soon as the girth is computed …';
+    try {
+      const tips = await viewer.tips();
+      if (viewer.info !== info) return;
+      this.tips = tips;
+      this.rises = new Float64Array(info.vertexCount);
+      // The largest last: a vertex in several tips has the rise of the highest.
+      for (const { vertices, jump } of [...tips.tips].reverse()) {
+        for (const vertex of vertices) this.rises[vertex] = jump;
+      }
+      this.applyPending(false);
+      this.rivals.expect(tips.tips.length);
+      this.page.found();
+    } catch (error) {
+      if (viewer.info !== info) return;
+      const words = error instanceof Error ? error.message : String(error);
+      this.words.textContent = `No tips: ${words}.`;
+    }
+  }
+
+  private applyPending(fly: boolean): void {
+    const { tip, jump = 0 } = this.pending;
+    const { tips = [] } = this.tips!;
+    this.jump.value = String(this.highest > 0 ? Math.ceil((steps * jump) / this.highest) : 0);
+    this.selected = tip !== undefined && tip >= 1 && tip <= tips.length ? tip - 1 : undefined;
+    this.refresh();
+    this.draw();
+    if (fly && this.selected !== undefined) {
+      this.viewer.flyTo({ vertices: tips[this.selected]!.vertices });
+    }
+  }
+
+  private get highest(): number {
+    return Math.max(
+      0,
+      ...[...(this.tips?.tips ?? []), ...(this.tips?.arcs ?? [])].map(({ jump }) => jump),
+    );
+  }
+
+  private get leastJump(): number {
+    return (this.highest * Number(this.jump.value)) / steps;
+  }
+
+  private choose(number: number): void {
+    const tip = this.tips!.tips[number]!;
+    this.selected = number;
+    this.draw();
+    this.viewer.flyTo({ vertices: tip.vertices });
+    this.page.changed();
+  }
+
+  private refresh(): void {
+    const { tips: made, viewer, panel } = this;
+    const format = viewer.lengthFormat;
+    const { leastJump } = this;
+    const tips = (made?.tips ?? []).map((tip, number) => ({ tip, number }));
+    const kept = tips.filter(({ tip }) => tip.jump >= leastJump);
+    const arcs = (made?.arcs ?? []).filter(({ jump }) => jump >= leastJump);
+    const hidden = tips.length - kept.length;
+    panel.summary = made ? String(kept.length) : '';
+    this.jump.disabled = !made || this.highest === 0;
+    this.jumpText.textContent = leastJump > 0 ? formatLength(leastJump, format) : 'nothing';
+    this.jump.setAttribute('aria-valuetext', this.jumpText.textContent);
+    this.list.show(
+      kept.map(({ tip, number }) => ({
+        lead: String(number + 1),
+        main: formatLength(tip.jump, format),
+        detail: `rise, ${formatLength(tip.apexDistance, format)} long, ${formatArea(tip.area, format)}`,
+        choose: () => this.choose(number),
+      })),
+    );
+    const chosen = kept.findIndex(({ number }) => number === this.selected);
+    this.list.select(chosen < 0 ? undefined : chosen);
+    this.arcsTitle.textContent = arcs.length === 1 ? 'One open line' : `${arcs.length} open lines`;
+    const openPart = [this.arcsTitle, this.arcsTitle.nextElementSibling as HTMLElement];
+    for (const part of openPart) part.hidden = arcs.length === 0;
+    this.arcs.show(
+      arcs.map(({ line, length, jump }) => ({
+        main: formatLength(jump, format),
+        detail: `rise · open, ${formatLength(length, format)} long`,
+        choose: () => viewer.flyTo({ polyline: line.polyline }),
+      })),
+    );
+    if (!made) {
+      this.words.textContent = '';
+      return;
+    }
+    const words =
+      tips.length === 0 ? 'The girth jumps nowhere so that a part is cut off: no tips.' : '';
+    this.words.textContent = hidden > 0 ? `${hidden} hidden.` : words;
+  }
+
+  /** Lines and tints on the surface, while the panel is open. */
+  private draw(): void {
+    const { tips, viewer, selected } = this;
+    if (!tips) return;
+    const shown = this.panel.isOpen && this.shown.checked;
+    void viewer.showTips({
+      shown,
+      leastJump: this.leastJump,
+      ...(selected === undefined ? {} : { selected }),
+    });
+  }
+}

@@ -1,0 +1,117 @@
+// The fields of one model: each is computed when it is first asked for, kept, and known in part meanwhile.
+
+import type { Field, FieldName, Mesh, PartialField } from '../kernel/types.js';
+import { type Adjacency, FieldPreview, TimeLeft } from '../view/index.js';
+
+/** One field, as far as it is computed. */
+export interface FieldState {
+  readonly name: FieldName;
+  /** The values so far; gone once the whole field is there. */
+  preview: FieldPreview | undefined;
+  /** Set once the whole field is there. */
+  field: Field | undefined;
+  /** Set while it is computed. */
+  running: { promise: Promise<Field>; abort: AbortController } | undefined;
+}
+
+export interface FieldsHost {
+  /** New values, not yet in the state's preview. */
+  received(state: FieldState, partial: PartialField): void;
+  progressed(name: FieldName, fraction: number, secondsLeft: number | undefined): void;
+  /** The computation is over: complete, cancelled or failed. */
+  ended(state: FieldState, error?: unknown): void;
+}
+
+export class Fields {
+  private readonly states = new Map<FieldName, FieldState>();
+
+  constructor(
+    private readonly mesh: Mesh,
+    private readonly adjacency: Adjacency,
+    private readonly host: FieldsHost,
+  ) {}
+
+  /** Every field that was asked for. */
+  get all(): Iterable<FieldState> {
+    return this.states.values();
+  }
+
+  get(name: FieldName): FieldState | undefined {
+    return this.states.get(name);
+  }
+
+  /** Of the fields that are being computed, the one that was asked for first. */
+  get computing(): FieldName | undefined {
+    return [...this.states.values()].find(({ running }) => running)?.name;
+  }
+
+  /** The values there are, one per vertex; NaN where there is none, or none yet. */
+  valuesOf(name: FieldName): Float64Array {
+    const state = this.states.get(name);
+    return (
+      state?.field?.values ??
+      state?.preview?.values ??
+      new Float64Array(this.mesh.info.vertexCount).fill(NaN)
+    );
+  }
+
+  /** The computed share of the vertices. */
+  shareOf(name: FieldName): number {
+    const state = this.states.get(name);
+    if (state?.field) return 1;
+    return (state?.preview?.computed ?? 0) / this.mesh.info.vertexCount;
+  }
+
+  /** The whole field; computed now unless it is there already. */
+  compute(name: FieldName): Promise<Field> {
+    let state = this.states.get(name);
+    if (!state) {
+      state = { name, preview: undefined, field: undefined, running: undefined };
+      this.states.set(name, state);
+    }
+    if (state.field) return Promise.resolve(state.field);
+    state.preview ??= new FieldPreview(this.adjacency);
+    // One that was cancelled and is only coming to its end does not count.
+    if (!state.running || state.running.abort.signal.aborted) {
+      const abort = new AbortController();
+      state.running = { promise: this.run(state, abort), abort };
+    }
+    return state.running.promise;
+  }
+
+  /** Stops every computation; what there is stays. */
+  cancel(): void {
+    for (const { running } of this.states.values()) running?.abort.abort();
+  }
+
+  private async run(state: FieldState, abort: AbortController): Promise<Field> {
+    const { name } = state;
+    const { signal } = abort;
+    const timeLeft = new TimeLeft(performance.now());
+    let failure: unknown;
+    try {
+      this.host.progressed(name, 0, undefined);
+      const field = await this.mesh.field(name, {
+        signal,
+        onProgress: (fraction) => {
+          if (signal.aborted) return;
+          this.host.progressed(name, fraction, timeLeft.update(fraction, performance.now()));
+        },
+        onPartial: (partial) => {
+          if (!signal.aborted) this.host.received(state, partial);
+        },
+      });
+      state.field = field;
+      state.preview = undefined;
+      return field;
+    } catch (error) {
+      failure = error;
+      throw error;
+    } finally {
+      if (!state.running || state.running.abort === abort) {
+        state.running = undefined;
+        this.host.ended(state, failure);
+      }
+    }
+  }
+}

@@ -1,0 +1,220 @@
+// One model on a stage: its colours and legend, its loops and tips, what is marked, where one looks.
+
+import type { FieldName, Loop, PartThresholds, Parts } from '../kernel/types.js';
+import {
+  Latest,
+  type LegendContent,
+  type LengthFormat,
+  LoopBand,
+  type Place,
+  PointMarks,
+  type Stage,
+  lengthFormat,
+} from '../view/index.js';
+import type { FieldState } from './fields.js';
+import { LoopsOnSurface, type LoopsHost } from './loops-on-surface.js';
+import type { Model } from './model.js';
+import { Shading, type ShadingWishes } from './shading.js';
+import { TipsOnSurface } from './tips-on-surface.js';
+
+/** A place of the surface to look at: a vertex, a region, a line, or some of these together. */
+export interface PlaceOnSurface {
+  vertices?: ArrayLike<number>;
+  vertex?: number;
+  /** x, y, z per point. */
+  polyline?: Float32Array;
+}
+
+/** What a picture of a place shows; see `GirthViewer.snapshotOf`. */
+export interface PlacePicture {
+  /** Shown as they are, the rest of the surface faded. */
+  vertices: ArrayLike<number>;
+  loop?: Loop;
+  /** Pixels; 480 by 360 where nothing is said. */
+  width?: number;
+  height?: number;
+}
+
+/** Where parts begin: the two thresholds in model units, and how much neighbours count (0: nothing). */
+export interface PartsWish extends PartThresholds {
+  smoothing?: number;
+}
+
+/** Points of a region that tell where it is. */
+const enoughPoints = 300;
+const pictureStyle = { colour: '#ff7a45', weight: 1.1 };
+
+export interface PresentedHost extends LoopsHost {
+  /** The legend or the way in which lengths are written has changed. */
+  relabelled(legend: LegendContent | undefined, format: LengthFormat): void;
+}
+
+export class Presented {
+  readonly shading: Shading;
+  readonly loops: LoopsOnSurface;
+  readonly tips: TipsOnSurface;
+  private readonly smoother: Latest<PartsWish, Parts>;
+  private points: PointMarks | undefined;
+  private marked: ArrayLike<number> | undefined;
+  private wished: PartsWish | undefined;
+  private format: LengthFormat;
+
+  constructor(
+    private readonly stage: Stage,
+    canvas: HTMLCanvasElement,
+    readonly model: Model,
+    wishes: ShadingWishes,
+    private readonly host: PresentedHost,
+  ) {
+    const { surface } = model;
+    this.shading = new Shading(model, wishes);
+    this.format = lengthFormat(2 * surface.bounds.radius, wishes.unit);
+    stage.show(surface);
+    this.loops = new LoopsOnSurface(stage, canvas, model, this.format, host);
+    this.tips = new TipsOnSurface(stage, model);
+    this.smoother = new Latest(
+      (wish) => model.parts(wish),
+      (wish, parts) => {
+        if (wish === this.wished) this.showParts(wish, parts);
+      },
+      (_wish, error) => host.failed(error),
+    );
+  }
+
+  /** How lengths are written everywhere but in the legend of another field: as fits the girth. */
+  get lengthFormat(): LengthFormat {
+    return this.format;
+  }
+
+  /** Colours the surface anew with what there is. */
+  paint(): void {
+    this.shading.paint();
+    this.relabel();
+    this.stage.invalidate();
+  }
+
+  /** Once a frame: colours spread a little further. Returns whether some are still to come. */
+  spread(): boolean {
+    if (!this.shading.isSpreading) return false;
+    const done = this.shading.spread();
+    this.refresh();
+    return !done;
+  }
+
+  /** Range, lines and words as they are wished for now. */
+  refresh(): void {
+    this.shading.refresh();
+    this.relabel();
+    this.stage.invalidate();
+  }
+
+  private relabel(): void {
+    const { model, shading } = this;
+    const state = model.fields.get('igf');
+    const largest = (state?.field?.range ?? state?.preview?.range)?.[1];
+    const format = lengthFormat(largest ?? 2 * model.surface.bounds.radius, shading.wishes.unit);
+    if (JSON.stringify(format) !== JSON.stringify(this.format)) {
+      this.format = format;
+      this.loops.setFormat(format);
+    }
+    this.host.relabelled(shading.legend, format);
+  }
+
+  /** The values that fields have at a vertex, of those that are computed there. */
+  valuesAt(vertex: number): Partial<Record<FieldName, number>> {
+    const known = [...this.model.fields.all].filter(
+      ({ field, preview }: FieldState) => field ?? preview?.isComputed(vertex),
+    );
+    return Object.fromEntries(
+      known.map(({ name }) => [name, this.model.fields.valuesOf(name)[vertex]!]),
+    );
+  }
+
+  get thresholds(): Required<PartsWish> | undefined {
+    const { parts } = this.shading;
+    if (!parts) return undefined;
+    const { girth, diameter } = parts;
+    return { girth, diameter, smoothing: this.wished?.smoothing ?? 0 };
+  }
+
+  /** Plain thresholds at once; smoothed parts as soon as they are computed. */
+  setThresholds(wish: PartsWish): void {
+    const { girth, diameter, smoothing = 0 } = wish;
+    for (const number of [girth, diameter, smoothing]) {
+      if (!(number >= 0)) {
+        throw new RangeError('thresholds and smoothing are numbers from 0 on, in model units');
+      }
+    }
+    this.wished = wish;
+    this.smoother.clear();
+    this.showParts(wish, undefined);
+    if (smoothing > 0) this.smoother.request(wish);
+  }
+
+  private showParts({ girth, diameter }: PartsWish, smoothed: Parts | undefined): void {
+    this.shading.parts = { girth, diameter, smoothed };
+    if (this.shading.wishes.name === 'parts') this.paint();
+  }
+
+  mark(vertices: ArrayLike<number> | undefined): void {
+    this.marked = vertices;
+    this.model.surface.mark(vertices);
+    this.stage.invalidate();
+  }
+
+  showPoints(vertices: ArrayLike<number>): void {
+    if (this.points) this.stage.remove(this.points);
+    const { surface } = this.model;
+    const places = Array.from(vertices, (vertex) => surface.positionOf(vertex).toArray());
+    this.points = places.length > 0 ? new PointMarks(places) : undefined;
+    if (this.points) this.stage.add(this.points);
+  }
+
+  flyTo(place: PlaceOnSurface, atOnce: boolean): void {
+    this.stage.flyTo(this.placeOf(place), atOnce);
+  }
+
+  /** A picture of a place, whatever is on the canvas. */
+  pictureOf({ vertices, loop, width = 480, height = 360 }: PlacePicture): HTMLCanvasElement {
+    const { surface } = this.model;
+    const polyline = loop?.polyline;
+    const place = this.placeOf(polyline ? { vertices, polyline } : { vertices });
+    const band = loop && new LoopBand(loop, pictureStyle);
+    surface.mark(vertices);
+    try {
+      return this.stage.pictureOf(place, band, width, height);
+    } finally {
+      surface.mark(this.marked);
+      band?.dispose();
+      this.stage.invalidate();
+    }
+  }
+
+  private placeOf({ vertices = [], vertex, polyline }: PlaceOnSurface): Place {
+    const { surface } = this.model;
+    const chosen = vertex === undefined ? sampleOf(vertices) : [vertex, ...sampleOf(vertices)];
+    const points = chosen.map((v) => surface.positionOf(v));
+    const outwards = surface.bounds.center.clone().set(0, 0, 0);
+    for (const v of chosen) outwards.add(surface.normalOf(v));
+    for (let i = 0; polyline && i + 2 < polyline.length; i += 3) {
+      points.push(surface.bounds.center.clone().fromArray(polyline, i));
+    }
+    const known = outwards.length() > 0.1 * chosen.length;
+    return { points, outwards: known ? outwards.normalize() : undefined };
+  }
+
+  dispose(keepsMesh: boolean): void {
+    this.smoother.clear();
+    this.loops.dispose();
+    this.tips.clear();
+    this.showPoints([]);
+    this.model.dispose(keepsMesh);
+    this.stage.show(undefined);
+  }
+}
+
+/** At most so many of the numbers as say where a region is, evenly chosen. */
+function sampleOf(vertices: ArrayLike<number>): number[] {
+  const step = Math.max(1, Math.ceil(vertices.length / enoughPoints));
+  return Array.from({ length: Math.ceil(vertices.length / step) }, (_, i) => vertices[i * step]!);
+}

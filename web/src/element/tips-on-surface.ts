@@ -1,0 +1,57 @@
+// The tips of one model on its stage: contours, tinted regions, apexes, and one that is selected.
+
+import type { ContourLine, Tips } from '../kernel/types.js';
+import { type Stage, TipMarks } from '../view/index.js';
+import type { Model } from './model.js';
+
+export interface TipsChoice {
+  shown: boolean;
+  /** Hides tips and arcs that rise less, in model units; nothing said: none are hidden. */
+  leastJump?: number;
+  /** A tip's number in `Tips.tips`. */
+  selected?: number;
+}
+
+/** A dash of an open line and its gap, in radii of the surface. */
+const dash = 0.035;
+
+export class TipsOnSurface {
+  private marks: TipMarks | undefined;
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly model: Model,
+  ) {}
+
+  show({ tips, arcs }: Tips, { leastJump = 0, selected }: TipsChoice): void {
+    this.clear();
+    const { surface } = this.model;
+    const isShown = ({ jump }: { jump: number }): boolean => jump >= leastJump;
+    const chosen = selected === undefined ? undefined : tips[selected];
+    const others = tips.filter((tip) => tip !== chosen && isShown(tip));
+    const linesOf = (some: readonly { contour: ContourLine[] }[]): ContourLine[] =>
+      some.flatMap(({ contour }) => contour);
+    const place = (vertex: number): number[] => surface.positionOf(vertex).toArray();
+    this.marks = new TipMarks({
+      contours: linesOf(others),
+      selected: linesOf(chosen ? [chosen] : []),
+      arcs: arcs.filter(isShown).map(({ line }) => line),
+      apexes: others.map(({ apex }) => place(apex)),
+      selectedApex: chosen && place(chosen.apex),
+      dash: dash * surface.bounds.radius,
+    });
+    this.stage.add(this.marks);
+    surface.tint(
+      others.map(({ vertices }) => vertices),
+      chosen?.vertices,
+    );
+  }
+
+  clear(): void {
+    if (!this.marks) return;
+    this.stage.remove(this.marks);
+    this.marks = undefined;
+    this.model.surface.tint([], undefined);
+    this.stage.invalidate();
+  }
+}

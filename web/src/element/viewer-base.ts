@@ -1,0 +1,495 @@
+// The element on its page: its attributes, a model that comes and goes, and what is computed of it.
+
+import type {
+  Field,
+  FieldName,
+  GirthErrorFields,
+  LoadOptions,
+  Mesh,
+  MeshInfo,
+  MeshSource,
+} from '../kernel/types.js';
+import {
+  Legend,
+  Stage,
+  fieldTitle,
+  fieldUnit,
+  isColormapName,
+  isShownName,
+} from '../view/index.js';
+import { make } from './dom.js';
+import type {
+  FieldChangeDetail,
+  FieldDetail,
+  HoverDetail,
+  LoadDetail,
+  ProgressDetail,
+} from './events.js';
+import type { FieldState, FieldsHost } from './fields.js';
+import { groundUnder } from './ground.js';
+import type { PickDetail } from './loops-on-surface.js';
+import { MessageBox } from './message-box.js';
+import { Model } from './model.js';
+import { fieldsOf, nameOf, parseCount, parseRange, parseVertices } from './parse.js';
+import { Presented } from './presented.js';
+import type { ShadingWishes } from './shading.js';
+import { sharedKernel } from './shared-kernel.js';
+import { StatusBar } from './status-bar.js';
+import { style } from './style.js';
+import { Work, type Watched } from './work.js';
+
+/** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
+const narrow = 520;
+const legendHeight = 92;
+/** Shares of the time to show a model: until the kernel has it; the rest is spent on drawing. */
+const kernelShare = 0.7;
+/** More lines of equal value than this are no lines. */
+const mostIsolines = 100;
+
+/** What a remeshed surface was made of. */
+export interface Original {
+  mesh: Mesh;
+  field: Field | undefined;
+}
+
+/** See `GirthViewer`, which adds what can be asked of the element. */
+export abstract class ViewerBase extends HTMLElement {
+  static readonly observedAttributes = [
+    'src',
+    'unit',
+    'field',
+    'colormap',
+    'range',
+    'isolines',
+    'loop',
+    'edges',
+    'turn',
+  ];
+
+  private canvas = make('canvas', {
+    tabindex: '0',
+    role: 'application',
+    'aria-roledescription': '3D surface',
+    'aria-label':
+      'Surface. Arrows turn, plus and minus zoom, Shift with arrows moves a probe, Enter pins its loop.',
+  });
+  private readonly legend = new Legend();
+  private readonly message = new MessageBox();
+  private readonly live = make('div', { class: 'quiet-live', 'aria-live': 'polite' });
+  private readonly status = new StatusBar({
+    cancel: () => this.cancel(),
+    cancelWork: () => this.work.cancel(),
+    restart: () => void this.restart(),
+  });
+  private readonly work = new Work(this.status);
+
+  protected stage: Stage | undefined;
+  protected presented: Presented | undefined;
+  protected madeFrom: Original | undefined;
+  /** The field whose computation was cancelled. */
+  private halted: FieldName | undefined;
+  private readonly said = new WeakSet<object>();
+
+  private inView = false;
+  /** Whether the surface was moved by hand, so that it no longer turns by itself. */
+  private touched = false;
+  private pointedVertex: number | undefined;
+  private whenInView: (() => void)[] = [];
+  private readonly watchers: (() => void)[] = [];
+
+  constructor() {
+    super();
+    const root = this.attachShadow({ mode: 'open' });
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(style);
+    root.adoptedStyleSheets = [sheet];
+    root.append(
+      this.canvas,
+      this.legend.element,
+      this.status.element,
+      this.message.element,
+      this.live,
+    );
+  }
+
+  connectedCallback(): void {
+    try {
+      this.stage = new Stage(this.canvas, {
+        beforeFrame: () => this.presented?.spread() ?? false,
+        afterFrame: () => this.presented?.loops.place(),
+        touched: () => {
+          if (this.touched) return;
+          this.touched = true;
+          this.dispatchEvent(new CustomEvent('touch'));
+        },
+        rested: () => this.dispatchEvent(new CustomEvent('camera')),
+      });
+    } catch {
+      this.message.show(
+        '',
+        {
+          code: 'NO_WEBGL',
+          element: -1,
+          message: 'this browser cannot draw surfaces: WebGL 2 is switched off or missing',
+          hint: 'switch on hardware acceleration in its settings, or use another browser',
+        },
+        false,
+      );
+      return;
+    }
+    const { stage } = this;
+    const resized = new ResizeObserver(() => {
+      const { clientWidth, clientHeight } = this;
+      const bottom = clientWidth <= narrow ? legendHeight : 0;
+      stage.resize(clientWidth, clientHeight, bottom, window.devicePixelRatio);
+    });
+    resized.observe(this);
+    const seen = new IntersectionObserver((entries) => {
+      this.inView = entries.at(-1)!.isIntersecting;
+      stage.rest(!this.inView);
+      if (this.inView) for (const go of this.whenInView.splice(0)) go();
+    });
+    seen.observe(this);
+    const motion = window.matchMedia('(prefers-reduced-motion: reduce)');
+    const respectMotion = (): void => {
+      stage.setDamping(!motion.matches);
+      this.updateTurning();
+    };
+    motion.addEventListener('change', respectMotion);
+    respectMotion();
+    this.watchers.push(
+      () => resized.disconnect(),
+      () => seen.disconnect(),
+      () => motion.removeEventListener('change', respectMotion),
+    );
+    if (this.hasAttribute('src')) void this.loadSrc();
+  }
+
+  disconnectedCallback(): void {
+    for (const stop of this.watchers.splice(0)) stop();
+    this.work.cancel();
+    this.dropModel();
+    this.stage?.dispose();
+    this.stage = undefined;
+    // A lost context cannot be had again from the same canvas.
+    const fresh = this.canvas.cloneNode() as HTMLCanvasElement;
+    this.canvas.replaceWith(fresh);
+    this.canvas = fresh;
+    this.inView = false;
+    this.whenInView = [];
+  }
+
+  attributeChangedCallback(name: string, before: string | null, value: string | null): void {
+    if (before === value) return;
+    switch (name) {
+      case 'src':
+        if (value !== null && this.stage) void this.loadSrc();
+        break;
+      case 'unit':
+        this.restyle(false);
+        if (this.presented) this.dispatchEvent(new CustomEvent('unit'));
+        break;
+      case 'field':
+        if (value === 'none') this.cancel();
+        this.restyle(true);
+        void this.showField();
+        break;
+      case 'range':
+        this.restyle(false);
+        // Percentages ask for the vertices' areas.
+        void this.showField();
+        break;
+      case 'colormap':
+      case 'isolines':
+        this.restyle(false);
+        this.sendChange();
+        break;
+      case 'loop':
+        if (value === 'none') this.presented?.loops.clear();
+        break;
+      case 'edges':
+        this.presented?.model.surface.showEdges(value !== null);
+        break;
+      case 'turn':
+        this.updateTurning();
+        break;
+    }
+    this.stage?.invalidate();
+  }
+
+  /** The model that is shown; undefined before the first. */
+  get info(): MeshInfo | undefined {
+    return this.presented?.model.mesh.info;
+  }
+
+  /** The unit of lengths: the file's, or where it does not say, the attribute's; '' for none. */
+  get unit(): string {
+    return this.info?.unit || (this.getAttribute('unit') ?? '');
+  }
+
+  /**
+   * Reads a model and shows it, grey at first; the field follows by itself. Where the file cannot
+   * be used the model before stays, the element says why, `error` is sent and the promise rejected.
+   * A newer call ends an older one.
+   */
+  async load(
+    source: MeshSource,
+    options: Pick<LoadOptions, 'model' | 'prepare'> = {},
+  ): Promise<MeshInfo> {
+    const name = nameOf(source);
+    const address = typeof source === 'string' ? new URL(source, this.baseURI) : source;
+    return this.bring(`Reading ${name || 'the model'} …`, name, async (watched) => {
+      const kernel = await sharedKernel();
+      return kernel.load(address, { ...options, ...watched });
+    });
+  }
+
+  /** Makes another mesh ready to draw and shows it, with words and a cross meanwhile. */
+  protected bring(
+    words: string,
+    name: string,
+    make: (watched: Watched) => Promise<Mesh>,
+    before?: Original,
+  ): Promise<MeshInfo> {
+    return this.work.run(words, async ({ signal, onProgress }) => {
+      try {
+        const mesh = await make({
+          signal,
+          onProgress: (fraction) => onProgress(kernelShare * fraction),
+        });
+        try {
+          onProgress(kernelShare);
+          signal.throwIfAborted();
+          const model = await Model.of(mesh, this.fieldsHost, signal);
+          await this.stage?.prepare(model.surface.object);
+          signal.throwIfAborted();
+          this.show(model, before);
+        } catch (error) {
+          mesh.dispose();
+          throw error;
+        }
+        return mesh.info;
+      } catch (error) {
+        if (!signal.aborted) this.fail(name, error);
+        throw error;
+      }
+    });
+  }
+
+  /** Stops computing fields; what there is stays. */
+  cancel(): void {
+    this.presented?.model.fields.cancel();
+  }
+
+  // ---- loading and computing
+
+  private async loadSrc(): Promise<void> {
+    await this.untilInView();
+    const src = this.getAttribute('src');
+    // What went wrong has been said already.
+    if (src) await this.load(src).catch(() => undefined);
+  }
+
+  private untilInView(): Promise<void> {
+    return this.inView
+      ? Promise.resolve()
+      : new Promise((resolve) => this.whenInView.push(resolve));
+  }
+
+  private show(model: Model, before: Original | undefined): void {
+    this.dropModel(before);
+    if (!this.stage) throw new Error('the element is no longer on a page');
+    this.madeFrom = before;
+    this.message.clear();
+    model.surface.showEdges(this.hasAttribute('edges'));
+    // The unit of what is shown is the model's own, which is not there yet.
+    const wishes = { ...this.wishes, unit: model.mesh.info.unit || this.wishes.unit };
+    this.presented = new Presented(this.stage, this.canvas, model, wishes, {
+      followsPointer: () => this.getAttribute('loop') !== 'none',
+      pointed: (vertex) => this.pointed(vertex),
+      picked: (detail) => this.send<PickDetail>('pick', detail),
+      failed: (error) => this.fail('', error),
+      relabelled: (legend) => this.legend.update(legend),
+    });
+    this.legend.element.after(this.presented.loops.element);
+    this.send<LoadDetail>('load', { info: model.mesh.info });
+    void this.afterShowing(this.presented);
+    void this.showField();
+  }
+
+  /** What may come after the first picture. */
+  private async afterShowing({ model, loops }: Presented): Promise<void> {
+    const { signal } = model.life;
+    try {
+      await new Promise((resolve) => setTimeout(resolve));
+      signal.throwIfAborted();
+      await model.surface.prepareToPick();
+      signal.throwIfAborted();
+      const shadow = await groundUnder(model.mesh, model.surface, signal);
+      await this.stage?.prepare(shadow.object);
+      signal.throwIfAborted();
+      this.stage?.setShadow(shadow);
+      await loops.prepare();
+      signal.throwIfAborted();
+      for (const vertex of parseVertices(this.getAttribute('loop'))) await loops.pin(vertex);
+    } catch (error) {
+      if (!signal.aborted) this.fail('', error);
+    }
+  }
+
+  /** `kept` is still wanted: what comes next was made of it. */
+  private dropModel(kept?: Original): void {
+    const { presented, madeFrom: before } = this;
+    if (before && before.mesh !== kept?.mesh) before.mesh.dispose();
+    this.madeFrom = undefined;
+    this.halted = undefined;
+    this.pointedVertex = undefined;
+    if (!presented) return;
+    this.presented = undefined;
+    presented.dispose(kept?.mesh === presented.model.mesh);
+    this.status.clear();
+    this.legend.update(undefined);
+  }
+
+  /** Computes what the attributes ask for, and shows it. */
+  private async showField(): Promise<void> {
+    const { presented } = this;
+    if (!presented) return;
+    const { name } = this.wishes;
+    const isWanted = (): boolean => this.presented === presented && this.wishes.name === name;
+    await this.untilInView();
+    if (!isWanted()) return;
+    try {
+      await presented.shading.prepare();
+      if (!isWanted()) return;
+      presented.paint();
+      this.sendChange();
+    } catch (error) {
+      if (this.presented === presented) this.fail('', error);
+    }
+  }
+
+  private readonly fieldsHost: FieldsHost = {
+    received: (state, partial) => {
+      if (!this.isPresent(state)) return;
+      this.presented!.shading.receive(state, partial);
+      this.stage?.invalidateSoon();
+    },
+    progressed: (name, fraction, secondsLeft) => {
+      // One after the other, where there are several.
+      const { computing } = this.presented?.model.fields ?? {};
+      if ((computing ?? name) === name) {
+        this.status.showProgress(fieldTitle(name), fraction, secondsLeft);
+      }
+      this.updateTurning();
+      if (fraction > 0) this.send<ProgressDetail>('progress', { name, fraction, secondsLeft });
+    },
+    ended: (state, error) => {
+      if (!this.isPresent(state)) return;
+      const { name, field } = state;
+      const { shading, model } = this.presented!;
+      if (!model.fields.computing) this.status.clear();
+      if (field) {
+        if (shading.wishes.name === name) this.presented!.paint();
+        this.sendField(name, field.range, 1);
+      } else if (fieldsOf(error).code === 'CANCELLED') {
+        const share = model.fields.shareOf(name);
+        this.halted = name;
+        this.status.showPartial(fieldTitle(name), share);
+        this.sendField(name, state.preview?.range ?? [NaN, NaN], share);
+      } else {
+        this.fail(model.mesh.info.name, error);
+      }
+      this.updateTurning();
+    },
+  };
+
+  /** Whether a field is one of the model that is shown. */
+  private isPresent(state: FieldState): boolean {
+    return this.presented?.model.fields.get(state.name) === state;
+  }
+
+  /** Goes on with what was cancelled. */
+  private async restart(): Promise<void> {
+    const { halted } = this;
+    this.halted = undefined;
+    // What goes wrong is said where the field ends.
+    await (halted && this.presented?.model.fields.compute(halted).catch(() => undefined));
+    await this.showField();
+  }
+
+  /** Turns where it is asked for, but not while it computes: the work goes first. */
+  private updateTurning(): void {
+    if (!this.stage) return;
+    const still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+    const isBusy = this.presented?.model.fields.computing !== undefined;
+    const turning = this.hasAttribute('turn') && !this.touched && !still && !isBusy;
+    if (this.stage.turning !== turning) this.stage.turning = turning;
+  }
+
+  // ---- colours
+
+  /** What the attributes ask for. */
+  private get wishes(): ShadingWishes {
+    const field = this.getAttribute('field');
+    const colormap = this.getAttribute('colormap');
+    return {
+      name: isShownName(field) ? field : 'igf',
+      colormap: isColormapName(colormap) ? colormap : undefined,
+      range: parseRange(this.getAttribute('range')),
+      isolines: parseCount(this.getAttribute('isolines'), mostIsolines),
+      unit: this.unit,
+    };
+  }
+
+  /** Shows what there is as the attributes ask for now; `anew` where each vertex has another colour. */
+  private restyle(anew: boolean): void {
+    const { presented } = this;
+    if (!presented) return;
+    presented.shading.wishes = this.wishes;
+    if (anew) presented.paint();
+    else presented.refresh();
+  }
+
+  // ---- odds and ends
+
+  protected require(): Presented {
+    if (!this.presented) throw new Error('no model is loaded');
+    return this.presented;
+  }
+
+  private pointed(vertex: number | undefined): void {
+    if (vertex === this.pointedVertex) return;
+    this.pointedVertex = vertex;
+    const values = vertex === undefined ? {} : this.require().valuesAt(vertex);
+    this.send<HoverDetail>('hover', { vertex, values });
+  }
+
+  private sendField(name: FieldName, range: [number, number], share: number): void {
+    const unit = fieldUnit(name, this.unit);
+    this.send<FieldDetail>('field', { name, range, unit, share });
+    if (share === 1) this.live.textContent = `${fieldTitle(name)}: computed.`;
+  }
+
+  private sendChange(): void {
+    if (!this.presented) return;
+    const { name } = this.wishes;
+    this.send<FieldChangeDetail>('fieldchange', { name, shown: this.presented.shading.shown });
+  }
+
+  private send<Detail>(name: string, detail: Detail): void {
+    this.dispatchEvent(new CustomEvent(name, { detail }));
+  }
+
+  /** Says what went wrong, once; that something was cancelled is no news. */
+  private fail(name: string, error: unknown): void {
+    const fields = fieldsOf(error);
+    if (fields.code === 'CANCELLED') return;
+    if (error instanceof Error) {
+      if (this.said.has(error)) return;
+      this.said.add(error);
+    }
+    this.message.show(name, fields, this.presented !== undefined);
+    this.send<GirthErrorFields>('error', fields);
+  }
+}

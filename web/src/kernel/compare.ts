@@ -1,0 +1,111 @@
+// Shapes compared by descriptors: the fields of each one, two at a time, then their distances.
+
+import { fieldsOf, GirthError } from './errors.js';
+import type { MeshOfWorkers } from './mesh.js';
+import type { StudiesOperations, StudyFields } from './protocol.js';
+import type { CompareOptions, Comparison } from './types.js';
+import type { Workshop } from './workshop.js';
+
+/** Groups of fields that have been computed, by the number of faces and their name. */
+const known = new WeakMap<MeshOfWorkers, Map<string, StudyFields>>();
+
+/** The share of the work that computing the fields is. */
+const fieldsShare = 0.95;
+
+export async function compareShapes(
+  workshop: Workshop<StudiesOperations>,
+  meshes: readonly MeshOfWorkers[],
+  { descriptors, faces = 10_000, onProgress }: CompareOptions,
+  signal: AbortSignal,
+): Promise<Comparison> {
+  const { groups } = await workshop.run(signal, 0, (worker) =>
+    worker.request('fieldGroups', { descriptors }),
+  );
+  const shares = meshes.map(() => 0);
+  let told = 0;
+  const tell = (progress: number) => {
+    if (signal.aborted || progress <= told) return;
+    told = progress;
+    onProgress?.(progress);
+  };
+  const fieldsOfMesh = async (mesh: MeshOfWorkers, place: number): Promise<StudyFields[]> => {
+    const found: StudyFields[] = [];
+    for (const group of groups) {
+      found.push(
+        await studyFields(workshop, mesh, group, faces, signal, (share) => {
+          shares[place] = (found.length + share) / groups.length;
+          tell((fieldsShare * shares.reduce((sum, one) => sum + one, 0)) / meshes.length);
+        }),
+      );
+    }
+    return found;
+  };
+  const outcomes = await Promise.allSettled(meshes.map(fieldsOfMesh));
+
+  const failed: Comparison['failed'] = [];
+  const places: number[] = [];
+  const models: StudyFields[][] = [];
+  outcomes.forEach((outcome, shape) => {
+    if (outcome.status === 'rejected') {
+      failed.push({ shape, error: fieldsOf(outcome.reason) });
+      return;
+    }
+    places.push(shape);
+    models.push(outcome.value);
+  });
+  if (models.length === 0 && failed.length > 0) throw new GirthError(failed[0]!.error);
+  const bytes = models.flat().reduce((sum, { fields }) => sum + bytesOf(fields), 0);
+  const { matrices } = await workshop.run(signal, bytes, (worker) =>
+    worker.request('compare', { models, descriptors }),
+  );
+  tell(1);
+  return {
+    matrices: descriptors.map((descriptor, d) => ({
+      descriptor,
+      distances: spread(matrices[d]!, places, meshes.length),
+    })),
+    failed,
+  };
+}
+
+async function studyFields(
+  workshop: Workshop<StudiesOperations>,
+  mesh: MeshOfWorkers,
+  group: string,
+  faces: number,
+  signal: AbortSignal,
+  onProgress: (share: number) => void,
+): Promise<StudyFields> {
+  let ofMesh = known.get(mesh);
+  if (!ofMesh) known.set(mesh, (ofMesh = new Map<string, StudyFields>()));
+  const key = `${faces} ${group}`;
+  let fields = ofMesh.get(key);
+  if (!fields) {
+    const { arrays } = mesh.surface;
+    const bytes = arrays.positions.byteLength + arrays.indices.byteLength;
+    fields = await workshop.run(signal, bytes, (worker) =>
+      worker.request(
+        'studyFields',
+        { arrays, group, faces },
+        { onReport: (report) => 'progress' in report && onProgress(report.progress) },
+      ),
+    );
+    ofMesh.set(key, fields);
+  }
+  onProgress(1);
+  return fields;
+}
+
+const bytesOf = (fields: StudyFields['fields']) =>
+  fields.reduce((sum, { values }) => sum + values.byteLength, 0);
+
+/** A matrix of some shapes as one of all, NaN for the others. */
+function spread(matrix: Float64Array, places: readonly number[], count: number): Float64Array {
+  const whole = new Float64Array(count * count).fill(NaN);
+  places.forEach((i, row) => {
+    places.forEach((k, column) => {
+      whole[i * count + k] = matrix[row * places.length + column]!;
+    });
+  });
+  return whole;
+}

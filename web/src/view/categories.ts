@@ -1,0 +1,34 @@
+// Fields that sort the vertices: their categories, each with a name, a colour and a pattern.
+
+/** One of few kinds of place on a surface. */
+export interface Category {
+  name: string;
+  /** `#rrggbb`. */
+  colour: string;
+  /** Drawn with stripes: told apart without its colour. */
+  hatched: boolean;
+}
+
+// Blue, orange, sky blue and vermilion are those of Okabe and Ito's palette, chosen to be told apart in
+// every common kind of colour blindness; they also differ in lightness.
+const blue = '#0072b2';
+const orange = '#e69f00';
+const skyBlue = '#56b4e9';
+const vermilion = '#d55e00';
+const light = '#cfd0d3';
+const grey = '#96979c';
+
+/** The kinds of a girth, in the order of their numbers. */
+export const girthKinds: readonly Category[] = [
+  { name: 'loop', colour: skyBlue, hatched: false },
+  { name: 'there and back', colour: vermilion, hatched: false },
+  { name: 'not found in time', colour: grey, hatched: true },
+];
+
+/** The kinds of a part, in the order of their numbers. */
+export const partKinds: readonly Category[] = [
+  { name: 'body', colour: light, hatched: false },
+  { name: 'tube', colour: blue, hatched: false },
+  { name: 'plate', colour: orange, hatched: false },
+  { name: 'unknown', colour: grey, hatched: true },
+];

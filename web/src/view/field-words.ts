@@ -1,0 +1,67 @@
+// Which fields can be shown, and what they are called.
+
+import type { FieldName } from '../kernel/types.js';
+
+/** Fields of numbers that the kernel computes, the default first. */
+export const fieldNames: readonly FieldName[] = [
+  'igf',
+  'sdf',
+  'geoaverage',
+  'geofarthest',
+  'angle',
+  'hks',
+  'wks',
+  'sihks',
+];
+
+/** What is made of fields: the girth's kinds, the rise at the tip that a place is in, tubes and plates. */
+export const derivedNames = ['kind', 'tips', 'parts'] as const;
+
+/** What can colour a surface. */
+export type ShownName = FieldName | (typeof derivedNames)[number] | 'none';
+
+const words: Record<ShownName, string> = {
+  igf: 'Girth',
+  sdf: 'Shape diameter',
+  geoaverage: 'Mean distance',
+  geofarthest: 'Greatest distance',
+  angle: 'Angle of the loop',
+  hks: 'Heat kernel signature',
+  wks: 'Wave kernel signature',
+  sihks: 'Scale-invariant heat kernel',
+  kind: 'Kind of loop',
+  tips: 'Rise at the tip',
+  parts: 'Parts',
+  none: '',
+};
+
+export function isFieldName(name: string): name is FieldName {
+  return (fieldNames as readonly string[]).includes(name);
+}
+
+export function isShownName(name: string | null): name is ShownName {
+  return name !== null && Object.hasOwn(words, name);
+}
+
+/** A field's name in words, for a legend. */
+export function fieldTitle(name: ShownName): string {
+  return words[name];
+}
+
+/** The unit of a field's values, where that of lengths is `unit`. */
+export function fieldUnit(name: ShownName, unit: string): string {
+  switch (name) {
+    case 'angle':
+      return 'rad';
+    case 'hks':
+    case 'wks':
+      return unit && `1/${unit}²`;
+    case 'sihks':
+    case 'kind':
+    case 'parts':
+    case 'none':
+      return '';
+    default:
+      return unit;
+  }
+}
