@@ -137,6 +137,46 @@ async function hoverAnywhere(viewer: ReturnType<Page['locator']>) {
   return hover(page, viewer, place.x, place.y);
 }
 
+test('fields, tips and parts of a real model, and a picture of its thinnest place', async () => {
+  await open('/one.html');
+  const viewer = page.locator('girth-viewer');
+  await fieldComplete(viewer);
+  const found = await viewer.evaluate(async (element: GirthViewer) => {
+    const changed = new Promise<string[]>((done) =>
+      element.addEventListener('fieldchange', () => {
+        const key = element.shadowRoot!.querySelectorAll('.legend li');
+        if (element.thresholds && key.length > 0) done(Array.from(key, (li) => li.textContent));
+      }),
+    );
+    element.setAttribute('field', 'parts');
+    const key = await changed;
+    const { tips } = await element.tips();
+    await element.showTips({ shown: true, selected: 0 });
+    const sdf = await element.fieldOf('sdf');
+    const weak = await element.weakPlaces({ tubeDiameter: 0.05, wallThickness: 0 });
+    const { vertices, thinnest, least } = weak[0]!;
+    const picture = await element.snapshotOf({ vertices, loop: await element.loop(thinnest) });
+    const words = new TextDecoder();
+    return {
+      key,
+      apexes: tips.map(({ apex }) => apex),
+      thickest: sdf.range[1],
+      least,
+      girth: element.values('igf')[thinnest],
+      picture: picture.size,
+      rows: words.decode(await element.exportFields(['igf', 'sdf'], 'csv')).split('\n')[0],
+    };
+  });
+  expect(found.key).toEqual(['body', 'tube', 'plate', 'unknown']);
+  // One at the end of each leg.
+  expect(found.apexes).toHaveLength(4);
+  expect(found.thickest).toBeGreaterThan(0.1);
+  expect(found.least).toBeCloseTo(found.girth! / Math.PI, 12);
+  expect(found.picture).toBeGreaterThan(5000);
+  expect(found.rows).toMatch(/^vertex,igf,kind,sdf/);
+  expect(complaints).toEqual([]);
+});
+
 test('nothing is fetched or computed before the element is in view', async () => {
   await open('/below.html');
   const before = server.requests.length;
