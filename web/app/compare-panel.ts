@@ -1,7 +1,7 @@
 // Several models by their fields: distributions over each other, distances, and who is most alike.
 
-import type { FieldName } from '../src/kernel/index.js';
-import { fieldNames, fieldTitle, formatCount, make } from '../src/element/index.js';
+import type { FieldName, Kernel } from '../src/kernel/index.js';
+import { fieldTitle, formatCount, make } from '../src/element/index.js';
 import { DistributionPlot, extent } from '../src/view/plots/index.js';
 import { ComparedModel } from './compared-model.js';
 import { DistanceMatrix, distanceWords } from './distance-matrix.js';
@@ -13,9 +13,21 @@ import { thumbnail } from './thumbnail.js';
 
 /** More models than these are too many for workers that keep them all. */
 export const mostModels = 24;
+/** What models are compared by: fields, by the difference of their distributions (equation 1) … */
+const comparedFields = ['igf', 'sdf', 'geoaverage', 'geofarthest'] as const;
+/** … and the paper's other descriptors, which have distances but no single distribution. */
+const descriptors: Record<string, string> = {
+  'igf-sdf': 'Girth and thickness (IGF-SDF)',
+  'igf-ms': 'Girth by fast marching (IGF-MS)',
+  hks: 'Heat kernel (HKS)',
+  sihks: 'Scale-invariant heat kernel (SIHKS)',
+  wks: 'Wave kernel (WKS)',
+};
 /** Told apart by colour and dashes; the first is the one that is asked about. */
 const colours = ['#c2410c', '#0072b2', '#009e73', '#8a6d00', '#56b4e9', '#a0529c', '#6b7280'];
 const dashes = [undefined, [6, 3], [2, 2], [9, 3, 2, 3]];
+
+type Button = 'keep' | 'gallery' | 'cancel' | 'show' | 'remove' | 'clear';
 
 export interface ComparePage {
   /** The model that is on the page, and its name. */
@@ -34,26 +46,29 @@ export class ComparePanel {
   private readonly matrix = new DistanceMatrix((row) => this.ask(row));
   private readonly ranking = new PlaceList('Ranking');
   private readonly rankingTitle = make('h3');
-  private readonly words = make('p', { class: 'hint', role: 'status' });
+  private readonly words = make('span', { class: 'hint', role: 'status' });
   private readonly results: HTMLElement;
-  private readonly buttons: Record<
-    'keep' | 'gallery' | 'show' | 'remove' | 'clear',
-    HTMLButtonElement
-  >;
+  private readonly buttons: Record<Button, HTMLButtonElement>;
   private models: ComparedModel[] = [];
   private query: ComparedModel | undefined;
   private readonly distances = new Map<string, number>();
   private readonly pictures = new Map<string, HTMLCanvasElement>();
   /** For keys: what a model is called here. */
   private readonly numbers = new Map<ComparedModel, number>();
-  private running = false;
+  private comparing = new AbortController();
+  private isRunning = false;
+  private isCancelled = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(page: ComparePage) {
-    for (const name of fieldNames) {
-      if (name !== 'angle') this.field.append(make('option', { value: name }, fieldTitle(name)));
-    }
-    this.field.addEventListener('change', () => this.computeAll());
+    this.field.append(
+      ...comparedFields.map((name) => make('option', { value: name }, fieldTitle(name))),
+      ...Object.entries(descriptors).map(([value, words]) => make('option', { value }, words)),
+    );
+    this.field.addEventListener('change', () => {
+      this.cancel();
+      this.computeAll();
+    });
     const button = (words: string, act: () => void): HTMLButtonElement => {
       const made = make('button', { type: 'button', class: 'plain' }, words);
       made.addEventListener('click', act);
@@ -65,6 +80,7 @@ export class ComparePanel {
         if (present) this.add([present]);
       }),
       gallery: button('Add the examples', () => this.add(page.gallery())),
+      cancel: button('Cancel', () => this.cancel()),
       show: button('Show it', () => this.query && page.show(this.query.opened)),
       remove: button('Remove it', () => this.query && this.remove(this.query)),
       clear: button('Remove all', () => this.clear()),
@@ -83,7 +99,7 @@ export class ComparePanel {
     this.panel.body.append(
       make('p', { class: 'hint' }, 'Keep models here, or drop several, to see which are alike.'),
       make('p', { class: 'buttons' }, this.buttons.keep, this.buttons.gallery),
-      this.words,
+      make('p', { class: 'working' }, this.words, this.buttons.cancel),
       this.results,
     );
     this.panel.onToggle(() => {
@@ -112,8 +128,22 @@ export class ComparePanel {
     this.computeAll();
   }
 
+  /** The field whose values are drawn. */
   private get name(): FieldName {
-    return this.field.value as FieldName;
+    const { descriptor } = this;
+    return comparedFields.find((name) => name === descriptor) ?? 'igf';
+  }
+
+  /** What the distances are made of. */
+  private get descriptor(): string {
+    return this.field.value;
+  }
+
+  /** Stops computing; what there is stays. */
+  private cancel(): void {
+    this.isCancelled = true;
+    this.comparing.abort();
+    for (const model of this.models) model.cancel();
   }
 
   private remove(model: ComparedModel): void {
@@ -139,31 +169,36 @@ export class ComparePanel {
     this.refresh();
   }
 
-  /** One model after another: each uses all workers by itself. */
   private computeAll(): void {
+    this.isCancelled = false;
     this.refresh();
     void this.computeMissing();
   }
 
+  /** One model after another: each uses all workers by itself. */
   private async computeMissing(): Promise<void> {
-    if (this.running) return;
-    this.running = true;
+    if (this.isRunning) return;
+    this.isRunning = true;
+    this.refresh();
     try {
       const own = await kernel;
       for (;;) {
         const { name } = this;
         const next = this.models.find((model) => !model.failure && !model.fieldOf(name));
-        if (!next) break;
-        await next.compute(own, name);
-        if (!this.models.includes(next)) continue;
-        if (!next.failure && !next.fieldOf(name)) next.failure = 'cancelled';
-        await this.measure(next, name);
-        this.refresh();
+        if (next && !this.isCancelled) {
+          await next.compute(own, name);
+          if (this.models.includes(next)) await this.measure(next, name);
+          this.refresh();
+          continue;
+        }
+        // What was asked for meanwhile comes first.
+        if (this.isCancelled || !(await this.compareBy(own, this.descriptor))) break;
       }
     } catch (error) {
-      this.words.textContent = error instanceof Error ? `${error.message}.` : String(error);
+      this.words.textContent = `${error instanceof Error ? error.message : String(error)}.`;
     } finally {
-      this.running = false;
+      this.isRunning = false;
+      this.refresh();
     }
   }
 
@@ -171,12 +206,48 @@ export class ComparePanel {
   private async measure(model: ComparedModel, name: FieldName): Promise<void> {
     for (const other of this.models) {
       if (other === model || !other.fieldOf(name)) continue;
-      const distance = await model.differenceTo(other, name).catch(() => NaN);
+      const distance = await model.differenceTo(other, name).catch(() => undefined);
       if (distance !== undefined) this.distances.set(this.keyOf(model, other, name), distance);
     }
   }
 
-  private keyOf(a: ComparedModel, b: ComparedModel, name: FieldName): string {
+  /** The distances by a descriptor that is no field; false where there is nothing to be done. */
+  private async compareBy(own: Kernel, descriptor: string): Promise<boolean> {
+    if (!Object.hasOwn(descriptors, descriptor)) return false;
+    const models = this.models.filter(({ mesh, failure }) => mesh && !failure);
+    const isMissing = models.some((a, i) =>
+      models.some((b, j) => j > i && !this.distances.has(this.keyOf(a, b, descriptor))),
+    );
+    if (!isMissing) return false;
+    this.comparing = new AbortController();
+    const { signal } = this.comparing;
+    try {
+      const { matrices } = await own.compare(
+        models.map(({ mesh }) => mesh!),
+        {
+          descriptors: [descriptor],
+          signal,
+          onProgress: (share) => {
+            this.words.textContent = `Comparing, ${Math.floor(100 * share)}\u202f%`;
+          },
+        },
+      );
+      models.forEach((a, i) =>
+        models.forEach((b, j) => {
+          const distance = matrices[0]!.distances[i * models.length + j]!;
+          if (j > i) this.distances.set(this.keyOf(a, b, descriptor), distance);
+        }),
+      );
+      this.words.textContent = '';
+    } catch (error) {
+      if (!signal.aborted) throw error;
+      this.words.textContent = '';
+    }
+    this.refresh();
+    return true;
+  }
+
+  private keyOf(a: ComparedModel, b: ComparedModel, name: string): string {
     const numberOf = (model: ComparedModel): number => {
       const number = this.numbers.get(model) ?? this.numbers.size;
       this.numbers.set(model, number);
@@ -189,7 +260,7 @@ export class ComparePanel {
   private distance(a: ComparedModel, b: ComparedModel): number | undefined {
     if (a === b) return a.fieldOf(this.name) ? 0 : undefined;
     if (a.failure || b.failure) return NaN;
-    return this.distances.get(this.keyOf(a, b, this.name));
+    return this.distances.get(this.keyOf(a, b, this.descriptor));
   }
 
   private refreshSoon(): void {
@@ -202,6 +273,7 @@ export class ComparePanel {
     const { models, query, buttons } = this;
     this.panel.summary = models.length > 0 ? formatCount(models.length) : '';
     this.results.hidden = models.length === 0;
+    buttons.cancel.hidden = !this.isRunning;
     buttons.show.disabled = buttons.remove.disabled = !query;
     if (!this.panel.isOpen || !query) return;
     this.showPlot();
@@ -219,7 +291,8 @@ export class ComparePanel {
   }
 
   private showPlot(): void {
-    const drawn = this.models.flatMap((model) => {
+    const hasDistribution = this.name === this.descriptor;
+    const drawn = (hasDistribution ? this.models : []).flatMap((model) => {
       const values = model.normalised(this.name);
       return values ? [{ model, values }] : [];
     });
@@ -274,7 +347,8 @@ export class ComparePanel {
   private detail(model: ComparedModel, query: ComparedModel, distance: number | undefined): string {
     if (model.failure) return model.failure;
     if (!model.fieldOf(this.name)) {
-      return model.share > 0 ? `computing, ${Math.floor(100 * model.share)}\u202f%` : 'waiting';
+      if (model.share > 0) return `computing, ${Math.floor(100 * model.share)}\u202f%`;
+      return this.isRunning ? 'waiting' : 'not computed';
     }
     return model === query ? 'asked about' : distanceWords(distance);
   }

@@ -11,10 +11,10 @@ export class ComparedModel {
   share = 0;
   /** Why it cannot be compared; '' where it can. */
   failure = '';
-  private readonly life = new AbortController();
-  private readonly fields = new Map<FieldName, Promise<Field>>();
+  /** Aborted to stop what is computed now; another one comes with the next computation. */
+  private work = new AbortController();
   private readonly known = new Map<FieldName, Field>();
-  private loaded: Promise<Mesh> | undefined;
+  private isDisposed = false;
 
   constructor(
     readonly opened: Opened,
@@ -36,43 +36,47 @@ export class ComparedModel {
     return field.values.map((value) => value * scale);
   }
 
-  /** Reads the model and computes a field; what goes wrong is in `failure`. */
+  /** Reads the model and computes a field; what goes wrong is in `failure`. One at a time. */
   async compute(kernel: Kernel, name: FieldName): Promise<void> {
-    const { signal } = this.life;
+    this.work = new AbortController();
+    const { signal } = this.work;
+    this.share = 0;
     try {
-      this.loaded ??= this.load(kernel);
-      this.mesh = await this.loaded;
+      this.mesh ??= await this.load(kernel, signal);
       this.weights ??= await this.mesh.vertexAreas({ signal });
-      if (!this.fields.has(name)) {
-        this.share = 0;
-        const onProgress = (share: number): void => {
-          this.share = share;
-          this.changed();
-        };
-        this.fields.set(name, this.mesh.field(name, { signal, onProgress }));
-      }
-      this.known.set(name, await this.fields.get(name)!);
+      const onProgress = (share: number): void => {
+        this.share = share;
+        this.changed();
+      };
+      this.known.set(name, await this.mesh.field(name, { signal, onProgress }));
     } catch (error) {
       if (!signal.aborted) this.failure = error instanceof Error ? error.message : String(error);
+      else if (this.isDisposed) this.mesh?.dispose();
     }
+    this.share = 0;
     this.changed();
+  }
+
+  /** Stops the computation; it may be begun again. */
+  cancel(): void {
+    this.work.abort();
   }
 
   /** Equation (1) of the paper; undefined while one of the two fields is missing. */
   async differenceTo(other: ComparedModel, name: FieldName): Promise<number | undefined> {
     const [field, otherField] = [this.known.get(name), other.known.get(name)];
     if (!this.mesh || !other.mesh || !field || !otherField) return undefined;
-    return this.mesh.difference(field, other.mesh, otherField, { signal: this.life.signal });
+    return this.mesh.difference(field, other.mesh, otherField, { signal: this.work.signal });
   }
 
   dispose(): void {
-    this.life.abort();
+    this.isDisposed = true;
+    this.work.abort();
     this.mesh?.dispose();
   }
 
-  private async load(kernel: Kernel): Promise<Mesh> {
+  private async load(kernel: Kernel, signal: AbortSignal): Promise<Mesh> {
     const { source, model, prepare, remeshed } = this.opened;
-    const { signal } = this.life;
     const options = { signal, prepare, ...(model === undefined ? {} : { model }) };
     const address = typeof source === 'string' ? new URL(source, document.baseURI) : source;
     const mesh = await kernel.load(address, options);

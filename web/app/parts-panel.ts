@@ -13,7 +13,7 @@ import { ThresholdSlider } from './threshold-slider.js';
 
 /** What a vertex's neighbourhood may weigh against it. */
 const smoothings: [number, string][] = [
-  [0, 'not smoothed'],
+  [0, 'unsmoothed'],
   [0.5, 'smoothed, weight 0.5'],
   [1, 'smoothed, weight 1'],
   [2, 'smoothed, weight 2'],
@@ -283,7 +283,7 @@ export class PartsPanel {
       tubes.map((part) => ({
         colour: partKinds[1]!.colour,
         main: `r ${formatLength(part.equivalentRadius, format)}`,
-        detail: `girth ${formatLength(part.medianGirth, format)} · ${formatArea(part.area, format)}`,
+        detail: `girth ${formatLength(part.medianGirth, format)}, ${formatArea(part.area, format)}`,
         choose: () => fly(part),
       })),
     );
@@ -291,7 +291,7 @@ export class PartsPanel {
       plates.map((part) => ({
         colour: partKinds[2]!.colour,
         main: formatLength(part.medianDiameter, format),
-        detail: `thick · girth ${formatLength(part.medianGirth, format)} · ${formatArea(part.area, format)}`,
+        detail: `thick, girth ${formatLength(part.medianGirth, format)}, ${formatArea(part.area, format)}`,
         choose: () => fly(part),
       })),
     );

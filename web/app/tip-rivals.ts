@@ -7,9 +7,9 @@ import { PlaceList } from './place-list.js';
 /** `sdf` colours the surface; the others are points. */
 const rivals = [
   ['', 'nothing'],
-  ['heat', 'persistent heat maxima'],
-  ['geoaverage', 'maxima of the mean distance'],
-  ['sdf', 'thickness, as colours'],
+  ['heat', 'heat maxima'],
+  ['geoaverage', 'mean distance'],
+  ['sdf', 'thickness'],
 ] as const;
 type Rival = (typeof rivals)[number][0];
 const most = 50;

@@ -192,7 +192,7 @@ export class TipsPanel {
     this.arcs.show(
       arcs.map(({ line, length, jump }) => ({
         main: formatLength(jump, format),
-        detail: `rise · open, ${formatLength(length, format)} long`,
+        detail: `rise, open, ${length > 0 ? `${formatLength(length, format)} long` : 'across one edge'}`,
         choose: () => viewer.flyTo({ polyline: line.polyline }),
       })),
     );
