@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kStyle = R"(
 :root{color-scheme:light dark;--ink:#1b1d21;--soft:#5b616b;--line:#d9dce1;--paper:#fff;--accent:#0b6b75;--wrong:#a8321e}
-@media (prefers-color-scheme:dark){:root{--ink:#e8eaed;--soft:#a3a9b3;--line:#363a41;--paper:#15171a;--accent:#58c4cf;--wrong:#f0907c}}
+@media (prefers-color-scheme:dark){:root{--ink:#e8eaed;--soft:#a3a9b3;--line:#363a41;--paper:#15171a;--accent:#58c4cf;--wrong:#f0907c}svg [stroke^="#"]{filter:brightness(1.7)}}
 body{margin:0 auto;padding:2.5rem 1.25rem 4rem;max-width:64rem;background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,sans-serif}
 h1{font-size:1.6rem;font-weight:600;margin:0 0 .25rem}h2{font-size:1.1rem;font-weight:600;margin:2.5rem 0 .75rem}
 p{margin:.25rem 0 .75rem;max-width:44rem}.soft,figcaption,caption{color:var(--soft)}
@@ -20,7 +20,7 @@ p{margin:.25rem 0 .75rem;max-width:44rem}.soft,figcaption,caption{color:var(--so
 th,td{padding:.3rem .8rem;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}
 th:first-child,td:first-child{text-align:left;padding-left:0}thead th{color:var(--soft);font-weight:500}
 td.best{font-weight:600;color:var(--accent)}
-svg{max-width:100%;height:auto}svg text{fill:var(--soft);font:13px system-ui,sans-serif}
+svg{min-width:44rem;max-width:100%;height:auto}svg text{fill:var(--soft);font:13px system-ui,sans-serif}
 .sheet{display:grid;gap:.75rem}.row{display:flex;gap:.5rem;flex-wrap:wrap}
 .row figure{margin:0;width:88px}.row img{width:80px;height:80px;display:block;padding:3px;border:1px solid var(--line)}
 .row figure.wrong img{border:1px dashed var(--wrong)}.row figcaption{font-size:11px;line-height:1.3;overflow-wrap:anywhere}
@@ -184,7 +184,7 @@ std::string studyHtml(const Study& study) {
   text += "<h2>How well models of a class find each other</h2>" + table(study) +
           "<p class=\"soft\">Shilane et al. 2004; the query is left out of its own ranking. "
           "<em>E with query</em> counts it as found.</p>";
-  text += "<h2>Precision and recall</h2>" + curves(study);
+  text += "<h2>Precision and recall</h2><div class=\"wide\">" + curves(study) + "</div>";
   if (!study.shown.empty()) {
     text += "<h2>Queries and their nearest models, by " + escaped(study.shownDescriptor) +
             "</h2><p class=\"soft\">The query stands first; a dashed frame and ✕ mark answers of "
