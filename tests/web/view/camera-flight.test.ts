@@ -35,3 +35,8 @@ test('a place that is hidden is looked at from where it is seen, outwards if tha
   const only = (direction: Vector3): number => (direction === outwards ? 1 : 0);
   expect(bestDirection(present, outwards, only)).toBe(outwards);
 });
+
+test('rather from above than from below the ground', () => {
+  const below = new Vector3(0, -1, 0);
+  expect(bestDirection(below, undefined, () => 1).y).toBeGreaterThan(-0.2);
+});

@@ -144,19 +144,20 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   pointer-events: none;
 }
 .status > * { pointer-events: auto; }
-.progress { display: flex; align-items: center; gap: 4px 12px; padding-inline: 12px 4px; block-size: 36px; }
+.progress { min-inline-size: 0; display: flex; align-items: center; gap: 4px 12px; padding-inline: 12px 4px; block-size: 36px; }
 .work { display: flex; align-items: center; gap: 4px 12px; padding-inline: 12px 4px; block-size: 36px; min-inline-size: 0; }
 .work span { white-space: nowrap; overflow: hidden; text-overflow: ellipsis; }
 .work progress { inline-size: clamp(48px, 12vw, 120px); block-size: 4px; accent-color: var(--girth-accent); }
 .track {
-  inline-size: clamp(80px, 24vw, 240px);
+  flex: 0 1 clamp(80px, 24vw, 240px);
+  min-inline-size: 40px;
   block-size: 4px;
   border-radius: 2px;
   background: color-mix(in srgb, var(--girth-ink) 16%, transparent);
   overflow: hidden;
 }
 .bar { block-size: 100%; background: var(--girth-accent); transform-origin: 0 50%; transform: scaleX(0); }
-.what { white-space: nowrap; }
+.what { white-space: nowrap; overflow: hidden; text-overflow: ellipsis; }
 .share { min-inline-size: 4ch; text-align: end; }
 .left { min-inline-size: 11ch; color: var(--girth-quiet); white-space: nowrap; }
 .partial { display: flex; align-items: center; gap: 8px; padding-inline: 12px 4px; block-size: 36px; white-space: nowrap; }

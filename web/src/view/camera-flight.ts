@@ -44,8 +44,9 @@ export function bestDirection(
   let best = present;
   let most = -Infinity;
   const offer = (direction: Vector3): void => {
-    // Turning round costs less than a fifth of the place out of sight.
-    const worth = seen(direction) + 0.1 * direction.dot(present);
+    // Turning round counts as a fifth of the place out of sight, looking up from the ground as more.
+    const fromBelow = Math.max(0, -direction.y);
+    const worth = seen(direction) + 0.1 * direction.dot(present) - 0.4 * fromBelow;
     if (worth > most + 1e-9) [best, most] = [direction, worth];
   };
   offer(present);

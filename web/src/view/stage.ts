@@ -24,6 +24,8 @@ const viewingAngle = 28;
 const turningInterval = 30;
 /** Milliseconds of a flight of the camera. */
 const flightTime = 700;
+/** Of a small place so much is seen round it, in radii of the surface. */
+const leastReach = 0.28;
 /** Of a place's points so many are looked for, to see whether it is hidden. */
 const sightings = 14;
 /** Milliseconds between two frames while only colours change, at least and at most. */
@@ -309,7 +311,7 @@ export class Stage {
     const surface = this.surface!;
     const { center, radius } = surface.bounds;
     const ball = new Sphere().setFromPoints([...points]);
-    const reach = Math.min(radius, Math.max(1.35 * ball.radius, 0.16 * radius));
+    const reach = Math.min(radius, Math.max(1.35 * ball.radius, leastReach * radius));
     const distance = (1.08 * reach) / Math.sin((viewingAngle * Math.PI) / 360);
     const step = Math.max(1, Math.floor(points.length / sightings));
     const looked = points.filter((_, i) => i % step === 0);
