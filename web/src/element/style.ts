@@ -149,8 +149,9 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
 .work span { white-space: nowrap; overflow: hidden; text-overflow: ellipsis; }
 .work progress { inline-size: clamp(48px, 12vw, 120px); block-size: 4px; accent-color: var(--girth-accent); }
 .track {
-  flex: 0 1 clamp(80px, 24vw, 240px);
+  inline-size: clamp(80px, 24vw, 240px);
   min-inline-size: 40px;
+  flex-shrink: 100;
   block-size: 4px;
   border-radius: 2px;
   background: color-mix(in srgb, var(--girth-ink) 16%, transparent);
