@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -13,6 +14,9 @@
 #include "girth/retrieval/histogram.h"
 #include "girth/retrieval/joint_histogram.h"
 #include "girth/retrieval/measures.h"
+#include "girth/retrieval/pair_distances.h"
+#include "girth/retrieval/signatures.h"
+#include "girth/retrieval/study_fields.h"
 #include "girth/retrieval/transport.h"
 #include "shapes.h"
 
@@ -420,6 +424,112 @@ TEST(Measures, MeanLeavesOutClassesOfOne) {
   }
   EXPECT_EQ(mean.queries(), 5u);
   EXPECT_NEAR(mean.mean().discountedGain, sum / 5, 1e-12);
+}
+
+TEST(PairDistances, RowsAreTheSameWhetherKeptOrNot) {
+  const std::size_t n = 57;
+  const auto distance = [](std::size_t a, std::size_t b) {
+    EXPECT_NE(a, b);
+    return a + b == 5 ? kNaN : 1 + std::fabs(static_cast<double>(a) - static_cast<double>(b));
+  };
+  PairDistances kept(n, distance), computed(n, distance, 0);
+  ExecutionContext context;
+  context.threads = 3;
+  ASSERT_TRUE(kept.prepare(context));
+  ASSERT_TRUE(computed.prepare(context));
+  EXPECT_NEAR(kept.mean(), computed.mean(), 1e-12) << "all rows are sampled where there are few";
+  Numbers one(n), two(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    ASSERT_TRUE(kept.row(i, one) && computed.row(i, two, context));
+    EXPECT_EQ(one[i], 0);
+    for (std::size_t j = 0; j < n; ++j) {
+      EXPECT_TRUE(one[j] == two[j] || (std::isnan(one[j]) && std::isnan(two[j])));
+    }
+  }
+  std::atomic<bool> cancel{true};
+  context.cancel = &cancel;
+  EXPECT_FALSE(kept.prepare(context));
+  EXPECT_FALSE(computed.row(0, one, context));
+  PairDistances alone(1, distance);
+  EXPECT_TRUE(alone.prepare({}));
+  EXPECT_EQ(alone.mean(), 0);
+}
+
+TEST(Descriptor, SumsAndWeights) {
+  const auto sum = parseDescriptor("2.5*log-igf+sdf");
+  ASSERT_TRUE(sum.ok());
+  ASSERT_EQ(sum.value().terms.size(), 2u);
+  EXPECT_EQ(sum.value().terms[0].name, "log-igf");
+  EXPECT_DOUBLE_EQ(sum.value().terms[0].weight, 2.5);
+  EXPECT_EQ(groupsOf({sum.value()}),
+            (std::vector<FieldGroup>{FieldGroup::Girth, FieldGroup::Diameter}));
+  for (const char* wrong : {"", "+", "igf+", "igf++sdf", "*igf", "0*igf", "-1*igf", "1e3*igf",
+                            "nan*igf", "99999999*igf", "2*", "IGF", "log-wks", "igf sdf"}) {
+    const auto descriptor = parseDescriptor(wrong);
+    ASSERT_FALSE(descriptor.ok()) << wrong;
+    EXPECT_EQ(descriptor.error().code, ErrorCode::Usage);
+  }
+  for (const std::string& name : descriptorNames()) EXPECT_TRUE(parseDescriptor(name).ok()) << name;
+}
+
+TEST(Signatures, TellShapesApartWhateverTheirSize) {
+  // Two boxes alike but for their size, and one that is longer.
+  const std::vector<SurfaceMesh> meshes{test::box(4, 1, 1, 8, 2, 2).mesh(),
+                                        test::box(8, 2, 2, 8, 2, 2).mesh(),
+                                        test::box(4, 3, 1, 8, 6, 2).mesh()};
+  for (const std::size_t bins : {0, 512}) {
+    SignatureOptions options;
+    options.bins = bins;
+    Signatures signatures(descriptorNames(), meshes.size(), options);
+    std::vector<StudyFields> all(meshes.size());
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+      const auto surface = studySurface(meshes[m], {});
+      ASSERT_TRUE(surface.ok());
+      EXPECT_NEAR(surface.value().area(), 1, 1e-12);
+      for (const FieldGroup group : kFieldGroups) {
+        auto fields = studyFields(surface.value(), group, {});
+        ASSERT_TRUE(fields.ok()) << toString(group);
+        EXPECT_NEAR(
+            std::accumulate(fields.value().weights.begin(), fields.value().weights.end(), 0.0), 1,
+            1e-12);
+        all[m].weights = fields.value().weights;
+        for (const StudyField& field : fields.value().fields) all[m].fields.push_back(field);
+      }
+      signatures.add(m, all[m]);
+    }
+    EXPECT_NE(signatures.distributionOf("igf", 0), nullptr);
+    ASSERT_TRUE(signatures.finish().ok());
+    EXPECT_EQ(signatures.distributionOf("igf", 0) != nullptr, bins == 0);
+    EXPECT_EQ(signatures.distributionOf("wks", 0), nullptr);
+    ASSERT_TRUE(signatures.needsWords());
+    for (std::size_t m = 0; m < meshes.size(); ++m) signatures.addWords(m, all[m]);
+    for (const std::string& name : descriptorNames()) {
+      EXPECT_LT(signatures.distance(name, 0, 1), 1e-9) << name;
+      EXPECT_GT(signatures.distance(name, 0, 2), 1e-3) << name;
+      EXPECT_EQ(signatures.distance(name, 0, 2), signatures.distance(name, 2, 0)) << name;
+    }
+    EXPECT_TRUE(std::isnan(signatures.distance("nothing", 0, 1)));
+  }
+}
+
+TEST(StudyFields, LargerSurfacesAreRemeshedSmallerOnesAreNot) {
+  const SurfaceMesh fine = test::icosphere(4).mesh();  // 5,120 faces
+  FieldParameters parameters;
+  parameters.faces = 1000;
+  const auto remeshed = studySurface(fine, parameters);
+  ASSERT_TRUE(remeshed.ok());
+  EXPECT_NEAR(remeshed.value().faceCount(), 1000, 20);
+  EXPECT_NEAR(remeshed.value().area(), 1, 1e-12);
+  for (const Index faces : {0u, 5120u, 10'000u}) {
+    parameters.faces = faces;
+    EXPECT_EQ(studySurface(fine, parameters).value().faceCount(), 5120u);
+  }
+  parameters = {};
+  parameters.diameter.rays = 31;
+  EXPECT_NE(parametersText(FieldGroup::Diameter, {}),
+            parametersText(FieldGroup::Diameter, parameters));
+  EXPECT_EQ(parametersText(FieldGroup::Girth, {}), parametersText(FieldGroup::Girth, parameters))
+      << "the girth does not depend on rays";
 }
 
 }  // namespace
