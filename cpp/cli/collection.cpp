@@ -42,7 +42,8 @@ std::vector<fs::path> modelsBelow(const fs::path& folder) {
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code ignored;
-    if (entry->is_regular_file(ignored) && isModelName(entry->path())) {
+    // Also links that lead nowhere: they are said to be absent later.
+    if (!entry->is_directory(ignored) && isModelName(entry->path())) {
       models.push_back(entry->path());
     }
   }

@@ -1,11 +1,14 @@
 // girth retrieve, signature, compare and study as a user runs them, on shapes written by the test.
 #include <gtest/gtest.h>
+#include <signal.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "command.h"
@@ -161,6 +164,35 @@ TEST_F(Retrieve, aDamagedCacheIsComputedAgainAndSaidSo) {
   EXPECT_NE(run(arguments("one")).output.find("0 fields computed"), std::string::npos);
 }
 
+TEST_F(Retrieve, aRunThatIsStoppedGoesOnWhereItWas) {
+  for (int i = 0; i < 12; ++i) {
+    write("shapes/rod/more" + std::to_string(i) + ".obj", boxObj(9, 1 + 0.01 * i, 1, 10));
+  }
+  const pid_t child = start(arguments("report"));
+  // Until something is in the cache.
+  for (int i = 0;
+       i < 6000 && (!fs::exists(path("report/cache")) || cacheEntries("report/cache").empty());
+       ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_EQ(kill(child, SIGINT), 0);
+  const Outcome stopped = wait(child);
+  // A very fast machine may have finished.
+  ASSERT_TRUE(stopped.exitCode == 3 || stopped.exitCode == 0) << stopped.errors;
+  if (stopped.exitCode == 3) {
+    EXPECT_TRUE(says(stopped, "CANCELLED")) << stopped.errors;
+    EXPECT_FALSE(fs::exists(path("report/study.json")));
+  }
+  const std::size_t kept = cacheEntries("report/cache").size();
+  EXPECT_GT(kept, 0u);
+  const Outcome again = run(arguments("report"));
+  ASSERT_EQ(again.exitCode, 0) << again.errors;
+  EXPECT_NE(again.output.find(std::to_string(42 - kept) + " fields computed, " +
+                              std::to_string(kept) + " from the cache"),
+            std::string::npos)
+      << again.output;
+}
+
 TEST_F(Retrieve, twoProcessesFillOneCache) {
   const std::vector<std::string> shared{"--cache", path("shared")};
   const auto shardArguments = [&](const std::string& shard) {
@@ -219,10 +251,12 @@ TEST_F(Retrieve, aClassWhoseModelsAllFailIsSaid) {
   fs::create_directories(path("shapes/bad"));
   fs::create_directories(path("shapes/nothing"));
   write("shapes/bad/x.off", "OFF\n1 0 0\n0 0 0\n");
+  fs::create_symlink(path("gone.obj"), path("shapes/rod/link.obj"));
   const Outcome outcome = run(arguments("report"));
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   EXPECT_TRUE(says(outcome, "class bad: none of its models could be used")) << outcome.errors;
   EXPECT_TRUE(says(outcome, "class nothing: it has no models; left out")) << outcome.errors;
+  EXPECT_TRUE(says(outcome, "rod/link.obj: there is no such file; left out")) << outcome.errors;
 }
 
 TEST_F(Retrieve, readsTheClassFilesOfThePrincetonShapeBenchmark) {
