@@ -24,6 +24,8 @@ export interface Drawing {
   /** null: no value. */
   fields: Partial<Record<FieldName, (number | null)[]>>;
   kinds?: number[];
+  /** What is to be said of the fields. */
+  note?: string;
   tips?: {
     vertices: number[];
     contour: number[];
@@ -106,7 +108,7 @@ export async function draw(page: Page, drawing: Drawing): Promise<Locator> {
           unit: drawing.unit ?? '',
           method: 'drawn',
           withoutValue: vertexCount - numbers.length,
-          note: '',
+          note: drawing.note ?? '',
         });
       },
       vertexAreas: () => count('areas', new Float64Array(vertexCount).fill(4 / vertexCount)),

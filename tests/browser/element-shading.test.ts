@@ -125,8 +125,23 @@ describe('fields', () => {
     ]);
     expect(isGrey(without!)).toBe(true);
     expect(isGrey(beside!)).toBe(false);
-    await viewer.evaluate((element: GirthViewer) => element.setAttribute('field', 'sdf'));
-    await expect.poll(() => timesAsked(page, 'sdf')).toBe(1);
+  });
+
+  test('what the core says of a field is said beside it, also where nothing has a value', async () => {
+    const note = 'the surface is inside out: turn the faces over';
+    const sdf = overSquare(() => null);
+    const viewer = await draw(page, { ...rising, fields: { ...rising.fields, sdf }, note });
+    await legendSays(viewer, note);
+    await set(viewer, 'field', 'sdf');
+    await legendSays(viewer, 'Shape diameter');
+    await legendSays(viewer, `${note} (grey)`);
+    const [pixel] = await pixelsAt(viewer, [[0.3, 0.3]]);
+    expect(isGrey(pixel!)).toBe(true);
+    const picture = await viewer.evaluate(async (element: GirthViewer) => {
+      const blob = await element.snapshot({ legend: true });
+      return blob.size;
+    });
+    expect(picture).toBeGreaterThan(1000);
   });
 
   test('lines of equal value are where the field has these values', async () => {

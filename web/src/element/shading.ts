@@ -217,7 +217,7 @@ export class Shading {
       const used = name === 'kind' ? this.usedGirthKinds() : partKinds;
       const colormap = wished ?? 'viridis';
       this.current = { name, range: undefined, extent: undefined, colormap, format };
-      this.content = { title, categories: used, note: '' };
+      this.content = { title, categories: used, note: this.noteOf(name) };
       return;
     }
     const extent = this.extentOf(name);
@@ -289,12 +289,16 @@ export class Shading {
     return this.shares.ends;
   }
 
+  /** What else there is to know of the values: what the core says of them, and what is grey. */
   private noteOf(name: ShownName): string {
     if (name === 'tips') return this.tips?.made.tips.length === 0 ? 'no tips' : '';
-    const field = isFieldName(name) ? this.model.fields.get(name)?.field : undefined;
-    const without = field?.withoutValue ?? 0;
-    if (!field || without === 0) return '';
-    if (without === field.values.length) return 'no vertex has a value';
-    return `grey: no value at ${formatCount(without)} ${without === 1 ? 'vertex' : 'vertices'}`;
+    const source = name === 'parts' ? 'sdf' : name;
+    const field = isFieldName(source) ? this.model.fields.get(source)?.field : undefined;
+    if (!field) return '';
+    const { note, withoutValue } = field;
+    if (withoutValue === 0) return note;
+    if (note) return `${note} (grey)`;
+    const vertices = withoutValue === 1 ? 'vertex' : 'vertices';
+    return `grey: no value at ${formatCount(withoutValue)} ${vertices}`;
   }
 }

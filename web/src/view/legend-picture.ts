@@ -14,6 +14,7 @@ export interface LegendInk {
 const fontSize = 13;
 const lineHeight = 20;
 const barWidth = 10;
+const longestLine = 220;
 
 /**
  * Draws a legend with its lower left corner at a point. Lengths are in units of the context, which are
@@ -32,8 +33,11 @@ export function drawLegend(
   let y = bottom;
   if (content.note) {
     context.fillStyle = quiet;
-    context.fillText(content.note, left, y - lineHeight / 2);
-    y -= lineHeight + 4;
+    for (const line of linesOf(context, content.note).reverse()) {
+      context.fillText(line, left, y - lineHeight / 2);
+      y -= lineHeight;
+    }
+    y -= 4;
   }
   if ('range' in content) {
     const top = y - barHeight;
@@ -70,6 +74,20 @@ export function drawLegend(
   context.fillStyle = quiet;
   context.fillText(headingOf(content), left, y - lineHeight / 2);
   context.restore();
+}
+
+/** Words in lines that are not too long. */
+function linesOf(context: CanvasRenderingContext2D, words: string): string[] {
+  const lines: string[] = [];
+  for (const word of words.split(' ')) {
+    const longer = `${lines.at(-1) ?? ''} ${word}`;
+    if (lines.length > 0 && context.measureText(longer).width <= longestLine) {
+      lines[lines.length - 1] = longer;
+    } else {
+      lines.push(word);
+    }
+  }
+  return lines;
 }
 
 /** Dark slanting stripes over a square. */
