@@ -11,7 +11,7 @@ import type { GirthViewer } from '../../web/src/element/index.js';
 import type { SurfacePoint } from '../../web/src/kernel/index.js';
 import { watchLongTasks, withoutDrawing } from './long-tasks.js';
 import { torus } from './meshes.js';
-import { drop, pictures, site } from './page-support.js';
+import { drop, openPanel, pictures, site } from './page-support.js';
 import {
   chromiumForTests,
   repository,
@@ -293,6 +293,7 @@ describe.each(['light', 'dark'] as const)('page, %s', (colorScheme) => {
     expect(await violations()).toEqual([]);
     for (const [sheet, button] of [
       ['export', page.getByRole('button', { name: 'Export' })],
+      ['share', page.getByRole('button', { name: 'Share' })],
       ['details', page.locator('#details-open')],
     ] as const) {
       await button.click();
@@ -302,6 +303,19 @@ describe.each(['light', 'dark'] as const)('page, %s', (colorScheme) => {
         path: join(pictures, `${sheet}-${width}x${height}-${colorScheme}.png`),
       });
       await page.keyboard.press('Escape');
+    }
+    for (const name of ['tips', 'parts', 'print', 'compare']) {
+      const panel = await openPanel(page, name);
+      if (name === 'parts') await panel.locator('.controls').waitFor();
+      if (name === 'compare') {
+        await panel.getByRole('button', { name: 'Add this model' }).click();
+        await panel.locator('.places canvas').waitFor();
+      }
+      await panel.locator('summary').scrollIntoViewIfNeeded();
+      expect(await violations()).toEqual([]);
+      await page.screenshot({
+        path: join(pictures, `${name}-${width}x${height}-${colorScheme}.png`),
+      });
     }
     const overflow = await page.evaluate(
       () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
