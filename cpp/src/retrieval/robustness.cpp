@@ -174,6 +174,9 @@ Result<std::vector<RobustnessRow>> robustnessStudy(const SurfaceMesh& model,
                                                    const RobustnessOptions& options,
                                                    const ExecutionContext& context) {
   const Error cancelled = makeError(ErrorCode::Cancelled, -1, "cancelled");
+  if (!(options.stretch >= 1 && options.stretch <= 100)) {
+    return makeError(ErrorCode::InvalidOption, -1, "triangles can be drawn out 1 to 100 times");
+  }
   std::vector<Plan> plans = plansFor(model, poses, options);
   double total = Run::costOf(model.faceCount()) + Run::costOf(options.faces);
   for (const Plan& plan : plans) total += Run::costOf(plan.faces);

@@ -68,6 +68,11 @@ TEST(Robustness, SaysWhatCannotBeDone) {
   EXPECT_TRUE(std::isnan(bridges->difference));
   EXPECT_FALSE(bridges->note.empty());
   EXPECT_EQ(find(study.value(), "9"), nullptr);
+  RobustnessOptions wrong = small();
+  wrong.stretch = std::nan("");
+  const auto refused = robustnessStudy(test::box(3, 1, 1, 6, 2, 2).mesh(), {}, wrong);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::InvalidOption);
   std::atomic<bool> cancel{true};
   ExecutionContext context;
   context.cancel = &cancel;
