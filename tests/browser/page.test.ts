@@ -71,7 +71,7 @@ for (const isolated of [true, false]) {
       expect(
         await page.getByText('Drop a mesh anywhere. It stays on your machine.').isVisible(),
       ).toBe(true);
-      expect(await page.locator('[aria-pressed=true]').textContent()).toBe('Chair');
+      expect(await page.locator('#examples [aria-pressed=true]').textContent()).toBe('Chair');
       const ticks = await viewer.locator('.legend-tick').allTextContents();
       expect(ticks.length).toBeGreaterThanOrEqual(2);
       for (const tick of ticks) expect(tick).toMatch(/^\d+\.\d+$/);
