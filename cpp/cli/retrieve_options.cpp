@@ -57,8 +57,8 @@ void addComparisonOptions(CLI::App& command, ComparisonOptions& options) {
                   "Words of bags of features; 48 by default")
       ->check(CLI::Range(std::size_t{1}, std::size_t{4096}));
   command.add_flag_callback(
-      "--nearest-words", [&] { options.signatures.words = WordChoice::Nearest; },
-      "Count each feature to its nearest word only, not softly to all");
+      "--soft-words", [&] { options.signatures.words = WordChoice::Soft; },
+      "Count each feature to all words by its distances, not to its nearest one only");
   command.add_option("--seed", options.signatures.vocabulary.seed,
                      "What the words are drawn with; 1 by default");
   command

@@ -56,7 +56,7 @@ struct SignatureOptions {
   /// Cells along each axis of joint histograms.
   std::size_t jointBins{16};
   VocabularyOptions vocabulary;
-  WordChoice words{WordChoice::Soft};
+  WordChoice words{WordChoice::Nearest};
   /// Features of each model that the words are chosen among, spread over its vertices.
   std::size_t featuresPerModel{100};
 };
