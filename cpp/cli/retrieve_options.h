@@ -7,7 +7,7 @@
 #include "girth/retrieval/signatures.h"
 #include "girth/retrieval/study_fields.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own
 class App;
 }
 

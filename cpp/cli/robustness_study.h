@@ -6,7 +6,7 @@
 
 #include "girth/retrieval/robustness.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own
 class App;
 }
 

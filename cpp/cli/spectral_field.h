@@ -10,7 +10,7 @@
 #include "girth/error.h"
 #include "girth/surface_mesh.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own
 class App;
 }
 

@@ -7,7 +7,7 @@
 #include "girth/surface_mesh.h"
 #include "robustness_study.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own
 class App;
 }
 
