@@ -156,7 +156,7 @@ for (const isolated of [true, false]) {
       await drop(page, { name: 'endless.obj', bytes: Buffer.from(torus(160, 110)) });
       await modelIs('endless.obj');
       const progress = viewer.locator('[role=progressbar]');
-      const words = viewer.getByText(/^partial: \d+% of vertices$/);
+      const words = viewer.getByText(/^Girth, partial: \d+% of vertices$/);
       const cancel = async () => {
         await fieldBegun(viewer);
         await viewer.getByRole('button', { name: 'Cancel computing' }).click();

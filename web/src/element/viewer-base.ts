@@ -413,9 +413,13 @@ export abstract class ViewerBase extends HTMLElement {
   private async restart(): Promise<void> {
     const { halted } = this;
     this.halted = undefined;
-    // What goes wrong is said where the field ends.
-    await (halted && this.presented?.model.fields.compute(halted).catch(() => undefined));
-    await this.showField();
+    if (halted === undefined || !this.presented) return;
+    // What goes wrong is said where the field ends; cancelled once more, it stays so.
+    const computed = this.presented.model.fields.compute(halted).then(
+      () => true,
+      () => false,
+    );
+    if (await computed) await this.showField();
   }
 
   /** Turns where it is asked for, but not while it computes: the work goes first. */
