@@ -35,9 +35,9 @@ struct PartThresholds {
 /// Where they hardly differ (the variance between them is less than 4/5 of the whole; it is 3/4
 /// where values are spread evenly), there is no division to be found, all counts as thin, and τ2
 /// lies above every value. τ1 divides the logarithm of I over what is thin in the same way; where
-/// there is no division, it lies above every value, all being tube, if the median of I / SDF is
-/// below 2π (it is π for a round tube and 4 for a square one), and below every value otherwise.
-/// Both are 0 where no vertex has both values.
+/// there is no division, it is 2π times the median thickness of what is thin: the girth is π times
+/// the thickness in a round tube and 4 times in a square one, and 2π times in a bar 2.1 times as
+/// wide as thick. Both are 0 where no vertex has both values.
 PartThresholds suggestedThresholds(const SurfaceMesh& mesh, std::span<const double> girth,
                                    std::span<const double> diameter);
 

@@ -138,25 +138,23 @@ PartThresholds suggestedThresholds(const SurfaceMesh& mesh, std::span<const doub
   PartThresholds thresholds;
   const auto byDiameter = bestDivision(values, kClearDivision);
   thresholds.diameter = byDiameter ? std::exp(*byDiameter) : kInfinity;
-  double thickest = 0, shortest = kInfinity, longest = 0;
+  double thickest = 0;
   std::vector<WeightedValue> thin;
-  std::vector<double> ratios;
+  std::vector<double> thicknesses;
   for (const Index v : known) {
     thickest = std::max(thickest, diameter[v]);
     if (!(diameter[v] < thresholds.diameter)) continue;
     thin.push_back({std::log(girth[v]), areas[v]});
-    ratios.push_back(girth[v] / diameter[v]);
-    shortest = std::min(shortest, girth[v]);
-    longest = std::max(longest, girth[v]);
+    thicknesses.push_back(diameter[v]);
   }
   if (!byDiameter) thresholds.diameter = 1.01 * thickest;
   if (const auto byGirth = bestDivision(std::move(thin), kClearDivision)) {
     thresholds.girth = std::exp(*byGirth);
     return thresholds;
   }
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  thresholds.girth = *middle < 2 * kPi ? 1.01 * longest : 0.99 * shortest;
+  const auto middle = thicknesses.begin() + static_cast<std::ptrdiff_t>(thicknesses.size() / 2);
+  std::nth_element(thicknesses.begin(), middle, thicknesses.end());
+  thresholds.girth = 2 * kPi * *middle;
   return thresholds;
 }
 

@@ -130,6 +130,18 @@ TEST(Parts, OfARodAndASlab) {
   }
 }
 
+TEST(Parts, WhereTheGirthIsNotDividedTheWidthOfABarDecides) {
+  // Of one thickness throughout, and girths spread evenly over what rods, bars and plates have.
+  const SurfaceMesh mesh = test::icosphere(3).mesh();
+  std::vector<double> girth, thickness(mesh.vertexCount(), 0.5);
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    girth.push_back(1.5 * std::pow(4, static_cast<double>(v) / mesh.vertexCount()));
+  }
+  const PartThresholds thresholds = suggestedThresholds(mesh, girth, thickness);
+  EXPECT_NEAR(thresholds.girth, kPi, 1e-12) << "2 pi times the thickness";
+  EXPECT_GT(thresholds.diameter, 0.5);
+}
+
 TEST(Parts, SmoothingTakesSpecksAway) {
   const SurfaceMesh mesh = test::icosphere(4).mesh();
   Random random(3);
