@@ -86,7 +86,7 @@ Result<SurfaceMesh> remeshedUnevenly(const SurfaceMesh& mesh, Index faces, doubl
   }
   const auto drawn = stretched(mesh, longest, stretch);
   if (!drawn) return drawn.error();
-  const auto remeshed = remesh(drawn.value(), {faces}, context);
+  const auto remeshed = remesh(drawn.value(), {faces, RemeshMethod::Even}, context);
   if (!remeshed) return remeshed.error();
   return stretched(remeshed.value().mesh, longest, 1 / stretch);
 }

@@ -35,7 +35,7 @@ struct Plan {
 };
 
 Result<SurfaceMesh> evenly(const SurfaceMesh& mesh, Index faces, const ExecutionContext& context) {
-  auto remeshed = remesh(mesh, {faces}, context);
+  auto remeshed = remesh(mesh, {faces, RemeshMethod::Even}, context);
   if (!remeshed) return remeshed.error();
   return std::move(remeshed).value().mesh;
 }

@@ -156,7 +156,7 @@ Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh, const FieldParameters&
                                  const ExecutionContext& context) {
   std::vector<SurfaceMesh> remeshed;  // one or none
   if (parameters.faces > 0 && mesh.faceCount() > parameters.faces) {
-    auto surface = remesh(mesh, {parameters.faces}, context);
+    auto surface = remesh(mesh, {parameters.faces, RemeshMethod::Even}, context);
     if (!surface) return surface.error();
     remeshed.push_back(std::move(surface.value().mesh));
   }
