@@ -122,6 +122,12 @@ int runParts(const PartsOptions& options) {
   const auto diameter =
       computeDiameter(options.model, model.mesh, {}, options.threads, interrupted);
   if (!diameter) return reportError(options.model, diameter.error());
+  if (limits.wallThickness > 0 && diameter.value().withoutValue == model.mesh.vertexCount()) {
+    // Not 'passes': nothing was looked at.
+    return reportError(
+        options.model,
+        makeError(ErrorCode::NoThickness, -1, "no vertex has a thickness, so no wall is checked"));
+  }
   const auto girth = computeGirth(options.model, model.mesh, options.threads, interrupted);
   if (!girth) return reportError(options.model, girth.error());
 

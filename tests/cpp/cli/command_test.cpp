@@ -226,6 +226,11 @@ TEST_F(Command, tipsPartsAndFieldsOfASurface) {
 
 TEST_F(Command, partsEndsWithFourWhereSomethingIsTooThin) {
   const std::string model = kData + "/prism.obj";
+  // What cannot be looked at does not pass.
+  write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Outcome sheet = run({"parts", path("sheet.obj"), "--min-wall", "0.1"});
+  EXPECT_EQ(sheet.exitCode, 2);
+  EXPECT_NE(sheet.errors.find("NO_THICKNESS"), std::string::npos) << sheet.errors;
   const Outcome passes = run({"parts", model, "--unit", "mm", "--min-tube", "0.5mm"});
   EXPECT_EQ(passes.exitCode, 0) << passes.output << passes.errors;
   EXPECT_NE(passes.output.find("passes"), std::string::npos);
