@@ -110,8 +110,11 @@ val compare(const val& models, const val& names, const val& onProgress) {
     if (!descriptors) return toJs(descriptors.error());
     const unsigned count = models["length"].as<unsigned>();
     const std::vector<std::string> terms = retrieval::termsOf(descriptors.value());
-    const auto signatures =
-        std::make_shared<Signatures>(terms, count, retrieval::SignatureOptions{});
+    retrieval::SignatureOptions options;
+    // Of a few models nearly every feature is a word of its own: counted to the nearest one only,
+    // all models would be equally far apart.
+    options.words = retrieval::WordChoice::Soft;
+    const auto signatures = std::make_shared<Signatures>(terms, count, options);
     for (unsigned m = 0; m < count; ++m) signatures->add(m, fieldsOf(models[m]));
     if (const auto finished = signatures->finish(); !finished) return toJs(finished.error());
     for (unsigned m = 0; signatures->needsWords() && m < count; ++m) {
