@@ -190,7 +190,7 @@ describe('what was done', () => {
     expect(await viewer.locator('.legend-title').textContent()).toBe('Girth, mm');
     expect(await page.locator('#loops li b').textContent()).toMatch(/\d\smm$/);
     expect(await viewer.locator('.tag').textContent()).toMatch(/\d\smm/);
-    expect(await page.locator('.median').textContent()).toMatch(/\d\smm$/);
+    expect(await page.locator('#field .caption').textContent()).toMatch(/\d\smm$/);
     expect(await page.locator('#range-high').textContent()).toMatch(/\d\smm$/);
     expect((await hover(page, viewer, place.x, place.y)).text).toMatch(/\d\smm/);
 

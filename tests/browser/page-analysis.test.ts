@@ -85,7 +85,7 @@ test('the octopus has eight tips; one is chosen and flown to; noise can be ranke
   await panel.getByLabel('Hide what rises less than').focus();
   await page.keyboard.press('End');
   await expect.poll(() => rows.count()).toBe(1);
-  expect(await panel.locator('p[role=status]').textContent()).toBe('7 hidden.');
+  expect(await panel.locator('#tips-words').textContent()).toBe('7 hidden.');
 });
 
 test('a box has no tips, and says so', async () => {
@@ -94,7 +94,7 @@ test('a box has no tips, and says so', async () => {
   await modelIs(page, 'box.obj');
   await fieldComplete(viewer);
   const panel = await openPanel(page, 'tips');
-  await expect.poll(() => panel.locator('p[role=status]').textContent()).toContain('no tips');
+  await expect.poll(() => panel.locator('#tips-words').textContent()).toContain('no tips');
   expect(await panel.locator('.count').textContent()).toBe('0');
 });
 

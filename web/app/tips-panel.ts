@@ -35,7 +35,7 @@ export class TipsPanel {
   });
   private readonly jumpText = make('output', { for: 'tips-jump' });
   private readonly rivals: TipRivals;
-  private readonly words = make('p', { class: 'hint', role: 'status' });
+  private readonly words = make('p', { id: 'tips-words', class: 'hint', role: 'status' });
   /** How far the girth rises at the tip that each vertex is in, 0 elsewhere. */
   rises: Float64Array | undefined;
   private tips: Tips | undefined;
