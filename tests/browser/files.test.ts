@@ -9,9 +9,9 @@ import type { Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { beside, box, gltf, stl, tube } from './meshes.js';
+import { pictures, site } from './page-support.js';
 import {
   chromiumForTests,
-  repository,
   requireBuilt,
   serve,
   strictPolicy,
@@ -19,8 +19,6 @@ import {
 } from './support.js';
 import { fieldComplete, hover, placeOnSurface } from './viewer-page.js';
 
-const site = join(repository, 'build/page');
-const pictures = join(repository, 'build/pictures');
 const scratch = mkdtempSync(join(tmpdir(), 'girth-files-'));
 
 const openPage = chromiumForTests();

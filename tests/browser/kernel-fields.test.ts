@@ -14,9 +14,9 @@ import type {
   SpectralOptions,
 } from '../../web/src/kernel/index.js';
 import type { KernelPage } from './kernel-page.js';
-import { buildKernelSite, kernelHtml, kernelSite } from './kernel-site.js';
+import { buildKernelSite, onKernelPage } from './kernel-site.js';
 import { box, dumbbell, torus, tube } from './meshes.js';
-import { chromiumForTests, command, serve, strictPolicy, type StaticServer } from './support.js';
+import { chromiumForTests, command, differing } from './support.js';
 
 /** Inside `page.evaluate` only. */
 declare const girth: KernelPage;
@@ -48,10 +48,6 @@ function column(csv: string, name: string): number[] {
 /** JSON that the command or the kernel has written. */
 type Written = Record<string, unknown>;
 
-/** How many numbers differ, bit for bit. */
-const differing = (a: number[], b: number[]) =>
-  a.length === b.length ? a.filter((value, i) => !Object.is(value, b[i])).length : Infinity;
-
 /** Two bulbs on a thin neck: tips, a tube, and thick ends. */
 const bulbs = dumbbell(30, 18);
 
@@ -60,25 +56,8 @@ const turned = (text: string) => text.replace(/^f (\S+) (\S+) (\S+)$/gm, 'f $1 $
 
 for (const mode of ['threads', 'pool'] as const) {
   describe(`fields, ${mode}`, () => {
-    let server: StaticServer;
     let page: Page;
-    let complaints: string[];
-
-    beforeAll(async () => {
-      server = await serve(kernelSite, {
-        isolated: mode === 'threads',
-        policy: strictPolicy,
-        pages: { '/': kernelHtml },
-      });
-      ({ page, complaints } = await openPage(server.url));
-      await page.waitForFunction('globalThis.girth');
-    });
-
-    afterAll(async () => {
-      expect(complaints.filter((line) => !line.includes('404'))).toEqual([]);
-      await page.context().close();
-      await server.close();
-    });
+    onKernelPage(openPage, mode, (opened) => (page = opened));
 
     const fields: [FieldName, FieldOptions, string[], string][] = [
       ['sdf', {}, [], '30 rays'],

@@ -10,15 +10,8 @@ import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { box, dumbbell, torus } from './meshes.js';
 import type { FacePoint } from '../../web/src/kernel/index.js';
 import type { KernelPage } from './kernel-page.js';
-import { buildKernelSite, kernelHtml, kernelSite } from './kernel-site.js';
-import {
-  chromiumForTests,
-  command,
-  repository,
-  serve,
-  strictPolicy,
-  type StaticServer,
-} from './support.js';
+import { buildKernelSite, onKernelPage } from './kernel-site.js';
+import { chromiumForTests, command, differing, repository, type StaticServer } from './support.js';
 import { loopByCommand } from './viewer-page.js';
 
 /** Inside `page.evaluate` only. */
@@ -48,31 +41,11 @@ function nativeValues(name: string, text: string): { values: number[]; kinds: nu
   };
 }
 
-/** How many numbers differ, bit for bit. */
-const differing = (a: number[], b: number[]) =>
-  a.length === b.length ? a.filter((value, i) => !Object.is(value, b[i])).length : Infinity;
-
 for (const mode of ['threads', 'pool'] as const) {
   describe(`kernel, ${mode}`, () => {
-    let server: StaticServer;
     let page: Page;
-    let complaints: string[];
-
-    beforeAll(async () => {
-      server = await serve(kernelSite, {
-        isolated: mode === 'threads',
-        policy: strictPolicy,
-        pages: { '/': kernelHtml },
-      });
-      ({ page, complaints } = await openPage(server.url));
-      await page.waitForFunction('globalThis.girth');
-    });
-
-    afterAll(async () => {
-      expect(complaints.filter((line) => !line.includes('404'))).toEqual([]);
-      await page.context().close();
-      await server.close();
-    });
+    let server: StaticServer;
+    onKernelPage(openPage, mode, (...opened) => ([page, server] = opened));
 
     test('starts, in this mode, with nothing that it does not need', async () => {
       const started = await page.evaluate(async () => {

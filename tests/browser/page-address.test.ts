@@ -3,41 +3,19 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
+import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
-import { drop, fragment, modelIs, openPanel, site } from './page-support.js';
-import {
-  type StaticServer,
-  chromiumForTests,
-  repository,
-  requireBuilt,
-  serve,
-  strictPolicy,
-} from './support.js';
+import { builtPage, drop, fragment, modelIs, openPanel } from './page-support.js';
+import { repository } from './support.js';
 import { fieldComplete } from './viewer-page.js';
 
-const openPage = chromiumForTests();
-let server: StaticServer;
+const openBuilt = builtPage();
 let page: Page;
 let viewer: Locator;
-let complaints: string[];
-let close: () => Promise<void>;
-
-beforeAll(async () => {
-  requireBuilt('build/page/index.html', 'build:page');
-  server = await serve(site, { isolated: true, policy: strictPolicy });
-});
-afterAll(() => server.close());
-afterEach(async () => {
-  expect(complaints).toEqual([]);
-  await close();
-});
+let address: string;
 
 async function openAt(state: string): Promise<void> {
-  const opened = await openPage(`${server.url}/#${state}`, { reducedMotion: 'reduce' });
-  ({ page, complaints } = opened);
-  close = () => opened.context.close();
-  viewer = page.locator('girth-viewer');
+  ({ page, viewer, address } = await openBuilt(state));
 }
 
 test('a link reproduces model, field, colours, camera, loops and thresholds', async () => {
@@ -153,11 +131,11 @@ test('a link cannot have a file: it says so, and holds for whoever drops that fi
 test('a model by its address', async () => {
   await openAt('');
   await modelIs(page, 'chair.glb');
-  await page.goto(`${server.url}/?again#model=${server.url}/examples/vessel.glb&field=none`);
+  await page.goto(`${address}/?again#model=${address}/examples/vessel.glb&field=none`);
   await modelIs(page, 'vessel.glb');
   expect(await viewer.getAttribute('field')).toBe('none');
   await openPanel(page, 'tips');
   await expect
     .poll(() => fragment(page))
-    .toBe(`model=${server.url}/examples/vessel.glb&field=none&panel=tips`);
+    .toBe(`model=${address}/examples/vessel.glb&field=none&panel=tips`);
 });

@@ -4,41 +4,19 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Download, Locator, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
+import { beforeEach, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { box } from './meshes.js';
-import { drop, examples, modelIs, openPanel, site } from './page-support.js';
-import {
-  type StaticServer,
-  chromiumForTests,
-  command,
-  requireBuilt,
-  serve,
-  strictPolicy,
-} from './support.js';
+import { builtPage, drop, examples, modelIs, openPanel } from './page-support.js';
+import { command } from './support.js';
 import { fieldComplete } from './viewer-page.js';
 
-const openPage = chromiumForTests();
-let server: StaticServer;
+const openBuilt = builtPage();
 let page: Page;
 let viewer: Locator;
-let complaints: string[];
-let close: () => Promise<void>;
 
-beforeAll(async () => {
-  requireBuilt('build/page/index.html', 'build:page');
-  server = await serve(site, { isolated: true, policy: strictPolicy });
-});
-afterAll(() => server.close());
 beforeEach(async () => {
-  const opened = await openPage(server.url, { reducedMotion: 'reduce' });
-  ({ page, complaints } = opened);
-  close = () => opened.context.close();
-  viewer = page.locator('girth-viewer');
-});
-afterEach(async () => {
-  expect(complaints).toEqual([]);
-  await close();
+  ({ page, viewer } = await openBuilt());
 });
 
 async function openExample(name: string): Promise<void> {

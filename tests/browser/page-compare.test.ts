@@ -1,25 +1,11 @@
 // Several models on the page: distributions over each other, distances, and a ranking.
 
 import type { Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
+import { expect, test } from 'vitest';
 import { dumbbell, torus } from './meshes.js';
-import { drop, modelIs, openPanel, site } from './page-support.js';
-import {
-  type StaticServer,
-  chromiumForTests,
-  requireBuilt,
-  serve,
-  strictPolicy,
-} from './support.js';
+import { builtPage, drop, modelIs, openPanel } from './page-support.js';
 
-const openPage = chromiumForTests();
-let server: StaticServer;
-
-beforeAll(async () => {
-  requireBuilt('build/page/index.html', 'build:page');
-  server = await serve(site, { isolated: true, policy: strictPolicy });
-});
-afterAll(() => server.close());
+const openBuilt = builtPage();
 
 /** The ranking, once all distances are there. */
 async function ranking(page: Page, count: number): Promise<{ name: string; words: string }[]> {
@@ -38,7 +24,7 @@ async function ranking(page: Page, count: number): Promise<{ name: string; words
 }
 
 test('models dropped together are compared: the same shape is nearest, whatever its size', async () => {
-  const { page, context, complaints } = await openPage(server.url, { reducedMotion: 'reduce' });
+  const { page } = await openBuilt();
   await modelIs(page, 'chair.glb');
   const bell = dumbbell(16, 12);
   const larger = bell.replace(/^v (.*)$/gm, (_, numbers: string) =>
@@ -65,12 +51,10 @@ test('models dropped together are compared: the same shape is nearest, whatever 
   expect(others[0]!.name).toBe('ring.obj');
   await panel.getByRole('button', { name: 'Remove it' }).click();
   expect(await panel.locator('.count').textContent()).toBe('2');
-  expect(complaints).toEqual([]);
-  await context.close();
 });
 
 test('a model is kept once; what cannot be read says so, the rest goes on', async () => {
-  const { page, context, complaints } = await openPage(server.url, { reducedMotion: 'reduce' });
+  const { page } = await openBuilt();
   await modelIs(page, 'chair.glb');
   await drop(page, { name: 'bell.obj', bytes: Buffer.from(dumbbell(8, 6)) });
   await modelIs(page, 'bell.obj');
@@ -94,6 +78,4 @@ test('a model is kept once; what cannot be read says so, the rest goes on', asyn
     ]);
   await panel.getByRole('button', { name: 'Remove all' }).click();
   expect(await rows.count()).toBe(0);
-  expect(complaints).toEqual([]);
-  await context.close();
 });

@@ -1,41 +1,19 @@
 // The page's field panel: what colours the surface, its distribution, and the brush.
 
 import type { Locator, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
+import { beforeEach, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
-import { modelIs, site } from './page-support.js';
-import {
-  type StaticServer,
-  chromiumForTests,
-  requireBuilt,
-  serve,
-  strictPolicy,
-} from './support.js';
+import { builtPage, modelIs } from './page-support.js';
 import { fieldComplete, hover, placeOnSurface } from './viewer-page.js';
 
-const openPage = chromiumForTests();
-let server: StaticServer;
+const openBuilt = builtPage();
 let page: Page;
 let viewer: Locator;
-let complaints: string[];
-let close: () => Promise<void>;
 
-beforeAll(async () => {
-  requireBuilt('build/page/index.html', 'build:page');
-  server = await serve(site, { isolated: true, policy: strictPolicy });
-});
-afterAll(() => server.close());
 beforeEach(async () => {
-  const opened = await openPage(server.url, { reducedMotion: 'reduce' });
-  ({ page, complaints } = opened);
-  close = () => opened.context.close();
-  viewer = page.locator('girth-viewer');
+  ({ page, viewer } = await openBuilt());
   await modelIs(page, 'chair.glb');
   await fieldComplete(viewer);
-});
-afterEach(async () => {
-  expect(complaints).toEqual([]);
-  await close();
 });
 
 /** The share of the area with values in a range, counted here. */

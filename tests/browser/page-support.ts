@@ -2,12 +2,59 @@
 
 import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
-import { repository } from './support.js';
+import { afterAll, afterEach, beforeAll, expect } from 'vitest';
+import {
+  type OpenPage,
+  type StaticServer,
+  chromiumForTests,
+  repository,
+  requireBuilt,
+  serve,
+  strictPolicy,
+} from './support.js';
 
 /** The page as `npm run build:page` puts it. */
 export const site = join(repository, 'build/page');
 export const examples = join(repository, 'web/app/public/examples');
 export const pictures = join(repository, 'build/pictures');
+
+/** The page as a test has it. */
+export interface BuiltPage {
+  page: Page;
+  viewer: Locator;
+  /** Where it is served. */
+  address: string;
+}
+
+/**
+ * The built page for the tests of one file, cross-origin isolated and under a strict content security
+ * policy. Opens it anew, where wanted at a state of its address, for the length of a test, which fails
+ * if anything went wrong on the page that nobody caught.
+ */
+export function builtPage(): (state?: string) => Promise<BuiltPage> {
+  const openPage = chromiumForTests();
+  const open: OpenPage[] = [];
+  let server: StaticServer;
+  beforeAll(async () => {
+    requireBuilt('build/page/index.html', 'build:page');
+    server = await serve(site, { isolated: true, policy: strictPolicy });
+  });
+  afterAll(() => server?.close());
+  afterEach(async () => {
+    for (const { complaints, context } of open.splice(0)) {
+      expect(complaints).toEqual([]);
+      await context.close();
+    }
+  });
+  return async (state) => {
+    const { url } = server;
+    const opened = await openPage(state === undefined ? url : `${url}/#${state}`, {
+      reducedMotion: 'reduce',
+    });
+    open.push(opened);
+    return { page: opened.page, viewer: opened.page.locator('girth-viewer'), address: url };
+  };
+}
 
 /** Drops files onto the window, as from the desktop. */
 export async function drop(page: Page, ...files: { name: string; bytes: Buffer }[]): Promise<void> {

@@ -11,7 +11,7 @@ import type { GirthViewer } from '../../web/src/element/index.js';
 import type { SurfacePoint } from '../../web/src/kernel/index.js';
 import { watchLongTasks, withoutDrawing } from './long-tasks.js';
 import { torus } from './meshes.js';
-import { drop, openPanel, pictures, site } from './page-support.js';
+import { drop, modelIs as modelIsOn, openPanel, pictures, site } from './page-support.js';
 import {
   chromiumForTests,
   repository,
@@ -53,9 +53,7 @@ for (const isolated of [true, false]) {
       await context.close();
     });
 
-    /** Waits for the model of that name in the line on top. */
-    const modelIs = (name: string) =>
-      page.locator('#model b', { hasText: name }).waitFor({ timeout: 30_000 });
+    const modelIs = (name: string) => modelIsOn(page, name);
 
     test('opens on an example that is computed without a word', async () => {
       await modelIs('chair.glb');

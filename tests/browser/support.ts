@@ -165,3 +165,7 @@ function complaintsOf(page: Page): string[] {
   });
   return complaints;
 }
+
+/** How many numbers differ, bit for bit. */
+export const differing = (a: number[], b: number[]): number =>
+  a.length === b.length ? a.filter((value, i) => !Object.is(value, b[i])).length : Infinity;
