@@ -57,7 +57,7 @@ export default defineConfig(
     message: 'The element does not know the page.',
   }),
   forbid(['web/app/**'], three, {
-    regex: '/src/(?!(kernel/(index|types)|element/index|view/plots/index)\\.(js|ts)$)',
+    regex: '/src/(?!(kernel/(index|types)|element/(index|plots))\\.(js|ts)$)',
     message: 'The page uses public exports only.',
   }),
 );

@@ -1,6 +1,7 @@
-// The npm package, in two builds. Mode `element`: dist/element.js, which imports the kernel's modules
+// The npm package, in three builds. Mode `element`: dist/element.js, which imports the kernel's modules
 // beside it and the three.js of whoever uses it. Mode `bundle`: dist/girth-viewer.js with all inside,
-// for a page with one script line. The kernel's own modules are not bundled: see the package build.
+// for a page with one script line. Mode `plots`: dist/plots.js and its style, with uPlot inside. The
+// kernel's own modules are not bundled: see the package build.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
@@ -9,6 +10,11 @@ const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.u
 
 export default defineConfig(({ mode }) => {
   const isBundle = mode === 'bundle';
+  const inputs: Record<string, Record<string, string>> = {
+    element: { element: path('src/element/index.ts') },
+    bundle: { 'girth-viewer': path('src/element/index.ts') },
+    plots: { plots: path('src/element/plots.ts'), 'plots-style': path('src/element/plots.css') },
+  };
   return {
     root: path('src'),
     base: './',
@@ -21,11 +27,12 @@ export default defineConfig(({ mode }) => {
       modulePreload: false,
       chunkSizeWarningLimit: 2000,
       rolldownOptions: {
-        input: { [isBundle ? 'girth-viewer' : 'element']: path('src/element/index.ts') },
+        input: inputs[mode]!,
         preserveEntrySignatures: 'strict',
         external: isBundle ? [] : [/^three(\/|$)/, path('src/kernel/index.ts')],
         output: {
           entryFileNames: '[name].js',
+          ...(mode === 'plots' ? { assetFileNames: 'plots.css' } : {}),
           ...(isBundle ? {} : { paths: { [path('src/kernel/index.ts')]: './kernel/index.js' } }),
         },
       },

@@ -1,6 +1,6 @@
 // Areas as people read them: three significant digits, in the unit of the lengths beside them.
 
-import type { LengthFormat } from '../src/view/plots/index.js';
+import type { LengthFormat } from '../src/element/plots.js';
 
 const raised: Record<string, string> = { '-': '⁻' };
 '⁰¹²³⁴⁵⁶⁷⁸⁹'.split('').forEach((digit, i) => (raised[String(i)] = digit));

@@ -2,7 +2,7 @@
 
 import type { FieldName, Kernel } from '../src/kernel/index.js';
 import { fieldTitle, formatCount, make } from '../src/element/index.js';
-import { DistributionPlot, extent } from '../src/view/plots/index.js';
+import { DistributionPlot, extent } from '../src/element/plots.js';
 import { ComparedModel } from './compared-model.js';
 import { DistanceMatrix, distanceWords } from './distance-matrix.js';
 import { kernel } from './kernel.js';

@@ -25,7 +25,7 @@ import {
   placesWithin,
   quantile,
   shareWithin,
-} from '../src/view/plots/index.js';
+} from '../src/element/plots.js';
 import type { PageState } from './address-state.js';
 import { CategoryShares } from './category-shares.js';
 import type { ComputedFields } from './computed-fields.js';

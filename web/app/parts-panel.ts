@@ -2,7 +2,7 @@
 
 import { type GirthViewer, formatLength, make, partKinds } from '../src/element/index.js';
 import type { Field, Part, PartKind, Parts, PartThresholds } from '../src/kernel/index.js';
-import { ScatterPlot } from '../src/view/plots/index.js';
+import { ScatterPlot } from '../src/element/plots.js';
 import type { PageState } from './address-state.js';
 import { formatArea } from './area-words.js';
 import { LengthInput } from './length-input.js';

@@ -1,7 +1,7 @@
 // The print check as one HTML file: no network, no scripts, pictures inside; good on paper too.
 
 import type { PrintLimits, WeakPlace } from '../src/kernel/index.js';
-import { type LengthFormat, formatCount, formatLength } from '../src/view/plots/index.js';
+import { type LengthFormat, formatCount, formatLength } from '../src/element/plots.js';
 import { formatArea } from './area-words.js';
 
 export interface ReportedPlace {

@@ -90,13 +90,13 @@ export async function buildPage() {
   });
 }
 
-/** The npm package: the kernel's modules one by one, the element, and the element with everything. */
+/** The npm package: the kernel's modules one by one, the element, the element with everything, the plots. */
 export async function buildPackage() {
   buildWasm();
   await refresh({
     name: 'package',
     inputs: [...configuration, 'package.json', 'web/vite.package.config.ts', 'web/src'],
-    outputs: ['dist/kernel/index.js', 'dist/element.js', 'dist/girth-viewer.js'],
+    outputs: ['dist/kernel/index.js', 'dist/element.js', 'dist/girth-viewer.js', 'dist/plots.js'],
     make: () => {
       rmSync(join(repository, 'dist'), { recursive: true, force: true });
       // Not bundled: whoever bundles the package recognises the workers and the modules by the way
@@ -117,6 +117,7 @@ export async function buildPackage() {
       const vite = ['build', '--config', 'web/vite.package.config.ts', '--logLevel', 'warn'];
       runTool('vite', [...vite, '--mode', 'element']);
       runTool('vite', [...vite, '--mode', 'bundle']);
+      runTool('vite', [...vite, '--mode', 'plots']);
     },
   });
 }
