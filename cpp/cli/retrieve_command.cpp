@@ -483,7 +483,10 @@ class Retrieval {
         {"One-dimensional fields",
          std::string(kScales[static_cast<std::size_t>(signatures.scale)]) +
              (signatures.bins == 0 ? ", exact distance of the distributions"
-                                   : ", " + std::to_string(signatures.bins) + " bins")},
+                                   : ", " + std::to_string(signatures.bins) + " bins") +
+             (signatures.axis < 1
+                  ? ", the greatest " + readable(100 * (1 - signatures.axis)) + "% counting alike"
+                  : "")},
         {"Joint histograms", std::to_string(signatures.jointBins) + " × " +
                                  std::to_string(signatures.jointBins) + " cells"},
         {"Words", std::to_string(signatures.vocabulary.words) +

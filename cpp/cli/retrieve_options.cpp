@@ -10,6 +10,10 @@ namespace girth::cli {
 using retrieval::ValueScale;
 using retrieval::WordChoice;
 
+namespace {
+constexpr double kPercent = 100;
+}  // namespace
+
 void addComparisonOptions(CLI::App& command, ComparisonOptions& options) {
   std::string names;
   for (const std::string& name : retrieval::descriptorNames()) {
@@ -84,6 +88,12 @@ void addRetrieveOptions(CLI::App& command, RetrieveOptions& options) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   addComparisonOptions(command, options);
+  command
+      .add_option_function<double>(
+          "--axis", [&options](double percent) { options.signatures.axis = percent / kPercent; },
+          "One-dimensional fields: per cent of the collection's area whose values are told apart, "
+          "the greatest rest counting alike; 95 by default, 100: all")
+      ->check(CLI::Range(1.0, kPercent));
   command.add_option("-o,--output", options.output, "The folder to write the report into")
       ->required();
   command.add_option(

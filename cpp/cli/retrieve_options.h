@@ -23,6 +23,7 @@ struct ComparisonOptions {
 };
 
 struct RetrieveOptions : ComparisonOptions {
+  RetrieveOptions() { signatures.axis = 0.95; }
   std::vector<std::string> folders;
   /// A class file for each folder, as far as they go.
   std::vector<std::string> classes;

@@ -217,6 +217,12 @@ struct Signatures::Content {
     }
   }
 
+  void endAxis(Column& column) const {
+    if (!(options.axis < 1)) return;
+    const double greatest = commonQuantile(column.distributions, options.axis);
+    for (Distribution& distribution : column.distributions) capValues(distribution, greatest);
+  }
+
   void binAll(Column& column) const {
     std::vector<double> ends;
     for (const Distribution& distribution : column.distributions) {
@@ -301,7 +307,10 @@ void Signatures::add(std::size_t model, const StudyFields& fields) {
 
 Result<bool> Signatures::finish(const ExecutionContext& context) {
   for (auto& [name, column] : content_->columns) {
-    if (column.row->kind == Kind::Scalar && content_->options.bins > 0) content_->binAll(column);
+    if (column.row->kind == Kind::Scalar) {
+      content_->endAxis(column);
+      if (content_->options.bins > 0) content_->binAll(column);
+    }
     if (column.row->kind == Kind::Joint) Content::scaleAxes(column);
     if (column.row->kind == Kind::Words) {
       if (auto chosen = content_->chooseWords(column, context); !chosen) return chosen;

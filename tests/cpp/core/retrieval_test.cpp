@@ -72,6 +72,32 @@ TEST(Distribution, IsTheTransportOnTheLine) {
   }
 }
 
+TEST(Distribution, CommonQuantileByHand) {
+  // Each counts alike, however many values it has: 1, 2 and 3, 4 are a quarter each.
+  const std::vector<Distribution> all{distributionOf(Numbers{4, 3}, Numbers{1, 1}),
+                                      distributionOf(Numbers{1, 2, 2}, Numbers{2, 1, 1}),
+                                      Distribution{}};
+  EXPECT_EQ(commonQuantile(all, 0.2), 1);
+  EXPECT_EQ(commonQuantile(all, 0.5), 2);
+  EXPECT_EQ(commonQuantile(all, 0.6), 3);
+  EXPECT_EQ(commonQuantile(all, 1), 4);
+  EXPECT_TRUE(std::isnan(commonQuantile(std::vector<Distribution>(2), 0.5)));
+}
+
+TEST(Distribution, CappedValuesCountAsTheGreatest) {
+  Random random(11);
+  for (int round = 0; round < 50; ++round) {
+    Numbers values = randomNumbers(random, 1 + random.below(20));
+    const Numbers weights(values.size(), 1);
+    const double greatest = random();
+    Distribution capped = distributionOf(values, weights);
+    capValues(capped, greatest);
+    for (double& value : values) value = std::min(value, greatest);
+    EXPECT_NEAR(earthMoversDistance(capped, distributionOf(values, weights)), 0, 1e-15);
+    EXPECT_NEAR(std::accumulate(capped.shares.begin(), capped.shares.end(), 0.0), 1, 1e-12);
+  }
+}
+
 TEST(Histogram, BinsAndDistanceByHand) {
   const auto distribution = distributionOf(Numbers{-1, 0, 0.49, 0.5, 1, 7}, Numbers(6, 1.0));
   const auto shares = histogramOf(distribution, {0, 1}, 2);
@@ -509,6 +535,33 @@ TEST(Signatures, TellShapesApartWhateverTheirSize) {
       EXPECT_EQ(signatures.distance(name, 0, 2), signatures.distance(name, 2, 0)) << name;
     }
     EXPECT_TRUE(std::isnan(signatures.distance("nothing", 0, 1)));
+  }
+}
+
+TEST(Signatures, GreaterValuesThanTheAxisHasCountAlike) {
+  // Nine tenths of each model's area are at 1; the last tenth lies at 2, 3 and 9.
+  const auto fieldsWith = [](double last) {
+    StudyFields fields;
+    fields.weights = Numbers{0.9, 0.1};
+    fields.fields.push_back({"igf", 1, Numbers{1, last}});
+    return fields;
+  };
+  for (const double axis : {1.0, 0.95, 0.9}) {
+    SignatureOptions options;
+    options.axis = axis;
+    Signatures signatures({"igf", "log-igf"}, 3, options);
+    signatures.add(0, fieldsWith(2));
+    signatures.add(1, fieldsWith(3));
+    signatures.add(2, fieldsWith(9));
+    ASSERT_TRUE(signatures.finish().ok());
+    // The value that 95% of all do not exceed is 3, and 90%: 1.
+    const double greatest = axis == 1 ? 9 : axis == 0.95 ? 3 : 1;
+    EXPECT_NEAR(signatures.distance("igf", 0, 1),
+                0.1 * (std::min(3.0, greatest) - std::min(2.0, greatest)), 1e-15);
+    EXPECT_NEAR(signatures.distance("igf", 0, 2), 0.1 * (greatest - std::min(2.0, greatest)),
+                1e-15);
+    EXPECT_NEAR(signatures.distance("log-igf", 0, 2),
+                0.1 * std::log(greatest / std::min(2.0, greatest)), 1e-15);
   }
 }
 

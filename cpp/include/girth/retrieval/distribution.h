@@ -27,4 +27,11 @@ Distribution distributionOf(std::span<const double> values, std::span<const doub
 /// the values. NaN where one is empty. O(n + m).
 double earthMoversDistance(const Distribution& one, const Distribution& two);
 
+/// The least value that at least `share` (in (0, 1]) of all distributions taken together does not
+/// exceed; each of them counts alike, empty ones not. NaN where all are empty. O(n log n).
+double commonQuantile(std::span<const Distribution> distributions, double share);
+
+/// Greater values count as `greatest`. O(n).
+void capValues(Distribution& distribution, double greatest);
+
 }  // namespace girth::retrieval
