@@ -1,7 +1,7 @@
 // What the tests of the page share: opening it, dropping files on it, and waiting for models.
 
 import { join } from 'node:path';
-import type { Locator, Page } from 'playwright-core';
+import type { BrowserContextOptions, Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect } from 'vitest';
 import {
   type OpenPage,
@@ -31,7 +31,10 @@ export interface BuiltPage {
  * policy. Opens it anew, where wanted at a state of its address, for the length of a test, which fails
  * if anything went wrong on the page that nobody caught.
  */
-export function builtPage(): (state?: string) => Promise<BuiltPage> {
+export function builtPage(): (
+  state?: string,
+  options?: BrowserContextOptions,
+) => Promise<BuiltPage> {
   const openPage = chromiumForTests();
   const open: OpenPage[] = [];
   let server: StaticServer;
@@ -46,10 +49,11 @@ export function builtPage(): (state?: string) => Promise<BuiltPage> {
       await context.close();
     }
   });
-  return async (state) => {
+  return async (state, options = {}) => {
     const { url } = server;
     const opened = await openPage(state === undefined ? url : `${url}/#${state}`, {
       reducedMotion: 'reduce',
+      ...options,
     });
     open.push(opened);
     return { page: opened.page, viewer: opened.page.locator('girth-viewer'), address: url };

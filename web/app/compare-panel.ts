@@ -9,6 +9,7 @@ import { kernel } from './kernel.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
 import type { Opened } from './session.js';
+import { term } from './terms.js';
 import { thumbnail } from './thumbnail.js';
 
 /** More models than these are too many for workers that keep them all. */
@@ -97,7 +98,13 @@ export class ComparePanel {
       this.matrix.element,
     );
     this.panel.body.append(
-      make('p', { class: 'hint' }, 'Keep models here, or drop several, to see which are alike.'),
+      make(
+        'p',
+        { class: 'hint' },
+        'Keep models here, or drop several, to see which are alike, by the ',
+        term('emd', 'EMD'),
+        ' of their fields.',
+      ),
       make('p', { class: 'buttons' }, this.buttons.keep, this.buttons.gallery),
       make('p', { class: 'working' }, this.words, this.buttons.cancel),
       this.results,

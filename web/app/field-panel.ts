@@ -31,6 +31,7 @@ import { CategoryShares } from './category-shares.js';
 import type { ComputedFields } from './computed-fields.js';
 import { byId } from './dom.js';
 import { RangeSliders } from './range-sliders.js';
+import { type TermName, explains } from './terms.js';
 
 /** What can colour the surface. */
 const shownNames: readonly ShownName[] = [...fieldNames, ...derivedNames, 'none'];
@@ -43,6 +44,14 @@ const listWords: Partial<Record<ShownName, string>> = {
   tips: 'Tip persistence',
   parts: 'Tubes and plates',
   none: 'None',
+};
+/** What the list's choice is explained by. */
+const fieldTerms: Partial<Record<ShownName, TermName>> = {
+  igf: 'girth',
+  sdf: 'sdf',
+  kind: 'loop',
+  tips: 'tip',
+  parts: 'tube',
 };
 const wordsFor = (name: ShownName): string => listWords[name] ?? fieldTitle(name);
 const ranges: [string, string][] = [
@@ -268,6 +277,7 @@ export class FieldPanel {
     this.timer = undefined;
     const { name, plot, sliders } = this;
     this.field.value = name;
+    explains(this.field, fieldTerms[name]);
     const isNumeric = isFieldName(name) || name === 'tips';
     const values = this.valuesOf(name);
     const reach = extent(values);

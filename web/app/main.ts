@@ -18,6 +18,7 @@ import { PinnedList } from './pinned-list.js';
 import { PrintPanel } from './print-panel.js';
 import { type Opened, Session } from './session.js';
 import { offerLink } from './share-sheet.js';
+import { explainTerms } from './terms.js';
 import { TipsPanel } from './tips-panel.js';
 
 const viewer = byId<GirthViewer>('viewer');
@@ -145,14 +146,16 @@ async function openExample(example: Example, prepare = {}): Promise<void> {
 
 async function openFiles(files: readonly (File | FileWithPath)[]): Promise<void> {
   const source = files.length === 1 && files[0] instanceof File ? files[0] : files;
-  const first = files[0]!;
-  const file = first instanceof File ? first.name : first.path;
-  if (wanted?.file !== file) wanted = undefined;
+  const names = files.map((file) => (file instanceof File ? file.name : file.path));
+  if (!names.some((name) => name === wanted?.file)) wanted = undefined;
+  const file = wanted?.file ?? names[0]!;
   if (!(await session.open({ source, link: { file }, prepare: {} }))) return;
   invitation.hidden = true;
   viewer.removeAttribute('turn');
-  const { models } = viewer.info!;
+  const { models, unreadable } = viewer.info!;
   if (models.length > 1) {
+    session.name(models.find((path) => !unreadable.some(({ model }) => model === path))!);
+    changed();
     compare.add(
       models.map((model) => ({
         opened: { source, link: { file: model }, model, prepare: {} },
@@ -221,5 +224,6 @@ explanation.addEventListener('click', (event) => {
   if (event.target === explanation) explanation.close();
 });
 
+explainTerms();
 await examples.prepare();
 void address.during(go(address.state));

@@ -120,6 +120,9 @@ export class ModelDetails {
 
   private whatWasDone(info: MeshInfo, { remeshed }: ModelState): HTMLElement[] {
     const done = repairs(info.report, this.viewer.lengthFormat);
+    for (const { model, error } of info.unreadable) {
+      done.push(`${model} was passed over: ${error.message}`);
+    }
     if (remeshed !== undefined) done.push(remeshed);
     const lines = [...done, ...info.notes].map((line) => make('li', {}, sentence(line)));
     const nothing = make('p', { class: 'hint' }, 'Nothing: it is a surface as it stands.');

@@ -9,6 +9,7 @@ import { LengthInput } from './length-input.js';
 import { plural } from './model-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
+import { explains, term } from './terms.js';
 import { ThresholdSlider } from './threshold-slider.js';
 
 /** What a vertex's neighbourhood may weigh against it. */
@@ -96,7 +97,21 @@ export class PartsPanel {
       this.sliders.diameter.element,
       make('div', { class: 'row' }, this.smoothing, automatic),
     );
+    explains(this.titles.tube, 'tube');
+    explains(this.titles.plate, 'plate');
+    explains(this.inputs.girth.label, 'girth');
+    explains(this.inputs.diameter.label, 'sdf');
     this.panel.body.append(
+      make(
+        'p',
+        { class: 'hint' },
+        term('tube', 'Tubes'),
+        ' and ',
+        term('plate', 'plates'),
+        ' are thin by the ',
+        term('sdf', 'SDF'),
+        ' and told apart by their girth.',
+      ),
       this.words,
       this.controls,
       this.titles.tube,

@@ -15,6 +15,7 @@ import {
   printReportHtml,
 } from './print-report.js';
 import { saveFile, stemOf } from './save-file.js';
+import { explains } from './terms.js';
 
 /** Units that a printed thing may be given in. */
 const units = ['mm', 'cm', 'm', 'in'];
@@ -53,6 +54,8 @@ export class PrintPanel {
       ...units.map((name) => make('option', { value: name }, name)),
     );
     unit.addEventListener('change', () => viewer.setAttribute('unit', unit.value));
+    explains(this.tube.label, 'tube');
+    explains(this.wall.label, 'plate');
     const submit = make('button', { class: 'plain', id: 'check' }, 'Check');
     const form = make(
       'form',

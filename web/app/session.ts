@@ -69,6 +69,11 @@ export class Session {
     void this.open({ source: opened.source, link: { file: model }, model, prepare: {} });
   }
 
+  /** Which of several models that came together is shown. */
+  name(model: string): void {
+    if (this.opened) this.opened = { ...this.opened, model, link: { file: model } };
+  }
+
   /** The element shows what was asked for last; returns whether it is another model than before. */
   arrived(): boolean {
     const { opened, next } = this;

@@ -6,6 +6,7 @@ import type { PageState } from './address-state.js';
 import { formatArea } from './area-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
+import { term } from './terms.js';
 import { TipRivals } from './tip-rivals.js';
 
 const steps = 200;
@@ -49,6 +50,15 @@ export class TipsPanel {
     this.shown.checked = true;
     this.rivals = new TipRivals(viewer, page);
     this.panel.body.append(
+      make(
+        'p',
+        { class: 'hint' },
+        'A ',
+        term('tip', 'tip'),
+        ' is what a jump of the ',
+        term('girth', 'girth'),
+        ' cuts off.',
+      ),
       this.words,
       make('label', { class: 'check' }, this.shown, ' Show them on the surface'),
       make(

@@ -1,6 +1,6 @@
 // What went wrong, in words, where the user looks.
 
-import type { GirthErrorFields } from '../kernel/types.js';
+import type { GirthErrorFields, UnreadableModel } from '../kernel/types.js';
 import { make } from './dom.js';
 
 /** The first letter large, a full stop at the end. */
@@ -9,6 +9,9 @@ function sentence(text: string): string {
   if (!trimmed) return '';
   return trimmed[0]!.toUpperCase() + trimmed.slice(1) + (/[.!?]$/.test(trimmed) ? '' : '.');
 }
+
+/** Of more models that cannot be read than these only the number is told. */
+const mostNamed = 4;
 
 export class MessageBox {
   readonly element = make('div', { class: 'message', role: 'alert' });
@@ -37,6 +40,21 @@ export class MessageBox {
     ]
       .filter(Boolean)
       .join(' ');
+  }
+
+  /** Of models that came together: these were passed over, and `shown` was taken instead. */
+  showPassedOver(unreadable: readonly UnreadableModel[], shown: string): void {
+    const [first] = unreadable;
+    if (!first) return;
+    this.element.hidden = false;
+    this.element.dataset['code'] = first.error.code;
+    const words = unreadable
+      .slice(0, mostNamed)
+      .map(({ model, error }) => `${model} could not be used. ${sentence(error.message)}`);
+    const more = unreadable.length - words.length;
+    if (more > 0) words.push(`Nor could ${more} more.`);
+    this.what.textContent = words.join(' ');
+    this.remedy.textContent = `${shown} is shown instead.`;
   }
 
   clear(): void {

@@ -14,7 +14,7 @@ export function moduleOptions(options: PrepareOptions): ModuleOptions {
 
 export function openedSurface(
   prepared: Prepared,
-  source: Pick<MeshInfo, 'name' | 'models'>,
+  source: Pick<MeshInfo, 'name' | 'models' | 'unreadable'>,
 ): OpenedSurface {
   const { vertexOfInput, inputOfVertex, unit, report, notes, parts, format } = prepared;
   const said = { format, unit: unit === 'metre' ? 'm' : unit, report, notes, parts };
@@ -30,7 +30,10 @@ export function remeshedSurface(described: Described, info: MeshInfo): OpenedSur
 
 function surfaceWith(
   described: Described,
-  said: Pick<MeshInfo, 'name' | 'models' | 'format' | 'unit' | 'report' | 'notes' | 'parts'>,
+  said: Pick<
+    MeshInfo,
+    'name' | 'models' | 'unreadable' | 'format' | 'unit' | 'report' | 'notes' | 'parts'
+  >,
 ) {
   const { positions, indices, walls, genus, boundaries, area } = described;
   const info: MeshInfo = {

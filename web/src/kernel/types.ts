@@ -77,7 +77,7 @@ export interface WatchedOptions extends CallOptions {
 }
 
 export interface LoadOptions extends WatchedOptions {
-  /** Which of several models, one of `MeshInfo.models`; absent: the first. */
+  /** Which of several models, one of `MeshInfo.models`; absent: the first that can be read. */
   model?: string;
   prepare?: PrepareOptions;
 }
@@ -319,10 +319,19 @@ export interface MeshPart {
   area: number;
 }
 
+/** A model that was passed over, and why. */
+export interface UnreadableModel {
+  /** One of `MeshInfo.models`. */
+  model: string;
+  error: GirthErrorFields;
+}
+
 export interface MeshInfo {
   name: string;
   /** All models among the files that were given, the one that is shown included; paths. */
   models: string[];
+  /** Of these, those that were tried before this one and cannot be read. */
+  unreadable: UnreadableModel[];
   format: 'GLB' | 'glTF' | 'OBJ' | 'PLY' | 'STL' | 'OFF' | 'arrays';
   vertexCount: number;
   faceCount: number;

@@ -1,11 +1,11 @@
 // A worker that reads models, prepares surfaces and writes files.
 
 import createModule, { type GirthModule } from './wasm/girth.mjs';
-import { failure } from './errors.js';
+import { failure, fieldsOf, GirthError } from './errors.js';
 import { FileSet, type SetFile } from './file-set.js';
 import { moduleOptions, openedSurface, remeshedSurface } from './opened-surface.js';
-import type { WorkshopOperations } from './protocol.js';
-import type { FileWithPath } from './types.js';
+import type { OpenedSurface, WorkshopOperations } from './protocol.js';
+import type { FileWithPath, UnreadableModel } from './types.js';
 import { unpackIfCompressed } from './unpack.js';
 import { checked, progressTo, serveRequests } from './worker-loop.js';
 
@@ -37,6 +37,27 @@ function fetchedBeside(address: string, name: string): Uint8Array | undefined {
   return isFound ? new Uint8Array(request.response as ArrayBuffer) : undefined;
 }
 
+/** The first of several models that can be read; those before it are told with it, and why. */
+async function firstReadable(
+  models: readonly string[],
+  read: (path: string, unreadable: UnreadableModel[]) => Promise<OpenedSurface>,
+): Promise<OpenedSurface> {
+  const unreadable: UnreadableModel[] = [];
+  for (const path of models) {
+    try {
+      return await read(path, unreadable);
+    } catch (thrown) {
+      const error = fieldsOf(thrown);
+      // After these the next model would not fare better, whatever it is.
+      if (error.code === 'OUT_OF_MEMORY' || error.code === 'INTERNAL') throw thrown;
+      unreadable.push({ model: path, error });
+    }
+  }
+  const [{ model, error }] = unreadable as [UnreadableModel];
+  const message = `none of the ${models.length} models can be used; ${model}: ${error.message}`;
+  throw new GirthError({ ...error, message });
+}
+
 serveRequests<WorkshopOperations>({
   async start() {
     module = await createModule();
@@ -45,22 +66,31 @@ serveRequests<WorkshopOperations>({
 
   async read({ files, address, model, prepare }, report) {
     const set = new FileSet(files.map(asSetFile));
-    const chosen = set.model(model ?? set.models[0]!);
-    const name = chosen.path.slice(chosen.path.lastIndexOf('/') + 1);
-    const resource = (name: string) =>
-      set.resource(chosen.path, name)?.bytes() ??
-      (address === undefined ? undefined : fetchedBeside(address, name));
-    const unpacked = await unpackIfCompressed(chosen.bytes(), resource);
-    const read = checked(
-      module.readSurface(
-        unpacked.bytes,
-        name,
-        unpacked.resource,
-        moduleOptions(prepare),
-        progressTo(report),
-      ),
-    );
-    return openedSurface(read, { name, models: set.models });
+    let told = 0;
+    // Where one model takes the place of another that cannot be read, too.
+    const neverFalling = (progress: number) => {
+      if (progress > told) report({ progress: (told = progress) });
+    };
+    const read = async (path: string, unreadable: UnreadableModel[]): Promise<OpenedSurface> => {
+      const chosen = set.model(path);
+      const name = chosen.path.slice(chosen.path.lastIndexOf('/') + 1);
+      const resource = (name: string) =>
+        set.resource(chosen.path, name)?.bytes() ??
+        (address === undefined ? undefined : fetchedBeside(address, name));
+      const unpacked = await unpackIfCompressed(chosen.bytes(), resource);
+      const prepared = checked(
+        module.readSurface(
+          unpacked.bytes,
+          name,
+          unpacked.resource,
+          moduleOptions(prepare),
+          neverFalling,
+        ),
+      );
+      return openedSurface(prepared, { name, models: set.models, unreadable });
+    };
+    if (model !== undefined || set.models.length === 1) return read(model ?? set.models[0]!, []);
+    return firstReadable(set.models, read);
   },
 
   take({ arrays, prepare }, report) {
@@ -68,7 +98,7 @@ serveRequests<WorkshopOperations>({
     const prepared = checked(
       module.surfaceFromArrays(positions, indices, moduleOptions(prepare), progressTo(report)),
     );
-    return openedSurface(prepared, { name: '', models: [] });
+    return openedSurface(prepared, { name: '', models: [], unreadable: [] });
   },
 
   remesh({ arrays, faces, info }, report) {
