@@ -7,7 +7,7 @@ import type { Download, Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { box } from './meshes.js';
-import { builtPage, drop, examples, modelIs, openPanel } from './page-support.js';
+import { builtPage, drop, examples, modelIs, openPanel, pictures } from './page-support.js';
 import { command } from './support.js';
 import { fieldComplete } from './viewer-page.js';
 
@@ -235,4 +235,59 @@ test('every computed field by name, tips and parts as files', async () => {
       .subarray(1, 4)
       .toString(),
   ).toBe('PNG');
+});
+
+test('beside the tips: heat maxima, extrema of the mean distance, thickness', async () => {
+  await openExample('Octopus');
+  const panel = await openPanel(page, 'tips');
+  const tips = panel.getByRole('list', { name: 'Tips', exact: true }).getByRole('button');
+  await expect.poll(() => tips.count()).toBe(8);
+  const choice = page.locator('#rival');
+  const rows = panel.locator('.rivals .places').getByRole('button');
+
+  await choice.selectOption('heat maxima');
+  await rows.first().waitFor({ timeout: 90_000 });
+  // As many as there are tips, to begin with: at an arm's end each, or nearly.
+  expect(await rows.count()).toBe(8);
+  const heat = await viewer.evaluate((element: GirthViewer) => element.heatMaxima());
+  expect(await panel.locator('.rivals .hint').textContent()).toBe(
+    `${heat.length} maxima in all, as diamonds on the surface.`,
+  );
+  expect(await rows.nth(1).textContent()).toContain(`maximum at vertex ${heat[1]!.vertex}`);
+  // The girth's tips stay beside them.
+  expect(await tips.count()).toBe(8);
+
+  await choice.selectOption('extrema of the mean distance');
+  const hint = panel.locator('.rivals .hint');
+  await expect.poll(() => hint.textContent(), { timeout: 90_000 }).toMatch(/minim/);
+  const extrema = await viewer.evaluate(async (element: GirthViewer) => {
+    const of = async (minima: boolean) =>
+      (await element.maxima('geoaverage', { minima })).map((one) => ({ ...one, minima }));
+    const { values, range } = await element.fieldOf('geoaverage');
+    const both = [...(await of(false)), ...(await of(true))];
+    both.sort((a, b) => b.persistence - a.persistence);
+    return { both, highest: values.indexOf(range[1]), least: values.indexOf(range[0]) };
+  });
+  const minima = extrema.both.filter(({ minima }) => minima).length;
+  expect(minima).toBeGreaterThan(0);
+  expect(await hint.textContent()).toContain(`${extrema.both.length - minima} maxima`);
+  const count = page.locator('#rival-count');
+  await count.fill('50');
+  expect(await rows.count()).toBe(Math.min(50, extrema.both.length));
+  const words = (await rows.allTextContents()).join('\n');
+  expect(words).toContain(`minimum at vertex ${extrema.least}`);
+  expect(words).toContain(`maximum at vertex ${extrema.highest}`);
+  await count.fill('3');
+  expect(await rows.count()).toBe(3);
+  const camera = () => viewer.evaluate((element: GirthViewer) => JSON.stringify(element.camera));
+  const before = await camera();
+  await rows.nth(2).click();
+  await expect.poll(camera).not.toBe(before);
+  await page.screenshot({ path: join(pictures, 'rivals-geoaverage.png') });
+
+  await choice.selectOption('thickness');
+  await expect.poll(() => page.locator('#field-name').inputValue()).toBe('sdf');
+  expect(await rows.count()).toBe(0);
+  await choice.selectOption('nothing');
+  expect(await page.locator('#field-name').inputValue()).toBe('igf');
 });

@@ -3,7 +3,7 @@
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { dumbbell, torus } from './meshes.js';
-import { builtPage, drop, modelIs, openPanel } from './page-support.js';
+import { builtPage, drop, fragment, modelIs, openPanel } from './page-support.js';
 
 const openBuilt = builtPage();
 
@@ -78,4 +78,52 @@ test('a model is kept once; what cannot be read says so, the rest goes on', asyn
     ]);
   await panel.getByRole('button', { name: 'Remove all' }).click();
   expect(await rows.count()).toBe(0);
+});
+
+test('of several files the first cannot be read: it is named, and the others open', async () => {
+  const { page, viewer } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  await drop(
+    page,
+    { name: 'a-broken.obj', bytes: Buffer.from('v 0 0 0\nf 1 2 3\n') },
+    { name: 'b-empty.ply', bytes: Buffer.alloc(0) },
+    { name: 'c-ring.obj', bytes: Buffer.from(torus(12, 8)) },
+    { name: 'd-bell.obj', bytes: Buffer.from(dumbbell(8, 6)) },
+  );
+  await modelIs(page, 'c-ring.obj');
+  const words = (await viewer.getByRole('alert').textContent())!;
+  expect(words).toMatch(/a-broken\.obj could not be used\. .*(vertex|face)/);
+  expect(words).toContain('b-empty.ply could not be used.');
+  expect(words).toContain('c-ring.obj is shown instead.');
+  expect(await page.locator('#details').textContent()).toContain('A-broken.obj was passed over');
+  expect(fragment(page)).toContain('file=c-ring.obj');
+  // All four are in the comparison, and those that cannot be read say why; none is there twice.
+  const panel = await openPanel(page, 'compare');
+  const rows = page.getByRole('list', { name: 'Ranking' }).getByRole('button');
+  await rows.filter({ hasText: 'd-bell.obj' }).waitFor();
+  await panel.getByRole('button', { name: 'Add this model' }).click();
+  expect(await panel.locator('.count').textContent()).toBe('4');
+  await rows.filter({ hasText: 'c-ring.obj' }).click();
+  await expect
+    .poll(() => rows.allTextContents(), { timeout: 60_000 })
+    .toEqual([
+      expect.stringMatching(/c-ring\.obj ?asked about/),
+      expect.stringMatching(/d-bell\.obj ?\d\.\d{4}$/),
+      expect.stringMatching(/a-broken\.obj.*(vertex|face)/),
+      expect.stringMatching(/b-empty\.ply.*[a-z]{3}/),
+    ]);
+});
+
+test('of several files none can be read: the model before stays, and words say so', async () => {
+  const { page, viewer } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  await drop(
+    page,
+    { name: 'one.obj', bytes: Buffer.from('v 0 0 0\nf 1 2 3\n') },
+    { name: 'two.obj', bytes: Buffer.from('v 0 0 nan\n') },
+  );
+  const words = viewer.getByText('None of the 2 models can be used; one.obj:');
+  await words.waitFor();
+  expect(await viewer.getByRole('alert').textContent()).toContain('former model is still here');
+  await modelIs(page, 'chair.glb');
 });

@@ -2,17 +2,23 @@
 
 import { type GirthViewer, fieldTitle, formatLength, make } from '../src/element/index.js';
 import type { Maximum } from '../src/kernel/index.js';
+import { plural } from './model-words.js';
 import { PlaceList } from './place-list.js';
 
 /** `sdf` colours the surface; the others are points. */
 const rivals = [
   ['', 'nothing'],
   ['heat', 'heat maxima'],
-  ['geoaverage', 'mean distance'],
+  ['geoaverage', 'extrema of the mean distance'],
   ['sdf', 'thickness'],
 ] as const;
 type Rival = (typeof rivals)[number][0];
 const most = 50;
+
+/** A maximum or a minimum, and where it stands among all of both kinds. */
+interface Extremum extends Maximum {
+  isMinimum: boolean;
+}
 
 export interface RivalsPage {
   /** Colours the surface by thickness, or as before. */
@@ -31,7 +37,7 @@ export class TipRivals {
   private readonly countLine: HTMLElement;
   private readonly words = make('p', { class: 'hint', role: 'status' });
   private readonly list = new PlaceList('Points beside the tips');
-  private found: { rival: Rival; maxima: Maximum[] } | undefined;
+  private found: { rival: Rival; extrema: Extremum[] } | undefined;
   /** Whether the surface is coloured by thickness for this. */
   private isColoured = false;
   private asked = 0;
@@ -90,9 +96,16 @@ export class TipRivals {
     if (rival === '' || rival === 'sdf') return;
     this.words.textContent = 'Computing …';
     try {
-      const maxima = await (rival === 'heat' ? viewer.heatMaxima() : viewer.maxima(rival));
+      const extrema =
+        rival === 'heat'
+          ? ofKind(await viewer.heatMaxima(), false)
+          : [
+              ...ofKind(await viewer.maxima(rival), false),
+              ...ofKind(await viewer.maxima(rival, { minima: true }), true),
+            ];
       if (asked !== this.asked) return;
-      this.found = { rival, maxima };
+      extrema.sort((a, b) => b.persistence - a.persistence);
+      this.found = { rival, extrema };
       this.draw();
     } catch (error) {
       if (asked !== this.asked) return;
@@ -103,28 +116,34 @@ export class TipRivals {
   private draw(): void {
     const { found, viewer } = this;
     const wanted = Math.min(most, Math.max(0, Math.floor(Number(this.count.value)) || 0));
-    const shown = found?.maxima.slice(0, wanted) ?? [];
+    const shown = found?.extrema.slice(0, wanted) ?? [];
     if (viewer.info) viewer.showPoints(shown.map(({ vertex }) => vertex));
     this.countLine.hidden = !found;
-    this.words.textContent = found
-      ? `${found.maxima.length} in all, as diamonds on the surface.`
-      : '';
-    const words = ({ persistence }: Maximum): string => {
-      if (!Number.isFinite(persistence)) return 'the highest';
-      return found?.rival === 'geoaverage'
+    this.words.textContent = found ? inAll(found.extrema) : '';
+    const words = ({ persistence }: Maximum): string =>
+      found?.rival === 'geoaverage'
         ? formatLength(persistence, viewer.formatOf('geoaverage'))
         : persistence.toPrecision(3);
-    };
     this.list.show(
       shown.map((maximum) => ({
         main: words(maximum),
-        detail: `persistence, vertex ${maximum.vertex}`,
+        detail: `persistence, ${maximum.isMinimum ? 'minimum' : 'maximum'} at vertex ${maximum.vertex}`,
         choose: () => viewer.flyTo({ vertex: maximum.vertex }),
       })),
     );
     this.list.element.setAttribute(
       'aria-label',
-      found?.rival === 'geoaverage' ? `Maxima: ${fieldTitle('geoaverage')}` : 'Heat maxima',
+      found?.rival === 'geoaverage' ? `Extrema: ${fieldTitle('geoaverage')}` : 'Heat maxima',
     );
   }
+}
+
+const ofKind = (maxima: readonly Maximum[], isMinimum: boolean): Extremum[] =>
+  maxima.map((maximum) => ({ ...maximum, isMinimum }));
+
+function inAll(extrema: readonly Extremum[]): string {
+  const minima = extrema.filter(({ isMinimum }) => isMinimum).length;
+  const counts = [plural(extrema.length - minima, 'maximum', 'maxima')];
+  if (minima > 0) counts.push(plural(minima, 'minimum', 'minima'));
+  return `${counts.join(' and ')} in all, as diamonds on the surface.`;
 }
