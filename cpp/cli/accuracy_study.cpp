@@ -7,7 +7,6 @@
 
 #include "girth/girth_field.h"
 #include "girth/retrieval/study_fields.h"
-#include "interrupt.h"
 #include "model_fields.h"
 #include "progress_line.h"
 #include "report.h"
@@ -53,8 +52,7 @@ int runAccuracyStudy(const AccuracyOptions& options) {
   int exitCode = 0;
   for (const std::string& model : options.models) {
     ProgressLine progress(model);
-    const ExecutionContext context{options.threads, &catchInterrupts(),
-                                   [&](double fraction) { progress.show(fraction); }};
+    const ExecutionContext context = watched(options.threads, progress);
     const auto mesh = readSurface(model);
     if (!mesh) {
       exitCode = reportError(model, mesh.error());

@@ -113,8 +113,7 @@ int runSignature(const SignatureCommandOptions& options) {
   ComparisonOptions comparison = options;
   comparison.signatures.bins = 0;  // the distributions themselves are wanted
   ProgressLine progress(options.model);
-  ExecutionContext context{options.threads, &catchInterrupts(),
-                           [&](double fraction) { progress.show(fraction); }};
+  const ExecutionContext context = watched(options.threads, progress);
   const auto fields = fieldsOf(options.model, descriptors.value(), comparison, context);
   if (!fields) return fail(options.model, fields.error());
   std::vector<std::string> names;
@@ -173,8 +172,7 @@ int runCompare(const CompareOptions& options) {
   std::vector<StudyFields> fields;
   for (std::size_t m = 0; m < options.models.size(); ++m) {
     ProgressLine progress(options.models[m]);
-    const ExecutionContext context{options.threads, &catchInterrupts(),
-                                   [&](double fraction) { progress.show(fraction); }};
+    const ExecutionContext context = watched(options.threads, progress);
     auto computed = fieldsOf(options.models[m], descriptors.value(), options, context);
     if (!computed) return fail(options.models[m], computed.error());
     signatures.add(m, computed.value());

@@ -11,25 +11,20 @@ Error cancelled() { return makeError(ErrorCode::Cancelled, -1, "stopped before i
 
 }  // namespace
 
-Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh, unsigned threads,
-                                const std::atomic<bool>& interrupted) {
-  ExecutionContext context;
-  context.threads = threads;
-  context.cancel = &interrupted;
+Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh,
+                                unsigned threads) {
   ProgressLine progress(model);
-  context.onProgress = [&](double fraction) { progress.show(fraction); };
-  GirthField field = girthField(mesh, GirthMethod::Exact, context);
+  GirthField field = girthField(mesh, GirthMethod::Exact, watched(threads, progress));
   if (!field.complete()) return cancelled();
   return field;
 }
 
 Result<ShapeDiameterField> computeDiameter(const std::string& model, const SurfaceMesh& mesh,
-                                           const ShapeDiameterOptions& options, unsigned threads,
-                                           const std::atomic<bool>& interrupted) {
-  ExecutionContext context;
-  context.threads = threads;
-  context.cancel = &interrupted;
-  auto field = shapeDiameter(mesh, options, context);
+                                           const ShapeDiameterOptions& options, unsigned threads) {
+  auto field = [&] {
+    ProgressLine progress(model);
+    return shapeDiameter(mesh, options, watched(threads, progress));
+  }();
   if (!field) return field;
   if (!field.value().complete) return cancelled();
   const std::string note =

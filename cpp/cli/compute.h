@@ -1,7 +1,6 @@
 // Fields computed for a command, with progress on the terminal.
 #pragma once
 
-#include <atomic>
 #include <string>
 
 #include "girth/girth_field.h"
@@ -10,13 +9,12 @@
 namespace girth::cli {
 
 /// The girth at all vertices. `model`: for the progress line. Errors: CANCELLED.
-Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh, unsigned threads,
-                                const std::atomic<bool>& interrupted);
+Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh,
+                                unsigned threads);
 
 /// The shape diameter at all vertices. Errors: those of shapeDiameter, CANCELLED. Says on standard
 /// error where the surface is inside out, or vertices have no value.
 Result<ShapeDiameterField> computeDiameter(const std::string& model, const SurfaceMesh& mesh,
-                                           const ShapeDiameterOptions& options, unsigned threads,
-                                           const std::atomic<bool>& interrupted);
+                                           const ShapeDiameterOptions& options, unsigned threads);
 
 }  // namespace girth::cli

@@ -12,7 +12,6 @@
 #include "girth/io/number_text.h"
 #include "girth/io/write_field.h"
 #include "girth/persistent_maxima.h"
-#include "interrupt.h"
 #include "progress_line.h"
 #include "report.h"
 
@@ -20,26 +19,21 @@ namespace girth::cli {
 namespace {
 
 Result<std::vector<ComputedField>> compute(const FieldOptions& options,
-                                           const io::LoadedMesh& loaded,
-                                           const std::atomic<bool>& interrupted) {
+                                           const io::LoadedMesh& loaded) {
   const SurfaceMesh& mesh = loaded.mesh;
   if (isSpectralField(options.field)) {
-    return computeSpectralField(options.field, options.spectral, options.model, mesh, loaded.unit,
-                                interrupted);
+    return computeSpectralField(options.field, options.spectral, options.model, mesh, loaded.unit);
   }
   const Error stopped = makeError(ErrorCode::Cancelled, -1, "stopped before it was finished");
   if (options.field == "sdf") {
     const ShapeDiameterOptions sdf{options.coneDegrees * std::numbers::pi / 180, options.rays};
-    auto field = computeDiameter(options.model, mesh, sdf, options.threads, interrupted);
+    auto field = computeDiameter(options.model, mesh, sdf, options.threads);
     if (!field) return field.error();
     return std::vector<ComputedField>{
         {"sdf", io::methodText(sdf), loaded.unit, std::move(field.value().values)}};
   }
-  ExecutionContext context;
-  context.threads = options.threads;
-  context.cancel = &interrupted;
   ProgressLine progress(options.model);
-  context.onProgress = [&](double fraction) { progress.show(fraction); };
+  const ExecutionContext context = watched(options.threads, progress);
   const DistanceMethod distances =
       options.exactDistances ? DistanceMethod::Exact : DistanceMethod::FastMarching;
   GeodesicExtent extent = geodesicExtent(mesh, distances, context);
@@ -148,7 +142,7 @@ int runField(const FieldOptions& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
-  const auto fields = compute(options, loaded.value(), catchInterrupts());
+  const auto fields = compute(options, loaded.value());
   if (!fields) return reportError(options.model, fields.error());
   std::vector<PersistentMaximum> maxima;
   if (options.maxima > 0) {

@@ -168,8 +168,7 @@ GirthField carriedBack(const GirthField& field, const SurfaceMesh& remeshed,
   return carried;
 }
 
-int runOne(const std::string& model, const IgfOptions& options,
-           const std::atomic<bool>& interrupted) {
+int runOne(const std::string& model, const IgfOptions& options) {
   Timing timing;
   const auto readingStart = Clock::now();
   const auto loaded = loadModel(model, options.preparing);
@@ -183,14 +182,11 @@ int runOne(const std::string& model, const IgfOptions& options,
     if (!result) return reportError(model, result.error());
     remeshed.emplace(std::move(result).value());
   }
-  ExecutionContext context;
-  context.threads = options.threads;
-  context.cancel = &interrupted;
   GirthField field;
   {
     ProgressLine progress(model);
-    context.onProgress = [&](double fraction) { progress.show(fraction); };
-    field = girthField(remeshed ? remeshed->mesh : loaded.value().mesh, options.method, context);
+    field = girthField(remeshed ? remeshed->mesh : loaded.value().mesh, options.method,
+                       watched(options.threads, progress));
   }
   if (remeshed) field = carriedBack(field, remeshed->mesh, loaded.value().mesh);
   timing.computing = secondsSince(computingStart);
@@ -238,7 +234,7 @@ int runIgf(const IgfOptions& options) {
   int exitCode = 0;
   for (const std::string& model : options.models) {
     if (interrupted) break;
-    exitCode = std::max(exitCode, runOne(model, options, interrupted));
+    exitCode = std::max(exitCode, runOne(model, options));
   }
   return exitCode;
 }

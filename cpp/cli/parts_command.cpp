@@ -8,7 +8,6 @@
 #include "girth/io/write_field.h"
 #include "girth/io/write_parts.h"
 #include "girth/parts.h"
-#include "interrupt.h"
 #include "length_text.h"
 #include "report.h"
 
@@ -118,9 +117,7 @@ int runParts(const PartsOptions& options) {
                                      {&options.minWall, &limits.wallThickness}}) {
     if (auto error = readLength(*text, model.unit, *length)) return reportError("", *error);
   }
-  const std::atomic<bool>& interrupted = catchInterrupts();
-  const auto diameter =
-      computeDiameter(options.model, model.mesh, {}, options.threads, interrupted);
+  const auto diameter = computeDiameter(options.model, model.mesh, {}, options.threads);
   if (!diameter) return reportError(options.model, diameter.error());
   if (limits.wallThickness > 0 && diameter.value().withoutValue == model.mesh.vertexCount()) {
     // Not 'passes': nothing was looked at.
@@ -128,7 +125,7 @@ int runParts(const PartsOptions& options) {
         options.model,
         makeError(ErrorCode::NoThickness, -1, "no vertex has a thickness, so no wall is checked"));
   }
-  const auto girth = computeGirth(options.model, model.mesh, options.threads, interrupted);
+  const auto girth = computeGirth(options.model, model.mesh, options.threads);
   if (!girth) return reportError(options.model, girth.error());
 
   const std::vector<double>&i = girth.value().values, &sdf = diameter.value().values;

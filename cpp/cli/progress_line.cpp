@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "interrupt.h"
 #include "report.h"
 
 namespace girth::cli {
@@ -33,6 +34,10 @@ void ProgressLine::show(double fraction) {
   const std::size_t padded = std::max(width_, line.size());
   std::fprintf(stderr, "\r%-*s", static_cast<int>(padded), line.c_str());
   width_ = padded;
+}
+
+ExecutionContext watched(unsigned threads, ProgressLine& progress) {
+  return {threads, &catchInterrupts(), [&progress](double fraction) { progress.show(fraction); }};
 }
 
 }  // namespace girth::cli

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string>
 
+#include "girth/execution.h"
+
 namespace girth::cli {
 
 /// Writes to standard error, and only where that is a terminal; the line is gone when it is
@@ -27,5 +29,8 @@ class ProgressLine {
   Clock::time_point started_;
   Clock::time_point shown_;
 };
+
+/// Work on so many threads (0: as many as there are cores), its progress on the line, until Ctrl-C.
+ExecutionContext watched(unsigned threads, ProgressLine& progress);
 
 }  // namespace girth::cli

@@ -1,5 +1,4 @@
 #include <array>
-#include <atomic>
 #include <cstdio>
 #include <optional>
 
@@ -11,7 +10,6 @@
 #include "girth/io/number_text.h"
 #include "girth/io/write_mesh.h"
 #include "girth/remesh.h"
-#include "interrupt.h"
 #include "progress_line.h"
 #include "report.h"
 
@@ -63,10 +61,9 @@ void print(const RemeshOptions& options, const io::LoadedMesh& loaded, const Sur
 /// How far the girth of the new surface is from that of the old one, as distributions.
 Result<double> differenceOf(const RemeshOptions& options, const SurfaceMesh& before,
                             const SurfaceMesh& after) {
-  const std::atomic<bool>& interrupted = catchInterrupts();
-  const auto old = computeGirth(options.model, before, options.threads, interrupted);
+  const auto old = computeGirth(options.model, before, options.threads);
   if (!old) return old.error();
-  const auto made = computeGirth(options.model, after, options.threads, interrupted);
+  const auto made = computeGirth(options.model, after, options.threads);
   if (!made) return made.error();
   return fieldDifference(before, old.value().values, after, made.value().values);
 }
@@ -105,10 +102,8 @@ int runRemesh(const RemeshOptions& options) {
 
 Result<RemeshedSurface> remeshModel(const std::string& model, const SurfaceMesh& mesh,
                                     const girth::RemeshOptions& options) {
-  ExecutionContext context;
-  context.cancel = &catchInterrupts();
   ProgressLine progress(model);
-  context.onProgress = [&](double fraction) { progress.show(fraction); };
+  const ExecutionContext context = watched(0, progress);
   return remesh(mesh, options, context);
 }
 

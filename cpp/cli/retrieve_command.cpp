@@ -1,13 +1,11 @@
 // girth retrieve: how well the descriptors find shapes of the same class in a collection.
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -17,17 +15,17 @@
 #include "field_cache.h"
 #include "files.h"
 #include "girth/io/number_text.h"
-#include "girth/io/png.h"
 #include "girth/io/thumbnail.h"
 #include "girth/io/write_study.h"
 #include "girth/retrieval/descriptor_rows.h"
 #include "girth/retrieval/measures.h"
-#include "girth/retrieval/pair_distances.h"
 #include "girth/retrieval/signatures.h"
 #include "interrupt.h"
+#include "matrix_picture.h"
 #include "model_fields.h"
 #include "progress_line.h"
 #include "report.h"
+#include "study_models.h"
 
 namespace girth::cli {
 namespace {
@@ -36,23 +34,13 @@ namespace fs = std::filesystem;
 using retrieval::Descriptor;
 using retrieval::DescriptorRows;
 using retrieval::MeanMeasures;
-using retrieval::PairDistances;
 using retrieval::RetrievalMeasures;
-using retrieval::Signatures;
-using retrieval::StudyFields;
 
 Error usage(const std::string& what, const std::string& hint) {
   Error error = makeError(ErrorCode::Usage, -1, what);
   error.hint = hint;
   return error;
 }
-
-Error stopped() {
-  return makeError(ErrorCode::Cancelled, -1,
-                   "stopped; the fields computed so far are in the cache");
-}
-
-void say(const std::string& text) { std::fprintf(stderr, "girth: note: %s\n", text.c_str()); }
 
 /// The paper's, its composite both ways, and what does best without training.
 std::vector<std::string> defaultDescriptors() {
@@ -72,106 +60,9 @@ std::vector<std::string> defaultDescriptors() {
           "log-igf+log-sdf+sihks"};
 }
 
-/// "2/8": the third of eight shares, counted from 0.
-struct Shard {
-  std::size_t number{0}, count{1};
-};
-
-Result<Shard> parseShard(const std::string& text) {
-  constexpr double kMost = 1e6;
-  const auto wholeNumber = [](const std::string& digits) {
-    const double value = io::parseNumber(digits).value_or(-1);
-    return value >= 0 && value <= kMost && value == std::floor(value) ? value : -1;
-  };
-  const std::size_t slash = std::min(text.find('/'), text.size());
-  const double number = wholeNumber(text.substr(0, slash));
-  const double count = wholeNumber(slash < text.size() ? text.substr(slash + 1) : "");
-  if (number < 0 || number >= count) {
-    return usage("\"" + text + "\" is no share", "say --shard I/N with I from 0 to N - 1");
-  }
-  return Shard{static_cast<std::size_t>(number), static_cast<std::size_t>(count)};
+Error stopped() {
+  return makeError(ErrorCode::Cancelled, -1, "stopped; the fields are in the cache");
 }
-
-/// The models that have fields, and what became of the others.
-struct Loaded {
-  std::vector<CollectionModel> models;
-  std::vector<std::string> classes;
-  std::vector<std::pair<std::string, std::string>> failed;
-  std::vector<std::string> notes;
-};
-
-std::string reasonOf(const Error& error) {
-  return std::string(toString(error.code)) + ": " + error.message;
-}
-
-/// Every content once: the models that have it.
-struct Contents {
-  std::vector<ModelFields::Work> works;
-  std::vector<std::vector<std::size_t>> models;
-};
-
-Contents contentsOf(const Collection& collection, Loaded& loaded) {
-  Contents contents;
-  std::map<Digest, std::size_t> known;
-  for (std::size_t m = 0; m < collection.models.size(); ++m) {
-    const CollectionModel& model = collection.models[m];
-    const auto content = contentOf(model.path);
-    if (!content) {
-      loaded.failed.emplace_back(model.name, reasonOf(content.error()));
-      continue;
-    }
-    const auto [entry, added] = known.emplace(content.value(), contents.works.size());
-    if (added) {
-      contents.works.push_back({model.name, model.path, content.value()});
-      contents.models.emplace_back();
-    } else {
-      loaded.notes.push_back(model.name + ": it is a copy of " +
-                             contents.works[entry->second].name + "; both count");
-    }
-    contents.models[entry->second].push_back(m);
-  }
-  return contents;
-}
-
-/// Greys of distances, from 0, dark, to twice the mean; several models to a pixel where there are
-/// more than fit.
-class MatrixPicture {
- public:
-  static constexpr std::size_t kMost = 600;
-  explicit MatrixPicture(std::size_t models)
-      : models_(models), side_(std::min(models, kMost)), sums_(side_ * side_), counts_(sums_) {}
-
-  void add(std::size_t model, const std::vector<double>& row) {
-    const std::size_t y = model * side_ / models_;
-    for (std::size_t i = 0; i < models_; ++i) {
-      if (std::isnan(row[i])) continue;
-      const std::size_t pixel = y * side_ + i * side_ / models_;
-      sums_[pixel] += row[i];
-      counts_[pixel] += 1;
-    }
-  }
-
-  std::string png() const {
-    constexpr double kLevels = 31;
-    double sum = 0, count = 0;
-    for (std::size_t i = 0; i < sums_.size(); ++i) {
-      sum += sums_[i];
-      count += counts_[i];
-    }
-    const double white = sum > 0 ? 2 * sum / count : 1;
-    std::vector<std::uint8_t> pixels;
-    for (std::size_t i = 0; i < sums_.size(); ++i) {
-      const double value = counts_[i] > 0 ? std::min(1.0, sums_[i] / counts_[i] / white) : 1;
-      pixels.push_back(static_cast<std::uint8_t>(std::lround(value * kLevels) * 8));
-    }
-    const auto side = static_cast<std::uint32_t>(side_);
-    return io::greyPng(pixels, side, side, 1);
-  }
-
- private:
-  std::size_t models_, side_;
-  std::vector<double> sums_, counts_;
-};
 
 std::string csvName(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -194,19 +85,19 @@ class Retrieval {
       : options_(options),
         descriptors_(std::move(descriptors)),
         shard_(shard),
-        interrupted_(catchInterrupts()),
         cache_(options.cache.empty() ? (fs::path(options.output) / "cache").string()
                                      : options.cache) {}
 
   int run() {
     if (auto error = prepareFolders()) return reportError(options_.output, *error);
-    auto collection = findCollection(sources());
+    const auto collection = findCollection(sources());
     if (!collection) return reportError("", collection.error());
-    const auto found = loadAll(collection.value());
-    if (!found) return reportError("", found.error());
+    auto loaded = loadStudyModels(collection.value(), descriptors_, options_, cache_, shard_);
+    if (!loaded) return reportError("", loaded.error());
+    loaded_ = std::move(loaded).value();
     if (shard_.count > 1) {
       std::printf("share %zu of %zu: %zu models, %zu fields computed, %zu were there\n",
-                  shard_.number, shard_.count, shardModels_, computed_, taken_);
+                  shard_.number, shard_.count, loaded_.contents, loaded_.computed, loaded_.taken);
       return 0;
     }
     if (loaded_.models.size() < 2) {
@@ -239,129 +130,10 @@ class Retrieval {
     return cache_.open();
   }
 
-  ExecutionContext context(ProgressLine& progress) const {
-    ExecutionContext context;
-    context.threads = options_.threads;
-    context.cancel = &interrupted_;
-    context.onProgress = [&progress](double fraction) { progress.show(fraction); };
-    return context;
-  }
-
-  /// Computes the fields of all models of this share, and their signatures.
-  Result<bool> loadAll(const Collection& collection) {
-    loaded_.notes = collection.notes;
-    Contents contents = contentsOf(collection, loaded_);
-    const std::vector<retrieval::FieldGroup> groups = retrieval::groupsOf(descriptors_);
-    Signatures signatures(retrieval::termsOf(descriptors_), collection.models.size(),
-                          options_.signatures);
-    std::vector<ModelFields::Work> works;
-    std::vector<std::vector<std::size_t>> models;
-    for (std::size_t w = 0; w < contents.works.size(); ++w) {
-      if (w % shard_.count != shard_.number) continue;
-      works.push_back(std::move(contents.works[w]));
-      models.push_back(std::move(contents.models[w]));
-    }
-    shardModels_ = works.size();
-    std::vector<std::string> reasons(works.size());
-    {
-      ProgressLine progress("fields of " + std::to_string(works.size()) + " models");
-      ModelFields fields(cache_, options_.fields, groups, context(progress));
-      const bool done =
-          fields.forEach(works, [&](std::size_t number, const Result<StudyFields>& computed) {
-            if (!computed) {
-              reasons[number] = reasonOf(computed.error());
-              return;
-            }
-            if (shard_.count > 1) return;
-            for (const std::size_t model : models[number]) signatures.add(model, computed.value());
-          });
-      if (!done) return stopped();
-      computed_ = fields.computed();
-      taken_ = fields.taken();
-      const auto notes = fields.notes();
-      loaded_.notes.insert(loaded_.notes.end(), notes.begin(), notes.end());
-    }
-    std::set<std::size_t> failed;
-    for (std::size_t w = 0; w < works.size(); ++w) {
-      if (reasons[w].empty()) continue;
-      for (const std::size_t model : models[w]) {
-        loaded_.failed.emplace_back(collection.models[model].name, reasons[w]);
-      }
-    }
-    std::sort(loaded_.failed.begin(), loaded_.failed.end());
-    for (const std::string& note : loaded_.notes) say(note);
-    for (const auto& [name, reason] : loaded_.failed) say(name + ": left out: " + reason);
-    if (shard_.count > 1) return true;
-    if (auto finished = finishSignatures(signatures, works, models, groups); !finished) {
-      return finished;
-    }
-    keep(collection, signatures);
-    return true;
-  }
-
-  /// Words are chosen once all models are known; then every model is read once more.
-  Result<bool> finishSignatures(Signatures& signatures, const std::vector<ModelFields::Work>& works,
-                                const std::vector<std::vector<std::size_t>>& models,
-                                const std::vector<retrieval::FieldGroup>& groups) {
-    ProgressLine progress("signatures");
-    const ExecutionContext running = context(progress);
-    if (auto finished = signatures.finish(running); !finished) return finished;
-    if (!signatures.needsWords()) return true;
-    ModelFields again(cache_, options_.fields, groups, running);
-    const bool done =
-        again.forEach(works, [&](std::size_t number, const Result<StudyFields>& fields) {
-          if (!fields) return;
-          for (const std::size_t model : models[number]) signatures.addWords(model, fields.value());
-        });
-    if (!done) return stopped();
-    return true;
-  }
-
-  /// Leaves out what failed, and classes that have nothing left.
-  void keep(const Collection& collection, Signatures& signatures) {
-    std::set<std::string> failed;
-    for (const auto& [name, reason] : loaded_.failed) failed.insert(name);
-    std::map<std::uint32_t, std::uint32_t> numbers;
-    std::vector<std::size_t> originals;
-    for (std::size_t m = 0; m < collection.models.size(); ++m) {
-      if (failed.count(collection.models[m].name) > 0) continue;
-      CollectionModel model = collection.models[m];
-      const auto [entry, added] =
-          numbers.emplace(model.ofClass, static_cast<std::uint32_t>(loaded_.classes.size()));
-      if (added) loaded_.classes.push_back(collection.classes[model.ofClass]);
-      model.ofClass = entry->second;
-      loaded_.models.push_back(std::move(model));
-      originals.push_back(m);
-    }
-    for (std::size_t c = 0; c < collection.classes.size(); ++c) {
-      if (numbers.count(static_cast<std::uint32_t>(c)) > 0) continue;
-      noteAndSay("class " + collection.classes[c] + ": none of its models could be used");
-    }
-    std::map<std::uint32_t, std::size_t> sizes;
-    for (const CollectionModel& model : loaded_.models) ++sizes[model.ofClass];
-    for (const auto& [number, size] : sizes) {
-      if (size > 1) continue;
-      noteAndSay("class " + loaded_.classes[number] +
-                 ": it has one model only, which can be found by none and is not asked for");
-    }
-    auto shared = std::make_shared<Signatures>(std::move(signatures));
-    for (const std::string& name : retrieval::termsOf(descriptors_)) {
-      bases_.emplace(name, PairDistances(loaded_.models.size(), [shared, name, originals](
-                                                                    std::size_t a, std::size_t b) {
-                       return shared->distance(name, originals[a], originals[b]);
-                     }));
-    }
-  }
-
-  void noteAndSay(const std::string& note) {
-    loaded_.notes.push_back(note);
-    say(note);
-  }
-
   std::optional<Error> compare() {
-    for (auto& [name, base] : bases_) {
+    for (auto& [name, base] : loaded_.distances) {
       ProgressLine progress("distances by " + name);
-      if (!base.prepare(context(progress))) return stopped();
+      if (!base.prepare(watched(options_.threads, progress))) return stopped();
     }
     study_.title = options_.title.empty() ? "Shape retrieval" : options_.title;
     study_.settings = settings();
@@ -385,7 +157,7 @@ class Retrieval {
     for (const CollectionModel& model : loaded_.models) classes.push_back(model.ofClass);
     MeanMeasures mean(classes);
     MatrixPicture matrix(n);
-    DescriptorRows rows(descriptor, bases_, n);
+    DescriptorRows rows(descriptor, loaded_.distances, n);
     std::vector<double> row(n);
     const bool shown = study_.descriptors.empty();
     if (shown) study_.shownDescriptor = descriptor.name;
@@ -398,10 +170,10 @@ class Retrieval {
     for (const CollectionModel& model : loaded_.models) file << ',' << csvName(model.name);
     file << '\n';
     ProgressLine progress("measures by " + descriptor.name);
-    ExecutionContext running = context(progress);
+    ExecutionContext running = watched(options_.threads, progress);
     running.onProgress = {};  // told by rows
     for (std::size_t query = 0; query < n; ++query) {
-      if (interrupted_ || !rows.row(query, row, running)) return stopped();
+      if (catchInterrupts() || !rows.row(query, row, running)) return stopped();
       const RetrievalMeasures measures = mean.add(query, row);
       matrix.add(query, row);
       std::string line = csvName(loaded_.models[query].name);
@@ -513,7 +285,7 @@ class Retrieval {
 
   void print() const {
     std::printf("%zu models in %zu classes; %zu fields computed, %zu from the cache\n",
-                loaded_.models.size(), loaded_.classes.size(), computed_, taken_);
+                loaded_.models.size(), loaded_.classes.size(), loaded_.computed, loaded_.taken);
     std::size_t width = 10;
     for (const io::StudyDescriptor& d : study_.descriptors) width = std::max(width, d.name.size());
     const auto w = static_cast<int>(width);
@@ -533,13 +305,10 @@ class Retrieval {
   const RetrieveOptions& options_;
   std::vector<Descriptor> descriptors_;
   Shard shard_;
-  const std::atomic<bool>& interrupted_;
   FieldCache cache_;
-  Loaded loaded_;
-  std::map<std::string, PairDistances> bases_;
+  StudyModels loaded_;
   io::Study study_;
   std::string queries_;
-  std::size_t shardModels_{0}, computed_{0}, taken_{0};
 };
 
 }  // namespace

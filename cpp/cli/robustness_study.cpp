@@ -10,7 +10,6 @@
 
 #include "files.h"
 #include "girth/io/write_robustness.h"
-#include "interrupt.h"
 #include "model_fields.h"
 #include "progress_line.h"
 #include "report.h"
@@ -88,10 +87,7 @@ int runRobustnessStudy(const RobustnessStudyOptions& options) {
   std::optional<Result<std::vector<retrieval::RobustnessRow>>> rows;
   {
     ProgressLine progress(options.model);
-    ExecutionContext context;
-    context.threads = options.threads;
-    context.cancel = &catchInterrupts();
-    context.onProgress = [&](double fraction) { progress.show(fraction); };
+    const ExecutionContext context = watched(options.threads, progress);
     rows = retrieval::robustnessStudy(model.value(), poses, options.study, context);
   }
   if (!*rows) return reportError(options.model, rows->error());

@@ -45,13 +45,13 @@ void addSpectralFieldOptions(CLI::App& command, SpectralFieldOptions& options) {
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100'000}));
 }
 
-Result<std::vector<ComputedField>> computeSpectralField(
-    const std::string& field, const SpectralFieldOptions& options, const std::string& model,
-    const SurfaceMesh& mesh, const std::string& unit, const std::atomic<bool>& interrupted) {
-  ExecutionContext context;
-  context.cancel = &interrupted;
+Result<std::vector<ComputedField>> computeSpectralField(const std::string& field,
+                                                        const SpectralFieldOptions& options,
+                                                        const std::string& model,
+                                                        const SurfaceMesh& mesh,
+                                                        const std::string& unit) {
   ProgressLine progress(model);
-  context.onProgress = [&](double fraction) { progress.show(fraction); };
+  const ExecutionContext context = watched(0, progress);
   const auto spectrum = laplaceSpectrum(mesh, {options.pairs}, context);
   if (!spectrum) return spectrum.error();
   const std::vector<double> times =

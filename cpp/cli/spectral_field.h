@@ -1,7 +1,6 @@
 // The fields of `girth field` that are made of the surface's vibrations: hks, sihks and wks.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,8 +30,10 @@ void addSpectralFieldOptions(CLI::App& command, SpectralFieldOptions& options);
 /// One field for each number of the signature that is wanted: "wks_1", "wks_2", ...; "hks" where
 /// there is one time only. `unit`: the model's. Errors: those of spectrum.h, heat_kernel.h and
 /// wave_kernel.h; INVALID_OPTION for a component that there is not.
-Result<std::vector<ComputedField>> computeSpectralField(
-    const std::string& field, const SpectralFieldOptions& options, const std::string& model,
-    const SurfaceMesh& mesh, const std::string& unit, const std::atomic<bool>& interrupted);
+Result<std::vector<ComputedField>> computeSpectralField(const std::string& field,
+                                                        const SpectralFieldOptions& options,
+                                                        const std::string& model,
+                                                        const SurfaceMesh& mesh,
+                                                        const std::string& unit);
 
 }  // namespace girth::cli

@@ -48,13 +48,10 @@ int runTips(const TipsOptions& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
-  const std::atomic<bool>& interrupted = catchInterrupts();
   const SurfaceMesh& mesh = loaded.value().mesh;
-  const auto girth = computeGirth(options.model, mesh, options.threads, interrupted);
+  const auto girth = computeGirth(options.model, mesh, options.threads);
   if (!girth) return reportError(options.model, girth.error());
-  ExecutionContext context;
-  context.cancel = &interrupted;
-  const auto tips = findTips(mesh, girth.value().values, context);
+  const auto tips = findTips(mesh, girth.value().values, {0, &catchInterrupts(), {}});
   if (!tips) return reportError(options.model, tips.error());
 
   const auto json = [&] { return io::tipsJson(loaded.value(), tips.value(), options.model); };
