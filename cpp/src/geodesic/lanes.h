@@ -1,8 +1,8 @@
 // Several doubles side by side: four with AVX2, else two (SSE2, NEON, WebAssembly SIMD). Only
 // operations that round each lane as a plain double would, so every width gives the same bits.
 //
-// Included by the crossing kernel alone, which is compiled once for each instruction set; nothing
-// here has external linkage, so that no code for the wider set is ever shared with the other.
+// Included by kernels alone, which are compiled once for each instruction set; nothing here has
+// external linkage, so that no code for the wider set is ever shared with the other.
 #pragma once
 
 #include <math.h>

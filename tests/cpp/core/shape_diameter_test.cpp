@@ -63,9 +63,14 @@ void expectSameHits(const SurfaceMesh& mesh, std::uint64_t seed) {
     const Index skipped = fromVertex ? v : kNoIndex;
     const auto expected = firstHitByTrying(mesh, origin, direction, skipped);
     const auto hit = tree.firstHit(origin, direction, skipped);
+    const auto portable = tree.firstHit(origin, direction, skipped, portableRayKernel());
+    ASSERT_EQ(hit.has_value(), portable.has_value()) << "ray " << i;
     ASSERT_EQ(hit.has_value(), expected.has_value()) << "ray " << i;
     if (!hit) continue;
     ++hits;
+    EXPECT_EQ(hit->distance, portable->distance) << "any number of lanes, ray " << i;
+    EXPECT_EQ(hit->face, portable->face) << "ray " << i;
+    EXPECT_EQ(hit->fromBehind, portable->fromBehind) << "ray " << i;
     EXPECT_NEAR(hit->distance, expected->distance, 1e-9 * expected->distance) << "ray " << i;
     EXPECT_EQ(hit->fromBehind, expected->fromBehind) << "ray " << i;
   }
@@ -84,6 +89,9 @@ TEST(TriangleTree, IsRightFarFromTheOriginAndAtAnyScale) {
   expectSameHits(test::moved(shape, 1e-6, 0.3, 0).mesh(), 5);
   expectSameHits(test::moved(shape, 1e6, 0.3, 0).mesh(), 6);
   expectSameHits(test::moved(shape, 1, 0.3, 1e4).mesh(), 7);
+  // Beyond what single precision holds.
+  expectSameHits(test::moved(shape, 1e-50, 0.3, 0).mesh(), 8);
+  expectSameHits(test::moved(shape, 1e50, 0.3, 0).mesh(), 9);
 }
 
 TEST(TriangleTree, StaysShallowWhereAllFacesLieOverEachOther) {
