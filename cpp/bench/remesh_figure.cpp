@@ -8,7 +8,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -17,6 +16,7 @@
 #include "girth/girth.h"
 #include "support/measure.h"
 #include "support/models.h"
+#include "support/program.h"
 
 namespace {
 
@@ -113,11 +113,4 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return girth::bench::runProgram(run, argc, argv); }

@@ -3,14 +3,15 @@
 //
 //   shape_diameter [MODEL...]   default: a bumpy torus of 10,000 faces
 //
-// Prints for each surface the processor time of both, the ratio, and how far apart the values are:
-// the median of |ours / theirs − 1|. The two differ by design: CGAL's rays fill the cone's disk
-// evenly, ours are in equal steps of angle (shape_diameter.h). CGAL's own smoothing and
-// normalisation are switched off.
+// Prints for each surface the processor time of both (the fastest of three runs, in turn), the
+// ratio, and how far apart the values are: the median of |ours / theirs − 1|. The two differ by
+// design: CGAL's rays fill the cone's disk evenly, ours are in equal steps of angle
+// (shape_diameter.h). CGAL's own smoothing and normalisation are switched off.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "girth/shape_diameter.h"
 #include "support/measure.h"
 #include "support/models.h"
+#include "support/program.h"
 
 #ifdef GIRTH_WITH_CGAL
 #include <CGAL/Simple_cartesian.h>
@@ -32,6 +34,7 @@ using girth::Index;
 using girth::SurfaceMesh;
 
 constexpr unsigned kRays = 30;
+constexpr int kTurns = 3;
 
 #ifdef GIRTH_WITH_CGAL
 
@@ -75,13 +78,23 @@ void compare(const std::string& name, const SurfaceMesh& mesh) {
   girth::ExecutionContext context;
   context.threads = 1;
   girth::ShapeDiameterField field;
-  const double ours = girth::bench::processorSecondsOf(
-      [&] { field = girth::shapeDiameter(mesh, options, context).value(); });
+  double ours = std::numeric_limits<double>::infinity();
+#ifdef GIRTH_WITH_CGAL
+  Theirs theirs{ours, {}};
+#endif
+  for (int turn = 0; turn < kTurns; ++turn) {
+    ours = std::min(ours, girth::bench::processorSecondsOf([&] {
+                      field = girth::shapeDiameter(mesh, options, context).value();
+                    }));
+#ifdef GIRTH_WITH_CGAL
+    Theirs now = byCgal(mesh, options.coneAngle);
+    if (now.seconds < theirs.seconds) theirs = std::move(now);
+#endif
+  }
   const double rays = static_cast<double>(kRays) * mesh.vertexCount();
   std::printf("%s, %u faces: %.3f s, %.2f us a ray", name.c_str(), mesh.faceCount(), ours,
               1e6 * ours / rays);
 #ifdef GIRTH_WITH_CGAL
-  const Theirs theirs = byCgal(mesh, options.coneAngle);
   const double theirRays = static_cast<double>(kRays) * mesh.faceCount();
   std::vector<double> off;
   for (Index f = 0; f < mesh.faceCount(); ++f) {
@@ -96,21 +109,18 @@ void compare(const std::string& name, const SurfaceMesh& mesh) {
   std::fflush(stdout);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  try {
+int run(int argc, char** argv) {
 #ifndef GIRTH_WITH_CGAL
-    std::printf("CGAL is not installed (Debian: libcgal-dev): only our own times\n");
+  std::printf("CGAL is not installed (Debian: libcgal-dev): only our own times\n");
 #endif
-    for (int i = 1; i < argc; ++i) compare(argv[i], girth::bench::loadModel(argv[i]).mesh);
-    if (argc == 1) {
-      const girth::bench::Model torus = girth::bench::bumpyTorus(10'000);
-      compare(torus.name, torus.mesh);
-    }
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
+  for (int i = 1; i < argc; ++i) compare(argv[i], girth::bench::loadModel(argv[i]).mesh);
+  if (argc == 1) {
+    const girth::bench::Model torus = girth::bench::bumpyTorus(10'000);
+    compare(torus.name, torus.mesh);
   }
   return 0;
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return girth::bench::runProgram(run, argc, argv); }
