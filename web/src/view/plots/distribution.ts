@@ -17,6 +17,23 @@ export function extent(values: ArrayLike<number>): [number, number] | undefined 
   return low <= high ? [low, high] : undefined;
 }
 
+/** Calls `act` with each finite value and its weight; the sum of their weights. */
+function forEachFinite(
+  values: ArrayLike<number>,
+  weights: Weights,
+  act: (value: number, weight: number) => void,
+): number {
+  let total = 0;
+  for (let i = 0; i < values.length; ++i) {
+    const value = values[i]!;
+    if (!Number.isFinite(value)) continue;
+    const weight = weights ? weights[i]! : 1;
+    total += weight;
+    act(value, weight);
+  }
+  return total;
+}
+
 export interface Histogram {
   /** Weight in each bin as a share of the weight of all finite values; the bins are equally wide. */
   shares: Float64Array;
@@ -35,16 +52,11 @@ export function histogram(
 ): Histogram {
   const shares = new Float64Array(bins);
   const scale = high > low ? bins / (high - low) : 0;
-  let total = 0;
-  for (let i = 0; i < values.length; ++i) {
-    const value = values[i]!;
-    if (!Number.isFinite(value)) continue;
-    const weight = weights ? weights[i]! : 1;
-    total += weight;
-    if (value < low || value > high) continue;
+  const total = forEachFinite(values, weights, (value, weight) => {
+    if (value < low || value > high) return;
     const bin = Math.min(bins - 1, Math.floor((value - low) * scale));
     shares[bin] = shares[bin]! + weight;
-  }
+  });
   if (total > 0) for (let bin = 0; bin < bins; ++bin) shares[bin] = shares[bin]! / total;
   return { shares, low, high, peak: shares.reduce((a, b) => Math.max(a, b), 0) };
 }
@@ -56,14 +68,9 @@ export function shareWithin(
   [low, high]: readonly [number, number],
 ): number {
   let within = 0;
-  let total = 0;
-  for (let i = 0; i < values.length; ++i) {
-    const value = values[i]!;
-    if (!Number.isFinite(value)) continue;
-    const weight = weights ? weights[i]! : 1;
-    total += weight;
+  const total = forEachFinite(values, weights, (value, weight) => {
     if (value >= low && value <= high) within += weight;
-  }
+  });
   return total > 0 ? within / total : 0;
 }
 
@@ -97,19 +104,14 @@ export function cumulative(
   at[steps] = high;
   const shares = new Float64Array(steps + 1);
   const scale = high > low ? steps / (high - low) : 0;
-  let total = 0;
-  for (let i = 0; i < values.length; ++i) {
-    const value = values[i]!;
-    if (!Number.isFinite(value)) continue;
-    const weight = weights ? weights[i]! : 1;
-    total += weight;
-    if (value > high) continue;
+  const total = forEachFinite(values, weights, (value, weight) => {
+    if (value > high) return;
     // The first of the values that is not below this one; rounding may have missed it by one.
     let step = Math.min(steps, Math.max(0, Math.ceil((value - low) * scale)));
     if (step > 0 && at[step - 1]! >= value) --step;
     else if (step < steps && at[step]! < value) ++step;
     shares[step] = shares[step]! + weight;
-  }
+  });
   let sum = 0;
   for (let step = 0; step <= steps; ++step) {
     sum += shares[step]!;
@@ -131,8 +133,7 @@ export function quantile(values: ArrayLike<number>, weights: Weights, share: num
   if (!reach) return NaN;
   const weightOf = (i: number): number => (weights ? weights[i]! : 1);
   let places: number[] | undefined;
-  let total = 0;
-  for (let i = 0; i < values.length; ++i) if (Number.isFinite(values[i])) total += weightOf(i);
+  const total = forEachFinite(values, weights, () => {});
   let wanted = Math.min(1, Math.max(0, share)) * total;
   let [low, high] = reach;
   for (;;) {
