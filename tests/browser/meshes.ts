@@ -183,3 +183,33 @@ export function stl(obj: string): Uint8Array<ArrayBuffer> {
   });
   return new Uint8Array(view.buffer);
 }
+
+/** The same surface elsewhere. */
+export function moved(obj: string, by: Point): string {
+  return obj.replace(/^v (.*)$/gm, (_, numbers: string) =>
+    ['v', ...numbers.split(' ').map((number, k) => Number(number) + by[k]!)].join(' '),
+  );
+}
+
+/** The same surface, its faces turned over. */
+export function turnedOver(obj: string): string {
+  return obj.replace(/^f (\S+) (\S+) (\S+)$/gm, 'f $1 $3 $2');
+}
+
+/** A flat square of unit squares; with two sides, a plate without volume. */
+export function sheet(size: number, sides: 1 | 2): string {
+  const points: Point[] = [];
+  const faces: number[][] = [];
+  for (let i = 0; i <= size; ++i) {
+    for (let k = 0; k <= size; ++k) {
+      points.push([i, k, 0]);
+      if (i === 0 || k === 0) continue;
+      const at = (a: number, b: number) => (i - 1 + a) * (size + 1) + (k - 1 + b);
+      faces.push([at(0, 0), at(1, 0), at(1, 1)], [at(0, 0), at(1, 1), at(0, 1)]);
+    }
+  }
+  const front = objOf(points, faces);
+  if (sides === 1) return front;
+  // Of its own vertices: they are welded along the rim as well as inside.
+  return beside(front, turnedOver(front), 0);
+}

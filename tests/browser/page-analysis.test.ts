@@ -257,7 +257,7 @@ test('beside the tips: heat maxima, extrema of the mean distance, thickness', as
   // The girth's tips stay beside them.
   expect(await tips.count()).toBe(8);
 
-  await choice.selectOption('extrema of the mean distance');
+  await choice.selectOption('GeoAverage extrema');
   const hint = panel.locator('.rivals .hint');
   await expect.poll(() => hint.textContent(), { timeout: 90_000 }).toMatch(/minim/);
   const extrema = await viewer.evaluate(async (element: GirthViewer) => {

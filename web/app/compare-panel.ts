@@ -5,6 +5,7 @@ import { fieldTitle, formatCount, make } from '../src/element/index.js';
 import { DistributionPlot, extent } from '../src/element/plots.js';
 import { ComparedModel } from './compared-model.js';
 import { DistanceMatrix, distanceWords } from './distance-matrix.js';
+import { failureWords } from './failure-words.js';
 import { kernel } from './kernel.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
@@ -202,7 +203,7 @@ export class ComparePanel {
         if (this.isCancelled || !(await this.compareBy(own, this.descriptor))) break;
       }
     } catch (error) {
-      this.words.textContent = `${error instanceof Error ? error.message : String(error)}.`;
+      this.words.textContent = `${failureWords(error)}.`;
     } finally {
       this.isRunning = false;
       this.refresh();

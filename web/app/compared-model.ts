@@ -1,6 +1,7 @@
 // A model that is compared with others: read, and its fields computed, in the kernel's workers.
 
 import type { Field, FieldName, Kernel, Mesh } from '../src/kernel/index.js';
+import { failureWords } from './failure-words.js';
 import type { Opened } from './session.js';
 
 export class ComparedModel {
@@ -50,7 +51,7 @@ export class ComparedModel {
       };
       this.known.set(name, await this.mesh.field(name, { signal, onProgress }));
     } catch (error) {
-      if (!signal.aborted) this.failure = error instanceof Error ? error.message : String(error);
+      if (!signal.aborted) this.failure = failureWords(error);
       else if (this.isDisposed) this.mesh?.dispose();
     }
     this.share = 0;

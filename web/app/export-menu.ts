@@ -4,6 +4,7 @@ import type { FieldFormat, FieldName, LoopFormat } from '../src/kernel/index.js'
 import { type GirthViewer, fieldNames, fieldTitle, make } from '../src/element/index.js';
 import type { ComputedFields } from './computed-fields.js';
 import { byId } from './dom.js';
+import { failureWords } from './failure-words.js';
 import type { PartsPanel } from './parts-panel.js';
 import { saveFile, stemOf } from './save-file.js';
 
@@ -44,8 +45,7 @@ export function offerExports(viewer: GirthViewer, known: ComputedFields, parts: 
       else saveFile(await zipped(files, `${stem}${kind}`, format), `${stem}${kind}.zip`);
       menu.hidePopover();
     } catch (error) {
-      const words = error instanceof Error ? error.message : String(error);
-      failure.textContent = `That could not be written: ${words}.`;
+      failure.textContent = `That could not be written: ${failureWords(error)}.`;
     }
   };
 

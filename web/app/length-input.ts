@@ -16,6 +16,9 @@ export function writeLength(length: number, { scale, decimals }: LengthFormat): 
   return String(Number((length * scale).toFixed(decimals + 1)));
 }
 
+/** Said of what is typed and is none. */
+export const noLength = 'That is no length: type a number from 0 on, such as 1.5.';
+
 /** A field for a length, with its label and the unit behind it. */
 export class LengthInput {
   readonly input: HTMLInputElement;
@@ -24,7 +27,13 @@ export class LengthInput {
   private format: LengthFormat | undefined;
   private length: number | undefined;
 
-  constructor(id: string, words: string, changed: (length: number | undefined) => void) {
+  /** `wrong`: what was typed is no length, and nothing was changed. */
+  constructor(
+    id: string,
+    words: string,
+    changed: (length: number | undefined) => void,
+    wrong: () => void = () => undefined,
+  ) {
     this.input = make('input', { id, type: 'text', inputmode: 'decimal', autocomplete: 'off' });
     this.label = make(
       'label',
@@ -37,7 +46,10 @@ export class LengthInput {
       const read = this.format && readLength(this.input.value, this.format);
       const isWrong = read === undefined && this.input.value.trim() !== '';
       this.input.setAttribute('aria-invalid', String(isWrong));
-      if (isWrong) return;
+      if (isWrong) {
+        wrong();
+        return;
+      }
       this.length = read;
       changed(read);
     });

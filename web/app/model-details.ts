@@ -4,7 +4,7 @@
 import type { MeshInfo, PrepareOptions } from '../src/kernel/index.js';
 import { type GirthViewer, formatCount, make } from '../src/element/index.js';
 import { byId } from './dom.js';
-import { modelFacts, plural, repairs, sizeWords } from './model-words.js';
+import { modelFacts, plural, repairs, sentence, sizeWords } from './model-words.js';
 
 /** Units that a file may be in that does not say. */
 const units = ['mm', 'cm', 'm', 'in', 'ft'];
@@ -248,9 +248,4 @@ export class ModelDetails {
     });
     return form;
   }
-}
-
-/** The first letter large, a full stop at the end. */
-function sentence(text: string): string {
-  return text[0]!.toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');
 }

@@ -5,8 +5,9 @@ import type { Field, Part, PartKind, Parts, PartThresholds } from '../src/kernel
 import { ScatterPlot } from '../src/element/plots.js';
 import type { PageState } from './address-state.js';
 import { formatArea } from './area-words.js';
-import { LengthInput } from './length-input.js';
-import { plural } from './model-words.js';
+import { failureWords } from './failure-words.js';
+import { LengthInput, noLength } from './length-input.js';
+import { plural, sentence } from './model-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
 import { explains, term } from './terms.js';
@@ -60,10 +61,16 @@ export class PartsPanel {
     log.checked = true;
     log.addEventListener('change', () => this.drawPlot());
     const input = (name: keyof PartThresholds, words: string): LengthInput =>
-      new LengthInput(`parts-${name}`, words, (length) => {
-        if (length === undefined || !this.thresholds) return this.write();
-        this.setThresholds({ ...this.thresholds, [name]: length }, true);
-      });
+      new LengthInput(
+        `parts-${name}`,
+        words,
+        (length) => {
+          this.words.textContent = sentence(this.fields?.sdf.note ?? '');
+          if (length === undefined || !this.thresholds) return this.write();
+          this.setThresholds({ ...this.thresholds, [name]: length }, true);
+        },
+        () => (this.words.textContent = noLength),
+      );
     this.inputs = {
       girth: input('girth', 'Tube: girth below'),
       diameter: input('diameter', 'Thin: below'),
@@ -186,16 +193,16 @@ export class PartsPanel {
       if (viewer.info !== info || this.fields) return;
       this.fields = { igf, sdf, areas };
       this.controls.hidden = !this.drawPlot();
-      this.words.textContent = sdf.note;
+      this.words.textContent = sentence(sdf.note);
       if (this.controls.hidden) {
-        this.words.textContent = `${sdf.note} No vertex has both a girth and a thickness.`.trim();
+        this.words.textContent =
+          `${sentence(sdf.note)} No vertex has both a girth and a thickness.`.trim();
         return;
       }
       await this.applyPending();
     } catch (error) {
       if (viewer.info !== info) return;
-      const words = error instanceof Error ? error.message : String(error);
-      this.words.textContent = `No parts: ${words}.`;
+      this.words.textContent = `No parts: ${failureWords(error)}.`;
     }
   }
 
@@ -217,7 +224,9 @@ export class PartsPanel {
   private async suggest(): Promise<void> {
     const { asked } = this;
     const suggested = await this.viewer.suggestedThresholds();
-    if (asked === this.asked) this.setThresholds(suggested, true, true);
+    if (asked !== this.asked) return;
+    this.words.textContent = sentence(this.fields?.sdf.note ?? '');
+    this.setThresholds(suggested, true, true);
   }
 
   private drawPlot(): boolean {
@@ -262,7 +271,7 @@ export class PartsPanel {
       this.page.found();
     } catch (error) {
       if (asked !== this.asked) return;
-      this.words.textContent = error instanceof Error ? `${error.message}.` : String(error);
+      this.words.textContent = `${failureWords(error)}.`;
     }
     this.page.changed();
   }

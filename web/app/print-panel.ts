@@ -3,8 +3,9 @@
 import { type GirthViewer, formatLength, make } from '../src/element/index.js';
 import type { MeshInfo, PrintLimits, WeakPlace } from '../src/kernel/index.js';
 import { formatArea } from './area-words.js';
-import { LengthInput } from './length-input.js';
-import { modelFacts, plural } from './model-words.js';
+import { failureWords } from './failure-words.js';
+import { LengthInput, noLength } from './length-input.js';
+import { modelFacts, plural, sentence } from './model-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
 import {
@@ -151,9 +152,7 @@ export class PrintPanel {
     const wrong = [tube, wall].find(({ isWrong }) => isWrong);
     if (wrong || (!tube.value && !wall.value)) {
       this.answer.className = 'answer';
-      this.answer.textContent = wrong
-        ? 'That is no length: type a number, such as 1.5.'
-        : 'Say how thin a tube or a wall may be.';
+      this.answer.textContent = wrong ? noLength : 'Say how thin a tube or a wall may be.';
       (wrong ?? tube).input.focus();
       return;
     }
@@ -164,9 +163,11 @@ export class PrintPanel {
     this.answer.textContent = 'Checking …';
     try {
       const sdf = await viewer.fieldOf('sdf');
-      const places = await viewer.weakPlaces(limits);
       if (asked !== this.asked || viewer.info !== info) return;
       this.note = sentence(sdf.note);
+      this.refresh();
+      const places = await viewer.weakPlaces(limits);
+      if (asked !== this.asked || viewer.info !== info) return;
       this.check = { limits, places, pictures: new Map() };
       this.show();
       for (const place of places.slice(0, picturedPlaces)) {
@@ -176,7 +177,7 @@ export class PrintPanel {
       }
     } catch (error) {
       if (asked !== this.asked || viewer.info !== info) return;
-      this.answer.textContent = `Not checked: ${error instanceof Error ? error.message : String(error)}.`;
+      this.answer.textContent = `Not checked: ${failureWords(error)}.`;
     }
   }
 
@@ -259,15 +260,9 @@ export class PrintPanel {
       };
       saveFile(printReportHtml(report), name);
     } catch (error) {
-      this.answer.textContent = `That could not be written: ${error instanceof Error ? error.message : String(error)}.`;
+      this.answer.textContent = `That could not be written: ${failureWords(error)}.`;
     }
   }
-}
-
-function sentence(text: string): string {
-  return text === ''
-    ? ''
-    : text[0]!.toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');
 }
 
 function dataAddress(blob: Blob): Promise<string> {

@@ -2,6 +2,7 @@
 
 import { type GirthViewer, fieldTitle, formatLength, make } from '../src/element/index.js';
 import type { Maximum } from '../src/kernel/index.js';
+import { failureWords } from './failure-words.js';
 import { plural } from './model-words.js';
 import { PlaceList } from './place-list.js';
 
@@ -9,7 +10,7 @@ import { PlaceList } from './place-list.js';
 const rivals = [
   ['', 'nothing'],
   ['heat', 'heat maxima'],
-  ['geoaverage', 'extrema of the mean distance'],
+  ['geoaverage', 'GeoAverage extrema'],
   ['sdf', 'thickness'],
 ] as const;
 type Rival = (typeof rivals)[number][0];
@@ -109,7 +110,7 @@ export class TipRivals {
       this.draw();
     } catch (error) {
       if (asked !== this.asked) return;
-      this.words.textContent = `Not found: ${error instanceof Error ? error.message : String(error)}.`;
+      this.words.textContent = `Not found: ${failureWords(error)}.`;
     }
   }
 
@@ -127,7 +128,7 @@ export class TipRivals {
     this.list.show(
       shown.map((maximum) => ({
         main: words(maximum),
-        detail: `persistence, ${maximum.isMinimum ? 'minimum' : 'maximum'} at vertex ${maximum.vertex}`,
+        detail: `${maximum.isMinimum ? 'minimum' : 'maximum'} at vertex ${maximum.vertex}`,
         choose: () => viewer.flyTo({ vertex: maximum.vertex }),
       })),
     );

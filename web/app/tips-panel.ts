@@ -4,6 +4,7 @@ import { type GirthViewer, formatLength, make } from '../src/element/index.js';
 import type { Tips } from '../src/kernel/index.js';
 import type { PageState } from './address-state.js';
 import { formatArea } from './area-words.js';
+import { failureWords } from './failure-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
 import { term } from './terms.js';
@@ -138,8 +139,7 @@ export class TipsPanel {
       this.page.found();
     } catch (error) {
       if (viewer.info !== info) return;
-      const words = error instanceof Error ? error.message : String(error);
-      this.words.textContent = `No tips: ${words}.`;
+      this.words.textContent = `No tips: ${failureWords(error)}.`;
     }
   }
 

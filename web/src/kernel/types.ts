@@ -406,7 +406,10 @@ export interface Mesh {
   suggestedThresholds(igf: Field, sdf: Field, options?: CallOptions): Promise<PartThresholds>;
   /** Tubes, plates and body. USAGE where a threshold or the smoothing is negative or no number. */
   parts(igf: Field, sdf: Field, parts: PartOptions, options?: CallOptions): Promise<Parts>;
-  /** Places too thin to print, thinnest first. USAGE where a limit is negative or no number. */
+  /**
+   * Places too thin to print, thinnest first. USAGE where a limit is negative or no number;
+   * NO_THICKNESS where walls are to be checked and no vertex has a thickness.
+   */
   weakPlaces(
     igf: Field,
     sdf: Field,
