@@ -86,31 +86,40 @@ bool parseWeight(std::string_view text, double& weight) {
   return count > 0 && weight > 0 && weight <= 1e6;
 }
 
-/// What is not positive has none.
-std::vector<double> logarithmsOf(std::span<const double> values) {
-  std::vector<double> logarithms(values.begin(), values.end());
-  for (double& value : logarithms) value = value > 0 ? std::log(value) : kNone;
-  return logarithms;
-}
-
-/// The values on their common scale.
-void rescale(Distribution& distribution, ValueScale scale) {
-  if (scale == ValueScale::AsIs || distribution.empty()) return;
-  const double low = scale == ValueScale::Span ? distribution.values.front() : 0;
-  const double span = distribution.values.back() - low;
-  for (double& value : distribution.values) value = span > 0 ? (value - low) / span : 0;
+/// The least and the greatest of the values that are finite; the wrong way round where none is.
+HistogramRange endsOf(std::span<const double> values) {
+  HistogramRange ends{std::numeric_limits<double>::infinity(),
+                      -std::numeric_limits<double>::infinity()};
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    ends.low = std::min(ends.low, value);
+    ends.high = std::max(ends.high, value);
+  }
+  return ends;
 }
 
 HistogramRange rangeOf(std::span<const double> values) {
-  HistogramRange range{std::numeric_limits<double>::infinity(),
-                       -std::numeric_limits<double>::infinity()};
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    range.low = std::min(range.low, value);
-    range.high = std::max(range.high, value);
-  }
+  HistogramRange range = endsOf(values);
   if (range.low == range.high) range.high += std::max(1.0, std::fabs(range.low));
   return range.low < range.high ? range : HistogramRange{};
+}
+
+/// A model's values as they are compared: on their common scale, then by their logarithms if asked
+/// for; what is not positive has none.
+std::vector<double> comparedValues(std::span<const double> values, ValueScale scale,
+                                   bool logarithm) {
+  std::vector<double> compared(values.begin(), values.end());
+  if (scale != ValueScale::AsIs) {
+    const auto [least, greatest] = endsOf(values);
+    const double low = scale == ValueScale::Span ? least : 0;
+    const double span = greatest - low;
+    // Times 0: what has no value keeps none.
+    for (double& value : compared) value = span > 0 ? (value - low) / span : 0 * value;
+  }
+  if (logarithm) {
+    for (double& value : compared) value = value > 0 ? std::log(value) : kNone;
+  }
+  return compared;
 }
 
 /// Some of a model's features, evenly spread over its vertices, each standing for its neighbours.
@@ -197,11 +206,8 @@ struct Signatures::Content {
     if (field == nullptr) return;
     switch (column.row->kind) {
       case Kind::Scalar:
-        column.distributions[model] =
-            column.row->logarithm
-                ? retrieval::distributionOf(logarithmsOf(field->values), fields.weights)
-                : retrieval::distributionOf(field->values, fields.weights);
-        rescale(column.distributions[model], options.scale);
+        column.distributions[model] = retrieval::distributionOf(
+            comparedValues(field->values, options.scale, column.row->logarithm), fields.weights);
         break;
       case Kind::Joint: {
         const StudyField* second = fields.find(column.row->second);

@@ -565,6 +565,26 @@ TEST(Signatures, GreaterValuesThanTheAxisHasCountAlike) {
   }
 }
 
+TEST(Signatures, LogarithmsAreOfTheScaledValues) {
+  // Below 1 logarithms are negative: the greatest of them is no scale. The models are multiples of
+  // each other, but for the last.
+  SignatureOptions options;
+  options.scale = ValueScale::Greatest;
+  Signatures signatures({"igf", "log-igf"}, 3, options);
+  const std::vector<Numbers> values{{0.1, 0.2, 0.4}, {0.2, 0.4, 0.8}, {0.1, 0.1, 0.4}};
+  for (std::size_t m = 0; m < values.size(); ++m) {
+    StudyFields fields;
+    fields.weights = Numbers{0.25, 0.5, 0.25};
+    fields.fields.push_back({"igf", 1, values[m]});
+    signatures.add(m, fields);
+  }
+  ASSERT_TRUE(signatures.finish().ok());
+  EXPECT_NEAR(signatures.distance("igf", 0, 1), 0, 1e-15);
+  EXPECT_NEAR(signatures.distance("log-igf", 0, 1), 0, 1e-15);
+  EXPECT_NEAR(signatures.distance("igf", 0, 2), 0.5 * 0.25, 1e-15);
+  EXPECT_NEAR(signatures.distance("log-igf", 0, 2), 0.5 * std::log(2.0), 1e-15);
+}
+
 TEST(StudyFields, LargerSurfacesAreRemeshedSmallerOnesAreNot) {
   const SurfaceMesh fine = test::icosphere(4).mesh();  // 5,120 faces
   FieldParameters parameters;
