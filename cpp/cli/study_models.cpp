@@ -95,7 +95,8 @@ class StudyLoader {
 
   /// False if cancelled.
   bool computeFields(const Contents& contents, bool withSignatures) {
-    const auto& [works, models] = contents;
+    const std::vector<ModelFields::Work>& works = contents.works;
+    const std::vector<std::vector<std::size_t>>& models = contents.models;
     std::vector<std::string> reasons(works.size());
     ProgressLine progress("fields of " + std::to_string(works.size()) + " models");
     ModelFields fields(cache_, options_.fields, groups_, watched(options_.threads, progress));
