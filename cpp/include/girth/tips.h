@@ -35,7 +35,8 @@ struct Tip {
   double jump{0};
 };
 
-/// A part of the discontinuity contour that ends somewhere: it cuts nothing off.
+/// A part of the discontinuity contour that is no tip's: it ends somewhere, or where it meets the
+/// contour of a tip, which it follows closely.
 struct OpenArc {
   ContourLine line;
   double length{0};  ///< in model units
@@ -57,8 +58,10 @@ struct Tips {
 ///
 /// Without these edges the vertices fall apart into pieces. Where two pieces meet, the one with the
 /// larger girth is a tip, together with everything that only it connects to the other (pieces
-/// between the two go with the one whose girth is nearer to theirs). Edges of the contour within
-/// one piece form arcs that cut nothing off; they are told apart and never closed.
+/// between the two go with the one whose girth is nearer to theirs), if the girth rises into this
+/// region at the middle one of its rim's edges. Regions that have more than half of their rims in
+/// common are one tip, the one with the larger jump: they differ by a small piece on the contour.
+/// All other edges of the contour form arcs, which are told apart and never closed.
 ///
 /// `girth`: I(v) for each vertex; where it is NaN (not computed), no edge is crossed. Time
 /// O(n log n) and a propagation of distances for each tip, unless the pieces are many. Errors:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -45,10 +46,7 @@ class Pieces {
     flood();
     for (const Index h : edges_) {
       Index a = pieceOf_[mesh.from(h)], b = pieceOf_[mesh.to(h)];
-      if (a == b) {
-        within_.push_back(h);
-        continue;
-      }
+      if (a == b) continue;
       const double rise = girth[mesh.from(h)] - girth[mesh.to(h)];
       between_[std::minmax(a, b)].push_back(a < b ? rise : -rise);
     }
@@ -59,14 +57,11 @@ class Pieces {
     }
   }
 
-  const std::vector<bool>& crossed() const { return crossed_; }
   const std::vector<Index>& edges() const { return edges_; }
-  /// Crossed edges that begin and end in the same piece.
-  const std::vector<Index>& within() const { return within_; }
   Index pieceOf(Index vertex) const { return pieceOf_[vertex]; }
   const std::vector<Index>& vertices(Index piece) const { return vertices_[piece]; }
 
-  /// Regions that some contour cuts off, as sets of pieces. Nothing where the work is too much.
+  /// Regions that some contour may cut off, as sets of pieces. Nothing where the work is too much.
   std::optional<std::set<std::vector<Index>>> regions() const {
     std::set<std::vector<Index>> found;
     std::vector<Index> stamp(vertices_.size(), kNoIndex);
@@ -127,12 +122,18 @@ class Pieces {
   const SurfaceMesh& mesh_;
   std::span<const double> girth_;
   std::vector<bool> crossed_;
-  std::vector<Index> edges_, within_, pieceOf_;
+  std::vector<Index> edges_, pieceOf_;
   std::vector<std::vector<Index>> vertices_;
   std::vector<double> level_;  // the median girth of a piece
   /// For two pieces that meet, by how much the girth of the first is larger, edge by edge.
   std::map<std::pair<Index, Index>, std::vector<double>> between_;
   std::vector<std::vector<Index>> neighbours_;
+};
+
+/// The edges with one end in a region, one halfedge of each, and how far the girth rises there.
+struct Rim {
+  std::vector<Index> edges;
+  double jump{0};  ///< the median
 };
 
 /// Measures regions; keeps its memory.
@@ -145,36 +146,52 @@ class TipMaker {
         inside_(mesh.vertexCount(), false),
         crossed_(mesh.halfedgeCount(), false) {}
 
-  Result<Tip> make(const Pieces& pieces, const std::vector<Index>& region,
+  Rim rimOf(const Pieces& pieces, const std::vector<Index>& region) {
+    const std::vector<Index> vertices = enter(pieces, region);
+    Rim rim;
+    std::vector<double> rises;
+    for (const Index v : vertices) {
+      forEachEdge(mesh_, v, [&](Index h, Index neighbour) {
+        if (inside_[neighbour]) return;
+        rim.edges.push_back(edgeOf(h));
+        rises.push_back(girth_[v] - girth_[neighbour]);
+      });
+    }
+    rim.jump = medianOf(std::move(rises));
+    leave(vertices);
+    return rim;
+  }
+
+  Result<Tip> make(const Pieces& pieces, const std::vector<Index>& region, const Rim& rim,
                    const ExecutionContext& context) {
     Tip tip;
-    for (const Index piece : region) {
-      const auto& members = pieces.vertices(piece);
-      tip.vertices.insert(tip.vertices.end(), members.begin(), members.end());
-    }
-    std::sort(tip.vertices.begin(), tip.vertices.end());
-    for (const Index v : tip.vertices) inside_[v] = true;
-
-    std::vector<Index> rim;  // halfedges with one end inside
-    std::vector<double> rises;
+    tip.vertices = enter(pieces, region);
     for (const Index v : tip.vertices) {
-      forEachEdge(mesh_, v, [&](Index h, Index neighbour) {
-        if (!inside_[neighbour]) cross(h, neighbour, v, rim, rises);
+      forEachEdge(mesh_, v, [&](Index h, Index) {
         if (mesh_.from(h) == v) tip.area += share(h) * mesh_.area(SurfaceMesh::faceOf(h));
       });
     }
-    tip.contour = contourLines(mesh_, rim, crossed_);
+    tip.contour = lines(rim.edges);
     for (const ContourLine& line : tip.contour) tip.boundaryLength += lengthOf(mesh_, line);
-    tip.jump = medianOf(std::move(rises));
-    auto error = findApex(rim, context, tip);
-
-    for (const Index v : tip.vertices) inside_[v] = false;
-    for (const Index h : rim) {
-      crossed_[h] = false;
-      if (mesh_.twin(h) != kNoIndex) crossed_[mesh_.twin(h)] = false;
-    }
+    tip.jump = rim.jump;
+    auto error = findApex(rim.edges, context, tip);
+    leave(tip.vertices);
     if (error) return *std::move(error);
     return tip;
+  }
+
+  /// Joins edges to lines.
+  std::vector<ContourLine> lines(const std::vector<Index>& edges) {
+    const auto mark = [&](bool crossed) {
+      for (const Index h : edges) {
+        crossed_[h] = crossed;
+        if (mesh_.twin(h) != kNoIndex) crossed_[mesh_.twin(h)] = crossed;
+      }
+    };
+    mark(true);
+    std::vector<ContourLine> found = contourLines(mesh_, edges, crossed_);
+    mark(false);
+    return found;
   }
 
  private:
@@ -186,13 +203,23 @@ class TipMaker {
     return count == 1 ? 1.0 / 4 : count == 2 ? 3.0 / 8 : 1.0 / 3;
   }
 
-  void cross(Index halfedge, Index outside, Index inside, std::vector<Index>& rim,
-             std::vector<double>& rises) {
-    rim.push_back(halfedge);
-    crossed_[halfedge] = true;
-    if (mesh_.twin(halfedge) != kNoIndex) crossed_[mesh_.twin(halfedge)] = true;
-    rises.push_back(girth_[inside] - girth_[outside]);
+  /// Marks the vertices of a region as inside; gives them, in rising order.
+  std::vector<Index> enter(const Pieces& pieces, const std::vector<Index>& region) {
+    std::vector<Index> vertices;
+    for (const Index piece : region) {
+      const auto& members = pieces.vertices(piece);
+      vertices.insert(vertices.end(), members.begin(), members.end());
+    }
+    std::sort(vertices.begin(), vertices.end());
+    for (const Index v : vertices) inside_[v] = true;
+    return vertices;
   }
+  void leave(const std::vector<Index>& vertices) {
+    for (const Index v : vertices) inside_[v] = false;
+  }
+
+  /// The same halfedge for both of an edge: as in Pieces::edges.
+  Index edgeOf(Index halfedge) const { return std::min(halfedge, mesh_.twin(halfedge)); }
 
   /// The vertex farthest from the contour. Ways along edges inside tell how far that can be, and so
   /// how far the exact distances are needed.
@@ -237,6 +264,21 @@ class TipMaker {
   std::vector<bool> crossed_;  // of the halfedges
 };
 
+/// Whether `rim` and one that is kept have more than half of their edges, of either, in common.
+/// `keptAt`: numbers of the kept rims at an edge.
+bool isMostlyKept(const Rim& rim, const std::vector<Rim>& kept,
+                  const std::map<Index, std::vector<std::size_t>>& keptAt) {
+  std::map<std::size_t, std::size_t> shared;
+  for (const Index edge : rim.edges) {
+    const auto found = keptAt.find(edge);
+    if (found == keptAt.end()) continue;
+    for (const std::size_t other : found->second) ++shared[other];
+  }
+  return std::any_of(shared.begin(), shared.end(), [&](const auto& entry) {
+    return 2 * entry.second > std::max(rim.edges.size(), kept[entry.first].edges.size());
+  });
+}
+
 }  // namespace
 
 Result<Tips> findTips(const SurfaceMesh& mesh, std::span<const double> girth,
@@ -256,21 +298,34 @@ Result<Tips> findTips(const SurfaceMesh& mesh, std::span<const double> girth,
                      "the values jump at so many edges that their pieces cannot be told apart");
   }
   TipMaker maker(mesh, girth);
+  struct Candidate {
+    const std::vector<Index>* region;
+    Rim rim;
+  };
+  std::vector<Candidate> candidates;
   for (const std::vector<Index>& region : *regions) {
     if (context.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
-    auto tip = maker.make(pieces, region, context);
+    Rim rim = maker.rimOf(pieces, region);
+    if (rim.jump > 0) candidates.push_back({&region, std::move(rim)});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.rim.jump > b.rim.jump; });
+  std::vector<Rim> kept;
+  std::map<Index, std::vector<std::size_t>> keptAt;
+  for (Candidate& candidate : candidates) {
+    if (context.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
+    if (isMostlyKept(candidate.rim, kept, keptAt)) continue;
+    auto tip = maker.make(pieces, *candidate.region, candidate.rim, context);
     if (!tip) return tip.error();
     result.tips.push_back(std::move(tip).value());
+    for (const Index edge : candidate.rim.edges) keptAt[edge].push_back(kept.size());
+    kept.push_back(std::move(candidate.rim));
   }
-  std::stable_sort(result.tips.begin(), result.tips.end(),
-                   [](const Tip& a, const Tip& b) { return a.jump > b.jump; });
 
-  std::vector<bool> crossed(mesh.halfedgeCount(), false);
-  for (const Index h : pieces.within()) {
-    crossed[h] = true;
-    if (mesh.twin(h) != kNoIndex) crossed[mesh.twin(h)] = true;
-  }
-  for (ContourLine& line : contourLines(mesh, pieces.within(), crossed)) {
+  std::vector<Index> loose;
+  std::copy_if(pieces.edges().begin(), pieces.edges().end(), std::back_inserter(loose),
+               [&](Index edge) { return !keptAt.contains(edge); });
+  for (ContourLine& line : maker.lines(loose)) {
     OpenArc arc;
     arc.length = lengthOf(mesh, line);
     std::vector<double> jumps;

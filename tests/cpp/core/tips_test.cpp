@@ -54,17 +54,27 @@ void expectConsistent(const SurfaceMesh& mesh, const std::vector<double>& values
     }
   };
   double jump = std::numeric_limits<double>::infinity();
+  std::vector<std::set<Index>> rims;
   for (const Tip& tip : tips.tips) {
+    EXPECT_GT(tip.jump, 0);
     EXPECT_LE(tip.jump, jump) << "ranked";
     jump = tip.jump;
     const std::set<Index> inside(tip.vertices.begin(), tip.vertices.end());
     EXPECT_TRUE(inside.contains(tip.apex));
     EXPECT_GT(tip.area, 0);
     std::size_t points = 0, rim = 0;
+    std::set<Index> edges;
     for (const ContourLine& line : tip.contour) {
       checkLine(line);
       points += line.points.size();
+      for (const SurfacePoint& point : line.points) edges.insert(edgeOf(point.element));
     }
+    for (const std::set<Index>& other : rims) {
+      const auto shared = std::count_if(edges.begin(), edges.end(),
+                                        [&](Index edge) { return other.contains(edge); });
+      EXPECT_LE(2 * static_cast<std::size_t>(shared), std::max(edges.size(), other.size()));
+    }
+    rims.push_back(std::move(edges));
     for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
       if (mesh.twin(h) != kNoIndex && mesh.twin(h) < h) continue;
       rim += inside.contains(mesh.from(h)) != inside.contains(mesh.to(h));
@@ -144,6 +154,23 @@ TEST(Tips, NestedContoursGiveNestedTips) {
   EXPECT_NEAR(tips.tips[1].area, 2 * kPi * 0.6, 0.15);
   EXPECT_GT(mesh.position(tips.tips[0].apex).z, 0.99);
   EXPECT_NEAR(tips.tips[1].apexDistance, std::acos(0.4), 0.1);
+}
+
+TEST(Tips, APieceOnTheContourMakesNoSecondTip) {
+  // A step from 0 to 20, and a patch halfway up at the step: with the upper side or without, what
+  // is cut off is the same tip.
+  const SurfaceMesh mesh = test::icosphere(4).mesh();
+  std::vector<double> values = steps(mesh, 20, [](const Vec3& p) { return p.z > 0.4; });
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3& p = mesh.position(v);
+    if (values[v] > 0 && p.z < 0.55 && p.x > 0 && std::fabs(p.y) < 0.3) values[v] = 10;
+  }
+  const Tips tips = tipsOf(mesh, values);
+  expectConsistent(mesh, values, tips);
+  ASSERT_EQ(tips.tips.size(), 1u);
+  EXPECT_EQ(tips.tips[0].jump, 20);
+  ASSERT_EQ(tips.arcs.size(), 1u) << "the patch's other side";
+  EXPECT_EQ(tips.arcs[0].jump, 10);
 }
 
 TEST(Tips, ARingAroundAHandleIsCutOffByTwoLines) {
