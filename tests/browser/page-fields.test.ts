@@ -1,9 +1,11 @@
 // The page's field panel: what colours the surface, its distribution, and the brush.
 
+import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
-import type { GirthViewer } from '../../web/src/element/index.js';
-import { builtPage, modelIs } from './page-support.js';
+import type { GirthViewer, HoverDetail } from '../../web/src/element/index.js';
+import { dumbbell } from './meshes.js';
+import { builtPage, drop, fragment, modelIs, pictures } from './page-support.js';
 import { fieldComplete, hover, placeOnSurface } from './viewer-page.js';
 
 const openBuilt = builtPage();
@@ -45,6 +47,53 @@ test('thickness can be chosen: legend, median and colours follow', async () => {
   expect(await page.locator('#distribution').isVisible()).toBe(false);
 });
 
+test('which number of a signature is shown can be chosen, and is in the link', async () => {
+  await drop(page, { name: 'bell.obj', bytes: Buffer.from(dumbbell(24, 16)) });
+  await modelIs(page, 'bell.obj');
+  const slider = page.locator('#signature');
+  expect(await slider.isVisible()).toBe(false);
+  const values = () =>
+    viewer.evaluate(async (element: GirthViewer) => [
+      ...(await element.fieldOf(element.getAttribute('field') as 'hks')).values,
+    ]);
+  const ratio = (numbers: number[]) => Math.max(...numbers) / Math.min(...numbers);
+  await page.locator('#field-name').selectOption({ label: 'Heat kernel signature' });
+  await slider.waitFor();
+  expect(await page.locator('.signature output').textContent()).toBe('0.002');
+  const early = await values();
+  await slider.focus();
+  await page.keyboard.press('End');
+  expect(await viewer.getAttribute('time')).toBe('1');
+  await viewer.getByText('heat after the time 1 of the area').waitFor();
+  const late = await values();
+  // Heat has spread over the whole shape: it differs less from place to place.
+  expect(ratio(late)).toBeLessThan(1.2);
+  expect(ratio(early)).toBeGreaterThan(1.2);
+  await expect.poll(() => fragment(page)).toContain('time=1');
+
+  await page.locator('#field-name').selectOption({ label: 'Scale-invariant heat kernel' });
+  expect(await page.locator('.signature output').textContent()).toBe('1 of 19');
+  const first = await values();
+  await slider.focus();
+  await page.keyboard.press('ArrowRight');
+  expect(await viewer.getAttribute('component')).toBe('2');
+  expect(await values()).not.toEqual(first);
+  await page.locator('#field-name').selectOption({ label: 'Wave kernel signature' });
+  await expect.poll(() => page.locator('.signature output').textContent()).toBe('20 of 100');
+  await page.screenshot({ path: join(pictures, 'signature.png') });
+
+  // There is no such energy: words, and the surface is as it was.
+  await viewer.evaluate((element) => element.setAttribute('energy', '1000'));
+  await viewer
+    .getByRole('alert')
+    .getByText(/1000|energy|component/)
+    .waitFor();
+  await viewer.evaluate((element) => element.setAttribute('energy', 'many'));
+  expect((await values()).every(Number.isFinite)).toBe(true);
+  await page.locator('#field-name').selectOption({ label: 'Girth (IGF)' });
+  expect(await slider.isVisible()).toBe(false);
+});
+
 test('a brush marks what it covers, by pointer and by keyboard', async () => {
   const plot = page.locator('#distribution');
   const box = (await plot.boundingBox())!;
@@ -77,29 +126,44 @@ test('a brush marks what it covers, by pointer and by keyboard', async () => {
 });
 
 test('pointing at the surface marks the value in the plot', async () => {
-  const place = await placeOnSurface(viewer, 0.5, 0.45);
-  await hover(page, viewer, place.x, place.y);
   const mark = page.locator('#distribution .plot-mark');
-  await mark.waitFor();
-  const [box, line] = [
-    (await page.locator('#distribution').boundingBox())!,
-    (await mark.boundingBox())!,
-  ];
-  const right = (line.x - box.x) / box.width;
-  const [value, [low, high]] = await viewer.evaluate(async (element: GirthViewer) => {
-    const base = JSON.parse(
-      element.shadowRoot!.querySelector<HTMLElement>('.readout')!.dataset['base']!,
-    ) as { face: number; weights: number[] } | number;
-    const field = await element.fieldOf('igf');
-    const near = typeof base === 'number' ? [field.values[base]!] : [...field.values];
-    return [near.length === 1 ? near[0]! : NaN, field.range] as const;
-  });
-  // At a point within a face the mark is that of the nearest corner: between the field's ends.
-  if (Number.isNaN(value)) expect(right).toBeGreaterThanOrEqual(-0.01);
-  else expect(right).toBeCloseTo((value - low) / (high - low), 1);
-  expect(right).toBeLessThanOrEqual(1.01);
-  await page.mouse.move(1, 1);
-  await mark.waitFor({ state: 'hidden' });
+  const axis = page.locator('#distribution .plot-over');
+  const places: number[] = [];
+  for (const [right, down] of [
+    [0.5, 0.45],
+    [0.45, 0.75],
+    [0.6, 0.2],
+  ] as const) {
+    const hovered = viewer.evaluate(
+      (element: GirthViewer) =>
+        new Promise<number>((resolve) => {
+          element.addEventListener('hover', function listen(event) {
+            const { values } = (event as CustomEvent<HoverDetail>).detail;
+            if (values.igf === undefined) return;
+            element.removeEventListener('hover', listen);
+            resolve(values.igf);
+          });
+        }),
+    );
+    const place = await placeOnSurface(viewer, right, down);
+    await hover(page, viewer, place.x, place.y);
+    await mark.waitFor();
+    const value = await hovered;
+    const [low, high] = await viewer.evaluate(
+      async (element: GirthViewer) => (await element.fieldOf('igf')).range,
+    );
+    const [box, line] = [(await axis.boundingBox())!, (await mark.boundingBox())!];
+    // The line, 1.5 pixels wide, stands where the value is: in its bin, and within it.
+    const expected = box.x + (box.width * (value - low)) / (high - low);
+    expect(Math.abs(line.x - expected)).toBeLessThan(1.5);
+    const bin = (x: number) => Math.floor((48 * (x - box.x)) / box.width + 1e-9);
+    expect(Math.abs(bin(line.x + 0.75) - bin(expected))).toBeLessThanOrEqual(1);
+    places.push(line.x);
+    await page.mouse.move(1, 1);
+    await mark.waitFor({ state: 'hidden' });
+  }
+  // At other places other values: a mark that stays where it is would not do.
+  expect(Math.max(...places) - Math.min(...places)).toBeGreaterThan(10);
 });
 
 test('the cumulative curve takes the histogram’s place; lines of equal value are drawn', async () => {

@@ -19,6 +19,10 @@ export interface PageState {
   /** Of lengths, where the file does not say it. */
   unit?: string;
   field?: string;
+  /** Which number of a signature is shown: see the element's attributes of these names. */
+  time?: number;
+  energy?: number;
+  component?: number;
   colormap?: string;
   /** As the element's attribute: two numbers or two percentages. */
   range?: string;
@@ -149,6 +153,9 @@ const parts: {
   faces: [readCount, String],
   unit: [readWord, (unit) => unit],
   field: [readWord, (field) => field],
+  time: [readThreshold, String],
+  energy: [readCount, String],
+  component: [readCount, String],
   colormap: [readWord, (name) => name],
   range: [readRange, (range) => range],
   isolines: [readCount, String],

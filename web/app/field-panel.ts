@@ -31,6 +31,7 @@ import { CategoryShares } from './category-shares.js';
 import type { ComputedFields } from './computed-fields.js';
 import { byId } from './dom.js';
 import { RangeSliders } from './range-sliders.js';
+import { SignatureChoice } from './signature-choice.js';
 import { type TermName, explains } from './terms.js';
 
 /** What can colour the surface. */
@@ -81,6 +82,7 @@ export class FieldPanel {
     brushed: (range) => this.brushed(range),
   });
   private readonly categories = new CategoryShares();
+  private readonly signature: SignatureChoice;
   private readonly sliders = new RangeSliders((low, high) => this.setRange(`${low} ${high}`));
   private readonly rangeChoice = make('select', {
     id: 'range',
@@ -118,6 +120,7 @@ export class FieldPanel {
       histogram: kindButton('histogram', 'Histogram'),
       cdf: kindButton('cdf', 'Cumulative distribution'),
     };
+    this.signature = new SignatureChoice(viewer, () => page.changed());
     plot.element.id = 'distribution';
     this.rangeChoice.append(
       ...ranges.map(([value, words]) => make('option', { value }, words)),
@@ -155,6 +158,7 @@ export class FieldPanel {
       this.sliders.element,
       make('div', { class: 'ends' }, this.sliders.low, this.rangeChoice, this.sliders.high),
       this.caption,
+      this.signature.element,
       make(
         'div',
         { class: 'row' },
@@ -226,7 +230,7 @@ export class FieldPanel {
 
   read(): PageState {
     const { viewer, name } = this;
-    const state: PageState = {};
+    const state: PageState = this.signature.read();
     if (name !== 'igf') state.field = name;
     const [colormap, range] = [viewer.getAttribute('colormap'), viewer.getAttribute('range')];
     if (colormap) state.colormap = colormap;
@@ -237,8 +241,10 @@ export class FieldPanel {
     return state;
   }
 
-  apply({ field, colormap, range, isolines, edges }: PageState): void {
+  apply(state: PageState): void {
     const { viewer } = this;
+    const { field, colormap, range, isolines, edges } = state;
+    this.signature.apply(state);
     setAttribute(viewer, 'field', isShownName(field ?? null) && field !== 'igf' ? field! : '');
     setAttribute(viewer, 'colormap', isColormapName(colormap) ? colormap : '');
     setAttribute(viewer, 'range', range ?? '');
@@ -278,6 +284,7 @@ export class FieldPanel {
     const { name, plot, sliders } = this;
     this.field.value = name;
     explains(this.field, fieldTerms[name]);
+    this.signature.show(name);
     const isNumeric = isFieldName(name) || name === 'tips';
     const values = this.valuesOf(name);
     const reach = extent(values);

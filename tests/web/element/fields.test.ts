@@ -22,6 +22,7 @@ function drawn() {
   } as unknown as Mesh;
   const ended: { name: FieldName; whole: boolean; code: string | undefined }[] = [];
   const fields = new Fields(mesh, adjacency, {
+    spectral: (name) => (name === 'hks' ? { time: 0.5 } : undefined),
     received: ({ preview }, partial) => preview!.receive(partial, () => undefined),
     progressed: () => undefined,
     ended: ({ name, field }: FieldState, error) =>
@@ -73,6 +74,27 @@ test('asked for again before the cancelled computation has ended', async () => {
   await second;
   expect(fields.computing).toBeUndefined();
   expect(ended).toEqual([{ name: 'sdf', whole: true, code: undefined }]);
+});
+
+test('another number of a signature is computed anew; the one before ends without a word', async () => {
+  const { fields, runs, ended } = drawn();
+  const first = fields.compute('hks').catch((error: Error) => error.message);
+  expect(runs[0]!.options.spectral).toEqual({ time: 0.5 });
+  fields.forget('hks');
+  expect(await first).toBe('cancelled');
+  expect(fields.computing).toBeUndefined();
+  const second = fields.compute('hks');
+  runs[1]!.finish();
+  await second;
+  expect(fields.shareOf('hks')).toBe(1);
+  fields.forget('hks');
+  expect(fields.shareOf('hks')).toBe(0);
+  void fields.compute('igf');
+  expect(runs[2]!.options.spectral).toBeUndefined();
+  expect(ended.filter(({ name }) => name === 'hks').map(({ whole }) => whole)).toEqual([
+    false,
+    true,
+  ]);
 });
 
 test('a field that nobody asked for has no values', () => {

@@ -1,5 +1,11 @@
 import { expect, test } from 'vitest';
-import { nameOf, parseCount, parseRange, parseVertices } from '../../../web/src/element/parse.js';
+import {
+  nameOf,
+  parseCount,
+  parseRange,
+  parseVertices,
+  parseSpectral,
+} from '../../../web/src/element/parse.js';
 
 test('a range is two ascending numbers or percentages', () => {
   expect(parseRange('1 2.5')).toEqual({ by: 'values', ends: [1, 2.5] });
@@ -41,4 +47,18 @@ test('a source’s name is that of the model in it', () => {
   const file = (path: string) => ({ path, content: new Blob() });
   expect(nameOf([file('m/tex.png'), file('m/a.gltf')])).toBe('a.gltf');
   expect(nameOf({ positions: new Float32Array(), indices: new Uint32Array() })).toBe('');
+});
+
+test('which number of a signature: any number, and nothing for anything else', () => {
+  const attributes: Record<string, string> = { time: ' 0.05 ', energy: '40', component: '-2' };
+  const of = (attribute: string) => attributes[attribute] ?? null;
+  expect(parseSpectral('hks', of)).toEqual({ time: 0.05 });
+  expect(parseSpectral('wks', of)).toEqual({ component: 40 });
+  // That there is no such number is for the kernel to say.
+  expect(parseSpectral('sihks', of)).toEqual({ component: -2 });
+  expect(parseSpectral('igf', of)).toBeUndefined();
+  for (const wrong of ['', ' ', 'soon', 'Infinity', '1e999']) {
+    expect(parseSpectral('hks', () => wrong)).toBeUndefined();
+  }
+  expect(parseSpectral('hks', () => null)).toBeUndefined();
 });

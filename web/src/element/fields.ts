@@ -1,6 +1,6 @@
 // The fields of one model: each is computed when it is first asked for, kept, and known in part meanwhile.
 
-import type { Field, FieldName, Mesh, PartialField } from '../kernel/types.js';
+import type { Field, FieldName, Mesh, PartialField, SpectralOptions } from '../kernel/types.js';
 import { type Adjacency, FieldPreview, TimeLeft } from '../view/index.js';
 
 /** One field, as far as it is computed. */
@@ -15,6 +15,8 @@ export interface FieldState {
 }
 
 export interface FieldsHost {
+  /** Which number of its signature a field is to be; undefined: the usual one. */
+  spectral(name: FieldName): SpectralOptions | undefined;
   /** New values, not yet in the state's preview. */
   received(state: FieldState, partial: PartialField): void;
   progressed(name: FieldName, fraction: number, secondsLeft: number | undefined): void;
@@ -79,6 +81,18 @@ export class Fields {
     return state.running.promise;
   }
 
+  /** Which number of its signature a field is. */
+  spectralOf(name: FieldName): SpectralOptions | undefined {
+    return this.host.spectral(name);
+  }
+
+  /** Lets go of a field that is now to be another number of its signature. */
+  forget(name: FieldName): void {
+    const state = this.states.get(name);
+    this.states.delete(name);
+    state?.running?.abort.abort();
+  }
+
   /** Stops every computation; what there is stays. */
   cancel(): void {
     for (const { running } of this.states.values()) running?.abort.abort();
@@ -88,11 +102,13 @@ export class Fields {
     const { name } = state;
     const { signal } = abort;
     const timeLeft = new TimeLeft(performance.now());
+    const spectral = this.spectralOf(name);
     let failure: unknown;
     try {
       this.host.progressed(name, 0, undefined);
       const field = await this.mesh.field(name, {
         signal,
+        ...(spectral ? { spectral } : {}),
         onProgress: (fraction) => {
           if (signal.aborted) return;
           this.host.progressed(name, fraction, timeLeft.update(fraction, performance.now()));

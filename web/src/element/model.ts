@@ -51,7 +51,8 @@ export class Model {
 
   /** The maxima of a field, or its minima, most persistent first. */
   maxima(name: FieldName, minima: boolean): Promise<Maximum[]> {
-    return this.once(`${name} ${minima ? 'minima' : 'maxima'}`, async () =>
+    const which = JSON.stringify(this.fields.spectralOf(name) ?? {});
+    return this.once(`${name} ${which} ${minima ? 'minima' : 'maxima'}`, async () =>
       this.mesh.maxima(await this.fields.compute(name), { ...this.watched, minima }),
     );
   }

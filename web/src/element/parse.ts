@@ -1,6 +1,6 @@
 // What attributes, sources and errors say, in the element's own terms.
 
-import type { GirthErrorFields, MeshSource } from '../kernel/types.js';
+import type { FieldName, GirthErrorFields, MeshSource, SpectralOptions } from '../kernel/types.js';
 
 /** What the ends of the colour map are: values, or the shares of the surface below them. */
 export interface RangeChoice {
@@ -27,6 +27,26 @@ export function parseRange(text: string | null): RangeChoice | undefined {
 export function parseCount(text: string | null, most: number): number {
   const count = Math.round(Number(text ?? 0));
   return count > 0 ? Math.min(most, count) : 0;
+}
+
+/** The attribute that says which number of a signature a field is, and as which option. */
+const spectralAttributes: Partial<
+  Record<FieldName, { attribute: string; option: keyof SpectralOptions }>
+> = {
+  hks: { attribute: 'time', option: 'time' },
+  wks: { attribute: 'energy', option: 'component' },
+  sihks: { attribute: 'component', option: 'component' },
+};
+
+/** Any number: the kernel says which ones there are. Undefined for anything else, and for other fields. */
+export function parseSpectral(
+  name: FieldName,
+  attributeOf: (attribute: string) => string | null,
+): SpectralOptions | undefined {
+  const asked = spectralAttributes[name];
+  const text = asked && attributeOf(asked.attribute)?.trim();
+  if (!asked || !text || !Number.isFinite(Number(text))) return undefined;
+  return { [asked.option]: Number(text) };
 }
 
 export function parseVertices(text: string | null): number[] {

@@ -30,7 +30,7 @@ import { groundUnder } from './ground.js';
 import type { PickDetail } from './loops-on-surface.js';
 import { MessageBox } from './message-box.js';
 import { Model } from './model.js';
-import { fieldsOf, nameOf, parseCount, parseRange, parseVertices } from './parse.js';
+import { fieldsOf, nameOf, parseCount, parseRange, parseSpectral, parseVertices } from './parse.js';
 import { Presented } from './presented.js';
 import type { ShadingWishes } from './shading.js';
 import { sharedKernel } from './shared-kernel.js';
@@ -61,6 +61,9 @@ export abstract class ViewerBase extends HTMLElement {
     'colormap',
     'range',
     'isolines',
+    'time',
+    'energy',
+    'component',
     'loop',
     'edges',
     'turn',
@@ -203,6 +206,15 @@ export abstract class ViewerBase extends HTMLElement {
       case 'isolines':
         this.restyle(false);
         this.sendChange();
+        break;
+      case 'time':
+        this.choose('hks');
+        break;
+      case 'energy':
+        this.choose('wks');
+        break;
+      case 'component':
+        this.choose('sihks');
         break;
       case 'loop':
         if (value === 'none') this.presented?.loops.clear();
@@ -370,7 +382,19 @@ export abstract class ViewerBase extends HTMLElement {
     }
   }
 
+  /** Another number of a signature is wanted: what was computed of it no longer counts. */
+  private choose(name: FieldName): void {
+    const { presented } = this;
+    if (!presented) return;
+    presented.model.fields.forget(name);
+    if (!presented.model.fields.computing) this.status.clear();
+    if (this.wishes.name !== name) return;
+    this.restyle(true);
+    void this.showField();
+  }
+
   private readonly fieldsHost: FieldsHost = {
+    spectral: (name) => parseSpectral(name, (attribute) => this.getAttribute(attribute)),
     received: (state, partial) => {
       if (!this.isPresent(state)) return;
       this.presented!.shading.receive(state, partial);

@@ -49,6 +49,11 @@ import { ViewerBase } from './viewer-base.js';
  * - `range`: `auto` (default); two numbers, the values at the ends of the colour map; or two percentages as
  *   in `5% 95%`, the shares of the surface's area that lie below them.
  * - `isolines`: so many lines of equal value between the ends of the range; none by default.
+ * - `time`: of `hks`, as a share of the surface's area, `0.002` by default; small times see small details.
+ * - `energy`: of `wks`, from `1` (low: the whole shape) to `100` (details); `20` by default.
+ * - `component`: of `sihks`, the frequency, from `1` (default) to `19`. Numbers that there are not are an
+ *   `error` with the code INVALID_OPTION; what is no number is as if it were not said. Changed while its
+ *   field is shown, each of these three computes it anew.
  * - `loop`: `hover` (default), `none`, or vertices whose loops are pinned once the model is there,
  *   as in `loop="12 4031"`.
  * - `edges`: draws the mesh's edges.

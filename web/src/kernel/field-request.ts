@@ -62,3 +62,11 @@ export function spectralRequest(
 ): SpectralRequest {
   return { name, pairs, time, component };
 }
+
+/** Which number of its signature a field is, in words; '' for the usual one. */
+export function spectralNote({ name, time, component }: SpectralRequest): string {
+  const usual = spectralRequest(name);
+  if (name === 'hks') return time === usual.time ? '' : `heat after the time ${time} of the area`;
+  if (component === usual.component) return '';
+  return name === 'wks' ? `energy ${component} of 100` : `frequency ${component} of 19`;
+}

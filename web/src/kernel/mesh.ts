@@ -6,6 +6,7 @@ import {
   fieldRequest,
   isLength,
   isSpectral,
+  spectralNote,
   spectralRequest,
   unitOf,
 } from './field-request.js';
@@ -117,6 +118,7 @@ export class MeshOfWorkers implements Mesh {
     { spectral, signal, onProgress }: FieldOptions,
   ): Promise<Omit<Field, 'unit'>> {
     const field = spectralRequest(name, spectral);
+    const note = spectralNote(field);
     const { values, method } = await this.#makeSpectral(signal, (worker) =>
       worker.requestOn(
         this.surface,
@@ -128,7 +130,7 @@ export class MeshOfWorkers implements Mesh {
     const kinds = new Uint8Array(0);
     const { range, withoutValue } = summaryOf(values);
     onProgress?.(1);
-    return { name, values, kinds, range, method, withoutValue, note: '' };
+    return { name, values, kinds, range, method, withoutValue, note };
   }
 
   async loop(point: SurfacePoint, options: CallOptions = {}): Promise<Loop> {
