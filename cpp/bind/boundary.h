@@ -8,6 +8,7 @@
 #include <new>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "girth/error.h"
@@ -96,6 +97,19 @@ inline Result<SurfaceMesh> surfaceOf(const emscripten::val& positions,
 /// The same of an object {positions, indices}.
 inline Result<SurfaceMesh> surfaceOf(const emscripten::val& arrays) {
   return surfaceOf(arrays["positions"], arrays["indices"]);
+}
+
+/// {surface}, an `Owner` made of the surface of a prepared one's arrays, or an error; the owner is
+/// the caller's to delete.
+template <class Owner>
+emscripten::val exactSurface(const emscripten::val& positions, const emscripten::val& indices) {
+  return guarded([&] {
+    Result<SurfaceMesh> mesh = surfaceOf(positions, indices);
+    if (!mesh) return toJs(mesh.error());
+    emscripten::val result = emscripten::val::object();
+    result.set("surface", std::make_shared<Owner>(std::move(mesh).value()));
+    return result;
+  });
 }
 
 /// A surface's arrays: {positions, indices, walls, genus, boundaries, area}.

@@ -128,17 +128,6 @@ class Surface {
   FieldRequest evaluated_;
 };
 
-/// {surface} of a prepared surface's arrays, or an error; the surface is the caller's to delete.
-val exactSurface(const val& positions, const val& indices) {
-  return guarded([&] {
-    Result<SurfaceMesh> mesh = surfaceOf(positions, indices);
-    if (!mesh) return toJs(mesh.error());
-    val result = val::object();
-    result.set("surface", std::make_shared<Surface>(std::move(mesh).value()));
-    return result;
-  });
-}
-
 EMSCRIPTEN_BINDINGS(girth) {
   emscripten::class_<Surface>("Surface")
       .smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
@@ -147,7 +136,7 @@ EMSCRIPTEN_BINDINGS(girth) {
       .function("loopAtVertex", &Surface::loopAtVertex)
       .function("loopInFace", &Surface::loopInFace)
       .function("order", &Surface::order);
-  emscripten::function("exactSurface", &exactSurface);
+  emscripten::function("exactSurface", &exactSurface<Surface>);
 }
 
 }  // namespace

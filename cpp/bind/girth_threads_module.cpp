@@ -57,22 +57,11 @@ class Surface {
   SurfaceMesh mesh_;
 };
 
-/// {surface} of a prepared surface's arrays, or an error; the surface is the caller's to delete.
-val exactSurface(const val& positions, const val& indices) {
-  return guarded([&] {
-    Result<SurfaceMesh> mesh = surfaceOf(positions, indices);
-    if (!mesh) return toJs(mesh.error());
-    val result = val::object();
-    result.set("surface", std::make_shared<Surface>(std::move(mesh).value()));
-    return result;
-  });
-}
-
 EMSCRIPTEN_BINDINGS(girthThreads) {
   emscripten::class_<Surface>("Surface")
       .smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
       .function("field", &Surface::field);
-  emscripten::function("exactSurface", &exactSurface);
+  emscripten::function("exactSurface", &exactSurface<Surface>);
   emscripten::function("cancelFlag", &cancelFlag);
 }
 

@@ -66,6 +66,25 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+/// A document that cannot be read: the code, the place, and what the message speaks of.
+struct Refused {
+  std::string text;
+  const char* code;
+  std::int64_t place;
+  const char* about;
+};
+
+/// That each of them, read as a file of that name, is refused as it says.
+inline void expectRefused(const char* name, std::initializer_list<Refused> cases) {
+  for (const Refused& c : cases) {
+    const auto result = soupOf(c.text, name);
+    EXPECT_EQ(codeOf(result), c.code) << c.text << messageOf(result);
+    if (result) continue;
+    EXPECT_EQ(result.error().element, c.place) << c.text << messageOf(result);
+    EXPECT_TRUE(contains(messageOf(result), c.about)) << c.text << messageOf(result);
+  }
+}
+
 /// Little-endian numbers of `size` bytes.
 inline std::string packed(std::initializer_list<std::int64_t> numbers, int size) {
   std::string bytes;

@@ -98,39 +98,30 @@ TEST(Off, polygonsAndFewerCorners) {
 }
 
 TEST(BadOff, codesAndLines) {
-  struct Case {
-    std::string text;
-    const char* code;
-    std::int64_t place;
-    const char* about;
-  };
-  for (const Case& c : {
-           Case{"OFF\n", "MALFORMED_FILE", 2, "number of vertices"},
-           Case{"OFF\n1\n", "MALFORMED_FILE", 3, "number of faces"},
-           Case{"OFF\nx 4 0\n", "MALFORMED_FILE", 2, "\"x\""},
-           Case{"OFF\n-4 4 0\n", "MALFORMED_FILE", 2, "\"-4\""},
-           Case{"OFF\n4000000000 4 0\n0 0 0\n", "MALFORMED_FILE", 2, "more than the file"},
-           Case{"OFF\n4 4 0\n" + kVertices.substr(0, 12), "MALFORMED_FILE", 5,
-                "ends after 2 of 4 vertices"},
-           Case{"OFF\n4 4 0\n0 0\n0 0 0\n0 0 0\n", "MALFORMED_FILE", 3, "fewer than 3"},
-           Case{"OFF\n4 4 0\n0 0 o\n0 0 0\n0 0 0\n", "MALFORMED_FILE", 3, "\"o\""},
-           Case{"OFF\n4 4 0\n0 0 inf\n0 0 0\n0 0 0\n", "NON_FINITE_POSITION", 3, "vertex 0"},
-           Case{"OFF\n4 4 0\n" + kVertices + "3 0 1 2\n", "MALFORMED_FILE", 8, "1 of 4 faces"},
-           Case{"OFF\n4 4 0\n" + kVertices + "3 0 1\n3 0 1 2\n", "MALFORMED_FILE", 7,
-                "2 corners in place of 3"},
-           Case{"OFF\n4 4 0\n" + kVertices + "3 0 1 4\n", "INDEX_OUT_OF_RANGE", 7, "vertex 4 of 4"},
-           Case{"OFF\n4 4 0\n" + kVertices + "3 0 1 -1\n", "INDEX_OUT_OF_RANGE", 7, "vertex -1"},
-           Case{"OFF\n4 0 0\n" + kVertices, "EMPTY_MESH", -1, "point cloud: 4 points"},
-           Case{"OFF\n0 0 0\n", "EMPTY_MESH", -1, "neither"},
-           Case{"nOFF\n4\n4 4 0\n", "UNSUPPORTED_FEATURE", 1, "nOFF"},
-           Case{"4nOFF\n4\n4 4 0\n", "UNSUPPORTED_FEATURE", 1, "nOFF"},
-       }) {
-    const auto result = soupOf(c.text, "bad.off");
-    EXPECT_EQ(codeOf(result), c.code) << c.text << messageOf(result);
-    if (result) continue;
-    EXPECT_EQ(result.error().element, c.place) << c.text << messageOf(result);
-    EXPECT_TRUE(contains(messageOf(result), c.about)) << c.text << messageOf(result);
-  }
+  expectRefused(
+      "bad.off",
+      {
+          Refused{"OFF\n", "MALFORMED_FILE", 2, "number of vertices"},
+          Refused{"OFF\n1\n", "MALFORMED_FILE", 3, "number of faces"},
+          Refused{"OFF\nx 4 0\n", "MALFORMED_FILE", 2, "\"x\""},
+          Refused{"OFF\n-4 4 0\n", "MALFORMED_FILE", 2, "\"-4\""},
+          Refused{"OFF\n4000000000 4 0\n0 0 0\n", "MALFORMED_FILE", 2, "more than the file"},
+          Refused{"OFF\n4 4 0\n" + kVertices.substr(0, 12), "MALFORMED_FILE", 5,
+                  "ends after 2 of 4 vertices"},
+          Refused{"OFF\n4 4 0\n0 0\n0 0 0\n0 0 0\n", "MALFORMED_FILE", 3, "fewer than 3"},
+          Refused{"OFF\n4 4 0\n0 0 o\n0 0 0\n0 0 0\n", "MALFORMED_FILE", 3, "\"o\""},
+          Refused{"OFF\n4 4 0\n0 0 inf\n0 0 0\n0 0 0\n", "NON_FINITE_POSITION", 3, "vertex 0"},
+          Refused{"OFF\n4 4 0\n" + kVertices + "3 0 1 2\n", "MALFORMED_FILE", 8, "1 of 4 faces"},
+          Refused{"OFF\n4 4 0\n" + kVertices + "3 0 1\n3 0 1 2\n", "MALFORMED_FILE", 7,
+                  "2 corners in place of 3"},
+          Refused{"OFF\n4 4 0\n" + kVertices + "3 0 1 4\n", "INDEX_OUT_OF_RANGE", 7,
+                  "vertex 4 of 4"},
+          Refused{"OFF\n4 4 0\n" + kVertices + "3 0 1 -1\n", "INDEX_OUT_OF_RANGE", 7, "vertex -1"},
+          Refused{"OFF\n4 0 0\n" + kVertices, "EMPTY_MESH", -1, "point cloud: 4 points"},
+          Refused{"OFF\n0 0 0\n", "EMPTY_MESH", -1, "neither"},
+          Refused{"nOFF\n4\n4 4 0\n", "UNSUPPORTED_FEATURE", 1, "nOFF"},
+          Refused{"4nOFF\n4\n4 4 0\n", "UNSUPPORTED_FEATURE", 1, "nOFF"},
+      });
 }
 
 TEST(BadOff, whatFollowsIsNoted) {
