@@ -203,12 +203,21 @@ export class DistributionPlot {
       const [low, high] = dragged(from, placeOf(event));
       this.setBrush([this.valueAt(low), this.valueAt(high)], false);
     };
+    const before = this.brush;
+    let isTaken = false;
+    // The browser scrolls the page with this finger: it never meant the plot.
+    const take = (): void => {
+      isTaken = true;
+    };
     const end = (): void => {
       over.removeEventListener('pointermove', move);
-      this.setBrush(isDrag ? this.range : undefined, true);
+      over.removeEventListener('pointercancel', take);
+      if (isTaken) this.setBrush(before, true);
+      else this.setBrush(isDrag ? this.range : undefined, true);
     };
     over.setPointerCapture(down.pointerId);
     over.addEventListener('pointermove', move);
+    over.addEventListener('pointercancel', take);
     over.addEventListener('lostpointercapture', end, { once: true });
   }
 
