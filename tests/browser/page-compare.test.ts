@@ -1,9 +1,10 @@
 // Several models on the page: distributions over each other, distances, and a ranking.
 
+import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { dumbbell, torus } from './meshes.js';
-import { builtPage, drop, fragment, modelIs, openPanel } from './page-support.js';
+import { dumbbell, torus, tube } from './meshes.js';
+import { builtPage, drop, fragment, modelIs, openPanel, pictures } from './page-support.js';
 
 const openBuilt = builtPage();
 
@@ -126,4 +127,127 @@ test('of several files none can be read: the model before stays, and words say s
   await words.waitFor();
   expect(await viewer.getByRole('alert').textContent()).toContain('former model is still here');
   await modelIs(page, 'chair.glb');
+});
+
+/** A dumbbell, a larger one of the same shape, a ring and an open tube, dropped together. */
+async function dropFour(page: Page): Promise<void> {
+  const bell = dumbbell(16, 12);
+  const larger = bell.replace(/^v (.*)$/gm, (_, numbers: string) =>
+    ['v', ...numbers.split(' ').map((number) => 5 * Number(number))].join(' '),
+  );
+  await drop(
+    page,
+    { name: 'bell.obj', bytes: Buffer.from(bell) },
+    { name: 'large-bell.obj', bytes: Buffer.from(larger) },
+    { name: 'ring.obj', bytes: Buffer.from(torus(24, 12)) },
+    { name: 'tube.obj', bytes: Buffer.from(tube(9, 16, 5)) },
+  );
+  await modelIs(page, 'bell.obj');
+}
+
+test('by every descriptor the same shape is nearest, and is at no distance', async () => {
+  const { page } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  await dropFour(page);
+  const panel = await openPanel(page, 'compare');
+  const choice = page.locator('#compare-field');
+  const names = await choice
+    .locator('option')
+    .evaluateAll((options: HTMLOptionElement[]) => options.map(({ value }) => value));
+  expect(names.sort()).toEqual(
+    ['geoaverage', 'geofarthest', 'hks', 'igf', 'igf-ms', 'igf-sdf', 'sdf', 'sihks', 'wks'].sort(),
+  );
+  for (const name of names) {
+    await choice.selectOption(name);
+    // The numbers of the descriptor before have gone at once: none is taken for this one's.
+    const rows = await ranking(page, 4);
+    expect(rows[0]!.name, name).toBe('bell.obj');
+    expect(rows[1]!.name, name).toBe('large-bell.obj');
+    const [same, ...others] = rows.slice(1).map(({ words }) => Number(words));
+    expect(same, name).toBeLessThan(0.02 * Math.min(...others));
+    const cells = await panel
+      .locator('.matrix td button')
+      .evaluateAll((buttons) =>
+        buttons.map((button) => Number(/: ([\d.]+)$/.exec(button.getAttribute('aria-label')!)![1])),
+      );
+    expect(cells.length).toBe(16);
+    // Symmetric, and nothing on the diagonal.
+    cells.forEach((distance, at) => {
+      const [row, column] = [Math.floor(at / 4), at % 4];
+      expect(distance).toBe(cells[4 * column + row]);
+      if (row === column) expect(distance).toBe(0);
+    });
+    await expect.poll(() => panel.getByRole('button', { name: 'Cancel' }).isVisible()).toBe(false);
+  }
+});
+
+test.each([
+  [1440, 900, 'light'],
+  [1024, 768, 'dark'],
+  [390, 844, 'light'],
+] as const)('four files at %d by %d, %s: a picture', async (width, height, colorScheme) => {
+  const { page } = await openBuilt(undefined, { colorScheme, viewport: { width, height } });
+  await modelIs(page, 'chair.glb');
+  await dropFour(page);
+  const panel = await openPanel(page, 'compare');
+  await ranking(page, 4);
+  await panel.locator('summary').scrollIntoViewIfNeeded();
+  await page.screenshot({ path: join(pictures, `four-${width}x${height}-${colorScheme}.png`) });
+  const aside = page.locator('aside');
+  await aside.evaluate((element) => element.scrollTo(0, element.scrollHeight));
+  await page.screenshot({
+    path: join(pictures, `four-below-${width}x${height}-${colorScheme}.png`),
+  });
+  // No list cuts the words of its choice.
+  const cut = await page.locator('select').evaluateAll((selects: HTMLSelectElement[]) =>
+    selects
+      .filter((select) => select.checkVisibility())
+      .flatMap((select) => {
+        const words = document.createElement('span');
+        const { font } = getComputedStyle(select);
+        words.textContent = select.selectedOptions[0]!.textContent;
+        words.style.cssText = `position: absolute; white-space: nowrap; font: ${font}`;
+        document.body.append(words);
+        const needed = words.offsetWidth;
+        words.remove();
+        // The arrow takes some 20 pixels.
+        return needed + 20 > select.clientWidth
+          ? [`${words.textContent}: ${select.clientWidth}`]
+          : [];
+      }),
+  );
+  expect(cut).toEqual([]);
+});
+
+test('cancelled in mid-run: what is computed stays, and it can be gone on with', async () => {
+  const { page } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  // The third takes minutes: it is in mid-run whenever the click comes.
+  await drop(
+    page,
+    { name: 'a-bell.obj', bytes: Buffer.from(dumbbell(16, 12)) },
+    { name: 'b-ring.obj', bytes: Buffer.from(torus(24, 12)) },
+    { name: 'c-endless.obj', bytes: Buffer.from(torus(160, 110)) },
+    { name: 'd-tube.obj', bytes: Buffer.from(tube(9, 16, 5)) },
+  );
+  await modelIs(page, 'a-bell.obj');
+  const panel = await openPanel(page, 'compare');
+  const rows = page.getByRole('list', { name: 'Ranking' }).getByRole('button');
+  await rows.filter({ hasText: /c-endless\.obj ?computing, \d+/ }).waitFor({ timeout: 60_000 });
+  const cancel = panel.getByRole('button', { name: 'Cancel' });
+  await cancel.click();
+  await cancel.waitFor({ state: 'hidden' });
+  const words = await rows.allTextContents();
+  expect(words).toEqual([
+    expect.stringMatching(/a-bell\.obj ?asked about/),
+    expect.stringMatching(/b-ring\.obj ?0\.\d{4}/),
+    expect.stringMatching(/c-endless\.obj ?not computed/),
+    expect.stringMatching(/d-tube\.obj ?not computed/),
+  ]);
+  // Without the endless one it goes on with the rest, and what was computed is still known.
+  await rows.filter({ hasText: 'c-endless' }).click();
+  await panel.getByRole('button', { name: 'Remove it' }).click();
+  await panel.getByRole('button', { name: 'Go on' }).click();
+  const rest = await ranking(page, 3);
+  expect(rest.map(({ name }) => name).sort()).toEqual(['a-bell.obj', 'b-ring.obj', 'd-tube.obj']);
 });

@@ -29,7 +29,7 @@ const descriptors: Record<string, string> = {
 const colours = ['#c2410c', '#0072b2', '#009e73', '#8a6d00', '#56b4e9', '#a0529c', '#6b7280'];
 const dashes = [undefined, [6, 3], [2, 2], [9, 3, 2, 3]];
 
-type Button = 'keep' | 'gallery' | 'cancel' | 'show' | 'remove' | 'clear';
+type Button = 'keep' | 'gallery' | 'cancel' | 'resume' | 'show' | 'remove' | 'clear';
 
 export interface ComparePage {
   /** The model that is on the page, and its name. */
@@ -83,6 +83,7 @@ export class ComparePanel {
       }),
       gallery: button('Add the examples', () => this.add(page.gallery())),
       cancel: button('Cancel', () => this.cancel()),
+      resume: button('Go on', () => this.computeAll()),
       show: button('Show it', () => this.query && page.show(this.query.opened)),
       remove: button('Remove it', () => this.query && this.remove(this.query)),
       clear: button('Remove all', () => this.clear()),
@@ -107,7 +108,7 @@ export class ComparePanel {
         ' of their fields.',
       ),
       make('p', { class: 'buttons' }, this.buttons.keep, this.buttons.gallery),
-      make('p', { class: 'working' }, this.words, this.buttons.cancel),
+      make('p', { class: 'working' }, this.words, this.buttons.cancel, this.buttons.resume),
       this.results,
     );
     this.panel.onToggle(() => {
@@ -282,6 +283,7 @@ export class ComparePanel {
     this.panel.summary = models.length > 0 ? formatCount(models.length) : '';
     this.results.hidden = models.length === 0;
     buttons.cancel.hidden = !this.isRunning;
+    buttons.resume.hidden = this.isRunning || !this.isCancelled || models.length === 0;
     buttons.show.disabled = buttons.remove.disabled = !query;
     if (!this.panel.isOpen || !query) return;
     this.showPlot();
