@@ -26,6 +26,24 @@ export function torus(rings: number, sides: number): string {
   return objOf(points, faces);
 }
 
+/** A thin ring of 2 * rings * sides even faces: its loops are short, and so is the work for each of them. */
+export function thinRing(rings: number, sides: number): string {
+  const radius = 0.5 / Math.sin(Math.PI / sides);
+  const large = 0.5 / Math.sin(Math.PI / rings);
+  const points: Point[] = [];
+  const faces: number[][] = [];
+  for (let i = 0; i < rings; ++i) {
+    for (let k = 0; k < sides; ++k) {
+      const [u, v] = [(2 * Math.PI * i) / rings, (2 * Math.PI * k) / sides];
+      const r = large + radius * Math.cos(v);
+      points.push([r * Math.cos(u), r * Math.sin(u), radius * Math.sin(v)]);
+      const at = (a: number, b: number) => ((i + a) % rings) * sides + ((k + b) % sides);
+      faces.push([at(0, 0), at(1, 0), at(1, 1)], [at(0, 0), at(1, 1), at(0, 1)]);
+    }
+  }
+  return objOf(points, faces);
+}
+
 /** A surface of revolution about x, closed by a vertex at each end: a dumbbell. */
 export function dumbbell(rings: number, sides: number): string {
   const points: Point[] = [[-2.4, 0, 0]];

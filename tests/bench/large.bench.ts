@@ -1,0 +1,87 @@
+// The page with a surface of a hundred thousand vertices: how long it takes to open, and whether thresholds
+// that are dragged recolour it within a frame. Drawing is left out: see `long-tasks.ts`.
+
+import { join } from 'node:path';
+import { afterAll, beforeAll, test } from 'vitest';
+import { withoutDrawing } from '../browser/long-tasks.js';
+import { thinRing } from '../browser/meshes.js';
+import {
+  chromiumForTests,
+  repository,
+  requireBuilt,
+  serve,
+  type StaticServer,
+} from '../browser/support.js';
+import { figure, printFigures, quantile, type Figure } from './figures.js';
+import { recordTasks } from './tasks.js';
+
+const goals = { openedSeconds: 5, task: 50, frame: 1000 / 60 };
+/** Positions of the slider in one drag. */
+const moves = 60;
+
+const chromium = chromiumForTests();
+const figures: Figure[] = [];
+let server: StaticServer;
+
+beforeAll(async () => {
+  requireBuilt('build/page/index.html', 'build:page');
+  server = await serve(join(repository, 'build/page'), { isolated: true });
+});
+afterAll(async () => {
+  await server?.close();
+  printFigures(figures);
+});
+
+test('opening 100K vertices and dragging thresholds', async () => {
+  const { context, page, browser } = await chromium('about:blank');
+  await withoutDrawing(page);
+  await page.goto(server.url);
+  const complete = page.locator('html[data-field=complete]');
+  await complete.waitFor({ state: 'attached', timeout: 120_000 });
+  const buffer = Buffer.from(thinRing(5120, 20));
+  const recorded = await recordTasks(browser, page);
+  await page.evaluate(() => {
+    const from = performance.now();
+    const opened = new Promise<number>((done) => {
+      document
+        .querySelector('girth-viewer')!
+        .addEventListener('load', () => done((performance.now() - from) / 1000), { once: true });
+    });
+    delete document.documentElement.dataset['field'];
+    Object.assign(globalThis, { opened });
+  });
+  await page.locator('#file').setInputFiles({ name: 'ring.obj', mimeType: 'text/plain', buffer });
+  const opened = await page.evaluate(() => (globalThis as unknown as { opened: number }).opened);
+  figures.push(figure('100K vertices opened, an OBJ of 10 MB', 's', opened, goals.openedSeconds));
+  await complete.waitFor({ state: 'attached', timeout: 500_000 });
+  const tasks = await recorded();
+  const longest = Math.max(...tasks.map(({ processor }) => processor));
+  figures.push(figure('longest task meanwhile, processor', 'ms', longest, goals.task));
+
+  await page.locator('#parts-panel summary').click();
+  await page.locator('#parts-panel .controls').waitFor({ timeout: 120_000 });
+  const [own, frames] = await page.evaluate(async (moves) => {
+    const slider = document.querySelector<HTMLInputElement>('#parts-panel .threshold')!;
+    const [own, frames]: [number[], number[]] = [[], []];
+    const frame = () => new Promise<number>(requestAnimationFrame);
+    let before = await frame();
+    for (let i = 0; i < moves; ++i) {
+      const begun = performance.now();
+      slider.value = String(200 + 10 * i);
+      slider.dispatchEvent(new Event('input'));
+      own.push(performance.now() - begun);
+      const now = await frame();
+      frames.push(now - before);
+      before = now;
+    }
+    return [own, frames] as const;
+  }, moves);
+  await context.close();
+  for (const share of [0.5, 0.95]) {
+    const what = `a threshold moved, ${100 * share}%`;
+    figures.push(figure(`${what}: the page's work`, 'ms', quantile(own, share), goals.frame));
+    figures.push(
+      figure(`${what}: from frame to frame`, 'ms', quantile(frames, share), goals.frame),
+    );
+  }
+});
