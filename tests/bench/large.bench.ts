@@ -25,7 +25,8 @@ let server: StaticServer;
 
 beforeAll(async () => {
   requireBuilt('build/page/index.html', 'build:page');
-  server = await serve(join(repository, 'build/page'), { isolated: true });
+  const pages = { '/ring.obj': thinRing(5120, 20) };
+  server = await serve(join(repository, 'build/page'), { isolated: true, pages });
 });
 afterAll(async () => {
   await server?.close();
@@ -38,20 +39,24 @@ test('opening 100K vertices and dragging thresholds', async () => {
   await page.goto(server.url);
   const complete = page.locator('html[data-field=complete]');
   await complete.waitFor({ state: 'attached', timeout: 120_000 });
-  const buffer = Buffer.from(thinRing(5120, 20));
   const recorded = await recordTasks(browser, page);
-  await page.evaluate(() => {
+  // As a file that is chosen: that the driver hands over ten megabytes is not the page's work.
+  const opened = await page.evaluate(async () => {
+    const content = await (await fetch('/ring.obj')).blob();
+    const files = new DataTransfer();
+    files.items.add(new File([content], 'ring.obj'));
+    const chooser = document.querySelector<HTMLInputElement>('#file')!;
+    chooser.files = files.files;
+    delete document.documentElement.dataset['field'];
     const from = performance.now();
-    const opened = new Promise<number>((done) => {
+    const loaded = new Promise<number>((done) => {
       document
         .querySelector('girth-viewer')!
         .addEventListener('load', () => done((performance.now() - from) / 1000), { once: true });
     });
-    delete document.documentElement.dataset['field'];
-    Object.assign(globalThis, { opened });
+    chooser.dispatchEvent(new Event('change'));
+    return loaded;
   });
-  await page.locator('#file').setInputFiles({ name: 'ring.obj', mimeType: 'text/plain', buffer });
-  const opened = await page.evaluate(() => (globalThis as unknown as { opened: number }).opened);
   figures.push(figure('100K vertices opened, an OBJ of 10 MB', 's', opened, goals.openedSeconds));
   await complete.waitFor({ state: 'attached', timeout: 500_000 });
   const tasks = await recorded();

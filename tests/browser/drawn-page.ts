@@ -91,7 +91,7 @@ export async function draw(page: Page, drawing: Drawing): Promise<Locator> {
       polyline: Float32Array.from(polyline),
     });
     const mesh = {
-      info: { name: 'drawing', vertexCount, unit: drawing.unit ?? '', area: 4 },
+      info: { name: 'drawing', unreadable: [], vertexCount, unit: drawing.unit ?? '', area: 4 },
       geometry: {
         positions: Float32Array.from(drawing.positions),
         indices: Uint32Array.from(drawing.indices),

@@ -186,6 +186,13 @@ TEST_F(Command, tipsPartsAndFieldsOfASurface) {
   EXPECT_TRUE(Json::parse(tips.output)["tips"].is_array());
   EXPECT_EQ(contentOf(path("tips.json")), tips.output);
   EXPECT_EQ(run({"tips", model, "-o", path("tips.csv")}).exitCode, 1);
+  EXPECT_FALSE(Json::parse(tips.output).contains("trials"));
+  const Json trials = Json::parse(run({"tips", model, "--stability", "--json"}).output)["trials"];
+  ASSERT_EQ(trials.size(), 4u);
+  EXPECT_EQ(trials[0]["change"], "subdivided");
+  EXPECT_EQ(trials[3]["noise"], 0.25);
+  EXPECT_TRUE(trials[3]["found"].is_array());
+  EXPECT_NE(run({"tips", model, "--stability"}).output.find("not found again"), std::string::npos);
 
   const Outcome field = run({"field", model, "--field", "sdf", "-o", path("sdf.csv"), "--json"});
   EXPECT_EQ(field.exitCode, 0) << field.errors;

@@ -117,5 +117,37 @@ TEST(SurfaceChanges, PartsFaceEachOtherAcrossGaps) {
   EXPECT_TRUE(none.value().empty());
 }
 
+TEST(SurfaceChanges, SubdividedIsTheSameSurfaceInSmallerTriangles) {
+  for (const test::Shape& shape : {test::torus(3, 1, 12, 8), test::plate(1)}) {
+    const SurfaceMesh mesh = shape.mesh();
+    const auto finer = subdivided(mesh);
+    ASSERT_TRUE(finer.ok());
+    const SurfaceMesh& fine = finer.value().mesh;
+    EXPECT_EQ(fine.faceCount(), 4 * mesh.faceCount());
+    ASSERT_EQ(fine.vertexCount(), mesh.vertexCount() + finer.value().between.size());
+    EXPECT_EQ(fine.componentCount(), mesh.componentCount());
+    EXPECT_EQ(fine.boundaryCount(0), mesh.boundaryCount(0));
+    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+      EXPECT_EQ(norm(fine.position(v) - mesh.position(v)), 0);
+    }
+    for (Index v = mesh.vertexCount(); v < fine.vertexCount(); ++v) {
+      const auto [a, b] = finer.value().between[v - mesh.vertexCount()];
+      EXPECT_EQ(norm(fine.position(v) - 0.5 * (mesh.position(a) + mesh.position(b))), 0);
+    }
+    for (Index f = 0; f < fine.faceCount(); ++f) {
+      EXPECT_NEAR(fine.area(f), mesh.area(f / 4) / 4, 1e-12);
+    }
+  }
+  // Walls stay walls.
+  test::Shape patch;
+  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) patch.add(x, y, 0);
+  patch.face(0, 1, 2);
+  patch.face(0, 2, 3);
+  const auto open = subdivided(patch.mesh(OpenEdges::Wall));
+  ASSERT_TRUE(open.ok());
+  EXPECT_EQ(open.value().mesh.boundaryCount(0), 1u);
+  EXPECT_EQ(open.value().mesh.vertexCount(), 9u);
+}
+
 }  // namespace
 }  // namespace girth

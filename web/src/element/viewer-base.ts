@@ -313,7 +313,8 @@ export abstract class ViewerBase extends HTMLElement {
     if (!this.stage) throw new Error('the element is no longer on a page');
     this.madeFrom = before;
     this.message.clear();
-    this.message.showPassedOver(model.mesh.info.unreadable ?? [], model.mesh.info.name);
+    const { unreadable, name } = model.mesh.info;
+    if (!before) this.message.showPassedOver(unreadable, name);
     model.surface.showEdges(this.hasAttribute('edges'));
     // The unit of what is shown is the model's own, which is not there yet.
     const wishes = { ...this.wishes, unit: model.mesh.info.unit || this.wishes.unit };
