@@ -187,6 +187,34 @@ TEST(Remesh, SharpEdgesAndCornersStay) {
   }
 }
 
+TEST(Remesh, LinesThatBendBack) {
+  // Flat stars, twisted: the middle of an edge of the outline may be nearest to another tooth of
+  // it.
+  for (const int teeth : {8, 12, 20}) {
+    for (const double height : {0.02, 0.1}) {
+      std::vector<double> star;
+      for (int i = 0; i < 2 * teeth; ++i) {
+        const double radius = i % 2 == 0 ? 1 : 0.2, angle = M_PI * i / teeth;
+        star.insert(star.end(), {radius * std::cos(angle), radius * std::sin(angle)});
+      }
+      Shape shape = prism(star, height, 3);
+      for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
+        const double x = shape.positions[i], y = shape.positions[i + 1];
+        const double turn = 0.6 * shape.positions[i + 2] / height;
+        shape.positions[i] = x * std::cos(turn) - y * std::sin(turn);
+        shape.positions[i + 1] = x * std::sin(turn) + y * std::cos(turn);
+      }
+      const SurfaceMesh mesh = shape.mesh();
+      for (const Index faces : {50u, 100u, 200u, 400u}) {
+        SCOPED_TRACE(std::to_string(teeth) + " teeth, " + std::to_string(faces) + " faces");
+        const auto out = remesh(mesh, {faces, RemeshMethod::Even});
+        ASSERT_TRUE(out.ok()) << out.error().message;
+        EXPECT_EQ(out.value().mesh.genus(0), 0u);
+      }
+    }
+  }
+}
+
 TEST(Remesh, BoundariesStay) {
   // A flat square with a square hole, both rims kept to.
   Shape shape;

@@ -23,19 +23,21 @@ double leastAngleMeasure(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
+bool facesAs(const Vec3& before, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 after = cross(b - a, c - a);
+  const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
+  if (norm(after) < kThin * longest * longest) {
+    return norm(after) > norm(before) && dot(before, after) > 0;
+  }
+  return dot(before, after) > kTurned * norm(before) * norm(after);
+}
+
 bool keepsFacing(const ChangingMesh& mesh, Index vertex, const Vec3& place, Index other) {
   bool keeps = true;
   mesh.forEachOutgoing(vertex, [&](Index h) {
     const Index b = mesh.to(h), c = mesh.apex(h);
     if (!keeps || b == other || c == other) return;
-    const Vec3 &p = mesh.position(b), &q = mesh.position(c);
-    const Vec3 before = mesh.areaVector(h / 3), after = cross(p - place, q - place);
-    const double longest = std::max({norm(p - place), norm(q - place), norm(q - p)});
-    if (norm(after) < kThin * longest * longest) {
-      keeps = norm(after) > norm(before) && dot(before, after) > 0;
-      return;
-    }
-    keeps = dot(before, after) > kTurned * norm(before) * norm(after);
+    keeps = facesAs(mesh.areaVector(h / 3), place, mesh.position(b), mesh.position(c));
   });
   return keeps;
 }

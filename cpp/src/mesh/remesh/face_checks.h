@@ -5,6 +5,9 @@
 
 namespace girth::remeshing {
 
+/// Whether a triangle faces as one of this area vector did and has area; a thin one must have more.
+bool facesAs(const Vec3& before, const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// Whether the faces of a vertex keep their side, and have area, when it moves to `place`; those
 /// that also have the vertex `other` do not count. A thin face may only become better.
 bool keepsFacing(const ChangingMesh& mesh, Index vertex, const Vec3& place, Index other);

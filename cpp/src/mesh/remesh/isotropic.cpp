@@ -208,7 +208,7 @@ class IsotropicRemesher {
       const Entry entry = queue.top();
       queue.pop();
       if (mesh_.length(entry.halfedge) != entry.length) continue;  // halved meanwhile
-      const Index m = mesh_.split(entry.halfedge, middleOf(entry.halfedge));
+      const Index m = mesh_.split(entry.halfedge, splittingPoint(entry.halfedge));
       // Also the sides of the faces around, some of which have new numbers.
       mesh_.forEachOutgoing(m, [&](Index h) {
         push(h);
@@ -244,6 +244,20 @@ class IsotropicRemesher {
   Vec3 middleOf(Index h) const {
     const Vec3 middle = 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
     return mesh_.isLine(h) ? lines_.nearest(middle).position : middle;
+  }
+
+  /// The middle of an edge where its faces come apart into such as face alike; else the straight
+  /// one: a line that bends back may come to lie on the other sides of the faces.
+  Vec3 splittingPoint(Index h) const {
+    const Vec3 middle = middleOf(h);
+    const auto comesApart = [&](Index side) {
+      const Vec3 before = mesh_.areaVector(side / 3), apex = mesh_.position(mesh_.apex(side));
+      return facesAs(before, mesh_.position(mesh_.from(side)), middle, apex) &&
+             facesAs(before, middle, mesh_.position(mesh_.to(side)), apex);
+    };
+    const Index twin = mesh_.twin(h);
+    if (comesApart(h) && (twin == kNoIndex || comesApart(twin))) return middle;
+    return 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
   }
 
   bool tryCollapse(Index h, double longest) {
@@ -376,7 +390,7 @@ class IsotropicRemesher {
     const auto edges = edgesByLength();
     for (auto edge = edges.rbegin(); edge != edges.rend() && count > 0; ++edge, --count) {
       const Index h = edge->second;
-      mesh_.split(h, middleOf(h));
+      mesh_.split(h, splittingPoint(h));
     }
   }
 
