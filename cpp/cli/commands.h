@@ -103,6 +103,7 @@ struct TipsOptions {
   ModelOptions preparing;
   std::string output;
   unsigned threads{0};
+  bool stability{false};
   bool json{false};
 };
 

@@ -177,6 +177,11 @@ int run(int argc, char** argv) {
   tipsCommand->add_option("-o,--output", tips.output,
                           "Write the tips: .json, or .obj (their contours)");
   threadsOption(tipsCommand, tips.threads);
+  tipsCommand->add_flag(
+      "--stability", tips.stability,
+      "Also find the tips with each triangle cut into four, and with noise of 5, 10 "
+      "and 25% of the mean edge length, and say which are found again; takes about "
+      "twelve times as long");
   tipsCommand->add_flag("--json", tips.json, "Print everything as JSON");
 
   PartsOptions parts;

@@ -1,11 +1,16 @@
 #include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "commands.h"
 #include "compute.h"
 #include "files.h"
 #include "girth/io/write_tips.h"
+#include "girth/tip_stability.h"
 #include "girth/tips.h"
 #include "interrupt.h"
+#include "progress_line.h"
 #include "report.h"
 
 namespace girth::cli {
@@ -34,6 +39,29 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Tip
   }
 }
 
+/// Which tips are to be relied on.
+void printTrials(const Tips& tips, const std::vector<TipTrial>& trials) {
+  std::printf("  %-34s %5s %6s  %s\n", "after a change of the surface", "tips", "arcs",
+              "not found again");
+  for (const TipTrial& trial : trials) {
+    const std::string change = trial.noise
+                                   ? "noise of " + readable(100 * *trial.noise) + "% of an edge"
+                                   : std::string("each triangle cut into four");
+    if (trial.failed) {
+      std::printf("  %-34s %s\n", change.c_str(), trial.failed->message.c_str());
+      continue;
+    }
+    std::string lost;
+    for (std::size_t i = 0; i < trial.found.size(); ++i) {
+      if (!trial.found[i]) lost += (lost.empty() ? "tip " : ", ") + std::to_string(i + 1);
+    }
+    std::printf("  %-34s %5u %6u  %s\n", change.c_str(), trial.tips, trial.arcs,
+                tips.tips.empty() ? "-"
+                : lost.empty()    ? "none"
+                                  : lost.c_str());
+  }
+}
+
 }  // namespace
 
 int runTips(const TipsOptions& options) {
@@ -54,7 +82,17 @@ int runTips(const TipsOptions& options) {
   const auto tips = findTips(mesh, girth.value().values, {0, &catchInterrupts(), {}});
   if (!tips) return reportError(options.model, tips.error());
 
-  const auto json = [&] { return io::tipsJson(loaded.value(), tips.value(), options.model); };
+  std::vector<TipTrial> trials;
+  if (options.stability) {
+    ProgressLine progress(options.model);
+    auto tried = tipTrials(mesh, tips.value().tips, {}, watched(options.threads, progress));
+    if (!tried) return reportError(options.model, tried.error());
+    trials = std::move(tried).value();
+  }
+
+  const auto json = [&] {
+    return io::tipsJson(loaded.value(), tips.value(), options.model, trials);
+  };
   if (!options.output.empty()) {
     if (auto error =
             writeFile(options.output,
@@ -66,6 +104,7 @@ int runTips(const TipsOptions& options) {
     std::fputs(json().c_str(), stdout);
   } else {
     printText(options.model, loaded.value(), tips.value());
+    if (options.stability) printTrials(tips.value(), trials);
   }
   return 0;
 }

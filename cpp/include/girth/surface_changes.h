@@ -3,6 +3,7 @@
 // test.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -24,6 +25,18 @@ Result<SurfaceMesh> remeshedUnevenly(const SurfaceMesh& mesh, Index faces, doubl
 /// edge length. The same `seed` always gives the same surface. Faces may come to intersect. O(n).
 /// Errors: INVALID_OPTION (amount: 0 to 1); DEGENERATE_FACE where a face loses its area.
 Result<SurfaceMesh> withNoise(const SurfaceMesh& mesh, double amount, std::uint64_t seed);
+
+/// A surface whose triangles are cut into four each.
+struct Subdivision {
+  SurfaceMesh mesh;
+  /// For each new vertex the two between which it lies; new ones are numbered after the others.
+  std::vector<std::array<Index, 2>> between;
+};
+
+/// Cuts each triangle into four by the middles of its sides: the same surface, other triangles.
+/// Vertices keep their numbers, and face f becomes 4 f to 4 f + 3. O(n). Errors:
+/// DEGENERATE_FACE where a face is so thin that a quarter of it has no area.
+Result<Subdivision> subdivided(const SurfaceMesh& mesh);
 
 struct HumpOptions {
   /// Spread evenly over the surface.

@@ -107,6 +107,29 @@ Result<SurfaceMesh> withNoise(const SurfaceMesh& mesh, double amount, std::uint6
   return surfaceOf(positions, trianglesOf(mesh));
 }
 
+Result<Subdivision> subdivided(const SurfaceMesh& mesh) {
+  std::vector<Vec3> positions = positionsOf(mesh);
+  std::vector<std::array<Index, 2>> between;
+  std::vector<Index> middle(mesh.halfedgeCount(), kNoIndex);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+    if (middle[h] != kNoIndex) continue;
+    middle[h] = static_cast<Index>(positions.size());
+    if (mesh.twin(h) != kNoIndex) middle[mesh.twin(h)] = middle[h];
+    between.push_back({mesh.from(h), mesh.to(h)});
+    positions.push_back(0.5 * (mesh.position(mesh.from(h)) + mesh.position(mesh.to(h))));
+  }
+  std::vector<Index> triangles;
+  triangles.reserve(4 * static_cast<std::size_t>(mesh.halfedgeCount()));
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    const Index ab = middle[3 * f], bc = middle[3 * f + 1], ca = middle[3 * f + 2];
+    const auto [a, b, c] = mesh.faceVertices(f);
+    triangles.insert(triangles.end(), {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca});
+  }
+  auto finer = surfaceOf(positions, triangles);
+  if (!finer) return finer.error();
+  return Subdivision{std::move(finer).value(), std::move(between)};
+}
+
 Result<SurfaceMesh> withHumps(const SurfaceMesh& mesh, const HumpOptions& options,
                               const ExecutionContext& context) {
   const double radius = options.radius * std::sqrt(mesh.area());

@@ -1,10 +1,12 @@
 // Tips and their contours as a file's content: JSON or OBJ.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "girth/io/read_mesh.h"
+#include "girth/tip_stability.h"
 #include "girth/tips.h"
 
 namespace girth::io {
@@ -12,8 +14,11 @@ namespace girth::io {
 /// One JSON object: `file`, `unit`, `crossedEdges`, `tips` and `arcs`. Of a tip: `area`,
 /// `boundaryLength`, `jump`, `apex` (as a point of `loopJson`), `apexDistance`, `vertices` (of the
 /// file), and `contour`: lines with `closed` and `points` [x,y,z]. Of an arc: `length`, `jump` and
-/// `line`.
-std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_view file);
+/// `line`. With `trials` also `trials`: of each, `change` ("subdivided" or "noise"), `noise` (mean
+/// edge lengths), `tips` and `arcs` (how many), and `found` (for each tip, in order, true or
+/// false); or `error`, why there is none.
+std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_view file,
+                     std::span<const TipTrial> trials = {});
 
 /// The contours as OBJ line elements: one object a tip (`o tip_1`, …) and one an arc (`o arc_1`,
 /// …).
