@@ -184,22 +184,33 @@ int run(int argc, char** argv) {
       "twelve times as long");
   tipsCommand->add_flag("--json", tips.json, "Print everything as JSON");
 
+  // An empty one is a slip, such as a variable of a script that is not set: not the same as none.
+  const auto isGiven = [](const std::string& length) {
+    return length.empty() ? "the length is missing" : "";
+  };
   PartsOptions parts;
   CLI::App* partsCommand =
       app.add_subcommand("parts", "Find tubes and plates, or what is too thin to print");
   partsCommand->add_option("MODEL", parts.model, "The model to read")->required();
   addModelOptions(*partsCommand, parts.preparing);
-  partsCommand->add_option("--girth", parts.girth, "Tubes have a girth below this length (tau 1)");
-  partsCommand->add_option("--thickness", parts.diameter,
-                           "Tubes and plates are thinner than this length (tau 2)");
+  partsCommand->add_option("--girth", parts.girth, "Tubes have a girth below this length (tau 1)")
+      ->check(isGiven);
+  partsCommand
+      ->add_option("--thickness", parts.diameter,
+                   "Tubes and plates are thinner than this length (tau 2)")
+      ->check(isGiven);
   partsCommand
       ->add_option("--smooth", parts.smoothing,
                    "What all neighbours of a vertex count against its own kind; 0 by default")
       ->check(CLI::Range(0.0, 1e6));
-  partsCommand->add_option("--min-tube", parts.minTube,
-                           "List tubes thinner than this diameter, as in 3mm; ends with 4");
-  partsCommand->add_option("--min-wall", parts.minWall,
-                           "List walls thinner than this, as in 1mm; ends with 4");
+  partsCommand
+      ->add_option("--min-tube", parts.minTube,
+                   "List tubes thinner than this diameter, as in 3mm; ends with 4")
+      ->check(isGiven);
+  partsCommand
+      ->add_option("--min-wall", parts.minWall,
+                   "List walls thinner than this, as in 1mm; ends with 4")
+      ->check(isGiven);
   partsCommand->add_option("-o,--output", parts.output,
                            "Write the answer: .json, or every vertex with its part: .csv, .ply");
   threadsOption(partsCommand, parts.threads);

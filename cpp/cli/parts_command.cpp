@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -28,20 +29,23 @@ std::string placeText(const io::LoadedMesh& loaded, Index vertex) {
   return readable(p.x) + " " + readable(p.y) + " " + readable(p.z);
 }
 
+std::string orDash(double value) { return std::isnan(value) ? "-" : readable(value); }
+
 void printParts(const std::string& model, const io::LoadedMesh& loaded, const Parts& parts,
                 const PartOptions& options) {
   constexpr std::size_t kShown = 20;
   const std::string unit = unitSuffix(loaded.unit);
-  std::printf("%s: %zu parts, thin below %s%s, tube below %s%s round\n", model.c_str(),
-              parts.parts.size(), readable(options.thresholds.diameter).c_str(), unit.c_str(),
+  std::printf("%s: %zu part%s, thin below %s%s, tube below %s%s round\n", model.c_str(),
+              parts.parts.size(), parts.parts.size() == 1 ? "" : "s",
+              readable(options.thresholds.diameter).c_str(), unit.c_str(),
               readable(options.thresholds.girth).c_str(), unit.c_str());
   std::printf("  %-8s %12s %12s %12s %12s  %s\n", "kind", "area", "girth", "thickness", "radius",
               "thinnest at vertex");
   for (std::size_t i = 0; i < parts.parts.size() && i < kShown; ++i) {
     const Part& part = parts.parts[i];
     std::printf("  %-8s %12s %12s %12s %12s  %s\n", std::string(toString(part.kind)).c_str(),
-                readable(part.area).c_str(), readable(part.medianGirth).c_str(),
-                readable(part.medianDiameter).c_str(),
+                readable(part.area).c_str(), orDash(part.medianGirth).c_str(),
+                orDash(part.medianDiameter).c_str(),
                 part.kind == PartKind::Tube ? readable(part.equivalentRadius()).c_str() : "-",
                 vertexText(loaded, part.thinnest).c_str());
   }
@@ -119,11 +123,15 @@ int runParts(const PartsOptions& options) {
   }
   const auto diameter = computeDiameter(options.model, model.mesh, {}, options.threads);
   if (!diameter) return reportError(options.model, diameter.error());
-  if (limits.wallThickness > 0 && diameter.value().withoutValue == model.mesh.vertexCount()) {
-    // Not 'passes': nothing was looked at.
-    return reportError(
-        options.model,
-        makeError(ErrorCode::NoThickness, -1, "no vertex has a thickness, so no wall is checked"));
+  if (limits.wallThickness > 0) {
+    // Not 'passes' where nothing was looked at, or the wrong side.
+    const bool none = diameter.value().withoutValue == model.mesh.vertexCount();
+    if (none || diameter.value().insideOut) {
+      return reportError(options.model,
+                         makeError(ErrorCode::NoThickness, -1,
+                                   none ? "no vertex has a thickness, so no wall is checked"
+                                        : "the surface is inside out, so no wall is checked"));
+    }
   }
   const auto girth = computeGirth(options.model, model.mesh, options.threads);
   if (!girth) return reportError(options.model, girth.error());

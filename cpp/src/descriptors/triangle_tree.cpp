@@ -121,7 +121,8 @@ struct TriangleTree::Build {
   }
 
   static double blocksFor(std::size_t triangles) {
-    return static_cast<double>((triangles + kBlock - 1) / kBlock);
+    const std::size_t blocks = (triangles + kBlock - 1) / kBlock;
+    return static_cast<double>(blocks);
   }
 
   /// Makes the node for a range; gives its number.
