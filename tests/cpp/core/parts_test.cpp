@@ -209,6 +209,36 @@ TEST(Parts, BadInputIsRefused) {
   const std::vector<double> unknown(4, kNone);
   EXPECT_EQ(partsOf(mesh, unknown, unknown, {}).parts[0].kind, PartKind::Unknown);
   EXPECT_EQ(suggestedThresholds(mesh, unknown, unknown).girth, 0);
+  const auto places = findWeakPlaces(mesh, unknown, unknown, {1, 1});
+  ASSERT_TRUE(places.ok());
+  EXPECT_TRUE(places.value().empty());
+}
+
+/// Two shapes as one surface.
+test::Shape together(test::Shape shape, const test::Shape& other) {
+  const Index first = shape.vertexCount();
+  shape.positions.insert(shape.positions.end(), other.positions.begin(), other.positions.end());
+  for (const Index v : other.triangles) shape.triangles.push_back(first + v);
+  return shape;
+}
+
+TEST(Parts, OfBodiesThatCrossAreInsideOneAnotherOrHaveNoVolume) {
+  const test::Shape ball = test::icosphere(2);
+  const SurfaceMesh crossing = together(ball, test::moved(ball, 1, 0.5, 0.6)).mesh();
+  const SurfaceMesh nested = together(ball, test::moved(ball, 0.5, 0, 0)).mesh();
+  const SurfaceMesh flat = test::box(2, 2, 1e-12, 6, 6, 1).mesh();
+  for (const SurfaceMesh* mesh : {&crossing, &nested, &flat}) {
+    const std::vector<double> girth = girthField(*mesh).values;
+    const auto diameter = shapeDiameter(*mesh);
+    ASSERT_TRUE(diameter.ok());
+    for (const double value : diameter.value().values) EXPECT_FALSE(value <= 0);
+    const PartThresholds thresholds = suggestedThresholds(*mesh, girth, diameter.value().values);
+    const Parts parts = partsOf(*mesh, girth, diameter.value().values, {thresholds, 0});
+    EXPECT_GE(parts.parts.size(), mesh->componentCount());
+    const auto places = findWeakPlaces(*mesh, girth, diameter.value().values, {0, 0.01});
+    ASSERT_TRUE(places.ok());
+    EXPECT_EQ(places.value().empty(), mesh != &flat) << "only the plate without volume is thin";
+  }
 }
 
 }  // namespace
