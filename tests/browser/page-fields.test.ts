@@ -57,7 +57,7 @@ test('which number of a signature is shown can be chosen, and is in the link', a
       ...(await element.fieldOf(element.getAttribute('field') as 'hks')).values,
     ]);
   const ratio = (numbers: number[]) => Math.max(...numbers) / Math.min(...numbers);
-  await page.locator('#field-name').selectOption({ label: 'Heat kernel signature' });
+  await page.locator('#field-name').selectOption({ label: 'Heat kernel (HKS)' });
   await slider.waitFor();
   expect(await page.locator('.signature output').textContent()).toBe('0.002');
   const early = await values();
@@ -71,14 +71,14 @@ test('which number of a signature is shown can be chosen, and is in the link', a
   expect(ratio(early)).toBeGreaterThan(1.2);
   await expect.poll(() => fragment(page)).toContain('time=1');
 
-  await page.locator('#field-name').selectOption({ label: 'Scale-invariant heat kernel' });
+  await page.locator('#field-name').selectOption({ label: 'SIHKS (scale-free)' });
   expect(await page.locator('.signature output').textContent()).toBe('1 of 19');
   const first = await values();
   await slider.focus();
   await page.keyboard.press('ArrowRight');
   expect(await viewer.getAttribute('component')).toBe('2');
   expect(await values()).not.toEqual(first);
-  await page.locator('#field-name').selectOption({ label: 'Wave kernel signature' });
+  await page.locator('#field-name').selectOption({ label: 'Wave kernel (WKS)' });
   await expect.poll(() => page.locator('.signature output').textContent()).toBe('20 of 100');
   await page.screenshot({ path: join(pictures, 'signature.png') });
 
@@ -174,4 +174,27 @@ test('the cumulative curve takes the histogram’s place; lines of equal value a
   await page.locator('#isolines').selectOption('10 lines');
   expect(await viewer.getAttribute('isolines')).toBe('10');
   await expect.poll(() => viewer.locator('.legend-line').count()).toBe(10);
+});
+
+test.each([
+  [1024, 768],
+  [390, 844],
+])('at %d by %d no list cuts the words of a choice', async (width, height) => {
+  await page.setViewportSize({ width, height });
+  const cut = await page.locator('#field select').evaluateAll((selects: HTMLSelectElement[]) => {
+    const words = document.createElement('span');
+    document.body.append(words);
+    const arrow = 20;
+    const found = selects.flatMap((select) =>
+      [...select.options].flatMap(({ text, hidden }) => {
+        words.textContent = text;
+        words.style.cssText = `position: absolute; white-space: nowrap; font: ${getComputedStyle(select).font}`;
+        const fits = words.offsetWidth + arrow <= select.clientWidth;
+        return hidden || fits ? [] : [`${text}: ${words.offsetWidth} in ${select.clientWidth}`];
+      }),
+    );
+    words.remove();
+    return found;
+  });
+  expect(cut).toEqual([]);
 });

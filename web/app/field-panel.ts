@@ -40,8 +40,11 @@ const shownNames: readonly ShownName[] = [...fieldNames, ...derivedNames, 'none'
 const listWords: Partial<Record<ShownName, string>> = {
   igf: 'Girth (IGF)',
   sdf: 'Thickness (SDF)',
-  geoaverage: 'Mean distance (GeoAverage)',
-  geofarthest: 'Greatest distance (GeoFarthest)',
+  geoaverage: 'GeoAverage (mean)',
+  geofarthest: 'GeoFarthest (largest)',
+  hks: 'Heat kernel (HKS)',
+  wks: 'Wave kernel (WKS)',
+  sihks: 'SIHKS (scale-free)',
   tips: 'Tip persistence',
   parts: 'Tubes and plates',
   none: 'None',

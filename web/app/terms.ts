@@ -133,7 +133,8 @@ class Explanation {
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
-    document.body.append(this.element);
+    // In the top layer wherever it stands, but for screen readers within the page's landmarks.
+    document.querySelector('main')!.append(this.element);
   }
 
   listen(): void {
