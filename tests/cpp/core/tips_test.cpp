@@ -124,6 +124,50 @@ TEST(Tips, APyramidHasOneWhereItsAngleIsBelowPi) {
   }
 }
 
+TEST(Tips, EveryCornerBelowPiIsOne) {
+  // Two pyramids base to base; a triangle of two sheets, whose corners are cones of 2π/3.
+  Shape spindle;
+  const Index sides = 12, rings = 6;
+  const Shape half = test::pyramid(sides, 1.0, rings);
+  const Index shared = 1 + (rings - 1) * sides, bottom = half.vertexCount() - 1;
+  std::vector<Index> mirrored;
+  for (Index v = 0; v < bottom; ++v) {
+    spindle.add(half.positions[3 * v], half.positions[3 * v + 1], half.positions[3 * v + 2]);
+  }
+  for (Index v = 0; v < bottom; ++v) {
+    mirrored.push_back(v >= shared ? v
+                                   : spindle.add(half.positions[3 * v], half.positions[3 * v + 1],
+                                                 -half.positions[3 * v + 2]));
+  }
+  for (std::size_t i = 0; i < half.triangles.size(); i += 3) {
+    const Index a = half.triangles[i], b = half.triangles[i + 1], c = half.triangles[i + 2];
+    if (a == bottom) continue;
+    spindle.face(a, b, c);
+    spindle.face(mirrored[a], mirrored[c], mirrored[b]);
+  }
+  Shape sheets;
+  const double height = std::sqrt(3.0) / 2;
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {0.5, height}}) sheets.add(x, y, 0);
+  // So that the two sheets differ, one of them has its middle as a vertex.
+  const Index middle = sheets.add(0.5, height / 3, 0);
+  sheets.face(0, 2, 1);
+  for (Index i = 0; i < 3; ++i) sheets.face(i, (i + 1) % 3, middle);
+  for (int level = 0; level < 4; ++level) sheets = test::subdivided(sheets);
+
+  for (const Shape& shape : {spindle, sheets}) {
+    const SurfaceMesh mesh = shape.mesh();
+    std::set<Index> sharp, apexes;
+    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+      if (mesh.totalAngle(v) < kPi - 1e-9) sharp.insert(v);
+    }
+    const Tips tips = tipsOf(mesh);
+    for (const Tip& tip : tips.tips) apexes.insert(tip.apex);
+    EXPECT_EQ(apexes, sharp);
+    EXPECT_EQ(tips.tips.size(), sharp.size());
+    EXPECT_EQ(sharp.size(), shape.vertexCount() == spindle.vertexCount() ? 2u : 3u);
+  }
+}
+
 TEST(Tips, ATetrahedronHasNoneAndABoxNeither) {
   // Total angles of π and 3π/2.
   EXPECT_TRUE(tipsOf(test::tetrahedron().mesh()).tips.empty());
