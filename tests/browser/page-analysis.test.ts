@@ -237,6 +237,7 @@ test('every computed field by name, tips and parts as files', async () => {
   ).toBe('PNG');
 });
 
+// Spectra and distances of a whole surface take their time.
 test('beside the tips: heat maxima, extrema of the mean distance, thickness', async () => {
   await openExample('Octopus');
   const panel = await openPanel(page, 'tips');
@@ -290,4 +291,4 @@ test('beside the tips: heat maxima, extrema of the mean distance, thickness', as
   expect(await rows.count()).toBe(0);
   await choice.selectOption('nothing');
   expect(await page.locator('#field-name').inputValue()).toBe('igf');
-});
+}, 300_000);
