@@ -34,7 +34,7 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Tip
   }
   if (!unit.empty() && !tips.tips.empty()) std::printf("  lengths in%s\n", unit.c_str());
   if (!tips.arcs.empty()) {
-    std::printf("  the arcs cut nothing off; the longest is %s%s long\n",
+    std::printf("  the arcs cut no tip off; the longest is %s%s long\n",
                 readable(tips.arcs[0].length).c_str(), unit.c_str());
   }
 }
