@@ -8,26 +8,13 @@
 #include <string>
 
 #include "core/corpus.h"
-#include "core/shapes.h"
 #include "girth/girth_field.h"
+#include "girth/tip_stability.h"
 #include "girth/tips.h"
 #include "mesh/vector.h"
 
 namespace girth::test {
 namespace {
-
-Shape shapeOf(const SurfaceMesh& mesh) {
-  Shape shape;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    const Vec3& p = mesh.position(v);
-    shape.add(p.x, p.y, p.z);
-  }
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
-    const auto [a, b, c] = mesh.faceVertices(f);
-    shape.face(a, b, c);
-  }
-  return shape;
-}
 
 std::size_t tipCount(const SurfaceMesh& mesh) {
   const auto tips = findTips(mesh, girthField(mesh).values);
@@ -44,7 +31,15 @@ TEST(CorpusTips, AnOctopusHasEightArms) {
   if (!corpusIsThere()) GTEST_SKIP() << "no corpus";
   const SurfaceMesh mesh = corpusModel("octopus_14256f.off");
   EXPECT_EQ(tipCount(mesh), 8u);
-  EXPECT_EQ(tipCount(subdivided(shapeOf(mesh)).mesh()), 8u);
+  // The same ones in smaller triangles; noise of up to a quarter of an edge may hide one, which is
+  // told.
+  const auto tips = findTips(mesh, girthField(mesh).values);
+  ASSERT_TRUE(tips.ok());
+  const auto trials = tipTrials(mesh, tips.value().tips);
+  ASSERT_TRUE(trials.ok());
+  EXPECT_EQ(trials.value()[0].foundAgain(), 8u);
+  EXPECT_EQ(trials.value()[0].tips, 8u);
+  for (const TipTrial& trial : trials.value()) EXPECT_GE(trial.foundAgain(), 7u);
 }
 
 TEST(CorpusTips, AHandHasFiveFingersAndAWrist) {
