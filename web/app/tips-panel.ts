@@ -25,7 +25,7 @@ export interface TipsPage {
 export class TipsPanel {
   readonly panel = new Panel('tips-panel');
   private readonly list = new PlaceList('Tips');
-  private readonly arcs = new PlaceList('Open lines');
+  private readonly arcs = new PlaceList('Other lines');
   private readonly arcsTitle = make('h3', {}, 'Open lines');
   private readonly shown = make('input', { id: 'tips-shown', type: 'checkbox' });
   private readonly jump = make('input', {
@@ -196,13 +196,14 @@ export class TipsPanel {
     );
     const chosen = kept.findIndex(({ number }) => number === this.selected);
     this.list.select(chosen < 0 ? undefined : chosen);
-    this.arcsTitle.textContent = arcs.length === 1 ? 'One open line' : `${arcs.length} open lines`;
+    this.arcsTitle.textContent =
+      arcs.length === 1 ? 'One line cuts no tip off' : `${arcs.length} lines cut no tip off`;
     const openPart = [this.arcsTitle, this.arcsTitle.nextElementSibling as HTMLElement];
     for (const part of openPart) part.hidden = arcs.length === 0;
     this.arcs.show(
       arcs.map(({ line, length, jump }) => ({
         main: formatLength(jump, format),
-        detail: `rise, open, ${length > 0 ? `${formatLength(length, format)} long` : 'across one edge'}`,
+        detail: `rise, ${line.closed ? 'closed' : 'open'}, ${length > 0 ? `${formatLength(length, format)} long` : 'across one edge'}`,
         choose: () => viewer.flyTo({ polyline: line.polyline }),
       })),
     );

@@ -196,7 +196,7 @@ export interface Tip {
 export interface Tips {
   /** Largest jump first. */
   tips: Tip[];
-  /** Parts of the contour that cut nothing off; longest first. */
+  /** Parts of the contour that cut no tip off; longest first. */
   arcs: { line: ContourLine; length: number; jump: number }[];
   crossedEdges: number;
 }

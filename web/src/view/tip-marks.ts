@@ -1,4 +1,4 @@
-// The lines that cut off a shape's tips, the tips' apexes, and the lines that cut nothing off.
+// The lines that cut off a shape's tips, the tips' apexes, and the lines that cut none off.
 
 import { Group } from 'three';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
@@ -13,7 +13,7 @@ export interface TipMarksContent {
   contours: readonly ContourLine[];
   /** The same of the selected tip. */
   selected: readonly ContourLine[];
-  /** What cuts nothing off: drawn dashed. */
+  /** What cuts no tip off: drawn dashed. */
   arcs: readonly ContourLine[];
   apexes: readonly ArrayLike<number>[];
   selectedApex: ArrayLike<number> | undefined;
