@@ -57,7 +57,7 @@ test('the octopus has eight tips; one is chosen and flown to; noise can be ranke
   const arcs = await viewer.evaluate(
     async (element: GirthViewer) => (await element.tips()).arcs.length,
   );
-  const listed = panel.getByRole('list', { name: 'Open lines' }).getByRole('button');
+  const listed = panel.getByRole('list', { name: 'Other lines' }).getByRole('button');
   expect(await listed.count()).toBe(Math.min(100, arcs));
 
   await panel.getByLabel('Hide what rises less than').focus();
