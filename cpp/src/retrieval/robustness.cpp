@@ -34,10 +34,15 @@ struct Plan {
   std::function<Result<SurfaceMesh>(const SurfaceMesh& even, const ExecutionContext& context)> make;
 };
 
-Result<SurfaceMesh> evenly(const SurfaceMesh& mesh, Index faces, const ExecutionContext& context) {
-  auto remeshed = remesh(mesh, {faces, RemeshMethod::Even}, context);
+Result<SurfaceMesh> remeshedBy(RemeshMethod method, const SurfaceMesh& mesh, Index faces,
+                               const ExecutionContext& context) {
+  auto remeshed = remesh(mesh, {faces, method}, context);
   if (!remeshed) return remeshed.error();
   return std::move(remeshed).value().mesh;
+}
+
+Result<SurfaceMesh> evenly(const SurfaceMesh& mesh, Index faces, const ExecutionContext& context) {
+  return remeshedBy(RemeshMethod::Even, mesh, faces, context);
 }
 
 Result<SurfaceMesh> bridged(const SurfaceMesh& mesh, std::size_t count,
@@ -95,7 +100,7 @@ std::vector<Plan> plansFor(const SurfaceMesh& model, std::span<const NamedSurfac
   for (const Index size : options.sizes) {
     add("7", "remeshed to " + std::to_string(size), 8.7e-3, size,
         [&model, size](const SurfaceMesh&, const ExecutionContext& context) {
-          return evenly(model, size, context);
+          return remeshedBy(RemeshMethod::Fitting, model, size, context);
         })
         .againstModel = true;
   }

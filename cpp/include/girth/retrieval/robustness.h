@@ -20,7 +20,8 @@ namespace girth::retrieval {
 struct RobustnessOptions {
   /// Triangles of the even mesh that changes are made to, and of all that are compared with it.
   Index faces{10'000};
-  /// Triangles of the meshes that are compared with the model as it is.
+  /// Triangles of the meshes that are compared with the model as it is (RemeshMethod::Fitting: as
+  /// one would remesh it).
   std::vector<Index> sizes{2'000, 5'000, 10'000, 20'000, 50'000};
   /// How uneven the uneven triangles are (surface_changes.h).
   double stretch{4};
