@@ -137,6 +137,9 @@ struct SignatureCommandOptions : ComparisonOptions {
 int runSignature(const SignatureCommandOptions& options);
 
 struct CompareOptions : ComparisonOptions {
+  /// Among a few models the words are nearly as many as the features: by the nearest word alone all
+  /// would be equally far apart.
+  CompareOptions() { signatures.words = retrieval::WordChoice::Soft; }
   std::vector<std::string> models;
   bool json{false};
 };

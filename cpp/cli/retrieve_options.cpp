@@ -62,7 +62,10 @@ void addComparisonOptions(CLI::App& command, ComparisonOptions& options) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{4096}));
   command.add_flag_callback(
       "--soft-words", [&] { options.signatures.words = WordChoice::Soft; },
-      "Count each feature to all words by its distances, not to its nearest one only");
+      "Count each feature to all words by its distances; compare does");
+  command.add_flag_callback(
+      "--nearest-words", [&] { options.signatures.words = WordChoice::Nearest; },
+      "Count each feature to its nearest word only; retrieve does");
   command.add_option("--seed", options.signatures.vocabulary.seed,
                      "What the words are drawn with; 1 by default");
   command

@@ -347,6 +347,24 @@ TEST_F(Retrieve, compareDoesNotCareForSizeAndIsSymmetric) {
   }
 }
 
+TEST_F(Retrieve, compareCountsFeaturesSoftlyUnlessToldOtherwise) {
+  const auto hks = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"compare",
+                                       path("shapes/rod/r0.obj"),
+                                       path("shapes/rod/r1.obj"),
+                                       path("shapes/cube/c0.obj"),
+                                       "--descriptors",
+                                       "hks",
+                                       "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+    return outcome.output;
+  };
+  EXPECT_EQ(hks({}), hks({"--soft-words"}));
+  EXPECT_NE(hks({}), hks({"--nearest-words"}));
+}
+
 TEST_F(Retrieve, accuracyOfTheMarchedGirth) {
   const Outcome outcome =
       run({"study", "accuracy", path("shapes/rod/r0.obj"), path("shapes/rod/r1.obj")});
