@@ -92,18 +92,19 @@ test('of several files the first cannot be read: it is named, and the others ope
     { name: 'd-bell.obj', bytes: Buffer.from(dumbbell(8, 6)) },
   );
   await modelIs(page, 'c-ring.obj');
-  const words = (await viewer.getByRole('alert').textContent())!;
-  expect(words).toMatch(/a-broken\.obj could not be used\. .*(vertex|face)/);
-  expect(words).toContain('b-empty.ply could not be used.');
-  expect(words).toContain('c-ring.obj is shown instead.');
-  expect(await page.locator('#details').textContent()).toContain('A-broken.obj was passed over');
-  expect(fragment(page)).toContain('file=c-ring.obj');
+  const words = () => viewer.getByRole('alert').textContent();
+  await expect.poll(words).toMatch(/a-broken\.obj could not be used\. .*(vertex|face)/);
+  expect(await words()).toContain('b-empty.ply could not be used.');
+  expect(await words()).toContain('c-ring.obj is shown instead.');
+  const details = page.locator('#details');
+  await expect.poll(() => details.textContent()).toContain('A-broken.obj was passed over');
+  await expect.poll(() => fragment(page)).toContain('file=c-ring.obj');
   // All four are in the comparison, and those that cannot be read say why; none is there twice.
   const panel = await openPanel(page, 'compare');
   const rows = page.getByRole('list', { name: 'Ranking' }).getByRole('button');
   await rows.filter({ hasText: 'd-bell.obj' }).waitFor();
   await panel.getByRole('button', { name: 'Add this model' }).click();
-  expect(await panel.locator('.count').textContent()).toBe('4');
+  await expect.poll(() => panel.locator('.count').textContent()).toBe('4');
   await rows.filter({ hasText: 'c-ring.obj' }).click();
   await expect
     .poll(() => rows.allTextContents(), { timeout: 60_000 })
