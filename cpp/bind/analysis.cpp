@@ -156,8 +156,7 @@ val weakPlaces(const val& arrays, const val& fields, const val& limits) {
     const Result<SurfaceMesh> mesh = surfaceOf(arrays);
     if (!mesh) return toJs(mesh.error());
     const GirthAndDiameter values(fields);
-    const auto found =
-        findWeakPlaces(mesh.value(), values.girth, values.diameter, limitsOf(limits));
+    const auto found = checkedPlaces(mesh.value(), values, limitsOf(limits));
     if (!found) return toJs(found.error());
     val places = val::array();
     for (const WeakPlace& place : found.value()) {

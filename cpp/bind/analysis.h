@@ -29,4 +29,12 @@ inline PrintLimits limitsOf(const emscripten::val& limits) {
   return {limits["tubeDiameter"].as<double>(), limits["wallThickness"].as<double>()};
 }
 
+/// What is too thin; or why that cannot be said.
+inline Result<std::vector<WeakPlace>> checkedPlaces(const SurfaceMesh& mesh,
+                                                    const GirthAndDiameter& values,
+                                                    const PrintLimits& limits) {
+  if (auto error = whyNotChecked(mesh, values.diameter, limits)) return *std::move(error);
+  return findWeakPlaces(mesh, values.girth, values.diameter, limits);
+}
+
 }  // namespace girth::bind

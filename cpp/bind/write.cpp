@@ -155,7 +155,7 @@ val writeWeakPlaces(const val& model, const val& fields, const val& limits,
     if (format != "json") return toJs(unknownFormat("weak places", format));
     const GirthAndDiameter values(fields);
     const PrintLimits wanted = limitsOf(limits);
-    const auto places = findWeakPlaces(loaded.value().mesh, values.girth, values.diameter, wanted);
+    const auto places = checkedPlaces(loaded.value().mesh, values, wanted);
     if (!places) return toJs(places.error());
     return fileOf(io::weakPlacesJson(loaded.value(), places.value(), wanted, nameOf(model)));
   });

@@ -25,12 +25,6 @@ using retrieval::Distribution;
 using retrieval::Signatures;
 using retrieval::StudyFields;
 
-Error usage(const std::string& what, const std::string& hint) {
-  Error error = makeError(ErrorCode::Usage, -1, what);
-  error.hint = hint;
-  return error;
-}
-
 /// Reports an error of one of the models.
 int fail(const std::string& model, const Error& error) { return reportError(model, error); }
 
@@ -104,7 +98,7 @@ int runSignature(const SignatureCommandOptions& options) {
   const std::string extension = extensionOf(options.output);
   if (extension != ".csv" && extension != ".json") {
     return reportError(options.output,
-                       usage("the output's name has no known ending", "use .csv or .json"));
+                       usageError("the output's name has no known ending", "use .csv or .json"));
   }
   if (const auto error = checkWritable(options.output)) return reportError(options.output, *error);
   const auto descriptors = descriptorsOf(
@@ -125,8 +119,8 @@ int runSignature(const SignatureCommandOptions& options) {
   for (const std::string& name : names) {
     const Distribution* distribution = signatures.distributionOf(name, 0);
     if (distribution == nullptr) {
-      return reportError("", usage(name + " has no histogram of one dimension",
-                                   "name one-dimensional fields, such as igf or sdf"));
+      return reportError("", usageError(name + " has no histogram of one dimension",
+                                        "name one-dimensional fields, such as igf or sdf"));
     }
     if (distribution->empty()) {
       return fail(options.model, makeError(ErrorCode::EmptyMesh, -1, name + " has no value"));
@@ -159,14 +153,16 @@ int runCompare(const CompareOptions& options) {
   std::vector<std::string> names;
   for (const Descriptor& descriptor : descriptors.value()) {
     if (descriptor.terms.size() > 1 || descriptor.terms[0].weight != 1) {
-      return reportError("", usage(descriptor.name + " is a sum, which needs a collection to scale "
-                                                     "its terms by",
-                                   "name single descriptors, or use girth retrieve"));
+      return reportError(
+          "", usageError(descriptor.name + " is a sum, which needs a collection to scale "
+                                           "its terms by",
+                         "name single descriptors, or use girth retrieve"));
     }
     names.push_back(descriptor.name);
   }
   if (options.models.size() < 2) {
-    return reportError("", usage("there is nothing to compare it with", "name two models or more"));
+    return reportError(
+        "", usageError("there is nothing to compare it with", "name two models or more"));
   }
   Signatures signatures(names, options.models.size(), options.signatures);
   std::vector<StudyFields> fields;

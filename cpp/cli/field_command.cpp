@@ -55,9 +55,8 @@ Result<std::string> contentFor(const std::string& extension, const std::string& 
   if (extension == ".ply") return io::fieldPly(loaded, fields);
   if (extension == ".glb") return io::fieldGlb(loaded, fields);
   if (fields.size() == 1) return io::fieldNpy(loaded, fields[0]);
-  Error error = makeError(ErrorCode::Usage, -1, "NPY holds one number for each vertex here");
-  error.hint = "choose one with --only, or use .csv, .json, .ply or .glb";
-  return error;
+  return usageError("NPY holds one number for each vertex here",
+                    "choose one with --only, or use .csv, .json, .ply or .glb");
 }
 
 /// The number of a vertex in the file; -1 where it was made here.
@@ -134,9 +133,8 @@ int runField(const FieldOptions& options) {
   if (!options.output.empty()) {
     constexpr std::array<const char*, 5> kEndings{".csv", ".json", ".npy", ".ply", ".glb"};
     if (std::find(kEndings.begin(), kEndings.end(), extension) == kEndings.end()) {
-      Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
-      error.hint = "use .csv, .json, .npy, .ply or .glb";
-      return reportError(options.output, error);
+      return reportError(options.output, usageError("the output's name has no known ending",
+                                                    "use .csv, .json, .npy, .ply or .glb"));
     }
     if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }
@@ -147,9 +145,8 @@ int runField(const FieldOptions& options) {
   std::vector<PersistentMaximum> maxima;
   if (options.maxima > 0) {
     if (fields.value().size() > 1) {
-      Error error = makeError(ErrorCode::Usage, -1, "maxima are those of one number a vertex");
-      error.hint = "choose one with --only";
-      return reportError("", error);
+      return reportError(
+          "", usageError("maxima are those of one number a vertex", "choose one with --only"));
     }
     auto found = persistentMaxima(loaded.value().mesh, fields.value()[0].values);
     if (!found) return reportError(options.model, found.error());

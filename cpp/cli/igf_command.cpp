@@ -219,14 +219,12 @@ int runIgf(const IgfOptions& options) {
     const std::string extension = extensionOf(options.output);
     if (extension != ".csv" && extension != ".json" && extension != ".npy" && extension != ".ply" &&
         extension != ".glb") {
-      Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
-      error.hint = "use .csv, .json, .npy, .ply or .glb";
-      return reportError(options.output, error);
+      return reportError(options.output, usageError("the output's name has no known ending",
+                                                    "use .csv, .json, .npy, .ply or .glb"));
     }
     if (options.models.size() > 1) {
-      Error error = makeError(ErrorCode::Usage, -1, "-o takes the values of one model only");
-      error.hint = "call girth igf once for each model";
-      return reportError(options.output, error);
+      return reportError(options.output, usageError("-o takes the values of one model only",
+                                                    "call girth igf once for each model"));
     }
     if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }

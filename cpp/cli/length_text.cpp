@@ -5,14 +5,13 @@
 
 #include "girth/io/length_unit.h"
 #include "girth/io/number_text.h"
+#include "report.h"
 
 namespace girth::cli {
 namespace {
 
 Error wrong(const std::string& text, const std::string& why, const std::string& hint) {
-  Error error = makeError(ErrorCode::Usage, -1, "\"" + text + "\" " + why);
-  error.hint = hint;
-  return error;
+  return usageError("\"" + text + "\" " + why, hint);
 }
 
 }  // namespace

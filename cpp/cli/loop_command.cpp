@@ -123,15 +123,12 @@ Result<SurfacePoint> basePoint(const io::LoadedMesh& loaded, const LoopOptions& 
 int runLoop(const LoopOptions& options) {
   const std::string extension = extensionOf(options.output);
   if (!options.vertex && !options.face) {
-    Error error = makeError(ErrorCode::Usage, -1, "no point is named");
-    error.hint = "name a vertex, or a face with --face";
-    return reportError("", error);
+    return reportError("", usageError("no point is named", "name a vertex, or a face with --face"));
   }
   if (!options.output.empty()) {
     if (extension != ".json" && extension != ".obj" && extension != ".glb" && extension != ".csv") {
-      Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
-      error.hint = "use .json, .obj, .glb or .csv";
-      return reportError(options.output, error);
+      return reportError(options.output, usageError("the output's name has no known ending",
+                                                    "use .json, .obj, .glb or .csv"));
     }
     if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }

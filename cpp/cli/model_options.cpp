@@ -7,6 +7,7 @@
 #include "files.h"
 #include "girth/io/length_unit.h"
 #include "length_text.h"
+#include "report.h"
 
 namespace girth::cli {
 namespace {
@@ -22,9 +23,8 @@ Result<Index> componentOf(const std::string& text, const std::vector<SurfacePart
   Index number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (problem != std::errc() || end != text.data() + text.size()) {
-    Error error = makeError(ErrorCode::Usage, -1, "\"" + text + "\" is no component");
-    error.hint = "name one by its number in girth info, or say largest";
-    return error;
+    return usageError("\"" + text + "\" is no component",
+                      "name one by its number in girth info, or say largest");
   }
   return number;
 }

@@ -100,9 +100,8 @@ int runParts(const PartsOptions& options) {
   const std::string extension = extensionOf(options.output);
   if (!options.output.empty()) {
     if (extension != ".json" && extension != ".csv" && extension != ".ply") {
-      Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
-      error.hint = "use .json, .csv or .ply";
-      return reportError(options.output, error);
+      return reportError(options.output, usageError("the output's name has no known ending",
+                                                    "use .json, .csv or .ply"));
     }
     if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }
@@ -123,15 +122,9 @@ int runParts(const PartsOptions& options) {
   }
   const auto diameter = computeDiameter(options.model, model.mesh, {}, options.threads);
   if (!diameter) return reportError(options.model, diameter.error());
-  if (limits.wallThickness > 0) {
-    // Not 'passes' where nothing was looked at, or the wrong side.
-    const bool none = diameter.value().withoutValue == model.mesh.vertexCount();
-    if (none || diameter.value().insideOut) {
-      return reportError(options.model,
-                         makeError(ErrorCode::NoThickness, -1,
-                                   none ? "no vertex has a thickness, so no wall is checked"
-                                        : "the surface is inside out, so no wall is checked"));
-    }
+  // Before the girth, which takes longer.
+  if (const auto error = whyNotChecked(model.mesh, diameter.value().values, limits)) {
+    return reportError(options.model, *error);
   }
   const auto girth = computeGirth(options.model, model.mesh, options.threads);
   if (!girth) return reportError(options.model, girth.error());

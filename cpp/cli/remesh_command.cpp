@@ -73,9 +73,8 @@ Result<double> differenceOf(const RemeshOptions& options, const SurfaceMesh& bef
 int runRemesh(const RemeshOptions& options) {
   const auto format = formatOf(extensionOf(options.output));
   if (!format) {
-    Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
-    error.hint = "use .obj, .ply, .stl, .off or .glb";
-    return reportError(options.output, error);
+    return reportError(options.output, usageError("the output's name has no known ending",
+                                                  "use .obj, .ply, .stl, .off or .glb"));
   }
   if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   const auto loaded = loadModel(options.model, options.preparing);

@@ -27,6 +27,12 @@ std::string formatted(const char* format, double value) {
 
 }  // namespace
 
+Error usageError(const std::string& what, const std::string& hint) {
+  Error error = makeError(ErrorCode::Usage, -1, what);
+  error.hint = hint;
+  return error;
+}
+
 int reportError(const std::string& file, const Error& error) {
   std::string line = "girth: ";
   if (!file.empty()) line += file + ": ";

@@ -7,6 +7,9 @@
 
 namespace girth::cli {
 
+/// What somebody typed that cannot be, and what to type instead.
+Error usageError(const std::string& what, const std::string& hint);
+
 /// Prints `girth: FILE: CODE: what, where; hint` and returns the exit code. `file` may be empty.
 int reportError(const std::string& file, const Error& error);
 

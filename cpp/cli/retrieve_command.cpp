@@ -36,12 +36,6 @@ using retrieval::DescriptorRows;
 using retrieval::MeanMeasures;
 using retrieval::RetrievalMeasures;
 
-Error usage(const std::string& what, const std::string& hint) {
-  Error error = makeError(ErrorCode::Usage, -1, what);
-  error.hint = hint;
-  return error;
-}
-
 /// The paper's, its composite both ways, and what does best without training.
 std::vector<std::string> defaultDescriptors() {
   return {"igf",
@@ -324,8 +318,8 @@ int runRetrieve(const RetrieveOptions& options) {
   const auto shard = parseShard(options.shard.empty() ? "0/1" : options.shard);
   if (!shard) return reportError("", shard.error());
   if (options.classes.size() > options.folders.size()) {
-    return reportError("", usage("there are more class files than folders",
-                                 "give each folder its own --classes, in the same order"));
+    return reportError("", usageError("there are more class files than folders",
+                                      "give each folder its own --classes, in the same order"));
   }
   return Retrieval(options, std::move(descriptors), shard.value()).run();
 }

@@ -70,9 +70,8 @@ int runRobustnessStudy(const RobustnessStudyOptions& options) {
   const std::string extension = extensionOf(options.output);
   if (!options.output.empty()) {
     if (extension != ".csv" && extension != ".json") {
-      Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
-      error.hint = "use .csv or .json";
-      return reportError(options.output, error);
+      return reportError(options.output,
+                         usageError("the output's name has no known ending", "use .csv or .json"));
     }
     if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "girth/io/number_text.h"
+#include "report.h"
 
 namespace girth::cli {
 
@@ -17,9 +18,7 @@ Result<Shard> parseShard(const std::string& text) {
   const double number = wholeNumber(text.substr(0, slash));
   const double count = wholeNumber(slash < text.size() ? text.substr(slash + 1) : "");
   if (number < 0 || number >= count) {
-    Error error = makeError(ErrorCode::Usage, -1, "\"" + text + "\" is no share");
-    error.hint = "say --shard I/N with I from 0 to N - 1";
-    return error;
+    return usageError("\"" + text + "\" is no share", "say --shard I/N with I from 0 to N - 1");
   }
   return Shard{static_cast<std::size_t>(number), static_cast<std::size_t>(count)};
 }

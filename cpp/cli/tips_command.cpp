@@ -68,9 +68,8 @@ int runTips(const TipsOptions& options) {
   const std::string extension = extensionOf(options.output);
   if (!options.output.empty()) {
     if (extension != ".json" && extension != ".obj") {
-      Error error = makeError(ErrorCode::Usage, -1, "the output's name has no known ending");
-      error.hint = "use .json or .obj";
-      return reportError(options.output, error);
+      return reportError(options.output,
+                         usageError("the output's name has no known ending", "use .json or .obj"));
     }
     if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }

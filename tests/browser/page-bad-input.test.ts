@@ -134,6 +134,18 @@ test('a surface that is inside out: no thickness, and what to do', async () => {
   await expect.poll(() => page.locator('.caption').textContent()).toMatch(/^median \d/);
 });
 
+test('walls of a surface that is inside out do not pass, though rays cross a gap outside', async () => {
+  const gap = beside(box(2, 2, 2), moved(box(2, 8, 8), [2.5, -3, -3]), 0);
+  const { page, viewer } = await openModel('gap.obj', turnedOver(gap));
+  const { withoutValue, values } = await viewer.evaluate(async (element: GirthViewer) => {
+    const { withoutValue, values } = await element.fieldOf('sdf');
+    return { withoutValue, values: values.length };
+  });
+  expect(withoutValue).toBeLessThan(values);
+  expect(await check(page, '', '0.1')).toMatch(/^Not checked: the surface is inside out/);
+  expect(await page.locator('#print-panel .count').textContent()).toBe('');
+});
+
 test.each([
   ['one side', 1],
   ['two sides and no volume', 2],

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -91,6 +92,12 @@ struct WeakPlace {
   double least{0};
   Index thinnest{kNoIndex};
 };
+
+/// Why a surface must not pass a check, though no place may be found too thin: walls are limited,
+/// but no vertex has a thickness, or the surface is inside out, and what was measured is the space
+/// around it (NO_THICKNESS). Nothing where it can be checked. O(n).
+std::optional<Error> whyNotChecked(const SurfaceMesh& mesh, std::span<const double> diameter,
+                                   const PrintLimits& limits);
 
 /// Places where the diameter of the round tube with the same girth, I / π, is below the limit, and
 /// elsewhere, where the thickness is below the limit for walls; the thinnest first, in shares of

@@ -9,6 +9,7 @@
 
 #include "analysis/otsu.h"
 #include "analysis/regions.h"
+#include "girth/shape_diameter.h"
 #include "girth/vertex_areas.h"
 #include "mesh/angles.h"
 #include "mesh/neighbours.h"
@@ -196,6 +197,17 @@ Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
     for (const Index v : result.parts[p].vertices) result.partOf[v] = p;
   }
   return result;
+}
+
+std::optional<Error> whyNotChecked(const SurfaceMesh& mesh, std::span<const double> diameter,
+                                   const PrintLimits& limits) {
+  if (!(limits.wallThickness > 0)) return std::nullopt;
+  const auto isNone = [](double value) { return std::isnan(value); };
+  const bool none = std::all_of(diameter.begin(), diameter.end(), isNone);
+  if (!none && !isInsideOut(mesh)) return std::nullopt;
+  return makeError(ErrorCode::NoThickness, -1,
+                   none ? "no vertex has a thickness, so no wall is checked"
+                        : "the surface is inside out, so no wall is checked");
 }
 
 Result<std::vector<WeakPlace>> findWeakPlaces(const SurfaceMesh& mesh,

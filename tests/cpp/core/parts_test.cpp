@@ -214,6 +214,29 @@ TEST(Parts, BadInputIsRefused) {
   EXPECT_TRUE(places.value().empty());
 }
 
+TEST(Parts, WallsPassOnlyWhereTheyWereMeasured) {
+  const test::Shape box = test::box(2, 2, 1, 2, 2, 1);
+  test::Shape turned = box;
+  for (std::size_t i = 0; i < turned.triangles.size(); i += 3) {
+    std::swap(turned.triangles[i], turned.triangles[i + 1]);
+  }
+  const SurfaceMesh body = box.mesh(), insideOut = turned.mesh();
+  const std::vector<double> measured(body.vertexCount(), 1), none(body.vertexCount(), kNone);
+  std::vector<double> some = none;
+  some[3] = 1;
+  EXPECT_FALSE(whyNotChecked(body, measured, {1, 1}));
+  EXPECT_FALSE(whyNotChecked(body, some, {1, 1}));
+  const std::vector<std::pair<const SurfaceMesh*, const std::vector<double>*>> refused{
+      {&body, &none}, {&insideOut, &none}, {&insideOut, &measured}};
+  for (const auto& [mesh, diameter] : refused) {
+    const auto error = whyNotChecked(*mesh, *diameter, {0, 1});
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->code, ErrorCode::NoThickness);
+    // Tubes are told by the girth alone.
+    EXPECT_FALSE(whyNotChecked(*mesh, *diameter, {1, 0}));
+  }
+}
+
 /// Two shapes as one surface.
 test::Shape together(test::Shape shape, const test::Shape& other) {
   const Index first = shape.vertexCount();

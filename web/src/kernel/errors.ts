@@ -11,8 +11,6 @@ export const hints = {
   VERTEX_OUT_OF_RANGE: 'vertices are numbered from 0 to the vertex count minus one',
   INVALID_POINT:
     'name a vertex, a halfedge or a face of the surface, with weights of at least 0 that add up to 1',
-  NO_THICKNESS:
-    'walls can only be checked of a body: give it a volume, and turn its faces outwards',
   FILE_NOT_FOUND: 'check the path',
   FILE_UNREADABLE: 'check that it is a file that you may read',
   UNKNOWN_FORMAT: 'use GLB, glTF, OBJ, PLY, STL or OFF',

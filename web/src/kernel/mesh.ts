@@ -70,14 +70,6 @@ const progressOf =
 
 const whole = ({ girth, diameter, smoothing = 0 }: PartOptions) => ({ girth, diameter, smoothing });
 
-/** A model without any thickness would pass every check of its walls. */
-function checkedLimits(limits: PrintLimits, { values, withoutValue }: Field): PrintLimits {
-  if (limits.wallThickness > 0 && withoutValue === values.length) {
-    throw failure('NO_THICKNESS', 'no vertex has a thickness, so no wall is checked');
-  }
-  return limits;
-}
-
 export class MeshOfWorkers implements Mesh {
   readonly info: Mesh['info'];
   readonly geometry: Mesh['geometry'];
@@ -213,7 +205,7 @@ export class MeshOfWorkers implements Mesh {
     { signal }: CallOptions = {},
   ): Promise<WeakPlace[]> {
     const fields = this.#girthAndDiameter(igf, sdf);
-    const limits = checkedLimits({ tubeDiameter, wallThickness }, sdf);
+    const limits = { tubeDiameter, wallThickness };
     const { arrays } = this.surface;
     const { places } = await this.#make(signal, (worker) =>
       worker.request('weakPlaces', { arrays, fields, limits }),
@@ -282,7 +274,7 @@ export class MeshOfWorkers implements Mesh {
     { signal, unit }: ExportOptions = {},
   ): Promise<Uint8Array> {
     const fields = this.#girthAndDiameter(igf, sdf);
-    const limits = checkedLimits({ tubeDiameter, wallThickness }, sdf);
+    const limits = { tubeDiameter, wallThickness };
     const model = this.#written(unit);
     const { bytes } = await this.#make(signal, (worker) =>
       worker.request('writeWeakPlaces', { model, fields, limits, format }),

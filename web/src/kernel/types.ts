@@ -408,7 +408,7 @@ export interface Mesh {
   parts(igf: Field, sdf: Field, parts: PartOptions, options?: CallOptions): Promise<Parts>;
   /**
    * Places too thin to print, thinnest first. USAGE where a limit is negative or no number;
-   * NO_THICKNESS where walls are to be checked and no vertex has a thickness.
+   * NO_THICKNESS where walls are to be checked and no vertex has a thickness, or the surface is inside out.
    */
   weakPlaces(
     igf: Field,
