@@ -202,11 +202,21 @@ export function stl(obj: string): Uint8Array<ArrayBuffer> {
   return new Uint8Array(view.buffer);
 }
 
+/** The same faces, every coordinate of every vertex put elsewhere. */
+function placed(obj: string, place: (coordinate: number, axis: number) => number): string {
+  return obj.replace(/^v (.*)$/gm, (_, numbers: string) =>
+    ['v', ...numbers.split(' ').map((number, axis) => place(Number(number), axis))].join(' '),
+  );
+}
+
 /** The same surface elsewhere. */
 export function moved(obj: string, by: Point): string {
-  return obj.replace(/^v (.*)$/gm, (_, numbers: string) =>
-    ['v', ...numbers.split(' ').map((number, k) => Number(number) + by[k]!)].join(' '),
-  );
+  return placed(obj, (coordinate, axis) => coordinate + by[axis]!);
+}
+
+/** The same shape, larger. */
+export function scaled(obj: string, by: number): string {
+  return placed(obj, (coordinate) => by * coordinate);
 }
 
 /** The same surface, its faces turned over. */

@@ -3,7 +3,7 @@
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { dumbbell, torus, tube } from './meshes.js';
+import { dumbbell, scaled, torus, tube } from './meshes.js';
 import { builtPage, drop, fragment, modelIs, openPanel, pictures } from './page-support.js';
 
 const openBuilt = builtPage();
@@ -28,14 +28,11 @@ test('models dropped together are compared: the same shape is nearest, whatever 
   const { page } = await openBuilt();
   await modelIs(page, 'chair.glb');
   const bell = dumbbell(16, 12);
-  const larger = bell.replace(/^v (.*)$/gm, (_, numbers: string) =>
-    ['v', ...numbers.split(' ').map((number) => 5 * Number(number))].join(' '),
-  );
   await drop(
     page,
     { name: 'bell.obj', bytes: Buffer.from(bell) },
     { name: 'ring.obj', bytes: Buffer.from(torus(24, 12)) },
-    { name: 'large-bell.obj', bytes: Buffer.from(larger) },
+    { name: 'large-bell.obj', bytes: Buffer.from(scaled(bell, 5)) },
   );
   await modelIs(page, 'bell.obj');
   const panel = await openPanel(page, 'compare');
@@ -133,13 +130,10 @@ test('of several files none can be read: the model before stays, and words say s
 /** A dumbbell, a larger one of the same shape, a ring and an open tube, dropped together. */
 async function dropFour(page: Page): Promise<void> {
   const bell = dumbbell(16, 12);
-  const larger = bell.replace(/^v (.*)$/gm, (_, numbers: string) =>
-    ['v', ...numbers.split(' ').map((number) => 5 * Number(number))].join(' '),
-  );
   await drop(
     page,
     { name: 'bell.obj', bytes: Buffer.from(bell) },
-    { name: 'large-bell.obj', bytes: Buffer.from(larger) },
+    { name: 'large-bell.obj', bytes: Buffer.from(scaled(bell, 5)) },
     { name: 'ring.obj', bytes: Buffer.from(torus(24, 12)) },
     { name: 'tube.obj', bytes: Buffer.from(tube(9, 16, 5)) },
   );

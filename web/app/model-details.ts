@@ -2,9 +2,9 @@
 // can be done.
 
 import type { MeshInfo, PrepareOptions } from '../src/kernel/index.js';
-import { type GirthViewer, formatCount, make } from '../src/element/index.js';
+import { type GirthViewer, formatCount, make, sentence } from '../src/element/index.js';
 import { byId } from './dom.js';
-import { modelFacts, plural, repairs, sentence, sizeWords } from './model-words.js';
+import { modelFacts, plural, repairs, sizeWords } from './model-words.js';
 
 /** Units that a file may be in that does not say. */
 const units = ['mm', 'cm', 'm', 'in', 'ft'];

@@ -12,12 +12,6 @@ export function plural(count: number, one: string, many: string): string {
   return `${formatCount(count)} ${count === 1 ? one : many}`;
 }
 
-/** The first letter large, a full stop at the end; '' stays ''. */
-export function sentence(text: string): string {
-  if (text === '') return '';
-  return text[0]!.toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');
-}
-
 const sum = (numbers: readonly number[]): number => numbers.reduce((a, b) => a + b, 0);
 
 /** 'chair.glb', '9,872 faces', 'genus 1', '2 holes': what is not so is left out. */

@@ -1,13 +1,13 @@
 // Tubes and plates: girth against thickness with the two thresholds, and the parts that they make.
 
-import { type GirthViewer, formatLength, make, partKinds } from '../src/element/index.js';
+import { type GirthViewer, formatLength, make, sentence, partKinds } from '../src/element/index.js';
 import type { Field, Part, PartKind, Parts, PartThresholds } from '../src/kernel/index.js';
 import { ScatterPlot } from '../src/element/plots.js';
 import type { PageState } from './address-state.js';
 import { formatArea } from './area-words.js';
 import { failureWords } from './failure-words.js';
 import { LengthInput, noLength } from './length-input.js';
-import { plural, sentence } from './model-words.js';
+import { plural } from './model-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
 import { explains, term } from './terms.js';

@@ -1,11 +1,11 @@
 // The print check: what is too thin for a printer, listed, pictured and reported.
 
-import { type GirthViewer, formatLength, make } from '../src/element/index.js';
+import { type GirthViewer, formatLength, make, sentence } from '../src/element/index.js';
 import type { MeshInfo, PrintLimits, WeakPlace } from '../src/kernel/index.js';
 import { formatArea } from './area-words.js';
 import { failureWords } from './failure-words.js';
 import { LengthInput, noLength } from './length-input.js';
-import { modelFacts, plural, sentence } from './model-words.js';
+import { modelFacts, plural } from './model-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
 import {

@@ -26,7 +26,7 @@ export class TipsPanel {
   readonly panel = new Panel('tips-panel');
   private readonly list = new PlaceList('Tips');
   private readonly arcs = new PlaceList('Other lines');
-  private readonly arcsTitle = make('h3', {}, 'Open lines');
+  private readonly arcsTitle = make('h3');
   private readonly shown = make('input', { id: 'tips-shown', type: 'checkbox' });
   private readonly jump = make('input', {
     id: 'tips-jump',

@@ -23,6 +23,7 @@ export type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
 export type { ShownField } from './shading.js';
 export type { TipsChoice } from './tips-on-surface.js';
 export { make } from './dom.js';
+export { sentence } from './sentence.js';
 export { useKernel } from './shared-kernel.js';
 export {
   type CameraView,

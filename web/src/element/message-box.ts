@@ -2,13 +2,7 @@
 
 import type { GirthErrorFields, UnreadableModel } from '../kernel/types.js';
 import { make } from './dom.js';
-
-/** The first letter large, a full stop at the end. */
-function sentence(text: string): string {
-  const trimmed = text.trim();
-  if (!trimmed) return '';
-  return trimmed[0]!.toUpperCase() + trimmed.slice(1) + (/[.!?]$/.test(trimmed) ? '' : '.');
-}
+import { sentence } from './sentence.js';
 
 /** Of more models that cannot be read than these only the number is told. */
 const mostNamed = 4;

@@ -1,0 +1,8 @@
+// Messages as sentences: what fails says it in a line without capital and full stop.
+
+/** The first letter large, a full stop at the end; '' stays ''. */
+export function sentence(text: string): string {
+  const trimmed = text.trim();
+  if (!trimmed) return '';
+  return trimmed[0]!.toUpperCase() + trimmed.slice(1) + (/[.!?]$/.test(trimmed) ? '' : '.');
+}
