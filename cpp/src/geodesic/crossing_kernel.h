@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "geodesic/unfolding.h"
+#include "geodesic/window_list.h"
 
 namespace girth::geodesic {
 
@@ -12,9 +13,9 @@ namespace girth::geodesic {
 /// what was known before, so that the number of lanes does not show.)
 struct CrossingBatch {
   const Crossing* crossing;
-  const double* windows;  ///< the first: its root.x; its other fields follow `stride` doubles apart
-  std::size_t stride;
-  std::uint32_t count;
+  const WindowRun* newest;  ///< the last of the runs that wait; with those before, from number
+  std::uint32_t first;      ///< `first` on,
+  std::uint32_t count;      ///< so many windows
   double distanceFrom, distanceTo, distanceApex;  ///< of the three corners; infinite: not reached
 };
 

@@ -26,6 +26,13 @@ struct Passing {
   Mask toApex;   // and all of it up to the apex
 };
 
+/// The greater of two quotients, for one division: `a` with a positive divisor; `b` counts only
+/// where its own is positive too.
+inline Lanes greaterOf(const Ratio<Lanes>& a, const Ratio<Lanes>& b) {
+  const Mask second = (b.over * a.under > a.over * b.under) & (b.under > Lanes{});
+  return select(second, b.over, a.over) / select(second, b.under, a.under);
+}
+
 /// Writes the windows that continue through a side, less what its two ends make useless.
 /// `mirrored`: the right side.
 template <bool mirrored>
@@ -34,20 +41,19 @@ inline void pass(const Passing& in, const SideOfFace& side, double distanceApex,
   const Lanes length = all(side.length), zero = {};
   const Lanes ux = all(side.direction.x), uy = all(side.direction.y);
   const Pair<Lanes> root = rootBeyond(in.root, -in.height, ux, uy);
-  Lanes near = gapBeyond(in.gapNear, in.root, in.height, ux, uy);
-  Lanes tip = length - gapBeyond(in.boundFar, in.root, in.height, ux, uy);
-  tip = select(in.toApex, zero, greater(tip, zero));
+  const Ratio<Lanes> rayNear = gapBeyond(in.gapNear, in.root, in.height, ux, uy);
+  const Ratio<Lanes> rayFar = gapBeyond(in.boundFar, in.root, in.height, ux, uy);
+  const Ratio<Lanes> rayTip{
+      select(in.toApex, zero, greater(length * rayFar.under - rayFar.over, zero)),
+      select(in.toApex, all(1), rayFar.under)};
 
   const Lanes leadNear = side.distanceNear - in.sigma, leadTip = distanceApex - in.sigma;
-  const Contest<Lanes> atNear = contest(root.x, root.y, leadNear);
-  const Contest<Lanes> atTip = contest(length - root.x, root.y, leadTip);
-  const Lanes lostNear = atNear.excess / atNear.slope, lostTip = atTip.excess / atTip.slope;
-  // Where nothing is won the quotient is negative or not a number, and the comparison false.
-  near = select((lostNear > near) & (atNear.slope > zero), lostNear, near);
-  tip = select((lostTip > tip) & (atTip.slope > zero), lostTip, tip);
+  const Ratio<Lanes> lostNear = contest(root.x, root.y, leadNear);
+  const Ratio<Lanes> lostTip = contest(length - root.x, root.y, leadTip);
+  const Lanes near = greaterOf(rayNear, lostNear), tip = greaterOf(rayTip, lostTip);
   Mask keep = in.crosses & (near + tip < length * (1 - kSliver));
-  keep &= (atNear.slope > zero) | ((leadNear > zero) & (atNear.excess <= zero));
-  keep &= (atTip.slope > zero) | ((leadTip > zero) & (atTip.excess <= zero));
+  keep &= (lostNear.under > zero) | ((leadNear > zero) & (lostNear.over <= zero));
+  keep &= (lostTip.under > zero) | ((leadTip > zero) & (lostTip.over <= zero));
   const unsigned kept = bits(keep);
   if (kept == 0) return;
 
@@ -77,13 +83,25 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, CrossingExit le
   Lanes leftNearest = all(kInfinity), rightNearest = leftNearest;
   Mask towardsLeft = {}, towardsRight = {};
 
-  for (std::uint32_t first = 0; first < batch.count; first += kLanes) {
-    const double* in = batch.windows + first;
-    const Lanes x = load(in), height = -load(in + batch.stride);
-    const Lanes sigma = load(in + 2 * batch.stride);
-    const Lanes gapFrom = load(in + 3 * batch.stride), gapTo = load(in + 4 * batch.stride);
+  const WindowRun* run = batch.newest;
+  std::uint32_t i = 0;
+  for (std::uint32_t remaining = batch.count; remaining > 0;) {
+    const double* in = run->fields() + i;
+    const std::size_t stride = run->stride();
+    const std::uint32_t number = run->begin - batch.first + i, inRun = run->count - i;
+    const Lanes x = load(in), height = -load(in + stride);
+    const Lanes sigma = load(in + 2 * stride);
+    const Lanes gapFrom = load(in + 3 * stride), gapTo = load(in + 4 * stride);
     // A window seen edge-on, or from above, has nothing beyond.
-    const Mask valid = firstLanes(batch.count - first) & (height > zero);
+    const Mask valid = firstLanes(inRun) & (height > zero);
+    if (inRun > kLanes) {
+      i += kLanes;
+      remaining -= kLanes;
+    } else {
+      i = 0;
+      remaining -= inRun;
+      run = run->older;
+    }
 
     // On which side of the two bounding rays the apex lies.
     const Lanes tipX = c.apex.x - x, tipY = c.apex.y + height;
@@ -97,14 +115,14 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, CrossingExit le
 
     if (const unsigned reaching = bits(ofApex); reaching != 0) {
       const Lanes distance = sigma + squareRoot(tipX * tipX + tipY * tipY);
-      for (int i = 0; i < kLanes; ++i) {
-        if ((reaching >> i & 1) == 0) continue;
-        const std::uint32_t number = first + (std::uint32_t)i;
-        if (result.apexEnd == 0) result.apexBegin = number;
-        result.apexEnd = number + 1;
-        if (distance[i] < result.distanceApex * (1 - kRounding)) {
-          result.distanceApex = distance[i];
-          result.apexWindow = (std::int32_t)number;
+      for (int lane = 0; lane < kLanes; ++lane) {
+        if ((reaching >> lane & 1) == 0) continue;
+        const std::uint32_t window = number + (std::uint32_t)lane;
+        if (window < result.apexBegin || result.apexEnd == 0) result.apexBegin = window;
+        if (window >= result.apexEnd) result.apexEnd = window + 1;
+        if (distance[lane] < result.distanceApex * (1 - kRounding)) {
+          result.distanceApex = distance[lane];
+          result.apexWindow = (std::int32_t)window;
         }
       }
     }

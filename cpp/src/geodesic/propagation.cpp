@@ -1,6 +1,7 @@
 #include "geodesic/propagation.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "geodesic/trimming.h"
 
@@ -10,17 +11,21 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Forgetting starts at so many bytes of windows: less fits into a core's own cache anyway.
-constexpr std::size_t kRecycleFrom = std::size_t{1} << 20;
+/// The parts of Propagation::inHand_: what leaves a face through either side.
+constexpr std::size_t kLeft = 0, kRight = 1, kParts = 2;
+
+/// Bounds as floats: never less, and never more.
+float roundedUp(double a) { return static_cast<float>(a * (1 + 1e-7)); }
+float roundedDown(double a) { return static_cast<float>(a * (1 - 1e-7)); }
 
 Vec2 normalized(Vec2 a) { return (1 / norm(a)) * a; }
 
 /// Moves the near end of an interval away from a vertex as far as the path over it wins
 /// (trimming.h). False: nothing is left.
 bool trim(Vec2 root, double lead, double& gap) {
-  const Contest<double> at = contest(root.x, root.y, lead);
-  if (!(at.slope > 0)) return lead > 0 && at.excess <= 0;
-  const double lost = at.excess / at.slope;
+  const Ratio<double> won = contest(root.x, root.y, lead);
+  if (!(won.under > 0)) return lead > 0 && won.over <= 0;
+  const double lost = won.over / won.under;
   if (lost > gap) gap = lost;
   return true;
 }
@@ -45,10 +50,10 @@ void Propagation::clear() {
   pool_.reset();
   reached_.clear();
   touched_.clear();
-  live_.clear();
+  open_.clear();
   origins_.clear();
   created_ = crossed_ = 0;
-  recycleAt_ = kRecycleFrom;
+  passed_ = 0;
   gaveUp_ = false;
 }
 
@@ -98,7 +103,10 @@ void Propagation::startWithinFace(Index source, Index halfedge) {
 /// A path of this length reaches a vertex; where it is the best so far, the arrival to fill in.
 Arrival* Propagation::reach(Index vertex, double distance) {
   if (!(distance < distance_[vertex] * (1 - kRounding))) return nullptr;
-  if (std::isinf(distance_[vertex])) reached_.push_back(vertex);
+  if (std::isinf(distance_[vertex])) {
+    reached_.push_back(vertex);
+    if (keep_ == Keep::Front) open_.push_back(vertex);
+  }
   distance_[vertex] = distance;
   Arrival& arrival = arrival_[vertex];
   arrival.settled = false;
@@ -130,27 +138,44 @@ void Propagation::reachAgainst(Index halfedge) {
   arrival->towards = {1, 0};
 }
 
-/// Room for so many windows at a halfedge, and what a vector store may write beyond them.
-CrossingExit Propagation::exitTo(Index halfedge, std::uint32_t windows) {
-  if (halfedge == kNoIndex) return {nullptr, 0};
-  WindowList& list = lists_[halfedge];
-  pool_.reserve(list, windows + kMostLanes - 1);
-  return {list.data + list.count, list.capacity()};
+/// Whether windows can go to a halfedge: not beyond a wall, and not into a face that the front has
+/// passed, where no path can be shortest any more.
+bool Propagation::takesWindows(Index halfedge) const {
+  return halfedge != kNoIndex && !gone(lists_[halfedge]);
 }
 
-/// So many windows have been written there.
-void Propagation::receive(Index halfedge, std::uint32_t windows, double nearest) {
-  if (halfedge == kNoIndex) return;
+/// Makes room in hand for so many windows in each part, and what a vector store may write beyond.
+void Propagation::takeInHand(std::uint32_t windows) {
+  static_assert(WindowPool::kSpare >= kMostLanes);
+  const std::size_t stride = windows + WindowPool::kSpare;
+  if (inHand_.empty() || inHandStride_ < stride) {
+    inHandStride_ = 2 * stride;
+    inHand_.resize(kParts * WindowRun::kFields * inHandStride_);
+  }
+}
+
+CrossingExit Propagation::inHand(std::size_t part) {
+  return {inHand_.data() + part * WindowRun::kFields * inHandStride_, inHandStride_};
+}
+
+/// So many windows in hand go to a halfedge.
+void Propagation::receive(Index halfedge, std::size_t part, std::uint32_t windows, double nearest) {
+  if (windows == 0) return;
   WindowList& list = lists_[halfedge];
-  if (windows == 0) {
-    if (list.count == 0) pool_.release(list);
-    return;
+  WindowRun* run = pool_.take(windows);
+  const CrossingExit from = inHand(part);
+  double* to = run->fields();
+  const std::size_t stride = run->stride();
+  for (std::uint32_t i = 0; i < windows; i += 2) {
+    for (std::size_t field = 0; field < WindowRun::kFields; ++field) {
+      std::memcpy(to + field * stride + i, from.windows + field * from.stride + i,
+                  2 * sizeof(double));
+    }
   }
-  if (!list.touched) {
-    list.touched = true;
-    touched_.push_back(halfedge);
-    if (keep_ == Keep::Front) live_.push_back(halfedge);
-  }
+  run->older = list.newest;
+  run->begin = list.count;
+  if (list.count == 0) touched_.push_back(halfedge);
+  list.newest = run;
   list.count += windows;
   created_ += windows;
   const std::uint32_t turn = queue_.bucketOf(nearest);
@@ -166,14 +191,26 @@ CrossingResult Propagation::crossFace(Index halfedge, WindowList& list) {
   list.entered = list.count;
   list.turn = WindowList::kNotQueued;
   crossed_ += waiting;
-  const CrossingExit left = exitTo(c.leftTwin, waiting);
-  const CrossingExit right = exitTo(c.rightTwin, waiting);
-  const CrossingResult result =
-      kernel_({&c, list.data + first, list.capacity(), waiting, distance_[c.from], distance_[c.to],
-               distance_[c.apexVertex]},
-              left, right);
-  receive(c.leftTwin, result.leftCount, result.leftNearest);
-  receive(c.rightTwin, result.rightCount, result.rightNearest);
+
+  float farthest = 0;
+  if (keep_ == Keep::Front) {
+    farthest = list.farthest = std::min(list.farthest, roundedUp(farthestBehind(halfedge)));
+  }
+  std::uint32_t remaining = waiting;
+  for (const WindowRun* run = list.newest; remaining > 0; run = run->older) {
+    remaining -= run->count;
+    WindowPool::crossed(run, farthest);
+  }
+  if (gone(list)) return {0, 0, kInfinity, kInfinity, kInfinity, -1, 0, 0, false, false};
+
+  takeInHand(waiting);
+  const CrossingExit nowhere{nullptr, 0};
+  const CrossingResult result = kernel_({&c, list.newest, first, waiting, distance_[c.from],
+                                         distance_[c.to], distance_[c.apexVertex]},
+                                        takesWindows(c.leftTwin) ? inHand(kLeft) : nowhere,
+                                        takesWindows(c.rightTwin) ? inHand(kRight) : nowhere);
+  receive(c.leftTwin, kLeft, result.leftCount, result.leftNearest);
+  receive(c.rightTwin, kRight, result.rightCount, result.rightNearest);
   if (result.apexEnd > 0) {
     list.apexBegin = std::min(list.apexBegin, first + result.apexBegin);
     list.apexEnd = first + result.apexEnd;
@@ -190,16 +227,18 @@ CrossingResult Propagation::crossFace(Index halfedge, WindowList& list) {
 
 /// A single window begins at a halfedge; trimmed by the ends of it like any other.
 void Propagation::send(Index halfedge, Vec2 root, double sigma, double gapFrom, double gapTo) {
+  if (!takesWindows(halfedge)) return;
   const Crossing& c = unfolding_->crossing(halfedge);
   if (!trim(root, distance_[c.from] - sigma, gapFrom)) return;
   if (!trim({c.length - root.x, root.y}, distance_[c.to] - sigma, gapTo)) return;
   if (!(gapFrom + gapTo < c.length * (1 - kSliver))) return;
   const double aside = std::clamp(root.x, gapFrom, c.length - gapTo) - root.x;
   const double nearest = sigma + std::sqrt(aside * aside + root.y * root.y);
-  const CrossingExit exit = exitTo(halfedge, 1);
-  const double fields[5] = {root.x, root.y, sigma, gapFrom, gapTo};
-  for (std::size_t i = 0; i < 5; ++i) exit.windows[i * exit.stride] = fields[i];
-  receive(halfedge, 1, nearest);
+  takeInHand(1);
+  const CrossingExit exit = inHand(kLeft);
+  const double fields[WindowRun::kFields] = {root.x, root.y, sigma, gapFrom, gapTo};
+  for (std::size_t i = 0; i < WindowRun::kFields; ++i) exit.windows[i * exit.stride] = fields[i];
+  receive(halfedge, kLeft, 1, nearest);
 }
 
 /// The best path to a vertex is known: note its direction and send windows into all directions in
@@ -325,7 +364,7 @@ PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Crossing& c = unfolding_->crossing(h);
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
-    for (std::uint32_t i = 0; i < lists_[h].entered; ++i) {
+    for (std::uint32_t i = 0, end = enteredCount(h); i < end; ++i) {
       const Window w = lists_[h].window(i);
       const double distance = w.distanceTo(p);
       if (distance < best.distance && w.covers(c.length, p)) {
@@ -340,7 +379,7 @@ PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {
 /// halfedge, is shorter than a length.
 bool Propagation::sees(WindowNumber window, Vec2 point, double length) const {
   const WindowList& list = lists_[window.halfedge];
-  if (window.number >= list.entered) return false;
+  if (window.number >= enteredCount(window.halfedge)) return false;
   const Window w = list.window(window.number);
   const double rest = length - w.sigma;
   return rest > 0 && dot(point - w.root, point - w.root) < rest * rest &&
@@ -356,7 +395,7 @@ bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNu
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
     if (distance_[unfolding_->crossing(h).from] + norm(p) < length) return true;
-    for (std::uint32_t i = 0; i < lists_[h].entered; ++i) {
+    for (std::uint32_t i = 0, end = enteredCount(h); i < end; ++i) {
       if (!sees({h, i}, p, length)) continue;
       by = {h, i};
       return true;
@@ -371,41 +410,38 @@ bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNu
   return false;
 }
 
-double Propagation::farthestWithin(Index face) const {
-  double farthest = kInfinity;
-  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const Crossing& c = unfolding_->crossing(h);
-    farthest = std::min(farthest, distance_[c.from] + std::max(c.length, c.leftLength));
-  }
-  return farthest;
+/// No point of the face behind a halfedge is farther than this, as its corners tell.
+double Propagation::farthestBehind(Index halfedge) const {
+  const Crossing& c = unfolding_->crossing(halfedge);
+  return std::min({distance_[c.from] + std::max(c.length, c.leftLength),
+                   distance_[c.to] + std::max(c.length, c.rightLength),
+                   distance_[c.apexVertex] + std::max(c.leftLength, c.rightLength)});
 }
 
-void Propagation::recycle() {
+/// Forgets the windows of faces that the front has passed.
+void Propagation::forgetPassed() {
   // What is nearer than some vertex whose distance is final cannot be the farthest point either.
   double known = 0;
-  for (const Index v : reached_) {
-    if (distance_[v] <= queue_.frontier()) known = std::max(known, distance_[v]);
-  }
-  const auto passed = [&](Index face) { return farthestWithin(face) < known * (1 - kTie); };
   std::size_t kept = 0;
-  for (const Index h : live_) {
-    WindowList& list = lists_[h];
-    if (list.entered == list.count && passed(SurfaceMesh::faceOf(h))) {
-      pool_.release(list);
-      list.released = true;
-      list.touched = true;
+  for (const Index v : open_) {
+    if (distance_[v] <= queue_.frontier()) {
+      known = std::max(known, distance_[v]);
     } else {
-      live_[kept++] = h;
+      open_[kept++] = v;
     }
   }
-  live_.resize(kept);
-  recycleAt_ = std::max(kRecycleFrom, 2 * pool_.bytesInUse());
+  open_.resize(kept);
+  passed_ = std::max(passed_, roundedDown(known));
+  if (keep_ != Keep::Everything) {
+    pool_.forget(keep_ == Keep::Front ? passed_ : std::numeric_limits<float>::infinity());
+  }
 }
 
 std::size_t Propagation::memoryBytes() const {
-  return pool_.memoryBytes() + queue_.memoryBytes() + distance_.capacity() * sizeof(double) +
+  return pool_.memoryBytes() + queue_.memoryBytes() +
+         (distance_.capacity() + inHand_.capacity()) * sizeof(double) +
          arrival_.capacity() * sizeof(Arrival) + lists_.capacity() * sizeof(WindowList) +
-         (reached_.capacity() + touched_.capacity() + live_.capacity()) * sizeof(Index);
+         (reached_.capacity() + touched_.capacity() + open_.capacity()) * sizeof(Index);
 }
 
 }  // namespace girth::geodesic

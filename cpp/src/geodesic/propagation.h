@@ -27,8 +27,9 @@
 // again;
 //   what it sent out before is too long, but still real.
 // - A face may be forgotten once its every point is nearer than the frontier and than some vertex:
-// no
-//   shortest path ends in it any more (Keep::Front). Memory is then in proportion to the front.
+//   no shortest path ends in it any more (Keep::Front). How far its points can be is known from its
+//   corners when windows cross it; nothing is sent into it after it has been passed, since what
+//   comes then comes too late. Memory is then in proportion to the front.
 #pragma once
 
 #include <cmath>
@@ -106,7 +107,7 @@ class Propagation {
           gaveUp_ = true;
           return;
         }
-        if (keep_ == Keep::Front && pool_.bytesInUse() > recycleAt_) recycle();
+        if (pool_.grown()) forgetPassed();
       }
       prefetch();
       const Index item = queue_.pop();
@@ -120,7 +121,7 @@ class Propagation {
         const std::uint32_t first = list.entered;
         const CrossingResult result = crossFace(item, list);
         visitor.onCrossing(item, first, result);
-        if (keep_ == Keep::Nothing) pool_.release(list);
+        if (keep_ == Keep::Nothing) list = WindowList{};
       }
     }
     visitor.enough(std::numeric_limits<double>::infinity());
@@ -139,18 +140,20 @@ class Propagation {
   const std::vector<Index>& reachedVertices() const { return reached_; }
 
   /// How many windows have entered the face through a halfedge, and are kept; and one of them.
-  std::uint32_t enteredCount(Index halfedge) const { return lists_[halfedge].entered; }
+  std::uint32_t enteredCount(Index halfedge) const {
+    return gone(lists_[halfedge]) ? 0 : lists_[halfedge].entered;
+  }
   Window window(Index halfedge, std::uint32_t number) const {
     return lists_[halfedge].window(number);
   }
   /// Those of them that reached the opposite corner lie among numbers `first` to `second` − 1.
   std::pair<std::uint32_t, std::uint32_t> apexWindows(Index halfedge) const {
-    return {lists_[halfedge].apexBegin, lists_[halfedge].apexEnd};
+    const WindowList& list = lists_[halfedge];
+    return gone(list) ? std::pair{0u, 0u} : std::pair{list.apexBegin, list.apexEnd};
   }
   /// Whether windows of the face have been forgotten.
   bool forgotten(Index face) const {
-    return lists_[3 * face].released || lists_[3 * face + 1].released ||
-           lists_[3 * face + 2].released;
+    return gone(lists_[3 * face]) || gone(lists_[3 * face + 1]) || gone(lists_[3 * face + 2]);
   }
 
   /// A source inside a face or on one of its sides, in the frame of the face's first halfedge.
@@ -174,7 +177,7 @@ class Propagation {
   bool isNearer(Index halfedge, Vec2 point, double length, WindowNumber window) const;
 
   /// No point of a face is farther than this, as its corners tell.
-  double farthestWithin(Index face) const;
+  double farthestWithin(Index face) const { return farthestBehind(3 * face); }
 
   /// Windows made and windows that crossed their face, in this propagation.
   std::size_t windowsCreated() const { return created_; }
@@ -211,15 +214,21 @@ class Propagation {
   void reachAlong(Index halfedge);
   void reachAgainst(Index halfedge);
   CrossingResult crossFace(Index halfedge, WindowList& list);
-  CrossingExit exitTo(Index halfedge, std::uint32_t windows);
-  void receive(Index halfedge, std::uint32_t windows, double nearest);
+  bool takesWindows(Index halfedge) const;
+  void takeInHand(std::uint32_t windows);
+  CrossingExit inHand(std::size_t part);
+  void receive(Index halfedge, std::size_t part, std::uint32_t windows, double nearest);
   void send(Index halfedge, Vec2 root, double sigma, double gapFrom, double gapTo);
   void settle(Index vertex);
   void fanBehind(Index vertex);
   void sendAround(Index first, const Vec2* low, Index last, const Vec2* high);
   void sendThrough(Index halfedge, const Vec2* low, const Vec2* high);
   bool sees(WindowNumber window, Vec2 point, double length) const;
-  void recycle();
+  double farthestBehind(Index halfedge) const;
+  void forgetPassed();
+
+  /// Whether the windows of a halfedge have been forgotten: the front has passed its face.
+  bool gone(const WindowList& list) const { return list.farthest < passed_; }
 
   /// Nearly all memory that a crossing needs lies far from that of the one before: it is asked for
   /// two turns ahead, and what that leads to one turn ahead.
@@ -251,8 +260,10 @@ class Propagation {
   std::vector<WindowList> lists_;  // of the halfedges
   std::vector<Index> reached_;     // vertices to clear
   std::vector<Index> touched_;     // halfedges to clear
-  std::vector<Index> live_;        // halfedges that may have windows to forget
-  std::size_t recycleAt_{0};       // bytes of windows
+  std::vector<Index> open_;        // vertices that the frontier may not have passed
+  std::vector<double> inHand_;     // windows on their way to and from the kernel, in three parts
+  std::size_t inHandStride_{0};
+  float passed_{0};  // what is nearer than this has no use any more
   std::size_t created_{0}, crossed_{0};
   std::size_t budget_{std::size_t{1} << 26};
   bool gaveUp_{false};

@@ -82,7 +82,8 @@ TEST(Propagation, WhatIsForgottenDoesNotShow) {
     bool forgotten = false;
     for (Index v = 0; v < mesh.vertexCount(); v += mesh.vertexCount() / 12) {
       EXPECT_EQ(valueBy(front, inFront, v, Keep::Front), valueBy(all, inAll, v, Keep::Everything));
-      EXPECT_EQ(front.windowsCrossed(), all.windowsCrossed());
+      // What comes late to a face that the front has passed is not made at all.
+      EXPECT_LE(front.windowsCrossed(), all.windowsCrossed());
       for (Index f = 0; f < mesh.faceCount(); ++f) forgotten = forgotten || front.forgotten(f);
     }
     EXPECT_TRUE(forgotten);
@@ -105,22 +106,33 @@ TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
   const Unfolding unfolding(mesh);
   Random random(10);
   constexpr std::size_t kRoom = 64;
+  geodesic::WindowPool pool;
   for (int round = 0; round < 20000; ++round) {
     const Index h = random.below(unfolding.halfedgeCount());
     const geodesic::Crossing& c = unfolding.crossing(h);
-    const auto count = 1 + random.below(11);
-    std::array<double, 5 * kRoom + 4> windows{};
     const double far = std::pow(10, 3 * random() - 1);
-    for (Index i = 0; i < count; ++i) {
-      windows[i] = c.length * (3 * random() - 1);
-      windows[kRoom + i] = -far * random();
-      windows[2 * kRoom + i] = random() < 0.3 ? 0 : 10 * random();
-      const double a = random() < 0.3 ? 0 : random(), b = random() < 0.3 ? 0 : random();
-      windows[3 * kRoom + i] = c.length * std::min(a, 1 - b);
-      windows[4 * kRoom + i] = c.length * std::min(b, 1 - a);
+    pool.reset();
+    geodesic::WindowRun* newest = nullptr;
+    std::uint32_t count = 0;
+    for (Index runs = 1 + random.below(3); runs > 0; --runs) {
+      geodesic::WindowRun* run = pool.take(1 + random.below(11));
+      run->older = newest;
+      run->begin = count;
+      count += run->count;
+      newest = run;
+      double* field = run->fields();
+      const std::size_t stride = run->stride();
+      for (Index i = 0; i < run->count; ++i) {
+        field[i] = c.length * (3 * random() - 1);
+        field[stride + i] = -far * random();
+        field[2 * stride + i] = random() < 0.3 ? 0 : 10 * random();
+        const double a = random() < 0.3 ? 0 : random(), b = random() < 0.3 ? 0 : random();
+        field[3 * stride + i] = c.length * std::min(a, 1 - b);
+        field[4 * stride + i] = c.length * std::min(b, 1 - a);
+      }
     }
     const auto corner = [&] { return random() < 0.2 ? INFINITY : 10 + far * random(); };
-    const CrossingBatch batch{&c, windows.data(), kRoom, count, corner(), corner(), corner()};
+    const CrossingBatch batch{&c, newest, 0, count, corner(), corner(), corner()};
     using Output = std::array<double, 5 * kRoom>;
     Output left{}, right{}, otherLeft{}, otherRight{};
     const CrossingResult a = geodesic::crossingKernel()(batch, CrossingExit{left.data(), kRoom},
