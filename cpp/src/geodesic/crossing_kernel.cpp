@@ -7,7 +7,7 @@ namespace girth::geodesic {
 CrossingKernel portableCrossingKernel() { return crossPortable; }
 
 #ifdef GIRTH_WITH_AVX2
-CrossingResult crossAvx2(const CrossingBatch&, CrossingExit left, CrossingExit right);
+CrossingResult crossAvx2(const CrossingBatch&, WindowRun* left, WindowRun* right);
 
 CrossingKernel crossingKernel() {
   return __builtin_cpu_supports("avx2") ? crossAvx2 : crossPortable;

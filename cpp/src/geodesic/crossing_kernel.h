@@ -19,13 +19,6 @@ struct CrossingBatch {
   double distanceFrom, distanceTo, distanceApex;  ///< of the three corners; infinite: not reached
 };
 
-/// Where the windows go that leave through a side: room for `count` and kMostLanes − 1 more. A wall
-/// takes none: `windows` is null.
-struct CrossingExit {
-  double* windows;
-  std::size_t stride;
-};
-
 struct CrossingResult {
   std::uint32_t leftCount, rightCount;  ///< windows written
   double leftNearest, rightNearest;     ///< distance of the nearest point of those; infinite: none
@@ -36,10 +29,9 @@ struct CrossingResult {
   bool towardsLeft, towardsRight;  ///< some window reaches that side, trimmed away there or not
 };
 
-inline constexpr std::uint32_t kMostLanes = 4;
-
-using CrossingKernel = CrossingResult (*)(const CrossingBatch&, CrossingExit left,
-                                          CrossingExit right);
+/// Writes the windows that leave through either side behind the headers of runs with room for all
+/// (WindowPool::room), whose counts it leaves alone. Null: none are wanted.
+using CrossingKernel = CrossingResult (*)(const CrossingBatch&, WindowRun* left, WindowRun* right);
 
 /// The fastest kernel that this processor can run, and the one that any can. Both give the same
 /// bits.

@@ -26,34 +26,28 @@ struct Passing {
   Mask toApex;   // and all of it up to the apex
 };
 
-/// The greater of two quotients, for one division: `a` with a positive divisor; `b` counts only
-/// where its own is positive too.
-inline Lanes greaterOf(const Ratio<Lanes>& a, const Ratio<Lanes>& b) {
-  const Mask second = (b.over * a.under > a.over * b.under) & (b.under > Lanes{});
-  return select(second, b.over, a.over) / select(second, b.under, a.under);
-}
-
 /// Writes the windows that continue through a side, less what its two ends make useless.
 /// `mirrored`: the right side.
 template <bool mirrored>
-inline void pass(const Passing& in, const SideOfFace& side, double distanceApex, CrossingExit exit,
+inline void pass(const Passing& in, const SideOfFace& side, double distanceApex, WindowRun* exit,
                  std::uint32_t& count, Lanes& nearest) {
   const Lanes length = all(side.length), zero = {};
   const Lanes ux = all(side.direction.x), uy = all(side.direction.y);
   const Pair<Lanes> root = rootBeyond(in.root, -in.height, ux, uy);
-  const Ratio<Lanes> rayNear = gapBeyond(in.gapNear, in.root, in.height, ux, uy);
-  const Ratio<Lanes> rayFar = gapBeyond(in.boundFar, in.root, in.height, ux, uy);
-  const Ratio<Lanes> rayTip{
-      select(in.toApex, zero, greater(length * rayFar.under - rayFar.over, zero)),
-      select(in.toApex, all(1), rayFar.under)};
+  Lanes near = gapBeyond(in.gapNear, in.root, in.height, ux, uy);
+  Lanes tip = length - gapBeyond(in.boundFar, in.root, in.height, ux, uy);
+  tip = select(in.toApex, zero, greater(tip, zero));
 
   const Lanes leadNear = side.distanceNear - in.sigma, leadTip = distanceApex - in.sigma;
-  const Ratio<Lanes> lostNear = contest(root.x, root.y, leadNear);
-  const Ratio<Lanes> lostTip = contest(length - root.x, root.y, leadTip);
-  const Lanes near = greaterOf(rayNear, lostNear), tip = greaterOf(rayTip, lostTip);
+  const Contest<Lanes> atNear = contest(root.x, root.y, leadNear);
+  const Contest<Lanes> atTip = contest(length - root.x, root.y, leadTip);
+  const Lanes lostNear = atNear.excess / atNear.slope, lostTip = atTip.excess / atTip.slope;
+  // Where nothing is won the quotient is negative or not a number, and the comparison false.
+  near = select((lostNear > near) & (atNear.slope > zero), lostNear, near);
+  tip = select((lostTip > tip) & (atTip.slope > zero), lostTip, tip);
   Mask keep = in.crosses & (near + tip < length * (1 - kSliver));
-  keep &= (lostNear.under > zero) | ((leadNear > zero) & (lostNear.over <= zero));
-  keep &= (lostTip.under > zero) | ((leadTip > zero) & (lostTip.over <= zero));
+  keep &= (atNear.slope > zero) | ((leadNear > zero) & (atNear.excess <= zero));
+  keep &= (atTip.slope > zero) | ((leadTip > zero) & (atTip.excess <= zero));
   const unsigned kept = bits(keep);
   if (kept == 0) return;
 
@@ -62,19 +56,21 @@ inline void pass(const Passing& in, const SideOfFace& side, double distanceApex,
   const Lanes distance = in.sigma + squareRoot(aside * aside + root.y * root.y);
   nearest = smaller(select(keep, distance, nearest), nearest);
 
-  double* out = exit.windows + count;
+  double* out = exit->fields() + count;
+  const std::size_t stride = exit->stride;
   store(out, pack(mirrored ? length - root.x : root.x, kept));
-  store(out + exit.stride, pack(root.y, kept));
-  store(out + 2 * exit.stride, pack(in.sigma, kept));
-  store(out + 3 * exit.stride, pack(mirrored ? tip : near, kept));
-  store(out + 4 * exit.stride, pack(mirrored ? near : tip, kept));
+  store(out + stride, pack(root.y, kept));
+  store(out + 2 * stride, pack(in.sigma, kept));
+  store(out + 3 * stride, pack(mirrored ? tip : near, kept));
+  store(out + 4 * stride, pack(mirrored ? near : tip, kept));
   count += (unsigned)__builtin_popcount(kept);
 }
 
 }  // namespace
 
-CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, CrossingExit left,
-                                     CrossingExit right) {
+CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, WindowRun* left,
+                                     WindowRun* right) {
+  static_assert(kLanes <= WindowRun::kMostLanes);
   const Crossing& c = *batch.crossing;
   CrossingResult result{0, 0, kInfinity, kInfinity, batch.distanceApex, -1, 0, 0, false, false};
   const SideOfFace leftSide{c.left, c.leftLength, batch.distanceFrom};
@@ -87,7 +83,7 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, CrossingExit le
   std::uint32_t i = 0;
   for (std::uint32_t remaining = batch.count; remaining > 0;) {
     const double* in = run->fields() + i;
-    const std::size_t stride = run->stride();
+    const std::size_t stride = run->stride;
     const std::uint32_t number = run->begin - batch.first + i, inRun = run->count - i;
     const Lanes x = load(in), height = -load(in + stride);
     const Lanes sigma = load(in + 2 * stride);
@@ -129,11 +125,11 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, CrossingExit le
     const Mask throughLeft = valid & (leftOf < zero), throughRight = valid & (rightOf > zero);
     towardsLeft |= valid & (leftOf <= touch);
     towardsRight |= valid & (rightOf >= -touch);
-    if (left.windows != nullptr && bits(throughLeft) != 0) {
+    if (left != nullptr && bits(throughLeft) != 0) {
       pass<false>({x, height, gapFrom, length - gapTo, sigma, throughLeft, notRight}, leftSide,
                   batch.distanceApex, left, result.leftCount, leftNearest);
     }
-    if (right.windows != nullptr && bits(throughRight) != 0) {
+    if (right != nullptr && bits(throughRight) != 0) {
       pass<true>({length - x, height, gapTo, length - gapFrom, sigma, throughRight, notLeft},
                  rightSide, batch.distanceApex, right, result.rightCount, rightNearest);
     }

@@ -1,7 +1,6 @@
 #include "geodesic/propagation.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "geodesic/trimming.h"
 
@@ -10,9 +9,6 @@ namespace girth::geodesic {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// The parts of Propagation::inHand_: what leaves a face through either side.
-constexpr std::size_t kLeft = 0, kRight = 1, kParts = 2;
 
 /// Bounds as floats: never less, and never more.
 float roundedUp(double a) { return static_cast<float>(a * (1 + 1e-7)); }
@@ -23,9 +19,9 @@ Vec2 normalized(Vec2 a) { return (1 / norm(a)) * a; }
 /// Moves the near end of an interval away from a vertex as far as the path over it wins
 /// (trimming.h). False: nothing is left.
 bool trim(Vec2 root, double lead, double& gap) {
-  const Ratio<double> won = contest(root.x, root.y, lead);
-  if (!(won.under > 0)) return lead > 0 && won.over <= 0;
-  const double lost = won.over / won.under;
+  const Contest<double> at = contest(root.x, root.y, lead);
+  if (!(at.slope > 0)) return lead > 0 && at.excess <= 0;
+  const double lost = at.excess / at.slope;
   if (lost > gap) gap = lost;
   return true;
 }
@@ -37,6 +33,7 @@ Propagation::Propagation(const Unfolding& unfolding, double bucketWidth)
       kernel_(crossingKernel()),
       queue_(bucketWidth * unfolding.meanEdgeLength()),
       distance_(unfolding.vertexCount(), kInfinity),
+      reach_(unfolding.vertexCount()),
       arrival_(unfolding.vertexCount()),
       lists_(unfolding.halfedgeCount()) {}
 
@@ -44,6 +41,7 @@ void Propagation::clear() {
   queue_.clear();
   for (const Index v : reached_) {
     distance_[v] = kInfinity;
+    reach_[v] = Reach{};
     arrival_[v] = Arrival{};
   }
   for (const Index h : touched_) lists_[h] = WindowList{};
@@ -108,10 +106,9 @@ Arrival* Propagation::reach(Index vertex, double distance) {
     if (keep_ == Keep::Front) open_.push_back(vertex);
   }
   distance_[vertex] = distance;
-  Arrival& arrival = arrival_[vertex];
-  arrival.settled = false;
+  reach_[vertex].settled = false;
   if (unfolding_->passable(vertex)) queue_.push(queue_.bucketOf(distance), vertex | kVertexItem);
-  return &arrival;
+  return &arrival_[vertex];
 }
 
 /// A path goes from the start of a halfedge along it.
@@ -138,46 +135,15 @@ void Propagation::reachAgainst(Index halfedge) {
   arrival->towards = {1, 0};
 }
 
-/// Whether windows can go to a halfedge: not beyond a wall, and not into a face that the front has
-/// passed, where no path can be shortest any more.
-bool Propagation::takesWindows(Index halfedge) const {
-  return halfedge != kNoIndex && !gone(lists_[halfedge]);
-}
-
-/// Makes room in hand for so many windows in each part, and what a vector store may write beyond.
-void Propagation::takeInHand(std::uint32_t windows) {
-  static_assert(WindowPool::kSpare >= kMostLanes);
-  const std::size_t stride = windows + WindowPool::kSpare;
-  if (inHand_.empty() || inHandStride_ < stride) {
-    inHandStride_ = 2 * stride;
-    inHand_.resize(kParts * WindowRun::kFields * inHandStride_);
-  }
-}
-
-CrossingExit Propagation::inHand(std::size_t part) {
-  return {inHand_.data() + part * WindowRun::kFields * inHandStride_, inHandStride_};
-}
-
-/// So many windows in hand go to a halfedge.
-void Propagation::receive(Index halfedge, std::size_t part, std::uint32_t windows, double nearest) {
-  if (windows == 0) return;
+/// A run that has been filled in goes to a halfedge.
+void Propagation::receive(Index halfedge, WindowRun* run, double nearest) {
   WindowList& list = lists_[halfedge];
-  WindowRun* run = pool_.take(windows);
-  const CrossingExit from = inHand(part);
-  double* to = run->fields();
-  const std::size_t stride = run->stride();
-  for (std::uint32_t i = 0; i < windows; i += 2) {
-    for (std::size_t field = 0; field < WindowRun::kFields; ++field) {
-      std::memcpy(to + field * stride + i, from.windows + field * from.stride + i,
-                  2 * sizeof(double));
-    }
-  }
   run->older = list.newest;
   run->begin = list.count;
   if (list.count == 0) touched_.push_back(halfedge);
   list.newest = run;
-  list.count += windows;
-  created_ += windows;
+  list.count += run->count;
+  created_ += run->count;
   const std::uint32_t turn = queue_.bucketOf(nearest);
   if (turn < list.turn) {
     list.turn = turn;
@@ -203,17 +169,29 @@ CrossingResult Propagation::crossFace(Index halfedge, WindowList& list) {
   }
   if (gone(list)) return {0, 0, kInfinity, kInfinity, kInfinity, -1, 0, 0, false, false};
 
-  takeInHand(waiting);
-  const CrossingExit nowhere{nullptr, 0};
+  const auto room = [&](WindowPool::Side side, Index twin) {
+    return takesWindows(twin) ? pool_.room(side, waiting) : nullptr;
+  };
+  WindowRun* const left = room(WindowPool::Side::Left, c.leftTwin);
+  WindowRun* const right = room(WindowPool::Side::Right, c.rightTwin);
   const CrossingResult result = kernel_({&c, list.newest, first, waiting, distance_[c.from],
                                          distance_[c.to], distance_[c.apexVertex]},
-                                        takesWindows(c.leftTwin) ? inHand(kLeft) : nowhere,
-                                        takesWindows(c.rightTwin) ? inHand(kRight) : nowhere);
-  receive(c.leftTwin, kLeft, result.leftCount, result.leftNearest);
-  receive(c.rightTwin, kRight, result.rightCount, result.rightNearest);
+                                        left, right);
+  const bool keptLong = keep_ == Keep::Front;
+  if (result.leftCount > 0) {
+    pool_.keep(WindowPool::Side::Left, left, result.leftCount, keptLong);
+    receive(c.leftTwin, left, result.leftNearest);
+  }
+  if (result.rightCount > 0) {
+    pool_.keep(WindowPool::Side::Right, right, result.rightCount, keptLong);
+    receive(c.rightTwin, right, result.rightNearest);
+  }
   if (result.apexEnd > 0) {
     list.apexBegin = std::min(list.apexBegin, first + result.apexBegin);
     list.apexEnd = first + result.apexEnd;
+    std::uint8_t& windows = reach_[c.apexVertex].windows;
+    windows = static_cast<std::uint8_t>(
+        std::min<std::uint32_t>(windows + result.apexEnd - result.apexBegin, Reach::kMany));
   }
   if (result.apexWindow >= 0) {
     if (Arrival* arrival = reach(c.apexVertex, result.distanceApex)) {
@@ -234,18 +212,18 @@ void Propagation::send(Index halfedge, Vec2 root, double sigma, double gapFrom, 
   if (!(gapFrom + gapTo < c.length * (1 - kSliver))) return;
   const double aside = std::clamp(root.x, gapFrom, c.length - gapTo) - root.x;
   const double nearest = sigma + std::sqrt(aside * aside + root.y * root.y);
-  takeInHand(1);
-  const CrossingExit exit = inHand(kLeft);
+  WindowRun* run = pool_.room(WindowPool::Side::Left, 1);
   const double fields[WindowRun::kFields] = {root.x, root.y, sigma, gapFrom, gapTo};
-  for (std::size_t i = 0; i < WindowRun::kFields; ++i) exit.windows[i * exit.stride] = fields[i];
-  receive(halfedge, kLeft, 1, nearest);
+  for (std::size_t i = 0; i < WindowRun::kFields; ++i) run->fields()[i * run->stride] = fields[i];
+  pool_.keep(WindowPool::Side::Left, run, 1, true);
+  receive(halfedge, run, nearest);
 }
 
 /// The best path to a vertex is known: note its direction and send windows into all directions in
 /// which a path can go on straight.
 void Propagation::settle(Index vertex) {
   Arrival& arrival = arrival_[vertex];
-  arrival.settled = true;
+  reach_[vertex].settled = true;
   if (arrival.way == Arrival::Way::Source) {
     const Index first = unfolding_->outgoing(vertex);
     sendAround(first, nullptr, unfolding_->turnRight(first), nullptr);
@@ -268,35 +246,48 @@ void Propagation::fanBehind(Index vertex) {
   const Arrival& arrival = arrival_[vertex];
   const Vec2 onwards = -1 * arrival.towards;
 
+  const std::span<const Corner> corners = unfolding_->corners(vertex);
+  const std::size_t last = corners.size() - 1;
+  const bool open = unfolding_->boundary(vertex);
+  std::size_t arrived = 0;
+  while (corners[arrived].halfedge != arrival.corner) ++arrived;
+
   // The ray that leaves π on its right: going round to the left, from face to face, until one holds
   // it. The vector is turned along, so that the corners add up by themselves.
-  Index leftFace = arrival.corner;
+  std::size_t at = arrived;
+  Index leftFace = kNoIndex;
   Vec2 leftRay = onwards;
   do {
-    leftRay = turnedBack(leftRay, unfolding_->crossing(leftFace).left);
-    const Index next = unfolding_->turnLeft(leftFace);
-    if (next == kNoIndex && leftRay.x > 0 && std::fabs(leftRay.y) <= kFlatAngle) {
-      reachAgainst(Unfolding::previous(leftFace));  // along the wall
+    leftRay = turnedBack(leftRay, corners[at].left);
+    if (at == last && open) {
+      if (leftRay.x > 0 && std::fabs(leftRay.y) <= kFlatAngle) {
+        reachAgainst(Unfolding::previous(corners[at].halfedge));  // along the wall
+      }
+      leftFace = kNoIndex;
+      break;
     }
-    leftFace = next;
-  } while (leftFace != kNoIndex && cross(leftRay, unfolding_->crossing(leftFace).left) < 0);
+    at = at == last ? 0 : at + 1;
+    leftFace = corners[at].halfedge;
+  } while (cross(leftRay, corners[at].left) < 0);
   leftRay = turnedBack(leftRay, {1, kFanOverlap});
 
   // And the one that leaves π on its left.
-  Index rightFace = arrival.corner;
+  at = arrived;
+  Index rightFace = kNoIndex;
   Vec2 rightRay = onwards;
   do {
-    const Index next = unfolding_->turnRight(rightFace);
-    if (next == kNoIndex) {
-      if (rightRay.x > 0 && std::fabs(rightRay.y) <= kFlatAngle) reachAlong(rightFace);
-    } else {
-      rightRay = turned(rightRay, unfolding_->crossing(next).left);
+    if (at == 0 && open) {
+      if (rightRay.x > 0 && std::fabs(rightRay.y) <= kFlatAngle) reachAlong(corners[0].halfedge);
+      rightFace = kNoIndex;
+      break;
     }
-    rightFace = next;
-  } while (rightFace != kNoIndex && rightRay.y < 0);
+    at = at == 0 ? last : at - 1;
+    rightFace = corners[at].halfedge;
+    rightRay = turned(rightRay, corners[at].left);
+  } while (rightRay.y < 0);
   rightRay = turned(rightRay, {1, kFanOverlap});
 
-  if (unfolding_->boundary(vertex)) {
+  if (open) {
     // Between the incoming path and the wall on either side.
     if (leftFace != kNoIndex) sendAround(leftFace, &leftRay, kNoIndex, nullptr);
     if (rightFace != kNoIndex) {
@@ -438,9 +429,9 @@ void Propagation::forgetPassed() {
 }
 
 std::size_t Propagation::memoryBytes() const {
-  return pool_.memoryBytes() + queue_.memoryBytes() +
-         (distance_.capacity() + inHand_.capacity()) * sizeof(double) +
-         arrival_.capacity() * sizeof(Arrival) + lists_.capacity() * sizeof(WindowList) +
+  return pool_.memoryBytes() + queue_.memoryBytes() + distance_.capacity() * sizeof(double) +
+         arrival_.capacity() * sizeof(Arrival) + reach_.capacity() * sizeof(Reach) +
+         lists_.capacity() * sizeof(WindowList) +
          (reached_.capacity() + touched_.capacity() + open_.capacity()) * sizeof(Index);
 }
 

@@ -56,8 +56,6 @@ struct Arrival {
     Source,    ///< it is source number `before`
   };
   Way way{Way::None};
-  /// Only vertices that geodesics can pass are settled, and sources.
-  bool settled{false};
   /// Where the path comes in: `corner` starts at the vertex, and `towards`, a vector of its frame,
   /// points back along the path. Known once settled.
   Index corner{kNoIndex};
@@ -113,7 +111,7 @@ class Propagation {
       const Index item = queue_.pop();
       if ((item & kVertexItem) != 0) {
         const Index vertex = item & ~kVertexItem;
-        if (arrival_[vertex].settled) continue;
+        if (reach_[vertex].settled) continue;
         settle(vertex);
         visitor.onVertex(vertex);
       } else if (lists_[item].turn == queue_.current()) {
@@ -131,6 +129,13 @@ class Propagation {
   /// Length of the best path to a vertex; infinite where none is known.
   double distance(Index vertex) const { return distance_[vertex]; }
   const Arrival& arrival(Index vertex) const { return arrival_[vertex]; }
+  /// Whether the best path to a vertex has gone on from it: only from those that geodesics can
+  /// pass, and from sources.
+  bool settled(Index vertex) const { return reach_[vertex].settled; }
+  /// Whether the one window that has reached a vertex is the one of its best path.
+  bool reachedOnce(Index vertex) const {
+    return reach_[vertex].windows == 1 && arrival_[vertex].way == Arrival::Way::Window;
+  }
   /// Direction at a settled vertex in which its path comes in.
   double arrivalDirection(Index vertex) const {
     return unfolding_->directionOf(arrival_[vertex].corner, arrival_[vertex].towards);
@@ -214,10 +219,12 @@ class Propagation {
   void reachAlong(Index halfedge);
   void reachAgainst(Index halfedge);
   CrossingResult crossFace(Index halfedge, WindowList& list);
-  bool takesWindows(Index halfedge) const;
-  void takeInHand(std::uint32_t windows);
-  CrossingExit inHand(std::size_t part);
-  void receive(Index halfedge, std::size_t part, std::uint32_t windows, double nearest);
+  /// Whether windows can go to a halfedge: not beyond a wall, and not into a face that the front
+  /// has passed, where no path can be shortest any more.
+  bool takesWindows(Index halfedge) const {
+    return halfedge != kNoIndex && !gone(lists_[halfedge]);
+  }
+  void receive(Index halfedge, WindowRun* run, double nearest);
   void send(Index halfedge, Vec2 root, double sigma, double gapFrom, double gapTo);
   void settle(Index vertex);
   void fanBehind(Index vertex);
@@ -233,20 +240,35 @@ class Propagation {
   /// Nearly all memory that a crossing needs lies far from that of the one before: it is asked for
   /// two turns ahead, and what that leads to one turn ahead.
   void prefetch() const {
-    const Index later = queue_.peek(2, kVertexItem), soon = queue_.peek(1, kVertexItem);
+    constexpr Index kNothing = 0xFFFFFFFFu;
+    const Index later = queue_.peek(2, kNothing), soon = queue_.peek(1, kNothing);
     if ((later & kVertexItem) == 0) {
       __builtin_prefetch(&lists_[later]);
       const char* crossing = reinterpret_cast<const char*>(&unfolding_->crossing(later));
       __builtin_prefetch(crossing);
       __builtin_prefetch(crossing + sizeof(Crossing) - 1);
+    } else if (later != kNothing) {
+      __builtin_prefetch(&arrival_[later & ~kVertexItem]);
     }
     if ((soon & kVertexItem) == 0) {
       const Crossing& c = unfolding_->crossing(soon);
       __builtin_prefetch(&distance_[c.apexVertex]);
       if (c.leftTwin != kNoIndex) __builtin_prefetch(&lists_[c.leftTwin]);
       if (c.rightTwin != kNoIndex) __builtin_prefetch(&lists_[c.rightTwin]);
+    } else if (soon != kNothing) {
+      const auto corners = unfolding_->corners(soon & ~kVertexItem);
+      __builtin_prefetch(corners.data());
+      __builtin_prefetch(&corners.back());
     }
   }
+
+  /// What is asked of vertices most often, small enough for the cache.
+  struct Reach {
+    bool settled{false};
+    std::uint8_t windows{0};  // that have reached it, nearest or not; at most kMany are counted
+
+    static constexpr std::uint8_t kMany = 2;
+  };
 
   const Unfolding* unfolding_;
   CrossingKernel kernel_;
@@ -256,14 +278,13 @@ class Propagation {
   std::vector<SurfacePoint> sources_;
   std::vector<Origin> origins_;
   std::vector<double> distance_;   // of the vertices
+  std::vector<Reach> reach_;       // of the vertices
   std::vector<Arrival> arrival_;   // of the vertices
   std::vector<WindowList> lists_;  // of the halfedges
   std::vector<Index> reached_;     // vertices to clear
   std::vector<Index> touched_;     // halfedges to clear
   std::vector<Index> open_;        // vertices that the frontier may not have passed
-  std::vector<double> inHand_;     // windows on their way to and from the kernel, in three parts
-  std::size_t inHandStride_{0};
-  float passed_{0};  // what is nearer than this has no use any more
+  float passed_{0};                // what is nearer than this has no use any more
   std::size_t created_{0}, crossed_{0};
   std::size_t budget_{std::size_t{1} << 26};
   bool gaveUp_{false};

@@ -22,26 +22,23 @@ inline Pair<T> rootBeyond(T x, T y, U ux, U uy) {
   return {x * ux + y * uy, y * ux - x * uy};
 }
 
-/// A quotient, as yet undivided.
-template <class T>
-struct Ratio {
-  T over, under;
-};
-
 /// Where a ray that passes the halfedge at `gap` from its start meets the left side, measured from
 /// the same vertex; the root lies at (x, −height). By similar triangles, so that zero stays zero.
-/// The divisor is positive where the ray does meet it.
 template <class T, class U>
-inline Ratio<T> gapBeyond(T gap, T x, T height, U ux, U uy) {
-  return {gap * height, height * ux + (x - gap) * uy};
+inline T gapBeyond(T gap, T x, T height, U ux, U uy) {
+  return gap * height / (height * ux + (x - gap) * uy);
 }
 
 /// How a path over a vertex V and along the line competes with a window: with V at the origin, the
-/// line along x, the root at (x, y), and lead = distance(V) − sigma, the two lengths are equal at
-/// this t, where lead + t = |root − t|: one point at most, and V wins on the near side of it; where
-/// the divisor is not positive, V wins everywhere (but for ties, where the dividend is not either).
+/// line along x, the root at (x, y), and lead = distance(V) − sigma, the two lengths are equal at t
+/// where lead + t = |root − t|: one point at most, t = excess / slope, and V wins on the near side
+/// of it; where slope ≤ 0, V wins everywhere (but for ties, excess ≤ 0).
 template <class T>
-inline Ratio<T> contest(T x, T y, T lead) {
+struct Contest {
+  T excess, slope;
+};
+template <class T>
+inline Contest<T> contest(T x, T y, T lead) {
   return {(x * x + y * y) * (1 - kTrim) - lead * lead, 2 * (x + lead)};
 }
 

@@ -74,12 +74,17 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
   direction_.resize(halfedges);
   totalAngle_.resize(mesh.vertexCount());
   passable_.resize(mesh.vertexCount());
+  corners_.reserve(halfedges);
+  firstCorner_.reserve(mesh.vertexCount() + std::size_t{1});
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     outgoing_[v] = fromMeshHalfedge(mesh.outgoing(meshVertex_[v]));
+    firstCorner_.push_back(static_cast<Index>(corners_.size()));
     double angle = 0;
     Index h = outgoing_[v];
     do {
       direction_[h] = angle;
+      const Crossing& c = crossings_[h];
+      corners_.push_back({c.left, c.length, h, c.to});
       angle += mesh.cornerAngle(3 * meshFace_[h / 3] + h % 3);
       h = turnLeft(h);
     } while (h != kNoIndex && h != outgoing_[v]);
@@ -87,6 +92,7 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
     const double flat = boundary(v) ? kPi : 2 * kPi;
     passable_[v] = angle > flat + kSaddleAngle ? 2 : angle >= flat - kFlatAngle ? 1 : 0;
   }
+  firstCorner_.push_back(static_cast<Index>(corners_.size()));
 }
 
 Index Unfolding::home(const SurfacePoint& point) const {

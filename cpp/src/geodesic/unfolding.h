@@ -10,6 +10,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geodesic/tolerances.h"
@@ -29,6 +30,14 @@ struct alignas(32) Crossing {
   Vec2 right;  ///< unit vector from `to` to the apex, seen in the mirror (x → −x)
   Index leftTwin, rightTwin;  ///< the halfedges beyond those sides; kNoIndex: a wall
   Index from, to, apexVertex;
+};
+
+/// A face seen from one of its vertices: what turning round the vertex needs, side by side in memory.
+struct Corner {
+  Vec2 left;       ///< unit vector along the face's other side, in the frame of `halfedge`
+  double length;   ///< of the halfedge
+  Index halfedge;  ///< the face's side that starts at the vertex
+  Index to;        ///< its end
 };
 
 /// A surface prepared for unfolding. Immutable: shared by the solvers of all threads.
@@ -56,6 +65,11 @@ class Unfolding {
   Index turnRight(Index halfedge) const {
     const Index t = twin_[halfedge];
     return t == kNoIndex ? kNoIndex : next(t);
+  }
+
+  /// The faces round a vertex, counter-clockwise from outgoing(vertex).
+  std::span<const Corner> corners(Index vertex) const {
+    return {corners_.data() + firstCorner_[vertex], firstCorner_[vertex + 1] - firstCorner_[vertex]};
   }
 
   /// Direction of a halfedge at the vertex it starts from: its angle, counter-clockwise, from
@@ -122,6 +136,8 @@ class Unfolding {
   double unit_, meanEdgeLength_;
   std::vector<Crossing> crossings_;
   std::vector<Index> twin_, outgoing_;
+  std::vector<Corner> corners_;
+  std::vector<Index> firstCorner_;
   std::vector<double> direction_, totalAngle_;
   std::vector<std::uint8_t> passable_;
   std::vector<Index> meshVertex_, vertexOfMesh_, meshFace_, faceOfMesh_;

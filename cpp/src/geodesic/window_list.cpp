@@ -1,41 +1,27 @@
 #include "geodesic/window_list.h"
 
 #include <algorithm>
+#include <cstring>
 #include <new>
 
 namespace girth::geodesic {
-
-namespace {
-
-std::size_t bytesOf(std::uint32_t windows) {
-  return sizeof(WindowRun) + WindowRun::kFields * sizeof(double) * WindowRun::strideOf(windows);
-}
-
-}  // namespace
 
 void WindowPool::Delete::operator()(Block* block) const {
   ::operator delete (block, std::align_val_t{kBlockBytes});
 }
 
-WindowPool::Block* WindowPool::blockOf(const WindowRun* run) {
-  const auto address = reinterpret_cast<std::uintptr_t>(run);
-  return reinterpret_cast<Block*>(address & ~(std::uintptr_t{kBlockBytes} - 1));
-}
-
-WindowRun* WindowPool::take(std::uint32_t count) {
-  const std::size_t bytes = bytesOf(count);
-  if (current_ == nullptr || current_->used + bytes + kSpare * sizeof(double) > current_->bytes) {
-    open(bytes);
+/// Moves the fields of a run together.
+void WindowPool::tighten(WindowRun* run) {
+  for (std::size_t field = 1; field < WindowRun::kFields; ++field) {
+    std::memmove(run->fields() + field * run->count, run->fields() + field * run->stride,
+                 run->count * sizeof(double));
   }
-  auto* memory = reinterpret_cast<std::byte*>(current_) + current_->used;
-  current_->used += bytes;
-  ++current_->waiting;
-  return new (memory) WindowRun{nullptr, 0, count};
+  run->stride = run->count;
 }
 
-/// Makes a free block with room for a run the current one.
-void WindowPool::open(std::size_t bytes) {
-  const std::size_t wanted = std::max(kBlockBytes, sizeof(Block) + bytes + kSpare * sizeof(double));
+/// A free block with room for a run.
+WindowPool::Block* WindowPool::open(std::size_t bytes) {
+  const std::size_t wanted = std::max(kBlockBytes, sizeof(Block) + bytes);
   // The block that was used last, and is still in the cache, comes first.
   std::size_t free = used_;
   while (free < blocks_.size() && blocks_[free]->bytes < wanted) ++free;
@@ -44,17 +30,20 @@ void WindowPool::open(std::size_t bytes) {
     blocks_.emplace_back(new (memory) Block{wanted, 0, 0, 0});
   }
   std::swap(blocks_[used_], blocks_[free]);
-  current_ = blocks_[used_++].get();
-  current_->used = sizeof(Block);
-  current_->waiting = 0;
-  current_->farthest = 0;
+  Block* block = blocks_[used_++].get();
+  block->used = sizeof(Block);
+  block->waiting = 0;
+  block->farthest = 0;
   grown_ = true;
+  return block;
 }
 
 void WindowPool::forget(float passed) {
   for (std::size_t i = used_; i-- > 0;) {
     const Block* block = blocks_[i].get();
-    if (block == current_ || block->waiting > 0 || !(block->farthest < passed)) continue;
+    if (block == current_[0] || block == current_[1] || block->waiting > 0 ||
+        !(block->farthest < passed))
+      continue;
     std::swap(blocks_[i], blocks_[--used_]);
   }
   grown_ = false;
@@ -62,7 +51,7 @@ void WindowPool::forget(float passed) {
 
 void WindowPool::reset() {
   used_ = 0;
-  current_ = nullptr;
+  current_ = {};
   grown_ = false;
 }
 

@@ -4,33 +4,35 @@
 // is done with together, few blocks suffice for the front, and they stay in the cache.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <new>
 #include <vector>
 
 #include "geodesic/window.h"
 
 namespace girth::geodesic {
 
-/// Windows that came to a halfedge together. Behind it lie five arrays of `stride()` numbers:
-/// root.x, root.y, sigma, gapFrom, gapTo.
+/// Windows that came to a halfedge together. Behind it lie five arrays, `stride` numbers apart:
+/// root.x, root.y, sigma, gapFrom, gapTo. Vector loads and stores may touch numbers behind the
+/// last.
 struct WindowRun {
   WindowRun* older;     ///< the run that came to the halfedge before; null: none
   std::uint32_t begin;  ///< its first window's number at the halfedge
   std::uint32_t count;
+  std::size_t stride;
 
   static constexpr std::size_t kFields = 5;
-  static constexpr std::size_t strideOf(std::uint32_t count) { return (count + 1u) & ~1u; }
+  static constexpr std::uint32_t kMostLanes = 4;  ///< of vectors
 
-  std::size_t stride() const { return strideOf(count); }
   double* fields() { return reinterpret_cast<double*>(this + 1); }
   const double* fields() const { return reinterpret_cast<const double*>(this + 1); }
   Window window(std::uint32_t i) const {
     const double* d = fields() + i;
-    const std::size_t n = stride();
-    return {{d[0], d[n]}, d[2 * n], d[3 * n], d[4 * n]};
+    return {{d[0], d[stride]}, d[2 * stride], d[3 * stride], d[4 * stride]};
   }
 };
 
@@ -57,9 +59,29 @@ struct WindowList {
 /// Memory for runs of windows.
 class WindowPool {
  public:
-  /// A run of `count` windows, which waits: to be filled in. Up to kSpare numbers behind it may be
-  /// read.
-  WindowRun* take(std::uint32_t count);
+  /// Two runs can be filled in at once.
+  enum class Side : std::uint8_t { Left, Right };
+
+  /// A run with room for `count` windows, to be filled in. The next call for this side gives the
+  /// same room again, but for what `keep` keeps.
+  WindowRun* room(Side side, std::uint32_t count) {
+    Block*& block = current_[static_cast<std::size_t>(side)];
+    const std::size_t stride = count + kSpare, bytes = bytesOf(stride, count);
+    if (block == nullptr || block->used >= kBlockBytes || block->used + bytes > block->bytes) {
+      block = open(bytes);
+    }
+    auto* memory = reinterpret_cast<std::byte*>(block) + block->used;
+    return new (memory) WindowRun{nullptr, 0, 0, stride};
+  }
+  /// The last run of that side has got so many windows, at least one, which wait. `tight`: it takes
+  /// no more memory than they need, where the difference is worth the moving.
+  void keep(Side side, WindowRun* run, std::uint32_t count, bool tight) {
+    Block* block = current_[static_cast<std::size_t>(side)];
+    run->count = count;
+    if (tight && run->stride > count + kLoose) tighten(run);
+    block->used += bytesOf(run->stride, count);
+    ++block->waiting;
+  }
   /// The windows of a run have crossed their face, and are of no use once all that is nearer than
   /// `farthest` is passed.
   static void crossed(const WindowRun* run, float farthest) {
@@ -76,9 +98,11 @@ class WindowPool {
   bool grown() const { return grown_; }
   std::size_t memoryBytes() const;
 
-  static constexpr std::size_t kSpare = 4;
-
  private:
+  /// What vector loads and stores may touch behind the last window.
+  static constexpr std::uint32_t kSpare = WindowRun::kMostLanes - 1;
+  /// Windows that a run may have too much room for before they are moved together.
+  static constexpr std::size_t kLoose = 8;
   /// A run larger than a block has a block of its own size.
   static constexpr std::size_t kBlockBytes = std::size_t{1} << 15;
   struct alignas(64) Block {
@@ -90,13 +114,22 @@ class WindowPool {
     void operator()(Block* block) const;
   };
 
+  static constexpr std::size_t bytesOf(std::size_t stride, std::uint32_t count) {
+    return sizeof(WindowRun) +
+           ((WindowRun::kFields - 1) * stride + count + kSpare) * sizeof(double);
+  }
+  static void tighten(WindowRun* run);
+
   /// Blocks begin at multiples of their usual size, and a run begins within the first of these.
-  static Block* blockOf(const WindowRun* run);
-  void open(std::size_t bytes);
+  static Block* blockOf(const WindowRun* run) {
+    const auto address = reinterpret_cast<std::uintptr_t>(run);
+    return reinterpret_cast<Block*>(address & ~(std::uintptr_t{kBlockBytes} - 1));
+  }
+  Block* open(std::size_t bytes);
 
   std::vector<std::unique_ptr<Block, Delete>> blocks_;  // all; the first `used_` are in use
   std::size_t used_{0};
-  Block* current_{nullptr};
+  std::array<Block*, 2> current_{};  // where the next run of a side goes
   bool grown_{false};
 };
 

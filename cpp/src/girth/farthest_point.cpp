@@ -110,7 +110,7 @@ class FaceSearch {
       const Crossing& c = unfolding.crossing(h);
       const auto place = [&](Vec2 p) { return unfolding.toFrame(h, 3 * face, p); };
       corners[h - 3 * face] = place({0, 0});
-      if (propagation_.arrival(c.from).settled) {
+      if (propagation_.settled(c.from)) {
         sites.push_back({place({0, 0}), propagation_.distance(c.from)});
       }
       for (std::uint32_t i = 0; i < propagation_.enteredCount(h); ++i) {

@@ -6,6 +6,7 @@
 namespace girth {
 
 using geodesic::Arrival;
+using geodesic::Corner;
 using geodesic::cross;
 using geodesic::Crossing;
 using geodesic::CrossingResult;
@@ -76,7 +77,7 @@ void LoopSearch::onCrossing(Index halfedge, std::uint32_t first, const CrossingR
     pairAcross(halfedge, first, next);
   }
   const Crossing& c = propagation_->unfolding().crossing(halfedge);
-  if (result.apexEnd > 0 && propagation_->arrival(c.apexVertex).settled) {
+  if (result.apexEnd > 0 && propagation_->settled(c.apexVertex)) {
     for (std::uint32_t i = first + result.apexBegin; i < first + result.apexEnd; ++i) {
       tryApex(halfedge, propagation_->window(halfedge, i));
     }
@@ -91,19 +92,43 @@ void LoopSearch::onCrossing(Index halfedge, std::uint32_t first, const CrossingR
 
 void LoopSearch::onVertex(Index vertex) {
   const Unfolding& unfolding = propagation_->unfolding();
-  const Index start = unfolding.outgoing(vertex);
-  for (Index h = start;;) {
-    tryEdge(h);
-    const Index opposite = Unfolding::next(h);
-    const auto [begin, end] = propagation_->apexWindows(opposite);
-    for (std::uint32_t i = begin; i < end; ++i) {
-      tryApex(opposite, propagation_->window(opposite, i));
+  const std::span<const Corner> corners = unfolding.corners(vertex);
+  const bool open = unfolding.boundary(vertex);
+  const bool once = propagation_->reachedOnce(vertex);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Corner& edge = corners[i];
+    if (propagation_->settled(edge.to)) {
+      const bool atStart = i == 0, atEnd = i + 1 == corners.size();
+      const Corner* before = atStart ? (open ? nullptr : &corners.back()) : &edge - 1;
+      const Corner* after = atEnd ? (open ? nullptr : &corners.front()) : &edge + 1;
+      if (mayMeetAlong(vertex, edge, before, after)) tryEdge(edge.halfedge);
     }
-    const Index left = unfolding.turnLeft(h);
-    if (left == kNoIndex) tryEdge(Unfolding::previous(h));  // the wall on the far side
-    if (left == kNoIndex || left == start) return;
-    h = left;
+    if (once) continue;  // by the window of its own path
+    const Index opposite = Unfolding::next(edge.halfedge);
+    const auto [begin, end] = propagation_->apexWindows(opposite);
+    for (std::uint32_t k = begin; k < end; ++k) {
+      tryApex(opposite, propagation_->window(opposite, k));
+    }
   }
+  if (open) tryEdge(Unfolding::previous(corners.back().halfedge));  // the wall on the far side
+}
+
+/// Whether the paths to both ends of an edge may meet on it: nearly always the point halfway is
+/// nearer over a vertex beside. `before`, `after`: the edges next to it round the vertex, if any.
+bool LoopSearch::mayMeetAlong(Index vertex, const Corner& edge, const Corner* before,
+                              const Corner* after) const {
+  const double atFrom = propagation_->distance(vertex), atTo = propagation_->distance(edge.to);
+  const double half = (atFrom + edge.length + atTo) / 2;
+  const double along = half - atFrom;  // from the vertex to the point halfway
+  const double slack = kTouch * edge.length;
+  if (!(along >= -slack && along <= edge.length + slack)) return false;
+  const auto nearerOver = [&](const Corner& beside, Vec2 direction) {
+    const double rest = half * (1 - kTie) - propagation_->distance(beside.to);
+    const Vec2 there = beside.length * direction - Vec2{along, 0};
+    return rest > 0 && rest * rest > dot(there, there);
+  };
+  if (after != nullptr && nearerOver(*after, edge.left)) return false;
+  return before == nullptr || !nearerOver(*before, {before->left.x, -before->left.y});
 }
 
 // Case 3: the line between the roots of two windows of one face.
@@ -198,7 +223,7 @@ void LoopSearch::tryOrigin(Index halfedge, const Window& window,
 void LoopSearch::tryEdge(Index halfedge) {
   const Unfolding& unfolding = propagation_->unfolding();
   const Crossing& c = unfolding.crossing(halfedge);
-  if (!propagation_->arrival(c.from).settled || !propagation_->arrival(c.to).settled) return;
+  if (!propagation_->settled(c.from) || !propagation_->settled(c.to)) return;
   // The path to one end that comes along the edge is no loop.
   const auto alongEdge = [&](Index vertex, Index other) {
     const Arrival& arrival = propagation_->arrival(vertex);
@@ -210,9 +235,6 @@ void LoopSearch::tryEdge(Index halfedge) {
   if (!(along >= -kTouch * c.length && along <= c.length * (1 + kTouch))) return;
   const double length = atFrom + c.length + atTo;
   const Vec2 q{std::clamp(along, 0.0, c.length), 0};
-  // Nearly always q is nearer over the corner opposite.
-  const double rest = length / 2 * (1 - kTie) - propagation_->distance(c.apexVertex);
-  if (rest > 0 && rest * rest > dot(q - c.apex, q - c.apex)) return;
   if (!worthwhile(length, halfedge, q)) return;
   const Index next = Unfolding::next(halfedge), twin = unfolding.twin(halfedge);
   const double back = twin != kNoIndex ? unfolding.direction(twin)
@@ -278,7 +300,7 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
     for (Index out = start;;) {
       const Crossing& side = unfolding.crossing(out);
       const auto alongEdge = [&](Index neighbour, double length, double direction) {
-        if (propagation_->arrival(neighbour).settled &&
+        if (propagation_->settled(neighbour) &&
             propagation_->distance(neighbour) + length <= reach) {
           directions_.push_back(direction);
         }
@@ -322,7 +344,7 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
   for (const Index h : {base, Unfolding::next(base), Unfolding::previous(base)}) {
     const Crossing& c = unfolding.crossing(h);
     const Vec2 there = unfolding.toFrame(base, h, q);
-    if (propagation_->arrival(c.from).settled &&
+    if (propagation_->settled(c.from) &&
         propagation_->distance(c.from) + norm(there) <= reach) {
       arrive(unfolding.toFrame(h, base, {0, 0}));
     }

@@ -75,6 +75,8 @@ class LoopSearch {
   void tryApex(Index halfedge, const geodesic::Window& window);
   void tryOrigin(Index halfedge, const geodesic::Window& window,
                  const geodesic::Propagation::Origin& origin);
+  bool mayMeetAlong(Index vertex, const geodesic::Corner& edge, const geodesic::Corner* before,
+                    const geodesic::Corner* after) const;
   void tryEdge(Index halfedge);
   bool passesStraight(Index vertex, double leaving) const;
   bool worthwhile(double length, Index halfedge, geodesic::Vec2 midpoint) const;

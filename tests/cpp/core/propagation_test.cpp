@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <new>
 
 #include "geodesic/crossing_kernel.h"
@@ -23,24 +24,38 @@ std::atomic<std::size_t> allocations{0};
 
 }  // namespace
 
-// Counted for the whole program; only differences are looked at.
-void* operator new(std::size_t size) {
+// Counted for the whole program; only differences are looked at. (Inlined, GCC 12 takes new and
+// delete for mismatched.)
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto step = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace girth::test {
 namespace {
 
 using geodesic::CrossingBatch;
-using geodesic::CrossingExit;
 using geodesic::CrossingResult;
 using geodesic::Keep;
 using geodesic::Propagation;
 using geodesic::Unfolding;
+using geodesic::WindowPool;
+using geodesic::WindowRun;
 
 /// I(p) from the engine's parts.
 double valueBy(Propagation& propagation, LoopSearch& search, Index vertex, Keep keep) {
@@ -101,27 +116,75 @@ TEST(Propagation, NoMemoryIsTakenOnceItHasRun) {
   EXPECT_EQ(allocations, before);
 }
 
+TEST(WindowPool, RunsStayUntilTheyArePassed) {
+  using Side = WindowPool::Side;
+  WindowPool pool;
+  Random random(11);
+  struct Kept {
+    WindowRun* run;
+    double mark;
+  };
+  std::deque<Kept> kept;  // in the order of their coming; the first `entered` have crossed
+  std::size_t entered = 0;
+  const auto intact = [](const Kept& k) {
+    for (Index field = 0; field < WindowRun::kFields; ++field) {
+      for (Index i = 0; i < k.run->count; ++i) {
+        if (k.run->fields()[field * k.run->stride + i] != k.mark + 10.0 * i + field) return false;
+      }
+    }
+    return true;
+  };
+  for (int round = 0; round < 20000; ++round) {
+    // Seldom larger than a block, and then mostly not filled.
+    const std::uint32_t room = 1 + random.below(random() < 0.01 ? 3000 : 30);
+    const Side side = random() < 0.5 ? Side::Left : Side::Right;
+    WindowRun* run = pool.room(side, room);
+    if (random() < 0.2) continue;  // nothing came of it
+    const std::uint32_t count = 1 + random.below(random() < 0.5 ? room : 1 + room / 8);
+    const double mark = random();
+    for (Index field = 0; field < WindowRun::kFields; ++field) {
+      for (Index i = 0; i < count; ++i) {
+        run->fields()[field * run->stride + i] = mark + 10.0 * i + field;
+      }
+    }
+    pool.keep(side, run, count, random() < 0.7);
+    kept.push_back({run, mark});
+    if (kept.size() < 300) continue;
+    // Each is passed only after it is looked at.
+    WindowPool::crossed(kept[entered++].run, static_cast<float>(round + 200));
+    if (entered < 100) continue;
+    ASSERT_TRUE(intact(kept.front())) << round;
+    kept.pop_front();
+    --entered;
+    if (pool.grown()) pool.forget(static_cast<float>(round));
+  }
+  EXPECT_TRUE(std::all_of(kept.begin(), kept.end(), intact));
+  EXPECT_LT(pool.memoryBytes(), 3000000u);
+}
+
 TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
   const SurfaceMesh mesh = perturbed(torus(2, 0.7, 9, 7), 0.3, 9).mesh();
   const Unfolding unfolding(mesh);
   Random random(10);
-  constexpr std::size_t kRoom = 64;
-  geodesic::WindowPool pool;
+  using Side = WindowPool::Side;
+  WindowPool pool;
   for (int round = 0; round < 20000; ++round) {
     const Index h = random.below(unfolding.halfedgeCount());
     const geodesic::Crossing& c = unfolding.crossing(h);
     const double far = std::pow(10, 3 * random() - 1);
     pool.reset();
-    geodesic::WindowRun* newest = nullptr;
+    WindowRun* newest = nullptr;
     std::uint32_t count = 0;
     for (Index runs = 1 + random.below(3); runs > 0; --runs) {
-      geodesic::WindowRun* run = pool.take(1 + random.below(11));
+      const std::uint32_t windows = 1 + random.below(11);
+      WindowRun* run = pool.room(Side::Left, windows + random.below(20));
       run->older = newest;
       run->begin = count;
+      run->count = windows;
       count += run->count;
       newest = run;
       double* field = run->fields();
-      const std::size_t stride = run->stride();
+      const std::size_t stride = run->stride;
       for (Index i = 0; i < run->count; ++i) {
         field[i] = c.length * (3 * random() - 1);
         field[stride + i] = -far * random();
@@ -130,15 +193,18 @@ TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
         field[3 * stride + i] = c.length * std::min(a, 1 - b);
         field[4 * stride + i] = c.length * std::min(b, 1 - a);
       }
+      pool.keep(Side::Left, run, windows, random() < 0.5);
     }
     const auto corner = [&] { return random() < 0.2 ? INFINITY : 10 + far * random(); };
     const CrossingBatch batch{&c, newest, 0, count, corner(), corner(), corner()};
-    using Output = std::array<double, 5 * kRoom>;
-    Output left{}, right{}, otherLeft{}, otherRight{};
-    const CrossingResult a = geodesic::crossingKernel()(batch, CrossingExit{left.data(), kRoom},
-                                                        CrossingExit{right.data(), kRoom});
-    const CrossingResult b = geodesic::portableCrossingKernel()(
-        batch, CrossingExit{otherLeft.data(), kRoom}, CrossingExit{otherRight.data(), kRoom});
+    WindowRun* left = pool.room(Side::Left, count);
+    WindowRun* right = pool.room(Side::Right, count);
+    const CrossingResult a = geodesic::crossingKernel()(batch, left, right);
+    pool.keep(Side::Left, left, std::max(a.leftCount, 1u), false);
+    pool.keep(Side::Right, right, std::max(a.rightCount, 1u), false);
+    WindowRun* otherLeft = pool.room(Side::Left, count);
+    WindowRun* otherRight = pool.room(Side::Right, count);
+    const CrossingResult b = geodesic::portableCrossingKernel()(batch, otherLeft, otherRight);
     ASSERT_EQ(a.leftCount, b.leftCount);
     ASSERT_EQ(a.rightCount, b.rightCount);
     ASSERT_EQ(a.leftNearest, b.leftNearest);
@@ -149,14 +215,17 @@ TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
     ASSERT_EQ(a.apexEnd, b.apexEnd);
     ASSERT_EQ(a.towardsLeft, b.towardsLeft);
     ASSERT_EQ(a.towardsRight, b.towardsRight);
-    for (std::size_t field = 0; field < 5; ++field) {
-      ASSERT_EQ(std::memcmp(&left[field * kRoom], &otherLeft[field * kRoom],
-                            a.leftCount * sizeof(double)),
-                0);
-      ASSERT_EQ(std::memcmp(&right[field * kRoom], &otherRight[field * kRoom],
-                            a.rightCount * sizeof(double)),
-                0);
-    }
+    const auto same = [](const WindowRun& p, const WindowRun& q, std::uint32_t windows) {
+      for (std::size_t field = 0; field < WindowRun::kFields; ++field) {
+        if (std::memcmp(p.fields() + field * p.stride, q.fields() + field * q.stride,
+                        windows * sizeof(double)) != 0) {
+          return false;
+        }
+      }
+      return true;
+    };
+    ASSERT_TRUE(same(*left, *otherLeft, a.leftCount));
+    ASSERT_TRUE(same(*right, *otherRight, a.rightCount));
   }
 }
 
