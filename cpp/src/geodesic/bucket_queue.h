@@ -65,12 +65,6 @@ class BucketQueue {
     return ring_[current_ % kRing][position_++];
   }
 
-  /// What comes out `ahead` items after the next, where that is in this bucket; else `otherwise`.
-  Index peek(std::size_t ahead, Index otherwise) const {
-    const std::vector<Index>& bucket = ring_[current_ % kRing];
-    return position_ + ahead < bucket.size() ? bucket[position_ + ahead] : otherwise;
-  }
-
   std::size_t memoryBytes() const {
     std::size_t bytes = far_.capacity() * sizeof(Far);
     for (const auto& bucket : ring_) bytes += bucket.capacity() * sizeof(Index);

@@ -177,13 +177,13 @@ CrossingResult Propagation::crossFace(Index halfedge, WindowList& list) {
   const CrossingResult result = kernel_({&c, list.newest, first, waiting, distance_[c.from],
                                          distance_[c.to], distance_[c.apexVertex]},
                                         left, right);
-  const bool keptLong = keep_ == Keep::Front;
+  const bool tight = keep_ != Keep::Nothing;
   if (result.leftCount > 0) {
-    pool_.keep(WindowPool::Side::Left, left, result.leftCount, keptLong);
+    pool_.keep(WindowPool::Side::Left, left, result.leftCount, tight);
     receive(c.leftTwin, left, result.leftNearest);
   }
   if (result.rightCount > 0) {
-    pool_.keep(WindowPool::Side::Right, right, result.rightCount, keptLong);
+    pool_.keep(WindowPool::Side::Right, right, result.rightCount, tight);
     receive(c.rightTwin, right, result.rightNearest);
   }
   if (result.apexEnd > 0) {

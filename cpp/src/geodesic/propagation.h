@@ -8,24 +8,21 @@
 //
 // Invariants
 // - Every window stands for real paths: sigma + |root − x| is the length of a path of the surface
-// for
-//   each x that the window covers, and so is the distance noted for a vertex. Nothing is ever too
-//   short.
+//   for each x that the window covers, and so is the distance noted for a vertex. Nothing is ever
+//   too short.
 // - A window, or part of one, is dropped only where a path over an end of its edge is strictly
 //   shorter at every point of it (trimming.h). A prefix of a shortest path is itself shortest, so
 //   no window that carries a shortest path is lost, up to the point where the path stops being
 //   shortest. (The rules of Chen and Han 1990 and of Xin and Wang 2009 are special cases of this
 //   trimming. Like them it looks at vertices only, never at other windows.)
 // - The queue gives halfedges their turn in the order of the nearest point of their waiting
-// windows,
-//   give or take one bucket. When the frontier stands at r, every window with a point nearer than r
-//   has entered its face, and every vertex nearer than r that geodesics can pass has been settled:
-//   its distance is final, and where it is a saddle its windows are on their way. Some windows
-//   cross earlier than their turn, since their whole halfedge does; what they pass on is real all
-//   the same.
+//   windows, give or take one bucket. When the frontier stands at r, every window with a point
+//   nearer than r has entered its face, and every vertex nearer than r that geodesics can pass has
+//   been settled: its distance is final, and where it is a saddle its windows are on their way.
+//   Some windows cross earlier than their turn, since their whole halfedge does; what they pass on
+//   is real all the same.
 // - If a vertex becomes nearer after it was settled (possible within one bucket) it is settled
-// again;
-//   what it sent out before is too long, but still real.
+//   again; what it sent out before is too long, but still real.
 // - A face may be forgotten once its every point is nearer than the frontier and than some vertex:
 //   no shortest path ends in it any more (Keep::Front). How far its points can be is known from its
 //   corners when windows cross it; nothing is sent into it after it has been passed, since what
@@ -107,7 +104,6 @@ class Propagation {
         }
         if (pool_.grown()) forgetPassed();
       }
-      prefetch();
       const Index item = queue_.pop();
       if ((item & kVertexItem) != 0) {
         const Index vertex = item & ~kVertexItem;
@@ -236,31 +232,6 @@ class Propagation {
 
   /// Whether the windows of a halfedge have been forgotten: the front has passed its face.
   bool gone(const WindowList& list) const { return list.farthest < passed_; }
-
-  /// Nearly all memory that a crossing needs lies far from that of the one before: it is asked for
-  /// two turns ahead, and what that leads to one turn ahead.
-  void prefetch() const {
-    constexpr Index kNothing = 0xFFFFFFFFu;
-    const Index later = queue_.peek(2, kNothing), soon = queue_.peek(1, kNothing);
-    if ((later & kVertexItem) == 0) {
-      __builtin_prefetch(&lists_[later]);
-      const char* crossing = reinterpret_cast<const char*>(&unfolding_->crossing(later));
-      __builtin_prefetch(crossing);
-      __builtin_prefetch(crossing + sizeof(Crossing) - 1);
-    } else if (later != kNothing) {
-      __builtin_prefetch(&arrival_[later & ~kVertexItem]);
-    }
-    if ((soon & kVertexItem) == 0) {
-      const Crossing& c = unfolding_->crossing(soon);
-      __builtin_prefetch(&distance_[c.apexVertex]);
-      if (c.leftTwin != kNoIndex) __builtin_prefetch(&lists_[c.leftTwin]);
-      if (c.rightTwin != kNoIndex) __builtin_prefetch(&lists_[c.rightTwin]);
-    } else if (soon != kNothing) {
-      const auto corners = unfolding_->corners(soon & ~kVertexItem);
-      __builtin_prefetch(corners.data());
-      __builtin_prefetch(&corners.back());
-    }
-  }
 
   /// What is asked of vertices most often, small enough for the cache.
   struct Reach {

@@ -32,7 +32,7 @@ struct alignas(32) Crossing {
   Index from, to, apexVertex;
 };
 
-/// A face seen from one of its vertices: what turning round the vertex needs, side by side in memory.
+/// A face seen from one of its vertices: what turning round the vertex needs, side by side.
 struct Corner {
   Vec2 left;       ///< unit vector along the face's other side, in the frame of `halfedge`
   double length;   ///< of the halfedge
@@ -69,7 +69,8 @@ class Unfolding {
 
   /// The faces round a vertex, counter-clockwise from outgoing(vertex).
   std::span<const Corner> corners(Index vertex) const {
-    return {corners_.data() + firstCorner_[vertex], firstCorner_[vertex + 1] - firstCorner_[vertex]};
+    return {corners_.data() + firstCorner_[vertex],
+            firstCorner_[vertex + 1] - firstCorner_[vertex]};
   }
 
   /// Direction of a halfedge at the vertex it starts from: its angle, counter-clockwise, from

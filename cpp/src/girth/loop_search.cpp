@@ -344,8 +344,7 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
   for (const Index h : {base, Unfolding::next(base), Unfolding::previous(base)}) {
     const Crossing& c = unfolding.crossing(h);
     const Vec2 there = unfolding.toFrame(base, h, q);
-    if (propagation_->settled(c.from) &&
-        propagation_->distance(c.from) + norm(there) <= reach) {
+    if (propagation_->settled(c.from) && propagation_->distance(c.from) + norm(there) <= reach) {
       arrive(unfolding.toFrame(h, base, {0, 0}));
     }
     for (std::uint32_t i = 0; i < propagation_->enteredCount(h); ++i) {
