@@ -1,7 +1,6 @@
 // The arithmetic of crossing a face, for all the waiting windows of a halfedge at once.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "geodesic/unfolding.h"
@@ -13,9 +12,9 @@ namespace girth::geodesic {
 /// what was known before, so that the number of lanes does not show.)
 struct CrossingBatch {
   const Crossing* crossing;
-  const WindowRun* newest;  ///< the last of the runs that wait; with those before, from number
-  std::uint32_t first;      ///< `first` on,
-  std::uint32_t count;      ///< so many windows
+  const WindowRun* newest;  ///< the last run that waits; those before it follow by `older`
+  std::uint32_t first;      ///< number of the first window that waits
+  std::uint32_t count;      ///< so many windows wait
   double distanceFrom, distanceTo, distanceApex;  ///< of the three corners; infinite: not reached
 };
 
