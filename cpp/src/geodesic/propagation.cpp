@@ -177,15 +177,14 @@ CrossingResult Propagation::crossFace(Index halfedge, WindowList& list) {
   const CrossingResult result = kernel_({&c, list.newest, first, waiting, distance_[c.from],
                                          distance_[c.to], distance_[c.apexVertex]},
                                         left, right);
-  const bool tight = keep_ != Keep::Nothing;
-  if (result.leftCount > 0) {
-    pool_.keep(WindowPool::Side::Left, left, result.leftCount, tight);
-    receive(c.leftTwin, left, result.leftNearest);
-  }
-  if (result.rightCount > 0) {
-    pool_.keep(WindowPool::Side::Right, right, result.rightCount, tight);
-    receive(c.rightTwin, right, result.rightNearest);
-  }
+  const auto deliver = [&](WindowPool::Side side, WindowRun* run, std::uint32_t windows, Index twin,
+                           double nearest) {
+    if (windows == 0) return;
+    pool_.keep(side, run, windows, keep_ != Keep::Nothing);
+    receive(twin, run, nearest);
+  };
+  deliver(WindowPool::Side::Left, left, result.leftCount, c.leftTwin, result.leftNearest);
+  deliver(WindowPool::Side::Right, right, result.rightCount, c.rightTwin, result.rightNearest);
   if (result.apexEnd > 0) {
     list.apexBegin = std::min(list.apexBegin, first + result.apexBegin);
     list.apexEnd = first + result.apexEnd;

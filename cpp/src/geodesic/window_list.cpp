@@ -41,10 +41,10 @@ WindowPool::Block* WindowPool::open(std::size_t bytes) {
 void WindowPool::forget(float passed) {
   for (std::size_t i = used_; i-- > 0;) {
     const Block* block = blocks_[i].get();
-    if (block == current_[0] || block == current_[1] || block->waiting > 0 ||
-        !(block->farthest < passed))
-      continue;
-    std::swap(blocks_[i], blocks_[--used_]);
+    const bool current = block == current_[0] || block == current_[1];
+    if (!current && block->waiting == 0 && block->farthest < passed) {
+      std::swap(blocks_[i], blocks_[--used_]);
+    }
   }
   grown_ = false;
 }
