@@ -25,7 +25,7 @@ struct CrossingResult {
   std::int32_t apexWindow;  ///< the window that came nearest to it; −1: none came nearer
   /// The windows that reach the corner, nearest or not, lie among these, counted within the batch.
   std::uint32_t apexBegin, apexEnd;
-  bool towardsLeft, towardsRight;  ///< some window reaches that side, trimmed away there or not
+  bool towardsLeft, towardsRight;  ///< some window reaches that side or the corner, trimmed or not
 };
 
 /// Writes the windows that leave through either side behind the headers of runs with room for all

@@ -14,7 +14,8 @@ constexpr double kInfinity = __builtin_inf();
 struct SideOfFace {
   Vec2 direction;
   double length;
-  double distanceNear;  // of the corner at the halfedge
+  double distanceNear;                     // of the corner at the halfedge
+  double widest = length * (1 - kSliver);  // less is lost of a window that stays
 };
 
 /// What goes through one side, seen from that side's corner at the halfedge.
@@ -42,12 +43,11 @@ inline void pass(const Passing& in, const SideOfFace& side, double distanceApex,
   const Contest<Lanes> atNear = contest(root.x, root.y, leadNear);
   const Contest<Lanes> atTip = contest(length - root.x, root.y, leadTip);
   const Lanes lostNear = atNear.excess / atNear.slope, lostTip = atTip.excess / atTip.slope;
-  // Where nothing is won the quotient is negative or not a number, and the comparison false.
-  near = select((lostNear > near) & (atNear.slope > zero), lostNear, near);
-  tip = select((lostTip > tip) & (atTip.slope > zero), lostTip, tip);
-  Mask keep = in.crosses & (near + tip < length * (1 - kSliver));
-  keep &= (atNear.slope > zero) | ((leadNear > zero) & (atNear.excess <= zero));
-  keep &= (atTip.slope > zero) | ((leadTip > zero) & (atTip.excess <= zero));
+  // Where nothing is won the quotient is negative or not a number.
+  near = greater(lostNear, near);
+  tip = greater(lostTip, tip);
+  const Mask keep =
+      in.crosses & (atNear.slope > zero) & (atTip.slope > zero) & (near + tip < side.widest);
   const unsigned kept = bits(keep);
   if (kept == 0) return;
 
@@ -72,73 +72,77 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, WindowRun* left
                                      WindowRun* right) {
   static_assert(kLanes <= WindowRun::kMostLanes);
   const Crossing& c = *batch.crossing;
-  CrossingResult result{0, 0, kInfinity, kInfinity, batch.distanceApex, -1, 0, 0, false, false};
   const SideOfFace leftSide{c.left, c.leftLength, batch.distanceFrom};
   const SideOfFace rightSide{c.right, c.rightLength, batch.distanceTo};
   const Lanes zero = {}, length = all(c.length);
   Lanes leftNearest = all(kInfinity), rightNearest = leftNearest;
-  Mask towardsLeft = {}, towardsRight = {};
+  unsigned towardsLeft = 0, towardsRight = 0;  // lanes in which some window went there
+  std::uint32_t leftCount = 0, rightCount = 0, apexBegin = batch.count, apexEnd = 0;
+  double distanceApex = batch.distanceApex;
+  std::int32_t apexWindow = -1;
 
-  const WindowRun* run = batch.newest;
-  std::uint32_t i = 0;
-  for (std::uint32_t remaining = batch.count; remaining > 0;) {
-    const double* in = run->fields() + i;
-    const std::size_t stride = run->stride;
-    const std::uint32_t number = run->begin - batch.first + i, inRun = run->count - i;
-    const Lanes x = load(in), height = -load(in + stride);
-    const Lanes sigma = load(in + 2 * stride);
-    const Lanes gapFrom = load(in + 3 * stride), gapTo = load(in + 4 * stride);
-    // A window seen edge-on, or from above, has nothing beyond.
-    const Mask valid = firstLanes(inRun) & (height > zero);
-    if (inRun > kLanes) {
-      i += kLanes;
-      remaining -= kLanes;
-    } else {
-      i = 0;
-      remaining -= inRun;
-      run = run->older;
-    }
+  std::uint32_t remaining = batch.count;
+  for (const WindowRun* run = batch.newest; remaining > 0; run = run->older) {
+    remaining -= run->count;
+    for (std::uint32_t i = 0; i < run->count; i += kLanes) {
+      const double* in = run->fields() + i;
+      const std::size_t stride = run->stride;
+      const Lanes x = load(in), height = -load(in + stride);
+      const Lanes sigma = load(in + 2 * stride);
+      const Lanes gapFrom = load(in + 3 * stride), gapTo = load(in + 4 * stride);
+      // A window seen edge-on, or from above, has nothing beyond.
+      const Mask valid = firstLanes(run->count - i) & (height > zero);
 
-    // On which side of the two bounding rays the apex lies.
-    const Lanes tipX = c.apex.x - x, tipY = c.apex.y + height;
-    const Lanes boundFrom = gapFrom - x, boundTo = (length - gapTo) - x;
-    const Lanes leftOf = boundFrom * tipY - height * tipX;  // > 0: the apex lies left of the window
-    const Lanes rightOf = boundTo * tipY - height * tipX;   // < 0: right of it
-    const Lanes reach = c.length * (absolute(tipX) + tipY);
-    const Lanes snap = kSnap * reach, touch = kTouch * reach;
-    const Mask notLeft = leftOf <= snap, notRight = rightOf >= -snap;
-    const Mask ofApex = valid & notLeft & notRight;
+      // On which side of the two bounding rays the apex lies.
+      const Lanes tipX = c.apex.x - x, tipY = c.apex.y + height;
+      const Lanes boundFrom = gapFrom - x, boundTo = (length - gapTo) - x;
+      const Lanes leftOf = boundFrom * tipY - height * tipX;  // > 0: the apex is left of the window
+      const Lanes rightOf = boundTo * tipY - height * tipX;   // < 0: right of it
+      const Lanes reach = c.length * (absolute(tipX) + tipY);
+      const Lanes touch = kTouch * reach, snap = kSnap * reach;
 
-    if (const unsigned reaching = bits(ofApex); reaching != 0) {
-      const Lanes distance = sigma + squareRoot(tipX * tipX + tipY * tipY);
-      for (int lane = 0; lane < kLanes; ++lane) {
-        if ((reaching >> lane & 1) == 0) continue;
-        const std::uint32_t window = number + (std::uint32_t)lane;
-        if (window < result.apexBegin || result.apexEnd == 0) result.apexBegin = window;
-        if (window >= result.apexEnd) result.apexEnd = window + 1;
-        if (distance[lane] < result.distanceApex * (1 - kRounding)) {
-          result.distanceApex = distance[lane];
-          result.apexWindow = (std::int32_t)window;
+      if (bits(valid & (leftOf <= touch) & (rightOf >= -touch)) != 0) {
+        towardsLeft |= 1;
+        towardsRight |= 1;
+        const unsigned reaching = bits(valid & (leftOf <= snap) & (rightOf >= -snap));
+        const Lanes distance = sigma + squareRoot(tipX * tipX + tipY * tipY);
+        const std::uint32_t number = run->begin - batch.first + i;
+        for (unsigned rest = reaching; rest != 0; rest &= rest - 1) {
+          const unsigned lane = lowest(rest);
+          const std::uint32_t window = number + lane;
+          apexBegin = window < apexBegin ? window : apexBegin;
+          apexEnd = window >= apexEnd ? window + 1 : apexEnd;
+          if (distance[lane] < distanceApex * (1 - kRounding)) {
+            distanceApex = distance[lane];
+            apexWindow = (std::int32_t)window;
+          }
         }
       }
-    }
-    const Mask throughLeft = valid & (leftOf < zero), throughRight = valid & (rightOf > zero);
-    towardsLeft |= valid & (leftOf <= touch);
-    towardsRight |= valid & (rightOf >= -touch);
-    if (left != nullptr && bits(throughLeft) != 0) {
-      pass<false>({x, height, gapFrom, length - gapTo, sigma, throughLeft, notRight}, leftSide,
-                  batch.distanceApex, left, result.leftCount, leftNearest);
-    }
-    if (right != nullptr && bits(throughRight) != 0) {
-      pass<true>({length - x, height, gapTo, length - gapFrom, sigma, throughRight, notLeft},
-                 rightSide, batch.distanceApex, right, result.rightCount, rightNearest);
+      const Mask throughLeft = valid & (leftOf < zero), throughRight = valid & (rightOf > zero);
+      const unsigned lefts = bits(throughLeft), rights = bits(throughRight);
+      towardsLeft |= lefts;
+      towardsRight |= rights;
+      if (lefts != 0 && left != nullptr) {
+        pass<false>({x, height, gapFrom, length - gapTo, sigma, throughLeft, rightOf >= -snap},
+                    leftSide, batch.distanceApex, left, leftCount, leftNearest);
+      }
+      if (rights != 0 && right != nullptr) {
+        pass<true>(
+            {length - x, height, gapTo, length - gapFrom, sigma, throughRight, leftOf <= snap},
+            rightSide, batch.distanceApex, right, rightCount, rightNearest);
+      }
     }
   }
-  result.leftNearest = smallest(leftNearest);
-  result.rightNearest = smallest(rightNearest);
-  result.towardsLeft = bits(towardsLeft) != 0;
-  result.towardsRight = bits(towardsRight) != 0;
-  return result;
+  return {leftCount,
+          rightCount,
+          smallest(leftNearest),
+          smallest(rightNearest),
+          distanceApex,
+          apexWindow,
+          apexBegin,
+          apexEnd,
+          towardsLeft != 0,
+          towardsRight != 0};
 }
 
 }  // namespace girth::geodesic

@@ -94,6 +94,9 @@ inline unsigned bits(Mask mask) {
 #endif
 }
 
+/// The lowest of some lanes, at least one.
+inline unsigned lowest(unsigned lanes) { return (unsigned)__builtin_ctz(lanes); }
+
 /// The first `count` lanes.
 inline Mask firstLanes(unsigned count) {
   Mask lane;

@@ -20,7 +20,7 @@ Vec2 normalized(Vec2 a) { return (1 / norm(a)) * a; }
 /// (trimming.h). False: nothing is left.
 bool trim(Vec2 root, double lead, double& gap) {
   const Contest<double> at = contest(root.x, root.y, lead);
-  if (!(at.slope > 0)) return lead > 0 && at.excess <= 0;
+  if (!(at.slope > 0)) return false;
   const double lost = at.excess / at.slope;
   if (lost > gap) gap = lost;
   return true;
@@ -333,6 +333,15 @@ void Propagation::sendThrough(Index halfedge, const Vec2* low, const Vec2* high)
   const double gapFrom = toSide ? 0 : c.rightLength * share(*high).y;
   const Pair<double> root = rootBeyond(c.length, 0.0, c.right.x, c.right.y);
   send(c.rightTwin, {c.rightLength - root.x, root.y}, distance_[c.from], gapFrom, gapTo);
+}
+
+void Propagation::entered(Index halfedge, std::vector<Window>& windows) const {
+  windows.resize(enteredCount(halfedge));
+  if (windows.empty()) return;
+  for (const WindowRun* run = lists_[halfedge].newest; run != nullptr; run = run->older) {
+    if (run->begin >= windows.size()) continue;  // it waits
+    for (std::uint32_t i = 0; i < run->count; ++i) windows[run->begin + i] = run->window(i);
+  }
 }
 
 PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {

@@ -149,6 +149,8 @@ class Propagation {
   Window window(Index halfedge, std::uint32_t number) const {
     return lists_[halfedge].window(number);
   }
+  /// All of them, by number.
+  void entered(Index halfedge, std::vector<Window>& windows) const;
   /// Those of them that reached the opposite corner lie among numbers `first` to `second` − 1.
   std::pair<std::uint32_t, std::uint32_t> apexWindows(Index halfedge) const {
     const WindowList& list = lists_[halfedge];

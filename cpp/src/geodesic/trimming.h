@@ -32,14 +32,15 @@ inline T gapBeyond(T gap, T x, T height, U ux, U uy) {
 /// How a path over a vertex V and along the line competes with a window: with V at the origin, the
 /// line along x, the root at (x, y), and lead = distance(V) − sigma, the two lengths are equal at t
 /// where lead + t = |root − t|: one point at most, t = excess / slope, and V wins on the near side
-/// of it; where slope ≤ 0, V wins everywhere (but for ties, excess ≤ 0).
+/// of it; where slope ≤ 0, V wins everywhere. (The margins let a window stay that lies along the
+/// line and ties with V.)
 template <class T>
 struct Contest {
   T excess, slope;
 };
 template <class T>
 inline Contest<T> contest(T x, T y, T lead) {
-  return {(x * x + y * y) * (1 - kTrim) - lead * lead, 2 * (x + lead)};
+  return {(x * x + y * y) * (1 - kTrim) - lead * lead, 2 * (x + lead * (1 + kTrim))};
 }
 
 }  // namespace

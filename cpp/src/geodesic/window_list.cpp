@@ -1,22 +1,12 @@
 #include "geodesic/window_list.h"
 
 #include <algorithm>
-#include <cstring>
 #include <new>
 
 namespace girth::geodesic {
 
 void WindowPool::Delete::operator()(Block* block) const {
   ::operator delete (block, std::align_val_t{kBlockBytes});
-}
-
-/// Moves the fields of a run together.
-void WindowPool::tighten(WindowRun* run) {
-  for (std::size_t field = 1; field < WindowRun::kFields; ++field) {
-    std::memmove(run->fields() + field * run->count, run->fields() + field * run->stride,
-                 run->count * sizeof(double));
-  }
-  run->stride = run->count;
 }
 
 /// A free block with room for a run.

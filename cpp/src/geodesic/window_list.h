@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <new>
@@ -78,7 +79,7 @@ class WindowPool {
   void keep(Side side, WindowRun* run, std::uint32_t count, bool tight) {
     Block* block = current_[static_cast<std::size_t>(side)];
     run->count = count;
-    if (tight && run->stride > count + kLoose) tighten(run);
+    if (tight && (count <= kFew || run->stride > count + kLoose)) tighten(run);
     block->used += bytesOf(run->stride, count);
     ++block->waiting;
   }
@@ -101,8 +102,9 @@ class WindowPool {
  private:
   /// What vector loads and stores may touch behind the last window.
   static constexpr std::uint32_t kSpare = WindowRun::kMostLanes - 1;
-  /// Windows that a run may have too much room for before they are moved together.
-  static constexpr std::size_t kLoose = 8;
+  /// The fields of a run are moved together where that is soon done, with so few windows, or where
+  /// it has room for so many too much.
+  static constexpr std::uint32_t kFew = 8, kLoose = 8;
   /// A run larger than a block has a block of its own size.
   static constexpr std::size_t kBlockBytes = std::size_t{1} << 15;
   struct alignas(64) Block {
@@ -118,7 +120,25 @@ class WindowPool {
     return sizeof(WindowRun) +
            ((WindowRun::kFields - 1) * stride + count + kSpare) * sizeof(double);
   }
-  static void tighten(WindowRun* run);
+  /// Moves the fields of a run together.
+  static void tighten(WindowRun* run) {
+    const std::size_t stride = run->stride, count = run->count;
+    double* const fields = run->fields();
+    // Four at once: what is written too much, the next field writes over.
+    const auto move = [&](std::size_t field, std::size_t i) {
+      double four[4];
+      std::memcpy(four, fields + field * stride + i, sizeof four);
+      std::memcpy(fields + field * count + i, four, sizeof four);
+    };
+    if (count <= 4) {
+      for (std::size_t field = 1; field < WindowRun::kFields; ++field) move(field, 0);
+    } else {
+      for (std::size_t field = 1; field < WindowRun::kFields; ++field) {
+        for (std::size_t i = 0; i < count; i += 4) move(field, i);
+      }
+    }
+    run->stride = count;
+  }
 
   /// Blocks begin at multiples of their usual size, and a run begins within the first of these.
   static Block* blockOf(const WindowRun* run) {

@@ -91,17 +91,15 @@ void LoopSearch::onCrossing(Index halfedge, std::uint32_t first, const CrossingR
 }
 
 void LoopSearch::onVertex(Index vertex) {
+  if (propagation_->isSource(vertex)) return;  // what meets there comes later
   const Unfolding& unfolding = propagation_->unfolding();
   const std::span<const Corner> corners = unfolding.corners(vertex);
-  const bool open = unfolding.boundary(vertex);
+  const double arrived = propagation_->arrivalDirection(vertex);
   const bool once = propagation_->reachedOnce(vertex);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Corner& edge = corners[i];
-    if (propagation_->settled(edge.to)) {
-      const bool atStart = i == 0, atEnd = i + 1 == corners.size();
-      const Corner* before = atStart ? (open ? nullptr : &corners.back()) : &edge - 1;
-      const Corner* after = atEnd ? (open ? nullptr : &corners.front()) : &edge + 1;
-      if (mayMeetAlong(vertex, edge, before, after)) tryEdge(edge.halfedge);
+  for (const Corner& edge : corners) {
+    // Few edges lie in a direction in which the path can go on.
+    if (unfolding.straight(vertex, arrived, unfolding.direction(edge.halfedge))) {
+      tryEdge(edge.halfedge);
     }
     if (once) continue;  // by the window of its own path
     const Index opposite = Unfolding::next(edge.halfedge);
@@ -110,25 +108,8 @@ void LoopSearch::onVertex(Index vertex) {
       tryApex(opposite, propagation_->window(opposite, k));
     }
   }
-  if (open) tryEdge(Unfolding::previous(corners.back().halfedge));  // the wall on the far side
-}
-
-/// Whether the paths to both ends of an edge may meet on it: nearly always the point halfway is
-/// nearer over a vertex beside. `before`, `after`: the edges next to it round the vertex, if any.
-bool LoopSearch::mayMeetAlong(Index vertex, const Corner& edge, const Corner* before,
-                              const Corner* after) const {
-  const double atFrom = propagation_->distance(vertex), atTo = propagation_->distance(edge.to);
-  const double half = (atFrom + edge.length + atTo) / 2;
-  const double along = half - atFrom;  // from the vertex to the point halfway
-  const double slack = kTouch * edge.length;
-  if (!(along >= -slack && along <= edge.length + slack)) return false;
-  const auto nearerOver = [&](const Corner& beside, Vec2 direction) {
-    const double rest = half * (1 - kTie) - propagation_->distance(beside.to);
-    const Vec2 there = beside.length * direction - Vec2{along, 0};
-    return rest > 0 && rest * rest > dot(there, there);
-  };
-  if (after != nullptr && nearerOver(*after, edge.left)) return false;
-  return before == nullptr || !nearerOver(*before, {before->left.x, -before->left.y});
+  // The wall on the far side.
+  if (unfolding.boundary(vertex)) tryEdge(Unfolding::previous(corners.back().halfedge));
 }
 
 // Case 3: the line between the roots of two windows of one face.
@@ -136,16 +117,16 @@ void LoopSearch::pairAcross(Index halfedge, std::uint32_t first, Index other) {
   const Unfolding& unfolding = propagation_->unfolding();
   const double length = unfolding.crossing(halfedge).length;
   const double otherLength = unfolding.crossing(other).length;
+  propagation_->entered(other, others_);
   for (std::uint32_t i = first; i < propagation_->enteredCount(halfedge); ++i) {
     const Window a = propagation_->window(halfedge, i);
     // The window as seen from the other side: its root must lie beyond the face.
     const Vec2 root = unfolding.toFrame(halfedge, other, a.root);
     if (root.y <= 0) continue;
-    pairs_ += propagation_->enteredCount(other);
+    pairs_ += others_.size();
     const Vec2 from = unfolding.toFrame(halfedge, other, {a.gapFrom, 0}) - root;
     const Vec2 to = unfolding.toFrame(halfedge, other, {length - a.gapTo, 0}) - root;
-    for (std::uint32_t j = 0; j < propagation_->enteredCount(other); ++j) {
-      const Window b = propagation_->window(other, j);
+    for (const Window& b : others_) {
       const Vec2 ray = b.root - root;
       const double slack = kTouch * length * (std::fabs(ray.x) + std::fabs(ray.y));
       if (cross(from, ray) <= slack && cross(to, ray) >= -slack && b.covers(otherLength, root)) {

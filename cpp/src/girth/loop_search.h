@@ -62,7 +62,10 @@ class LoopSearch {
   std::size_t effort() const { return pairs_ / kPairsPerWindow; }
   /// The shortest loop; only where found.
   const LoopCandidate& best() const { return best_; }
-  std::size_t memoryBytes() const { return candidates_.capacity() * sizeof(LoopCandidate); }
+  std::size_t memoryBytes() const {
+    return candidates_.capacity() * sizeof(LoopCandidate) +
+           others_.capacity() * sizeof(geodesic::Window);
+  }
 
  private:
   static constexpr std::size_t kPairsPerWindow = 16;
@@ -75,8 +78,6 @@ class LoopSearch {
   void tryApex(Index halfedge, const geodesic::Window& window);
   void tryOrigin(Index halfedge, const geodesic::Window& window,
                  const geodesic::Propagation::Origin& origin);
-  bool mayMeetAlong(Index vertex, const geodesic::Corner& edge, const geodesic::Corner* before,
-                    const geodesic::Corner* after) const;
   void tryEdge(Index halfedge);
   bool passesStraight(Index vertex, double leaving) const;
   bool worthwhile(double length, Index halfedge, geodesic::Vec2 midpoint) const;
@@ -87,6 +88,7 @@ class LoopSearch {
   const geodesic::Propagation* propagation_;
   const std::atomic<bool>* cancel_{nullptr};
   std::vector<LoopCandidate> candidates_;  // a heap, shortest on top
+  std::vector<geodesic::Window> others_;   // that the new ones are paired with
   std::vector<double> directions_;         // of the arrivals at a midpoint
   geodesic::WindowNumber nearer_;          // what disproved the last candidate
   LoopCandidate best_;
