@@ -124,11 +124,12 @@ class WindowPool {
   static void tighten(WindowRun* run) {
     const std::size_t stride = run->stride, count = run->count;
     double* const fields = run->fields();
-    // Four at once: what is written too much, the next field writes over.
+    // Two and two, which never overlap; what is written too much, the next field writes over.
     const auto move = [&](std::size_t field, std::size_t i) {
-      double four[4];
-      std::memcpy(four, fields + field * stride + i, sizeof four);
-      std::memcpy(fields + field * count + i, four, sizeof four);
+      double* const to = fields + field * count + i;
+      const double* const from = fields + field * stride + i;
+      std::memcpy(to, from, 2 * sizeof(double));
+      std::memcpy(to + 2, from + 2, 2 * sizeof(double));
     };
     if (count <= 4) {
       for (std::size_t field = 1; field < WindowRun::kFields; ++field) move(field, 0);
