@@ -6,7 +6,7 @@
 //
 // Without models: the horse at 6,000 and 10,000 faces and the elephant at 50,000 of the corpus
 // (GIRTH_DATA), otherwise bumpy tori of 2,000 to 10,000 faces. All vertices up to 10,000 faces,
-// every hundredth of larger models; --vertices asks for N of each.
+// a hundredth of larger models; --vertices asks for N of each.
 
 #include <algorithm>
 #include <cmath>
@@ -30,32 +30,47 @@ using girth::bench::IchFilter;
 /// Values of both methods that differ by more than this share are counted.
 constexpr double kSame = 1e-9;
 
-void compareWithIch(const girth::SurfaceMesh& mesh, IchFilter filter, const char* name,
-                    const std::vector<Index>& vertices, const std::vector<GirthValue>& exact,
-                    double exactSeconds) {
-  std::vector<GirthValue> ich;
-  std::size_t windows = 0;
-  const double seconds = girth::bench::processorSecondsOf([&] {
-    girth::bench::IchGirth solver(mesh, filter);
-    for (const Index v : vertices) {
-      ich.push_back(solver.value(v));
-      windows += solver.windowCount();
-    }
-  });
+/// At least `count` vertices, or all, in turns of neighbours: the order in which a whole field is
+/// computed. The methods change after each turn, so that what else the machine does touches all.
+std::vector<std::vector<Index>> turnsOf(const girth::SurfaceMesh& mesh, std::size_t count) {
+  constexpr std::size_t kTurn = 32;
+  const std::vector<Index> order = girth::coarseToFineOrder(mesh, kTurn);
+  const std::size_t turns = (order.size() + kTurn - 1) / kTurn;
+  const std::size_t wanted = std::min(turns, (count + kTurn - 1) / kTurn);
+  std::vector<std::vector<Index>> result;
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const std::size_t begin = (2 * i + 1) * turns / (2 * wanted) * kTurn;
+    const std::size_t end = std::min(begin + kTurn, order.size());
+    result.emplace_back(order.begin() + static_cast<std::ptrdiff_t>(begin),
+                        order.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  return result;
+}
+
+/// One of the methods: what it has found, and what that took.
+struct Run {
+  const char* name;
+  std::vector<GirthValue> values;
+  std::size_t windows{0};
+  double seconds{0};
+};
+
+void printAgainst(const Run& exact, const Run& ich) {
   std::size_t tooShort = 0, tooLong = 0;
   double least = 1, most = 1;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
+  for (std::size_t i = 0; i < exact.values.size(); ++i) {
     // The letter measures the farthest vertex, not the farthest point: no fault of the lemmas.
-    if (exact[i].kind == girth::LoopKind::Antipodal && ich[i].kind == exact[i].kind) continue;
-    const double ratio = ich[i].length / exact[i].length;
+    const GirthValue &right = exact.values[i], &found = ich.values[i];
+    if (right.kind == girth::LoopKind::Antipodal && found.kind == right.kind) continue;
+    const double ratio = found.length / right.length;
     if (std::abs(ratio - 1) <= kSame) continue;
     ++(ratio < 1 ? tooShort : tooLong);
     least = std::min(least, ratio);
     most = std::max(most, ratio);
   }
-  const double percent = 100 / static_cast<double>(vertices.size());
-  std::printf("  %-28s %8.2f s, %5.2f times as long, %6zu windows a vertex;", name, seconds,
-              seconds / exactSeconds, windows / vertices.size());
+  const double percent = 100 / static_cast<double>(exact.values.size());
+  std::printf("  %-28s %8.2f s, %5.2f times as long, %6zu windows a vertex;", ich.name, ich.seconds,
+              ich.seconds / exact.seconds, ich.windows / ich.values.size());
   std::printf(" wrong at %.1f%%: too short %.1f%% (down to %.2f), too long %.1f%% (up to %.1f)\n",
               percent * static_cast<double>(tooShort + tooLong),
               percent * static_cast<double>(tooShort), least,
@@ -67,26 +82,38 @@ void compare(const girth::bench::Model& model, std::size_t wanted) {
   const std::size_t all = mesh.vertexCount();
   const std::size_t count =
       wanted > 0 ? wanted : (mesh.faceCount() <= 12000 ? all : (all + 99) / 100);
-  const std::vector<Index> vertices = girth::bench::spreadVertices(mesh, count);
+  const std::vector<std::vector<Index>> turns = turnsOf(mesh, count);
 
-  std::vector<GirthValue> exact;
-  std::size_t windows = 0;
-  const double seconds = girth::bench::processorSecondsOf([&] {
-    girth::GirthSolver solver(mesh);
-    for (const Index v : vertices) {
-      exact.push_back(solver.value(v).value());
-      windows += solver.statistics().windowsCrossed;
-    }
-  });
-  std::printf("%s: %u faces, %zu %svertices\n", model.name.c_str(), mesh.faceCount(),
-              vertices.size(), vertices.size() < all ? "of the " : "");
-  std::printf("  %-28s %8.2f s %20zu windows a vertex\n", "exact", seconds,
-              windows / vertices.size());
-  for (const auto& [filter, name] :
-       {std::pair(IchFilter::AtCreation, "ICH, filter at creation"),
-        std::pair(IchFilter::AtPropagation, "ICH, filter at propagation")}) {
-    compareWithIch(mesh, filter, name, vertices, exact, seconds);
+  girth::GirthSolver solver(mesh);
+  girth::bench::IchGirth atCreation(mesh, IchFilter::AtCreation);
+  girth::bench::IchGirth atPropagation(mesh, IchFilter::AtPropagation);
+  Run exact{"exact", {}}, creation{"ICH, filter at creation", {}},
+      propagation{"ICH, filter at propagation", {}};
+  const auto withIch = [](girth::bench::IchGirth& ich, const std::vector<Index>& turn, Run& run) {
+    run.seconds += girth::bench::processorSecondsOf([&] {
+      for (const Index v : turn) {
+        run.values.push_back(ich.value(v));
+        run.windows += ich.windowCount();
+      }
+    });
+  };
+  for (const std::vector<Index>& turn : turns) {
+    exact.seconds += girth::bench::processorSecondsOf([&] {
+      for (const Index v : turn) {
+        exact.values.push_back(solver.value(v).value());
+        exact.windows += solver.statistics().windowsCrossed;
+      }
+    });
+    withIch(atCreation, turn, creation);
+    withIch(atPropagation, turn, propagation);
   }
+  const std::size_t done = exact.values.size();
+  std::printf("%s: %u faces, %zu %svertices\n", model.name.c_str(), mesh.faceCount(), done,
+              done < all ? "of the " : "");
+  std::printf("  %-28s %8.2f s %20zu windows a vertex\n", exact.name, exact.seconds,
+              exact.windows / done);
+  printAgainst(exact, creation);
+  printAgainst(exact, propagation);
   std::fflush(stdout);
 }
 

@@ -65,7 +65,9 @@ VertexValues evaluateAll(const SurfaceMesh& mesh, const VertexFunction& function
 /// sentence; empty where there is none.
 std::string budgetNote(Index withoutValue, Index vertices);
 
-/// All vertices, ordered so that every prefix is spread evenly over the surface. O(n log n).
-std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh);
+/// All vertices, ordered so that every prefix is spread evenly over the surface: first one of each
+/// `run` neighbours (1 or more), then, run by run, the others. Work on neighbours, one after the
+/// other, finds the surface around them still in the processor's cache. O(n log n).
+std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh, std::size_t run = 32);
 
 }  // namespace girth

@@ -154,16 +154,13 @@ std::string budgetNote(Index withoutValue, Index vertices) {
          " vertices have no value: they would take more than 67 million windows";
 }
 
-std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh) {
-  // Neighbours on a space-filling curve are neighbours in space: the curve is cut into short runs,
-  // and the runs taken in bit-reversed order, which spreads every prefix evenly over the curve.
-  // First comes one vertex of each run; then the runs are filled, one after the other, since
-  // neighbours find the surface around them still in the processor's cache.
-  constexpr std::size_t kRun = 8;
+std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh, std::size_t run) {
+  // Neighbours on a space-filling curve are neighbours in space: the curve is cut into runs, and
+  // the runs taken in bit-reversed order, which spreads every prefix evenly over the curve.
   std::vector<Vec3> points(mesh.vertexCount());
   for (Index v = 0; v < mesh.vertexCount(); ++v) points[v] = mesh.position(v);
   const std::vector<Index> curve = alongCurve(points);
-  const std::size_t runs = (curve.size() + kRun - 1) / kRun;
+  const std::size_t runs = (curve.size() + run - 1) / run;
 
   unsigned bits = 0;
   while ((std::size_t{1} << bits) < runs) ++bits;
@@ -171,13 +168,13 @@ std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh) {
   for (std::size_t i = 0; i < std::size_t{1} << bits; ++i) {
     std::size_t reversed = 0;
     for (unsigned b = 0; b < bits; ++b) reversed |= (i >> b & 1) << (bits - 1 - b);
-    if (reversed < runs) starts.push_back(reversed * kRun);
+    if (reversed < runs) starts.push_back(reversed * run);
   }
   std::vector<Index> order;
   order.reserve(curve.size());
   for (const std::size_t start : starts) order.push_back(curve[start]);
   for (const std::size_t start : starts) {
-    for (std::size_t i = start + 1; i < std::min(start + kRun, curve.size()); ++i) {
+    for (std::size_t i = start + 1; i < std::min(start + run, curve.size()); ++i) {
       order.push_back(curve[i]);
     }
   }

@@ -20,6 +20,8 @@ namespace {
 
 constexpr double kMostStretch = 100;
 constexpr std::size_t kPlaces = 300;
+/// An eighth of the vertices at least comes evenly spread, before their neighbours.
+constexpr std::size_t kSpread = 8;
 /// The way along the surface is at least so many times the gap.
 constexpr double kLeastDetour = 2;
 /// Ends of different pairs are so far apart, as a share of the root of the area.
@@ -138,7 +140,7 @@ Result<SurfaceMesh> withHumps(const SurfaceMesh& mesh, const HumpOptions& option
     return optionError("humps have a number, a radius and a height above 0");
   }
   std::vector<SurfacePoint> middles;
-  for (const Index v : coarseToFineOrder(mesh)) {
+  for (const Index v : coarseToFineOrder(mesh, kSpread)) {
     if (middles.size() < options.humps) middles.push_back(SurfacePoint::atVertex(v));
   }
   const auto distances = GeodesicSolver(mesh).distances(middles, radius, context);
@@ -194,7 +196,7 @@ Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Index face1, Index face2
 Result<std::vector<std::pair<Index, Index>>> facingPlaces(const SurfaceMesh& mesh,
                                                           std::size_t count,
                                                           const ExecutionContext& context) {
-  std::vector<Index> places = coarseToFineOrder(mesh);
+  std::vector<Index> places = coarseToFineOrder(mesh, kSpread);
   places.resize(std::min(places.size(), kPlaces));
   const std::size_t n = places.size();
   const std::vector<Vec3> normals = normalsOfVertices(mesh);
