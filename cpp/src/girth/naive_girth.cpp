@@ -302,8 +302,9 @@ class NaiveGirth {
           if (x < up.b0 - slack || x > up.b1 + slack) continue;
           if (x < length - down.b1 - slack || x > length - down.b0 + slack) continue;
           const double whole = lengthOf(line);
-          const double toMidpoint = (whole + down.sigma - up.sigma) / 2;
-          if (toMidpoint < 0 || toMidpoint > whole) continue;
+          double toMidpoint = (whole + down.sigma - up.sigma) / 2;
+          if (toMidpoint < -slack || toMidpoint > whole + slack) continue;
+          toMidpoint = std::clamp(toMidpoint, 0.0, whole);  // at a root but for rounding
           const Point q = up.root + (toMidpoint / whole) * line;
           if (q.y >= 0) {
             accept(h, q, up.sigma + whole + down.sigma);
