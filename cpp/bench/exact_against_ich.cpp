@@ -34,7 +34,7 @@ constexpr double kSame = 1e-9;
 /// computed. The methods change after each turn, so that what else the machine does touches all.
 std::vector<std::vector<Index>> turnsOf(const girth::SurfaceMesh& mesh, std::size_t count) {
   constexpr std::size_t kTurn = 32;
-  const std::vector<Index> order = girth::coarseToFineOrder(mesh, kTurn);
+  const std::vector<Index> order = girth::coarseToFineOrder(mesh);
   const std::size_t turns = (order.size() + kTurn - 1) / kTurn;
   const std::size_t wanted = std::min(turns, (count + kTurn - 1) / kTurn);
   std::vector<std::vector<Index>> result;
@@ -89,23 +89,24 @@ void compare(const girth::bench::Model& model, std::size_t wanted) {
   girth::bench::IchGirth atPropagation(mesh, IchFilter::AtPropagation);
   Run exact{"exact", {}}, creation{"ICH, filter at creation", {}},
       propagation{"ICH, filter at propagation", {}};
-  const auto withIch = [](girth::bench::IchGirth& ich, const std::vector<Index>& turn, Run& run) {
+  const auto take = [](Run& run, const std::vector<Index>& turn, auto value, auto windows) {
     run.seconds += girth::bench::processorSecondsOf([&] {
       for (const Index v : turn) {
-        run.values.push_back(ich.value(v));
-        run.windows += ich.windowCount();
+        run.values.push_back(value(v));
+        run.windows += windows();
       }
     });
   };
+  const auto takeIch = [&](Run& run, const std::vector<Index>& turn, girth::bench::IchGirth& ich) {
+    take(
+        run, turn, [&](Index v) { return ich.value(v); }, [&] { return ich.windowCount(); });
+  };
   for (const std::vector<Index>& turn : turns) {
-    exact.seconds += girth::bench::processorSecondsOf([&] {
-      for (const Index v : turn) {
-        exact.values.push_back(solver.value(v).value());
-        exact.windows += solver.statistics().windowsCrossed;
-      }
-    });
-    withIch(atCreation, turn, creation);
-    withIch(atPropagation, turn, propagation);
+    take(
+        exact, turn, [&](Index v) { return solver.value(v).value(); },
+        [&] { return solver.statistics().windowsCrossed; });
+    takeIch(creation, turn, atCreation);
+    takeIch(propagation, turn, atPropagation);
   }
   const std::size_t done = exact.values.size();
   std::printf("%s: %u faces, %zu %svertices\n", model.name.c_str(), mesh.faceCount(), done,
