@@ -6,7 +6,7 @@ namespace girth {
 
 RayKernel portableRayKernel() { return firstHitPortable; }
 
-#ifdef GIRTH_WITH_AVX2
+#ifdef GIRTH_FOR_X86
 RayHit firstHitAvx2(const TreeView& tree, const Ray& ray);
 
 RayKernel rayKernel() { return __builtin_cpu_supports("avx2") ? firstHitAvx2 : firstHitPortable; }

@@ -8,8 +8,11 @@ namespace girth {
 namespace {
 
 using geodesic::all;
+using geodesic::atMost;
 using geodesic::kLanes;
+using geodesic::LaneBits;
 using geodesic::Lanes;
+using geodesic::less;
 using geodesic::load;
 using geodesic::Mask;
 
@@ -96,12 +99,13 @@ inline bool meetBlock(const TriangleBlock& block, const Lanes3& origin, const La
                         to.z * direction.x - to.x * direction.z,
                         to.x * direction.y - to.y * direction.x};
     const Lanes determinant = dot(normal, direction), zero = {};
-    const Mask sign = (Mask)determinant & (Mask)(all(-0.0));
-    const Lanes size = (Lanes)((Mask)determinant ^ sign);
-    const Lanes u = (Lanes)((Mask)dot(load3(block.edgeB, first), turned) ^ sign);
-    const Lanes v = (Lanes)((Mask)-dot(load3(block.edgeA, first), turned) ^ sign);
-    const Lanes along = (Lanes)((Mask)dot(normal, to) ^ sign);
-    const Mask met = (u >= zero) & (v >= zero) & (u + v <= size) & (along > zero) & (size > zero);
+    const LaneBits sign = (LaneBits)determinant & (LaneBits)(all(-0.0));
+    const Lanes size = (Lanes)((LaneBits)determinant ^ sign);
+    const Lanes u = (Lanes)((LaneBits)dot(load3(block.edgeB, first), turned) ^ sign);
+    const Lanes v = (Lanes)((LaneBits)-dot(load3(block.edgeA, first), turned) ^ sign);
+    const Lanes along = (Lanes)((LaneBits)dot(normal, to) ^ sign);
+    const Mask met = atMost(zero, u) & atMost(zero, v) & atMost(u + v, size) & less(zero, along) &
+                     less(zero, size);
     unsigned left = geodesic::bits(met);
     if (left == 0) continue;
     const Lanes distances = along / size;

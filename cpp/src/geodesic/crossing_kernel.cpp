@@ -4,16 +4,22 @@
 
 namespace girth::geodesic {
 
-CrossingKernel portableCrossingKernel() { return crossPortable; }
-
-#ifdef GIRTH_WITH_AVX2
+#ifdef GIRTH_FOR_X86
+CrossingResult crossAvx512(const CrossingBatch&, WindowRun* left, WindowRun* right);
 CrossingResult crossAvx2(const CrossingBatch&, WindowRun* left, WindowRun* right);
 
-CrossingKernel crossingKernel() {
-  return __builtin_cpu_supports("avx2") ? crossAvx2 : crossPortable;
+std::span<const CrossingKernel> crossingKernels() {
+  static constexpr CrossingKernel kernels[] = {crossAvx512, crossAvx2, crossPortable};
+  static const std::size_t tooNew = __builtin_cpu_supports("avx512vl") ? 0
+                                    : __builtin_cpu_supports("avx2")   ? 1
+                                                                       : 2;
+  return std::span(kernels).subspan(tooNew);
 }
 #else
-CrossingKernel crossingKernel() { return crossPortable; }
+std::span<const CrossingKernel> crossingKernels() {
+  static constexpr CrossingKernel kernels[] = {crossPortable};
+  return kernels;
+}
 #endif
 
 }  // namespace girth::geodesic

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "geodesic/unfolding.h"
 #include "geodesic/window_list.h"
@@ -32,9 +33,8 @@ struct CrossingResult {
 /// (WindowPool::room), whose counts it leaves alone. Null: none are wanted.
 using CrossingKernel = CrossingResult (*)(const CrossingBatch&, WindowRun* left, WindowRun* right);
 
-/// The fastest kernel that this processor can run, and the one that any can. Both give the same
-/// bits.
-CrossingKernel crossingKernel();
-CrossingKernel portableCrossingKernel();
+/// The kernels that this processor can run, the fastest first, the one that any can last. All give
+/// the same bits.
+std::span<const CrossingKernel> crossingKernels();
 
 }  // namespace girth::geodesic

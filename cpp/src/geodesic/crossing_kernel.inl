@@ -46,8 +46,8 @@ inline void pass(const Passing& in, const SideOfFace& side, double distanceApex,
   // Where nothing is won the quotient is negative or not a number.
   near = greater(lostNear, near);
   tip = greater(lostTip, tip);
-  const Mask keep =
-      in.crosses & (atNear.slope > zero) & (atTip.slope > zero) & (near + tip < side.widest);
+  const Mask keep = in.crosses & less(zero, atNear.slope) & less(zero, atTip.slope) &
+                    less(near + tip, all(side.widest));
   const unsigned kept = bits(keep);
   if (kept == 0) return;
 
@@ -91,7 +91,7 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, WindowRun* left
       const Lanes sigma = load(in + 2 * stride);
       const Lanes gapFrom = load(in + 3 * stride), gapTo = load(in + 4 * stride);
       // A window seen edge-on, or from above, has nothing beyond.
-      const Mask valid = firstLanes(run->count - i) & (height > zero);
+      const Mask valid = firstLanes(run->count - i) & less(zero, height);
 
       // On which side of the two bounding rays the apex lies.
       const Lanes tipX = c.apex.x - x, tipY = c.apex.y + height;
@@ -101,10 +101,10 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, WindowRun* left
       const Lanes reach = c.length * (absolute(tipX) + tipY);
       const Lanes touch = kTouch * reach, snap = kSnap * reach;
 
-      if (bits(valid & (leftOf <= touch) & (rightOf >= -touch)) != 0) {
+      if (bits(valid & atMost(leftOf, touch) & atMost(-touch, rightOf)) != 0) {
         towardsLeft |= 1;
         towardsRight |= 1;
-        const unsigned reaching = bits(valid & (leftOf <= snap) & (rightOf >= -snap));
+        const unsigned reaching = bits(valid & atMost(leftOf, snap) & atMost(-snap, rightOf));
         const Lanes distance = sigma + squareRoot(tipX * tipX + tipY * tipY);
         const std::uint32_t number = run->begin - batch.first + i;
         for (unsigned rest = reaching; rest != 0; rest &= rest - 1) {
@@ -118,17 +118,18 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, WindowRun* left
           }
         }
       }
-      const Mask throughLeft = valid & (leftOf < zero), throughRight = valid & (rightOf > zero);
+      const Mask throughLeft = valid & less(leftOf, zero), throughRight = valid & less(zero, rightOf);
       const unsigned lefts = bits(throughLeft), rights = bits(throughRight);
       towardsLeft |= lefts;
       towardsRight |= rights;
       if (lefts != 0 && left != nullptr) {
-        pass<false>({x, height, gapFrom, length - gapTo, sigma, throughLeft, rightOf >= -snap},
-                    leftSide, batch.distanceApex, left, leftCount, leftNearest);
+        pass<false>(
+            {x, height, gapFrom, length - gapTo, sigma, throughLeft, atMost(-snap, rightOf)},
+            leftSide, batch.distanceApex, left, leftCount, leftNearest);
       }
       if (rights != 0 && right != nullptr) {
         pass<true>(
-            {length - x, height, gapTo, length - gapFrom, sigma, throughRight, leftOf <= snap},
+            {length - x, height, gapTo, length - gapFrom, sigma, throughRight, atMost(leftOf, snap)},
             rightSide, batch.distanceApex, right, rightCount, rightNearest);
       }
     }

@@ -1,5 +1,7 @@
 // Several doubles side by side: four with AVX2, else two (SSE2, NEON, WebAssembly SIMD). Only
-// operations that round each lane as a plain double would, so every width gives the same bits.
+// operations that round each lane as a plain double would, so every width gives the same bits. With
+// AVX-512 there are four too: a face seldom has windows for eight, but comparing and packing are
+// one instruction each.
 //
 // Included by kernels alone, which are compiled once for each instruction set; nothing here has
 // external linkage, so that no code for the wider set is ever shared with the other.
@@ -23,7 +25,23 @@ constexpr int kLanes = 2;
 #endif
 
 typedef double Lanes __attribute__((vector_size(8 * kLanes)));
-typedef long long Mask __attribute__((vector_size(8 * kLanes)));
+/// The bits of each lane.
+typedef long long LaneBits __attribute__((vector_size(8 * kLanes)));
+
+/// Which lanes something is true of.
+#ifdef __AVX512VL__
+typedef unsigned Mask;
+inline Mask less(Lanes a, Lanes b) {
+  return _mm256_cmp_pd_mask((__m256d)a, (__m256d)b, _CMP_LT_OQ);
+}
+inline Mask atMost(Lanes a, Lanes b) {
+  return _mm256_cmp_pd_mask((__m256d)a, (__m256d)b, _CMP_LE_OQ);
+}
+#else
+typedef LaneBits Mask;
+inline Mask less(Lanes a, Lanes b) { return a < b; }
+inline Mask atMost(Lanes a, Lanes b) { return a <= b; }
+#endif
 
 inline Lanes load(const double* from) {
   Lanes lanes;
@@ -35,7 +53,9 @@ inline Lanes all(double value) { return value - Lanes{}; }
 
 /// Where the mask is set, a; elsewhere b.
 inline Lanes select(Mask where, Lanes a, Lanes b) {
-#if defined(__AVX2__)
+#if defined(__AVX512VL__)
+  return (Lanes)_mm256_mask_blend_pd((__mmask8)where, (__m256d)b, (__m256d)a);
+#elif defined(__AVX2__)
   return (Lanes)_mm256_blendv_pd((__m256d)b, (__m256d)a, (__m256d)where);
 #else
   return (Lanes)((where & (Mask)a) | (~where & (Mask)b));
@@ -64,7 +84,7 @@ inline Lanes smaller(Lanes a, Lanes b) {
   return select(a < b, a, b);
 #endif
 }
-inline Lanes absolute(Lanes a) { return (Lanes)((Mask)a & 0x7FFFFFFFFFFFFFFFll); }
+inline Lanes absolute(Lanes a) { return (Lanes)((LaneBits)a & 0x7FFFFFFFFFFFFFFFll); }
 
 inline Lanes squareRoot(Lanes a) {
 #if defined(__AVX2__)
@@ -81,7 +101,9 @@ inline Lanes squareRoot(Lanes a) {
 
 /// One bit for each lane, lane 0 the lowest.
 inline unsigned bits(Mask mask) {
-#if defined(__AVX2__)
+#if defined(__AVX512VL__)
+  return mask;
+#elif defined(__AVX2__)
   return (unsigned)_mm256_movemask_pd((__m256d)mask);
 #elif defined(__SSE2__)
   return (unsigned)_mm_movemask_pd((__m128d)mask);
@@ -99,14 +121,20 @@ inline unsigned lowest(unsigned lanes) { return (unsigned)__builtin_ctz(lanes); 
 
 /// The first `count` lanes.
 inline Mask firstLanes(unsigned count) {
-  Mask lane;
+#if defined(__AVX512VL__)
+  return count < kLanes ? (1u << count) - 1 : (1u << kLanes) - 1;
+#else
+  LaneBits lane;
   for (int i = 0; i < kLanes; ++i) lane[i] = i;
-  return lane < (long long)count - Mask{};
+  return lane < (long long)count - LaneBits{};
+#endif
 }
 
 /// Moves the lanes whose bits are set to the front, in their order.
 inline Lanes pack(Lanes a, unsigned chosen) {
-#if defined(__AVX2__)
+#if defined(__AVX512VL__)
+  return (Lanes)_mm256_maskz_compress_pd((__mmask8)chosen, (__m256d)a);
+#elif defined(__AVX2__)
   // For each choice of lanes, the 32-bit halves to take.
   alignas(32) static const int kOrder[16][8] = {
       {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {2, 3, 2, 3, 4, 5, 6, 7},
@@ -119,7 +147,7 @@ inline Lanes pack(Lanes a, unsigned chosen) {
                                             _mm256_load_si256((const __m256i*)kOrder[chosen]));
 #else
   const Lanes second = {a[1], a[1]};
-  const Mask only = (chosen == 2 ? -1ll : 0ll) - Mask{};
+  const Mask only = (chosen == 2 ? -1ll : 0ll) - LaneBits{};
   return select(only, second, a);
 #endif
 }

@@ -30,7 +30,7 @@ bool trim(Vec2 root, double lead, double& gap) {
 
 Propagation::Propagation(const Unfolding& unfolding, double bucketWidth)
     : unfolding_(&unfolding),
-      kernel_(crossingKernel()),
+      kernel_(crossingKernels().front()),
       queue_(bucketWidth * unfolding.meanEdgeLength()),
       distance_(unfolding.vertexCount(), kInfinity),
       reach_(unfolding.vertexCount()),
@@ -242,7 +242,7 @@ void Propagation::settle(Index vertex) {
 
 /// Sends windows from a vertex into the directions that leave π or more to the path that comes in.
 void Propagation::fanBehind(Index vertex) {
-  const Arrival& arrival = arrival_[vertex];
+  Arrival& arrival = arrival_[vertex];
   const Vec2 onwards = -1 * arrival.towards;
 
   const std::span<const Corner> corners = unfolding_->corners(vertex);
@@ -292,8 +292,12 @@ void Propagation::fanBehind(Index vertex) {
     if (rightFace != kNoIndex) {
       sendAround(unfolding_->outgoing(vertex), nullptr, rightFace, &rightRay);
     }
-  } else if (leftFace == unfolding_->turnLeft(rightFace) &&
-             unfolding_->totalAngle(vertex) - 2 * kPi < kStraight) {
+    return;
+  }
+  arrival.onwardsFrom = leftFace;
+  arrival.onwardsTo = rightFace;
+  if (leftFace == unfolding_->turnLeft(rightFace) &&
+      unfolding_->totalAngle(vertex) - 2 * kPi < kStraight) {
     reachAlong(leftFace);  // hardly a saddle: both rays run along one edge
   } else {
     sendAround(leftFace, &leftRay, rightFace, &rightRay);

@@ -59,6 +59,9 @@ struct Arrival {
   /// points back along the path. Known once settled.
   Index corner{kNoIndex};
   Vec2 towards;
+  /// Where it can go on, at a saddle inside the surface: from a face to another, counter-clockwise,
+  /// each told by its halfedge that starts at the vertex. Known once settled; kNoIndex elsewhere.
+  Index onwardsFrom{kNoIndex}, onwardsTo{kNoIndex};
   Index before{kNoIndex};
   Bundle bundle;
 };

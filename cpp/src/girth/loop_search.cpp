@@ -92,24 +92,15 @@ void LoopSearch::onCrossing(Index halfedge, std::uint32_t first, const CrossingR
 
 void LoopSearch::onVertex(Index vertex) {
   if (propagation_->isSource(vertex)) return;  // what meets there comes later
-  const Unfolding& unfolding = propagation_->unfolding();
-  const std::span<const Corner> corners = unfolding.corners(vertex);
-  const double arrived = propagation_->arrivalDirection(vertex);
-  const bool once = propagation_->reachedOnce(vertex);
-  for (const Corner& edge : corners) {
-    // Few edges lie in a direction in which the path can go on.
-    if (unfolding.straight(vertex, arrived, unfolding.direction(edge.halfedge))) {
-      tryEdge(edge.halfedge);
-    }
-    if (once) continue;  // by the window of its own path
+  tryEdgesOnwards(vertex);
+  if (propagation_->reachedOnce(vertex)) return;  // by the window of its own path
+  for (const Corner& edge : propagation_->unfolding().corners(vertex)) {
     const Index opposite = Unfolding::next(edge.halfedge);
     const auto [begin, end] = propagation_->apexWindows(opposite);
     for (std::uint32_t k = begin; k < end; ++k) {
       tryApex(opposite, propagation_->window(opposite, k));
     }
   }
-  // The wall on the far side.
-  if (unfolding.boundary(vertex)) tryEdge(Unfolding::previous(corners.back().halfedge));
 }
 
 // Case 3: the line between the roots of two windows of one face.
@@ -198,6 +189,30 @@ void LoopSearch::tryOrigin(Index halfedge, const Window& window,
                            const Propagation::Origin& origin) {
   const Vec2 p = propagation_->unfolding().toFrame(3 * origin.face, halfedge, origin.place);
   if (const auto candidate = pairWithPoint(halfedge, window, p, 0, kNoIndex)) propose(*candidate);
+}
+
+// Case 1 for the edges of a settled vertex along which its path can go on. They are few.
+void LoopSearch::tryEdgesOnwards(Index vertex) {
+  const Unfolding& unfolding = propagation_->unfolding();
+  const Arrival& arrival = propagation_->arrival(vertex);
+  if (arrival.onwardsFrom != kNoIndex) {
+    for (Index edge = arrival.onwardsFrom; edge != arrival.onwardsTo;) {
+      tryEdge(edge);
+      edge = unfolding.turnLeft(edge);
+    }
+    tryEdge(arrival.onwardsTo);
+    tryEdge(unfolding.turnLeft(arrival.onwardsTo));
+    return;
+  }
+  const double arrived = propagation_->arrivalDirection(vertex);
+  const std::span<const Corner> corners = unfolding.corners(vertex);
+  for (const Corner& edge : corners) {
+    if (unfolding.straight(vertex, arrived, unfolding.direction(edge.halfedge))) {
+      tryEdge(edge.halfedge);
+    }
+  }
+  // The wall on the far side.
+  if (unfolding.boundary(vertex)) tryEdge(Unfolding::previous(corners.back().halfedge));
 }
 
 // Case 1: the paths to both ends of an edge, and the edge.

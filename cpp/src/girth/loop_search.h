@@ -78,6 +78,7 @@ class LoopSearch {
   void tryApex(Index halfedge, const geodesic::Window& window);
   void tryOrigin(Index halfedge, const geodesic::Window& window,
                  const geodesic::Propagation::Origin& origin);
+  void tryEdgesOnwards(Index vertex);
   void tryEdge(Index halfedge);
   bool passesStraight(Index vertex, double leaving) const;
   bool worthwhile(double length, Index halfedge, geodesic::Vec2 midpoint) const;

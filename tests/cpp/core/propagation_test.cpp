@@ -198,22 +198,9 @@ TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
     const CrossingBatch batch{&c, newest, 0, count, corner(), corner(), corner()};
     WindowRun* left = pool.room(Side::Left, count);
     WindowRun* right = pool.room(Side::Right, count);
-    const CrossingResult a = geodesic::crossingKernel()(batch, left, right);
+    const CrossingResult a = geodesic::crossingKernels().back()(batch, left, right);
     pool.keep(Side::Left, left, std::max(a.leftCount, 1u), false);
     pool.keep(Side::Right, right, std::max(a.rightCount, 1u), false);
-    WindowRun* otherLeft = pool.room(Side::Left, count);
-    WindowRun* otherRight = pool.room(Side::Right, count);
-    const CrossingResult b = geodesic::portableCrossingKernel()(batch, otherLeft, otherRight);
-    ASSERT_EQ(a.leftCount, b.leftCount);
-    ASSERT_EQ(a.rightCount, b.rightCount);
-    ASSERT_EQ(a.leftNearest, b.leftNearest);
-    ASSERT_EQ(a.rightNearest, b.rightNearest);
-    ASSERT_EQ(a.distanceApex, b.distanceApex);
-    ASSERT_EQ(a.apexWindow, b.apexWindow);
-    ASSERT_EQ(a.apexBegin, b.apexBegin);
-    ASSERT_EQ(a.apexEnd, b.apexEnd);
-    ASSERT_EQ(a.towardsLeft, b.towardsLeft);
-    ASSERT_EQ(a.towardsRight, b.towardsRight);
     const auto same = [](const WindowRun& p, const WindowRun& q, std::uint32_t windows) {
       for (std::size_t field = 0; field < WindowRun::kFields; ++field) {
         if (std::memcmp(p.fields() + field * p.stride, q.fields() + field * q.stride,
@@ -223,8 +210,23 @@ TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
       }
       return true;
     };
-    ASSERT_TRUE(same(*left, *otherLeft, a.leftCount));
-    ASSERT_TRUE(same(*right, *otherRight, a.rightCount));
+    for (const geodesic::CrossingKernel kernel : geodesic::crossingKernels()) {
+      WindowRun* otherLeft = pool.room(Side::Left, count);
+      WindowRun* otherRight = pool.room(Side::Right, count);
+      const CrossingResult b = kernel(batch, otherLeft, otherRight);
+      ASSERT_EQ(a.leftCount, b.leftCount);
+      ASSERT_EQ(a.rightCount, b.rightCount);
+      ASSERT_EQ(a.leftNearest, b.leftNearest);
+      ASSERT_EQ(a.rightNearest, b.rightNearest);
+      ASSERT_EQ(a.distanceApex, b.distanceApex);
+      ASSERT_EQ(a.apexWindow, b.apexWindow);
+      ASSERT_EQ(a.apexBegin, b.apexBegin);
+      ASSERT_EQ(a.apexEnd, b.apexEnd);
+      ASSERT_EQ(a.towardsLeft, b.towardsLeft);
+      ASSERT_EQ(a.towardsRight, b.towardsRight);
+      ASSERT_TRUE(same(*left, *otherLeft, a.leftCount));
+      ASSERT_TRUE(same(*right, *otherRight, a.rightCount));
+    }
   }
 }
 
