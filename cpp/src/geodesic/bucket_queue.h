@@ -65,6 +65,13 @@ class BucketQueue {
     return ring_[current_ % kRing][position_++];
   }
 
+  /// What comes out after so many others, as far as the current bucket tells; `none` beyond it.
+  Index ahead(std::size_t others, Index none) const {
+    const auto& bucket = ring_[current_ % kRing];
+    const std::size_t position = position_ + others;
+    return position < bucket.size() ? bucket[position] : none;
+  }
+
   std::size_t memoryBytes() const {
     std::size_t bytes = far_.capacity() * sizeof(Far);
     for (const auto& bucket : ring_) bytes += bucket.capacity() * sizeof(Index);

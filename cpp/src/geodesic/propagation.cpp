@@ -38,13 +38,19 @@ Propagation::Propagation(const Unfolding& unfolding, double bucketWidth)
       lists_(unfolding.halfedgeCount()) {}
 
 void Propagation::clear() {
+  constexpr std::size_t kAhead = 12;
   queue_.clear();
-  for (const Index v : reached_) {
+  for (std::size_t i = 0; i < reached_.size(); ++i) {
+    if (i + kAhead < reached_.size()) prefetch(&arrival_[reached_[i + kAhead]]);
+    const Index v = reached_[i];
     distance_[v] = kInfinity;
     reach_[v] = Reach{};
     arrival_[v] = Arrival{};
   }
-  for (const Index h : touched_) lists_[h] = WindowList{};
+  for (std::size_t i = 0; i < touched_.size(); ++i) {
+    if (i + kAhead < touched_.size()) prefetch(&lists_[touched_[i + kAhead]]);
+    lists_[touched_[i]] = WindowList{};
+  }
   pool_.reset();
   reached_.clear();
   touched_.clear();
@@ -53,6 +59,34 @@ void Propagation::clear() {
   created_ = crossed_ = 0;
   passed_ = 0;
   gaveUp_ = false;
+}
+
+/// Asks for the memory that the next items of the queue need, since they follow one another on the
+/// front, not in memory: first what belongs to an item, and nearer to its turn what that refers to.
+void Propagation::lookAhead() const {
+  constexpr std::size_t kFar = 4, kNear = 2;
+  if (const Index item = queue_.ahead(kFar, kNoIndex); item != kNoIndex) {
+    if ((item & kVertexItem) != 0) {
+      unfolding_->prefetchVertex(item & ~kVertexItem);
+      prefetch(&arrival_[item & ~kVertexItem]);
+    } else {
+      prefetch(&unfolding_->crossing(item));
+      prefetch(&lists_[item]);
+    }
+  }
+  if (const Index item = queue_.ahead(kNear, kNoIndex); item != kNoIndex) {
+    if ((item & kVertexItem) != 0) {
+      unfolding_->prefetchCorners(item & ~kVertexItem);
+    } else {
+      const Crossing& c = unfolding_->crossing(item);
+      for (const Index vertex : {c.from, c.to, c.apexVertex}) prefetch(&distance_[vertex]);
+      for (const Index twin : {c.leftTwin, c.rightTwin}) {
+        if (twin != kNoIndex) prefetch(&lists_[twin]);
+      }
+      constexpr std::size_t kHeaders = 6;  // a run's own, and as much of its windows
+      if (const WindowRun* run = lists_[item].newest) prefetch(run, kHeaders);
+    }
+  }
 }
 
 void Propagation::startFrom(Index source) {
@@ -269,6 +303,7 @@ void Propagation::fanBehind(Index vertex) {
     leftFace = corners[at].halfedge;
   } while (cross(leftRay, corners[at].left) < 0);
   leftRay = turnedBack(leftRay, {1, kFanOverlap});
+  if (leftFace != kNoIndex) prefetch(&unfolding_->crossing(leftFace));
 
   // And the one that leaves π on its left.
   at = arrived;

@@ -110,6 +110,7 @@ class Propagation {
         if (pool_.grown()) forgetPassed();
       }
       const Index item = queue_.pop();
+      lookAhead();
       if ((item & kVertexItem) != 0) {
         const Index vertex = item & ~kVertexItem;
         if (reach_[vertex].settled) continue;
@@ -215,6 +216,7 @@ class Propagation {
       }
     }
   }
+  void lookAhead() const;
   void clear();
   void startFrom(Index source);
   void startWithinFace(Index source, Index halfedge);

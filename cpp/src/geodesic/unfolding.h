@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "geodesic/prefetch.h"
 #include "geodesic/tolerances.h"
 #include "geodesic/vec2.h"
 #include "girth/surface_mesh.h"
@@ -71,6 +72,17 @@ class Unfolding {
   std::span<const Corner> corners(Index vertex) const {
     return {corners_.data() + firstCorner_[vertex],
             firstCorner_[vertex + 1] - firstCorner_[vertex]};
+  }
+
+  /// Asks for what is known of a vertex; and then, for its corners.
+  void prefetchVertex(Index vertex) const {
+    prefetch(&firstCorner_[vertex]);
+    prefetch(&outgoing_[vertex]);
+    prefetch(&totalAngle_[vertex]);
+    prefetch(&passable_[vertex]);
+  }
+  void prefetchCorners(Index vertex) const {
+    prefetch(corners(vertex).data(), corners(vertex).size());
   }
 
   /// Direction of a halfedge at the vertex it starts from: its angle, counter-clockwise, from
