@@ -1,17 +1,18 @@
-// `npm run bench:page [-- NAME]`: measures the page in Chromium and the modules against the command,
-// beside their goals; `page` or `wasm` alone where named.
+// `npm run bench:page [-- NAME...]`: measures the page in Chromium and the modules against the command,
+// beside their goals; of the files tests/bench/NAME.bench.ts only those named.
 
-import { buildNative, buildPage } from './build.mjs';
+import { buildNative, buildPackage, buildPage } from './build.mjs';
 import { runTool, script } from './run.mjs';
 import { setUp } from './setup.mjs';
 
 await script(async () => {
   setUp();
   await buildPage();
+  await buildPackage();
   buildNative();
   runTool('vitest', [
-    ...['run', '--config', 'web/vitest.config.ts', '--project', 'bench'],
+    ...['run', ...process.argv.slice(2).map((name) => `${name}.bench`)],
+    ...['--config', 'web/vitest.config.ts', '--project', 'bench'],
     ...['--reporter', 'dot', '--disable-console-intercept'],
-    ...process.argv.slice(2),
   ]);
 });

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "brute_force.h"
 #include "girth/girth.h"
@@ -69,6 +71,34 @@ TEST(ClosedForm, BoxesHaveTwiceTheSumOfTheirSides) {
       ++tested;
     }
     EXPECT_GT(tested, 100);
+  }
+}
+
+TEST(ClosedForm, ANeckBetweenTwoNotches) {
+  // Like an S from above. The loop round the neck runs down one notch's edge and up the other's,
+  // between saddles that leave it exactly π on opposite sides: no window passes beside both, and
+  // the edge lies at the very end of what each saddle sends out. Rounding decides on which side of
+  // it the end is found.
+  const std::vector<double> polygon = {1, -3, 3, -3, 3, 0, 0, 0, -1, 2, -3, 2, -3, -1, 0, -1};
+  constexpr Index kNotch = 7, kOpposite = 3, kCorners = 8;
+  Shape mirrored = prism(polygon, 1, 1);
+  for (std::size_t i = 0; i < mirrored.positions.size(); i += 3) mirrored.positions[i] *= -1;
+  for (std::size_t i = 0; i < mirrored.triangles.size(); i += 3) {
+    std::swap(mirrored.triangles[i], mirrored.triangles[i + 1]);
+  }
+  for (const Shape& shape : {prism(polygon, 1, 1), mirrored}) {
+    for (int turn = 0; turn < 20; ++turn) {
+      const SurfaceMesh mesh = moved(shape, 1 + 0.1 * turn, 0.3 * turn, 0.1 * turn).mesh();
+      GirthSolver solver(mesh);
+      for (const Index corner : {kNotch, kOpposite}) {
+        Index edge = 0;
+        while (mesh.from(edge) != corner || mesh.to(edge) != corner + kCorners) ++edge;
+        for (const double t : {0.2, 0.5, 0.83}) {
+          const auto loop = solver.loop(SurfacePoint::onHalfedge(edge, t));
+          expectClose(loop.value().length, 4 * (1 + 0.1 * turn), "turn " + std::to_string(turn));
+        }
+      }
+    }
   }
 }
 
