@@ -34,9 +34,10 @@ export function run(program, args, { env = process.env, quiet = false } = {}) {
  * Runs a program of an npm package.
  * @param {string} name
  * @param {string[]} args
+ * @param {{ env?: NodeJS.ProcessEnv, quiet?: boolean }} [options]
  */
-export function runTool(name, args) {
-  run(`${repository}/node_modules/.bin/${name}`, args);
+export function runTool(name, args, options = {}) {
+  run(`${repository}/node_modules/.bin/${name}`, args, options);
 }
 
 /**

@@ -118,7 +118,8 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, WindowRun* left
           }
         }
       }
-      const Mask throughLeft = valid & less(leftOf, zero), throughRight = valid & less(zero, rightOf);
+      const Mask throughLeft = valid & less(leftOf, zero),
+                 throughRight = valid & less(zero, rightOf);
       const unsigned lefts = bits(throughLeft), rights = bits(throughRight);
       towardsLeft |= lefts;
       towardsRight |= rights;
@@ -128,9 +129,9 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, WindowRun* left
             leftSide, batch.distanceApex, left, leftCount, leftNearest);
       }
       if (rights != 0 && right != nullptr) {
-        pass<true>(
-            {length - x, height, gapTo, length - gapFrom, sigma, throughRight, atMost(leftOf, snap)},
-            rightSide, batch.distanceApex, right, rightCount, rightNearest);
+        pass<true>({length - x, height, gapTo, length - gapFrom, sigma, throughRight,
+                    atMost(leftOf, snap)},
+                   rightSide, batch.distanceApex, right, rightCount, rightNearest);
       }
     }
   }

@@ -191,8 +191,9 @@ void LoopSearch::tryOrigin(Index halfedge, const Window& window,
   if (const auto candidate = pairWithPoint(halfedge, window, p, 0, kNoIndex)) propose(*candidate);
 }
 
-// Case 1 for the edges of a settled vertex along which its path can go on. They are few: at a saddle
-// those between the faces into which it goes on, and the sides of these, lest rounding decide.
+// Case 1 for the edges of a settled vertex along which its path can go on. They are few: at a
+// saddle those between the faces into which it goes on, and the sides of these, lest rounding
+// decide.
 void LoopSearch::tryEdgesOnwards(Index vertex) {
   const Unfolding& unfolding = propagation_->unfolding();
   const Arrival& arrival = propagation_->arrival(vertex);
