@@ -4,7 +4,15 @@
 import type { Locator, Page } from 'playwright-core';
 import { expect } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
-import type { Field, FieldName, Kernel, Mesh, Parts, Tips } from '../../web/src/kernel/index.js';
+import type {
+  Field,
+  FieldName,
+  FieldOptions,
+  Kernel,
+  Mesh,
+  Parts,
+  Tips,
+} from '../../web/src/kernel/index.js';
 
 /** What to serve beside the built element; the page is '/drawn.html'. */
 export const drawnPages = {
@@ -23,6 +31,8 @@ export interface Drawing {
   unit?: string;
   /** null: no value. */
   fields: Partial<Record<FieldName, (number | null)[]>>;
+  /** Fields that are never done: only the values of these vertices come. */
+  begun?: Partial<Record<FieldName, number[]>>;
   kinds?: number[];
   /** What is to be said of the fields. */
   note?: string;
@@ -97,8 +107,16 @@ export async function draw(page: Page, drawing: Drawing): Promise<Locator> {
         indices: Uint32Array.from(drawing.indices),
         walls: new Uint32Array(),
       },
-      field(name: FieldName): Promise<Field> {
+      field(name: FieldName, { onPartial }: FieldOptions = {}): Promise<Field> {
         const values = Float64Array.from(drawing.fields[name] ?? [], (value) => value ?? NaN);
+        const begun = drawing.begun?.[name];
+        if (begun) {
+          const vertices = Uint32Array.from(begun);
+          const kinds = new Uint8Array(begun.length);
+          const known = Float64Array.from(begun, (vertex) => values[vertex]!);
+          setTimeout(() => onPartial?.({ vertices, values: known, kinds }));
+          return new Promise(() => undefined);
+        }
         const numbers = values.filter((value) => !Number.isNaN(value));
         return count(name, {
           name,

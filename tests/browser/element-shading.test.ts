@@ -65,6 +65,34 @@ const isGrey = ({ r, g, b, alpha }: Pixel): boolean =>
 const rising = { ...square(), fields: { igf: overSquare((x) => 2 + 2 * x) } };
 
 describe('fields', () => {
+  test('while it is computed, every place has the colour of the nearest value so far', async () => {
+    const falling = overSquare((x) => 2 - 2 * x);
+    const viewer = await draw(page, {
+      ...rising,
+      fields: { igf: rising.fields.igf, sdf: falling },
+      begun: {
+        igf: [vertexAt(-0.6, 0), vertexAt(0.6, 0)],
+        sdf: [vertexAt(-0.6, 0), vertexAt(0.6, 0)],
+      },
+    });
+    const places = [
+      [-0.6, 0],
+      [-0.3, 0.5],
+      [0.3, 0.5],
+      [0.6, 0],
+    ] as const;
+    /** Of what is shown at each place, whether it is one end of the colours or the other. */
+    const ends = async () =>
+      (await pixelsAt(viewer, places)).map((pixel) => {
+        if (isGrey(pixel)) return 'grey';
+        return pixel.b > pixel.g ? 'low' : 'high';
+      });
+    await expect.poll(ends).toEqual(['low', 'low', 'high', 'high']);
+    // Another field takes the place of the first one's colours with its first values.
+    await set(viewer, 'field', 'sdf');
+    await expect.poll(ends).toEqual(['high', 'high', 'low', 'low']);
+  });
+
   test('a value has the colour that the legend gives it', async () => {
     const viewer = await draw(page, { ...rising, unit: 'mm' });
     await legendSays(viewer, 'Girth, mm');

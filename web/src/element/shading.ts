@@ -117,8 +117,11 @@ export class Shading {
   /** Takes new values and colours their vertices. */
   receive(state: FieldState, partial: PartialField): void {
     const { preview } = state;
+    if (!preview) return;
     const isShown = state.name === this.wishes.name;
-    preview?.receive(partial, (vertex) => {
+    // The first values take the place of whatever the surface was coloured by.
+    if (isShown && preview.computed === 0) this.paintScalar(preview.shown, () => computedWeight);
+    preview.receive(partial, (vertex) => {
       if (isShown) this.paintVertex(vertex, preview.shown[vertex]!, computedWeight);
     });
   }
