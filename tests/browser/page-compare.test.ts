@@ -176,6 +176,27 @@ test('by every descriptor the same shape is nearest, and is at no distance', asy
   }
 });
 
+test('however often the choice changes while distances come, none is lost', async () => {
+  const { page } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  await dropFour(page);
+  await openPanel(page, 'compare');
+  const names = ['igf', 'sdf', 'geoaverage', 'geofarthest'];
+  // Changes that come between two results, wherever in the work that is.
+  await page.locator('#compare-field').evaluate(async (select: HTMLSelectElement, values) => {
+    for (let change = 0; change < 60; ++change) {
+      select.value = values[change % values.length]!;
+      select.dispatchEvent(new Event('change'));
+      await new Promise((done) => setTimeout(done, 5 + ((change * 37) % 101)));
+    }
+  }, names);
+  for (const name of names) {
+    await page.locator('#compare-field').selectOption(name);
+    const rows = await ranking(page, 4);
+    expect(rows[1]!.name, name).toBe('large-bell.obj');
+  }
+});
+
 test.each([
   [1440, 900, 'light'],
   [1024, 768, 'dark'],

@@ -192,16 +192,15 @@ export class ComparePanel {
     try {
       const own = await kernel;
       for (;;) {
-        const { name } = this;
+        if (this.isCancelled) break;
+        // The choice is read anew each time: what was asked for meanwhile comes first.
+        const { name, descriptor } = this;
+        const pair = name === descriptor ? this.unmeasured(name) : undefined;
         const next = this.models.find((model) => !model.failure && !model.fieldOf(name));
-        if (next && !this.isCancelled) {
-          await next.compute(own, name);
-          if (this.models.includes(next)) await this.measure(next, name);
-          this.refresh();
-          continue;
-        }
-        // What was asked for meanwhile comes first.
-        if (this.isCancelled || !(await this.compareBy(own, this.descriptor))) break;
+        if (pair) await this.measure(...pair, name);
+        else if (next) await next.compute(own, name);
+        else if (!(await this.compareBy(own, descriptor))) break;
+        this.refreshSoon();
       }
     } catch (error) {
       this.words.textContent = `${failureWords(error)}.`;
@@ -211,12 +210,24 @@ export class ComparePanel {
     }
   }
 
-  /** Its distances to all that are computed. */
-  private async measure(model: ComparedModel, name: FieldName): Promise<void> {
-    for (const other of this.models) {
-      if (other === model || !other.fieldOf(name)) continue;
-      const distance = await model.differenceTo(other, name).catch(() => undefined);
-      if (distance !== undefined) this.distances.set(this.keyOf(model, other, name), distance);
+  /** Two models whose fields are there, and their distance not yet. */
+  private unmeasured(name: FieldName): [ComparedModel, ComparedModel] | undefined {
+    const models = this.models.filter((model) => !model.failure && model.fieldOf(name));
+    for (const [i, a] of models.entries()) {
+      const b = models.slice(0, i).find((one) => !this.distances.has(this.keyOf(a, one, name)));
+      if (b) return [a, b];
+    }
+    return undefined;
+  }
+
+  /** The distance of two models by a field; what is cancelled stays unmeasured. */
+  private async measure(a: ComparedModel, b: ComparedModel, name: FieldName): Promise<void> {
+    this.comparing = new AbortController();
+    const { signal } = this.comparing;
+    try {
+      this.distances.set(this.keyOf(a, b, name), await a.differenceTo(b, name, signal));
+    } catch {
+      if (!signal.aborted) this.distances.set(this.keyOf(a, b, name), NaN);
     }
   }
 
@@ -252,7 +263,6 @@ export class ComparePanel {
       if (!signal.aborted) throw error;
       this.words.textContent = '';
     }
-    this.refresh();
     return true;
   }
 

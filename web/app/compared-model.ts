@@ -63,11 +63,11 @@ export class ComparedModel {
     this.work.abort();
   }
 
-  /** Equation (1) of the paper; undefined while one of the two fields is missing. */
-  async differenceTo(other: ComparedModel, name: FieldName): Promise<number | undefined> {
+  /** Equation (1) of the paper; NaN where one of the two fields is missing. */
+  async differenceTo(other: ComparedModel, name: FieldName, signal: AbortSignal): Promise<number> {
     const [field, otherField] = [this.known.get(name), other.known.get(name)];
-    if (!this.mesh || !other.mesh || !field || !otherField) return undefined;
-    return this.mesh.difference(field, other.mesh, otherField, { signal: this.work.signal });
+    if (!this.mesh || !other.mesh || !field || !otherField) return NaN;
+    return this.mesh.difference(field, other.mesh, otherField, { signal });
   }
 
   dispose(): void {
