@@ -1,6 +1,5 @@
 // girth signature and girth compare: what retrieval is made of, for a few models.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -96,11 +95,9 @@ std::string matrixJson(const Signatures& signatures, const Descriptor& descripto
 
 int runSignature(const SignatureCommandOptions& options) {
   const std::string extension = extensionOf(options.output);
-  if (extension != ".csv" && extension != ".json") {
-    return reportError(options.output,
-                       usageError("the output's name has no known ending", "use .csv or .json"));
+  if (const auto error = checkOutput(options.output, {".csv", ".json"})) {
+    return reportError(options.output, *error);
   }
-  if (const auto error = checkWritable(options.output)) return reportError(options.output, *error);
   const auto descriptors = descriptorsOf(
       options.descriptors.empty() ? std::vector<std::string>{"igf"} : options.descriptors);
   if (!descriptors) return reportError("", descriptors.error());

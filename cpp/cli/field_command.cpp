@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -131,12 +130,9 @@ void print(const FieldOptions& options, const io::LoadedMesh& loaded,
 int runField(const FieldOptions& options) {
   const std::string extension = extensionOf(options.output);
   if (!options.output.empty()) {
-    constexpr std::array<const char*, 5> kEndings{".csv", ".json", ".npy", ".ply", ".glb"};
-    if (std::find(kEndings.begin(), kEndings.end(), extension) == kEndings.end()) {
-      return reportError(options.output, usageError("the output's name has no known ending",
-                                                    "use .csv, .json, .npy, .ply or .glb"));
+    if (auto error = checkOutput(options.output, {".csv", ".json", ".npy", ".ply", ".glb"})) {
+      return reportError(options.output, *error);
     }
-    if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -9,6 +10,8 @@
 #include <memory>
 #include <new>
 #include <system_error>
+
+#include "report.h"
 
 namespace girth::cli {
 namespace {
@@ -92,6 +95,19 @@ std::optional<Error> checkWritable(const std::string& path) {
                      std::string("its folder cannot be written: ") + std::strerror(errno));
   }
   return std::nullopt;
+}
+
+std::optional<Error> checkOutput(const std::string& path,
+                                 std::initializer_list<std::string_view> endings) {
+  if (std::find(endings.begin(), endings.end(), extensionOf(path)) != endings.end()) {
+    return checkWritable(path);
+  }
+  std::string hint = "use ";
+  for (const std::string_view& ending : endings) {
+    if (&ending != endings.begin()) hint += &ending == endings.end() - 1 ? " or " : ", ";
+    hint += ending;
+  }
+  return usageError("the output's name has no known ending", hint);
 }
 
 std::optional<Error> writeFile(const std::string& path, std::string_view content) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,11 @@ std::optional<Error> writeFile(const std::string& path, std::string_view content
 
 /// Whether `writeFile` has a chance, asked before long work. Error: FILE_UNWRITABLE.
 std::optional<Error> checkWritable(const std::string& path);
+
+/// Whether a command can put its answer there, asked before long work: the name has one of the
+/// endings (".csv") and `checkWritable` has nothing against it. Errors: USAGE, FILE_UNWRITABLE.
+std::optional<Error> checkOutput(const std::string& path,
+                                 std::initializer_list<std::string_view> endings);
 
 /// The name's ending in lower case with its dot: ".csv".
 std::string extensionOf(const std::string& path);

@@ -216,17 +216,13 @@ int runOne(const std::string& model, const IgfOptions& options) {
 
 int runIgf(const IgfOptions& options) {
   if (!options.output.empty()) {
-    const std::string extension = extensionOf(options.output);
-    if (extension != ".csv" && extension != ".json" && extension != ".npy" && extension != ".ply" &&
-        extension != ".glb") {
-      return reportError(options.output, usageError("the output's name has no known ending",
-                                                    "use .csv, .json, .npy, .ply or .glb"));
-    }
     if (options.models.size() > 1) {
       return reportError(options.output, usageError("-o takes the values of one model only",
                                                     "call girth igf once for each model"));
     }
-    if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
+    if (auto error = checkOutput(options.output, {".csv", ".json", ".npy", ".ply", ".glb"})) {
+      return reportError(options.output, *error);
+    }
   }
   const std::atomic<bool>& interrupted = catchInterrupts();
   int exitCode = 0;

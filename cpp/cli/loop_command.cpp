@@ -126,11 +126,9 @@ int runLoop(const LoopOptions& options) {
     return reportError("", usageError("no point is named", "name a vertex, or a face with --face"));
   }
   if (!options.output.empty()) {
-    if (extension != ".json" && extension != ".obj" && extension != ".glb" && extension != ".csv") {
-      return reportError(options.output, usageError("the output's name has no known ending",
-                                                    "use .json, .obj, .glb or .csv"));
+    if (auto error = checkOutput(options.output, {".json", ".obj", ".glb", ".csv"})) {
+      return reportError(options.output, *error);
     }
-    if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());

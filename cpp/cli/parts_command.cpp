@@ -99,11 +99,9 @@ std::string contentFor(const std::string& extension, const io::LoadedMesh& loade
 int runParts(const PartsOptions& options) {
   const std::string extension = extensionOf(options.output);
   if (!options.output.empty()) {
-    if (extension != ".json" && extension != ".csv" && extension != ".ply") {
-      return reportError(options.output, usageError("the output's name has no known ending",
-                                                    "use .json, .csv or .ply"));
+    if (auto error = checkOutput(options.output, {".json", ".csv", ".ply"})) {
+      return reportError(options.output, *error);
     }
-    if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());

@@ -1,4 +1,3 @@
-#include <array>
 #include <cstdio>
 #include <optional>
 
@@ -16,20 +15,12 @@
 namespace girth::cli {
 namespace {
 
-std::optional<io::Format> formatOf(const std::string& extension) {
-  struct Ending {
-    const char* text;
-    io::Format format;
-  };
-  constexpr std::array<Ending, 5> kEndings{{{".obj", io::Format::Obj},
-                                            {".ply", io::Format::Ply},
-                                            {".stl", io::Format::Stl},
-                                            {".off", io::Format::Off},
-                                            {".glb", io::Format::Glb}}};
-  for (const Ending& ending : kEndings) {
-    if (extension == ending.text) return ending.format;
-  }
-  return std::nullopt;
+io::Format formatOf(const std::string& extension) {
+  if (extension == ".obj") return io::Format::Obj;
+  if (extension == ".ply") return io::Format::Ply;
+  if (extension == ".stl") return io::Format::Stl;
+  if (extension == ".off") return io::Format::Off;
+  return io::Format::Glb;
 }
 
 void print(const RemeshOptions& options, const io::LoadedMesh& loaded, const SurfaceMesh& mesh,
@@ -71,12 +62,9 @@ Result<double> differenceOf(const RemeshOptions& options, const SurfaceMesh& bef
 }  // namespace
 
 int runRemesh(const RemeshOptions& options) {
-  const auto format = formatOf(extensionOf(options.output));
-  if (!format) {
-    return reportError(options.output, usageError("the output's name has no known ending",
-                                                  "use .obj, .ply, .stl, .off or .glb"));
+  if (auto error = checkOutput(options.output, {".obj", ".ply", ".stl", ".off", ".glb"})) {
+    return reportError(options.output, *error);
   }
-  if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
 
@@ -84,7 +72,8 @@ int runRemesh(const RemeshOptions& options) {
       remeshModel(options.model, loaded.value().mesh,
                   {options.faces, options.even ? RemeshMethod::Even : RemeshMethod::Fitting});
   if (!remeshed) return reportError(options.model, remeshed.error());
-  const auto content = io::meshFile(remeshed.value().mesh, *format, loaded.value().unit);
+  const auto content = io::meshFile(remeshed.value().mesh, formatOf(extensionOf(options.output)),
+                                    loaded.value().unit);
   if (!content) return reportError(options.output, content.error());
   if (auto error = writeFile(options.output, content.value())) {
     return reportError(options.output, *error);

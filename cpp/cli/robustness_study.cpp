@@ -69,11 +69,9 @@ void addRobustnessOptions(CLI::App& command, RobustnessStudyOptions& options) {
 int runRobustnessStudy(const RobustnessStudyOptions& options) {
   const std::string extension = extensionOf(options.output);
   if (!options.output.empty()) {
-    if (extension != ".csv" && extension != ".json") {
-      return reportError(options.output,
-                         usageError("the output's name has no known ending", "use .csv or .json"));
+    if (auto error = checkOutput(options.output, {".csv", ".json"})) {
+      return reportError(options.output, *error);
     }
-    if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }
   const auto model = readSurface(options.model);
   if (!model) return reportError(options.model, model.error());

@@ -67,11 +67,9 @@ void printTrials(const Tips& tips, const std::vector<TipTrial>& trials) {
 int runTips(const TipsOptions& options) {
   const std::string extension = extensionOf(options.output);
   if (!options.output.empty()) {
-    if (extension != ".json" && extension != ".obj") {
-      return reportError(options.output,
-                         usageError("the output's name has no known ending", "use .json or .obj"));
+    if (auto error = checkOutput(options.output, {".json", ".obj"})) {
+      return reportError(options.output, *error);
     }
-    if (auto error = checkWritable(options.output)) return reportError(options.output, *error);
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
