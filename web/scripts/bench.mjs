@@ -1,4 +1,5 @@
-// `npm run bench [-- NAME...] [-- --benchmark_...]`: builds and runs the native benchmarks.
+// `npm run bench [-- NAME... --FLAG...]`: builds and runs the native benchmarks. What follows the first flag goes
+// to the programs as it is.
 
 import { basename } from 'node:path';
 import { buildNative } from './build.mjs';
@@ -7,8 +8,10 @@ import { setUp } from './setup.mjs';
 import { filesBelow } from './stale.mjs';
 
 await script(() => {
-  const names = process.argv.slice(2).filter((argument) => !argument.startsWith('--'));
-  const flags = process.argv.slice(2).filter((argument) => argument.startsWith('--'));
+  const words = process.argv.slice(2);
+  const firstFlag = words.findIndex((word) => word.startsWith('--'));
+  const names = firstFlag < 0 ? words : words.slice(0, firstFlag);
+  const flags = words.slice(names.length);
   const all = filesBelow('cpp/bench')
     .filter((file) => /^cpp.bench.\w+\.cpp$/.test(file))
     .map((file) => basename(file, '.cpp'));
