@@ -4,7 +4,15 @@ import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { dumbbell, scaled, torus, tube } from './meshes.js';
-import { builtPage, drop, fragment, modelIs, openPanel, pictures } from './page-support.js';
+import {
+  builtPage,
+  cutWords,
+  drop,
+  fragment,
+  modelIs,
+  openPanel,
+  pictures,
+} from './page-support.js';
 
 const openBuilt = builtPage();
 
@@ -214,25 +222,7 @@ test.each([
   await page.screenshot({
     path: join(pictures, `four-below-${width}x${height}-${colorScheme}.png`),
   });
-  // No list cuts the words of its choice.
-  const cut = await page.locator('select').evaluateAll((selects: HTMLSelectElement[]) =>
-    selects
-      .filter((select) => select.checkVisibility())
-      .flatMap((select) => {
-        const words = document.createElement('span');
-        const { font } = getComputedStyle(select);
-        words.textContent = select.selectedOptions[0]!.textContent;
-        words.style.cssText = `position: absolute; white-space: nowrap; font: ${font}`;
-        document.body.append(words);
-        const needed = words.offsetWidth;
-        words.remove();
-        // The arrow takes some 20 pixels.
-        return needed + 20 > select.clientWidth
-          ? [`${words.textContent}: ${select.clientWidth}`]
-          : [];
-      }),
-  );
-  expect(cut).toEqual([]);
+  expect(await cutWords(page)).toEqual([]);
 });
 
 test('cancelled in mid-run: what is computed stays, and it can be gone on with', async () => {

@@ -92,6 +92,27 @@ export async function openPanel(page: Page, name: string): Promise<Locator> {
   return panel;
 }
 
+/** The words of every visible list that its arrow would cut, but for lists that say so by an ellipsis. */
+export const cutWords = (page: Page): Promise<string[]> =>
+  page.locator('select').evaluateAll((selects: HTMLSelectElement[]) =>
+    selects
+      .filter((select) => select.checkVisibility())
+      .filter((select) => getComputedStyle(select).textOverflow !== 'ellipsis')
+      .flatMap((select) =>
+        [...select.options].flatMap(({ text }) => {
+          const words = document.createElement('span');
+          const { font } = getComputedStyle(select);
+          words.textContent = text;
+          words.style.cssText = `position: absolute; white-space: nowrap; font: ${font}`;
+          document.body.append(words);
+          const needed = words.offsetWidth;
+          words.remove();
+          // The arrow takes some 20 pixels.
+          return needed + 20 > select.clientWidth ? [`${text}: ${select.clientWidth}`] : [];
+        }),
+      ),
+  );
+
 /** What is behind the '#' of the address. */
 export function fragment(page: Page): string {
   return decodeURIComponent(new URL(page.url()).hash.slice(1));

@@ -10,7 +10,7 @@ import { PlaceList } from './place-list.js';
 const rivals = [
   ['', 'nothing'],
   ['heat', 'heat maxima'],
-  ['geoaverage', 'GeoAverage extrema'],
+  ['geoaverage', 'GeoAverage'],
   ['sdf', 'thickness'],
 ] as const;
 type Rival = (typeof rivals)[number][0];
