@@ -47,13 +47,9 @@ void Propagation::clear() {
     reach_[v] = Reach{};
     arrival_[v] = Arrival{};
   }
-  for (std::size_t i = 0; i < touched_.size(); ++i) {
-    if (i + kAhead < touched_.size()) prefetch(&lists_[touched_[i + kAhead]]);
-    lists_[touched_[i]] = WindowList{};
-  }
+  lists_.clear();
   pool_.reset();
   reached_.clear();
-  touched_.clear();
   open_.clear();
   origins_.clear();
   created_ = crossed_ = 0;
@@ -71,7 +67,7 @@ void Propagation::lookAhead() const {
       prefetch(&arrival_[item & ~kVertexItem]);
     } else {
       prefetch(&unfolding_->crossing(item));
-      prefetch(&lists_[item]);
+      lists_.prefetchWord(item);
     }
   }
   if (const Index item = queue_.ahead(kNear, kNoIndex); item != kNoIndex) {
@@ -81,7 +77,7 @@ void Propagation::lookAhead() const {
       const Crossing& c = unfolding_->crossing(item);
       for (const Index vertex : {c.from, c.to, c.apexVertex}) prefetch(&distance_[vertex]);
       for (const Index twin : {c.leftTwin, c.rightTwin}) {
-        if (twin != kNoIndex) prefetch(&lists_[twin]);
+        if (twin != kNoIndex) lists_.prefetchWord(twin);
       }
       constexpr std::size_t kHeaders = 6;  // a run's own, and as much of its windows
       if (const WindowRun* run = lists_[item].newest) prefetch(run, kHeaders);
@@ -171,10 +167,9 @@ void Propagation::reachAgainst(Index halfedge) {
 
 /// A run that has been filled in goes to a halfedge.
 void Propagation::receive(Index halfedge, WindowRun* run, double nearest) {
-  WindowList& list = lists_[halfedge];
+  WindowList& list = lists_.open(halfedge);
   run->older = list.newest;
   run->begin = list.count;
-  if (list.count == 0) touched_.push_back(halfedge);
   list.newest = run;
   list.count += run->count;
   created_ += run->count;
@@ -185,8 +180,9 @@ void Propagation::receive(Index halfedge, WindowRun* run, double nearest) {
   }
 }
 
-CrossingResult Propagation::crossFace(Index halfedge, WindowList& list) {
+CrossingResult Propagation::crossFace(Index halfedge) {
   const Crossing& c = unfolding_->crossing(halfedge);
+  WindowList& list = lists_.opened(halfedge);  // valid until windows are delivered
   const std::uint32_t first = list.entered, waiting = list.count - first;
   list.entered = list.count;
   list.turn = WindowList::kNotQueued;
@@ -211,6 +207,13 @@ CrossingResult Propagation::crossFace(Index halfedge, WindowList& list) {
   const CrossingResult result = kernel_({&c, list.newest, first, waiting, distance_[c.from],
                                          distance_[c.to], distance_[c.apexVertex]},
                                         left, right);
+  if (result.apexEnd > 0) {
+    list.apexBegin = std::min(list.apexBegin, first + result.apexBegin);
+    list.apexEnd = first + result.apexEnd;
+    std::uint8_t& windows = reach_[c.apexVertex].windows;
+    windows = static_cast<std::uint8_t>(
+        std::min<std::uint32_t>(windows + result.apexEnd - result.apexBegin, Reach::kMany));
+  }
   const auto deliver = [&](WindowPool::Side side, WindowRun* run, std::uint32_t windows, Index twin,
                            double nearest) {
     if (windows == 0) return;
@@ -219,16 +222,10 @@ CrossingResult Propagation::crossFace(Index halfedge, WindowList& list) {
   };
   deliver(WindowPool::Side::Left, left, result.leftCount, c.leftTwin, result.leftNearest);
   deliver(WindowPool::Side::Right, right, result.rightCount, c.rightTwin, result.rightNearest);
-  if (result.apexEnd > 0) {
-    list.apexBegin = std::min(list.apexBegin, first + result.apexBegin);
-    list.apexEnd = first + result.apexEnd;
-    std::uint8_t& windows = reach_[c.apexVertex].windows;
-    windows = static_cast<std::uint8_t>(
-        std::min<std::uint32_t>(windows + result.apexEnd - result.apexBegin, Reach::kMany));
-  }
   if (result.apexWindow >= 0) {
     if (Arrival* arrival = reach(c.apexVertex, result.distanceApex)) {
-      const Window w = list.window(first + static_cast<std::uint32_t>(result.apexWindow));
+      const auto number = first + static_cast<std::uint32_t>(result.apexWindow);
+      const Window w = window(halfedge, number);
       arrival->way = Arrival::Way::Window;
       arrival->bundle = {halfedge, w.root, w.sigma};
     }
@@ -470,6 +467,7 @@ void Propagation::forgetPassed() {
   }
   open_.resize(kept);
   passed_ = std::max(passed_, roundedDown(known));
+  if (keep_ == Keep::Front) lists_.forget(passed_);
   if (keep_ != Keep::Everything) {
     pool_.forget(keep_ == Keep::Front ? passed_ : std::numeric_limits<float>::infinity());
   }
@@ -478,8 +476,7 @@ void Propagation::forgetPassed() {
 std::size_t Propagation::memoryBytes() const {
   return pool_.memoryBytes() + queue_.memoryBytes() + distance_.capacity() * sizeof(double) +
          arrival_.capacity() * sizeof(Arrival) + reach_.capacity() * sizeof(Reach) +
-         lists_.capacity() * sizeof(WindowList) +
-         (reached_.capacity() + touched_.capacity() + open_.capacity()) * sizeof(Index);
+         lists_.memoryBytes() + (reached_.capacity() + open_.capacity()) * sizeof(Index);
 }
 
 }  // namespace girth::geodesic

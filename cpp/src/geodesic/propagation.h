@@ -28,7 +28,8 @@
 // - A face may be forgotten once its every point is nearer than the frontier and than some vertex:
 //   no shortest path ends in it any more (Keep::Front). How far its points can be is known from its
 //   corners when windows cross it; nothing is sent into it after it has been passed, since what
-//   comes then comes too late. Memory is then in proportion to the front.
+//   comes then comes too late. Memory for windows and their lists is then in proportion to the
+//   front; besides there is what is known of each vertex, and one word a halfedge.
 #pragma once
 
 #include <cmath>
@@ -42,6 +43,7 @@
 #include "geodesic/unfolding.h"
 #include "geodesic/window.h"
 #include "geodesic/window_list.h"
+#include "geodesic/window_table.h"
 
 namespace girth::geodesic {
 
@@ -117,11 +119,10 @@ class Propagation {
         settle(vertex);
         visitor.onVertex(vertex);
       } else if (lists_[item].turn == queue_.current()) {
-        WindowList& list = lists_[item];
-        const std::uint32_t first = list.entered;
-        const CrossingResult result = crossFace(item, list);
+        const std::uint32_t first = lists_[item].entered;
+        const CrossingResult result = crossFace(item);
         visitor.onCrossing(item, first, result);
-        if (keep_ == Keep::Nothing) list = WindowList{};
+        if (keep_ == Keep::Nothing) lists_.close(item);
       }
     }
     visitor.enough(std::numeric_limits<double>::infinity());
@@ -223,7 +224,7 @@ class Propagation {
   Arrival* reach(Index vertex, double distance);
   void reachAlong(Index halfedge);
   void reachAgainst(Index halfedge);
-  CrossingResult crossFace(Index halfedge, WindowList& list);
+  CrossingResult crossFace(Index halfedge);
   /// Whether windows can go to a halfedge: not beyond a wall, and not into a face that the front
   /// has passed, where no path can be shortest any more.
   bool takesWindows(Index halfedge) const {
@@ -257,14 +258,13 @@ class Propagation {
   Keep keep_{Keep::Everything};
   std::vector<SurfacePoint> sources_;
   std::vector<Origin> origins_;
-  std::vector<double> distance_;   // of the vertices
-  std::vector<Reach> reach_;       // of the vertices
-  std::vector<Arrival> arrival_;   // of the vertices
-  std::vector<WindowList> lists_;  // of the halfedges
-  std::vector<Index> reached_;     // vertices to clear
-  std::vector<Index> touched_;     // halfedges to clear
-  std::vector<Index> open_;        // vertices that the frontier may not have passed
-  float passed_{0};                // what is nearer than this has no use any more
+  std::vector<double> distance_;  // of the vertices
+  std::vector<Reach> reach_;      // of the vertices
+  std::vector<Arrival> arrival_;  // of the vertices
+  WindowTable lists_;             // of the halfedges
+  std::vector<Index> reached_;    // vertices to clear
+  std::vector<Index> open_;       // vertices that the frontier may not have passed
+  float passed_{0};               // what is nearer than this has no use any more
   std::size_t created_{0}, crossed_{0};
   std::size_t budget_{std::size_t{1} << 26};
   bool gaveUp_{false};

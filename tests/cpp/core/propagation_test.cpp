@@ -54,8 +54,10 @@ using geodesic::CrossingResult;
 using geodesic::Keep;
 using geodesic::Propagation;
 using geodesic::Unfolding;
+using geodesic::WindowList;
 using geodesic::WindowPool;
 using geodesic::WindowRun;
+using geodesic::WindowTable;
 
 /// I(p) from the engine's parts.
 double valueBy(Propagation& propagation, LoopSearch& search, Index vertex, Keep keep) {
@@ -159,6 +161,57 @@ TEST(WindowPool, RunsStayUntilTheyArePassed) {
   }
   EXPECT_TRUE(std::all_of(kept.begin(), kept.end(), intact));
   EXPECT_LT(pool.memoryBytes(), 3000000u);
+}
+
+TEST(WindowTable, KnowsWhatAListForEachWouldKnow) {
+  // Halfedges are opened, filled, crossed and passed at random, beside a list for each of them.
+  constexpr Index kHalfedges = 20000;
+  WindowTable table(kHalfedges);
+  Random random(12);
+  std::size_t afterFirst = 0;
+  for (int source = 0; source < 6; ++source) {
+    std::vector<WindowList> lists(kHalfedges);
+    float passed = 0;
+    // Farther is what has a higher number, and of that the front takes the next 500.
+    for (Index round = 0; round < kHalfedges - 500; ++round) {
+      const auto cross = [&](Index h) {
+        if (lists[h].count == 0 || table[h].farthest < passed) return;
+        for (WindowList* one : {&table.opened(h), &lists[h]}) {
+          one->entered = one->count;
+          one->farthest = static_cast<float>(h);
+        }
+      };
+      const Index h = round + random.below(500);
+      if (!(table[h].farthest < passed)) {
+        ASSERT_EQ(table.open(h).count, lists[h].count);
+        for (WindowList* one : {&table.opened(h), &lists[h]}) ++one->count;
+        if (random() < 0.7) {
+          cross(h);
+        } else if (random() < 0.1) {
+          table.close(h);
+          lists[h] = WindowList{};
+        }
+      }
+      cross(round);
+      if (round % 16 == 0) {
+        passed = static_cast<float>(round) - 10;
+        table.forget(passed);
+      }
+      const Index other = random.below(kHalfedges);
+      const bool isPassed = lists[other].farthest < passed;
+      ASSERT_EQ(table[other].farthest < passed, isPassed);
+      if (!isPassed) {
+        ASSERT_EQ(table[other].count, lists[other].count);
+        ASSERT_EQ(table[other].entered, lists[other].entered);
+      }
+    }
+    table.clear();
+    for (Index h = 0; h < kHalfedges; ++h) ASSERT_EQ(table[h].count, 0u);
+    if (source == 0) afterFirst = table.memoryBytes();
+  }
+  // In proportion to the front, and no more from source to source.
+  EXPECT_LT(table.memoryBytes(), kHalfedges * sizeof(WindowList) / 2);
+  EXPECT_LE(table.memoryBytes(), afterFirst + afterFirst / 4);
 }
 
 TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
