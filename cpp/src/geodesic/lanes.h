@@ -154,9 +154,13 @@ inline Lanes pack(Lanes a, unsigned chosen) {
 
 /// The smallest of the lanes.
 inline double smallest(Lanes a) {
+#ifdef __wasm_simd128__
+  return smaller(a, Lanes{a[1], a[1]})[0];  // without a jump: see min_max.h
+#else
   double result = a[0];
   for (int i = 1; i < kLanes; ++i) result = a[i] < result ? a[i] : result;
   return result;
+#endif
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geodesic/min_max.h"
 #include "geodesic/trimming.h"
 
 namespace girth::geodesic {
@@ -21,8 +22,7 @@ Vec2 normalized(Vec2 a) { return (1 / norm(a)) * a; }
 bool trim(Vec2 root, double lead, double& gap) {
   const Contest<double> at = contest(root.x, root.y, lead);
   if (!(at.slope > 0)) return false;
-  const double lost = at.excess / at.slope;
-  if (lost > gap) gap = lost;
+  gap = larger(gap, at.excess / at.slope);
   return true;
 }
 
@@ -190,7 +190,7 @@ CrossingResult Propagation::crossFace(Index halfedge) {
 
   float farthest = 0;
   if (keep_ == Keep::Front) {
-    farthest = list.farthest = std::min(list.farthest, roundedUp(farthestBehind(halfedge)));
+    farthest = list.farthest = lesser(list.farthest, roundedUp(farthestBehind(halfedge)));
   }
   std::uint32_t remaining = waiting;
   for (const WindowRun* run = list.newest; remaining > 0; run = run->older) {
@@ -240,7 +240,7 @@ void Propagation::send(Index halfedge, Vec2 root, double sigma, double gapFrom, 
   if (!trim(root, distance_[c.from] - sigma, gapFrom)) return;
   if (!trim({c.length - root.x, root.y}, distance_[c.to] - sigma, gapTo)) return;
   if (!(gapFrom + gapTo < c.length * (1 - kSliver))) return;
-  const double aside = std::clamp(root.x, gapFrom, c.length - gapTo) - root.x;
+  const double aside = lesser(larger(root.x, gapFrom), c.length - gapTo) - root.x;
   const double nearest = sigma + std::sqrt(aside * aside + root.y * root.y);
   WindowRun* run = pool_.room(WindowPool::Side::Left, 1);
   const double fields[WindowRun::kFields] = {root.x, root.y, sigma, gapFrom, gapTo};
@@ -448,9 +448,9 @@ bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNu
 /// No point of the face behind a halfedge is farther than this, as its corners tell.
 double Propagation::farthestBehind(Index halfedge) const {
   const Crossing& c = unfolding_->crossing(halfedge);
-  return std::min({distance_[c.from] + std::max(c.length, c.leftLength),
-                   distance_[c.to] + std::max(c.length, c.rightLength),
-                   distance_[c.apexVertex] + std::max(c.leftLength, c.rightLength)});
+  return lesser(lesser(distance_[c.from] + larger(c.length, c.leftLength),
+                       distance_[c.to] + larger(c.length, c.rightLength)),
+                distance_[c.apexVertex] + larger(c.leftLength, c.rightLength));
 }
 
 /// Forgets the windows of faces that the front has passed.
@@ -460,7 +460,7 @@ void Propagation::forgetPassed() {
   std::size_t kept = 0;
   for (const Index v : open_) {
     if (distance_[v] <= queue_.frontier()) {
-      known = std::max(known, distance_[v]);
+      known = larger(known, distance_[v]);
     } else {
       open_[kept++] = v;
     }

@@ -13,6 +13,7 @@
 #include <new>
 #include <vector>
 
+#include "geodesic/min_max.h"
 #include "geodesic/window.h"
 
 namespace girth::geodesic {
@@ -88,7 +89,7 @@ class WindowPool {
   static void crossed(const WindowRun* run, float farthest) {
     Block* block = blockOf(run);
     --block->waiting;
-    if (block->farthest < farthest) block->farthest = farthest;
+    block->farthest = larger(block->farthest, farthest);
   }
   /// All that is nearer than `passed` is passed: blocks without another use are free again.
   void forget(float passed);
