@@ -33,8 +33,6 @@ interface Cost {
   processor: number;
 }
 
-const median = (values: readonly number[]) => quantile(values, 0.5);
-
 /** The seconds of processor time of a run of the command, with its output. */
 function runCommand(args: string[]): { output: string; processor: number } {
   const text = execFileSync('sh', ['-c', '"$@"; times', 'sh', command, ...args], {
@@ -118,10 +116,16 @@ test.each(['chair', 'octopus', 'vessel'])('%s', async (name) => {
       });
     }
   }
-  console.log(`${name}: natively, ${workers} threads, seconds by the clock:`, median(seconds));
+  console.log(
+    `${name}: natively, ${workers} threads, seconds by the clock:`,
+    quantile(seconds, 0.5),
+  );
   for (const { mode, ratios, context, server } of modes) {
     for (const key of ['clock', 'processor'] as const) {
-      const ratio = median(ratios.map((turn) => turn[key]));
+      const ratio = quantile(
+        ratios.map((turn) => turn[key]),
+        0.5,
+      );
       figures.push(figure(`${name}: ${mode}, ${key}`, 'times native', ratio, goal));
     }
     await context.close();

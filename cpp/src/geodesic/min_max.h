@@ -13,7 +13,7 @@
 
 namespace girth::geodesic {
 
-/// std::min and std::max, bit for bit.
+/// std::min and std::max, bit for bit; also of floats, which are doubles without rounding.
 inline double lesser(double a, double b) {
 #ifdef __wasm_simd128__
   return wasm_f64x2_extract_lane(wasm_f64x2_pmin(wasm_f64x2_splat(a), wasm_f64x2_splat(b)), 0);
@@ -24,20 +24,6 @@ inline double lesser(double a, double b) {
 inline double larger(double a, double b) {
 #ifdef __wasm_simd128__
   return wasm_f64x2_extract_lane(wasm_f64x2_pmax(wasm_f64x2_splat(a), wasm_f64x2_splat(b)), 0);
-#else
-  return std::max(a, b);
-#endif
-}
-inline float lesser(float a, float b) {
-#ifdef __wasm_simd128__
-  return wasm_f32x4_extract_lane(wasm_f32x4_pmin(wasm_f32x4_splat(a), wasm_f32x4_splat(b)), 0);
-#else
-  return std::min(a, b);
-#endif
-}
-inline float larger(float a, float b) {
-#ifdef __wasm_simd128__
-  return wasm_f32x4_extract_lane(wasm_f32x4_pmax(wasm_f32x4_splat(a), wasm_f32x4_splat(b)), 0);
 #else
   return std::max(a, b);
 #endif

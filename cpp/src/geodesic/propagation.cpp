@@ -190,7 +190,8 @@ CrossingResult Propagation::crossFace(Index halfedge) {
 
   float farthest = 0;
   if (keep_ == Keep::Front) {
-    farthest = list.farthest = lesser(list.farthest, roundedUp(farthestBehind(halfedge)));
+    farthest = static_cast<float>(lesser(list.farthest, roundedUp(farthestBehind(halfedge))));
+    list.farthest = farthest;
   }
   std::uint32_t remaining = waiting;
   for (const WindowRun* run = list.newest; remaining > 0; run = run->older) {

@@ -89,7 +89,7 @@ class WindowPool {
   static void crossed(const WindowRun* run, float farthest) {
     Block* block = blockOf(run);
     --block->waiting;
-    block->farthest = larger(block->farthest, farthest);
+    block->farthest = static_cast<float>(larger(block->farthest, farthest));
   }
   /// All that is nearer than `passed` is passed: blocks without another use are free again.
   void forget(float passed);
