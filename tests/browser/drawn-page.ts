@@ -101,11 +101,19 @@ export async function draw(page: Page, drawing: Drawing): Promise<Locator> {
       polyline: Float32Array.from(polyline),
     });
     const mesh = {
-      info: { name: 'drawing', unreadable: [], vertexCount, unit: drawing.unit ?? '', area: 4 },
+      info: {
+        name: 'drawing',
+        unreadable: [],
+        vertexCount,
+        unit: drawing.unit ?? '',
+        area: 4,
+        size: [2, 2, 2],
+      },
       geometry: {
         positions: Float32Array.from(drawing.positions),
         indices: Uint32Array.from(drawing.indices),
         walls: new Uint32Array(),
+        origin: [0, 0, 0],
       },
       field(name: FieldName, { onPartial }: FieldOptions = {}): Promise<Field> {
         const values = Float64Array.from(drawing.fields[name] ?? [], (value) => value ?? NaN);

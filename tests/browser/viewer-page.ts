@@ -47,6 +47,13 @@ export async function fieldBegun(viewer: Locator): Promise<void> {
     .toBe(true);
 }
 
+/** Waits for a few frames: time enough for what moves to be seen to, however slow the machine is. */
+export async function framesPass(page: Page): Promise<void> {
+  await page.evaluate(async () => {
+    for (let i = 0; i < 4; ++i) await new Promise((done) => requestAnimationFrame(done));
+  });
+}
+
 /**
  * A point of the page where the surface is, beside the visible vertex nearest to a place given in
  * shares of the element's size. Waits until the surface rests and can be picked.
@@ -80,7 +87,7 @@ export async function placeOnSurface(viewer: Locator, right: number, down: numbe
     );
     if (Number.isFinite(found.x) && found.x === before?.x && found.y === before.y) return found;
     before = found;
-    await viewer.page().waitForTimeout(50);
+    await framesPass(viewer.page());
   }
   throw new Error('nothing of the surface can be seen');
 }

@@ -1,5 +1,6 @@
 // One model on the stage: its surface, and what is computed of it.
 
+import { failure } from '../kernel/errors.js';
 import type {
   FieldName,
   Maximum,
@@ -15,6 +16,8 @@ import type {
 import { Surface, buildAdjacency, inSlices, splitCreases } from '../view/index.js';
 import { Fields, type FieldsHost } from './fields.js';
 
+/** Sizes that the 32-bit numbers of drawing can hold, with room for what is computed of them. */
+const drawnSizes = [1e-30, 1e30] as const;
 /** Edges sharper than this stay visible as creases, in radians. */
 const creaseAngle = (38 * Math.PI) / 180;
 
@@ -32,6 +35,7 @@ export class Model {
   /** Makes a mesh ready to draw, in slices of time. */
   static async of(mesh: Mesh, host: FieldsHost, signal: AbortSignal): Promise<Model> {
     const { positions, indices, walls } = mesh.geometry;
+    checkSize(Math.max(...mesh.info.size));
     const adjacency = await inSlices(buildAdjacency(positions.length / 3, indices, walls), signal);
     const creased = await inSlices(splitCreases(positions, indices, creaseAngle), signal);
     const surface = new Surface(positions, indices, walls, adjacency, creased);
@@ -110,4 +114,14 @@ export class Model {
     promise.catch(() => this.kept.delete(name));
     return promise;
   }
+}
+
+function checkSize(size: number): void {
+  const [least, most] = drawnSizes;
+  if (size >= least && size <= most) return;
+  throw failure(
+    'LIMIT_EXCEEDED',
+    `the surface is ${size.toExponential(2)} across; only sizes from ${least} to ${most} can be drawn`,
+    { hint: 'export the model in another unit' },
+  );
 }

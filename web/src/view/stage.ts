@@ -1,9 +1,14 @@
 // The scene, the camera and the canvas. Draws only when something has changed.
+//
+// The scene's unit is the surface's radius and its origin the middle of the surface, so that the camera,
+// its limits and the shaders' 32-bit numbers meet the same sizes whether a file counts in micrometres or in
+// kilometres. Points that come in or go out are in the surface's own coordinates.
 
 import {
   Group,
   type Object3D,
   PerspectiveCamera,
+  Quaternion,
   Raycaster,
   Scene,
   Sphere,
@@ -20,6 +25,12 @@ import type { Surface } from './surface.js';
 
 /** Smallest of the two viewing angles, in degrees. */
 const viewingAngle = 28;
+/** From how far something is seen whole, in its radii. */
+const wholeDistance = 1.08 / Math.sin((viewingAngle * Math.PI) / 360);
+/** Motion since the last frame that nobody sees, as a share of the camera's distance: under 0.05 pixels. */
+const unseenPace = 2e-5;
+/** Motion that is none but rounding. */
+const roundingPace = 1e-12;
 /** Milliseconds between two frames of a surface that only turns by itself. */
 const turningInterval = 30;
 /** Milliseconds of a flight of the camera. */
@@ -73,6 +84,8 @@ export interface ScreenPoint {
 export class Stage {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
+  /** From the surface's coordinates to the scene's. */
+  private readonly inRadii = new Group();
   private readonly onSurface = new Group();
   private readonly overlays = new Set<Overlay>();
   private readonly camera = new PerspectiveCamera(viewingAngle, 1, 0.01, 100);
@@ -92,6 +105,16 @@ export class Stage {
   private turnsByItself = false;
   /** Whether the camera was moved since it last came to rest. */
   private moved = false;
+  /** Where the camera was for the last frame. */
+  private readonly drawnFrom = {
+    position: new Vector3(),
+    quaternion: new Quaternion(),
+    target: new Vector3(),
+  };
+  /** Whether a hand holds the surface. */
+  private held = false;
+  /** Whether a hand's motion, or the turning's, may still fade away. */
+  private drifting = false;
   private flight: { from: CameraView; to: CameraView; begun: number } | undefined;
 
   /** Throws where the browser has no WebGL 2. */
@@ -101,15 +124,27 @@ export class Stage {
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
     this.renderer.setClearColor(0x000000, 0);
-    this.scene.add(this.onSurface);
+    this.scene.add(this.inRadii);
+    this.inRadii.add(this.onSurface);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.14;
     this.controls.rotateSpeed = 0.9;
     this.controls.autoRotateSpeed = 1.1;
+    this.controls.minDistance = 0.15;
+    this.controls.maxDistance = 4 * wholeDistance;
     this.controls.addEventListener('start', () => {
       this.flight = undefined;
+      this.held = this.drifting = true;
       this.touch();
+    });
+    this.controls.addEventListener('end', () => {
+      this.held = false;
+      this.schedule();
+    });
+    // The controls report no motion that is small to them, though it may be seen where the surface is near.
+    canvas.addEventListener('pointermove', () => {
+      if (this.held) this.schedule();
     });
     this.controls.addEventListener('change', () => {
       this.moved ||= !this.turnsByItself;
@@ -128,7 +163,11 @@ export class Stage {
     this.setShadow(undefined);
     this.surface = surface;
     if (surface) {
-      this.scene.add(surface.object);
+      const { center, radius } = surface.bounds;
+      this.inRadii.scale.setScalar(1 / radius);
+      this.inRadii.position.copy(center).divideScalar(-radius);
+      this.inRadii.updateMatrixWorld();
+      this.inRadii.add(surface.object);
       surface.setPixelRatio(this.renderer.getPixelRatio());
       this.resetView();
     }
@@ -138,7 +177,7 @@ export class Stage {
   setShadow(shadow: GroundShadow | undefined): void {
     this.shadow?.dispose();
     this.shadow = shadow;
-    if (shadow) this.scene.add(shadow.object);
+    if (shadow) this.inRadii.add(shadow.object);
     this.invalidate();
   }
 
@@ -189,6 +228,7 @@ export class Stage {
 
   /** Turns slowly until touched. */
   set turning(turning: boolean) {
+    this.drifting ||= this.turnsByItself;
     this.turnsByItself = turning;
     this.controls.autoRotate = turning;
     this.invalidate();
@@ -230,48 +270,55 @@ export class Stage {
       1 - (2 * (clientY - box.top)) / box.height,
     );
     this.raycaster.setFromCamera(place, this.camera);
-    return this.surface.pick(this.raycaster.ray);
+    const { ray } = this.raycaster;
+    this.onTheSurface(ray.origin);
+    return this.surface.pick(ray);
   }
 
   project(point: Vector3): ScreenPoint {
-    const { x, y, z } = point.clone().project(this.camera);
+    const { x, y, z } = this.inTheScene(point).project(this.camera);
     const inside = Math.abs(x) <= 1 && Math.abs(y) <= 1 && z > -1 && z < 1;
     return {
       x: (0.5 + 0.5 * x) * this.width,
       y: (0.5 - 0.5 * y) * this.height,
-      visible: inside && !this.surface?.hides(point, this.camera.position),
+      visible:
+        inside && !this.surface?.hides(point, this.onTheSurface(this.camera.position.clone())),
     };
+  }
+
+  /** A point of the surface in the scene's coordinates. */
+  private inTheScene(point: Vector3): Vector3 {
+    return point.clone().applyMatrix4(this.inRadii.matrixWorld);
+  }
+
+  /** Turns a point of the scene into the surface's coordinates. */
+  private onTheSurface(point: Vector3): Vector3 {
+    return point.sub(this.inRadii.position).divide(this.inRadii.scale);
   }
 
   /** Back to the standard direction and distance. */
   resetView(): void {
-    const { surface } = this;
-    if (!surface) return;
+    if (!this.surface) return;
     this.flight = undefined;
-    const { center, radius } = surface.bounds;
-    const distance = (1.08 * radius) / Math.sin((viewingAngle * Math.PI) / 360);
-    this.controls.target.copy(center);
-    this.camera.position
-      .setFromSphericalCoords(distance, (68 * Math.PI) / 180, (32 * Math.PI) / 180)
-      .add(center);
-    this.controls.minDistance = 0.15 * radius;
-    this.controls.maxDistance = 4 * distance;
-    this.controls.update();
-    this.invalidate();
+    this.setView({
+      polar: (68 * Math.PI) / 180,
+      azimuth: (32 * Math.PI) / 180,
+      distance: wholeDistance,
+      target: [0, 0, 0],
+    });
   }
 
   /** From where the surface is seen now; undefined where there is none. */
   get view(): CameraView | undefined {
     if (!this.surface) return undefined;
-    const { center, radius } = this.surface.bounds;
     const { target } = this.controls;
     const arm = this.camera.position.clone().sub(target);
     const distance = arm.length();
     return {
       polar: Math.acos(Math.min(1, Math.max(-1, arm.y / distance))),
       azimuth: Math.atan2(arm.x, arm.z),
-      distance: distance / radius,
-      target: target.clone().sub(center).divideScalar(radius).toArray(),
+      distance,
+      target: target.toArray(),
     };
   }
 
@@ -294,13 +341,12 @@ export class Stage {
   }
 
   private setView({ polar, azimuth, distance, target }: CameraView): void {
-    if (!this.surface) return;
-    const { center, radius } = this.surface.bounds;
-    this.controls.target.fromArray(target).clampLength(0, 4).multiplyScalar(radius).add(center);
-    const { minDistance, maxDistance } = this.controls;
-    const length = Math.min(maxDistance, Math.max(minDistance, distance * radius));
+    // Nothing of what moved before may go on from there.
+    this.finishMotion();
+    this.controls.target.fromArray(target).clampLength(0, 4);
     this.camera.position
-      .setFromSphericalCoords(length, Math.min(Math.PI - 0.01, Math.max(0.01, polar)), azimuth)
+      .setFromSphericalCoords(distance, Math.min(Math.PI - 0.01, Math.max(0.01, polar)), azimuth)
+      .clampLength(this.controls.minDistance, this.controls.maxDistance)
       .add(this.controls.target);
     this.controls.update();
     this.invalidate();
@@ -309,14 +355,13 @@ export class Stage {
   /** From where a place is seen well, with what is round it. */
   private viewOf({ points, outwards }: Place): CameraView {
     const surface = this.surface!;
-    const { center, radius } = surface.bounds;
-    const ball = new Sphere().setFromPoints([...points]);
-    const reach = Math.min(radius, Math.max(1.35 * ball.radius, leastReach * radius));
-    const distance = (1.08 * reach) / Math.sin((viewingAngle * Math.PI) / 360);
+    const ball = new Sphere().setFromPoints(points.map((point) => this.inTheScene(point)));
+    const reach = Math.min(1, Math.max(1.35 * ball.radius, leastReach));
+    const distance = reach * wholeDistance;
     const step = Math.max(1, Math.floor(points.length / sightings));
     const looked = points.filter((_, i) => i % step === 0);
     const seen = (direction: Vector3): number => {
-      const eye = ball.center.clone().addScaledVector(direction, distance);
+      const eye = this.onTheSurface(ball.center.clone().addScaledVector(direction, distance));
       return looked.filter((point) => !surface.hides(point, eye)).length / looked.length;
     };
     const present = this.camera.position.clone().sub(this.controls.target).normalize();
@@ -324,8 +369,8 @@ export class Stage {
     return {
       polar: Math.acos(Math.min(1, Math.max(-1, y))),
       azimuth: Math.atan2(x, z),
-      distance: distance / radius,
-      target: ball.center.sub(center).divideScalar(radius).toArray(),
+      distance,
+      target: ball.center.toArray(),
     };
   }
 
@@ -370,21 +415,18 @@ export class Stage {
     width: number,
     height: number,
   ): HTMLCanvasElement {
-    const { renderer, scene, surface } = this;
+    const { renderer, inRadii, surface } = this;
     if (!surface) throw new Error('no surface is shown');
     const [size, ratio] = [renderer.getSize(new Vector2()), renderer.getPixelRatio()];
     const camera = new PerspectiveCamera(fovFor(width, height), width / height);
     const view = this.viewOf(place);
-    const { center, radius } = surface.bounds;
-    const target = new Vector3().fromArray(view.target).multiplyScalar(radius).add(center);
-    camera.position
-      .setFromSphericalCoords(view.distance * radius, view.polar, view.azimuth)
-      .add(target);
+    const target = new Vector3().fromArray(view.target);
+    camera.position.setFromSphericalCoords(view.distance, view.polar, view.azimuth).add(target);
     camera.lookAt(target);
     this.onSurface.visible = false;
     if (this.shadow) this.shadow.object.visible = false;
     overlay?.setPixelRatio(1);
-    if (overlay) scene.add(overlay.object);
+    if (overlay) inRadii.add(overlay.object);
     try {
       // Drawn and copied before the browser shows anything of it.
       renderer.setPixelRatio(1);
@@ -436,22 +478,58 @@ export class Stage {
       this.schedule();
       return;
     }
-    this.dirty = false;
     this.lastFrame = now;
-    // Reports 'change', which asks for the next frame, as long as the camera still moves.
-    this.controls.update(Math.min(0.1, elapsed / 1000));
-    const moving = this.dirty;
+    const moving = this.steer(Math.min(0.1, elapsed / 1000));
     if (this.moved && !moving && !this.flight) {
       this.moved = false;
       this.events.rested();
     }
-    const begun = performance.now();
-    this.draw();
-    // A task of its own comes after the browser has composited what was drawn.
-    setTimeout(() => (this.frameCost = 0.5 * (this.frameCost + performance.now() - begun)));
-    this.dirty = moving && !this.turnsByItself;
+    if (this.dirty || moving) {
+      this.dirty = false;
+      const begun = performance.now();
+      this.draw();
+      // A task of its own comes after the browser has composited what was drawn.
+      setTimeout(() => (this.frameCost = 0.5 * (this.frameCost + performance.now() - begun)));
+    }
     if (again) this.invalidate();
     else if (moving) this.schedule();
+  }
+
+  /**
+   * Goes on with what a hand has begun, or with the turning; returns whether there is more to come. A camera
+   * at rest keeps its place to the last bit: what is under a pointer stays under it.
+   */
+  private steer(seconds: number): boolean {
+    if (!this.drifting && !this.turnsByItself) return false;
+    const { camera, controls, drawnFrom } = this;
+    controls.update(seconds);
+    if (this.turnsByItself) return true;
+    const moved =
+      camera.position.distanceTo(drawnFrom.position) + controls.target.distanceTo(drawnFrom.target);
+    const pace = moved / camera.position.distanceTo(controls.target);
+    if (pace > unseenPace) {
+      this.moved = true;
+      return true;
+    }
+    if (pace < roundingPace) {
+      camera.position.copy(drawnFrom.position);
+      camera.quaternion.copy(drawnFrom.quaternion);
+      controls.target.copy(drawnFrom.target);
+    } else if (!this.held) {
+      // Less than a pixel.
+      this.finishMotion();
+      this.dirty = this.moved = true;
+    }
+    this.drifting = this.held;
+    return false;
+  }
+
+  /** What is left of a motion, at once. */
+  private finishMotion(): void {
+    const { enableDamping } = this.controls;
+    this.controls.enableDamping = false;
+    this.controls.update();
+    this.controls.enableDamping = enableDamping;
   }
 
   /** Goes on with a flight of the camera. */
@@ -464,19 +542,18 @@ export class Stage {
   }
 
   private draw(): void {
+    this.drawnFrom.position.copy(this.camera.position);
+    this.drawnFrom.quaternion.copy(this.camera.quaternion);
+    this.drawnFrom.target.copy(this.controls.target);
     this.render(this.camera);
     this.events.afterFrame();
   }
 
   private render(camera: PerspectiveCamera): void {
-    const { surface } = this;
-    if (surface) {
-      const { center, radius } = surface.bounds;
-      const distance = camera.position.distanceTo(center);
-      camera.near = Math.max(0.02 * radius, distance - 1.2 * radius);
-      camera.far = distance + 3 * radius;
-      camera.updateProjectionMatrix();
-    }
+    const distance = camera.position.length();
+    camera.near = Math.max(0.02, distance - 1.2);
+    camera.far = distance + 3;
+    camera.updateProjectionMatrix();
     this.renderer.render(this.scene, camera);
   }
 }

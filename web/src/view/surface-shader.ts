@@ -46,7 +46,8 @@ export const vertexShader = /* glsl */ `
     #ifdef FLAGS
       vFlags = flags.xyz;
     #endif
-    vNormal = normalMatrix * normal;
+    // The surface is scaled alike in all directions and not turned: its normals need no more than this.
+    vNormal = mat3(viewMatrix) * normal;
     vec4 seen = modelViewMatrix * vec4(position, 1.0);
     vView = -seen.xyz;
     gl_Position = projectionMatrix * seen;
@@ -60,7 +61,7 @@ const common = /* glsl */ `
 
   // 0 below 0, 1 above, with an edge of one pixel.
   float above(float quantity) {
-    return clamp(0.5 + quantity / max(fwidth(quantity), 1e-30), 0.0, 1.0);
+    return clamp(0.5 + quantity / max(fwidth(quantity), 1e-37), 0.0, 1.0);
   }
 
   float brightness(vec3 colour) {
@@ -79,7 +80,7 @@ const byScalar = /* glsl */ `
     uniform float steepest;
     uniform float pixelRatio;
 
-    // How fast a quantity changes along the surface, in model units.
+    // How fast a quantity changes along the surface, for each radius of it.
     float steepness(float quantity) {
       vec3 right = dFdx(vView);
       vec3 up = dFdy(vView);
@@ -89,12 +90,12 @@ const byScalar = /* glsl */ `
     }
 
     // How strongly a line of equal value is drawn; they lie at whole levels from 1 on.
-    float lineAt(float value, float level) {
+    float lineAt(float place, float level) {
       float perPixel = max(fwidth(level), 1e-6);
       float away = abs(level - clamp(floor(level + 0.5), 1.0, isolines)) / (perPixel * pixelRatio);
       // Too close together they would only be a dark smear; and where the value jumps there are none.
       float line = (1.0 - smoothstep(0.3, 1.1, away)) * (1.0 - smoothstep(0.2, 0.5, perPixel));
-      return line * (1.0 - above(steepness(value) - steepest));
+      return line * (1.0 - above(steepness(place) - steepest));
     }
   #endif
 
@@ -102,13 +103,13 @@ const byScalar = /* glsl */ `
     // Neighbours' values that a vertex shows until it has its own weigh 0.88: a little paler.
     float known = above(vScalar.y - 0.5) * mix(0.88, 1.0, smoothstep(0.88, 1.0, vScalar.y));
     float value = vScalar.x / max(vScalar.y, 1e-6);
-    float place = (value - range.x) / max(range.y - range.x, 1e-30);
+    float place = (value - range.x) / max(range.y - range.x, 1e-37);
     float texel =
       (0.5 + clamp(place, 0.0, 1.0) * ${(colormapSize - 1).toFixed(1)}) / ${colormapSize.toFixed(1)};
     vec3 colour = texture2D(colormap, vec2(texel, 0.5)).rgb;
     #ifdef LINES
       float contrast = step(brightness(colour), 0.3);
-      colour = mix(colour, vec3(contrast), 0.6 * lineAt(value, place * (isolines + 1.0)));
+      colour = mix(colour, vec3(contrast), 0.6 * lineAt(place, place * (isolines + 1.0)));
     #endif
     return mix(plain, colour, coloured * known);
   }

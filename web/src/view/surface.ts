@@ -58,6 +58,7 @@ export class Surface {
   private edges: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
   private readonly walls: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
   private hierarchy: MeshBVH | undefined;
+  private steepest = 0;
   private disposed = false;
 
   /**
@@ -133,6 +134,7 @@ export class Surface {
   /** The values at the two ends of the colour map. */
   setRange(low: number, high: number): void {
     this.vector2('range').set(low, high);
+    this.updateSteepest();
   }
 
   /**
@@ -142,7 +144,15 @@ export class Surface {
   setIsolines(count: number, steepest: number): void {
     this.define('LINES', count > 0 ? '' : undefined);
     this.material.uniforms['isolines']!.value = count;
-    this.material.uniforms['steepest']!.value = Math.min(steepest, 1e30);
+    this.steepest = steepest;
+    this.updateSteepest();
+  }
+
+  /** The shader's counts in ranges for each radius: numbers of the same size on every surface. */
+  private updateSteepest(): void {
+    const { x: low, y: high } = this.vector2('range');
+    const steepest = (this.steepest * this.bounds.radius) / (high - low);
+    this.material.uniforms['steepest']!.value = Math.min(Math.abs(steepest), 1e30) || 0;
   }
 
   /** The screen's pixels for each CSS pixel. */
