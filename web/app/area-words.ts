@@ -1,19 +1,10 @@
 // Areas as people read them: three significant digits, in the unit of the lengths beside them.
 
-import type { LengthFormat } from '../src/element/plots.js';
-
-const raised: Record<string, string> = { '-': '⁻' };
-'⁰¹²³⁴⁵⁶⁷⁸⁹'.split('').forEach((digit, i) => (raised[String(i)] = digit));
+import { type LengthFormat, withPower } from '../src/element/plots.js';
 
 function threeDigits(value: number): string {
   const text = value.toPrecision(3);
-  const [digits = '', power] = text.split('e');
-  if (power !== undefined || (value !== 0 && Math.abs(value) < 1e-4)) {
-    const [mantissa = '', exponent = ''] = value.toExponential(2).split('e');
-    const sup = [...exponent.replace('+', '')].map((letter) => raised[letter]).join('');
-    return `${mantissa}\u202f×\u202f10${sup}`;
-  }
-  return digits;
+  return text.includes('e') || (value !== 0 && value < 1e-4) ? withPower(value, 2) : text;
 }
 
 /** An area in squared model units. Square metres become square centimetres or millimetres. */

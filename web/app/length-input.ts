@@ -13,7 +13,7 @@ export function readLength(text: string, { scale }: LengthFormat): number | unde
 /** A length in model units as it stands in a field, without its unit. */
 export function writeLength(length: number, { scale, decimals }: LengthFormat): string {
   if (!Number.isFinite(length)) return '';
-  return String(Number((length * scale).toFixed(decimals + 1)));
+  return String(Number((length * scale).toFixed(Math.min(decimals + 1, 100))));
 }
 
 /** Said of what is typed and is none. */

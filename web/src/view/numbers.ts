@@ -12,6 +12,10 @@ export interface LengthFormat {
 
 const minus = '\u2212';
 const thinSpace = '\u202f';
+const raised: Record<string, string> = { '-': '⁻' };
+'⁰¹²³⁴⁵⁶⁷⁸⁹'.split('').forEach((digit, i) => (raised[String(i)] = digit));
+/** Numbers with more decimals, or more digits before the point, are written with a power of ten. */
+const mostDigits = 12;
 
 /**
  * The format for values up to `largest`, of unit `unit`: four significant digits at that value. Metres
@@ -24,13 +28,25 @@ export function lengthFormat(largest: number, unit: string): LengthFormat {
   let written = unit;
   if (unit === 'm' && size < 0.1) [scale, written] = [1000, 'mm'];
   else if (unit === 'm' && size >= 1000) [scale, written] = [0.001, 'km'];
-  const decimals = Math.min(12, Math.max(0, 3 - Math.floor(Math.log10(size * scale))));
+  const decimals = Math.max(0, 3 - Math.floor(Math.log10(size * scale)));
   return { unit: written, scale, decimals };
 }
 
 /** The number alone, in the format's unit. */
-export function formatNumber(length: number, format: LengthFormat): string {
-  return (length * format.scale).toFixed(format.decimals).replace('-', minus);
+export function formatNumber(length: number, { scale, decimals }: LengthFormat): string {
+  const value = length * scale;
+  if (value !== 0 && (decimals > mostDigits || Math.abs(value) >= 10 ** mostDigits)) {
+    return withPower(value, 3);
+  }
+  return value.toFixed(Math.min(decimals, mostDigits)).replace('-', minus);
+}
+
+/** A number as a power of ten with a factor of so many decimals: 2.19 × 10⁻²⁰. */
+export function withPower(value: number, decimals: number): string {
+  if (!Number.isFinite(value)) return String(value);
+  const [factor = '', power = ''] = value.toExponential(decimals).split('e');
+  const exponent = [...power.replace('+', '')].map((letter) => raised[letter]).join('');
+  return `${factor.replace('-', minus)}${thinSpace}×${thinSpace}10${exponent}`;
 }
 
 /** The number with its unit. */

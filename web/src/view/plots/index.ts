@@ -18,4 +18,10 @@ export {
   DistributionPlot,
 } from './distribution-plot.js';
 export { type RegionColours, type Thresholds, ScatterPlot } from './scatter-plot.js';
-export { type LengthFormat, formatCount, formatLength, formatNumber } from '../numbers.js';
+export {
+  type LengthFormat,
+  formatCount,
+  formatLength,
+  formatNumber,
+  withPower,
+} from '../numbers.js';
