@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "described.h"
 #include "girth/tips.h"
 #include "girth/vertex_areas.h"
 #include "maxima.h"
@@ -15,25 +16,29 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
+/// A surface, and what points on it are drawn from.
+struct Drawn {
+  const SurfaceMesh& mesh;
+  Vec3 origin{drawingOrigin(mesh)};
+};
+
 /// `ContourLine` of types.ts.
-val lineOf(const SurfaceMesh& mesh, const ContourLine& line) {
-  std::vector<float> points;
-  points.reserve(3 * line.points.size());
+val lineOf(const Drawn& surface, const ContourLine& line) {
+  std::vector<Vec3> points;
+  points.reserve(line.points.size());
   for (const SurfacePoint& point : line.points) {
-    const Vec3 p = positionOf(mesh, point);
-    points.insert(points.end(),
-                  {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+    points.push_back(positionOf(surface.mesh, point));
   }
   val result = val::object();
   result.set("closed", line.closed);
-  result.set("polyline", copyOut<float>("Float32Array", points));
+  result.set("polyline", drawnPoints(points, surface.origin));
   return result;
 }
 
 /// `Tip` of types.ts.
-val tipOf(const SurfaceMesh& mesh, const Tip& tip) {
+val tipOf(const Drawn& surface, const Tip& tip) {
   val contour = val::array();
-  for (const ContourLine& line : tip.contour) contour.call<void>("push", lineOf(mesh, line));
+  for (const ContourLine& line : tip.contour) contour.call<void>("push", lineOf(surface, line));
   val result = val::object();
   result.set("vertices", copyOut<Index>("Uint32Array", tip.vertices));
   result.set("contour", contour);
@@ -79,13 +84,12 @@ val tips(const val& arrays, const val& girth) {
     if (!mesh) return toJs(mesh.error());
     const Result<Tips> found = findTips(mesh.value(), copyIn<double>(girth));
     if (!found) return toJs(found.error());
+    const Drawn surface{mesh.value()};
     val regions = val::array(), arcs = val::array();
-    for (const Tip& tip : found.value().tips) {
-      regions.call<void>("push", tipOf(mesh.value(), tip));
-    }
+    for (const Tip& tip : found.value().tips) regions.call<void>("push", tipOf(surface, tip));
     for (const OpenArc& arc : found.value().arcs) {
       val entry = val::object();
-      entry.set("line", lineOf(mesh.value(), arc.line));
+      entry.set("line", lineOf(surface, arc.line));
       entry.set("length", arc.length);
       entry.set("jump", arc.jump);
       arcs.call<void>("push", entry);

@@ -112,36 +112,4 @@ emscripten::val exactSurface(const emscripten::val& positions, const emscripten:
   });
 }
 
-/// A surface's arrays: {positions, indices, walls, genus, boundaries, area}.
-inline emscripten::val describe(const SurfaceMesh& mesh) {
-  emscripten::val genus = emscripten::val::array();
-  emscripten::val boundaries = emscripten::val::array();
-  for (Index c = 0; c < mesh.componentCount(); ++c) {
-    genus.set(c, mesh.genus(c));
-    boundaries.set(c, mesh.boundaryCount(c));
-  }
-  emscripten::val result = emscripten::val::object();
-  {
-    std::vector<double> positions;
-    positions.reserve(3 * std::size_t{mesh.vertexCount()});
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
-      const Vec3& p = mesh.position(v);
-      positions.insert(positions.end(), {p.x, p.y, p.z});
-    }
-    result.set("positions", copyOut<double>("Float64Array", positions));
-  }
-  std::vector<Index> indices, walls;
-  indices.reserve(mesh.halfedgeCount());
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
-    indices.push_back(mesh.from(h));
-    if (mesh.twin(h) == kNoIndex) walls.insert(walls.end(), {mesh.from(h), mesh.to(h)});
-  }
-  result.set("indices", copyOut<Index>("Uint32Array", indices));
-  result.set("walls", copyOut<Index>("Uint32Array", walls));
-  result.set("genus", genus);
-  result.set("boundaries", boundaries);
-  result.set("area", mesh.area());
-  return result;
-}
-
 }  // namespace girth::bind

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "boundary.h"
+#include "described.h"
 #include "girth/girth_solver.h"
 #include "girth/io/vertex_field.h"
 #include "girth/vertex_function.h"
@@ -35,7 +36,7 @@ std::string noteOf(const FieldRequest& request, const SurfaceMesh& mesh, Index w
 /// A surface, and what works on it: made when it is first asked for.
 class Surface {
  public:
-  explicit Surface(SurfaceMesh mesh) : mesh_(std::move(mesh)) {}
+  explicit Surface(SurfaceMesh mesh) : mesh_(std::move(mesh)), origin_(drawingOrigin(mesh_)) {}
   Surface(const Surface&) = delete;
   Surface& operator=(const Surface&) = delete;
 
@@ -101,27 +102,19 @@ class Surface {
       const Result<GirthLoop> found = solver_->loop(base);
       if (!found) return toJs(found.error());
       const GirthLoop& girth = found.value();
-      std::vector<float> points;
-      for (const Vec3& p : polyline(mesh_, girth)) {
-        points.insert(points.end(),
-                      {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
-      }
       const Vec3 q = positionOf(mesh_, girth.midpoint);
-      val midpoint = val::array();
-      midpoint.set(0, q.x);
-      midpoint.set(1, q.y);
-      midpoint.set(2, q.z);
       val result = val::object();
       result.set("length", girth.length);
       result.set("kind", std::string(toString(girth.kind)));
-      result.set("polyline", copyOut<float>("Float32Array", points));
-      result.set("midpoint", midpoint);
+      result.set("polyline", drawnPoints(polyline(mesh_, girth), origin_));
+      result.set("midpoint", tripleOf({q.x - origin_.x, q.y - origin_.y, q.z - origin_.z}));
       result.set("angle", girth.angle);
       return result;
     });
   }
 
   SurfaceMesh mesh_;
+  Vec3 origin_;
   ExecutionContext context_;
   std::optional<GirthSolver> solver_;
   VertexEvaluator evaluator_;

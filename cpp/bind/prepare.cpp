@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "boundary.h"
+#include "described.h"
 #include "girth/io/read_mesh.h"
 #include "girth/prepare_surface.h"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "boundary.h"
+#include "described.h"
 #include "girth/field_difference.h"
 #include "girth/transfer.h"
 

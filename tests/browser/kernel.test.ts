@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { box, dumbbell, torus } from './meshes.js';
+import { box, dumbbell, moved, torus } from './meshes.js';
 import type { FacePoint } from '../../web/src/kernel/index.js';
 import type { KernelPage } from './kernel-page.js';
 import { buildKernelSite, onKernelPage } from './kernel-site.js';
@@ -85,6 +85,38 @@ for (const mode of ['threads', 'pool'] as const) {
       expect(field).toMatchObject({ reportedOnce: true, wrong: 0 });
       expect(field.progress).toEqual([...field.progress].sort((a, b) => a - b));
       expect(field.progress.at(-1)).toBe(1);
+    });
+
+    test('far from the origin, points are drawn from near by and keep their precision', async () => {
+      const by = [5e6, 4e5, -7e5] as const;
+      const { here, there } = await page.evaluate(
+        async (texts) => {
+          const kernel = await girth.createKernel({ threads: 1 });
+          const seen = async (text: string) => {
+            const mesh = await kernel.load(girth.obj(text));
+            const { origin, positions } = mesh.geometry;
+            const { polyline, midpoint } = await mesh.loop({ face: 11, weights: [0.2, 0.3, 0.5] });
+            return {
+              origin,
+              // In the file's coordinates.
+              points: [positions, polyline, midpoint].map((points) =>
+                Array.from(points, (x, i) => x + origin[i % 3]!),
+              ),
+            };
+          };
+          const found = { here: await seen(texts.here), there: await seen(texts.there) };
+          kernel.dispose();
+          return found;
+        },
+        { here: torus(40, 20), there: moved(torus(40, 20), [...by]) },
+      );
+      expect(here.origin).toEqual([0, 0, 0]);
+      by.forEach((away, k) => expect(Math.abs(there.origin[k]! - away)).toBeLessThan(1));
+      here.points.forEach((points, which) => {
+        expect(there.points[which]!.length).toBe(points.length);
+        const off = points.map((x, i) => Math.abs(there.points[which]![i]! - by[i % 3]! - x));
+        expect(Math.max(...off)).toBeLessThan(1e-6);
+      });
     });
 
     test('loops at points of faces: the same bits as the command', async () => {

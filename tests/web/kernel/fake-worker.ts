@@ -103,6 +103,7 @@ export function fakeSurface(count: number): Behaviour {
         return {
           info: { name: '', vertexCount: count, faceCount: count, unit: 'm' },
           arrays: { positions: new Float64Array(3 * count), indices: new Uint32Array(3) },
+          origin: [0, 0, 0],
           drawn: new Float32Array(3 * count),
           walls: new Uint32Array(0),
           vertexOfInput: new Uint32Array(count),

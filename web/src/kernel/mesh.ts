@@ -83,11 +83,11 @@ export class MeshOfWorkers implements Mesh {
   readonly life = this.#life.signal;
 
   constructor(kernel: KernelOfWorkers, opened: OpenedSurface & { number: number }) {
-    const { number, info, arrays, drawn, walls, vertexOfInput, inputOfVertex } = opened;
+    const { number, info, arrays, origin, drawn, walls, vertexOfInput, inputOfVertex } = opened;
     this.#kernel = kernel;
     this.surface = { number, arrays };
     this.info = info;
-    this.geometry = { positions: drawn, indices: arrays.indices, walls };
+    this.geometry = { positions: drawn, indices: arrays.indices, walls, origin };
     this.vertexOfInput = vertexOfInput;
     this.#inputOfVertex = inputOfVertex;
   }

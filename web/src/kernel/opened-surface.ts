@@ -35,7 +35,7 @@ function surfaceWith(
     'name' | 'models' | 'unreadable' | 'format' | 'unit' | 'report' | 'notes' | 'parts'
   >,
 ) {
-  const { positions, indices, walls, genus, boundaries, area } = described;
+  const { positions, origin, indices, walls, genus, boundaries, area } = described;
   const info: MeshInfo = {
     ...said,
     vertexCount: positions.length / 3,
@@ -48,7 +48,15 @@ function surfaceWith(
     area,
     size: extent(positions),
   };
-  return { info, arrays: { positions, indices }, drawn: new Float32Array(positions), walls };
+  const drawn = drawnFrom(origin, positions);
+  return { info, arrays: { positions, indices }, origin, drawn, walls };
+}
+
+/** Rounded only once they count from near by. */
+function drawnFrom(origin: readonly number[], positions: Float64Array): Float32Array<ArrayBuffer> {
+  const drawn = new Float32Array(positions.length);
+  for (let i = 0; i < positions.length; ++i) drawn[i] = positions[i]! - origin[i % 3]!;
+  return drawn;
 }
 
 function extent(positions: Float64Array): [number, number, number] {

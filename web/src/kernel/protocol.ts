@@ -36,6 +36,8 @@ export interface SurfaceArrays {
 export interface OpenedSurface {
   info: MeshInfo;
   arrays: SurfaceArrays;
+  /** What `drawn` and the points of loops and contours count from. */
+  origin: [number, number, number];
   /** The positions once more, for drawing. */
   drawn: Float32Array<ArrayBuffer>;
   /** Two vertices for each edge of the boundary. */

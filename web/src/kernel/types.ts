@@ -173,7 +173,7 @@ export interface NamedField {
 export interface ContourLine {
   /** It comes back to its first point, which is not repeated. Else it ends at walls or in faces. */
   closed: boolean;
-  /** x, y, z per point. */
+  /** x, y, z per point, from `Mesh.geometry.origin`. */
   polyline: Float32Array;
 }
 
@@ -272,9 +272,9 @@ export interface Loop {
   kind: LoopKind;
   /** The point p, as it was asked for. */
   base: SurfacePoint;
-  /** x, y, z per point, from p round to p; empty where unresolved. */
+  /** x, y, z per point, from p round to p; empty where unresolved. From `Mesh.geometry.origin`. */
   polyline: Float32Array;
-  /** x, y, z of the point of the loop farthest from p. */
+  /** x, y, z of the point of the loop farthest from p, from `Mesh.geometry.origin`. */
   midpoint: [number, number, number];
   /** Angle at p between the loop's ends, in radians. */
   angle: number;
@@ -362,9 +362,16 @@ export interface Mesh {
   readonly info: MeshInfo;
   /**
    * The surface to draw and pick on: positions are x, y, z per vertex; `walls` has two vertices for
-   * each edge of the boundary. Do not modify.
+   * each edge of the boundary. Do not modify. These positions, and the points of loops and contours,
+   * count from `origin`: 0, 0, 0, but for surfaces that lie more than 64 times their size away from the
+   * coordinates' origin, where 32-bit numbers would draw steps. Add it for the file's coordinates.
    */
-  readonly geometry: { positions: Float32Array; indices: Uint32Array; walls: Uint32Array };
+  readonly geometry: {
+    positions: Float32Array;
+    indices: Uint32Array;
+    walls: Uint32Array;
+    origin: readonly [number, number, number];
+  };
   /** The surface's vertex for each vertex of the input; 0xFFFFFFFF where there is none. */
   readonly vertexOfInput: Uint32Array;
   /** Codes of failure: USAGE and INVALID_OPTION for options out of range, CANCELLED. */

@@ -62,6 +62,8 @@ declare module '*/girth.mjs' {
 
   /** A surface's arrays, and what can be told from them. */
   export interface Described extends Arrays {
+    /** What drawn points are counted from. */
+    origin: [number, number, number];
     /** Two vertices for each edge of the boundary. */
     walls: Uint32Array<ArrayBuffer>;
     /** One per component. */

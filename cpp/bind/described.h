@@ -1,0 +1,91 @@
+// Surfaces and points of them as JavaScript gets them. Points are drawn with 32-bit numbers, which
+// keep their precision only near their origin.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "boundary.h"
+#include "girth/surface_mesh.h"
+
+namespace girth::bind {
+
+/// What drawn points are counted from (`Mesh.geometry.origin` of types.ts): that of the
+/// coordinates, but for surfaces that lie more than 64 times their size away from it, as scans of
+/// places on Earth do. Those are counted from their middle. Linear in the vertices.
+inline Vec3 drawingOrigin(const SurfaceMesh& mesh) {
+  constexpr double kFar = 64;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vec3 low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3& p = mesh.position(v);
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const Vec3 middle{low.x + (high.x - low.x) / 2, low.y + (high.y - low.y) / 2,
+                    low.z + (high.z - low.z) / 2};
+  const double away = std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)});
+  return away > kFar * size ? middle : Vec3{0, 0, 0};
+}
+
+/// x, y, z of each point, from the origin: a Float32Array.
+inline emscripten::val drawnPoints(std::span<const Vec3> points, const Vec3& origin) {
+  std::vector<float> numbers;
+  numbers.reserve(3 * points.size());
+  for (const Vec3& p : points) {
+    for (const double x : {p.x - origin.x, p.y - origin.y, p.z - origin.z}) {
+      numbers.push_back(static_cast<float>(x));
+    }
+  }
+  return copyOut<float>("Float32Array", numbers);
+}
+
+/// [x, y, z].
+inline emscripten::val tripleOf(const Vec3& p) {
+  emscripten::val triple = emscripten::val::array();
+  triple.set(0, p.x);
+  triple.set(1, p.y);
+  triple.set(2, p.z);
+  return triple;
+}
+
+/// A surface's arrays and what can be told from them: `Described` of wasm-modules.d.ts.
+inline emscripten::val describe(const SurfaceMesh& mesh) {
+  emscripten::val genus = emscripten::val::array();
+  emscripten::val boundaries = emscripten::val::array();
+  for (Index c = 0; c < mesh.componentCount(); ++c) {
+    genus.set(c, mesh.genus(c));
+    boundaries.set(c, mesh.boundaryCount(c));
+  }
+  emscripten::val result = emscripten::val::object();
+  {
+    std::vector<double> positions;
+    positions.reserve(3 * std::size_t{mesh.vertexCount()});
+    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+      const Vec3& p = mesh.position(v);
+      positions.insert(positions.end(), {p.x, p.y, p.z});
+    }
+    result.set("positions", copyOut<double>("Float64Array", positions));
+  }
+  std::vector<Index> indices, walls;
+  indices.reserve(mesh.halfedgeCount());
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+    indices.push_back(mesh.from(h));
+    if (mesh.twin(h) == kNoIndex) walls.insert(walls.end(), {mesh.from(h), mesh.to(h)});
+  }
+  result.set("origin", tripleOf(drawingOrigin(mesh)));
+  result.set("indices", copyOut<Index>("Uint32Array", indices));
+  result.set("walls", copyOut<Index>("Uint32Array", walls));
+  result.set("genus", genus);
+  result.set("boundaries", boundaries);
+  result.set("area", mesh.area());
+  return result;
+}
+
+}  // namespace girth::bind
