@@ -5,7 +5,7 @@ import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { moved, scaled, torus } from './meshes.js';
 import { builtPage, drop, modelIs } from './page-support.js';
-import { fieldComplete, framesPass } from './viewer-page.js';
+import { fieldComplete, framesPass, hover, placeOnSurface } from './viewer-page.js';
 
 const openBuilt = builtPage();
 
@@ -35,14 +35,19 @@ async function placesAtRest(viewer: Locator): Promise<Place[]> {
   throw new Error('the surface never rests');
 }
 
-/** Drags from the middle of the surface, in steps of one pixel. */
-async function drag(page: Page, viewer: Locator, right: number, button: 'left' | 'right') {
+/** Drags from a place of the element, in shares of its size, in steps of one pixel. */
+async function drag(
+  page: Page,
+  viewer: Locator,
+  right: number,
+  button: 'left' | 'right',
+  [across, down] = [0.5, 0.5],
+) {
   const box = (await viewer.boundingBox())!;
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  const [x, y] = [box.x + across * box.width, box.y + down * box.height];
+  await page.mouse.move(x, y);
   await page.mouse.down({ button });
-  await page.mouse.move(box.x + box.width / 2 + right, box.y + box.height / 2, {
-    steps: Math.abs(right),
-  });
+  await page.mouse.move(x + right, y, { steps: Math.abs(right) });
   await page.mouse.up({ button });
 }
 
@@ -63,35 +68,48 @@ for (const reducedMotion of ['no-preference', 'reduce'] as const) {
       await framesPass(page);
     }
     expect(await placesOf(viewer)).toEqual(places);
+    // Beside the surface no loop is drawn that leaving it would clear: the frame that ended the motion is
+    // the last one when the pointer comes back, and what it meets then it must meet later.
+    for (let i = 0; i < 6; ++i) {
+      await drag(page, viewer, i % 2 === 0 ? 7 : -7, 'left', [0.02, 0.02]);
+      await page.mouse.move(1, 1);
+      const place = await placeOnSurface(viewer, 0.5, 0.45);
+      const { base } = await hover(page, viewer, place.x, place.y);
+      await framesPass(page);
+      expect((await hover(page, viewer, place.x, place.y)).base).toEqual(base);
+    }
   });
 }
 
 const ring = torus(40, 20);
 const surfaces: Record<string, string> = {
   'micrometres in metres': scaled(ring, 1e-5),
-  'a city in millimetres': scaled(ring, 1e7),
   'a scan far from the origin': moved(ring, [5e6, 4e5, -7e5]),
   'far too small': scaled(ring, 1e-20),
   'far too large': scaled(ring, 1e25),
 };
 
-test('surfaces of any size and place are drawn, and follow the hand, alike', async () => {
-  const { page, viewer } = await openBuilt(undefined, { reducedMotion: 'no-preference' });
-  await modelIs(page, 'chair.glb');
-  const usual = await follows(page, viewer, 'usual.obj', ring);
-  expect(Math.min(...usual.by)).toBeGreaterThan(25);
-  for (const [what, obj] of Object.entries(surfaces)) {
-    const { before, by, off } = await follows(page, viewer, `${what}.obj`, obj);
-    usual.before.forEach(({ x, y }, i) => {
-      expect(Math.hypot(before[i]!.x - x, before[i]!.y - y), what).toBeLessThan(0.01);
-    });
-    usual.by.forEach((usually, i) => {
-      expect(Math.abs(by[i]! - usually), what).toBeLessThan(0.5);
-    });
-    // Edges of lines may fall on other pixels; what is drawn may not.
-    expect(off, what).toBeLessThan(0.002);
-  }
-});
+test(
+  'surfaces of any size and place are drawn, and follow the hand, alike',
+  { timeout: 300_000 },
+  async () => {
+    const { page, viewer } = await openBuilt(undefined, { reducedMotion: 'no-preference' });
+    await modelIs(page, 'chair.glb');
+    const usual = await follows(page, viewer, 'usual.obj', ring);
+    expect(Math.min(...usual.by)).toBeGreaterThan(25);
+    for (const [what, obj] of Object.entries(surfaces)) {
+      const { before, by, off } = await follows(page, viewer, `${what}.obj`, obj);
+      usual.before.forEach(({ x, y }, i) => {
+        expect(Math.hypot(before[i]!.x - x, before[i]!.y - y), what).toBeLessThan(0.01);
+      });
+      usual.by.forEach((usually, i) => {
+        expect(Math.abs(by[i]! - usually), what).toBeLessThan(0.5);
+      });
+      // Edges of lines may fall on other pixels; what is drawn may not.
+      expect(off, what).toBeLessThan(0.002);
+    }
+  },
+);
 
 /**
  * Drops a surface and drags it aside: where its vertices are, how far that brings them, and the share of

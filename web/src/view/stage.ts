@@ -515,6 +515,8 @@ export class Stage {
       camera.position.copy(drawnFrom.position);
       camera.quaternion.copy(drawnFrom.quaternion);
       controls.target.copy(drawnFrom.target);
+      // The controls have made the matrix anew as well, and what is picked next uses it.
+      camera.updateMatrixWorld();
     } else if (!this.held) {
       // Less than a pixel.
       this.finishMotion();
