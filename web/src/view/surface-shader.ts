@@ -89,8 +89,9 @@ const byScalar = /* glsl */ `
       return length(gradient) / max(dot(normal, normal), 1e-30);
     }
 
-    // How strongly a line of equal value is drawn; they lie at whole levels from 1 on.
-    float lineAt(float place, float level) {
+    // How strongly a line of equal value is drawn at a place in the range; they lie at whole levels from 1 on.
+    float lineAt(float place) {
+      float level = place * (isolines + 1.0);
       float perPixel = max(fwidth(level), 1e-6);
       float away = abs(level - clamp(floor(level + 0.5), 1.0, isolines)) / (perPixel * pixelRatio);
       // Too close together they would only be a dark smear; and where the value jumps there are none.
@@ -109,7 +110,7 @@ const byScalar = /* glsl */ `
     vec3 colour = texture2D(colormap, vec2(texel, 0.5)).rgb;
     #ifdef LINES
       float contrast = step(brightness(colour), 0.3);
-      colour = mix(colour, vec3(contrast), 0.6 * lineAt(place, place * (isolines + 1.0)));
+      colour = mix(colour, vec3(contrast), 0.6 * lineAt(place));
     #endif
     return mix(plain, colour, coloured * known);
   }
