@@ -55,8 +55,11 @@ class SurfaceMesh {
   }
 
   static Index faceOf(Index halfedge) { return halfedge / 3; }
-  static Index next(Index halfedge) { return halfedge + 1 - (halfedge % 3 == 2) * 3; }
-  static Index previous(Index halfedge) { return halfedge - 1 + (halfedge % 3 == 0) * 3; }
+  /// The other two of a face. (Whether 3 divides a number is told without a division.)
+  static Index next(Index halfedge) {
+    return (halfedge + 1) % 3 == 0 ? halfedge - 2 : halfedge + 1;
+  }
+  static Index previous(Index halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
   /// The vertex that a halfedge starts from, and the one it runs to.
   Index from(Index halfedge) const { return from_[halfedge]; }
   Index to(Index halfedge) const { return from_[next(halfedge)]; }

@@ -12,7 +12,7 @@ namespace girth::geodesic {
 /// The waiting windows of a halfedge, and what is known of its face's corners. (All are trimmed by
 /// what was known before, so that the number of lanes does not show.)
 struct CrossingBatch {
-  const Crossing* crossing;
+  Crossing crossing;
   const WindowRun* newest;  ///< the last run that waits; those before it follow by `older`
   std::uint32_t first;      ///< number of the first window that waits
   std::uint32_t count;      ///< so many windows wait

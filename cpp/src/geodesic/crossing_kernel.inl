@@ -71,10 +71,12 @@ inline void pass(const Passing& in, const SideOfFace& side, double distanceApex,
 CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, WindowRun* left,
                                      WindowRun* right) {
   static_assert(kLanes <= WindowRun::kMostLanes);
-  const Crossing& c = *batch.crossing;
-  const SideOfFace leftSide{c.left, c.leftLength, batch.distanceFrom};
-  const SideOfFace rightSide{c.right, c.rightLength, batch.distanceTo};
-  const Lanes zero = {}, length = all(c.length);
+  const Crossing& c = batch.crossing;
+  const Vec2 apex = c.apex();
+  const double edge = c.length();
+  const SideOfFace leftSide{c.left(), c.leftLength(), batch.distanceFrom};
+  const SideOfFace rightSide{c.right(), c.rightLength(), batch.distanceTo};
+  const Lanes zero = {}, length = all(edge);
   Lanes leftNearest = all(kInfinity), rightNearest = leftNearest;
   unsigned towardsLeft = 0, towardsRight = 0;  // lanes in which some window went there
   std::uint32_t leftCount = 0, rightCount = 0, apexBegin = batch.count, apexEnd = 0;
@@ -94,11 +96,11 @@ CrossingResult GIRTH_CROSSING_KERNEL(const CrossingBatch& batch, WindowRun* left
       const Mask valid = firstLanes(run->count - i) & less(zero, height);
 
       // On which side of the two bounding rays the apex lies.
-      const Lanes tipX = c.apex.x - x, tipY = c.apex.y + height;
+      const Lanes tipX = apex.x - x, tipY = apex.y + height;
       const Lanes boundFrom = gapFrom - x, boundTo = (length - gapTo) - x;
       const Lanes leftOf = boundFrom * tipY - height * tipX;  // > 0: the apex is left of the window
       const Lanes rightOf = boundTo * tipY - height * tipX;   // < 0: right of it
-      const Lanes reach = c.length * (absolute(tipX) + tipY);
+      const Lanes reach = edge * (absolute(tipX) + tipY);
       const Lanes touch = kTouch * reach, snap = kSnap * reach;
 
       if (bits(valid & atMost(leftOf, touch) & atMost(-touch, rightOf)) != 0) {

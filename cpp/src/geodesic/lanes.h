@@ -123,6 +123,8 @@ inline unsigned lowest(unsigned lanes) { return (unsigned)__builtin_ctz(lanes); 
 inline Mask firstLanes(unsigned count) {
 #if defined(__AVX512VL__)
   return count < kLanes ? (1u << count) - 1 : (1u << kLanes) - 1;
+#elif defined(__wasm_simd128__)
+  return (Mask)wasm_i32x4_gt(wasm_i32x4_splat((int)count), wasm_i32x4_const(0, 0, 1, 1));
 #else
   LaneBits lane;
   for (int i = 0; i < kLanes; ++i) lane[i] = i;

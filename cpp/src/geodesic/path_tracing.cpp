@@ -11,12 +11,12 @@ namespace {
 
 /// A point of a halfedge at distance t from its start; a vertex where it lies within kTouch of one.
 SurfacePoint pointOfEdge(const Unfolding& unfolding, Index halfedge, double t) {
-  const Crossing& c = unfolding.crossing(halfedge);
-  if (t <= kTouch * c.length) return SurfacePoint::atVertex(c.from);
-  if (t >= c.length * (1 - kTouch)) return SurfacePoint::atVertex(c.to);
+  const Crossing c = unfolding.crossing(halfedge);
+  if (t <= kTouch * c.length()) return SurfacePoint::atVertex(c.from());
+  if (t >= c.length() * (1 - kTouch)) return SurfacePoint::atVertex(c.to());
   const Index twin = unfolding.twin(halfedge);
-  if (twin < halfedge) return SurfacePoint::onHalfedge(twin, 1 - t / c.length);
-  return SurfacePoint::onHalfedge(halfedge, t / c.length);
+  if (twin < halfedge) return SurfacePoint::onHalfedge(twin, 1 - t / c.length());
+  return SurfacePoint::onHalfedge(halfedge, t / c.length());
 }
 
 /// Appends a point unless the path stands there already.
@@ -30,7 +30,7 @@ SurfacePoint sourcePoint(const Propagation& propagation, Index source) {
   if (point.kind != SurfacePoint::Kind::Edge) return point;
   const Unfolding& unfolding = propagation.unfolding();
   return pointOfEdge(unfolding, point.element,
-                     point.weights[1] * unfolding.crossing(point.element).length);
+                     point.weights[1] * unfolding.crossing(point.element).length());
 }
 
 /// A bundle and where its window lies on the halfedge.
@@ -50,7 +50,7 @@ double missBy(const Window& w, double length, Vec2 point) {
 /// The window of a bundle that sees a point best: windows of one root may differ in the way they
 /// pass a flat vertex.
 Passage passageTo(const Propagation& propagation, const Bundle& bundle, Vec2 point) {
-  const double length = propagation.unfolding().crossing(bundle.halfedge).length;
+  const double length = propagation.unfolding().crossing(bundle.halfedge).length();
   Passage best{bundle, 0, length};
   double bestMiss = std::numeric_limits<double>::infinity();
   for (std::uint32_t i = 0; i < propagation.enteredCount(bundle.halfedge); ++i) {
@@ -70,25 +70,25 @@ Passage passageTo(const Propagation& propagation, const Bundle& bundle, Vec2 poi
 Passage passageBefore(const Propagation& propagation, const Bundle& bundle, double crossing) {
   const Unfolding& unfolding = propagation.unfolding();
   const Index behind = unfolding.twin(bundle.halfedge);
-  const Vec2 point{unfolding.crossing(behind).length - crossing, 0};
+  const Vec2 point{unfolding.crossing(behind).length() - crossing, 0};
   Passage best{{}, 0, 0};
   double bestMiss = std::numeric_limits<double>::infinity();
   for (const Index side : {Unfolding::next(behind), Unfolding::previous(behind)}) {
-    const Crossing& c = unfolding.crossing(side);
-    const bool throughLeft = c.leftTwin == bundle.halfedge;
+    const Crossing c = unfolding.crossing(side);
+    const bool throughLeft = c.leftTwin() == bundle.halfedge;
     const Vec2 p = unfolding.toFrame(behind, side, point);
     for (std::uint32_t i = 0; i < propagation.enteredCount(side); ++i) {
       const Window w = propagation.window(side, i);
       if (w.sigma != bundle.sigma) continue;
-      Pair<double> root = throughLeft
-                              ? rootBeyond(w.root.x, w.root.y, c.left.x, c.left.y)
-                              : rootBeyond(c.length - w.root.x, w.root.y, c.right.x, c.right.y);
-      if (!throughLeft) root.x = c.rightLength - root.x;
+      Pair<double> root =
+          throughLeft ? rootBeyond(w.root.x, w.root.y, c.left().x, c.left().y)
+                      : rootBeyond(c.length() - w.root.x, w.root.y, c.right().x, c.right().y);
+      if (!throughLeft) root.x = c.rightLength() - root.x;
       if (root.x != bundle.root.x || root.y != bundle.root.y) continue;
-      const double miss = missBy(w, c.length, p);
+      const double miss = missBy(w, c.length(), p);
       if (miss < bestMiss) {
         bestMiss = miss;
-        best = {{side, w.root, w.sigma}, w.gapFrom, c.length - w.gapTo};
+        best = {{side, w.root, w.sigma}, w.gapFrom, c.length() - w.gapTo};
       }
     }
   }
@@ -109,7 +109,7 @@ void traceBundle(const Propagation& propagation, Bundle bundle, Vec2 point,
   for (Passage passage = passageTo(propagation, bundle, point);;) {
     bundle = passage.bundle;
     // Where the straight line from the root to the point crosses the halfedge.
-    const double length = unfolding.crossing(bundle.halfedge).length;
+    const double length = unfolding.crossing(bundle.halfedge).length();
     const double rise = point.y - bundle.root.y;
     const double t =
         rise > 0 ? bundle.root.x - (point.x - bundle.root.x) * bundle.root.y / rise : point.x;
@@ -130,7 +130,7 @@ void traceBundle(const Propagation& propagation, Bundle bundle, Vec2 point,
       append(path, sourcePoint(propagation, origin.source));
       return;
     }
-    traceVertex(propagation, unfolding.crossing(behind).apexVertex, path);
+    traceVertex(propagation, unfolding.crossing(behind).apexVertex(), path);
     return;
   }
 }
@@ -151,7 +151,7 @@ void traceVertex(const Propagation& propagation, Index vertex, std::vector<Surfa
         break;
       case Arrival::Way::Window:
         traceBundle(propagation, arrival.bundle,
-                    propagation.unfolding().crossing(arrival.bundle.halfedge).apex, path);
+                    propagation.unfolding().crossing(arrival.bundle.halfedge).apex(), path);
         return;
     }
   }
@@ -177,7 +177,7 @@ SurfacePoint surfacePointAt(const Unfolding& unfolding, Index halfedge, Vec2 poi
   for (Index k = 0; k < 3; ++k) {
     const Index h = 3 * face + k;
     const Vec2 p = unfolding.toFrame(halfedge, h, point);
-    const double length = unfolding.crossing(h).length;
+    const double length = unfolding.crossing(h).length();
     if (p.y <= kTouch * length) return pointOfEdge(unfolding, h, p.x);
     // Height over side k against the opposite corner's: the share of corner k + 2.
     weights[(k + 2) % 3] = p.y * length;

@@ -66,7 +66,7 @@ void Propagation::lookAhead() const {
       unfolding_->prefetchVertex(item & ~kVertexItem);
       prefetch(&arrival_[item & ~kVertexItem]);
     } else {
-      prefetch(&unfolding_->crossing(item));
+      unfolding_->prefetchCrossing(item);
       lists_.prefetchWord(item);
     }
   }
@@ -74,9 +74,9 @@ void Propagation::lookAhead() const {
     if ((item & kVertexItem) != 0) {
       unfolding_->prefetchCorners(item & ~kVertexItem);
     } else {
-      const Crossing& c = unfolding_->crossing(item);
-      for (const Index vertex : {c.from, c.to, c.apexVertex}) prefetch(&distance_[vertex]);
-      for (const Index twin : {c.leftTwin, c.rightTwin}) {
+      const Crossing c = unfolding_->crossing(item);
+      for (const Index vertex : {c.from(), c.to(), c.apexVertex()}) prefetch(&distance_[vertex]);
+      for (const Index twin : {c.leftTwin(), c.rightTwin()}) {
         if (twin != kNoIndex) lists_.prefetchWord(twin);
       }
       constexpr std::size_t kHeaders = 6;  // a run's own, and as much of its windows
@@ -113,7 +113,7 @@ void Propagation::startWithinFace(Index source, Index halfedge) {
   for (const Index side : {halfedge, Unfolding::next(halfedge), Unfolding::previous(halfedge)}) {
     const Vec2 p = unfolding_->toFrame(halfedge, side, place);
     const double distance = norm(p);
-    if (Arrival* arrival = reach(unfolding_->crossing(side).from, distance)) {
+    if (Arrival* arrival = reach(unfolding_->crossing(side).from(), distance)) {
       arrival->way = Arrival::Way::Straight;
       arrival->before = source;
       arrival->corner = side;
@@ -143,24 +143,24 @@ Arrival* Propagation::reach(Index vertex, double distance) {
 
 /// A path goes from the start of a halfedge along it.
 void Propagation::reachAlong(Index halfedge) {
-  const Crossing& c = unfolding_->crossing(halfedge);
-  Arrival* arrival = reach(c.to, distance_[c.from] + c.length);
+  const Crossing c = unfolding_->crossing(halfedge);
+  Arrival* arrival = reach(c.to(), distance_[c.from()] + c.length());
   if (arrival == nullptr) return;
   arrival->way = Arrival::Way::Edge;
-  arrival->before = c.from;
+  arrival->before = c.from();
   const Index twin = unfolding_->twin(halfedge), next = Unfolding::next(halfedge);
   // At the far end the edge is a halfedge of its own, or, along a wall, the left side of the last.
   arrival->corner = twin != kNoIndex ? twin : next;
-  arrival->towards = twin != kNoIndex ? Vec2{1, 0} : unfolding_->crossing(next).left;
+  arrival->towards = twin != kNoIndex ? Vec2{1, 0} : unfolding_->crossing(next).left();
 }
 
 /// A path goes from the end of a halfedge, which lies on a wall, along it to its start.
 void Propagation::reachAgainst(Index halfedge) {
-  const Crossing& c = unfolding_->crossing(halfedge);
-  Arrival* arrival = reach(c.from, distance_[c.to] + c.length);
+  const Crossing c = unfolding_->crossing(halfedge);
+  Arrival* arrival = reach(c.from(), distance_[c.to()] + c.length());
   if (arrival == nullptr) return;
   arrival->way = Arrival::Way::Edge;
-  arrival->before = c.to;
+  arrival->before = c.to();
   arrival->corner = halfedge;
   arrival->towards = {1, 0};
 }
@@ -181,7 +181,7 @@ void Propagation::receive(Index halfedge, WindowRun* run, double nearest) {
 }
 
 CrossingResult Propagation::crossFace(Index halfedge) {
-  const Crossing& c = unfolding_->crossing(halfedge);
+  const Crossing c = unfolding_->crossing(halfedge);
   WindowList& list = lists_.opened(halfedge);  // valid until windows are delivered
   const std::uint32_t first = list.entered, waiting = list.count - first;
   list.entered = list.count;
@@ -190,7 +190,7 @@ CrossingResult Propagation::crossFace(Index halfedge) {
 
   float farthest = 0;
   if (keep_ == Keep::Front) {
-    farthest = static_cast<float>(lesser(list.farthest, roundedUp(farthestBehind(halfedge))));
+    farthest = static_cast<float>(lesser(list.farthest, roundedUp(farthestBehind(c))));
     list.farthest = farthest;
   }
   std::uint32_t remaining = waiting;
@@ -203,15 +203,15 @@ CrossingResult Propagation::crossFace(Index halfedge) {
   const auto room = [&](WindowPool::Side side, Index twin) {
     return takesWindows(twin) ? pool_.room(side, waiting) : nullptr;
   };
-  WindowRun* const left = room(WindowPool::Side::Left, c.leftTwin);
-  WindowRun* const right = room(WindowPool::Side::Right, c.rightTwin);
-  const CrossingResult result = kernel_({&c, list.newest, first, waiting, distance_[c.from],
-                                         distance_[c.to], distance_[c.apexVertex]},
+  WindowRun* const left = room(WindowPool::Side::Left, c.leftTwin());
+  WindowRun* const right = room(WindowPool::Side::Right, c.rightTwin());
+  const CrossingResult result = kernel_({c, list.newest, first, waiting, distance_[c.from()],
+                                         distance_[c.to()], distance_[c.apexVertex()]},
                                         left, right);
   if (result.apexEnd > 0) {
     list.apexBegin = std::min(list.apexBegin, first + result.apexBegin);
     list.apexEnd = first + result.apexEnd;
-    std::uint8_t& windows = reach_[c.apexVertex].windows;
+    std::uint8_t& windows = reach_[c.apexVertex()].windows;
     windows = static_cast<std::uint8_t>(
         std::min<std::uint32_t>(windows + result.apexEnd - result.apexBegin, Reach::kMany));
   }
@@ -221,10 +221,10 @@ CrossingResult Propagation::crossFace(Index halfedge) {
     pool_.keep(side, run, windows, keep_ != Keep::Nothing);
     receive(twin, run, nearest);
   };
-  deliver(WindowPool::Side::Left, left, result.leftCount, c.leftTwin, result.leftNearest);
-  deliver(WindowPool::Side::Right, right, result.rightCount, c.rightTwin, result.rightNearest);
+  deliver(WindowPool::Side::Left, left, result.leftCount, c.leftTwin(), result.leftNearest);
+  deliver(WindowPool::Side::Right, right, result.rightCount, c.rightTwin(), result.rightNearest);
   if (result.apexWindow >= 0) {
-    if (Arrival* arrival = reach(c.apexVertex, result.distanceApex)) {
+    if (Arrival* arrival = reach(c.apexVertex(), result.distanceApex)) {
       const auto number = first + static_cast<std::uint32_t>(result.apexWindow);
       const Window w = window(halfedge, number);
       arrival->way = Arrival::Way::Window;
@@ -237,11 +237,11 @@ CrossingResult Propagation::crossFace(Index halfedge) {
 /// A single window begins at a halfedge; trimmed by the ends of it like any other.
 void Propagation::send(Index halfedge, Vec2 root, double sigma, double gapFrom, double gapTo) {
   if (!takesWindows(halfedge)) return;
-  const Crossing& c = unfolding_->crossing(halfedge);
-  if (!trim(root, distance_[c.from] - sigma, gapFrom)) return;
-  if (!trim({c.length - root.x, root.y}, distance_[c.to] - sigma, gapTo)) return;
-  if (!(gapFrom + gapTo < c.length * (1 - kSliver))) return;
-  const double aside = lesser(larger(root.x, gapFrom), c.length - gapTo) - root.x;
+  const Crossing c = unfolding_->crossing(halfedge);
+  if (!trim(root, distance_[c.from()] - sigma, gapFrom)) return;
+  if (!trim({c.length() - root.x, root.y}, distance_[c.to()] - sigma, gapTo)) return;
+  if (!(gapFrom + gapTo < c.length() * (1 - kSliver))) return;
+  const double aside = lesser(larger(root.x, gapFrom), c.length() - gapTo) - root.x;
   const double nearest = sigma + std::sqrt(aside * aside + root.y * root.y);
   WindowRun* run = pool_.room(WindowPool::Side::Left, 1);
   const double fields[WindowRun::kFields] = {root.x, root.y, sigma, gapFrom, gapTo};
@@ -301,7 +301,7 @@ void Propagation::fanBehind(Index vertex) {
     leftFace = corners[at].halfedge;
   } while (cross(leftRay, corners[at].left) < 0);
   leftRay = turnedBack(leftRay, {1, kFanOverlap});
-  if (leftFace != kNoIndex) prefetch(&unfolding_->crossing(leftFace));
+  if (leftFace != kNoIndex) unfolding_->prefetchCrossing(leftFace);
 
   // And the one that leaves π on its left.
   at = arrived;
@@ -349,27 +349,27 @@ void Propagation::sendAround(Index first, const Vec2* low, Index last, const Vec
 /// Sends a window from the vertex where a halfedge starts through its face, between two rays given
 /// in its frame; null: the side of the face.
 void Propagation::sendThrough(Index halfedge, const Vec2* low, const Vec2* high) {
-  const Crossing& c = unfolding_->crossing(halfedge);
+  const Crossing c = unfolding_->crossing(halfedge);
   // A ray that the overlap has moved beyond a side of the face takes that side along.
   const bool fromSide = low == nullptr || low->y <= 0;
-  const bool toSide = high == nullptr || cross(*high, c.left) <= 0;
+  const bool toSide = high == nullptr || cross(*high, c.left()) <= 0;
   if (fromSide) reachAlong(halfedge);
-  if (c.leftTwin == kNoIndex) {
+  if (c.leftTwin() == kNoIndex) {
     if (toSide) reachAgainst(Unfolding::previous(halfedge));
   } else if (high != nullptr && toSide) {
-    reachAlong(c.leftTwin);
+    reachAlong(c.leftTwin());
   }
-  if (c.rightTwin == kNoIndex) return;
+  if (c.rightTwin() == kNoIndex) return;
 
   // A ray divides the opposite side in the ratio of the two triangles' areas.
   const auto share = [&](Vec2 ray) {  // from the end of the halfedge
-    const double nearArea = c.length * ray.y, farArea = cross(ray, c.apex);
+    const double nearArea = c.length() * ray.y, farArea = cross(ray, c.apex());
     return Vec2{nearArea / (nearArea + farArea), farArea / (nearArea + farArea)};
   };
-  const double gapTo = fromSide ? 0 : c.rightLength * share(*low).x;
-  const double gapFrom = toSide ? 0 : c.rightLength * share(*high).y;
-  const Pair<double> root = rootBeyond(c.length, 0.0, c.right.x, c.right.y);
-  send(c.rightTwin, {c.rightLength - root.x, root.y}, distance_[c.from], gapFrom, gapTo);
+  const double gapTo = fromSide ? 0 : c.rightLength() * share(*low).x;
+  const double gapFrom = toSide ? 0 : c.rightLength() * share(*high).y;
+  const Pair<double> root = rootBeyond(c.length(), 0.0, c.right().x, c.right().y);
+  send(c.rightTwin(), {c.rightLength() - root.x, root.y}, distance_[c.from()], gapFrom, gapTo);
 }
 
 void Propagation::entered(Index halfedge, std::vector<Window>& windows) const {
@@ -385,10 +385,10 @@ PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {
   PathEnd best;
   const Index face = SurfaceMesh::faceOf(halfedge);
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const Crossing& c = unfolding_->crossing(h);
+    const Crossing c = unfolding_->crossing(h);
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
-    const double overCorner = distance_[c.from] + norm(p);
-    if (overCorner < best.distance) best = {overCorner, {}, c.from, kNoIndex};
+    const double overCorner = distance_[c.from()] + norm(p);
+    if (overCorner < best.distance) best = {overCorner, {}, c.from(), kNoIndex};
   }
   for (const Origin& origin : origins_) {
     if (origin.face != face) continue;
@@ -398,12 +398,12 @@ PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {
   // At a corner itself windows that reach it tie: the corner knows best whence.
   best.distance *= 1 - kRounding;
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const Crossing& c = unfolding_->crossing(h);
+    const Crossing c = unfolding_->crossing(h);
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
     for (std::uint32_t i = 0, end = enteredCount(h); i < end; ++i) {
       const Window w = lists_[h].window(i);
       const double distance = w.distanceTo(p);
-      if (distance < best.distance && w.covers(c.length, p)) {
+      if (distance < best.distance && w.covers(c.length(), p)) {
         best = {distance, {h, w.root, w.sigma}, kNoIndex, kNoIndex};
       }
     }
@@ -419,7 +419,7 @@ bool Propagation::sees(WindowNumber window, Vec2 point, double length) const {
   const Window w = list.window(window.number);
   const double rest = length - w.sigma;
   return rest > 0 && dot(point - w.root, point - w.root) < rest * rest &&
-         w.covers(unfolding_->crossing(window.halfedge).length, point);
+         w.covers(unfolding_->crossing(window.halfedge).length(), point);
 }
 
 bool Propagation::isNearer(Index halfedge, Vec2 point, double length, WindowNumber window) const {
@@ -430,7 +430,7 @@ bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNu
   const Index face = SurfaceMesh::faceOf(halfedge);
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
-    if (distance_[unfolding_->crossing(h).from] + norm(p) < length) return true;
+    if (distance_[unfolding_->crossing(h).from()] + norm(p) < length) return true;
     for (std::uint32_t i = 0, end = enteredCount(h); i < end; ++i) {
       if (!sees({h, i}, p, length)) continue;
       by = {h, i};
@@ -446,12 +446,11 @@ bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNu
   return false;
 }
 
-/// No point of the face behind a halfedge is farther than this, as its corners tell.
-double Propagation::farthestBehind(Index halfedge) const {
-  const Crossing& c = unfolding_->crossing(halfedge);
-  return lesser(lesser(distance_[c.from] + larger(c.length, c.leftLength),
-                       distance_[c.to] + larger(c.length, c.rightLength)),
-                distance_[c.apexVertex] + larger(c.leftLength, c.rightLength));
+/// No point of the face is farther than this, as its corners tell.
+double Propagation::farthestBehind(const Crossing& c) const {
+  return lesser(lesser(distance_[c.from()] + larger(c.length(), c.leftLength()),
+                       distance_[c.to()] + larger(c.length(), c.rightLength())),
+                distance_[c.apexVertex()] + larger(c.leftLength(), c.rightLength()));
 }
 
 /// Forgets the windows of faces that the front has passed.

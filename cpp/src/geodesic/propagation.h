@@ -187,7 +187,7 @@ class Propagation {
   bool isNearer(Index halfedge, Vec2 point, double length, WindowNumber window) const;
 
   /// No point of a face is farther than this, as its corners tell.
-  double farthestWithin(Index face) const { return farthestBehind(3 * face); }
+  double farthestWithin(Index face) const { return farthestBehind(unfolding_->crossing(3 * face)); }
 
   /// Windows made and windows that crossed their face, in this propagation.
   std::size_t windowsCreated() const { return created_; }
@@ -237,7 +237,7 @@ class Propagation {
   void sendAround(Index first, const Vec2* low, Index last, const Vec2* high);
   void sendThrough(Index halfedge, const Vec2* low, const Vec2* high);
   bool sees(WindowNumber window, Vec2 point, double length) const;
-  double farthestBehind(Index halfedge) const;
+  double farthestBehind(const Crossing& c) const;
   void forgetPassed();
 
   /// Whether the windows of a halfedge have been forgotten: the front has passed its face.

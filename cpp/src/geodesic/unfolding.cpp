@@ -41,33 +41,17 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
   const auto fromMeshHalfedge = [&](Index h) {
     return h == kNoIndex ? kNoIndex : 3 * faceOfMesh_[h / 3] + h % 3;
   };
-  twin_.resize(halfedges);
-  crossings_.resize(halfedges);
+  halfedges_.resize(halfedges);
   for (Index h = 0; h < halfedges; ++h) {
     const Index m = 3 * meshFace_[h / 3] + h % 3;
-    Crossing& c = crossings_[h];
-    twin_[h] = fromMeshHalfedge(mesh.twin(m));
-    c.leftTwin = fromMeshHalfedge(mesh.twin(previous(m)));
-    c.rightTwin = fromMeshHalfedge(mesh.twin(next(m)));
-    c.from = vertexOfMesh_[mesh.from(m)];
-    c.to = vertexOfMesh_[mesh.to(m)];
-    c.apexVertex = vertexOfMesh_[mesh.from(previous(m))];
-
-    const Vec3 along = (1 / unit_) * (mesh.position(mesh.to(m)) - mesh.position(mesh.from(m)));
-    const Vec3 toApex =
-        (1 / unit_) * (mesh.position(mesh.from(previous(m))) - mesh.position(mesh.from(m)));
-    c.length = girth::norm(along);
-    c.apex = {girth::dot(along, toApex) / c.length,
-              girth::norm(girth::cross(along, toApex)) / c.length};
-  }
-  for (Index h = 0; h < halfedges; ++h) {
-    Crossing& c = crossings_[h];
-    // One length for an edge, whichever face it is seen from.
-    c.leftLength = crossings_[previous(h)].length;
-    c.rightLength = crossings_[next(h)].length;
-    const Vec2 left = c.apex, right{c.length - c.apex.x, c.apex.y};
-    c.left = (1 / norm(left)) * left;
-    c.right = (1 / norm(right)) * right;
+    const Vec3& from = mesh.position(mesh.from(m));
+    const Vec3 along = (1 / unit_) * (mesh.position(mesh.to(m)) - from);
+    const Vec3 toApex = (1 / unit_) * (mesh.position(mesh.from(previous(m))) - from);
+    const double length = girth::norm(along);
+    const Vec2 apex{girth::dot(along, toApex) / length,
+                    girth::norm(girth::cross(along, toApex)) / length};
+    halfedges_[h] = {length, (1 / norm(apex)) * apex, vertexOfMesh_[mesh.from(m)],
+                     fromMeshHalfedge(mesh.twin(m))};
   }
 
   outgoing_.resize(mesh.vertexCount());
@@ -83,8 +67,8 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
     Index h = outgoing_[v];
     do {
       direction_[h] = angle;
-      const Crossing& c = crossings_[h];
-      corners_.push_back({c.left, c.length, h, c.to});
+      const Crossing c = crossing(h);
+      corners_.push_back({c.left(), c.length(), h, c.to()});
       angle += mesh.cornerAngle(3 * meshFace_[h / 3] + h % 3);
       h = turnLeft(h);
     } while (h != kNoIndex && h != outgoing_[v]);
@@ -110,19 +94,19 @@ Index Unfolding::home(const SurfacePoint& point) const {
 std::optional<Vec2> Unfolding::placeIn(Index halfedge, const SurfacePoint& point) const {
   const Index face = SurfaceMesh::faceOf(halfedge);
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const Crossing& c = crossings_[h];
+    const Crossing c = crossing(h);
     std::optional<Vec2> place;
     switch (point.kind) {
       case SurfacePoint::Kind::Vertex:
-        if (point.element == c.from) place = Vec2{0, 0};
+        if (point.element == c.from()) place = Vec2{0, 0};
         break;
       case SurfacePoint::Kind::Edge:
-        if (point.element == h) place = Vec2{point.weights[1] * c.length, 0};
-        if (point.element == twin_[h]) place = Vec2{point.weights[0] * c.length, 0};
+        if (point.element == h) place = Vec2{point.weights[1] * c.length(), 0};
+        if (point.element == twin(h)) place = Vec2{point.weights[0] * c.length(), 0};
         break;
       case SurfacePoint::Kind::Face:
         if (point.element == face && h == 3 * face) {
-          place = point.weights[1] * Vec2{c.length, 0} + point.weights[2] * c.apex;
+          place = point.weights[1] * Vec2{c.length(), 0} + point.weights[2] * c.apex();
         }
         break;
     }

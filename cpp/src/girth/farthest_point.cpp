@@ -87,7 +87,7 @@ int meetingPlaces(Vec2 a, double sigmaA, Vec2 b, double sigmaB, std::array<doubl
 bool insideFace(const Propagation& propagation, Index face, Vec2 q) {
   const Unfolding& unfolding = propagation.unfolding();
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    if (!(unfolding.toFrame(3 * face, h, q).y >= -kTouch * unfolding.crossing(h).length)) {
+    if (!(unfolding.toFrame(3 * face, h, q).y >= -kTouch * unfolding.crossing(h).length())) {
       return false;
     }
   }
@@ -107,17 +107,17 @@ class FaceSearch {
     std::vector<Site> sites;
     std::array<Vec2, 3> corners;
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      const Crossing& c = unfolding.crossing(h);
+      const Crossing c = unfolding.crossing(h);
       const auto place = [&](Vec2 p) { return unfolding.toFrame(h, 3 * face, p); };
       corners[h - 3 * face] = place({0, 0});
-      if (propagation_.settled(c.from)) {
-        sites.push_back({place({0, 0}), propagation_.distance(c.from)});
+      if (propagation_.settled(c.from())) {
+        sites.push_back({place({0, 0}), propagation_.distance(c.from())});
       }
       for (std::uint32_t i = 0; i < propagation_.enteredCount(h); ++i) {
         const geodesic::Window w = propagation_.window(h, i);
         const Vec2 root = place(w.root);
         const Vec2 left = place({w.gapFrom, 0}) - root;
-        const Vec2 right = place({c.length - w.gapTo, 0}) - root;
+        const Vec2 right = place({c.length() - w.gapTo, 0}) - root;
         sites.push_back({root, w.sigma, (1 / norm(left)) * left, (1 / norm(right)) * right});
       }
     }

@@ -76,8 +76,8 @@ void LoopSearch::onCrossing(Index halfedge, std::uint32_t first, const CrossingR
   if (result.towardsRight && propagation_->enteredCount(next) > 0) {
     pairAcross(halfedge, first, next);
   }
-  const Crossing& c = propagation_->unfolding().crossing(halfedge);
-  if (result.apexEnd > 0 && propagation_->settled(c.apexVertex)) {
+  const Crossing c = propagation_->unfolding().crossing(halfedge);
+  if (result.apexEnd > 0 && propagation_->settled(c.apexVertex())) {
     for (std::uint32_t i = first + result.apexBegin; i < first + result.apexEnd; ++i) {
       tryApex(halfedge, propagation_->window(halfedge, i));
     }
@@ -106,8 +106,8 @@ void LoopSearch::onVertex(Index vertex) {
 // Case 3: the line between the roots of two windows of one face.
 void LoopSearch::pairAcross(Index halfedge, std::uint32_t first, Index other) {
   const Unfolding& unfolding = propagation_->unfolding();
-  const double length = unfolding.crossing(halfedge).length;
-  const double otherLength = unfolding.crossing(other).length;
+  const double length = unfolding.crossing(halfedge).length();
+  const double otherLength = unfolding.crossing(other).length();
   propagation_->entered(other, others_);
   for (std::uint32_t i = first; i < propagation_->enteredCount(halfedge); ++i) {
     const Window a = propagation_->window(halfedge, i);
@@ -129,13 +129,13 @@ void LoopSearch::pairAcross(Index halfedge, std::uint32_t first, Index other) {
 
 void LoopSearch::pair(Index halfedge, const Window& a, Index other, const Window& b) {
   const Unfolding& unfolding = propagation_->unfolding();
-  const Crossing& c = unfolding.crossing(halfedge);
+  const Crossing c = unfolding.crossing(halfedge);
   const Vec2 rootB = unfolding.toFrame(other, halfedge, b.root);
   const Vec2 line = rootB - a.root;
   const double distance = norm(line);
   // One root seen through two sides: both windows carry the same paths, past either side of a flat
   // vertex.
-  if (!(distance > kTouch * c.length)) return;
+  if (!(distance > kTouch * c.length())) return;
   const double toMidpoint = (distance + b.sigma - a.sigma) / 2;
   if (!(toMidpoint >= 0 && toMidpoint <= distance)) return;
   const Vec2 q = a.root + (toMidpoint / distance) * line;
@@ -153,7 +153,7 @@ void LoopSearch::pair(Index halfedge, const Window& a, Index other, const Window
 std::optional<LoopCandidate> LoopSearch::pairWithPoint(Index halfedge, const Window& window,
                                                        Vec2 point, double atPoint,
                                                        Index vertex) const {
-  const double length = propagation_->unfolding().crossing(halfedge).length;
+  const double length = propagation_->unfolding().crossing(halfedge).length();
   if (!window.covers(length, point)) return std::nullopt;
   const double tip = window.distanceTo(point);
   const Vec2 toRoot = window.root - point;
@@ -170,18 +170,18 @@ std::optional<LoopCandidate> LoopSearch::pairWithPoint(Index halfedge, const Win
 // Case 2: a window whose path runs to the opposite corner, which another path has reached before.
 void LoopSearch::tryApex(Index halfedge, const Window& window) {
   const Unfolding& unfolding = propagation_->unfolding();
-  const Crossing& c = unfolding.crossing(halfedge);
-  const Arrival& arrival = propagation_->arrival(c.apexVertex);
+  const Crossing c = unfolding.crossing(halfedge);
+  const Arrival& arrival = propagation_->arrival(c.apexVertex());
   if (arrival.way == Arrival::Way::Window && arrival.bundle.halfedge == halfedge &&
       arrival.bundle.root.x == window.root.x && arrival.bundle.root.y == window.root.y) {
     return;  // the path that reached the corner, once more
   }
-  const auto candidate =
-      pairWithPoint(halfedge, window, c.apex, propagation_->distance(c.apexVertex), c.apexVertex);
+  const auto candidate = pairWithPoint(halfedge, window, c.apex(),
+                                       propagation_->distance(c.apexVertex()), c.apexVertex());
   if (!candidate) return;
   const Index out = Unfolding::previous(halfedge);
   const Vec2 towards = unfolding.toPrevious(halfedge, window.root);
-  if (passesStraight(c.apexVertex, unfolding.directionOf(out, towards))) propose(*candidate);
+  if (passesStraight(c.apexVertex(), unfolding.directionOf(out, towards))) propose(*candidate);
 }
 
 // The same where the other end is p itself, inside the face or on a side of it.
@@ -220,25 +220,27 @@ void LoopSearch::tryEdgesOnwards(Index vertex) {
 // Case 1: the paths to both ends of an edge, and the edge.
 void LoopSearch::tryEdge(Index halfedge) {
   const Unfolding& unfolding = propagation_->unfolding();
-  const Crossing& c = unfolding.crossing(halfedge);
-  if (!propagation_->settled(c.from) || !propagation_->settled(c.to)) return;
+  const Crossing c = unfolding.crossing(halfedge);
+  if (!propagation_->settled(c.from()) || !propagation_->settled(c.to())) return;
   // The path to one end that comes along the edge is no loop.
   const auto alongEdge = [&](Index vertex, Index other) {
     const Arrival& arrival = propagation_->arrival(vertex);
     return arrival.way == Arrival::Way::Edge && arrival.before == other;
   };
-  if (alongEdge(c.from, c.to) || alongEdge(c.to, c.from)) return;
-  const double atFrom = propagation_->distance(c.from), atTo = propagation_->distance(c.to);
-  const double along = (c.length + atTo - atFrom) / 2;
-  if (!(along >= -kTouch * c.length && along <= c.length * (1 + kTouch))) return;
-  const double length = atFrom + c.length + atTo;
-  const Vec2 q{std::clamp(along, 0.0, c.length), 0};
+  if (alongEdge(c.from(), c.to()) || alongEdge(c.to(), c.from())) return;
+  const double atFrom = propagation_->distance(c.from()), atTo = propagation_->distance(c.to());
+  const double along = (c.length() + atTo - atFrom) / 2;
+  if (!(along >= -kTouch * c.length() && along <= c.length() * (1 + kTouch))) return;
+  const double length = atFrom + c.length() + atTo;
+  const Vec2 q{std::clamp(along, 0.0, c.length()), 0};
   if (!worthwhile(length, halfedge, q)) return;
   const Index next = Unfolding::next(halfedge), twin = unfolding.twin(halfedge);
-  const double back = twin != kNoIndex ? unfolding.direction(twin)
-                                       : unfolding.directionOf(next, unfolding.crossing(next).left);
-  if (!passesStraight(c.from, unfolding.direction(halfedge)) || !passesStraight(c.to, back)) return;
-  propose({length, {{}, c.from}, {{}, c.to}, halfedge, q});
+  const double back = twin != kNoIndex
+                          ? unfolding.direction(twin)
+                          : unfolding.directionOf(next, unfolding.crossing(next).left());
+  if (!passesStraight(c.from(), unfolding.direction(halfedge)) || !passesStraight(c.to(), back))
+    return;
+  propose({length, {{}, c.from()}, {{}, c.to()}, halfedge, q});
 }
 
 /// Whether the path to a vertex goes on straight in a direction. At p any direction will do.
@@ -253,13 +255,13 @@ bool LoopSearch::worthwhile(double length, Index halfedge, Vec2 midpoint) const 
   const Unfolding& unfolding = propagation_->unfolding();
   const double half = length / 2 * (1 - kTie);
   for (const Index h : {halfedge, Unfolding::next(halfedge), Unfolding::previous(halfedge)}) {
-    const Crossing& c = unfolding.crossing(h);
+    const Crossing c = unfolding.crossing(h);
     const Vec2 q = unfolding.toFrame(halfedge, h, midpoint);
-    if (q.y < -kTouch * c.length) return false;
-    const double rest = half - propagation_->distance(c.from);
+    if (q.y < -kTouch * c.length()) return false;
+    const double rest = half - propagation_->distance(c.from());
     if (rest > 0 && rest * rest > dot(q, q)) return false;
     // No geodesic passes a convex vertex, though its neighbours on one side may tend to that line.
-    if (!unfolding.passable(c.from) && norm(q) <= 2 * kTouch * c.length) return false;
+    if (!unfolding.passable(c.from()) && norm(q) <= 2 * kTouch * c.length()) return false;
   }
   return true;
 }
@@ -291,35 +293,35 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
 
   // At a vertex: the arrivals in all of its faces and along its edges.
   for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
-    const Crossing& c = unfolding.crossing(corner);
+    const Crossing c = unfolding.crossing(corner);
     const Vec2 q = unfolding.toFrame(candidate.halfedge, corner, candidate.midpoint);
-    if (norm(q) > kTogether * c.length) continue;
-    const Index start = unfolding.outgoing(c.from);
+    if (norm(q) > kTogether * c.length()) continue;
+    const Index start = unfolding.outgoing(c.from());
     for (Index out = start;;) {
-      const Crossing& side = unfolding.crossing(out);
+      const Crossing side = unfolding.crossing(out);
       const auto alongEdge = [&](Index neighbour, double length, double direction) {
         if (propagation_->settled(neighbour) &&
             propagation_->distance(neighbour) + length <= reach) {
           directions_.push_back(direction);
         }
       };
-      alongEdge(side.to, side.length, unfolding.direction(out));
+      alongEdge(side.to(), side.length(), unfolding.direction(out));
       const Index opposite = Unfolding::next(out);
-      const Crossing& entry = unfolding.crossing(opposite);
+      const Crossing entry = unfolding.crossing(opposite);
       for (std::uint32_t i = 0; i < propagation_->enteredCount(opposite); ++i) {
         const Window w = propagation_->window(opposite, i);
-        if (w.distanceTo(entry.apex) <= reach && w.covers(entry.length, entry.apex)) {
+        if (w.distanceTo(entry.apex()) <= reach && w.covers(entry.length(), entry.apex())) {
           directions_.push_back(unfolding.directionOf(out, unfolding.toPrevious(opposite, w.root)));
         }
       }
       const Index left = unfolding.turnLeft(out);
       if (left == kNoIndex) {
-        alongEdge(side.apexVertex, side.leftLength, unfolding.totalAngle(c.from));
+        alongEdge(side.apexVertex(), side.leftLength(), unfolding.totalAngle(c.from()));
       }
       if (left == kNoIndex || left == start) break;
       out = left;
     }
-    return surrounds(directions_, unfolding.totalAngle(c.from), unfolding.boundary(c.from));
+    return surrounds(directions_, unfolding.totalAngle(c.from()), unfolding.boundary(c.from()));
   }
 
   // Inside the face or on a side of it: as seen from that side.
@@ -327,7 +329,7 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
   bool onSide = false;
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Vec2 q = unfolding.toFrame(candidate.halfedge, h, candidate.midpoint);
-    if (q.y <= kTogether * unfolding.crossing(h).length) {
+    if (q.y <= kTogether * unfolding.crossing(h).length()) {
       base = h;
       onSide = true;
     }
@@ -340,14 +342,15 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
     directions_.push_back(d.y < 0 && !atWall ? 2 * kPi - angle : angle);
   };
   for (const Index h : {base, Unfolding::next(base), Unfolding::previous(base)}) {
-    const Crossing& c = unfolding.crossing(h);
+    const Crossing c = unfolding.crossing(h);
     const Vec2 there = unfolding.toFrame(base, h, q);
-    if (propagation_->settled(c.from) && propagation_->distance(c.from) + norm(there) <= reach) {
+    if (propagation_->settled(c.from()) &&
+        propagation_->distance(c.from()) + norm(there) <= reach) {
       arrive(unfolding.toFrame(h, base, {0, 0}));
     }
     for (std::uint32_t i = 0; i < propagation_->enteredCount(h); ++i) {
       const Window w = propagation_->window(h, i);
-      if (w.distanceTo(there) <= reach && w.covers(c.length, there)) {
+      if (w.distanceTo(there) <= reach && w.covers(c.length(), there)) {
         arrive(unfolding.toFrame(h, base, w.root));
       }
     }

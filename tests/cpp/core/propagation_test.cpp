@@ -222,7 +222,7 @@ TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
   WindowPool pool;
   for (int round = 0; round < 20000; ++round) {
     const Index h = random.below(unfolding.halfedgeCount());
-    const geodesic::Crossing& c = unfolding.crossing(h);
+    const geodesic::Crossing c = unfolding.crossing(h);
     const double far = std::pow(10, 3 * random() - 1);
     pool.reset();
     WindowRun* newest = nullptr;
@@ -238,17 +238,17 @@ TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
       double* field = run->fields();
       const std::size_t stride = run->stride;
       for (Index i = 0; i < run->count; ++i) {
-        field[i] = c.length * (3 * random() - 1);
+        field[i] = c.length() * (3 * random() - 1);
         field[stride + i] = -far * random();
         field[2 * stride + i] = random() < 0.3 ? 0 : 10 * random();
         const double a = random() < 0.3 ? 0 : random(), b = random() < 0.3 ? 0 : random();
-        field[3 * stride + i] = c.length * std::min(a, 1 - b);
-        field[4 * stride + i] = c.length * std::min(b, 1 - a);
+        field[3 * stride + i] = c.length() * std::min(a, 1 - b);
+        field[4 * stride + i] = c.length() * std::min(b, 1 - a);
       }
       pool.keep(Side::Left, run, windows, random() < 0.5);
     }
     const auto corner = [&] { return random() < 0.2 ? INFINITY : 10 + far * random(); };
-    const CrossingBatch batch{&c, newest, 0, count, corner(), corner(), corner()};
+    const CrossingBatch batch{c, newest, 0, count, corner(), corner(), corner()};
     WindowRun* left = pool.room(Side::Left, count);
     WindowRun* right = pool.room(Side::Right, count);
     const CrossingResult a = geodesic::crossingKernels().back()(batch, left, right);
