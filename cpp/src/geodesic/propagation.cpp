@@ -72,7 +72,7 @@ void Propagation::lookAhead() const {
   }
   if (const Index item = queue_.ahead(kNear, kNoIndex); item != kNoIndex) {
     if ((item & kVertexItem) != 0) {
-      unfolding_->prefetchCorners(item & ~kVertexItem);
+      unfolding_->prefetchFan(item & ~kVertexItem);
     } else {
       const Crossing c = unfolding_->crossing(item);
       for (const Index vertex : {c.from(), c.to(), c.apexVertex()}) prefetch(&distance_[vertex]);
@@ -277,29 +277,29 @@ void Propagation::fanBehind(Index vertex) {
   Arrival& arrival = arrival_[vertex];
   const Vec2 onwards = -1 * arrival.towards;
 
-  const std::span<const Corner> corners = unfolding_->corners(vertex);
-  const std::size_t last = corners.size() - 1;
+  const std::span<const Index> fan = unfolding_->fan(vertex);
+  const std::size_t last = fan.size() - 1;
   const bool open = unfolding_->boundary(vertex);
   std::size_t arrived = 0;
-  while (corners[arrived].halfedge != arrival.corner) ++arrived;
+  while (fan[arrived] != arrival.corner) ++arrived;
 
   // The ray that leaves π on its right: going round to the left, from face to face, until one holds
-  // it. The vector is turned along, so that the corners add up by themselves.
+  // it. The vector is turned along, so that the angles add up by themselves.
   std::size_t at = arrived;
   Index leftFace = kNoIndex;
   Vec2 leftRay = onwards;
   do {
-    leftRay = turnedBack(leftRay, corners[at].left);
+    leftRay = turnedBack(leftRay, unfolding_->left(fan[at]));
     if (at == last && open) {
       if (leftRay.x > 0 && std::fabs(leftRay.y) <= kFlatAngle) {
-        reachAgainst(Unfolding::previous(corners[at].halfedge));  // along the wall
+        reachAgainst(Unfolding::previous(fan[at]));  // along the wall
       }
       leftFace = kNoIndex;
       break;
     }
     at = at == last ? 0 : at + 1;
-    leftFace = corners[at].halfedge;
-  } while (cross(leftRay, corners[at].left) < 0);
+    leftFace = fan[at];
+  } while (cross(leftRay, unfolding_->left(fan[at])) < 0);
   leftRay = turnedBack(leftRay, {1, kFanOverlap});
   if (leftFace != kNoIndex) unfolding_->prefetchCrossing(leftFace);
 
@@ -309,13 +309,13 @@ void Propagation::fanBehind(Index vertex) {
   Vec2 rightRay = onwards;
   do {
     if (at == 0 && open) {
-      if (rightRay.x > 0 && std::fabs(rightRay.y) <= kFlatAngle) reachAlong(corners[0].halfedge);
+      if (rightRay.x > 0 && std::fabs(rightRay.y) <= kFlatAngle) reachAlong(fan[0]);
       rightFace = kNoIndex;
       break;
     }
     at = at == 0 ? last : at - 1;
-    rightFace = corners[at].halfedge;
-    rightRay = turned(rightRay, corners[at].left);
+    rightFace = fan[at];
+    rightRay = turned(rightRay, unfolding_->left(fan[at]));
   } while (rightRay.y < 0);
   rightRay = turned(rightRay, {1, kFanOverlap});
 

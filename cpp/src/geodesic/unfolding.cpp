@@ -54,29 +54,27 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
                      fromMeshHalfedge(mesh.twin(m))};
   }
 
-  outgoing_.resize(mesh.vertexCount());
   direction_.resize(halfedges);
   totalAngle_.resize(mesh.vertexCount());
   passable_.resize(mesh.vertexCount());
-  corners_.reserve(halfedges);
-  firstCorner_.reserve(mesh.vertexCount() + std::size_t{1});
+  fans_.reserve(halfedges);
+  firstOfFan_.reserve(mesh.vertexCount() + std::size_t{1});
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    outgoing_[v] = fromMeshHalfedge(mesh.outgoing(meshVertex_[v]));
-    firstCorner_.push_back(static_cast<Index>(corners_.size()));
+    firstOfFan_.push_back(static_cast<Index>(fans_.size()));
+    const Index first = fromMeshHalfedge(mesh.outgoing(meshVertex_[v]));
     double angle = 0;
-    Index h = outgoing_[v];
+    Index h = first;
     do {
       direction_[h] = angle;
-      const Crossing c = crossing(h);
-      corners_.push_back({c.left(), c.length(), h, c.to()});
+      fans_.push_back(h);
       angle += mesh.cornerAngle(3 * meshFace_[h / 3] + h % 3);
       h = turnLeft(h);
-    } while (h != kNoIndex && h != outgoing_[v]);
+    } while (h != kNoIndex && h != first);
     totalAngle_[v] = angle;
     const double flat = boundary(v) ? kPi : 2 * kPi;
     passable_[v] = angle > flat + kSaddleAngle ? 2 : angle >= flat - kFlatAngle ? 1 : 0;
   }
-  firstCorner_.push_back(static_cast<Index>(corners_.size()));
+  firstOfFan_.push_back(static_cast<Index>(fans_.size()));
 }
 
 Index Unfolding::home(const SurfacePoint& point) const {

@@ -61,14 +61,6 @@ class Crossing {
   const FlatHalfedge *side_, *next_, *previous_;
 };
 
-/// A face seen from one of its vertices: what turning round the vertex needs, side by side.
-struct Corner {
-  Vec2 left;       ///< unit vector along the face's other side, in the frame of `halfedge`
-  double length;   ///< of the halfedge
-  Index halfedge;  ///< the face's side that starts at the vertex
-  Index to;        ///< its end
-};
-
 /// A surface prepared for unfolding. Immutable: shared by the solvers of all threads.
 class Unfolding {
  public:
@@ -79,7 +71,7 @@ class Unfolding {
   double unit() const { return unit_; }
   double meanEdgeLength() const { return meanEdgeLength_; }
 
-  Index vertexCount() const { return static_cast<Index>(outgoing_.size()); }
+  Index vertexCount() const { return static_cast<Index>(totalAngle_.size()); }
   Index halfedgeCount() const { return static_cast<Index>(halfedges_.size()); }
   Crossing crossing(Index halfedge) const { return {halfedges_.data(), halfedge}; }
   /// The halfedge on the other side; kNoIndex at a wall.
@@ -87,7 +79,7 @@ class Unfolding {
   static Index next(Index halfedge) { return SurfaceMesh::next(halfedge); }
   static Index previous(Index halfedge) { return SurfaceMesh::previous(halfedge); }
   /// A halfedge that starts from a vertex; on a boundary, the one with the wall on its right.
-  Index outgoing(Index vertex) const { return outgoing_[vertex]; }
+  Index outgoing(Index vertex) const { return fans_[firstOfFan_[vertex]]; }
   /// The next halfedge from the same vertex, counter-clockwise; kNoIndex where the wall is next.
   Index turnLeft(Index halfedge) const { return halfedges_[previous(halfedge)].twin; }
   /// And clockwise.
@@ -96,33 +88,32 @@ class Unfolding {
     return t == kNoIndex ? kNoIndex : next(t);
   }
 
-  /// The faces round a vertex, counter-clockwise from outgoing(vertex).
-  std::span<const Corner> corners(Index vertex) const {
-    return {corners_.data() + firstCorner_[vertex],
-            firstCorner_[vertex + 1] - firstCorner_[vertex]};
+  /// The halfedges that start from a vertex, and so its faces, counter-clockwise from
+  /// outgoing(vertex).
+  std::span<const Index> fan(Index vertex) const {
+    return {fans_.data() + firstOfFan_[vertex], firstOfFan_[vertex + 1] - firstOfFan_[vertex]};
   }
+  /// Unit vector along the face's other side from the start of a halfedge, in its frame.
+  Vec2 left(Index halfedge) const { return halfedges_[halfedge].left; }
 
   /// Asks for what crossing the face of a halfedge needs.
   void prefetchCrossing(Index halfedge) const {
     prefetch(&halfedges_[3 * SurfaceMesh::faceOf(halfedge)], 3);
   }
-  /// Asks for what is known of a vertex; and then, for its corners.
+  /// Asks for what is known of a vertex; and then, for its fan.
   void prefetchVertex(Index vertex) const {
-    prefetch(&firstCorner_[vertex]);
-    prefetch(&outgoing_[vertex]);
+    prefetch(&firstOfFan_[vertex]);
     prefetch(&totalAngle_[vertex]);
     prefetch(&passable_[vertex]);
   }
-  void prefetchCorners(Index vertex) const {
-    prefetch(corners(vertex).data(), corners(vertex).size());
-  }
+  void prefetchFan(Index vertex) const { prefetch(fan(vertex).data(), fan(vertex).size()); }
 
   /// Direction of a halfedge at the vertex it starts from: its angle, counter-clockwise, from
   /// outgoing(vertex), in [0, totalAngle).
   double direction(Index halfedge) const { return direction_[halfedge]; }
   /// Total angle of a vertex, inside the surface.
   double totalAngle(Index vertex) const { return totalAngle_[vertex]; }
-  bool boundary(Index vertex) const { return twin(outgoing_[vertex]) == kNoIndex; }
+  bool boundary(Index vertex) const { return twin(outgoing(vertex)) == kNoIndex; }
   /// Whether geodesics can pass through a vertex: its angle leaves π on both sides of a path, or on
   /// the one side that a boundary vertex has.
   bool passable(Index vertex) const { return passable_[vertex] != 0; }
@@ -180,9 +171,8 @@ class Unfolding {
   const SurfaceMesh* mesh_;
   double unit_, meanEdgeLength_;
   std::vector<FlatHalfedge> halfedges_;
-  std::vector<Index> outgoing_;
-  std::vector<Corner> corners_;
-  std::vector<Index> firstCorner_;
+  std::vector<Index> fans_;        // of all vertices, one behind the other
+  std::vector<Index> firstOfFan_;  // of the vertices, and the end
   std::vector<double> direction_, totalAngle_;
   std::vector<std::uint8_t> passable_;
   std::vector<Index> meshVertex_, vertexOfMesh_, meshFace_, faceOfMesh_;

@@ -6,7 +6,6 @@
 namespace girth {
 
 using geodesic::Arrival;
-using geodesic::Corner;
 using geodesic::cross;
 using geodesic::Crossing;
 using geodesic::CrossingResult;
@@ -94,8 +93,8 @@ void LoopSearch::onVertex(Index vertex) {
   if (propagation_->isSource(vertex)) return;  // what meets there comes later
   tryEdgesOnwards(vertex);
   if (propagation_->reachedOnce(vertex)) return;  // by the window of its own path
-  for (const Corner& edge : propagation_->unfolding().corners(vertex)) {
-    const Index opposite = Unfolding::next(edge.halfedge);
+  for (const Index edge : propagation_->unfolding().fan(vertex)) {
+    const Index opposite = Unfolding::next(edge);
     const auto [begin, end] = propagation_->apexWindows(opposite);
     for (std::uint32_t k = begin; k < end; ++k) {
       tryApex(opposite, propagation_->window(opposite, k));
@@ -207,14 +206,14 @@ void LoopSearch::tryEdgesOnwards(Index vertex) {
     return;
   }
   const double arrived = propagation_->arrivalDirection(vertex);
-  const std::span<const Corner> corners = unfolding.corners(vertex);
-  for (const Corner& edge : corners) {
-    if (unfolding.straight(vertex, arrived, unfolding.direction(edge.halfedge))) {
-      tryEdge(edge.halfedge);
+  const std::span<const Index> fan = unfolding.fan(vertex);
+  for (const Index edge : fan) {
+    if (unfolding.straight(vertex, arrived, unfolding.direction(edge))) {
+      tryEdge(edge);
     }
   }
   // The wall on the far side.
-  if (unfolding.boundary(vertex)) tryEdge(Unfolding::previous(corners.back().halfedge));
+  if (unfolding.boundary(vertex)) tryEdge(Unfolding::previous(fan.back()));
 }
 
 // Case 1: the paths to both ends of an edge, and the edge.
