@@ -91,6 +91,7 @@ test('thresholds by number, by dragging in the plot, by slider; automatic again'
   await panel.locator('.controls').waitFor();
   const girth = page.locator('#parts-girth');
   const suggested = await girth.inputValue();
+  expect(suggested).not.toBe('');
   expect(await page.locator('#field-name').inputValue()).toBe('parts');
 
   await girth.fill('0.2');

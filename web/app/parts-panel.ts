@@ -192,9 +192,8 @@ export class PartsPanel {
       ]);
       if (viewer.info !== info || this.fields) return;
       this.fields = { igf, sdf, areas };
-      this.controls.hidden = !this.drawPlot();
       this.words.textContent = sentence(sdf.note);
-      if (this.controls.hidden) {
+      if (!this.drawPlot()) {
         this.words.textContent =
           `${sentence(sdf.note)} No vertex has both a girth and a thickness.`.trim();
         return;
@@ -209,7 +208,7 @@ export class PartsPanel {
   private async applyPending(): Promise<void> {
     const { girth, diameter, smoothing = 0 } = this.pending;
     this.pending = {};
-    const { asked } = this;
+    const asked = ++this.asked;
     const suggested = await this.viewer.suggestedThresholds();
     if (asked !== this.asked) return;
     const weight = String(smoothing);
@@ -222,7 +221,7 @@ export class PartsPanel {
   }
 
   private async suggest(): Promise<void> {
-    const { asked } = this;
+    const asked = ++this.asked;
     const suggested = await this.viewer.suggestedThresholds();
     if (asked !== this.asked) return;
     this.words.textContent = sentence(this.fields?.sdf.note ?? '');
@@ -252,6 +251,8 @@ export class PartsPanel {
   private setThresholds(thresholds: PartThresholds, settled: boolean, isSuggested = false): void {
     this.isSuggested = isSuggested;
     this.thresholds = { ...thresholds };
+    // Not before: a control that has nothing to change would lose what is done with it.
+    this.controls.hidden = false;
     this.plot.setThresholds(thresholds);
     this.viewer.setThresholds(thresholds);
     this.write();
