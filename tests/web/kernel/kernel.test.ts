@@ -76,8 +76,12 @@ describe('errors', () => {
 describe('chunks', () => {
   test('follow the speed, and become small towards the end', () => {
     expect(chunkSize(undefined, 1000, 4)).toBe(4);
-    expect(chunkSize(5, 10000, 4)).toBe(100);
-    expect(chunkSize(5, 40, 4)).toBe(5);
+    expect(chunkSize(undefined, 1, 4)).toBe(1);
+    expect(chunkSize(5, 10000, 4)).toBe(200);
+    expect(chunkSize(5, 400, 4)).toBe(50);
+    // Ten of these are two milliseconds of work.
+    expect(chunkSize(5, 40, 4)).toBe(10);
+    expect(chunkSize(5, 3, 4)).toBe(3);
     expect(chunkSize(0.001, 1000, 4)).toBe(1);
     expect(chunkSize(5, 1, 4)).toBe(1);
   });

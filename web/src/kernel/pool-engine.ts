@@ -7,7 +7,9 @@ import type { FieldEngine, FieldRun } from './field-run.js';
 import type { SurfaceSource, WorkerClient } from './worker-client.js';
 
 /** How long a chunk should take: long against a message, short against a person's patience. */
-const chunkMilliseconds = 20;
+const chunkMilliseconds = 40;
+/** Towards the end chunks become small, but not so small that messages cost more than the work. */
+const leastMilliseconds = 2;
 /** Each worker has one chunk in work and one waiting, so that a busy page does not leave it idle. */
 const chunksPerWorker = 2;
 const firstChunk = 4;
@@ -16,10 +18,12 @@ const patience = 500;
 
 /** How many vertices to hand out, given a worker's speed in vertices per millisecond. */
 export function chunkSize(speed: number | undefined, left: number, workers: number): number {
-  const wanted = speed === undefined ? firstChunk : Math.round(speed * chunkMilliseconds);
   // Towards the end the chunks become small, so that all workers finish together.
   const share = Math.ceil(left / (chunksPerWorker * workers));
-  return Math.max(1, Math.min(wanted, share, left));
+  if (speed === undefined) return Math.min(firstChunk, share);
+  const least = Math.ceil(speed * leastMilliseconds);
+  const most = Math.ceil(speed * chunkMilliseconds);
+  return Math.min(Math.max(share, least), most, left);
 }
 
 export class PoolEngine implements FieldEngine {
