@@ -47,17 +47,17 @@ for (const mode of ['threads', 'pool'] as const) {
     let server: StaticServer;
     onKernelPage(openPage, mode, (...opened) => ([page, server] = opened));
 
-    test('starts, in this mode, with nothing that it does not need', async () => {
-      const started = await page.evaluate(async () => {
+    test.each([1, 2])('starts with %i, in this mode, with nothing not needed', async (wanted) => {
+      const started = await page.evaluate(async (wanted) => {
         const from = performance.now();
-        const kernel = await girth.createKernel({ threads: 2 });
+        const kernel = await girth.createKernel({ threads: wanted });
         const milliseconds = performance.now() - from;
         const { mode, threads } = kernel;
         kernel.dispose();
         return { mode, threads, milliseconds, isolated: crossOriginIsolated };
-      });
-      console.log(`${mode}: started in ${started.milliseconds.toFixed(0)} ms`);
-      expect(started).toMatchObject({ mode, threads: 2, isolated: mode === 'threads' });
+      }, wanted);
+      console.log(`${mode}: started ${wanted} in ${started.milliseconds.toFixed(0)} ms`);
+      expect(started).toMatchObject({ mode, threads: wanted, isolated: mode === 'threads' });
       expect(server.requests.some((path) => path.includes('threads'))).toBe(mode === 'threads');
     });
 

@@ -54,9 +54,10 @@ struct VertexPartial {
   std::span<const LoopKind> kinds;
 };
 
-/// The function at all vertices. `onPartial`, where given, is called on the calling thread every
-/// few hundredths of a second with what is new, in the order of `coarseToFineOrder`, so that early
-/// reports are spread over the whole surface. The same bits for any number of threads.
+/// The function at all vertices. The calling thread is one of those that compute. `onPartial`,
+/// where given, is called on it every few hundredths of a second, between two vertices of its own,
+/// with what is new, in the order of `coarseToFineOrder`, so that early reports are spread over the
+/// whole surface. The same bits for any number of threads.
 VertexValues evaluateAll(const SurfaceMesh& mesh, const VertexFunction& function,
                          const ExecutionContext& context = {},
                          const std::function<void(const VertexPartial&)>& onPartial = {});

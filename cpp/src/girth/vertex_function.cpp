@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <limits>
-#include <mutex>
 #include <thread>
 
 #include "mesh/space_filling_curve.h"
@@ -89,30 +87,6 @@ class Reporter {
   std::vector<LoopKind> kinds_;
 };
 
-/// The calling thread only reports, so that callbacks come from it alone.
-void runThreads(Work& work, unsigned threads, Reporter& reporter) {
-  std::mutex mutex;
-  std::condition_variable ended;
-  unsigned running = threads;
-  std::vector<std::thread> workers;
-  for (unsigned i = 0; i < threads; ++i) {
-    workers.emplace_back([&] {
-      computeVertices(work, [] {});
-      const std::lock_guard lock(mutex);
-      if (--running == 0) ended.notify_one();
-    });
-  }
-  {
-    std::unique_lock lock(mutex);
-    while (!ended.wait_for(lock, kReportInterval, [&] { return running == 0; })) {
-      lock.unlock();
-      reporter.report();
-      lock.lock();
-    }
-  }
-  for (std::thread& worker : workers) worker.join();
-}
-
 }  // namespace
 
 VertexValues evaluateAll(const SurfaceMesh& mesh, const VertexFunction& function,
@@ -129,20 +103,22 @@ VertexValues evaluateAll(const SurfaceMesh& mesh, const VertexFunction& function
   work.field.kinds.assign(mesh.vertexCount(), LoopKind::Loop);
 
   const unsigned threads = std::min(threadsOf(context), mesh.vertexCount());
-  Reporter reporter(work, onPartial);
-  if (threads == 1) {
-    // No thread of its own: so it runs where there are none, as in the single-threaded WebAssembly
-    // module.
-    auto last = std::chrono::steady_clock::now();
-    computeVertices(work, [&] {
-      const auto now = std::chrono::steady_clock::now();
-      if (now - last < kReportInterval) return;
-      last = now;
-      reporter.report();
-    });
-  } else {
-    runThreads(work, threads, reporter);
+  std::vector<std::thread> others;
+  for (unsigned i = 1; i < threads; ++i) {
+    others.emplace_back([&] { computeVertices(work, [] {}); });
   }
+  // The calling thread computes too, and reports between two vertices: so callbacks come from it
+  // alone, and where there are no threads it needs none. One that only waited would be woken a
+  // thousand times a second as WebAssembly, and take the others' place each time.
+  Reporter reporter(work, onPartial);
+  auto last = std::chrono::steady_clock::now();
+  computeVertices(work, [&] {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last < kReportInterval) return;
+    last = now;
+    reporter.report();
+  });
+  for (std::thread& other : others) other.join();
   reporter.report();
   work.field.computed = work.done.load();
   return std::move(work.field);
