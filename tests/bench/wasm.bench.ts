@@ -17,7 +17,7 @@ import { figure, printFigures, quantile, type Figure } from './figures.js';
 declare const girth: KernelPage;
 
 const workers = 2;
-const turns = 9;
+const turns = 25;
 /** Times of the native time. */
 const goal = 1.5;
 
