@@ -120,7 +120,7 @@ Result<GeodesicPath> GeodesicSolver::path(const SurfacePoint& from, const Surfac
   path.length = end.distance * unfolding.unit();
   if (std::isinf(path.length)) return path;
   // Traced from its end, that is from `to` back to `from`.
-  path.points.push_back(geodesic::surfacePointAt(unfolding, halfedge, place));
+  path.points.push_back(geodesic::endOfPath(unfolding, target.value()));
   std::vector<SurfacePoint> back;
   geodesic::tracePath(propagation, end, halfedge, place, back);
   for (const SurfacePoint& point : back) {

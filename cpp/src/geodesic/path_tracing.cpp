@@ -24,13 +24,8 @@ void append(std::vector<SurfacePoint>& path, const SurfacePoint& point) {
   if (path.empty() || !samePoint(path.back(), point)) path.push_back(point);
 }
 
-/// A source, told by the same halfedge as the points of paths.
 SurfacePoint sourcePoint(const Propagation& propagation, Index source) {
-  const SurfacePoint& point = propagation.source(source);
-  if (point.kind != SurfacePoint::Kind::Edge) return point;
-  const Unfolding& unfolding = propagation.unfolding();
-  return pointOfEdge(unfolding, point.element,
-                     point.weights[1] * unfolding.crossing(point.element).length());
+  return endOfPath(propagation.unfolding(), propagation.source(source));
 }
 
 /// A bundle and where its window lies on the halfedge.
@@ -96,6 +91,12 @@ Passage passageBefore(const Propagation& propagation, const Bundle& bundle, doub
 }
 
 }  // namespace
+
+SurfacePoint endOfPath(const Unfolding& unfolding, const SurfacePoint& point) {
+  if (point.kind != SurfacePoint::Kind::Edge) return point;
+  return pointOfEdge(unfolding, point.element,
+                     point.weights[1] * unfolding.crossing(point.element).length());
+}
 
 bool samePoint(const SurfacePoint& a, const SurfacePoint& b) {
   return a.kind == b.kind && a.element == b.element &&

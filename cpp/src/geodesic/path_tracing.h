@@ -24,6 +24,10 @@ void traceVertex(const Propagation& propagation, Index vertex, std::vector<Surfa
 void tracePath(const Propagation& propagation, const PathEnd& end, Index halfedge, Vec2 point,
                std::vector<SurfacePoint>& path);
 
+/// A point from which or to which a path goes, as the path tells it: itself, not what is left of it
+/// after a way through planar frames; on an edge by the halfedge by which the path tells that.
+SurfacePoint endOfPath(const Unfolding& unfolding, const SurfacePoint& point);
+
 /// Whether two points are one, up to kTouch. Points on edges must be told by the same halfedge.
 bool samePoint(const SurfacePoint& a, const SurfacePoint& b);
 
