@@ -17,7 +17,7 @@ namespace girth::bind {
 namespace {
 
 /// The girth differs by at most twice the distance along the surface, but where it jumps
-/// (DEFINITIONS section 2).
+/// (web/docs/definitions.md, section 2).
 constexpr double kSteepestGirth = 2;
 
 /// A surface of about `faces` faces, as `describe` gives it, or an error.

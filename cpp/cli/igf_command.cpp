@@ -156,7 +156,8 @@ Result<std::string> contentFor(const std::string& extension, const std::string& 
 /// The field of a remeshed surface at the vertices of the original.
 GirthField carriedBack(const GirthField& field, const SurfaceMesh& remeshed,
                        const SurfaceMesh& original) {
-  constexpr double kSteepest = 2;  // beyond that the girth jumps (DEFINITIONS section 2)
+  // Where it is steeper, the girth jumps (web/docs/definitions.md, section 2).
+  constexpr double kSteepest = 2;
   const std::vector<SurfacePoint> places = nearestPoints(remeshed, original);
   GirthField carried;
   carried.values = interpolated(remeshed, field.values, places, kSteepest);

@@ -2,10 +2,10 @@
 // measured.
 //
 // I(p) is twice the least critical value of the distance from p at a saddle point, where the
-// growing disk first meets itself (DEFINITIONS section 2). There its topology changes: a cycle is
-// born in the sublevel set. So the field is sampled exactly at the points of a subdivided surface,
-// and the persistent homology of its sublevel sets says when cycles are born and when they are
-// filled.
+// growing disk first meets itself (web/docs/definitions.md, section 2). There its topology changes:
+// a cycle is born in the sublevel set. So the field is sampled exactly at the points of a
+// subdivided surface, and the persistent homology of its sublevel sets says when cycles are born
+// and when they are filled.
 #pragma once
 
 #include <optional>

@@ -27,8 +27,7 @@ std::vector<Shape> triangulations(const Shape& shape) {
   return {shape, retriangulated(shape, 1), retriangulated(shape, 2)};
 }
 
-// --- Closed forms (DEFINITIONS section 2)
-// ---------------------------------------------------------------
+// --- Closed forms (web/docs/definitions.md, section 2)
 
 /// A band of vertices of a prism whose loop is its perimeter.
 void expectPerimeter(const Shape& shape, Index first, Index last, double perimeter) {
@@ -194,7 +193,6 @@ TEST(ClosedForm, ARegularTetrahedronClosesUponTheOppositeFace) {
 }
 
 // --- Against the naive algorithm, and the loop's own properties
-// -----------------------------------------
 
 class AgainstNaive : public testing::TestWithParam<int> {};
 
@@ -269,7 +267,6 @@ TEST_P(AgainstNaive, AtEveryVertex) {
 INSTANTIATE_TEST_SUITE_P(Shapes, AgainstNaive, testing::Range(0, kShapes));
 
 // --- Against brute force
-// --------------------------------------------------------------------------------
 
 class AgainstBruteForce : public testing::TestWithParam<int> {};
 
@@ -314,7 +311,6 @@ TEST_P(AgainstBruteForce, AtEveryVertex) {
 INSTANTIATE_TEST_SUITE_P(Shapes, AgainstBruteForce, testing::Range(0, 10));
 
 // --- What must not change the values
-// --------------------------------------------------------------------
 
 TEST(Invariance, ScaleAndMotion) {
   const Shape shape = perturbed(plate(2), 0.1, 6);

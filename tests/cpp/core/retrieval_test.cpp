@@ -339,7 +339,7 @@ TEST(Measures, HandWorkedExample) {
 }
 
 TEST(Measures, LimitsOfTwentyAClass) {
-  // DEFINITIONS section 6: 74.5% without the query, 76.9% with it.
+  // web/docs/definitions.md, section 6: 74.5% without the query, 76.9% with it.
   std::vector<std::uint32_t> classes;
   for (std::uint32_t i = 0; i < 600; ++i) classes.push_back(i / 20);
   Numbers distances(600);

@@ -1,4 +1,5 @@
-// Surfaces with boundary: walls, along which paths may run (DEFINITIONS section 2). Closed forms.
+// Surfaces with boundary: walls, along which paths may run (web/docs/definitions.md, section 2).
+// Closed forms.
 
 #include <gtest/gtest.h>
 
