@@ -91,7 +91,7 @@ inline ExecutionContext reportingTo(const emscripten::val& onProgress) {
 inline Result<SurfaceMesh> surfaceOf(const emscripten::val& positions,
                                      const emscripten::val& indices) {
   return SurfaceMesh::fromArrays(copyIn<double>(positions), copyIn<Index>(indices),
-                                 OpenEdges::Wall);
+                                 OpenEdges::Boundary);
 }
 
 /// The same of an object {positions, indices}.

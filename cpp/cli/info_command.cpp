@@ -141,7 +141,7 @@ void printText(const std::string& file, const io::LoadedMesh& loaded) {
   row("genus", joinedGenera(mesh, ", "));
   if (report.boundaryCurves > 0) {
     row("boundary", counted(report.boundaryCurves, "curve", "curves") + " of " +
-                        counted(report.boundaryEdges, "edge", "edges") + ": walls");
+                        counted(report.boundaryEdges, "edge", "edges"));
   }
   row("area", readable(mesh.area()) + (unit.empty() ? "" : unit + "²"));
   row("mean edge", readable(mesh.meanEdgeLength()) + unit);

@@ -14,7 +14,7 @@
 
 namespace girth::cli {
 
-/// A surface read for a study, all its components, open edges as walls. Errors: those of reading.
+/// A surface read for a study, all its components, with its boundaries. Errors: those of reading.
 Result<SurfaceMesh> readSurface(const std::string& path);
 
 /// What a file says, and the files that it refers to. Errors: those of reading.

@@ -27,7 +27,7 @@ const tree = join(repository, 'build/mutation/tree');
 /** Quick tests that between them touch every rule; random meshes among them. */
 const tests = [
   ...['ClosedForm.*', 'Invariance.*', 'Solver.*', 'Shapes/Against*', 'FirstSaddle.*'],
-  ...['BadInput.TheSmallest*', 'BadInput.Points*', 'Field.*', '*Geodesic*', '*Walls*'],
+  ...['BadInput.TheSmallest*', 'BadInput.Points*', 'Field.*', '*Geodesic*', '*Boundaries*'],
   'RandomMeshes/*',
 ].join(':');
 

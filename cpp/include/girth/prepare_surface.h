@@ -1,4 +1,5 @@
-// From any triangles to a surface: an oriented manifold mesh with walls, every change counted.
+// From any triangles to a surface: an oriented manifold mesh, possibly with boundary, every change
+// counted.
 #pragma once
 
 #include <vector>
@@ -51,9 +52,9 @@ struct PreparationReport {
   /// Faces without area whose middle vertex lies on their longest side, and whose loss would open
   /// the surface: that side was flipped, so that the neighbour's area is shared by two faces.
   Index flippedFaces{0};
-  /// Faces that have the three vertices of another one, dropped. Two copies are kept only as a wall
-  /// between two solids: where all edges of the doubled patch's rim that have other faces have an
-  /// even number of them.
+  /// Faces that have the three vertices of another one, dropped. Two copies are kept only as a
+  /// partition between two solids: where all edges of the doubled patch's rim that have other faces
+  /// have an even number of them.
   Index duplicateFaces{0};
   /// Vertices that no face is left to use, dropped.
   Index unreferencedVertices{0};
@@ -73,8 +74,8 @@ struct PreparationReport {
   /// Connected components of what came out, and how many of them are kept.
   Index components{0};
   Index keptComponents{0};
-  /// Boundary curves of the kept components, and their edges; they are walls (DEFINITIONS section
-  /// 2). Counted after holes were closed.
+  /// Boundary curves of the kept components, and their edges (web/docs/definitions.md, section 2).
+  /// Counted after holes were closed.
   Index boundaryCurves{0};
   Index boundaryEdges{0};
   /// Boundary curves that were filled, and which.
@@ -109,9 +110,9 @@ struct PreparedSurface {
 
 /// Makes a surface of any triangles: welds, drops faces without area and duplicates, orients, cuts
 /// where more than two faces meet or parts touch, chooses components, and fills holes if asked to;
-/// other boundaries become walls. Faces and vertices keep the order of the input. The same arrays
-/// always give the same surface, and preparing a prepared surface's arrays once more gives the same
-/// arrays. O(n log n) in the faces; about 200 bytes a face.
+/// other open edges become boundaries. Faces and vertices keep the order of the input. The same
+/// arrays always give the same surface, and preparing a prepared surface's arrays once more gives
+/// the same arrays. O(n log n) in the faces; about 200 bytes a face.
 ///
 /// Errors: EMPTY_MESH (nothing is left, and why), NON_FINITE_POSITION (vertex of the input),
 /// INDEX_OUT_OF_RANGE (triangle of the input), INVALID_OPTION (a distance that is negative or not a

@@ -22,8 +22,8 @@ struct Vec3 {
 
 /// What to do with edges that have a face on one side only.
 enum class OpenEdges : std::uint8_t {
-  Refuse,  ///< OPEN_EDGE: only closed surfaces are wanted
-  Wall,    ///< paths may run along them but not across (DEFINITIONS section 2)
+  Refuse,    ///< OPEN_EDGE: only closed surfaces are wanted
+  Boundary,  ///< paths may run along them but not across (DEFINITIONS section 2)
 };
 
 /// The surface: flat triangles, curved only at its vertices (DEFINITIONS: a polyhedral surface).
@@ -34,7 +34,7 @@ class SurfaceMesh {
  public:
   /// Makes a surface from `positions` (x, y, z per vertex) and `triangles` (three vertices per
   /// face, counter-clockwise seen from outside). Vertices and faces keep their numbers. O(n log n).
-  /// Open edges are refused or become walls.
+  /// Open edges are refused or become boundaries.
   ///
   /// Errors, each naming the first offending element: EMPTY_MESH, NON_FINITE_POSITION (vertex),
   /// INDEX_OUT_OF_RANGE (face), DEGENERATE_FACE (face: a repeated vertex, or no area),
@@ -64,12 +64,12 @@ class SurfaceMesh {
   Index from(Index halfedge) const { return from_[halfedge]; }
   Index to(Index halfedge) const { return from_[next(halfedge)]; }
   /// The other halfedge of the same edge, in the neighbouring face, running the other way; kNoIndex
-  /// at a wall.
+  /// at a boundary.
   Index twin(Index halfedge) const { return twin_[halfedge]; }
   /// One halfedge that starts from a vertex; `twin(previous(h))` is the next one counter-clockwise.
-  /// At a boundary vertex it is the first: the one along the wall.
+  /// At a boundary vertex it is the first: the one along the boundary.
   Index outgoing(Index vertex) const { return outgoing_[vertex]; }
-  /// Whether a vertex lies on a wall.
+  /// Whether a vertex lies on a boundary.
   bool isBoundary(Index vertex) const { return twin_[outgoing_[vertex]] == kNoIndex; }
 
   /// Length of an edge, in model units.
@@ -77,7 +77,7 @@ class SurfaceMesh {
   /// Inner angle of a face at the corner that a halfedge starts from, in radians, in (0, π).
   double cornerAngle(Index halfedge) const { return cornerAngle_[halfedge]; }
   /// Total angle Θ of a vertex: below 2π convex, 2π flat, above 2π saddle (DEFINITIONS section 1).
-  /// At a wall, the angle inside the surface, and π in the place of 2π.
+  /// At a boundary, the angle inside the surface, and π in the place of 2π.
   double totalAngle(Index vertex) const { return totalAngle_[vertex]; }
 
   /// Area of a face, and of the whole surface, in squared model units.

@@ -14,8 +14,8 @@ namespace girth {
 /// A line across edges of the surface: a point in the middle of each, in order.
 struct ContourLine {
   std::vector<SurfacePoint> points;
-  /// It comes back to its first point, which is not repeated. Else it ends at walls, or, an arc,
-  /// inside faces.
+  /// It comes back to its first point, which is not repeated. Otherwise it ends at the boundary,
+  /// or, an arc, inside faces.
   bool closed{false};
 };
 

@@ -8,7 +8,7 @@
 namespace girth {
 
 /// Joins crossed edges to lines through the faces: a face with two of them leads from one to the
-/// other. Lines end at walls, and in faces where one or all three sides are crossed. Each edge
+/// other. Lines end at boundaries, and in faces where one or all three sides are crossed. Each edge
 /// belongs to one line. `edges`: one halfedge for each crossed edge; `crossed`: for each halfedge.
 std::vector<ContourLine> contourLines(const SurfaceMesh& mesh, const std::vector<Index>& edges,
                                       const std::vector<bool>& crossed);

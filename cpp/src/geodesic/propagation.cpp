@@ -149,12 +149,13 @@ void Propagation::reachAlong(Index halfedge) {
   arrival->way = Arrival::Way::Edge;
   arrival->before = c.from();
   const Index twin = unfolding_->twin(halfedge), next = Unfolding::next(halfedge);
-  // At the far end the edge is a halfedge of its own, or, along a wall, the left side of the last.
+  // At the far end the edge is a halfedge of its own, or, along a boundary, the left side of the
+  // last.
   arrival->corner = twin != kNoIndex ? twin : next;
   arrival->towards = twin != kNoIndex ? Vec2{1, 0} : unfolding_->crossing(next).left();
 }
 
-/// A path goes from the end of a halfedge, which lies on a wall, along it to its start.
+/// A path goes from the end of a halfedge, which lies on a boundary, along it to its start.
 void Propagation::reachAgainst(Index halfedge) {
   const Crossing c = unfolding_->crossing(halfedge);
   Arrival* arrival = reach(c.from(), distance_[c.to()] + c.length());
@@ -265,7 +266,7 @@ void Propagation::settle(Index vertex) {
     arrival.corner = Unfolding::previous(h);
     arrival.towards = normalized(unfolding_->toPrevious(h, arrival.bundle.root));
   }
-  // Along a wall, a flat vertex sends the path on too: no window need see past it.
+  // Along a boundary, a flat vertex sends the path on too: no window need see past it.
   if (unfolding_->saddle(vertex) ||
       (unfolding_->boundary(vertex) && unfolding_->passable(vertex))) {
     fanBehind(vertex);
@@ -292,7 +293,7 @@ void Propagation::fanBehind(Index vertex) {
     leftRay = turnedBack(leftRay, unfolding_->left(fan[at]));
     if (at == last && open) {
       if (leftRay.x > 0 && std::fabs(leftRay.y) <= kFlatAngle) {
-        reachAgainst(Unfolding::previous(fan[at]));  // along the wall
+        reachAgainst(Unfolding::previous(fan[at]));  // along the boundary
       }
       leftFace = kNoIndex;
       break;
@@ -320,7 +321,7 @@ void Propagation::fanBehind(Index vertex) {
   rightRay = turned(rightRay, {1, kFanOverlap});
 
   if (open) {
-    // Between the incoming path and the wall on either side.
+    // Between the incoming path and the boundary on either side.
     if (leftFace != kNoIndex) sendAround(leftFace, &leftRay, kNoIndex, nullptr);
     if (rightFace != kNoIndex) {
       sendAround(unfolding_->outgoing(vertex), nullptr, rightFace, &rightRay);
@@ -338,7 +339,7 @@ void Propagation::fanBehind(Index vertex) {
 }
 
 /// Sends windows through the faces of a vertex from `first`, from ray `low` on, round to `last`, up
-/// to ray `high`; kNoIndex: as far as the wall.
+/// to ray `high`; kNoIndex: as far as the boundary.
 void Propagation::sendAround(Index first, const Vec2* low, Index last, const Vec2* high) {
   for (Index h = first; h != kNoIndex; h = unfolding_->turnLeft(h)) {
     sendThrough(h, h == first ? low : nullptr, h == last ? high : nullptr);

@@ -225,8 +225,8 @@ class Propagation {
   void reachAlong(Index halfedge);
   void reachAgainst(Index halfedge);
   CrossingResult crossFace(Index halfedge);
-  /// Whether windows can go to a halfedge: not beyond a wall, and not into a face that the front
-  /// has passed, where no path can be shortest any more.
+  /// Whether windows can go to a halfedge: not across a boundary, and not into a face that the
+  /// front has passed, where no path can be shortest any more.
   bool takesWindows(Index halfedge) const {
     return halfedge != kNoIndex && !gone(lists_[halfedge]);
   }

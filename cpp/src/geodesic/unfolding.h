@@ -28,7 +28,7 @@ struct alignas(32) FlatHalfedge {
   double length;  ///< the same from either side of the edge
   Vec2 left;      ///< unit vector from its start to the vertex opposite
   Index from;     ///< the vertex that it starts from
-  Index twin;     ///< the halfedge on the other side; kNoIndex: a wall
+  Index twin;     ///< the halfedge on the other side; kNoIndex: a boundary
 };
 
 /// A face seen from one of its sides: all that a window needs to cross it. Refers to the unfolding.
@@ -53,7 +53,7 @@ class Crossing {
   Index from() const { return side_->from; }
   Index to() const { return next_->from; }
   Index apexVertex() const { return previous_->from; }
-  /// The halfedges beyond the two other sides; kNoIndex: a wall.
+  /// The halfedges beyond the two other sides; kNoIndex: a boundary.
   Index leftTwin() const { return previous_->twin; }
   Index rightTwin() const { return next_->twin; }
 
@@ -74,13 +74,14 @@ class Unfolding {
   Index vertexCount() const { return static_cast<Index>(totalAngle_.size()); }
   Index halfedgeCount() const { return static_cast<Index>(halfedges_.size()); }
   Crossing crossing(Index halfedge) const { return {halfedges_.data(), halfedge}; }
-  /// The halfedge on the other side; kNoIndex at a wall.
+  /// The halfedge on the other side; kNoIndex at a boundary.
   Index twin(Index halfedge) const { return halfedges_[halfedge].twin; }
   static Index next(Index halfedge) { return SurfaceMesh::next(halfedge); }
   static Index previous(Index halfedge) { return SurfaceMesh::previous(halfedge); }
-  /// A halfedge that starts from a vertex; on a boundary, the one with the wall on its right.
+  /// A halfedge that starts from a vertex; at a boundary, the one with the boundary on its right.
   Index outgoing(Index vertex) const { return fans_[firstOfFan_[vertex]]; }
-  /// The next halfedge from the same vertex, counter-clockwise; kNoIndex where the wall is next.
+  /// The next halfedge from the same vertex, counter-clockwise; kNoIndex where the boundary is
+  /// next.
   Index turnLeft(Index halfedge) const { return halfedges_[previous(halfedge)].twin; }
   /// And clockwise.
   Index turnRight(Index halfedge) const {

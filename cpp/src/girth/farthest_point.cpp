@@ -204,13 +204,13 @@ class FaceSearch {
           const int count = meetingPoints(sites[i], sites[j], sites[k], points);
           for (int n = 0; n < count; ++n) test(points[n], sites[i], all);
         }
-        testWalls(sites[i], sites[j], all);
+        testBoundaries(sites[i], sites[j], all);
       }
     }
   }
 
-  /// On a wall two paths are enough.
-  void testWalls(const Site& a, const Site& b, const std::vector<Site>& all) {
+  /// On a boundary two paths are enough.
+  void testBoundaries(const Site& a, const Site& b, const std::vector<Site>& all) {
     const Unfolding& unfolding = propagation_.unfolding();
     for (Index h = 3 * face_; h < 3 * face_ + 3; ++h) {
       if (unfolding.twin(h) != kNoIndex) continue;

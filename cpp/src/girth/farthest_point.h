@@ -15,7 +15,7 @@ struct FarthestPoint {
 /// After a propagation over the whole surface: the exact maximum of the distance. It lies at a
 /// vertex, or where three paths arrive together inside a face or on its rim (Sharir and Schorr
 /// 1986: at least three shortest paths end there). Few faces can hold it; those are quartered until
-/// few paths compete. On a wall two paths are enough.
+/// few paths compete. On a boundary two paths are enough.
 FarthestPoint farthestPoint(const geodesic::Propagation& propagation);
 
 }  // namespace girth

@@ -149,11 +149,11 @@ struct GirthSolver::State {
     const double between = std::fabs(directionTo(base, loop.points[1]) -
                                      directionTo(base, loop.points[loop.points.size() - 2]));
     const bool vertex = base.kind == SurfacePoint::Kind::Vertex;
-    const bool wall =
+    const bool boundary =
         vertex ? unfolding->boundary(base.element)
                : base.kind == SurfacePoint::Kind::Edge && unfolding->twin(base.element) == kNoIndex;
     const double total = vertex ? unfolding->totalAngle(base.element) : 2 * kPi;
-    return wall ? between : std::min(between, total - between);
+    return boundary ? between : std::min(between, total - between);
   }
 };
 

@@ -30,7 +30,7 @@ constexpr double kTogether = 1e-9;
 bool longer(const LoopCandidate& a, const LoopCandidate& b) { return a.length > b.length; }
 
 /// Directions around a point leave no gap of π or more. On a boundary (`open`) the directions run
-/// from wall to wall, and a gap may lie between a wall and the first of them.
+/// from boundary to boundary, and a gap may lie between a boundary and the first of them.
 bool surrounds(std::vector<double>& directions, double total, bool open) {
   constexpr double gap = kPi - kFullGap;
   if (directions.empty()) return false;
@@ -212,7 +212,7 @@ void LoopSearch::tryEdgesOnwards(Index vertex) {
       tryEdge(edge);
     }
   }
-  // The wall on the far side.
+  // The boundary on the far side.
   if (unfolding.boundary(vertex)) tryEdge(Unfolding::previous(fan.back()));
 }
 
@@ -333,12 +333,12 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
       onSide = true;
     }
   }
-  const bool atWall = onSide && unfolding.twin(base) == kNoIndex;
+  const bool atBoundary = onSide && unfolding.twin(base) == kNoIndex;
   const Vec2 q = unfolding.toFrame(candidate.halfedge, base, candidate.midpoint);
   const auto arrive = [&](Vec2 from) {
     const Vec2 d = from - q;
     const double angle = angleOf(d.x, std::fabs(d.y));
-    directions_.push_back(d.y < 0 && !atWall ? 2 * kPi - angle : angle);
+    directions_.push_back(d.y < 0 && !atBoundary ? 2 * kPi - angle : angle);
   };
   for (const Index h : {base, Unfolding::next(base), Unfolding::previous(base)}) {
     const Crossing c = unfolding.crossing(h);
@@ -354,7 +354,7 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
       }
     }
   }
-  if (atWall) return surrounds(directions_, kPi, true);
+  if (atBoundary) return surrounds(directions_, kPi, true);
   return surrounds(directions_, 2 * kPi, false);
 }
 

@@ -83,7 +83,7 @@ class NaiveGirth {
   }
   Index apexVertex(Index h) const { return mesh_.from(SurfaceMesh::previous(h)); }
 
-  /// The angle on both sides together of a straight line through a vertex: a wall has one side.
+  /// The angle on both sides together of a straight line through a vertex: a boundary has one side.
   double straightAngle(Index v) const { return mesh_.isBoundary(v) ? kPi : 2 * kPi; }
 
   // --- Step 1: the distance field, all windows kept
@@ -129,7 +129,7 @@ class NaiveGirth {
   }
 
   void keep(const NaiveWindow& w) {
-    if (w.halfedge == kNoIndex) return;  // a wall: nothing goes on
+    if (w.halfedge == kNoIndex) return;  // a boundary: nothing goes on
     if (!(w.b1 - w.b0 > 1e-13 * mesh_.length(w.halfedge))) return;
     const double x = std::clamp(w.root.x, w.b0, w.b1);
     onHalfedge_[w.halfedge].push_back(windows_.size());
@@ -200,7 +200,7 @@ class NaiveGirth {
   }
 
   /// Windows from a vertex into the directions [start, start + width]. Round a vertex inside, but
-  /// not at a wall, the directions come again after the total angle.
+  /// not at a boundary, the directions come again after the total angle.
   void leaveVertex(Index v, double start, double width) {
     const double total = mesh_.totalAngle(v), round = mesh_.isBoundary(v) ? kInfinity : total;
     Index h = mesh_.outgoing(v);
@@ -216,7 +216,8 @@ class NaiveGirth {
           reach(mesh_.to(h), distance_[v] + mesh_.length(h), directionBack(h));
         }
         const Index last = SurfaceMesh::previous(h);
-        if (mesh_.twin(last) == kNoIndex && high > opening - kTolerance) {  // along the far wall
+        if (mesh_.twin(last) == kNoIndex &&
+            high > opening - kTolerance) {  // along the far boundary
           reach(mesh_.from(last), distance_[v] + mesh_.length(last), directionOf(last));
         }
         // Law of sines in the face: where a ray meets the opposite side, from the end of h.

@@ -6,7 +6,7 @@
 namespace girth {
 
 /// Calls `visit(halfedge, neighbour)` for each edge of a vertex, counter-clockwise: its halfedge
-/// that starts at the vertex, or, for the last edge before a wall, the one that ends there.
+/// that starts at the vertex, or, for the last edge before a boundary, the one that ends there.
 template <class Visit>
 void forEachEdge(const SurfaceMesh& mesh, Index vertex, Visit visit) {
   const Index start = mesh.outgoing(vertex);

@@ -220,7 +220,7 @@ class Preparation {
     }
     soup_.positions = {};
     nameFirstInputs();
-    auto mesh = SurfaceMesh::fromArrays(positions, faces_.triangles, OpenEdges::Wall);
+    auto mesh = SurfaceMesh::fromArrays(positions, faces_.triangles, OpenEdges::Boundary);
     if (!mesh) return mesh.error();
     mesh_.emplace(std::move(mesh).value());
     if (options_.closeHoles) {
@@ -245,7 +245,7 @@ class Preparation {
       positions.insert(positions.end(), fillings.positions.begin(), fillings.positions.end());
       faces_.triangles.insert(faces_.triangles.end(), fillings.triangles.begin(),
                               fillings.triangles.end());
-      return SurfaceMesh::fromArrays(positions, faces_.triangles, OpenEdges::Wall);
+      return SurfaceMesh::fromArrays(positions, faces_.triangles, OpenEdges::Boundary);
     };
     auto mesh = filled();
     if (!mesh) {

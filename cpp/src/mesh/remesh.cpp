@@ -37,7 +37,7 @@ Result<SurfaceMesh> scaled(const SurfaceMesh& mesh, double scale) {
     positions.insert(positions.end(), {p.x, p.y, p.z});
   }
   for (Index h = 0; h < mesh.halfedgeCount(); ++h) triangles.push_back(mesh.from(h));
-  return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Wall);
+  return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Boundary);
 }
 
 Result<RemeshedSurface> remeshNear(const SurfaceMesh& mesh, const RemeshOptions& options,

@@ -50,7 +50,7 @@ Result<SurfaceMesh> surfaceOf(const std::vector<Vec3>& positions,
   std::vector<double> coordinates;
   coordinates.reserve(3 * positions.size());
   for (const Vec3& p : positions) coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
-  return SurfaceMesh::fromArrays(coordinates, triangles, OpenEdges::Wall);
+  return SurfaceMesh::fromArrays(coordinates, triangles, OpenEdges::Boundary);
 }
 
 /// With the chosen coordinate multiplied.

@@ -72,7 +72,7 @@ std::optional<Error> pairHalfedges(const std::vector<Index>& from, Index vertice
     if (edge.size() == 2 && from[a] != from[edge[1]]) {
       twin[a] = edge[1];
       twin[edge[1]] = a;
-    } else if (a < worst && !(edge.size() == 1 && openEdges == OpenEdges::Wall)) {
+    } else if (a < worst && !(edge.size() == 1 && openEdges == OpenEdges::Boundary)) {
       worst = a;
       faces = edge.size();
       code = faces == 1   ? ErrorCode::OpenEdge
@@ -136,10 +136,10 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
   if (auto error = pairHalfedges(mesh.from_, vertices, openEdges, mesh.twin_))
     return *std::move(error);
 
-  // Every vertex must have one fan of faces; at a wall it begins with the halfedge along the wall.
+  // Every vertex must have one fan of faces; at a boundary it begins with the boundary halfedge.
   std::vector<Index> degree(vertices, 0);
   mesh.outgoing_.assign(vertices, kNoIndex);
-  Index walls = 0;
+  Index boundaryEdges = 0;
   for (Index h = halfedges; h-- > 0;) {
     const Index v = mesh.from_[h];
     ++degree[v];
@@ -148,10 +148,10 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
     }
     if (mesh.twin_[h] == kNoIndex) {
       mesh.outgoing_[v] = h;
-      ++walls;
+      ++boundaryEdges;
     }
   }
-  mesh.edgeCount_ = (halfedges + walls) / 2;
+  mesh.edgeCount_ = (halfedges + boundaryEdges) / 2;
   for (Index v = 0; v < vertices; ++v) {
     if (degree[v] == 0) {
       return makeError(ErrorCode::UnreferencedVertex, v,
@@ -172,11 +172,11 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
   // Components by flooding, and the genus of each from V − E + F = 2 − 2g − (boundary curves).
   mesh.component_.assign(vertices, kNoIndex);
   std::vector<Index> front;
-  std::vector<bool> walked(walls > 0 ? halfedges : 0, false);  // along a boundary curve
+  std::vector<bool> walked(boundaryEdges > 0 ? halfedges : 0, false);  // along a boundary curve
   for (Index seed = 0; seed < vertices; ++seed) {
     if (mesh.component_[seed] != kNoIndex) continue;
     const Index number = mesh.componentCount();
-    std::int64_t vertexTotal = 0, halfedgeTotal = 0, wallTotal = 0;
+    std::int64_t vertexTotal = 0, halfedgeTotal = 0, boundaryTotal = 0;
     Index boundaries = 0;
     mesh.component_[seed] = number;
     front.assign(1, seed);
@@ -192,9 +192,9 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
       Index h = mesh.outgoing_[v];
       if (mesh.twin_[h] == kNoIndex && !walked[h]) {
         ++boundaries;
-        for (Index wall = h; !walked[wall]; wall = mesh.outgoing_[mesh.to(wall)]) {
-          walked[wall] = true;
-          ++wallTotal;
+        for (Index boundary = h; !walked[boundary]; boundary = mesh.outgoing_[mesh.to(boundary)]) {
+          walked[boundary] = true;
+          ++boundaryTotal;
         }
       }
       do {
@@ -204,7 +204,7 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
         h = mesh.twin_[previous(h)];
       } while (h != kNoIndex && h != mesh.outgoing_[v]);
     }
-    const std::int64_t edges = (halfedgeTotal + wallTotal) / 2;
+    const std::int64_t edges = (halfedgeTotal + boundaryTotal) / 2;
     const std::int64_t euler = vertexTotal - edges + halfedgeTotal / 3;
     mesh.componentGenus_.push_back(static_cast<Index>((2 - euler - boundaries) / 2));
     mesh.componentBoundaries_.push_back(boundaries);

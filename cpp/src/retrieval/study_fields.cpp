@@ -31,7 +31,7 @@ Result<SurfaceMesh> scaled(const SurfaceMesh& mesh, double factor) {
   for (Index f = 0; f < mesh.faceCount(); ++f) {
     for (const Index vertex : mesh.faceVertices(f)) triangles.push_back(vertex);
   }
-  return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Wall);
+  return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Boundary);
 }
 
 Result<std::vector<StudyField>> girthOf(const SurfaceMesh& surface, GirthMethod method,

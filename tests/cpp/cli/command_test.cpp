@@ -135,7 +135,7 @@ TEST_F(Command, infoSaysWhatWasDoneToTheFile) {
   const Outcome text = run({"info", model});
   EXPECT_EQ(text.exitCode, 0) << text.errors;
   for (const char* line :
-       {"open surface", "2 curves of 10 edges: walls", "unit unknown", "1 face turned over",
+       {"open surface", "2 curves of 10 edges", "unit unknown", "1 face turned over",
         "1 vertex that no face uses", "0: 4 faces, area 2", "1: 2 faces, area 1"}) {
     EXPECT_NE(text.output.find(line), std::string::npos) << line << "\n" << text.output;
   }

@@ -18,10 +18,10 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The code with which a shape is refused both as a closed surface and as one with walls.
+/// The code with which a shape is refused both as a closed surface and as one with boundary.
 ErrorCode refusal(const Shape& shape) {
   const auto closed = SurfaceMesh::fromArrays(shape.positions, shape.triangles);
-  const auto open = SurfaceMesh::fromArrays(shape.positions, shape.triangles, OpenEdges::Wall);
+  const auto open = SurfaceMesh::fromArrays(shape.positions, shape.triangles, OpenEdges::Boundary);
   EXPECT_FALSE(closed.ok());
   EXPECT_FALSE(open.ok());
   if (closed.ok() || open.ok()) return ErrorCode::Internal;
@@ -72,10 +72,10 @@ TEST(BadInput, TheSmallestSurfaces) {
   for (Index v = 0; v < 4; ++v) {
     EXPECT_NEAR(GirthSolver(four).value(v).value().length, 4 * std::sqrt(8.0 / 3), 1e-12);
   }
-  Shape triangle;  // one face, walls all round
+  Shape triangle;  // one face, boundary all round
   triangle.positions = {0, 0, 0, 3, 0, 0, 0, 4, 0};
   triangle.triangles = {0, 1, 2};
-  const SurfaceMesh one = triangle.mesh(OpenEdges::Wall);
+  const SurfaceMesh one = triangle.mesh(OpenEdges::Boundary);
   GirthSolver solver(one);
   for (const auto& [vertex, farthest] : {std::pair(0u, 4.0), {1u, 5.0}, {2u, 5.0}}) {
     const GirthLoop loop = solver.loop(vertex).value();
@@ -131,7 +131,7 @@ TEST(BadInput, AMillionTriangles) {
     EXPECT_EQ(refused.error().code, ErrorCode::OpenEdge);
   });
   within(std::chrono::seconds(120), [&] {
-    const SurfaceMesh mesh = shape.mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = shape.mesh(OpenEdges::Boundary);
     EXPECT_EQ(mesh.componentCount(), count);
     const GirthField field = girthField(mesh);
     ASSERT_TRUE(field.complete());

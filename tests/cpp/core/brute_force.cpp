@@ -56,7 +56,7 @@ void BruteForce::leave(std::size_t arrival, double start, double width) {
       }
       const Index last = SurfaceMesh::previous(h);
       if (mesh_.twin(last) == kNoIndex &&
-          (all || (from < opening && from + width > opening))) {  // the wall on the far side
+          (all || (from < opening && from + width > opening))) {  // the boundary on the far side
         arrive(mesh_.from(last), sigma + mesh_.length(last), 0, kNone, arrival);
       }
       const double low = all ? 0 : std::max(from, 0.0);
@@ -96,7 +96,7 @@ void BruteForce::arrive(Index vertex, double length, double direction, std::size
     if (total > 2 * M_PI) leave(arrivals_.size() - 1, direction + M_PI, total - 2 * M_PI);
     return;
   }
-  // Up to the walls and along them.
+  // Up to the boundaries and along them.
   const std::size_t number = arrivals_.size() - 1;
   if (direction + M_PI < total) leave(number, direction + M_PI, total - direction);
   if (direction - M_PI > 0) leave(number, -M_PI, direction);
@@ -223,7 +223,7 @@ std::optional<double> BruteForce::distanceAlong(const Arrival& loop, double leng
           const Index left = SurfaceMesh::previous(h);
           h = mesh_.twin(left);
           if (h != kNoIndex) continue;
-          h = left;  // along the wall on the far side
+          h = left;  // along the boundary on the far side
           share = 1 - share;
           break;
         }

@@ -48,7 +48,7 @@ SurfaceMesh patch(Index n, double shear) {
       shape.face(a, a + n + 2, a + n + 1);
     }
   }
-  return shape.mesh(OpenEdges::Wall);
+  return shape.mesh(OpenEdges::Boundary);
 }
 
 /// Mean relative error against the exact distances.

@@ -115,7 +115,7 @@ void expectGeodesicLoop(const SurfaceMesh& mesh, const GirthLoop& loop) {
   }
   EXPECT_GE(loop.angle, 0);
   double widest = M_PI;
-  if (loop.base.kind == SurfacePoint::Kind::Vertex) {  // at a wall there is but one side
+  if (loop.base.kind == SurfacePoint::Kind::Vertex) {  // at a boundary there is but one side
     widest = mesh.totalAngle(base) / (mesh.isBoundary(base) ? 1 : 2);
   }
   EXPECT_LE(loop.angle, widest + 1e-9);

@@ -43,7 +43,7 @@ void expectSame(const GirthField& values, const Shape& other, double scale,
                 const std::vector<Index>& newNumber, const char* how) {
   if (!isSurface(other)) return;  // a plane may pass too near a vertex
   SCOPED_TRACE(how);
-  const SurfaceMesh mesh = other.mesh(OpenEdges::Wall);
+  const SurfaceMesh mesh = other.mesh(OpenEdges::Boundary);
   GirthSolver solver(mesh);
   for (std::size_t v = 0; v < values.values.size(); v += 3) {
     const Index number = newNumber.empty() ? static_cast<Index>(v) : newNumber[v];
@@ -91,7 +91,7 @@ void expectLoopsAnywhere(const Shape& shape, const SurfaceMesh& mesh, Random& ra
     expectProven(mesh, textbook, loop, 0.05);
     const Shape other = withVertexAt(shape, point);
     if (!isSurface(other)) continue;
-    const SurfaceMesh withVertex = other.mesh(OpenEdges::Wall);
+    const SurfaceMesh withVertex = other.mesh(OpenEdges::Boundary);
     const GirthValue value = GirthSolver(withVertex).value(mesh.vertexCount()).value();
     EXPECT_NEAR(value.length / loop.length, 1, 1e-9);
   }
@@ -102,7 +102,7 @@ void expectLoopsAnywhere(const Shape& shape, const SurfaceMesh& mesh, Random& ra
 void expectProperties(std::uint64_t seed) {
   const RandomMesh made = randomMesh(seed);
   SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.history);
-  const SurfaceMesh mesh = made.shape.mesh(OpenEdges::Wall);
+  const SurfaceMesh mesh = made.shape.mesh(OpenEdges::Boundary);
   ExecutionContext one, three;
   one.threads = 1;
   three.threads = 3;

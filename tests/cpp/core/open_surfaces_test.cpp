@@ -1,5 +1,5 @@
-// The girth of surfaces with walls, as files bring them: closed forms of prepared surfaces, brute
-// force on small ones, and the naive method on all.
+// The girth of surfaces with boundary, as files bring them: closed forms of prepared surfaces,
+// brute force on small ones, and the naive method on all.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -120,7 +120,7 @@ TEST(OpenSurfaces, APlateWithAHole) {
   const PreparedSurface plate = preparedSoup(grid(5, 5, oneHole), 3);
   EXPECT_EQ(plate.report.boundaryCurves, 2u);
   GirthSolver solver(plate.mesh);
-  // From a corner of the hole: along its walls. From outside: over two corners of the square.
+  // From a corner of the hole: along its boundary. From outside: over two corners of the square.
   for (const double x : {2.0, 3.0}) {
     for (const double y : {2.0, 3.0}) {
       EXPECT_NEAR(solver.value(vertexAt(plate.mesh, x, y)).value().length, 4, 1e-12);
@@ -188,7 +188,7 @@ TEST(OpenSurfaces, AgainstBruteForce) {
       {grid(7, 4, [](Index i, Index j) { return (i == 1 || i == 4) && j >= 1 && j < 3; }), 0.1},
       {annulus(1, 2, 8, 2), 0.1}};
   for (const auto& [drawn, noise] : shapes) {
-    const SurfaceMesh mesh = perturbed(drawn, noise, 23).mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = perturbed(drawn, noise, 23).mesh(OpenEdges::Boundary);
     SCOPED_TRACE(std::to_string(mesh.faceCount()) + " faces");
     GirthSolver solver(mesh);
     for (Index v = 0; v < mesh.vertexCount(); ++v) {

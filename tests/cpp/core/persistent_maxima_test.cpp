@@ -36,7 +36,7 @@ SurfaceMesh strip(Index vertices) {
   for (Index v = 0; v + 2 < vertices; ++v) {
     v % 2 == 0 ? shape.face(v, v + 2, v + 1) : shape.face(v, v + 1, v + 2);
   }
-  return shape.mesh(OpenEdges::Wall);
+  return shape.mesh(OpenEdges::Boundary);
 }
 
 TEST(PersistentMaxima, ByHand) {
@@ -95,7 +95,7 @@ TEST(PersistentMaxima, AreWhatTheDefinitionSays) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const test::RandomMesh random = test::randomMesh(seed);
     SCOPED_TRACE(random.history);
-    const SurfaceMesh mesh = random.shape.mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = random.shape.mesh(OpenEdges::Boundary);
     test::Random number(seed);
     std::vector<double> values;
     for (Index v = 0; v < mesh.vertexCount(); ++v) values.push_back(number());

@@ -402,7 +402,7 @@ TEST(Prepare, ADoubleSidedSheetIsOneSheet) {
   EXPECT_EQ(prepared(ball).report.boundaryCurves, 0u);
 }
 
-TEST(Prepare, SolidsThatShareAWallStayWhole) {
+TEST(Prepare, SolidsThatShareAPartitionStayWhole) {
   // Two cubes face to face, three in an L, eight in a block.
   for (const auto& places :
        {std::vector<std::array<double, 3>>{{0, 0, 0}, {1, 0, 0}},
@@ -481,10 +481,10 @@ TEST(Prepare, SolidsThatShareAnEdgeStayWhole) {
 }
 
 TEST(Prepare, ASolidThatTouchesItselfStaysClosed) {
-  // A ring of cubes round a hole, two of which meet in an edge only; as one surface: walls between
-  // cubes are left out.
+  // A ring of cubes round a hole, two of which meet in an edge only; as one surface: partitions
+  // between cubes are left out.
   const Shape ring = cubesAt({{0, 0, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 1}, {1, 0, 0}});
-  // Drop both faces of every wall.
+  // Drop both faces of every partition.
   std::multiset<PlacedFace> faces;
   const auto place = [&](std::size_t f) {
     PlacedFace face;

@@ -13,9 +13,9 @@ class Properties : public testing::TestWithParam<int> {};
 TEST_P(Properties, Hold) { expectProperties(static_cast<std::uint64_t>(GetParam())); }
 
 INSTANTIATE_TEST_SUITE_P(RandomMeshes, Properties, testing::Range(0, 24));
-// Each of these found a fault once: farthest points on walls with equal roots (367), a loop along a
-// wall beside a needle (1285), a path along a wall past a flat vertex (1214), a midpoint that lies,
-// but for rounding, at a root, in the naive method (901).
+// Each of these found a fault once: farthest points on boundaries with equal roots (367), a loop
+// along a boundary beside a needle (1285), a path along a boundary past a flat vertex (1214), a
+// midpoint that lies, but for rounding, at a root, in the naive method (901).
 INSTANTIATE_TEST_SUITE_P(OnceFailed, Properties, testing::Values(367, 901, 1214, 1285));
 
 }  // namespace

@@ -112,7 +112,7 @@ void divide(Shape& shape, Index side, double s, double r) {
 }  // namespace
 
 bool isSurface(const Shape& shape, double narrowest) {
-  const auto mesh = SurfaceMesh::fromArrays(shape.positions, shape.triangles, OpenEdges::Wall);
+  const auto mesh = SurfaceMesh::fromArrays(shape.positions, shape.triangles, OpenEdges::Boundary);
   if (!mesh) return false;
   for (Index h = 0; h < mesh.value().halfedgeCount(); ++h) {
     if (mesh.value().cornerAngle(h) < narrowest) return false;
@@ -211,7 +211,7 @@ Shape withHoles(const Shape& shape, Index cuts, std::uint64_t seed) {
       if (!cut) rest.face(u, v, w);
     }
     rest = withoutLoneVertices(rest);
-    if (isSurface(rest, 0) && rest.mesh(OpenEdges::Wall).componentCount() == 1) result = rest;
+    if (isSurface(rest, 0) && rest.mesh(OpenEdges::Boundary).componentCount() == 1) result = rest;
   }
   return result;
 }

@@ -44,7 +44,7 @@ Shape withHoles(const Shape& shape, Index cuts, std::uint64_t seed);
 /// The same surface with a vertex at a point of a face or of an edge: the last one.
 Shape withVertexAt(const Shape& shape, const SurfacePoint& point);
 
-/// Whether a surface, open edges being walls, can be made of it, without corners narrower than
+/// Whether a surface, open edges being boundaries, can be made of it, without corners narrower than
 /// `narrowest`.
 bool isSurface(const Shape& shape, double narrowest = kNeedle);
 

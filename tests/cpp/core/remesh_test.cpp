@@ -27,15 +27,15 @@ void expectSameTopology(const SurfaceMesh& original, const SurfaceMesh& mesh, In
                         double tolerance = 0.02) {
   EXPECT_NEAR(mesh.faceCount(), wanted, tolerance * wanted);
   EXPECT_EQ(mesh.componentCount(), original.componentCount());
-  Index genus = 0, genusBefore = 0, walls = 0, wallsBefore = 0;
+  Index genus = 0, genusBefore = 0, boundaries = 0, boundariesBefore = 0;
   for (Index c = 0; c < original.componentCount(); ++c) {
     genus += mesh.genus(c);
     genusBefore += original.genus(c);
-    walls += mesh.boundaryCount(c);
-    wallsBefore += original.boundaryCount(c);
+    boundaries += mesh.boundaryCount(c);
+    boundariesBefore += original.boundaryCount(c);
   }
   EXPECT_EQ(genus, genusBefore);
-  EXPECT_EQ(walls, wallsBefore);
+  EXPECT_EQ(boundaries, boundariesBefore);
 }
 
 /// Also vertices on the original, and angles good.
@@ -111,7 +111,7 @@ TEST(Remesh, FittingAnyRandomSurface) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const RandomMesh made = randomMesh(seed);
     SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.history);
-    const SurfaceMesh mesh = made.shape.mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = made.shape.mesh(OpenEdges::Boundary);
     const Index faces = std::max<Index>(4, mesh.faceCount() / 3);
     const auto out = remesh(mesh, {faces});
     ASSERT_TRUE(out.ok()) << out.error().message;
@@ -228,7 +228,7 @@ TEST(Remesh, BoundariesStay) {
       shape.face(a, a + n + 2, a + n + 1);
     }
   }
-  const SurfaceMesh mesh = withoutLoneVertices(shape).mesh(OpenEdges::Wall);
+  const SurfaceMesh mesh = withoutLoneVertices(shape).mesh(OpenEdges::Boundary);
   for (const Index faces : {80u, 2000u}) {
     const RemeshedSurface out = remeshed(mesh, faces);
     expectGood(mesh, out, faces, 0.1);
@@ -253,7 +253,7 @@ TEST(Remesh, AnyRandomSurface) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const RandomMesh made = randomMesh(seed);
     SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.history);
-    const SurfaceMesh mesh = made.shape.mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = made.shape.mesh(OpenEdges::Boundary);
     const auto out = remesh(mesh, {1000, RemeshMethod::Even});
     ASSERT_TRUE(out.ok()) << out.error().message;
     EXPECT_EQ(out.value().mesh.genus(0), mesh.genus(0));

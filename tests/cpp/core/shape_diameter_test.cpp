@@ -101,7 +101,7 @@ TEST(TriangleTree, StaysShallowWhereAllFacesLieOverEachOther) {
     const Index a = fan.add(-1, -1, 0), b = fan.add(1, -1, 0), c = fan.add(0, 2, 0);
     fan.face(a, b, c);
   }
-  const SurfaceMesh mesh = fan.mesh(OpenEdges::Wall);
+  const SurfaceMesh mesh = fan.mesh(OpenEdges::Boundary);
   const auto hit = TriangleTree(mesh).firstHit({0, 0, 1}, {0, 0, -1}, kNoIndex);
   ASSERT_TRUE(hit.has_value());
   EXPECT_EQ(hit->distance, 1);
@@ -242,7 +242,7 @@ TEST(ShapeDiameter, RaysThatEscapeDoNotCount) {
   for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) patch.add(x, y, 0);
   patch.face(0, 1, 2);
   patch.face(0, 2, 3);
-  const ShapeDiameterField field = fieldOf(patch.mesh(OpenEdges::Wall));
+  const ShapeDiameterField field = fieldOf(patch.mesh(OpenEdges::Boundary));
   EXPECT_EQ(field.withoutValue, 4u);
   EXPECT_FALSE(field.insideOut);
   for (const double value : field.values) EXPECT_TRUE(std::isnan(value));

@@ -138,9 +138,9 @@ TEST(Spectrum, OfAFlatTorusToTheLastCopy) {
   }
 }
 
-TEST(Spectrum, WallsReflect) {
+TEST(Spectrum, BoundariesReflect) {
   // A tube open at both ends: cosines along it.
-  const SurfaceMesh tube = openTube(10, 7, 40, 28).mesh(OpenEdges::Wall);
+  const SurfaceMesh tube = openTube(10, 7, 40, 28).mesh(OpenEdges::Boundary);
   std::vector<double> expected;
   for (Index i = 0; i < 40; ++i) {
     for (Index j = 0; j <= 28; ++j) {
@@ -174,7 +174,7 @@ TEST(Spectrum, WallsReflect) {
       }
     }
   }
-  const Spectrum drum = spectrumOf(disk.mesh(OpenEdges::Wall), 9);
+  const Spectrum drum = spectrumOf(disk.mesh(OpenEdges::Boundary), 9);
   const double zeros[] = {0,         1.8411838, 1.8411838, 3.0542369, 3.0542369,
                           3.8317060, 4.2011889, 4.2011889, 5.3175531};
   for (std::size_t k = 0; k < 9; ++k) {
@@ -315,15 +315,15 @@ TEST(Spectrum, OfTheSmallestSurfaces) {
   triangle.add(1, 0, 0);
   triangle.add(0, 1, 0);
   triangle.face(0, 1, 2);
-  EXPECT_EQ(spectrumOf(triangle.mesh(OpenEdges::Wall), 1).values.size(), 1u);
-  EXPECT_EQ(spectrumOf(triangle.mesh(OpenEdges::Wall), 3).values.size(), 3u);
+  EXPECT_EQ(spectrumOf(triangle.mesh(OpenEdges::Boundary), 1).values.size(), 1u);
+  EXPECT_EQ(spectrumOf(triangle.mesh(OpenEdges::Boundary), 3).values.size(), 3u);
 }
 
 TEST(Spectrum, OfRandomSurfaces) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const test::RandomMesh random = test::randomMesh(seed);
     SCOPED_TRACE(random.history);
-    const SurfaceMesh mesh = random.shape.mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = random.shape.mesh(OpenEdges::Boundary);
     const Spectrum spectrum = spectrumOf(mesh, 12);
     ASSERT_EQ(spectrum.values.size(), std::min(12u, mesh.vertexCount()));
     EXPECT_EQ(spectrum.values[0], 0);

@@ -138,12 +138,12 @@ TEST(SurfaceChanges, SubdividedIsTheSameSurfaceInSmallerTriangles) {
       EXPECT_NEAR(fine.area(f), mesh.area(f / 4) / 4, 1e-12);
     }
   }
-  // Walls stay walls.
+  // Boundaries stay boundaries.
   test::Shape patch;
   for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) patch.add(x, y, 0);
   patch.face(0, 1, 2);
   patch.face(0, 2, 3);
-  const auto open = subdivided(patch.mesh(OpenEdges::Wall));
+  const auto open = subdivided(patch.mesh(OpenEdges::Boundary));
   ASSERT_TRUE(open.ok());
   EXPECT_EQ(open.value().mesh.boundaryCount(0), 1u);
   EXPECT_EQ(open.value().mesh.vertexCount(), 9u);

@@ -245,7 +245,7 @@ TEST(Tips, ALineThatCutsNothingOffIsAnArc) {
   EXPECT_GT(tips.arcs[0].length, 1);
 }
 
-TEST(Tips, AWallEndsALine) {
+TEST(Tips, ABoundaryEndsALine) {
   Shape patch;
   const Index n = 12;
   for (Index j = 0; j <= n; ++j) {
@@ -258,7 +258,7 @@ TEST(Tips, AWallEndsALine) {
       patch.face(a, a + n + 2, a + n + 1);
     }
   }
-  const SurfaceMesh mesh = patch.mesh(OpenEdges::Wall);
+  const SurfaceMesh mesh = patch.mesh(OpenEdges::Boundary);
   for (const bool corner : {false, true}) {
     const std::vector<double> values =
         steps(mesh, 9, [&](const Vec3& p) { return p.x > 8.5 && (!corner || p.y > 8.5); });

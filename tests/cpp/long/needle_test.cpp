@@ -22,7 +22,7 @@ TEST(Needles, GetAValueInTime) {
     const RandomMesh random = randomMesh(seed, 0);
     if (isSurface(random.shape)) continue;  // without needles
     SCOPED_TRACE("seed " + std::to_string(seed) + ": " + random.history);
-    const SurfaceMesh mesh = random.shape.mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = random.shape.mesh(OpenEdges::Boundary);
     GirthSolver solver(mesh);
     TextbookMmp textbook(mesh);
     const auto start = std::chrono::steady_clock::now();

@@ -30,11 +30,11 @@ class HoleFiller {
     for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
       if (mesh_.twin(h) != kNoIndex || walked[h]) continue;
       std::vector<Index> curve;
-      for (Index wall = h; !walked[wall]; wall = mesh_.outgoing(mesh_.to(wall))) {
-        walked[wall] = true;
-        curve.push_back(mesh_.from(wall));
+      for (Index boundary = h; !walked[boundary]; boundary = mesh_.outgoing(mesh_.to(boundary))) {
+        walked[boundary] = true;
+        curve.push_back(mesh_.from(boundary));
       }
-      // The other side of the walls: the filling's faces run against them.
+      // The other side of the boundary: the filling's faces run against them.
       std::reverse(curve.begin(), curve.end());
       fill(curve);
     }

@@ -105,14 +105,15 @@ bool turnedAlike(const WorkingFaces& faces, Index f, Index g) {
 
 namespace {
 
-/// Drops copies once; `keepWalls`: but for walls between solids. Returns whether any was dropped.
-bool dropCopies(WorkingFaces& faces, bool keepWalls, PreparationReport& report) {
+/// Drops copies once; with `keepPartitions`, not those that separate two
+/// solids. Returns whether any was dropped.
+bool dropCopies(WorkingFaces& faces, bool keepPartitions, PreparationReport& report) {
   const EdgeGroups edges(faces.triangles, faces.vertexCount());
   const std::vector<Copies> copies = findCopies(faces, edges);
   if (copies.empty()) return false;
 
   // Patches of doubled faces, joined over edges that have no other faces; and whether a patch is a
-  // wall between solids, by the edges of its rim that have others.
+  // partition between solids, by the edges of its rim that have others.
   std::vector<Index> doubledOf(faces.faceCount(), kNoIndex);  // index into `copies`
   for (Index i = 0; i < copies.size(); ++i) {
     for (const Index f : copies[i]) doubledOf[f] = i;
@@ -139,18 +140,18 @@ bool dropCopies(WorkingFaces& faces, bool keepWalls, PreparationReport& report) 
       }
     }
   }
-  std::vector<std::uint8_t> hasRim(patch.size(), 0), isWall(patch.size(), 1);
+  std::vector<std::uint8_t> hasRim(patch.size(), 0), isPartition(patch.size(), 1);
   for (const auto& [face, even] : rim) {
     const Index p = rootOf(patch, face);
     hasRim[p] = 1;
-    if (!even) isWall[p] = 0;
+    if (!even) isPartition[p] = 0;
   }
 
   std::vector<bool> dropped(faces.faceCount(), false);
   for (Index i = 0; i < copies.size(); ++i) {
     const Index p = rootOf(patch, i);
     Index second = kNoIndex;
-    if (keepWalls && hasRim[p] != 0 && isWall[p] != 0) {
+    if (keepPartitions && hasRim[p] != 0 && isPartition[p] != 0) {
       second = copies[i][1];
       for (const Index f : copies[i]) {
         if (turnedAlike(faces, copies[i][0], f)) continue;

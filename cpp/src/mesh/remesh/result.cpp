@@ -20,7 +20,7 @@ Result<RemeshedSurface> resultOf(const ChangingMesh& mesh,
   for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
     if (mesh.isAlive(h / 3)) triangles.push_back(number[mesh.from(h)]);
   }
-  auto surface = SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Wall);
+  auto surface = SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Boundary);
   if (!surface) return surface.error();
   return RemeshedSurface{std::move(surface).value(), std::move(onOriginal)};
 }

@@ -22,8 +22,8 @@ namespace {
 /// it keeps triangles in shape where the surface is flat, and makes the best place of a vertex a
 /// single one everywhere.
 constexpr double kPlaceShare = 1e-3;
-/// How much a boundary counts more than a surface: its walls stay where they are.
-constexpr double kWallShare = 100;
+/// How much a boundary counts more than a surface: boundaries stay where they are.
+constexpr double kBoundaryShare = 100;
 /// How much faces at sharp points count more than others.
 constexpr double kPointShare = 100;
 /// Flips at the end may turn faces by no more than this: cos 8°.
@@ -92,13 +92,13 @@ class Simplifier {
       quadrics_[a] += Quadric::ofPlane(p, faceNormals_[h / 3], third);
       quadrics_[a] += Quadric::ofPoint(p, kPlaceShare * third);
       if (original_.twin(h) != kNoIndex) continue;
-      // A plane through the wall, upright on its face.
+      // A plane through the boundary, upright on its face.
       const double length = original_.length(h);
       const Vec3 along = 1 / length * (original_.position(b) - original_.position(a));
-      const Quadric wall =
-          Quadric::ofPlane(p, cross(along, faceNormals_[h / 3]), kWallShare * length * length);
-      quadrics_[a] += wall;
-      quadrics_[b] += wall;
+      const Quadric boundary =
+          Quadric::ofPlane(p, cross(along, faceNormals_[h / 3]), kBoundaryShare * length * length);
+      quadrics_[a] += boundary;
+      quadrics_[b] += boundary;
     }
   }
 

@@ -1,5 +1,5 @@
-// Surfaces with boundary: walls, along which paths may run (web/docs/definitions.md, section 2).
-// Closed forms.
+// Surfaces with boundary: paths may run along it (web/docs/definitions.md, section 2). Closed
+// forms.
 
 #include <gtest/gtest.h>
 
@@ -46,12 +46,12 @@ Index vertexAt(const SurfaceMesh& mesh, double x, double y) {
   return 0;
 }
 
-TEST(Walls, PathsGoRoundCorners) {
+TEST(Boundaries, PathsGoRoundCorners) {
   // A square room of 6 with a square pillar of 2 in the middle, and one with a quarter missing.
   const auto pillar = [](Index i, Index j) { return i >= 2 && i < 4 && j >= 2 && j < 4; };
   const auto quarter = [](Index i, Index j) { return i >= 3 && j >= 3; };
   for (const Shape& shape : triangulations(patch(6, pillar))) {
-    const SurfaceMesh mesh = shape.mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = shape.mesh(OpenEdges::Boundary);
     TextbookMmp textbook(mesh);
     GeodesicSolver solver(mesh);
     const Index a = vertexAt(mesh, 3, 0), b = vertexAt(mesh, 3, 6);
@@ -63,7 +63,7 @@ TEST(Walls, PathsGoRoundCorners) {
                        SurfacePoint::atVertex(a), SurfacePoint::atVertex(b), length);
   }
   for (const Shape& shape : triangulations(patch(6, quarter))) {
-    const SurfaceMesh mesh = shape.mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = shape.mesh(OpenEdges::Boundary);
     TextbookMmp textbook(mesh);
     const Index a = vertexAt(mesh, 6, 1), b = vertexAt(mesh, 1, 6);
     textbook.propagate(SurfacePoint::atVertex(a));
@@ -76,9 +76,9 @@ TEST(Walls, PathsGoRoundCorners) {
   }
 }
 
-TEST(Walls, APatchHasItsFarthestPoint) {
+TEST(Boundaries, APatchHasItsFarthestPoint) {
   for (const Shape& shape : triangulations(patch(4, [](Index, Index) { return false; }))) {
-    const SurfaceMesh mesh = shape.mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = shape.mesh(OpenEdges::Boundary);
     GirthSolver solver(mesh);
     TextbookMmp textbook(mesh);
     for (Index v = 0; v < mesh.vertexCount(); ++v) {
@@ -93,12 +93,12 @@ TEST(Walls, APatchHasItsFarthestPoint) {
   }
 }
 
-TEST(Walls, ALoopGoesRoundAHole) {
+TEST(Boundaries, ALoopGoesRoundAHole) {
   // From the axis of a square pillar of side 2: over both near corners, and they meet in the middle
-  // of the far side, both along the wall.
+  // of the far side, both along the boundary.
   const auto pillar = [](Index i, Index j) { return i >= 2 && i < 4 && j >= 2 && j < 4; };
   for (const Shape& shape : triangulations(patch(6, pillar))) {
-    const SurfaceMesh mesh = shape.mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = shape.mesh(OpenEdges::Boundary);
     GirthSolver solver(mesh);
     TextbookMmp textbook(mesh);
     for (const double y : {0.0, 1.0, 2.0}) {
@@ -110,13 +110,13 @@ TEST(Walls, ALoopGoesRoundAHole) {
   }
 }
 
-TEST(Walls, AnOpenTubeHasItsPerimeter) {
+TEST(Boundaries, AnOpenTubeHasItsPerimeter) {
   const Index corners = 8;
   Shape tube = prism(regularPolygon(4, 1, 2), 6, 12);
   tube.triangles.resize(tube.triangles.size() - std::size_t{2} * corners * 3);  // no caps
   tube.positions.resize(tube.positions.size() - 6);
   for (const Shape& shape : triangulations(tube)) {
-    const SurfaceMesh mesh = shape.mesh(OpenEdges::Wall);
+    const SurfaceMesh mesh = shape.mesh(OpenEdges::Boundary);
     GirthSolver solver(mesh);
     TextbookMmp textbook(mesh);
     for (Index v = 0; v < 13 * corners; v += 3) {  // on its ends as well
@@ -130,7 +130,7 @@ TEST(Walls, AnOpenTubeHasItsPerimeter) {
   }
 }
 
-TEST(Walls, TheFarthestPointMayLieOnOne) {
+TEST(Boundaries, TheFarthestPointMayLieOnOne) {
   // A wide pyramid without its base: the two ways round its tip meet in the middle of the side of
   // the rim opposite. In the plane: two slant lengths and half of the tip's angle between them.
   const Index sides = 5, rings = 10;
@@ -142,8 +142,8 @@ TEST(Walls, TheFarthestPointMayLieOnOne) {
       std::sqrt(slant * slant + height * height - 2 * slant * height * std::cos(tip / 2));
   for (const Shape& shape :
        {open, retriangulated(open, 1), moved(open, 1, 0.3, 2), moved(open, 3.7, 0.4, 5)}) {
-    const SurfaceMesh mesh = shape.mesh(OpenEdges::Wall);
-    const double scale = mesh.length(0) / open.mesh(OpenEdges::Wall).length(0);
+    const SurfaceMesh mesh = shape.mesh(OpenEdges::Boundary);
+    const double scale = mesh.length(0) / open.mesh(OpenEdges::Boundary).length(0);
     GirthSolver solver(mesh);
     TextbookMmp textbook(mesh);
     for (Index v = 0; v < mesh.vertexCount(); ++v) {
