@@ -73,15 +73,15 @@ inline emscripten::val describe(const SurfaceMesh& mesh) {
     }
     result.set("positions", copyOut<double>("Float64Array", positions));
   }
-  std::vector<Index> indices, walls;
+  std::vector<Index> indices, boundary;
   indices.reserve(mesh.halfedgeCount());
   for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
     indices.push_back(mesh.from(h));
-    if (mesh.twin(h) == kNoIndex) walls.insert(walls.end(), {mesh.from(h), mesh.to(h)});
+    if (mesh.twin(h) == kNoIndex) boundary.insert(boundary.end(), {mesh.from(h), mesh.to(h)});
   }
   result.set("origin", tripleOf(drawingOrigin(mesh)));
   result.set("indices", copyOut<Index>("Uint32Array", indices));
-  result.set("walls", copyOut<Index>("Uint32Array", walls));
+  result.set("boundary", copyOut<Index>("Uint32Array", boundary));
   result.set("genus", genus);
   result.set("boundaries", boundaries);
   result.set("area", mesh.area());

@@ -112,7 +112,7 @@ export async function draw(page: Page, drawing: Drawing): Promise<Locator> {
       geometry: {
         positions: Float32Array.from(drawing.positions),
         indices: Uint32Array.from(drawing.indices),
-        walls: new Uint32Array(),
+        boundary: new Uint32Array(),
         origin: [0, 0, 0],
       },
       field(name: FieldName, { onPartial }: FieldOptions = {}): Promise<Field> {

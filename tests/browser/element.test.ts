@@ -188,7 +188,7 @@ test('nothing is fetched or computed before the element is in view', async () =>
   await fieldComplete(viewer);
 });
 
-test('a glTF’s buffer is fetched from beside it; walls and units', async () => {
+test('a glTF’s buffer is fetched from beside it; boundaries and units', async () => {
   await open('/beside.html');
   const [boxed, tubed] = [page.locator('girth-viewer').first(), page.locator('#open')];
   await fieldComplete(boxed);

@@ -165,7 +165,7 @@ describe('what was done', () => {
     expect(await sheet.textContent()).toContain('4.000 × 3.000 × 2.000');
   });
 
-  test('an open tube: its walls, its loops, and the unit on every length', async () => {
+  test('an open tube: its boundary, its loops, and the unit on every length', async () => {
     const sides = 24;
     await choose({ name: 'tube.obj', content: tube(30, sides, 8) });
     await modelIs('tube.obj');

@@ -105,7 +105,7 @@ export function fakeSurface(count: number): Behaviour {
           arrays: { positions: new Float64Array(3 * count), indices: new Uint32Array(3) },
           origin: [0, 0, 0],
           drawn: new Float32Array(3 * count),
-          walls: new Uint32Array(0),
+          boundary: new Uint32Array(0),
           vertexOfInput: new Uint32Array(count),
           inputOfVertex: new Uint32Array(count),
         };

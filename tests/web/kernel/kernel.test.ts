@@ -25,8 +25,8 @@ async function fakeKernel(behaviour: Behaviour, threads = 3) {
     list.push(worker);
     return worker;
   };
-  const [single, workshop] = [makeFor(workers), makeFor(readers)];
-  const factory = { single, threads: single, workshop, studies: makeFor(spectral) };
+  const [single, job] = [makeFor(workers), makeFor(readers)];
+  const factory = { single, threads: single, job, studies: makeFor(spectral) };
   const kernel = await openKernel({ threads, mode: 'pool' }, factory);
   return { kernel, workers, readers, spectral };
 }
@@ -573,7 +573,7 @@ describe('starting and loading', () => {
     for (let i = 0; i < 2; ++i) {
       const kernel = await openKernel(
         { mode: 'threads', threads: 2 },
-        { single: make, threads, workshop: make, studies: make },
+        { single: make, threads, job: make, studies: make },
       );
       expect(kernel.mode).toBe('pool');
     }
@@ -588,7 +588,7 @@ describe('starting and loading', () => {
       { threads: 2 },
       {
         single: () => new FakeWorker(fakeSurface(10)),
-        workshop: () => new FakeWorker(fakeSurface(10)),
+        job: () => new FakeWorker(fakeSurface(10)),
         studies: () => new FakeWorker(fakeSurface(10)),
         threads: () =>
           new FakeWorker(() => {
@@ -608,7 +608,7 @@ describe('starting and loading', () => {
         {
           single: () => worker,
           threads: () => worker,
-          workshop: () => worker,
+          job: () => worker,
           studies: () => worker,
         },
       ),
@@ -622,7 +622,7 @@ describe('starting and loading', () => {
     const never = () => new FakeWorker(() => new Promise<object>(() => undefined));
     const opening = openKernel(
       { mode: 'pool' },
-      { single: never, threads: never, workshop: never, studies: never },
+      { single: never, threads: never, job: never, studies: never },
     );
     const refused = expect(opening).rejects.toMatchObject({
       code: 'INTERNAL',

@@ -11,9 +11,9 @@ function finish<Result>(work: Generator<void, Result>): Result {
 const neighboursOf = ({ first, neighbours }: Adjacency, vertex: number) =>
   [...neighbours.subarray(first[vertex], first[vertex + 1])].sort((a, b) => a - b);
 
-test('on a square of two triangles, walls are edges like any other', () => {
-  const walls = [0, 1, 1, 2, 2, 3, 3, 0];
-  const adjacency = finish(buildAdjacency(4, [0, 1, 2, 0, 2, 3], walls));
+test('on a square of two triangles, edges of the boundary are edges like any other', () => {
+  const boundary = [0, 1, 1, 2, 2, 3, 3, 0];
+  const adjacency = finish(buildAdjacency(4, [0, 1, 2, 0, 2, 3], boundary));
   expect([0, 1, 2, 3].map((vertex) => neighboursOf(adjacency, vertex))).toEqual([
     [1, 2, 3],
     [0, 2],

@@ -59,7 +59,7 @@ test('a fine torus has no creases and its faces stay where they are', () => {
   expect(surface.indices).toEqual(indices);
 });
 
-test('round a vertex of many faces, and beside walls, soft edges stay soft', () => {
+test('round a vertex of many faces, and beside a boundary, soft edges stay soft', () => {
   // A flat fan of 40 faces with one gap: one vertex, one normal.
   const count = 40;
   const angles = Array.from({ length: count + 1 }, (_, i) => (1.9 * Math.PI * i) / count);

@@ -34,11 +34,14 @@ export class Model {
 
   /** Makes a mesh ready to draw, in slices of time. */
   static async of(mesh: Mesh, host: FieldsHost, signal: AbortSignal): Promise<Model> {
-    const { positions, indices, walls } = mesh.geometry;
+    const { positions, indices, boundary } = mesh.geometry;
     checkSize(Math.max(...mesh.info.size));
-    const adjacency = await inSlices(buildAdjacency(positions.length / 3, indices, walls), signal);
+    const adjacency = await inSlices(
+      buildAdjacency(positions.length / 3, indices, boundary),
+      signal,
+    );
     const creased = await inSlices(splitCreases(positions, indices, creaseAngle), signal);
-    const surface = new Surface(positions, indices, walls, adjacency, creased);
+    const surface = new Surface(positions, indices, boundary, adjacency, creased);
     return new Model(mesh, surface, new Fields(mesh, adjacency, host));
   }
 

@@ -4,7 +4,7 @@ import { fieldsOf, GirthError } from './errors.js';
 import type { MeshOfWorkers } from './mesh.js';
 import type { StudiesOperations, StudyFields } from './protocol.js';
 import type { CompareOptions, Comparison } from './types.js';
-import type { Workshop } from './workshop.js';
+import type { JobPool } from './job-pool.js';
 
 /** Groups of fields that have been computed, by the number of faces and their name. */
 const known = new WeakMap<MeshOfWorkers, Map<string, StudyFields>>();
@@ -13,12 +13,12 @@ const known = new WeakMap<MeshOfWorkers, Map<string, StudyFields>>();
 const fieldsShare = 0.95;
 
 export async function compareShapes(
-  workshop: Workshop<StudiesOperations>,
+  pool: JobPool<StudiesOperations>,
   meshes: readonly MeshOfWorkers[],
   { descriptors, faces = 10_000, onProgress }: CompareOptions,
   signal: AbortSignal,
 ): Promise<Comparison> {
-  const { groups } = await workshop.run(signal, 0, (worker) =>
+  const { groups } = await pool.run(signal, 0, (worker) =>
     worker.request('fieldGroups', { descriptors }),
   );
   const shares = meshes.map(() => 0);
@@ -32,7 +32,7 @@ export async function compareShapes(
     const found: StudyFields[] = [];
     for (const group of groups) {
       found.push(
-        await studyFields(workshop, mesh, group, faces, signal, (share) => {
+        await studyFields(pool, mesh, group, faces, signal, (share) => {
           shares[place] = (found.length + share) / groups.length;
           tell((fieldsShare * shares.reduce((sum, one) => sum + one, 0)) / meshes.length);
         }),
@@ -55,7 +55,7 @@ export async function compareShapes(
   });
   if (models.length === 0 && failed.length > 0) throw new GirthError(failed[0]!.error);
   const bytes = models.flat().reduce((sum, { fields }) => sum + bytesOf(fields), 0);
-  const { matrices } = await workshop.run(signal, bytes, (worker) =>
+  const { matrices } = await pool.run(signal, bytes, (worker) =>
     worker.request('compare', { models, descriptors }),
   );
   tell(1);
@@ -69,7 +69,7 @@ export async function compareShapes(
 }
 
 async function studyFields(
-  workshop: Workshop<StudiesOperations>,
+  pool: JobPool<StudiesOperations>,
   mesh: MeshOfWorkers,
   group: string,
   faces: number,
@@ -83,7 +83,7 @@ async function studyFields(
   if (!fields) {
     const { arrays } = mesh.surface;
     const bytes = arrays.positions.byteLength + arrays.indices.byteLength;
-    fields = await workshop.run(signal, bytes, (worker) =>
+    fields = await pool.run(signal, bytes, (worker) =>
       worker.request(
         'studyFields',
         { arrays, group, faces },

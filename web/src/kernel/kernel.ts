@@ -15,7 +15,7 @@ import type {
   SingleOperations,
   StudiesOperations,
   ThreadsOperations,
-  WorkshopOperations,
+  JobOperations,
 } from './protocol.js';
 import { contentOf, sizeOf } from './source.js';
 import { ThreadsEngine } from './threads-engine.js';
@@ -34,7 +34,7 @@ import type {
 } from './types.js';
 import { WorkerClient, type SurfaceSource } from './worker-client.js';
 import { moduleWorkers, type WorkerFactory } from './workers.js';
-import { Workshop } from './workshop.js';
+import { JobPool } from './job-pool.js';
 
 /** More workers than this cost more memory than they save time. */
 const mostThreads = 8;
@@ -53,11 +53,11 @@ export async function openKernel(
   factory: WorkerFactory,
 ): Promise<KernelOfWorkers> {
   const threads = threadsOf(options.threads);
-  const workshop = new Workshop<WorkshopOperations>(() => factory.workshop());
+  const models = new JobPool<JobOperations>(() => factory.job());
   // One after the other: the second one may need the spectrum of the first.
-  const spectral = new Workshop<StudiesOperations>(() => factory.studies(), 1);
-  const comparing = new Workshop<StudiesOperations>(() => factory.studies());
-  const workshops = { making: workshop, spectral, comparing };
+  const spectral = new JobPool<StudiesOperations>(() => factory.studies(), 1);
+  const comparing = new JobPool<StudiesOperations>(() => factory.studies());
+  const pools = { models, spectral, comparing };
   const interactive = new WorkerClient<SingleOperations>(() => factory.single());
   const isolated = globalThis.crossOriginIsolated === true;
   if (options.mode === 'threads' && !isolated) {
@@ -72,7 +72,7 @@ export async function openKernel(
   }
   try {
     const [, hostFailure] = await Promise.all([
-      workshop.start(),
+      models.start(),
       host?.start().then(
         () => undefined,
         (thrown: unknown) => fieldsOf(thrown),
@@ -81,7 +81,7 @@ export async function openKernel(
     if (host && !hostFailure) {
       const engine = new ThreadsEngine(host, threads);
       void interactive.start().catch(() => undefined);
-      return new KernelOfWorkers('threads', threads, workshops, interactive, [host], engine);
+      return new KernelOfWorkers('threads', threads, pools, interactive, [host], engine);
     }
     if (hostFailure) {
       warnOnce(
@@ -91,7 +91,7 @@ export async function openKernel(
   } catch (thrown) {
     const error = new GirthError(fieldsOf(thrown), { cause: thrown });
     host?.terminate(error);
-    workshop.terminate(error);
+    models.terminate(error);
     throw error;
   }
 
@@ -101,7 +101,7 @@ export async function openKernel(
   );
   // They load while the page fetches its model; a failure shows when they are needed.
   for (const worker of [interactive, ...pool]) void worker.start().catch(() => undefined);
-  return new KernelOfWorkers('pool', threads, workshops, interactive, pool, new PoolEngine(pool));
+  return new KernelOfWorkers('pool', threads, pools, interactive, pool, new PoolEngine(pool));
 }
 
 function threadsOf(wanted: number | 'auto' = 'auto'): number {
@@ -117,11 +117,11 @@ function warnOnce(text: string): void {
   console.warn(text);
 }
 
-/** Workers for jobs: models and files; spectra; comparisons. */
-interface Workshops {
-  making: Workshop<WorkshopOperations>;
-  spectral: Workshop<StudiesOperations>;
-  comparing: Workshop<StudiesOperations>;
+/** Workers for jobs: models and what is made of them, spectra, comparisons. */
+interface JobPools {
+  models: JobPool<JobOperations>;
+  spectral: JobPool<StudiesOperations>;
+  comparing: JobPool<StudiesOperations>;
 }
 
 type AnyWorker = Pick<WorkerClient<SingleOperations>, 'drop' | 'terminate'>;
@@ -129,7 +129,7 @@ type AnyWorker = Pick<WorkerClient<SingleOperations>, 'drop' | 'terminate'>;
 export class KernelOfWorkers implements Kernel {
   readonly mode: 'threads' | 'pool';
   readonly threads: number;
-  readonly #workshops: Workshops;
+  readonly #pools: JobPools;
   readonly #interactive: WorkerClient<SingleOperations>;
   readonly #workers: readonly AnyWorker[];
   readonly #engine: FieldEngine;
@@ -142,14 +142,14 @@ export class KernelOfWorkers implements Kernel {
   constructor(
     mode: 'threads' | 'pool',
     threads: number,
-    workshops: Workshops,
+    pools: JobPools,
     interactive: WorkerClient<SingleOperations>,
     computing: readonly AnyWorker[],
     engine: FieldEngine,
   ) {
     this.mode = mode;
     this.threads = threads;
-    this.#workshops = workshops;
+    this.#pools = pools;
     this.#interactive = interactive;
     this.#workers = [interactive, ...computing];
     this.#engine = engine;
@@ -160,7 +160,7 @@ export class KernelOfWorkers implements Kernel {
     const { model, prepare = {}, onProgress } = options;
     const opened = await this.#work([options.signal], async (signal) => {
       const content = await contentOf(source, signal);
-      return this.#workshops.making.run(signal, sizeOf(content), (worker) => {
+      return this.#pools.models.run(signal, sizeOf(content), (worker) => {
         const onReport = (report: Report) => {
           if (!signal.aborted && 'progress' in report) onProgress?.(report.progress);
         };
@@ -217,9 +217,9 @@ export class KernelOfWorkers implements Kernel {
   make<T>(
     bytes: number,
     signals: (AbortSignal | undefined)[],
-    job: (worker: WorkerClient<WorkshopOperations>) => Promise<T>,
+    job: (worker: WorkerClient<JobOperations>) => Promise<T>,
   ): Promise<T> {
-    return this.#work(signals, (signal) => this.#workshops.making.run(signal, bytes, job));
+    return this.#work(signals, (signal) => this.#pools.models.run(signal, bytes, job));
   }
 
   /** Something that a worker of its own makes of a surface's spectrum. */
@@ -228,7 +228,7 @@ export class KernelOfWorkers implements Kernel {
     signals: (AbortSignal | undefined)[],
     job: (worker: WorkerClient<StudiesOperations>) => Promise<T>,
   ): Promise<T> {
-    return this.#work(signals, (signal) => this.#workshops.spectral.run(signal, bytes, job));
+    return this.#work(signals, (signal) => this.#pools.spectral.run(signal, bytes, job));
   }
 
   async compare(meshes: readonly Mesh[], options: CompareOptions): Promise<Comparison> {
@@ -240,7 +240,7 @@ export class KernelOfWorkers implements Kernel {
     });
     const lives = own.map(({ life }) => life);
     return this.#work([options.signal, ...lives], (signal) =>
-      compareShapes(this.#workshops.comparing, own, options, signal),
+      compareShapes(this.#pools.comparing, own, options, signal),
     );
   }
 
@@ -249,14 +249,14 @@ export class KernelOfWorkers implements Kernel {
   }
 
   drop(surface: number): void {
-    for (const worker of [this.#workshops.spectral, ...this.#workers]) worker.drop(surface);
+    for (const worker of [this.#pools.spectral, ...this.#workers]) worker.drop(surface);
   }
 
   dispose(): void {
     const reason = 'the kernel has been disposed of';
     this.#life.abort(reason);
-    const { making, spectral, comparing } = this.#workshops;
-    for (const one of [making, spectral, comparing, ...this.#workers]) {
+    const { models, spectral, comparing } = this.#pools;
+    for (const one of [models, spectral, comparing, ...this.#workers]) {
       one.terminate(cancelled(reason));
     }
   }

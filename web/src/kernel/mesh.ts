@@ -17,7 +17,7 @@ import type {
   OpenedSurface,
   Report,
   StudiesOperations,
-  WorkshopOperations,
+  JobOperations,
   WrittenModel,
 } from './protocol.js';
 import { checkedPoint } from './surface-point.js';
@@ -83,11 +83,11 @@ export class MeshOfWorkers implements Mesh {
   readonly life = this.#life.signal;
 
   constructor(kernel: KernelOfWorkers, opened: OpenedSurface & { number: number }) {
-    const { number, info, arrays, origin, drawn, walls, vertexOfInput, inputOfVertex } = opened;
+    const { number, info, arrays, origin, drawn, boundary, vertexOfInput, inputOfVertex } = opened;
     this.#kernel = kernel;
     this.surface = { number, arrays };
     this.info = info;
-    this.geometry = { positions: drawn, indices: arrays.indices, walls, origin };
+    this.geometry = { positions: drawn, indices: arrays.indices, boundary, origin };
     this.vertexOfInput = vertexOfInput;
     this.#inputOfVertex = inputOfVertex;
   }
@@ -343,7 +343,7 @@ export class MeshOfWorkers implements Mesh {
 
   #make<T>(
     signal: AbortSignal | undefined,
-    job: (worker: WorkerClient<WorkshopOperations>) => Promise<T>,
+    job: (worker: WorkerClient<JobOperations>) => Promise<T>,
   ): Promise<T> {
     return this.#kernel.make(this.#bytes, [signal, this.#life.signal], job);
   }

@@ -35,13 +35,13 @@ function surfaceWith(
     'name' | 'models' | 'unreadable' | 'format' | 'unit' | 'report' | 'notes' | 'parts'
   >,
 ) {
-  const { positions, origin, indices, walls, genus, boundaries, area } = described;
+  const { positions, origin, indices, boundary, genus, boundaries, area } = described;
   const info: MeshInfo = {
     ...said,
     vertexCount: positions.length / 3,
     faceCount: indices.length / 3,
     // Edges inside have two sides, those of the boundary one.
-    edgeCount: (indices.length + walls.length / 2) / 2,
+    edgeCount: (indices.length + boundary.length / 2) / 2,
     components: genus.length,
     genus,
     boundaries,
@@ -49,7 +49,7 @@ function surfaceWith(
     size: extent(positions),
   };
   const drawn = drawnFrom(origin, positions);
-  return { info, arrays: { positions, indices }, origin, drawn, walls };
+  return { info, arrays: { positions, indices }, origin, drawn, boundary };
 }
 
 /** Rounded only once they count from near by. */

@@ -41,7 +41,7 @@ export interface OpenedSurface {
   /** The positions once more, for drawing. */
   drawn: Float32Array<ArrayBuffer>;
   /** Two vertices for each edge of the boundary. */
-  walls: Uint32Array<ArrayBuffer>;
+  boundary: Uint32Array<ArrayBuffer>;
   vertexOfInput: Uint32Array<ArrayBuffer>;
   inputOfVertex: Uint32Array<ArrayBuffer>;
 }
@@ -118,7 +118,7 @@ export interface SingleOperations extends CommonOperations {
 }
 
 /** A worker that makes surfaces and files; it is ended where its work is no longer wanted. */
-export interface WorkshopOperations extends CommonOperations {
+export interface JobOperations extends CommonOperations {
   /** Reads the model of the path `model`, or the first one, and prepares its surface. */
   read: [
     { files: FileWithPath[]; address?: string; model?: string; prepare: PrepareOptions },

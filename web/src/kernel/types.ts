@@ -171,7 +171,7 @@ export interface NamedField {
 
 /** A line across edges of the surface. */
 export interface ContourLine {
-  /** It comes back to its first point, which is not repeated. Else it ends at walls or in faces. */
+  /** It returns to its first point, which is not repeated. Otherwise it ends at a boundary or in faces. */
   closed: boolean;
   /** x, y, z per point, from `Mesh.geometry.origin`. */
   polyline: Float32Array;
@@ -246,7 +246,7 @@ export interface PrintLimits {
 
 /** A connected place that is too thin to print (`parts.h`). */
 export interface WeakPlace {
-  /** 'plate': a wall. */
+  /** 'plate': a thin wall. */
   kind: 'tube' | 'plate';
   vertices: Uint32Array;
   area: number;
@@ -339,7 +339,7 @@ export interface MeshInfo {
   components: number;
   /** One per component. */
   genus: number[];
-  /** Boundary curves, one number per component; they are walls. */
+  /** Number of boundary curves, one per component. */
   boundaries: number[];
   area: number;
   /** Extent along x, y and z, in model units. */
@@ -361,7 +361,7 @@ export type LoopFormat = 'obj' | 'glb' | 'json';
 export interface Mesh {
   readonly info: MeshInfo;
   /**
-   * The surface to draw and pick on: positions are x, y, z per vertex; `walls` has two vertices for
+   * The surface to draw and pick on: positions are x, y, z per vertex; `boundary` has two vertices for
    * each edge of the boundary. Do not modify. These positions, and the points of loops and contours,
    * count from `origin`: 0, 0, 0, but for surfaces that lie more than 64 times their size away from the
    * coordinates' origin, where 32-bit numbers would draw steps. Add it for the file's coordinates.
@@ -369,7 +369,7 @@ export interface Mesh {
   readonly geometry: {
     positions: Float32Array;
     indices: Uint32Array;
-    walls: Uint32Array;
+    boundary: Uint32Array;
     origin: readonly [number, number, number];
   };
   /** The surface's vertex for each vertex of the input; 0xFFFFFFFF where there is none. */

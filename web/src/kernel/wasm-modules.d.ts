@@ -65,7 +65,7 @@ declare module '*/girth.mjs' {
     /** What drawn points are counted from. */
     origin: [number, number, number];
     /** Two vertices for each edge of the boundary. */
-    walls: Uint32Array<ArrayBuffer>;
+    boundary: Uint32Array<ArrayBuffer>;
     /** One per component. */
     genus: number[];
     boundaries: number[];

@@ -6,13 +6,13 @@ import type { WorkerLike } from './worker-client.js';
 export interface WorkerFactory {
   single(): WorkerLike;
   threads(): WorkerLike;
-  workshop(): WorkerLike;
+  job(): WorkerLike;
   studies(): WorkerLike;
 }
 
 export const moduleWorkers: WorkerFactory = {
   single: () => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }),
   threads: () => new Worker(new URL('./threads-worker.js', import.meta.url), { type: 'module' }),
-  workshop: () => new Worker(new URL('./workshop-worker.js', import.meta.url), { type: 'module' }),
+  job: () => new Worker(new URL('./job-worker.js', import.meta.url), { type: 'module' }),
   studies: () => new Worker(new URL('./studies-worker.js', import.meta.url), { type: 'module' }),
 };

@@ -56,19 +56,19 @@ export class Surface {
   private readonly flags: BufferAttribute;
   private readonly texture: DataTexture;
   private edges: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
-  private readonly walls: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
+  private readonly boundary: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
   private hierarchy: MeshBVH | undefined;
   private steepest = 0;
   private disposed = false;
 
   /**
-   * `positions`, `indices` and `walls` are the mesh's own and stay unchanged; `creased` is the same
+   * `positions`, `indices` and `boundary` are the mesh's own and stay unchanged; `creased` is the same
    * surface made ready to draw.
    */
   constructor(
     private readonly positions: Float32Array,
     private readonly indices: Uint32Array,
-    walls: Uint32Array,
+    boundary: Uint32Array,
     private readonly adjacency: Adjacency,
     creased: CreasedSurface,
   ) {
@@ -122,7 +122,7 @@ export class Surface {
       category: [0, 0, 0, 0],
     });
     this.object.add(new Mesh(this.drawn, this.material));
-    if (walls.length > 0) this.walls = this.addLines(walls, 0.62);
+    if (boundary.length > 0) this.boundary = this.addLines(boundary, 0.62);
     this.setColormap('viridis');
   }
 
@@ -392,7 +392,7 @@ export class Surface {
     this.picked.dispose();
     this.material.dispose();
     this.texture.dispose();
-    for (const lines of [this.edges, this.walls]) {
+    for (const lines of [this.edges, this.boundary]) {
       lines?.geometry.dispose();
       lines?.material.dispose();
     }

@@ -4,7 +4,7 @@ import createModule, { type GirthModule } from './wasm/girth.mjs';
 import { failure, fieldsOf, GirthError } from './errors.js';
 import { FileSet, type SetFile } from './file-set.js';
 import { moduleOptions, openedSurface, remeshedSurface } from './opened-surface.js';
-import type { OpenedSurface, WorkshopOperations } from './protocol.js';
+import type { OpenedSurface, JobOperations } from './protocol.js';
 import type { FileWithPath, UnreadableModel } from './types.js';
 import { unpackIfCompressed } from './unpack.js';
 import { checked, progressTo, serveRequests } from './worker-loop.js';
@@ -58,7 +58,7 @@ async function firstReadable(
   throw new GirthError({ ...error, message });
 }
 
-serveRequests<WorkshopOperations>({
+serveRequests<JobOperations>({
   async start() {
     module = await createModule();
     return {};

@@ -8,7 +8,7 @@ import { WorkerClient, type WorkerLike } from './worker-client.js';
 /** A worker that has had this many bytes to work on is not kept: a module's memory never shrinks. */
 const heavy = 8 * 2 ** 20;
 
-export class Workshop<T extends CommonOperations> {
+export class JobPool<T extends CommonOperations> {
   readonly #create: () => WorkerLike;
   readonly #mostJobs: number;
   readonly #busy = new Set<WorkerClient<T>>();
