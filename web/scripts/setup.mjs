@@ -19,6 +19,7 @@ const elsewhere = [
   ['clang', ['clang++']],
   ['clang-format', ['clang-format']],
   ['clang-tidy', ['clang-tidy']],
+  ['Doxygen', ['doxygen']],
   ['Eigen 3', ['eigen3/Eigen/Core']],
   ['Spectra', ['Spectra/SymEigsSolver.h']],
   ['Draco', ['draco/compression/decode.h']],
