@@ -1,0 +1,92 @@
+// The documents of the repository: every relative link leads somewhere, headings included, and every path
+// that stands in backticks exists.
+
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { basename, dirname, join, relative, resolve } from 'node:path';
+import { expect, test } from 'vitest';
+import { repository } from '../../../web/scripts/run.mjs';
+
+const notOurs = /^(build.*|dist|node_modules|\.git|wasm)$/;
+
+/** Relative paths of all files with that ending, build products left out. */
+function filesBelow(folder: string, ending: string): string[] {
+  return readdirSync(join(repository, folder), { withFileTypes: true }).flatMap((entry) => {
+    const path = join(folder, entry.name);
+    if (entry.isDirectory()) return notOurs.test(entry.name) ? [] : filesBelow(path, ending);
+    return entry.name.endsWith(ending) ? [path] : [];
+  });
+}
+
+interface Document {
+  /** Without blocks of code. */
+  prose: string;
+  /** The names by which links refer to its headings. */
+  anchors: Set<string>;
+}
+
+/** The name that GitHub gives a heading. */
+function anchorOf(heading: string): string {
+  return heading
+    .replace(/\[([^\]]*)\]\([^)]*\)/g, '$1')
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N}\p{M}_ -]/gu, '')
+    .replace(/ /g, '-');
+}
+
+function read(path: string): Document {
+  const prose = readFileSync(path, 'utf8').replace(/^( *)(```|~~~)[^]*?^\1\2.*$/gm, '');
+  const anchors = new Set<string>();
+  for (const [, heading = ''] of prose.matchAll(/^#{1,6} +(.*?) *#*$/gm)) {
+    const anchor = anchorOf(heading);
+    let name = anchor;
+    for (let copy = 1; anchors.has(name); ++copy) name = `${anchor}-${copy}`;
+    anchors.add(name);
+  }
+  return { prose, anchors };
+}
+
+const documents = filesBelow('.', '.md');
+
+/** What links and pictures refer to, in Markdown and in HTML. */
+function targetsOf(prose: string): string[] {
+  const withoutCode = prose.replace(/`[^`\n]*`/g, '');
+  return [
+    ...[...withoutCode.matchAll(/\]\(<?([^)<>\s]+)>?(?: "[^"]*")?\)/g)].map(
+      ([, target]) => target!,
+    ),
+    ...[...withoutCode.matchAll(/ (?:src|srcset|href)="([^"]+)"/g)].map(([, target]) => target!),
+  ];
+}
+
+/** Whether a path with * in it names at least one file. */
+function matches(pattern: string): boolean {
+  if (!pattern.includes('*')) return existsSync(join(repository, pattern));
+  const folder = join(repository, dirname(pattern));
+  if (folder.includes('*') || !existsSync(folder)) return false;
+  const [before = '', after = ''] = basename(pattern).split('*');
+  return readdirSync(folder).some((name) => name.startsWith(before) && name.endsWith(after));
+}
+
+test('there are documents', () => {
+  expect(documents).toContain('README.md');
+});
+
+test.each(documents)('%s: links lead somewhere', (path) => {
+  const { prose } = read(join(repository, path));
+  const broken = targetsOf(prose).filter((target) => {
+    if (/^[a-z]+:/.test(target)) return false;
+    const [file = '', anchor] = target.split('#');
+    const full = file === '' ? join(repository, path) : resolve(repository, dirname(path), file);
+    if (!existsSync(full) || relative(repository, full).startsWith('..')) return true;
+    return anchor !== undefined && full.endsWith('.md') && !read(full).anchors.has(anchor);
+  });
+  expect(broken).toEqual([]);
+});
+
+test.each(documents)('%s: paths of the repository exist', (path) => {
+  const { prose } = read(join(repository, path));
+  const named = [...prose.matchAll(/`((?:cpp|web|tests)\/[^`\s{}()…]+)`/g)].map(
+    ([, name]) => name!,
+  );
+  expect(named.filter((name) => !matches(name))).toEqual([]);
+});
