@@ -9,10 +9,10 @@
 #include "boundary.h"
 #include "girth/heat_kernel.h"
 #include "girth/heat_maxima.h"
-#include "girth/io/number_text.h"
 #include "girth/spectrum.h"
 #include "girth/wave_kernel.h"
 #include "maxima.h"
+#include "text/number_text.h"
 
 using emscripten::val;
 

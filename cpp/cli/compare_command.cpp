@@ -7,14 +7,14 @@
 
 #include "commands.h"
 #include "files.h"
-#include "girth/io/json_text.h"
-#include "girth/io/number_text.h"
 #include "girth/retrieval/histogram.h"
 #include "girth/retrieval/signatures.h"
 #include "interrupt.h"
 #include "model_fields.h"
 #include "progress_line.h"
 #include "report.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 namespace {

@@ -7,12 +7,12 @@
 #include "compute.h"
 #include "files.h"
 #include "girth/geodesic_extent.h"
-#include "girth/io/json_text.h"
-#include "girth/io/number_text.h"
 #include "girth/io/write_field.h"
 #include "girth/persistent_maxima.h"
 #include "progress_line.h"
 #include "report.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 namespace {

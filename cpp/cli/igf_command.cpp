@@ -8,13 +8,13 @@
 
 #include "commands.h"
 #include "files.h"
-#include "girth/io/json_text.h"
-#include "girth/io/number_text.h"
 #include "girth/io/write_field.h"
 #include "girth/transfer.h"
 #include "interrupt.h"
 #include "progress_line.h"
 #include "report.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "commands.h"
 #include "files.h"
-#include "girth/io/json_text.h"
-#include "girth/io/number_text.h"
 #include "girth/io/report_json.h"
 #include "report.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 namespace {

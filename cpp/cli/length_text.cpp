@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "girth/io/length_unit.h"
-#include "girth/io/number_text.h"
 #include "report.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 namespace {

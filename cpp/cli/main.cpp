@@ -11,9 +11,9 @@
 
 #include "commands.h"
 #include "girth/io/length_unit.h"
-#include "girth/io/number_text.h"
 #include "report.h"
 #include "study_options.h"
+#include "text/number_text.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "girth/io/png.h"
+#include "picture/png.h"
 
 namespace girth::cli {
 

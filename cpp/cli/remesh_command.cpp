@@ -5,12 +5,12 @@
 #include "compute.h"
 #include "files.h"
 #include "girth/field_difference.h"
-#include "girth/io/json_text.h"
-#include "girth/io/number_text.h"
 #include "girth/io/write_mesh.h"
 #include "girth/remesh.h"
 #include "progress_line.h"
 #include "report.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 namespace {

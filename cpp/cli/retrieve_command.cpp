@@ -14,8 +14,6 @@
 #include "commands.h"
 #include "field_cache.h"
 #include "files.h"
-#include "girth/io/number_text.h"
-#include "girth/io/thumbnail.h"
 #include "girth/io/write_study.h"
 #include "girth/retrieval/descriptor_rows.h"
 #include "girth/retrieval/measures.h"
@@ -23,9 +21,11 @@
 #include "interrupt.h"
 #include "matrix_picture.h"
 #include "model_fields.h"
+#include "picture/thumbnail.h"
 #include "progress_line.h"
 #include "report.h"
 #include "study_models.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 namespace {

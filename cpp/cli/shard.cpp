@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "girth/io/number_text.h"
 #include "report.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 

@@ -5,9 +5,9 @@
 
 #include "girth/heat_kernel.h"
 #include "girth/heat_maxima.h"
-#include "girth/io/number_text.h"
 #include "girth/wave_kernel.h"
 #include "progress_line.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 namespace {

@@ -4,14 +4,14 @@
 #include <string>
 #include <utility>
 
-#include "foreign_formats.h"
-#include "glb_container.h"
-#include "read_gltf.h"
-#include "read_obj.h"
-#include "read_off.h"
-#include "read_ply.h"
-#include "read_stl.h"
-#include "words.h"
+#include "formats/foreign_formats.h"
+#include "formats/read_obj.h"
+#include "formats/read_off.h"
+#include "formats/read_ply.h"
+#include "formats/read_stl.h"
+#include "gltf/glb_container.h"
+#include "gltf/read_gltf.h"
+#include "text/words.h"
 
 namespace girth::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "girth/io/png.h"
+#include "bytes/base64.h"
 #include "girth/io/write_study.h"
 
 namespace girth::io {

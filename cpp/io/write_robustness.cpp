@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "girth/io/json_text.h"
-#include "girth/io/number_text.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
 
 namespace girth::io {
 namespace {

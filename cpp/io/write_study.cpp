@@ -1,7 +1,7 @@
 #include "girth/io/write_study.h"
 
-#include "girth/io/json_text.h"
-#include "girth/io/number_text.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
 
 namespace girth::io {
 namespace {

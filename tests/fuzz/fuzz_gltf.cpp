@@ -1,6 +1,6 @@
 // Any bytes as a glTF document with files beside it.
 #include "checks.h"
-#include "read_gltf.h"
+#include "gltf/read_gltf.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace girth;

@@ -13,10 +13,10 @@
 #include <string>
 
 #include "documents.h"
-#include "girth/io/number_text.h"
 #include "girth/io/write_field.h"
 #include "girth/io/write_loop.h"
 #include "girth/io/write_mesh.h"
+#include "text/number_text.h"
 
 namespace girth::io::testing {
 namespace {

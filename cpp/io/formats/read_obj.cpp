@@ -1,0 +1,173 @@
+// Why not tinyobjloader: it turns "nan" into 0, takes 4294967297 for 1, rounds coordinates by way
+// of pow(), so that two platforms may read two models, and leaves faces with bad indices in place.
+#include "formats/read_obj.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "formats/polygon_soup.h"
+#include "text/number_text.h"
+#include "text/quoted_name.h"
+#include "text/words.h"
+
+namespace girth::io {
+namespace {
+
+class ObjReader {
+ public:
+  explicit ObjReader(std::string_view text) : words_(text, '#', Words::Continuation::JoinsLines) {}
+
+  Result<ReadModel> read() {
+    while (true) {
+      const std::string_view keyword = words_.next();
+      if (keyword.empty()) break;
+      line_ = words_.line();
+      std::optional<Error> error;
+      if (keyword == "v") {
+        error = readVertex();
+      } else if (keyword == "f" || keyword == "fo") {
+        error = readFace();
+      } else {
+        curves_ = curves_ || keyword == "curv" || keyword == "surf";
+      }
+      if (error) return *error;
+      words_.skipLine();
+    }
+    return finish();
+  }
+
+ private:
+  Error failure(ErrorCode code, std::int64_t line, const std::string& message) const {
+    return makeError(code, line, "line " + std::to_string(line) + ": " + message);
+  }
+
+  std::optional<Error> readVertex() {
+    std::array<double, 3> position;
+    for (double& coordinate : position) {
+      const std::string_view word = words_.nextOnLine();
+      if (word.empty()) {
+        return failure(ErrorCode::MalformedFile, line_,
+                       "a vertex with fewer than three coordinates");
+      }
+      const auto number = parseNumber(word);
+      if (!number) {
+        return failure(ErrorCode::MalformedFile, line_, inQuotes(word) + " is not a number");
+      }
+      if (!std::isfinite(*number)) {
+        return failure(ErrorCode::NonFinitePosition, line_,
+                       "the coordinate " + inQuotes(word) + " is not a finite number");
+      }
+      coordinate = *number;
+    }
+    if (soup().positions.size() / 3 + 1 >= kNoIndex) {
+      return makeError(ErrorCode::LimitExceeded, -1, "it has more than 4 billion vertices");
+    }
+    soup().positions.insert(soup().positions.end(), position.begin(), position.end());
+    // One more number is a weight, three more are a colour.
+    const std::string_view fourth = words_.nextOnLine();
+    if (!fourth.empty() && fourth != "1" && words_.nextOnLine().empty()) {
+      const auto weight = parseNumber(fourth);
+      weights_ += weight && *weight != 1 ? 1 : 0;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> readFace() {
+    const auto known = static_cast<std::int64_t>(soup().positions.size() / 3);
+    while (true) {
+      const std::string_view word = words_.nextOnLine();
+      if (word.empty()) break;
+      const std::string_view name = word.substr(0, word.find('/'));
+      const auto index = parseInteger(name);
+      if (!index) {
+        return failure(ErrorCode::MalformedFile, line_, inQuotes(word) + " is not a face's corner");
+      }
+      // From 1, or backwards from the last vertex so far.
+      const std::int64_t vertex = *index > 0 ? *index - 1 : known + *index;
+      if (*index == 0 || vertex < 0 || vertex >= std::int64_t{kNoIndex}) {
+        return failure(
+            ErrorCode::IndexOutOfRange, line_,
+            "a face names vertex " + std::string(name.substr(0, 20)) +
+                (*index == 0 ? ", but OBJ counts from 1"
+                             : ", and there are " + std::to_string(known) + " before it"));
+      }
+      faces_.addCorner(static_cast<Index>(vertex), static_cast<std::size_t>(known), line_);
+    }
+    if (!faces_.endPolygon()) {
+      return failure(ErrorCode::MalformedFile, line_, "a face with fewer than three corners");
+    }
+    return std::nullopt;
+  }
+
+  Result<ReadModel> finish() {
+    const std::size_t vertices = soup().positions.size() / 3;
+    // Faces may name vertices that come later in the file, and so wait until all are known.
+    if (const auto corner = faces_.firstOutside(vertices)) {
+      return failure(ErrorCode::IndexOutOfRange, corner->place,
+                     "a face names vertex " + std::to_string(std::uint64_t{corner->vertex} + 1) +
+                         ", and there are " + std::to_string(vertices));
+    }
+    if (faces_.polygonCount() == 0) return nothing(vertices);
+    auto triangles = faces_.takeTriangles(soup().positions);
+    if (!triangles) {
+      return makeError(ErrorCode::LimitExceeded, -1,
+                       "its polygons have too many corners to be cut into triangles");
+    }
+    soup().triangles = std::move(*triangles);
+    model_.format = Format::Obj;
+    if (weights_ > 0) {
+      model_.notes.push_back("The weight w of " + std::to_string(weights_) +
+                             " vertices was passed over: it counts for curves only.");
+    }
+    if (curves_) model_.notes.push_back("Its free-form curves and surfaces were left out.");
+    return std::move(model_);
+  }
+
+  Error nothing(std::size_t vertices) const {
+    if (curves_) {
+      Error error = makeError(ErrorCode::UnsupportedFeature, -1,
+                              "it holds only free-form curves or surfaces");
+      error.hint = "export it as polygons";
+      return error;
+    }
+    if (vertices == 0) {
+      return makeError(ErrorCode::EmptyMesh, -1, "it has neither vertices nor faces");
+    }
+    Error error = makeError(
+        ErrorCode::EmptyMesh, -1,
+        "it has " + std::to_string(vertices) + " vertices, but no faces: points or lines only");
+    error.hint = "export the faces, too; of a point cloud, make a surface first";
+    return error;
+  }
+
+  TriangleSoup& soup() { return model_.soup; }
+
+  Words words_;
+  std::int64_t line_{0};  ///< of the statement
+  ReadModel model_;
+  PolygonSoup faces_;
+  std::size_t weights_{0};
+  bool curves_{false};
+};
+
+}  // namespace
+
+Result<ReadModel> readObj(std::span<const std::byte> bytes) {
+  return ObjReader(textOf(bytes)).read();
+}
+
+bool isObjLine(std::string_view line) {
+  constexpr std::array<std::string_view, 23> kKeywords{
+      "v",     "vn",  "vt",     "vp",     "f",      "fo",     "l",   "p",
+      "o",     "g",   "s",      "mg",     "mtllib", "usemtl", "deg", "cstype",
+      "bevel", "lod", "usemap", "maplib", "curv",   "surf",   "t"};
+  const std::string_view keyword = Words(line).nextOnLine();
+  return std::find(kKeywords.begin(), kKeywords.end(), keyword) != kKeywords.end();
+}
+
+}  // namespace girth::io

@@ -1,0 +1,333 @@
+#include "formats/read_off.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "bytes/cursor.h"
+#include "formats/polygon_soup.h"
+#include "text/number_text.h"
+#include "text/quoted_name.h"
+#include "text/words.h"
+
+namespace girth::io {
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// The keyword at the front of the file.
+struct Keyword {
+  bool texture{false}, colour{false}, normal{false}, homogeneous{false}, anyDimension{false};
+  /// Digits right behind it: some writers forget the white space before the counts.
+  std::string_view rest;
+};
+
+std::optional<Keyword> parseKeyword(std::string_view word) {
+  Keyword keyword;
+  if (word == "off" || word == "coff") {
+    keyword.colour = word[0] == 'c';
+    return keyword;
+  }
+  while (word.substr(0, 3) != "OFF") {
+    const std::size_t length = word.substr(0, 2) == "ST" ? 2 : 1;
+    bool* const flag = word.empty()     ? nullptr
+                       : length == 2    ? &keyword.texture
+                       : word[0] == 'C' ? &keyword.colour
+                       : word[0] == 'N' ? &keyword.normal
+                       : word[0] == '4' ? &keyword.homogeneous
+                       : word[0] == 'n' ? &keyword.anyDimension
+                                        : nullptr;
+    if (flag == nullptr || *flag) return std::nullopt;
+    *flag = true;
+    word.remove_prefix(length);
+  }
+  keyword.rest = word.substr(3);
+  if (!std::all_of(keyword.rest.begin(), keyword.rest.end(), isDigit)) return std::nullopt;
+  return keyword;
+}
+
+Error malformed(std::int64_t element, std::string message) {
+  return makeError(ErrorCode::MalformedFile, element, std::move(message));
+}
+
+/// What both encodings have in common.
+class OffReader {
+ protected:
+  /// Adds a vertex; false where it lies nowhere.
+  bool addVertex(std::array<double, 4> position, const Keyword& keyword) {
+    if (keyword.homogeneous) {
+      for (std::size_t k = 0; k < 3; ++k) position[k] /= position[3];
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!std::isfinite(position[k])) return false;
+    }
+    model.soup.positions.insert(model.soup.positions.end(), position.begin(), position.begin() + 3);
+    return true;
+  }
+
+  std::size_t vertexCount() const { return model.soup.positions.size() / 3; }
+
+  void endFace() {
+    if (!faces.endPolygon()) ++lines_;
+  }
+
+  Result<ReadModel> finish() {
+    auto triangles = faces.takeTriangles(model.soup.positions);
+    if (!triangles) {
+      return makeError(ErrorCode::LimitExceeded, -1,
+                       "its polygons have too many corners to be cut into triangles");
+    }
+    if (triangles->empty()) {
+      Error error =
+          makeError(ErrorCode::EmptyMesh, -1,
+                    vertexCount() == 0 ? "it has neither vertices nor faces"
+                                       : "it is a point cloud: " + std::to_string(vertexCount()) +
+                                             " points, no faces with three corners");
+      if (vertexCount() > 0) {
+        error.hint = "make a surface of the points first, for example by Poisson reconstruction";
+      }
+      return error;
+    }
+    if (lines_ > 0) {
+      model.notes.push_back(std::to_string(lines_) +
+                            " faces with fewer than three corners were left out.");
+    }
+    model.soup.triangles = std::move(*triangles);
+    model.format = Format::Off;
+    return std::move(model);
+  }
+
+  ReadModel model;
+  PolygonSoup faces;
+
+ private:
+  std::uint64_t lines_{0};
+};
+
+class AsciiReader : OffReader {
+ public:
+  /// Behind the keyword.
+  AsciiReader(const Words& words, const Keyword& keyword, std::size_t fileSize)
+      : words_(words), keyword_(keyword), fileSize_(fileSize) {}
+
+  Result<ReadModel> read() {
+    std::array<std::int64_t, 2> counts{};
+    std::array<std::int64_t, 2> lines{};
+    constexpr std::array<const char*, 2> kNames{"vertices", "faces"};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const bool glued = i == 0 && !keyword_.rest.empty();
+      const std::string_view word = glued ? keyword_.rest : words_.next();
+      const auto count = parseInteger(word);
+      if (!count || *count < 0) {
+        return failure(inQuotes(word) + " is no number of " + kNames[i]);
+      }
+      // Whatever is counted takes a number and its separator.
+      if (static_cast<std::uint64_t>(*count) > fileSize_ / 2) {
+        return failure("it counts " + std::to_string(*count) + " " + kNames[i] +
+                       ", more than the file can hold");
+      }
+      counts[i] = *count;
+      lines[i] = words_.line();
+    }
+    // The number of edges is often missing, and means nothing.
+    if (lines[0] != lines[1]) words_.next();
+    words_.skipLine();
+    if (auto error = readVertices(counts[0])) return *error;
+    if (auto error = readFaces(counts[1])) return *error;
+    if (!words_.atEnd()) model.notes.push_back("What follows the last face was left out.");
+    return finish();
+  }
+
+ private:
+  Error failure(const std::string& message) const {
+    return malformed(words_.line(), "line " + std::to_string(words_.line()) + ": " + message);
+  }
+
+  std::optional<Error> readVertices(std::int64_t count) {
+    model.soup.positions.reserve(3 * std::min(static_cast<std::size_t>(count), fileSize_ / 6));
+    const std::size_t dimension = keyword_.homogeneous ? 4 : 3;
+    for (std::int64_t i = 0; i < count; ++i) {
+      std::array<double, 4> position{};
+      for (std::size_t k = 0; k < dimension; ++k) {
+        const std::string_view word = k == 0 ? words_.next() : words_.nextOnLine();
+        const auto number = parseNumber(word);
+        if (!number) {
+          return failure(!word.empty() ? inQuotes(word) + " is not a number"
+                         : k == 0      ? "the file ends after " + std::to_string(i) + " of " +
+                                        std::to_string(count) + " vertices"
+                                  : "a vertex with fewer than " + std::to_string(dimension) +
+                                        " coordinates");
+        }
+        position[k] = *number;
+      }
+      if (!addVertex(position, keyword_)) {
+        return makeError(ErrorCode::NonFinitePosition, words_.line(),
+                         "line " + std::to_string(words_.line()) + ": vertex " + std::to_string(i) +
+                             " has a coordinate that is not a finite number");
+      }
+      words_.skipLine();
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> readFaces(std::int64_t count) {
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::string_view first = words_.next();
+      const auto corners = parseInteger(first);
+      if (!corners || *corners < 0) {
+        return failure(first.empty() ? "the file ends after " + std::to_string(i) + " of " +
+                                           std::to_string(count) + " faces"
+                                     : inQuotes(first) + " is no number of corners");
+      }
+      for (std::int64_t k = 0; k < *corners; ++k) {
+        const std::string_view word = words_.nextOnLine();
+        const auto vertex = parseInteger(word);
+        if (!vertex) {
+          return failure(word.empty() ? "a face with " + std::to_string(k) +
+                                            " corners in place of " + std::to_string(*corners)
+                                      : inQuotes(word) + " is not a face's corner");
+        }
+        if (*vertex < 0 || static_cast<std::uint64_t>(*vertex) >= vertexCount()) {
+          return makeError(ErrorCode::IndexOutOfRange, words_.line(),
+                           "line " + std::to_string(words_.line()) + ": a face names vertex " +
+                               std::string(word.substr(0, 20)) + " of " +
+                               std::to_string(vertexCount()));
+        }
+        faces.addCorner(static_cast<Index>(*vertex), vertexCount(), 0);
+      }
+      endFace();
+      words_.skipLine();
+    }
+    return std::nullopt;
+  }
+
+  Words words_;
+  Keyword keyword_;
+  std::size_t fileSize_;
+};
+
+class BinaryReader : OffReader {
+ public:
+  BinaryReader(std::span<const std::byte> bytes, std::size_t at, const Keyword& keyword)
+      : cursor_(bytes, at, ByteOrder::Big), keyword_(keyword) {}
+
+  Result<ReadModel> read() {
+    std::array<std::int32_t, 3> counts{};
+    for (std::int32_t& count : counts) {
+      if (!cursor_.take(count)) return ends("the counts");
+      if (count < 0) return failure("a count below zero");
+    }
+    if (auto error = readVertices(counts[0])) return *error;
+    if (auto error = readFaces(counts[1])) return *error;
+    if (cursor_.remaining() > 0) {
+      model.notes.push_back("What follows the last face was left out.");
+    }
+    return finish();
+  }
+
+ private:
+  std::int64_t byte() const { return static_cast<std::int64_t>(cursor_.offset()); }
+  Error failure(const std::string& message) const {
+    return malformed(byte(), "byte " + std::to_string(byte()) + ": " + message);
+  }
+  Error ends(const std::string& within) const { return failure("the file ends within " + within); }
+
+  std::optional<Error> readVertices(std::int32_t count) {
+    const std::size_t dimension = keyword_.homogeneous ? 4 : 3;
+    const std::size_t more = 4 * ((keyword_.normal ? 3u : 0u) + (keyword_.colour ? 4u : 0u) +
+                                  (keyword_.texture ? 2u : 0u));
+    const std::size_t size = 4 * dimension + more;
+    model.soup.positions.reserve(
+        3 * std::min(static_cast<std::size_t>(count), cursor_.remaining() / size));
+    for (std::int32_t i = 0; i < count; ++i) {
+      std::array<double, 4> position{};
+      for (std::size_t k = 0; k < dimension; ++k) {
+        float coordinate = 0;
+        if (!cursor_.take(coordinate)) return vertexEnds(i, count);
+        position[k] = static_cast<double>(coordinate);
+      }
+      if (!cursor_.skip(more)) return vertexEnds(i, count);
+      if (!addVertex(position, keyword_)) {
+        return makeError(ErrorCode::NonFinitePosition, i,
+                         "byte " + std::to_string(byte()) + ": vertex " + std::to_string(i) +
+                             " has a coordinate that is not a finite number");
+      }
+    }
+    return std::nullopt;
+  }
+  Error vertexEnds(std::int32_t number, std::int32_t count) const {
+    return ends("vertex " + std::to_string(number) + " of " + std::to_string(count));
+  }
+
+  std::optional<Error> readFaces(std::int32_t count) {
+    for (std::int32_t i = 0; i < count; ++i) {
+      const auto faceEnds = [&] {
+        return ends("face " + std::to_string(i) + " of " + std::to_string(count));
+      };
+      std::int32_t corners = 0, colours = 0;
+      if (!cursor_.take(corners)) return faceEnds();
+      if (corners < 0) return failure("a face with a number of corners below zero");
+      for (std::int32_t k = 0; k < corners; ++k) {
+        std::int32_t vertex = 0;
+        if (!cursor_.take(vertex)) return faceEnds();
+        if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertexCount()) {
+          return makeError(ErrorCode::IndexOutOfRange, byte(),
+                           "byte " + std::to_string(byte()) + ": a face names vertex " +
+                               std::to_string(vertex) + " of " + std::to_string(vertexCount()));
+        }
+        faces.addCorner(static_cast<Index>(vertex), vertexCount(), 0);
+      }
+      endFace();
+      if (!cursor_.take(colours)) return faceEnds();
+      if (colours < 0 || colours > 4) {
+        return failure("a colour of " + std::to_string(colours) + " components");
+      }
+      if (!cursor_.skip(4 * static_cast<std::uint64_t>(colours))) return faceEnds();
+    }
+    return std::nullopt;
+  }
+
+  BinaryCursor cursor_;
+  Keyword keyword_;
+};
+
+}  // namespace
+
+bool hasOffMark(std::string_view text) { return parseKeyword(Words(text, '#').next()).has_value(); }
+
+bool canBeOffWithoutMark(std::string_view text) {
+  Words words(text, '#');
+  int numbers = 0;
+  for (std::string_view word = words.next(); !word.empty(); word = words.nextOnLine()) {
+    const auto number = parseInteger(word);
+    if (!number || *number < 0 || ++numbers > 3) return false;
+  }
+  return numbers >= 2;
+}
+
+Result<ReadModel> readOff(std::span<const std::byte> bytes) {
+  const std::string_view text = textOf(bytes);
+  Words words(text, '#');
+  const Words beginning = words;
+  const auto keyword = parseKeyword(words.next());
+  if (!keyword) return AsciiReader(beginning, {}, text.size()).read();
+  if (keyword->anyDimension) {
+    Error error = makeError(ErrorCode::UnsupportedFeature, words.line(),
+                            "line " + std::to_string(words.line()) +
+                                ": its vertices have any number of dimensions (nOFF)");
+    error.hint = "write it as OFF, with three coordinates a vertex";
+    return error;
+  }
+  const Words behindKeyword = words;
+  if (words.nextOnLine() == "BINARY") {
+    words.skipLine();
+    return BinaryReader(bytes.subspan(bytes.size() - text.size()), words.offset(), *keyword).read();
+  }
+  return AsciiReader(behindKeyword, *keyword, text.size()).read();
+}
+
+}  // namespace girth::io

@@ -1,0 +1,630 @@
+#include "formats/read_ply.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bytes/cursor.h"
+#include "formats/polygon_soup.h"
+#include "text/number_text.h"
+#include "text/quoted_name.h"
+#include "text/words.h"
+
+namespace girth::io {
+namespace {
+
+enum class Encoding : std::uint8_t { Ascii, LittleEndian, BigEndian };
+
+enum class Scalar : std::uint8_t { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
+
+std::size_t sizeOf(Scalar type) {
+  constexpr std::array<std::size_t, 8> kSizes{1, 1, 2, 2, 4, 4, 4, 8};
+  return kSizes[static_cast<std::size_t>(type)];
+}
+
+std::optional<Scalar> scalarNamed(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, Scalar>, 16> kNames{{
+      {"char", Scalar::Int8},
+      {"int8", Scalar::Int8},
+      {"uchar", Scalar::UInt8},
+      {"uint8", Scalar::UInt8},
+      {"short", Scalar::Int16},
+      {"int16", Scalar::Int16},
+      {"ushort", Scalar::UInt16},
+      {"uint16", Scalar::UInt16},
+      {"int", Scalar::Int32},
+      {"int32", Scalar::Int32},
+      {"uint", Scalar::UInt32},
+      {"uint32", Scalar::UInt32},
+      {"float", Scalar::Float32},
+      {"float32", Scalar::Float32},
+      {"double", Scalar::Float64},
+      {"float64", Scalar::Float64},
+  }};
+  for (const auto& [known, type] : kNames) {
+    if (known == name) return type;
+  }
+  return std::nullopt;
+}
+
+struct Property {
+  std::string_view name;
+  Scalar type{Scalar::Float32};
+  bool isList{false};
+  Scalar countType{Scalar::UInt8};
+};
+
+struct Element {
+  std::string_view name;
+  std::uint64_t count{0};
+  std::vector<Property> properties;
+
+  std::optional<std::size_t> find(std::string_view property) const {
+    for (std::size_t i = 0; i < properties.size(); ++i) {
+      if (properties[i].name == property) return i;
+    }
+    return std::nullopt;
+  }
+  /// Bytes of one of them; nothing where lists make them differ.
+  std::optional<std::size_t> fixedSize() const {
+    std::size_t size = 0;
+    for (const Property& property : properties) {
+      if (property.isList) return std::nullopt;
+      size += sizeOf(property.type);
+    }
+    return size;
+  }
+};
+
+struct Header {
+  Encoding encoding{Encoding::Ascii};
+  std::vector<Element> elements;
+  /// Where the body begins: its byte and its line.
+  std::size_t body{0};
+  std::int64_t bodyLine{1};
+
+  const Element* find(std::string_view name) const {
+    for (const Element& element : elements) {
+      if (element.name == name) return &element;
+    }
+    return nullptr;
+  }
+};
+
+Error malformed(std::int64_t element, std::string message) {
+  return makeError(ErrorCode::MalformedFile, element, std::move(message));
+}
+
+Error malformedLine(std::int64_t line, const std::string& message) {
+  return malformed(line, "line " + std::to_string(line) + ": " + message);
+}
+
+class HeaderReader {
+ public:
+  /// The text begins with "ply".
+  explicit HeaderReader(std::string_view text) : text_(text) {
+    // In a file whose lines end with \r a \n behind the header is a byte of the body.
+    const std::size_t end = text.find_first_of("\r\n");
+    onlyReturns_ = end != std::string_view::npos && text[end] == '\r' &&
+                   (end + 1 == text.size() || text[end + 1] != '\n');
+  }
+
+  Result<Header> read() {
+    std::string_view line;
+    takeLine(line);
+    while (takeLine(line)) {
+      Words words(line);
+      const std::string_view keyword = words.next();
+      std::optional<Error> error;
+      if (keyword == "end_header") {
+        if (auto missing = checkWhole()) return *missing;
+        header_.body = at_;
+        header_.bodyLine = lineNumber_ + 1;
+        return std::move(header_);
+      }
+      if (keyword == "format") {
+        error = readFormat(words);
+      } else if (keyword == "element") {
+        error = readElement(words);
+      } else if (keyword == "property") {
+        error = readProperty(words);
+      } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info" &&
+                 unknownLine_ < 0) {
+        unknownLine_ = lineNumber_;
+        unknown_ = keyword;
+      }
+      if (error) return *error;
+    }
+    return malformedLine(lineNumber_, "the header does not end: there is no \"end_header\"");
+  }
+
+ private:
+  bool takeLine(std::string_view& line) {
+    if (at_ == text_.size()) return false;
+    const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+    line = text_.substr(at_, end - at_);
+    const bool pair = !onlyReturns_ && text_.substr(end, 2) == "\r\n";
+    at_ = std::min(end + (pair ? 2 : 1), text_.size());
+    ++lineNumber_;
+    return true;
+  }
+
+  std::optional<Error> readFormat(Words& words) {
+    const std::string_view name = words.next();
+    if (name == "ascii") {
+      header_.encoding = Encoding::Ascii;
+    } else if (name == "binary_little_endian") {
+      header_.encoding = Encoding::LittleEndian;
+    } else if (name == "binary_big_endian") {
+      header_.encoding = Encoding::BigEndian;
+    } else {
+      return malformedLine(lineNumber_, "the format " + inQuotes(name) + " is unknown");
+    }
+    hasFormat_ = true;
+    return std::nullopt;
+  }
+
+  std::optional<Error> readElement(Words& words) {
+    Element element;
+    element.name = words.next();
+    const std::string_view count = words.next();
+    const auto number = parseInteger(count);
+    if (!number || *number < 0) {
+      return malformedLine(lineNumber_, inQuotes(count) + " is no number of elements");
+    }
+    if (header_.find(element.name) != nullptr) {
+      return malformedLine(lineNumber_, "a second element " + inQuotes(element.name));
+    }
+    element.count = static_cast<std::uint64_t>(*number);
+    header_.elements.push_back(std::move(element));
+    return std::nullopt;
+  }
+
+  std::optional<Error> readProperty(Words& words) {
+    if (header_.elements.empty()) {
+      return malformedLine(lineNumber_, "a property before the first element");
+    }
+    const auto unknownType = [&](std::string_view name) {
+      return malformedLine(lineNumber_, "the type " + inQuotes(name) + " is unknown");
+    };
+    Property property;
+    std::string_view word = words.next();
+    if (word == "list") {
+      property.isList = true;
+      word = words.next();
+      const auto countType = scalarNamed(word);
+      if (!countType) return unknownType(word);
+      if (*countType == Scalar::Float32 || *countType == Scalar::Float64) {
+        return malformedLine(lineNumber_, "a list cannot be counted by " + inQuotes(word));
+      }
+      property.countType = *countType;
+      word = words.next();
+    }
+    const auto type = scalarNamed(word);
+    if (!type) return unknownType(word);
+    property.type = *type;
+    property.name = words.next();
+    if (property.name.empty()) return malformedLine(lineNumber_, "a property without a name");
+    header_.elements.back().properties.push_back(property);
+    return std::nullopt;
+  }
+
+  std::optional<Error> checkWhole() const {
+    if (!hasFormat_) return malformedLine(lineNumber_, "the header has no line \"format\"");
+    // Values behind it could shift unnoticed only where nothing separates them.
+    if (unknownLine_ >= 0 && header_.encoding != Encoding::Ascii) {
+      return malformedLine(unknownLine_, inQuotes(unknown_) + " is unknown in a header");
+    }
+    return std::nullopt;
+  }
+
+  std::string_view text_;
+  std::size_t at_{0};
+  std::int64_t lineNumber_{0};
+  bool onlyReturns_{false};
+  bool hasFormat_{false};
+  std::int64_t unknownLine_{-1};
+  std::string_view unknown_;
+  Header header_;
+};
+
+/// What stands behind the header, as text. Functions that return false have failed: then `problem`
+/// says how.
+class AsciiBody {
+ public:
+  AsciiBody(std::string_view text, const Header& header)
+      : words_(text.substr(header.body)), lineBefore_(header.bodyLine - 1) {}
+
+  /// Where errors are: the line.
+  std::int64_t place() const { return lineBefore_ + words_.line(); }
+  std::string placeText() const { return "line " + std::to_string(place()); }
+
+  /// The most of an element's copies that can still come.
+  std::uint64_t mostOf(const Element& element, std::size_t fileSize) const {
+    return (fileSize - std::min(words_.offset(), fileSize)) / (2 * element.properties.size());
+  }
+
+  bool number(Scalar, double& value) {
+    const std::string_view word = words_.next();
+    const auto parsed = parseNumber(word);
+    if (!parsed) return fail(word, " is not a number");
+    value = *parsed;
+    return true;
+  }
+  bool integer(Scalar, std::int64_t& value) {
+    const std::string_view word = words_.next();
+    const auto parsed = parseInteger(word);
+    if (!parsed) return fail(word, " is not a whole number");
+    value = *parsed;
+    return true;
+  }
+  bool skip(Scalar, std::uint64_t count) {
+    for (; count > 0; --count) {
+      if (words_.next().empty()) return fail({}, "");
+    }
+    return true;
+  }
+  /// In text, nothing can be passed over unread.
+  bool skipAll(const Element&) { return false; }
+  bool endElement() {
+    const std::string_view word = words_.nextOnLine();
+    if (!word.empty()) return fail(word, " is more than the header's properties on one line");
+    return true;
+  }
+
+  bool fail(std::string problem) {
+    problem_ = std::move(problem);
+    return false;
+  }
+  /// What went wrong; empty: the file ended.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  bool fail(std::string_view word, const char* what) {
+    return word.empty() ? false : fail(inQuotes(word) + what);
+  }
+
+  Words words_;
+  std::int64_t lineBefore_;
+  std::string problem_;
+};
+
+/// What stands behind the header, as numbers of fixed size.
+class BinaryBody {
+ public:
+  BinaryBody(std::span<const std::byte> bytes, const Header& header)
+      : cursor_(bytes, header.body,
+                header.encoding == Encoding::BigEndian ? ByteOrder::Big : ByteOrder::Little) {}
+
+  /// Where errors are: the byte.
+  std::int64_t place() const { return static_cast<std::int64_t>(cursor_.offset()); }
+  std::string placeText() const { return "byte " + std::to_string(place()); }
+
+  std::uint64_t mostOf(const Element& element, std::size_t) const {
+    std::size_t least = 0;
+    for (const Property& p : element.properties) least += sizeOf(p.isList ? p.countType : p.type);
+    return cursor_.remaining() / least;
+  }
+
+  bool number(Scalar type, double& value) {
+    switch (type) {
+      case Scalar::Float32:
+        return takeAs<float>(value);
+      case Scalar::Float64:
+        return takeAs<double>(value);
+      default:
+        std::int64_t whole = 0;
+        if (!integer(type, whole)) return false;
+        value = static_cast<double>(whole);
+        return true;
+    }
+  }
+  bool integer(Scalar type, std::int64_t& value) {
+    switch (type) {
+      case Scalar::Int8:
+        if (!takeAs<std::uint8_t>(value)) return false;
+        if (value > 127) value -= 256;
+        return true;
+      case Scalar::UInt8:
+        return takeAs<std::uint8_t>(value);
+      case Scalar::Int16:
+        return takeAs<std::int16_t>(value);
+      case Scalar::UInt16:
+        return takeAs<std::uint16_t>(value);
+      case Scalar::Int32:
+        return takeAs<std::int32_t>(value);
+      case Scalar::UInt32:
+        return takeAs<std::uint32_t>(value);
+      default:
+        break;
+    }
+    double real = 0;
+    if (!number(type, real)) return false;
+    if (!(std::fabs(real) <= 4294967296.0) || real != std::floor(real)) {
+      return fail("an index is not a whole number");
+    }
+    value = static_cast<std::int64_t>(real);
+    return true;
+  }
+  bool skip(Scalar type, std::uint64_t count) {
+    // Counts have at most 32 bits.
+    return cursor_.skip(count * sizeOf(type));
+  }
+  /// Passes over all copies of an element, where they have a fixed size; false where there are
+  /// fewer.
+  bool skipAll(const Element& element) {
+    const std::size_t size = *element.fixedSize();
+    return size == 0 ||
+           (element.count <= cursor_.remaining() / size && cursor_.skip(element.count * size));
+  }
+  bool endElement() { return true; }
+
+  bool fail(std::string problem) {
+    problem_ = std::move(problem);
+    return false;
+  }
+  const std::string& problem() const { return problem_; }
+
+ private:
+  template <class Stored, class Value>
+  bool takeAs(Value& value) {
+    Stored stored{};
+    if (!cursor_.take(stored)) return false;
+    value = static_cast<Value>(stored);
+    return true;
+  }
+
+  BinaryCursor cursor_;
+  std::string problem_;
+};
+
+template <class Body>
+class BodyReader {
+ public:
+  BodyReader(const Header& header, Body body, std::size_t fileSize)
+      : header_(header), body_(std::move(body)), fileSize_(fileSize) {}
+
+  Result<ReadModel> read() {
+    for (const Element& element : header_.elements) {
+      // Without properties there is nothing in the file, however many there are.
+      if (element.properties.empty() || element.count == 0) continue;
+      std::optional<Error> error;
+      if (element.name == "vertex") {
+        error = readVertices(element);
+      } else if (element.name == "face" || element.name == "tristrips") {
+        error = readFaces(element);
+      } else {
+        error = passOver(element);
+      }
+      if (error) return *error;
+    }
+    return finish();
+  }
+
+ private:
+  /// The error of the element's copy with this number, which the body has failed to give.
+  Error failure(const Element& element, std::uint64_t number) const {
+    const bool known =
+        element.name == "vertex" || element.name == "face" || element.name == "tristrips";
+    const std::string which = (known ? std::string(element.name) : inQuotes(element.name)) + " " +
+                              std::to_string(number) + " of " + std::to_string(element.count);
+    const std::string what = body_.problem().empty()
+                                 ? "the file ends before " + which + " is complete"
+                                 : body_.problem() + " (in " + which + ")";
+    return malformed(body_.place(), body_.placeText() + ": " + what);
+  }
+
+  bool passValue(const Property& property) {
+    std::int64_t count = 1;
+    if (property.isList && !listCount(property, count)) return false;
+    return body_.skip(property.type, static_cast<std::uint64_t>(count));
+  }
+
+  bool listCount(const Property& property, std::int64_t& count) {
+    if (!body_.integer(property.countType, count)) return false;
+    return count >= 0 || body_.fail("a list of " + std::to_string(count) + " values");
+  }
+
+  std::optional<Error> passOver(const Element& element) {
+    if (header_.encoding != Encoding::Ascii && element.fixedSize()) {
+      if (!body_.skipAll(element)) return failure(element, 0);
+      return std::nullopt;
+    }
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      for (const Property& property : element.properties) {
+        if (!passValue(property)) return failure(element, i);
+      }
+      if (!body_.endElement()) return failure(element, i);
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> readVertices(const Element& element) {
+    constexpr std::size_t kNone = 3;
+    std::vector<std::size_t> axisOf(element.properties.size(), kNone);
+    constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto property = element.find(kAxes[k]);
+      if (!property || element.properties[*property].isList) {
+        return malformed(-1, "its vertices have no property " + inQuotes(kAxes[k]));
+      }
+      axisOf[*property] = k;
+    }
+    if (element.count >= kNoIndex) {
+      return makeError(ErrorCode::LimitExceeded, -1, "it has more than 4 billion vertices");
+    }
+    std::vector<double>& positions = model_.soup.positions;
+    positions.reserve(
+        3 * static_cast<std::size_t>(std::min(element.count, body_.mostOf(element, fileSize_))));
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      std::array<double, 3> position{};
+      for (std::size_t p = 0; p < axisOf.size(); ++p) {
+        const Property& property = element.properties[p];
+        if (axisOf[p] == kNone ? !passValue(property)
+                               : !body_.number(property.type, position[axisOf[p]])) {
+          return failure(element, i);
+        }
+      }
+      for (const double coordinate : position) {
+        if (!std::isfinite(coordinate)) {
+          return makeError(ErrorCode::NonFinitePosition, static_cast<std::int64_t>(i),
+                           body_.placeText() + ": vertex " + std::to_string(i) +
+                               " has a coordinate that is not a finite number");
+        }
+      }
+      if (!body_.endElement()) return failure(element, i);
+      positions.insert(positions.end(), position.begin(), position.end());
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> readFaces(const Element& element) {
+    auto indices = element.find("vertex_indices");
+    if (!indices) indices = element.find("vertex_index");
+    if (!indices || !element.properties[*indices].isList) {
+      return malformed(-1,
+                       "its element " + inQuotes(element.name) + " has no list \"vertex_indices\"");
+    }
+    const bool strips = element.name == "tristrips";
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const Property& property = element.properties[p];
+        if (p != *indices) {
+          if (!passValue(property)) return failure(element, i);
+          continue;
+        }
+        std::int64_t count = 0;
+        if (!listCount(property, count)) return failure(element, i);
+        const auto error = strips ? readStrip(element, i, property.type, count)
+                                  : readPolygon(element, i, property.type, count);
+        if (error) return error;
+      }
+      if (!body_.endElement()) return failure(element, i);
+    }
+    return std::nullopt;
+  }
+
+  Error outside(std::int64_t vertex, std::int64_t place) const {
+    return makeError(ErrorCode::IndexOutOfRange, place,
+                     std::string(header_.encoding == Encoding::Ascii ? "line " : "byte ") +
+                         std::to_string(place) + ": a face names vertex " + std::to_string(vertex) +
+                         " of " + std::to_string(vertexCount()));
+  }
+
+  std::size_t knownVertices() const { return model_.soup.positions.size() / 3; }
+  std::uint64_t vertexCount() const {
+    const Element* element = header_.find("vertex");
+    return element == nullptr ? 0 : element->count;
+  }
+
+  std::optional<Error> readPolygon(const Element& element, std::uint64_t number, Scalar type,
+                                   std::int64_t count) {
+    for (std::int64_t k = 0; k < count; ++k) {
+      std::int64_t vertex = 0;
+      if (!body_.integer(type, vertex)) return failure(element, number);
+      if (vertex < 0 || vertex >= std::int64_t{kNoIndex}) return outside(vertex, body_.place());
+      faces_.addCorner(static_cast<Index>(vertex), knownVertices(), body_.place());
+    }
+    if (!faces_.endPolygon()) ++lines_;
+    return std::nullopt;
+  }
+
+  /// A strip turns every other triangle round; -1 begins a new one. Triangles that name a vertex
+  /// twice only lead the strip elsewhere.
+  std::optional<Error> readStrip(const Element& element, std::uint64_t number, Scalar type,
+                                 std::int64_t count) {
+    std::array<Index, 2> last{};
+    std::uint64_t inStrip = 0;
+    for (std::int64_t k = 0; k < count; ++k) {
+      std::int64_t vertex = 0;
+      if (!body_.integer(type, vertex)) return failure(element, number);
+      if (vertex == -1) {
+        inStrip = 0;
+        continue;
+      }
+      if (vertex < 0 || vertex >= std::int64_t{kNoIndex}) return outside(vertex, body_.place());
+      const auto here = static_cast<Index>(vertex);
+      ++inStrip;
+      if (inStrip >= 3 && last[0] != last[1] && last[1] != here && here != last[0]) {
+        const bool turned = inStrip % 2 == 0;
+        faces_.addTriangle(last[turned ? 1 : 0], last[turned ? 0 : 1], here, knownVertices(),
+                           body_.place());
+      }
+      last = {last[1], here};
+    }
+    return std::nullopt;
+  }
+
+  Result<ReadModel> finish() {
+    if (const auto corner = faces_.firstOutside(knownVertices())) {
+      return outside(corner->vertex, corner->place);
+    }
+    auto triangles = faces_.takeTriangles(model_.soup.positions);
+    if (!triangles) {
+      return makeError(ErrorCode::LimitExceeded, -1,
+                       "its polygons have too many corners to be cut into triangles");
+    }
+    if (triangles->empty()) {
+      return makeError(ErrorCode::EmptyMesh, -1, "it has vertices, but no face with three corners");
+    }
+    if (lines_ > 0) {
+      model_.notes.push_back(std::to_string(lines_) +
+                             " faces with fewer than three corners were left out.");
+    }
+    model_.soup.triangles = std::move(*triangles);
+    model_.format = Format::Ply;
+    return std::move(model_);
+  }
+
+  const Header& header_;
+  Body body_;
+  std::size_t fileSize_;
+  ReadModel model_;
+  PolygonSoup faces_;
+  std::uint64_t lines_{0};
+};
+
+/// What keeps a file with a sound header from being a surface.
+std::optional<Error> checkKind(const Header& header) {
+  const auto countOf = [&](std::string_view name) {
+    const Element* element = header.find(name);
+    return element == nullptr ? 0 : element->count;
+  };
+  if (countOf("face") > 0 || countOf("tristrips") > 0) return std::nullopt;
+  const bool grid = header.find("range_grid") != nullptr;
+  Error error = makeError(
+      ErrorCode::EmptyMesh, -1,
+      countOf("vertex") == 0 ? "it has no vertices"
+      : grid                 ? "it is a range scan: points on a grid, no faces"
+             : "it is a point cloud: " + std::to_string(countOf("vertex")) + " points, no faces");
+  if (countOf("vertex") > 0) {
+    error.hint = "make a surface of the points first, for example by Poisson reconstruction";
+  }
+  return error;
+}
+
+}  // namespace
+
+bool hasPlyMark(std::string_view text) {
+  return text.size() > 3 && text.substr(0, 3) == "ply" && (isBlank(text[3]) || isLineEnd(text[3]));
+}
+
+Result<ReadModel> readPly(std::span<const std::byte> bytes) {
+  const std::string_view text = textOf(bytes);
+  auto header = HeaderReader(text).read();
+  if (!header) return header.error();
+  if (auto error = checkKind(header.value())) return *error;
+  if (header.value().encoding == Encoding::Ascii) {
+    return BodyReader(header.value(), AsciiBody(text, header.value()), text.size()).read();
+  }
+  const auto body = bytes.subspan(bytes.size() - text.size());
+  return BodyReader(header.value(), BinaryBody(body, header.value()), text.size()).read();
+}
+
+}  // namespace girth::io

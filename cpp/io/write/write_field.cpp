@@ -1,0 +1,213 @@
+#include "girth/io/write_field.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "bytes/append.h"
+#include "picture/viridis.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
+#include "write/glb_writer.h"
+
+namespace girth::io {
+namespace {
+
+constexpr std::uint8_t kNoValue = 255;
+constexpr std::size_t kGlbTriangles = 4;
+
+/// Whether a vertex of the file, by its vertex on the surface, has a value.
+bool hasValue(const VertexField& field, Index vertex) {
+  return vertex != kNoIndex && field.has(vertex);
+}
+
+std::string capitals(std::string text) {
+  for (char& c : text) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return text;
+}
+
+/// " (metre, exact)", or nothing.
+std::string particulars(const VertexField& field) {
+  const bool both = !field.unit.empty() && !field.method.empty();
+  const std::string text = field.unit + (both ? ", " : "") + field.method;
+  return text.empty() ? text : " (" + text + ")";
+}
+
+/// What JSON says about a field.
+std::string aboutJson(const VertexField& field) {
+  return "{\"name\":" + jsonString(field.name) + ",\"method\":" + jsonString(field.method) +
+         ",\"unit\":" + jsonString(field.unit) +
+         ",\"complete\":" + (field.complete() ? "true" : "false") + "}";
+}
+
+/// The least and the greatest value.
+ColourRange rangeOf(const VertexField& field) {
+  ColourRange range{std::numeric_limits<double>::infinity(),
+                    -std::numeric_limits<double>::infinity()};
+  for (const double value : field.values) {
+    if (!std::isfinite(value)) continue;
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value);
+  }
+  return range;
+}
+
+std::vector<std::uint16_t> coloursOf(const VertexField& field, const ColourRange& range) {
+  constexpr std::uint16_t kOpaque = 65535;
+  // Half as light as white on a screen.
+  constexpr LinearColour kGrey{14027, 14027, 14027};
+  std::vector<std::uint16_t> channels;
+  channels.reserve(4 * field.values.size());
+  const double width = range.high - range.low;
+  for (const double value : field.values) {
+    const double fraction = width > 0 ? (value - range.low) / width : 0.5;
+    const LinearColour colour =
+        std::isnan(fraction) || std::isnan(value) ? kGrey : viridis(fraction);
+    channels.insert(channels.end(), {colour[0], colour[1], colour[2], kOpaque});
+  }
+  return channels;
+}
+
+}  // namespace
+
+std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fields) {
+  std::string text = "vertex";
+  for (const VertexField& field : fields) {
+    text += "," + field.name + (field.kinds.empty() ? "" : ",kind");
+  }
+  text += "\n";
+  for (std::size_t input = 0; input < loaded.vertexOfInput.size(); ++input) {
+    const Index vertex = loaded.vertexOfInput[input];
+    text += std::to_string(input);
+    for (const VertexField& field : fields) {
+      const bool has = hasValue(field, vertex);
+      text += ",";
+      if (has) text += formatNumber(field.values[vertex]);
+      if (!field.kinds.empty()) text += ",";
+      if (!field.kinds.empty() && has) text += girth::toString(field.kinds[vertex]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fields,
+                      std::string_view file) {
+  std::string about, columns;
+  bool complete = true;
+  const auto column = [&](const std::string& name, const auto& textAt) {
+    columns += ",\n" + jsonString(name) + ":[";
+    const char* separator = "";
+    for (const Index vertex : loaded.vertexOfInput) {
+      columns += separator;
+      columns += textAt(vertex);
+      separator = ",";
+    }
+    columns += "]";
+  };
+  for (const VertexField& field : fields) {
+    about += (about.empty() ? "" : ",") + aboutJson(field);
+    complete = complete && field.complete();
+    column(field.name, [&](Index vertex) {
+      return hasValue(field, vertex) && std::isfinite(field.values[vertex])
+                 ? formatNumber(field.values[vertex])
+                 : std::string("null");
+    });
+    if (field.kinds.empty()) continue;
+    column("kind", [&](Index vertex) {
+      return hasValue(field, vertex) ? jsonString(girth::toString(field.kinds[vertex]))
+                                     : std::string("null");
+    });
+  }
+  return "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+         ",\"complete\":" + (complete ? "true" : "false") +
+         ",\"vertices\":" + std::to_string(loaded.vertexOfInput.size()) + ",\"fields\":[" + about +
+         "]" + columns + "}\n";
+}
+
+std::string fieldNpy(const LoadedMesh& loaded, const VertexField& field) {
+  std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" +
+                       std::to_string(loaded.vertexOfInput.size()) + ",), }";
+  // The values begin at a multiple of 64 bytes.
+  constexpr std::size_t kPreamble = 10;
+  while ((kPreamble + header.size() + 1) % 64 != 0) header += ' ';
+  header += '\n';
+  std::string content("\x93NUMPY\x01\x00", 8);
+  appendBytes(content, header.size(), 2);
+  content += header;
+  content.reserve(content.size() + 8 * loaded.vertexOfInput.size());
+  for (const Index vertex : loaded.vertexOfInput) {
+    appendDouble(content, vertex == kNoIndex ? std::numeric_limits<double>::quiet_NaN()
+                                             : field.values[vertex]);
+  }
+  return content;
+}
+
+std::string fieldPly(const LoadedMesh& loaded, std::span<const VertexField> fields) {
+  const SurfaceMesh& mesh = loaded.mesh;
+  std::string content = "ply\nformat binary_little_endian 1.0\n";
+  std::string properties;
+  std::size_t vertexSize = 24;
+  for (const VertexField& field : fields) {
+    content += "comment " + field.name + particulars(field) + "\n";
+    properties += "property double " + field.name + "\n";
+    vertexSize += 8;
+    if (field.kinds.empty()) continue;
+    content += "comment kind: 0 loop, 1 antipodal, 2 unresolved, 255 no value\n";
+    properties += "property uchar kind\n";
+    vertexSize += 1;
+  }
+  content += "element vertex " + std::to_string(mesh.vertexCount()) +
+             "\nproperty double x\nproperty double y\nproperty double z\n" + properties +
+             "element face " + std::to_string(mesh.faceCount()) +
+             "\nproperty list uchar int vertex_indices\nend_header\n";
+  content.reserve(content.size() + vertexSize * mesh.vertexCount() +
+                  13 * std::size_t{mesh.faceCount()});
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3& position = mesh.position(v);
+    appendDouble(content, position.x);
+    appendDouble(content, position.y);
+    appendDouble(content, position.z);
+    for (const VertexField& field : fields) {
+      appendDouble(content, field.values[v]);
+      if (field.kinds.empty()) continue;
+      appendBytes(content, field.has(v) ? static_cast<std::uint8_t>(field.kinds[v]) : kNoValue, 1);
+    }
+  }
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    appendBytes(content, 3, 1);
+    for (const Index v : mesh.faceVertices(f)) appendBytes(content, v, 4);
+  }
+  return content;
+}
+
+Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexField> fields,
+                             std::optional<ColourRange> range) {
+  const SurfaceMesh& mesh = loaded.mesh;
+  GlbWriter writer;
+  std::vector<Vec3> positions;
+  positions.reserve(mesh.vertexCount());
+  for (Index v = 0; v < mesh.vertexCount(); ++v) positions.push_back(mesh.position(v));
+  writer.addPositions(positions);
+  if (!fields.empty()) writer.addColours(coloursOf(fields[0], range ? *range : rangeOf(fields[0])));
+  std::string about;
+  for (const VertexField& field : fields) {
+    const std::string attribute = "_" + capitals(field.name);
+    about += (about.empty() ? "" : ",") + jsonString(attribute) + ":" + aboutJson(field);
+    writer.addValues(attribute, field.values);
+    if (field.kinds.empty()) continue;
+    std::vector<double> kinds(field.values.size(), -1);
+    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+      if (field.has(v)) kinds[v] = static_cast<double>(field.kinds[v]);
+    }
+    writer.addValues("_KIND", kinds);
+  }
+  writer.addTriangles(mesh);
+  return writer.file(kGlbTriangles, loaded.unit,
+                     "{\"unit\":" + jsonString(loaded.unit) + ",\"fields\":{" + about + "}}");
+}
+
+}  // namespace girth::io

@@ -1,0 +1,132 @@
+#include "girth/io/write_mesh.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "bytes/append.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
+#include "write/glb_writer.h"
+
+namespace girth::io {
+namespace {
+
+std::string unitComment(const char* begin, std::string_view unit) {
+  return unit.empty() ? std::string() : begin + std::string("unit: ") + std::string(unit) + "\n";
+}
+
+std::string positionText(const Vec3& position) {
+  return formatNumber(position.x) + " " + formatNumber(position.y) + " " +
+         formatNumber(position.z) + "\n";
+}
+
+std::string objFile(const SurfaceMesh& mesh, std::string_view unit) {
+  std::string text = unitComment("# ", unit);
+  for (Index v = 0; v < mesh.vertexCount(); ++v) text += "v " + positionText(mesh.position(v));
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    text += "f";
+    for (const Index v : mesh.faceVertices(f)) text += " " + std::to_string(std::uint64_t{v} + 1);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string offFile(const SurfaceMesh& mesh, std::string_view unit) {
+  std::string text = "OFF\n" + unitComment("# ", unit) + std::to_string(mesh.vertexCount()) + " " +
+                     std::to_string(mesh.faceCount()) + " " + std::to_string(mesh.edgeCount()) +
+                     "\n";
+  for (Index v = 0; v < mesh.vertexCount(); ++v) text += positionText(mesh.position(v));
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    text += "3";
+    for (const Index v : mesh.faceVertices(f)) text += " " + std::to_string(v);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string plyFile(const SurfaceMesh& mesh, std::string_view unit) {
+  std::string content = "ply\nformat binary_little_endian 1.0\n" + unitComment("comment ", unit) +
+                        "element vertex " + std::to_string(mesh.vertexCount()) +
+                        "\nproperty double x\nproperty double y\nproperty double z\n"
+                        "element face " +
+                        std::to_string(mesh.faceCount()) +
+                        "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    appendDouble(content, mesh.position(v).x);
+    appendDouble(content, mesh.position(v).y);
+    appendDouble(content, mesh.position(v).z);
+  }
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    appendBytes(content, 3, 1);
+    for (const Index v : mesh.faceVertices(f)) appendBytes(content, v, 4);
+  }
+  return content;
+}
+
+void appendVector(std::string& content, const Vec3& vector) {
+  appendFloat(content, nearestFloat(vector.x));
+  appendFloat(content, nearestFloat(vector.y));
+  appendFloat(content, nearestFloat(vector.z));
+}
+
+Vec3 unitNormal(const SurfaceMesh& mesh, Index face) {
+  const auto [i, j, k] = mesh.faceVertices(face);
+  const Vec3 &a = mesh.position(i), &b = mesh.position(j), &c = mesh.position(k);
+  const Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
+  const Vec3 normal{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const double length = std::hypot(normal.x, normal.y, normal.z);
+  // Zero asks readers to compute it themselves.
+  if (!(length > 0) || !std::isfinite(length)) return {};
+  return {normal.x / length, normal.y / length, normal.z / length};
+}
+
+std::string stlFile(const SurfaceMesh& mesh, std::string_view unit) {
+  constexpr std::size_t kHeader = 80;
+  // Not "solid", with which text begins.
+  std::string content = "binary STL, unit: " + std::string(unit.empty() ? "unknown" : unit);
+  content.resize(kHeader, ' ');
+  content.reserve(kHeader + 4 + 50 * std::size_t{mesh.faceCount()});
+  appendBytes(content, mesh.faceCount(), 4);
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    appendVector(content, unitNormal(mesh, f));
+    for (const Index v : mesh.faceVertices(f)) appendVector(content, mesh.position(v));
+    appendBytes(content, 0, 2);
+  }
+  return content;
+}
+
+Result<std::string> glbFile(const SurfaceMesh& mesh, std::string_view unit) {
+  GlbWriter writer;
+  std::vector<Vec3> positions;
+  positions.reserve(mesh.vertexCount());
+  for (Index v = 0; v < mesh.vertexCount(); ++v) positions.push_back(mesh.position(v));
+  writer.addPositions(positions);
+  writer.addTriangles(mesh);
+  constexpr int kTriangles = 4;
+  return writer.file(kTriangles, unit, "{\"unit\":" + jsonString(unit) + "}");
+}
+
+}  // namespace
+
+Result<std::string> meshFile(const SurfaceMesh& mesh, Format format, std::string_view unit) {
+  switch (format) {
+    case Format::Obj:
+      return objFile(mesh, unit);
+    case Format::Ply:
+      return plyFile(mesh, unit);
+    case Format::Stl:
+      return stlFile(mesh, unit);
+    case Format::Off:
+      return offFile(mesh, unit);
+    case Format::Glb:
+      return glbFile(mesh, unit);
+    case Format::Gltf:
+      break;
+  }
+  Error error = makeError(ErrorCode::Usage, -1, "glTF is written as one file only");
+  error.hint = "write .glb";
+  return error;
+}
+
+}  // namespace girth::io

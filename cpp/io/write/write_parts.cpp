@@ -1,0 +1,66 @@
+#include "girth/io/write_parts.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "text/json_text.h"
+#include "text/number_text.h"
+#include "write/point_json.h"
+
+namespace girth::io {
+namespace {
+
+std::string numberJson(double value) {
+  return std::isfinite(value) ? formatNumber(value) : std::string("null");
+}
+
+std::string vertexJson(const LoadedMesh& loaded, Index vertex) {
+  return vertex == kNoIndex ? "null" : pointJson(loaded, SurfacePoint::atVertex(vertex));
+}
+
+std::string partJson(const LoadedMesh& loaded, const Part& part) {
+  std::string text = "{\"kind\":" + jsonString(toString(part.kind)) +
+                     ",\"area\":" + formatNumber(part.area) +
+                     ",\"medianGirth\":" + numberJson(part.medianGirth) +
+                     ",\"medianDiameter\":" + numberJson(part.medianDiameter);
+  if (part.kind == PartKind::Tube) {
+    text += ",\"equivalentRadius\":" + numberJson(part.equivalentRadius());
+  }
+  return text + ",\"thinnest\":" + vertexJson(loaded, part.thinnest) +
+         ",\"vertices\":" + inputsJson(loaded, part.vertices) + "}";
+}
+
+std::string placeJson(const LoadedMesh& loaded, const WeakPlace& place) {
+  return std::string("{\"kind\":") + (place.kind == PartKind::Tube ? "\"tube\"" : "\"wall\"") +
+         ",\"least\":" + formatNumber(place.least) + ",\"area\":" + formatNumber(place.area) +
+         ",\"thinnest\":" + vertexJson(loaded, place.thinnest) +
+         ",\"vertices\":" + inputsJson(loaded, place.vertices) + "}";
+}
+
+}  // namespace
+
+std::string partsJson(const LoadedMesh& loaded, const Parts& parts, const PartOptions& options,
+                      std::string_view file) {
+  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+                     ",\"thresholds\":{\"girth\":" + numberJson(options.thresholds.girth) +
+                     ",\"diameter\":" + numberJson(options.thresholds.diameter) +
+                     "},\"smoothing\":" + formatNumber(options.smoothing) + ",\"parts\":[";
+  for (std::size_t i = 0; i < parts.parts.size(); ++i) {
+    text += (i == 0 ? "\n" : ",\n") + partJson(loaded, parts.parts[i]);
+  }
+  return text + "]}\n";
+}
+
+std::string weakPlacesJson(const LoadedMesh& loaded, std::span<const WeakPlace> places,
+                           const PrintLimits& limits, std::string_view file) {
+  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+                     ",\"limits\":{\"tubeDiameter\":" + formatNumber(limits.tubeDiameter) +
+                     ",\"wallThickness\":" + formatNumber(limits.wallThickness) +
+                     "},\"passes\":" + (places.empty() ? "true" : "false") + ",\"places\":[";
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    text += (i == 0 ? "\n" : ",\n") + placeJson(loaded, places[i]);
+  }
+  return text + "]}\n";
+}
+
+}  // namespace girth::io
