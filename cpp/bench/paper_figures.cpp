@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "girth/girth.h"
+#include "girth/study/naive_girth.h"
 #include "support/heap_meter.h"
 #include "support/measure.h"
 #include "support/models.h"
@@ -48,7 +49,7 @@ void printNaive(const girth::SurfaceMesh& mesh, double limit) {
       const std::size_t before = girth::bench::heapBytes();
       girth::bench::resetHeapPeak();
       seconds += girth::bench::secondsOf([&] {
-        if (!girth::naiveGirth(mesh, v)) std::exit(1);
+        if (!girth::study::naiveGirth(mesh, v)) std::exit(1);
       });
       bytes = std::max(bytes, girth::bench::heapPeakBytes() - before);
     }

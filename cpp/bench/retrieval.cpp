@@ -14,12 +14,13 @@
 
 #include "geodesic/fast_marching.h"
 #include "girth/girth.h"
+#include "girth/study/study.h"
 #include "support/models.h"
 
 namespace {
 
-using girth::Index;
-using namespace girth::retrieval;
+using namespace girth;
+using namespace girth::study;
 
 /// Numbers in [0, 1) that look random, always the same.
 std::vector<double> numbers(std::size_t count, std::uint32_t seed) {

@@ -8,25 +8,25 @@
 #include <utility>
 
 #include "boundary.h"
-#include "girth/retrieval/descriptor_rows.h"
-#include "girth/retrieval/pair_distances.h"
-#include "girth/retrieval/signatures.h"
-#include "girth/retrieval/study_fields.h"
+#include "girth/study/descriptor_rows.h"
+#include "girth/study/pair_distances.h"
+#include "girth/study/signatures.h"
+#include "girth/study/study_fields.h"
 
 using emscripten::val;
 
 namespace girth::bind {
 namespace {
 
-using retrieval::Descriptor;
-using retrieval::PairDistances;
-using retrieval::Signatures;
-using retrieval::StudyFields;
+using study::Descriptor;
+using study::PairDistances;
+using study::Signatures;
+using study::StudyFields;
 
 Result<std::vector<Descriptor>> descriptorsOf(const val& names) {
   std::vector<Descriptor> descriptors;
   for (unsigned i = 0; i < names["length"].as<unsigned>(); ++i) {
-    auto descriptor = retrieval::parseDescriptor(names[i].as<std::string>());
+    auto descriptor = study::parseDescriptor(names[i].as<std::string>());
     if (!descriptor) return descriptor.error();
     descriptors.push_back(std::move(descriptor).value());
   }
@@ -39,7 +39,7 @@ val fieldGroups(const val& names) {
     const auto descriptors = descriptorsOf(names);
     if (!descriptors) return toJs(descriptors.error());
     val groups = val::array();
-    for (const retrieval::FieldGroup group : retrieval::groupsOf(descriptors.value())) {
+    for (const study::FieldGroup group : study::groupsOf(descriptors.value())) {
       groups.call<void>("push", std::string(toString(group)));
     }
     val result = val::object();
@@ -53,10 +53,10 @@ val studyFields(const val& arrays, const std::string& name, double faces, const 
   return guarded([&] {
     const Result<SurfaceMesh> mesh = surfaceOf(arrays);
     if (!mesh) return toJs(mesh.error());
-    const auto* const end = std::end(retrieval::kFieldGroups);
+    const auto* const end = std::end(study::kFieldGroups);
     const auto* const group =
-        std::find_if(std::begin(retrieval::kFieldGroups), end,
-                     [&](retrieval::FieldGroup one) { return toString(one) == name; });
+        std::find_if(std::begin(study::kFieldGroups), end,
+                     [&](study::FieldGroup one) { return toString(one) == name; });
     if (group == end) {
       return toJs(makeError(ErrorCode::Usage, -1, "there are no fields '" + name + "'"));
     }
@@ -64,15 +64,15 @@ val studyFields(const val& arrays, const std::string& name, double faces, const 
       return toJs(
           makeError(ErrorCode::InvalidOption, -1, "the number of faces is not between 0 and 1e9"));
     }
-    retrieval::FieldParameters parameters;
+    study::FieldParameters parameters;
     parameters.faces = static_cast<Index>(faces);
     const ExecutionContext context = reportingTo(onProgress);
-    const auto surface = retrieval::studySurface(mesh.value(), parameters);
+    const auto surface = study::studySurface(mesh.value(), parameters);
     if (!surface) return toJs(surface.error());
-    const auto fields = retrieval::studyFields(surface.value(), *group, parameters, context);
+    const auto fields = study::studyFields(surface.value(), *group, parameters, context);
     if (!fields) return toJs(fields.error());
     val list = val::array();
-    for (const retrieval::StudyField& field : fields.value().fields) {
+    for (const study::StudyField& field : fields.value().fields) {
       val entry = val::object();
       entry.set("name", field.name);
       entry.set("dimensions", static_cast<double>(field.dimensions));
@@ -109,11 +109,11 @@ val compare(const val& models, const val& names, const val& onProgress) {
     const auto descriptors = descriptorsOf(names);
     if (!descriptors) return toJs(descriptors.error());
     const unsigned count = models["length"].as<unsigned>();
-    const std::vector<std::string> terms = retrieval::termsOf(descriptors.value());
-    retrieval::SignatureOptions options;
+    const std::vector<std::string> terms = study::termsOf(descriptors.value());
+    study::SignatureOptions options;
     // Of a few models nearly every feature is a word of its own: counted to the nearest one only,
     // all models would be equally far apart.
-    options.words = retrieval::WordChoice::Soft;
+    options.words = study::WordChoice::Soft;
     const auto signatures = std::make_shared<Signatures>(terms, count, options);
     for (unsigned m = 0; m < count; ++m) signatures->add(m, fieldsOf(models[m]));
     if (const auto finished = signatures->finish(); !finished) return toJs(finished.error());
@@ -130,7 +130,7 @@ val compare(const val& models, const val& names, const val& onProgress) {
     }
     val matrices = val::array();
     for (const Descriptor& descriptor : descriptors.value()) {
-      retrieval::DescriptorRows rows(descriptor, distances, count);
+      study::DescriptorRows rows(descriptor, distances, count);
       std::vector<double> row(count), matrix;
       for (unsigned m = 0; m < count; ++m) {
         rows.row(m, row);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "girth/girth_field.h"
-#include "girth/retrieval/study_fields.h"
+#include "girth/study/study_fields.h"
 #include "model_fields.h"
 #include "progress_line.h"
 #include "report.h"
@@ -58,9 +58,9 @@ int runAccuracyStudy(const AccuracyOptions& options) {
       exitCode = reportError(model, mesh.error());
       continue;
     }
-    retrieval::FieldParameters parameters;
+    study::FieldParameters parameters;
     parameters.faces = options.faces;
-    const auto surface = retrieval::studySurface(mesh.value(), parameters, context);
+    const auto surface = study::studySurface(mesh.value(), parameters, context);
     if (!surface) {
       exitCode = reportError(model, surface.error());
       continue;

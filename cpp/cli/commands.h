@@ -31,6 +31,8 @@ struct IgfOptions {
   /// Empty: only a summary.
   std::string output;
   GirthMethod method{GirthMethod::Exact};
+  /// By the study's naive method instead.
+  bool naive{false};
   /// 0: on the surface as it is; else on one remeshed to so many faces, and carried back.
   std::uint32_t faces{0};
   unsigned threads{0};
@@ -139,7 +141,7 @@ int runSignature(const SignatureCommandOptions& options);
 struct CompareOptions : ComparisonOptions {
   /// Among a few models the words are nearly as many as the features: by the nearest word alone all
   /// would be equally far apart.
-  CompareOptions() { signatures.words = retrieval::WordChoice::Soft; }
+  CompareOptions() { signatures.words = study::WordChoice::Soft; }
   std::vector<std::string> models;
   bool json{false};
 };

@@ -7,8 +7,8 @@
 
 #include "commands.h"
 #include "files.h"
-#include "girth/retrieval/histogram.h"
-#include "girth/retrieval/signatures.h"
+#include "girth/study/histogram.h"
+#include "girth/study/signatures.h"
 #include "interrupt.h"
 #include "model_fields.h"
 #include "progress_line.h"
@@ -19,10 +19,9 @@
 namespace girth::cli {
 namespace {
 
-using retrieval::Descriptor;
-using retrieval::Distribution;
-using retrieval::Signatures;
-using retrieval::StudyFields;
+using study::Descriptor;
+using study::Signatures;
+using study::StudyFields;
 
 /// Reports an error of one of the models.
 int fail(const std::string& model, const Error& error) { return reportError(model, error); }
@@ -30,7 +29,7 @@ int fail(const std::string& model, const Error& error) { return reportError(mode
 Result<std::vector<Descriptor>> descriptorsOf(const std::vector<std::string>& names) {
   std::vector<Descriptor> descriptors;
   for (const std::string& name : names) {
-    auto descriptor = retrieval::parseDescriptor(name);
+    auto descriptor = study::parseDescriptor(name);
     if (!descriptor) return descriptor.error();
     descriptors.push_back(std::move(descriptor).value());
   }
@@ -41,11 +40,11 @@ Result<StudyFields> fieldsOf(const std::string& model, const std::vector<Descrip
                              const ComparisonOptions& options, const ExecutionContext& context) {
   const auto mesh = readSurface(model);
   if (!mesh) return mesh.error();
-  const auto surface = retrieval::studySurface(mesh.value(), options.fields, context);
+  const auto surface = study::studySurface(mesh.value(), options.fields, context);
   if (!surface) return surface.error();
   StudyFields all;
-  for (const retrieval::FieldGroup group : retrieval::groupsOf(descriptors)) {
-    auto fields = retrieval::studyFields(surface.value(), group, options.fields, context);
+  for (const study::FieldGroup group : study::groupsOf(descriptors)) {
+    auto fields = study::studyFields(surface.value(), group, options.fields, context);
     if (!fields) return fields.error();
     all.weights = std::move(fields.value().weights);
     for (auto& field : fields.value().fields) all.fields.push_back(std::move(field));
@@ -54,7 +53,7 @@ Result<StudyFields> fieldsOf(const std::string& model, const std::vector<Descrip
 }
 
 std::string signatureCsv(const std::string& name, const std::vector<double>& shares,
-                         const retrieval::HistogramRange& range) {
+                         const study::HistogramRange& range) {
   std::string text;
   const double width = (range.high - range.low) / static_cast<double>(shares.size());
   double sum = 0;
@@ -68,7 +67,7 @@ std::string signatureCsv(const std::string& name, const std::vector<double>& sha
 }
 
 std::string signatureJson(const std::string& name, const std::vector<double>& shares,
-                          const retrieval::HistogramRange& range) {
+                          const study::HistogramRange& range) {
   std::string text;
   for (const double share : shares) text += (text.empty() ? "" : ",") + io::formatNumber(share);
   return "{\"name\":" + io::jsonString(name) + ",\"low\":" + io::formatNumber(range.low) +
@@ -124,8 +123,8 @@ int runSignature(const SignatureCommandOptions& options) {
     }
     const double low = std::min(0.0, distribution->values.front());
     const double high = distribution->values.back();
-    const retrieval::HistogramRange range{low, high > low ? high : low + 1};
-    const auto shares = retrieval::histogramOf(
+    const study::HistogramRange range{low, high > low ? high : low + 1};
+    const auto shares = study::histogramOf(
         *distribution, range, options.signatures.bins == 0 ? kBins : options.signatures.bins);
     if (extension == ".csv") {
       rows += signatureCsv(name, shares, range);

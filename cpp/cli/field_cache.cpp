@@ -73,13 +73,13 @@ class Reader {
   std::span<const std::byte> bytes_;
 };
 
-std::string contentOf(const Digest& key, const retrieval::StudyFields& fields) {
+std::string contentOf(const Digest& key, const study::StudyFields& fields) {
   std::string text(kMagic);
   append(text, kByteOrder);
   append(text, key);
   append(text, fields.weights);
   append(text, static_cast<std::uint32_t>(fields.fields.size()));
-  for (const retrieval::StudyField& field : fields.fields) {
+  for (const study::StudyField& field : fields.fields) {
     append(text, static_cast<std::uint32_t>(field.name.size()));
     text += field.name;
     append(text, static_cast<std::uint64_t>(field.dimensions));
@@ -89,8 +89,7 @@ std::string contentOf(const Digest& key, const retrieval::StudyFields& fields) {
   return text;
 }
 
-std::optional<retrieval::StudyFields> fieldsIn(std::span<const std::byte> bytes,
-                                               const Digest& key) {
+std::optional<study::StudyFields> fieldsIn(std::span<const std::byte> bytes, const Digest& key) {
   if (bytes.size() < kMagic.size() + sizeof(Digest) ||
       std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) != 0) {
     return std::nullopt;
@@ -101,13 +100,13 @@ std::optional<retrieval::StudyFields> fieldsIn(std::span<const std::byte> bytes,
   Reader reader(body.subspan(kMagic.size()));
   std::uint32_t order = 0, count = 0;
   Digest written{};
-  retrieval::StudyFields fields;
+  study::StudyFields fields;
   if (!reader.take(order) || order != kByteOrder || !reader.take(written) || written != key ||
       !reader.take(fields.weights) || !reader.take(count)) {
     return std::nullopt;
   }
   for (std::uint32_t i = 0; i < count; ++i) {
-    retrieval::StudyField field;
+    study::StudyField field;
     std::uint64_t dimensions = 0;
     if (!reader.take(field.name) || !reader.take(dimensions) || !reader.take(field.values) ||
         dimensions == 0 || field.values.size() / dimensions != fields.weights.size() ||
@@ -132,12 +131,12 @@ std::optional<Error> FieldCache::open() const {
   return checkWritable((fs::path(folder_) / "entry").string());
 }
 
-Digest FieldCache::keyOf(const Digest& content, retrieval::FieldGroup group,
-                         const retrieval::FieldParameters& parameters) {
+Digest FieldCache::keyOf(const Digest& content, study::FieldGroup group,
+                         const study::FieldParameters& parameters) {
   std::string text;
   append(text, content);
   append(text, kVersion);
-  text += retrieval::parametersText(group, parameters);
+  text += study::parametersText(group, parameters);
   return Sha256().add(text).finish();
 }
 
@@ -154,8 +153,7 @@ FieldCache::Found FieldCache::find(const Digest& key) const {
   return {std::move(fields), damaged};
 }
 
-std::optional<Error> FieldCache::store(const Digest& key,
-                                       const retrieval::StudyFields& fields) const {
+std::optional<Error> FieldCache::store(const Digest& key, const study::StudyFields& fields) const {
   static std::atomic<unsigned> stored{0};
   const std::string path = pathOf(key);
   std::error_code error;

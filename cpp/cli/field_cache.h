@@ -6,7 +6,7 @@
 #include <string>
 
 #include "girth/error.h"
-#include "girth/retrieval/study_fields.h"
+#include "girth/study/study_fields.h"
 #include "sha256.h"
 
 namespace girth::cli {
@@ -21,19 +21,19 @@ class FieldCache {
   std::optional<Error> open() const;
 
   /// The key of a group's fields: of a model's content and of all parameters.
-  static Digest keyOf(const Digest& content, retrieval::FieldGroup group,
-                      const retrieval::FieldParameters& parameters);
+  static Digest keyOf(const Digest& content, study::FieldGroup group,
+                      const study::FieldParameters& parameters);
 
   struct Found {
     /// Nothing where there is no entry, or one that cannot be used.
-    std::optional<retrieval::StudyFields> fields;
+    std::optional<study::StudyFields> fields;
     /// There is an entry, but it is not what was written: its checksum says so.
     bool damaged{false};
   };
   Found find(const Digest& key) const;
 
   /// Error: FILE_UNWRITABLE.
-  std::optional<Error> store(const Digest& key, const retrieval::StudyFields& fields) const;
+  std::optional<Error> store(const Digest& key, const study::StudyFields& fields) const;
 
  private:
   std::string pathOf(const Digest& key) const;

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "files.h"
 #include "girth/io/write_field.h"
+#include "girth/study/naive_girth.h"
 #include "girth/transfer.h"
 #include "interrupt.h"
 #include "progress_line.h"
@@ -60,6 +61,10 @@ Summary summarize(const GirthField& field) {
   return summary;
 }
 
+std::string methodText(const IgfOptions& options) {
+  return options.naive ? "naive" : std::string(io::toString(options.method));
+}
+
 struct Timing {
   double reading{0}, computing{0};
 };
@@ -82,18 +87,18 @@ void printJson(const std::string& model, const io::LoadedMesh& loaded, const Gir
   const auto number = [&](double value) {
     return summary.computed > 0 ? io::formatNumber(value) : std::string("null");
   };
-  std::string text =
-      "{\"file\":" + io::jsonString(model) +
-      ",\"field\":\"igf\",\"method\":" + io::jsonString(io::toString(options.method)) +
-      ",\"unit\":" + io::jsonString(loaded.unit) +
-      ",\"vertices\":" + std::to_string(field.values.size()) +
-      ",\"computed\":" + std::to_string(summary.computed) +
-      ",\"complete\":" + (field.complete() ? "true" : "false") +
-      ",\"min\":" + number(summary.least) + ",\"median\":" + number(summary.median) +
-      ",\"max\":" + number(summary.greatest) + ",\"loop\":" + std::to_string(summary.loops) +
-      ",\"antipodal\":" + std::to_string(summary.antipodal) +
-      ",\"unresolved\":" + std::to_string(summary.unresolved) +
-      ",\"seconds\":" + readable(timing.computing);
+  std::string text = "{\"file\":" + io::jsonString(model) +
+                     ",\"field\":\"igf\",\"method\":" + io::jsonString(methodText(options)) +
+                     ",\"unit\":" + io::jsonString(loaded.unit) +
+                     ",\"vertices\":" + std::to_string(field.values.size()) +
+                     ",\"computed\":" + std::to_string(summary.computed) +
+                     ",\"complete\":" + (field.complete() ? "true" : "false") +
+                     ",\"min\":" + number(summary.least) + ",\"median\":" + number(summary.median) +
+                     ",\"max\":" + number(summary.greatest) +
+                     ",\"loop\":" + std::to_string(summary.loops) +
+                     ",\"antipodal\":" + std::to_string(summary.antipodal) +
+                     ",\"unresolved\":" + std::to_string(summary.unresolved) +
+                     ",\"seconds\":" + readable(timing.computing);
   if (!options.output.empty()) text += ",\"output\":" + io::jsonString(options.output);
   if (options.stats) {
     text += ",\"readingSeconds\":" + readable(timing.reading) +
@@ -125,9 +130,8 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Gir
     const unsigned threads = threadsOf(options);
     const SearchStatistics& cost = field.statistics;
     const double vertices = static_cast<double>(std::max<std::size_t>(1, summary.computed));
-    std::printf("  %s method, %u thread%s, read in %s\n",
-                std::string(io::toString(options.method)).c_str(), threads, threads == 1 ? "" : "s",
-                readableTime(timing.reading).c_str());
+    std::printf("  %s method, %u thread%s, read in %s\n", methodText(options).c_str(), threads,
+                threads == 1 ? "" : "s", readableTime(timing.reading).c_str());
     std::printf("  %s ms a vertex\n", readable(1000 * timing.computing / vertices).c_str());
     if (cost.sources == 0) return;  // only the exact method counts
     const double sources = static_cast<double>(cost.sources);
@@ -143,8 +147,9 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Gir
 
 Result<std::string> contentFor(const std::string& extension, const std::string& model,
                                const io::LoadedMesh& loaded, const GirthField& girth,
-                               GirthMethod method) {
-  const io::VertexField field = io::girthVertexField(girth, method, loaded.unit);
+                               const IgfOptions& options) {
+  io::VertexField field = io::girthVertexField(girth, options.method, loaded.unit);
+  field.method = methodText(options);
   const std::span<const io::VertexField> fields(&field, 1);
   if (extension == ".csv") return io::fieldCsv(loaded, fields);
   if (extension == ".json") return io::fieldJson(loaded, fields, model);
@@ -186,15 +191,17 @@ int runOne(const std::string& model, const IgfOptions& options) {
   GirthField field;
   {
     ProgressLine progress(model);
-    field = girthField(remeshed ? remeshed->mesh : loaded.value().mesh, options.method,
-                       watched(options.threads, progress));
+    const SurfaceMesh& mesh = remeshed ? remeshed->mesh : loaded.value().mesh;
+    const ExecutionContext context = watched(options.threads, progress);
+    field = options.naive ? study::naiveGirthField(mesh, context)
+                          : girthField(mesh, options.method, context);
   }
   if (remeshed) field = carriedBack(field, remeshed->mesh, loaded.value().mesh);
   timing.computing = secondsSince(computingStart);
 
   if (!options.output.empty()) {
     const auto content =
-        contentFor(extensionOf(options.output), model, loaded.value(), field, options.method);
+        contentFor(extensionOf(options.output), model, loaded.value(), field, options);
     if (!content) return reportError(options.output, content.error());
     if (auto error = writeFile(options.output, content.value())) {
       return reportError(options.output, *error);

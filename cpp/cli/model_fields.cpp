@@ -14,9 +14,9 @@
 namespace girth::cli {
 namespace {
 
-using retrieval::FieldGroup;
-using retrieval::StudyField;
-using retrieval::StudyFields;
+using study::FieldGroup;
+using study::StudyField;
+using study::StudyFields;
 
 /// Files above this are worked on one at a time.
 constexpr std::uintmax_t kLargeFile = 4u << 20;
@@ -95,10 +95,10 @@ Result<StudyFields> ModelFields::fieldsOf(const Work& work, const ExecutionConte
   if (missing.empty()) return all;
   const auto mesh = readSurface(work.path);
   if (!mesh) return mesh.error();
-  const auto surface = retrieval::studySurface(mesh.value(), parameters_, context);
+  const auto surface = study::studySurface(mesh.value(), parameters_, context);
   if (!surface) return surface.error();
   for (const FieldGroup group : missing) {
-    auto fields = retrieval::studyFields(surface.value(), group, parameters_, context);
+    auto fields = study::studyFields(surface.value(), group, parameters_, context);
     if (!fields) return fields.error();
     ++computed_;
     const Digest key = FieldCache::keyOf(work.content, group, parameters_);

@@ -10,7 +10,7 @@
 #include "collection.h"
 #include "field_cache.h"
 #include "girth/execution.h"
-#include "girth/retrieval/study_fields.h"
+#include "girth/study/study_fields.h"
 
 namespace girth::cli {
 
@@ -22,8 +22,8 @@ Result<Digest> contentOf(const std::string& path);
 
 class ModelFields {
  public:
-  ModelFields(const FieldCache& cache, retrieval::FieldParameters parameters,
-              std::vector<retrieval::FieldGroup> groups, ExecutionContext context)
+  ModelFields(const FieldCache& cache, study::FieldParameters parameters,
+              std::vector<study::FieldGroup> groups, ExecutionContext context)
       : cache_(cache),
         parameters_(parameters),
         groups_(std::move(groups)),
@@ -35,7 +35,7 @@ class ModelFields {
   };
   /// Called with the number of the work and its fields, or why there are none; by several threads
   /// at once.
-  using Use = std::function<void(std::size_t number, const Result<retrieval::StudyFields>& fields)>;
+  using Use = std::function<void(std::size_t number, const Result<study::StudyFields>& fields)>;
 
   /// All fields of all models. Small files are taken several at a time; large ones one after
   /// another, each on all threads. False if cancelled.
@@ -48,12 +48,12 @@ class ModelFields {
   std::vector<std::string> notes() const;
 
  private:
-  Result<retrieval::StudyFields> fieldsOf(const Work& work, const ExecutionContext& context);
+  Result<study::StudyFields> fieldsOf(const Work& work, const ExecutionContext& context);
   void note(const std::string& text);
 
   const FieldCache& cache_;
-  retrieval::FieldParameters parameters_;
-  std::vector<retrieval::FieldGroup> groups_;
+  study::FieldParameters parameters_;
+  std::vector<study::FieldGroup> groups_;
   ExecutionContext context_;
   std::atomic<std::size_t> computed_{0}, taken_{0};
   std::mutex mutex_;

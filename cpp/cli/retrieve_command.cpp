@@ -14,10 +14,10 @@
 #include "commands.h"
 #include "field_cache.h"
 #include "files.h"
-#include "girth/io/write_study.h"
-#include "girth/retrieval/descriptor_rows.h"
-#include "girth/retrieval/measures.h"
-#include "girth/retrieval/signatures.h"
+#include "girth/study/descriptor_rows.h"
+#include "girth/study/measures.h"
+#include "girth/study/signatures.h"
+#include "girth/study/write_study.h"
 #include "interrupt.h"
 #include "matrix_picture.h"
 #include "model_fields.h"
@@ -31,10 +31,10 @@ namespace girth::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using retrieval::Descriptor;
-using retrieval::DescriptorRows;
-using retrieval::MeanMeasures;
-using retrieval::RetrievalMeasures;
+using study::Descriptor;
+using study::DescriptorRows;
+using study::MeanMeasures;
+using study::RetrievalMeasures;
 
 /// The paper's, its composite both ways, and what does best without training.
 std::vector<std::string> defaultDescriptors() {
@@ -175,7 +175,7 @@ class Retrieval {
       file << line << '\n';
       noteQuery(descriptor.name, query, measures, mean.counts(query));
       if (std::find(queries.begin(), queries.end(), query) != queries.end()) {
-        auto ranking = retrieval::rankingOf(query, row, classes);
+        auto ranking = study::rankingOf(query, row, classes);
         ranking.resize(std::min<std::size_t>(ranking.size(), kAnswers));
         study_.shown.push_back({static_cast<std::uint32_t>(query), std::move(ranking)});
       }
@@ -224,7 +224,7 @@ class Retrieval {
   void drawThumbnails() {
     constexpr std::uint32_t kSize = 72;
     std::set<std::uint32_t> shown;
-    for (const io::StudyAnswers& row : study_.shown) {
+    for (const study::StudyAnswers& row : study_.shown) {
       shown.insert(row.query);
       shown.insert(row.answers.begin(), row.answers.end());
     }
@@ -236,29 +236,28 @@ class Retrieval {
   }
 
   std::vector<std::pair<std::string, std::string>> settings() const {
-    const retrieval::FieldParameters& fields = options_.fields;
-    const retrieval::SignatureOptions& signatures = options_.signatures;
+    const study::FieldParameters& fields = options_.fields;
+    const study::SignatureOptions& signatures = options_.signatures;
     constexpr std::array<const char*, 3> kScales{"as they are", "greatest value 1",
                                                  "least value 0, greatest 1"};
-    return {
-        {"girth", GIRTH_VERSION},
-        {"Triangles", fields.faces == 0
-                          ? "as in the files"
-                          : "at most " + std::to_string(fields.faces) + ", remeshed if more"},
-        {"Size", fields.unitArea ? "scaled to area 1" : "as in the files"},
-        {"One-dimensional fields",
-         std::string(kScales[static_cast<std::size_t>(signatures.scale)]) +
-             (signatures.bins == 0 ? ", exact distance of the distributions"
-                                   : ", " + std::to_string(signatures.bins) + " bins") +
-             (signatures.axis < 1
-                  ? ", the greatest " + readable(100 * (1 - signatures.axis)) + "% counting alike"
-                  : "")},
-        {"Joint histograms", std::to_string(signatures.jointBins) + " × " +
-                                 std::to_string(signatures.jointBins) + " cells"},
-        {"Words", std::to_string(signatures.vocabulary.words) +
-                      (signatures.words == retrieval::WordChoice::Soft ? ", soft" : ", nearest") +
-                      ", seed " + std::to_string(signatures.vocabulary.seed)},
-        {"Sums", "each distance divided by its mean over all pairs; no classes are used"}};
+    return {{"girth", GIRTH_VERSION},
+            {"Triangles", fields.faces == 0
+                              ? "as in the files"
+                              : "at most " + std::to_string(fields.faces) + ", remeshed if more"},
+            {"Size", fields.unitArea ? "scaled to area 1" : "as in the files"},
+            {"One-dimensional fields",
+             std::string(kScales[static_cast<std::size_t>(signatures.scale)]) +
+                 (signatures.bins == 0 ? ", exact distance of the distributions"
+                                       : ", " + std::to_string(signatures.bins) + " bins") +
+                 (signatures.axis < 1 ? ", the greatest " + readable(100 * (1 - signatures.axis)) +
+                                            "% counting alike"
+                                      : "")},
+            {"Joint histograms", std::to_string(signatures.jointBins) + " × " +
+                                     std::to_string(signatures.jointBins) + " cells"},
+            {"Words", std::to_string(signatures.vocabulary.words) +
+                          (signatures.words == study::WordChoice::Soft ? ", soft" : ", nearest") +
+                          ", seed " + std::to_string(signatures.vocabulary.seed)},
+            {"Sums", "each distance divided by its mean over all pairs; no classes are used"}};
   }
 
   std::optional<Error> write() const {
@@ -268,24 +267,25 @@ class Retrieval {
       if (error) error->message = std::string(name) + ": " + error->message;
       return error;
     };
-    if (auto error = put("measures.csv", io::measuresCsv(study_))) return error;
-    if (auto error = put("precision_recall.csv", io::precisionRecallCsv(study_))) return error;
+    if (auto error = put("measures.csv", study::measuresCsv(study_))) return error;
+    if (auto error = put("precision_recall.csv", study::precisionRecallCsv(study_))) return error;
     const std::string header =
         "descriptor,file,class,nn,first_tier,second_tier,e_measure,e_measure_with_query,dcg\n";
     if (auto error = put("queries.csv", header + queries_)) return error;
-    if (auto error = put("study.json", io::studyJson(study_))) return error;
-    return put("index.html", io::studyHtml(study_));
+    if (auto error = put("study.json", study::studyJson(study_))) return error;
+    return put("index.html", study::studyHtml(study_));
   }
 
   void print() const {
     std::printf("%zu models in %zu classes; %zu fields computed, %zu from the cache\n",
                 loaded_.models.size(), loaded_.classes.size(), loaded_.computed, loaded_.taken);
     std::size_t width = 10;
-    for (const io::StudyDescriptor& d : study_.descriptors) width = std::max(width, d.name.size());
+    for (const study::StudyDescriptor& d : study_.descriptors)
+      width = std::max(width, d.name.size());
     const auto w = static_cast<int>(width);
     std::printf("%-*s %8s %8s %8s %8s %8s %8s\n", w, "", "nearest", "tier 1", "tier 2", "E",
                 "E+query", "DCG");
-    for (const io::StudyDescriptor& d : study_.descriptors) {
+    for (const study::StudyDescriptor& d : study_.descriptors) {
       std::printf("%-*s %7.2f%% %7.2f%% %7.2f%% %7.2f%% %7.2f%% %7.2f%%\n", w, d.name.c_str(),
                   100 * d.mean.nearestNeighbour, 100 * d.mean.firstTier, 100 * d.mean.secondTier,
                   100 * d.mean.eMeasure, 100 * d.mean.eMeasureWithQuery,
@@ -301,7 +301,7 @@ class Retrieval {
   Shard shard_;
   FieldCache cache_;
   StudyModels loaded_;
-  io::Study study_;
+  study::RetrievalStudy study_;
   std::string queries_;
 };
 
@@ -311,7 +311,7 @@ int runRetrieve(const RetrieveOptions& options) {
   std::vector<Descriptor> descriptors;
   for (const std::string& name :
        options.descriptors.empty() ? defaultDescriptors() : options.descriptors) {
-    auto descriptor = retrieval::parseDescriptor(name);
+    auto descriptor = study::parseDescriptor(name);
     if (!descriptor) return reportError("", descriptor.error());
     descriptors.push_back(std::move(descriptor).value());
   }

@@ -7,8 +7,8 @@
 
 namespace girth::cli {
 
-using retrieval::ValueScale;
-using retrieval::WordChoice;
+using study::ValueScale;
+using study::WordChoice;
 
 namespace {
 constexpr double kPercent = 100;
@@ -16,7 +16,7 @@ constexpr double kPercent = 100;
 
 void addComparisonOptions(CLI::App& command, ComparisonOptions& options) {
   std::string names;
-  for (const std::string& name : retrieval::descriptorNames()) {
+  for (const std::string& name : study::descriptorNames()) {
     names += (names.empty() ? "" : ", ") + name;
   }
   command

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "girth/retrieval/signatures.h"
-#include "girth/retrieval/study_fields.h"
+#include "girth/study/signatures.h"
+#include "girth/study/study_fields.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own
 class App;
@@ -17,8 +17,8 @@ namespace girth::cli {
 struct ComparisonOptions {
   /// Names and sums; empty: all names.
   std::vector<std::string> descriptors;
-  retrieval::FieldParameters fields;
-  retrieval::SignatureOptions signatures;
+  study::FieldParameters fields;
+  study::SignatureOptions signatures;
   unsigned threads{0};
 };
 

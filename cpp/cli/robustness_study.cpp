@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "files.h"
-#include "girth/io/write_robustness.h"
+#include "girth/study/write_robustness.h"
 #include "model_fields.h"
 #include "progress_line.h"
 #include "report.h"
@@ -24,11 +24,11 @@ std::string cell(const std::optional<double>& value, const char* format, double 
   return text;
 }
 
-void print(const std::string& model, const std::vector<retrieval::RobustnessRow>& rows) {
+void print(const std::string& model, const std::vector<study::RobustnessRow>& rows) {
   std::printf("%s: how far the girth moves, as distributions (equation 1)\n", model.c_str());
   std::printf("  %-6s %-34s %7s %10s %10s %10s\n", "figure", "change", "faces", "difference",
               "the paper", "unchanged");
-  for (const retrieval::RobustnessRow& row : rows) {
+  for (const study::RobustnessRow& row : rows) {
     std::printf("  %-6s %-34s %7u %10s %10s %10s%s%s\n", row.figure.c_str(), row.change.c_str(),
                 row.faces, cell(row.difference, "%.1e").c_str(), cell(row.paper, "%.1e").c_str(),
                 cell(row.unchanged, "%.1f%%", 100).c_str(), row.note.empty() ? "" : "  ",
@@ -75,22 +75,22 @@ int runRobustnessStudy(const RobustnessStudyOptions& options) {
   }
   const auto model = readSurface(options.model);
   if (!model) return reportError(options.model, model.error());
-  std::vector<retrieval::NamedSurface> poses;
+  std::vector<study::NamedSurface> poses;
   for (const std::string& path : options.poses) {
     auto pose = readSurface(path);
     if (!pose) return reportError(path, pose.error());
     poses.push_back({std::filesystem::path(path).filename().string(), std::move(pose).value()});
   }
-  std::optional<Result<std::vector<retrieval::RobustnessRow>>> rows;
+  std::optional<Result<std::vector<study::RobustnessRow>>> rows;
   {
     ProgressLine progress(options.model);
     const ExecutionContext context = watched(options.threads, progress);
-    rows = retrieval::robustnessStudy(model.value(), poses, options.study, context);
+    rows = study::robustnessStudy(model.value(), poses, options.study, context);
   }
   if (!*rows) return reportError(options.model, rows->error());
-  const auto json = [&] { return io::robustnessJson(rows->value(), options.model); };
+  const auto json = [&] { return study::robustnessJson(rows->value(), options.model); };
   if (!options.output.empty()) {
-    const std::string content = extension == ".csv" ? io::robustnessCsv(rows->value()) : json();
+    const std::string content = extension == ".csv" ? study::robustnessCsv(rows->value()) : json();
     if (auto error = writeFile(options.output, content)) {
       return reportError(options.output, *error);
     }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "girth/retrieval/robustness.h"
+#include "girth/study/robustness.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own
 class App;
@@ -15,7 +15,7 @@ namespace girth::cli {
 struct RobustnessStudyOptions {
   std::string model;
   std::vector<std::string> poses;
-  retrieval::RobustnessOptions study;
+  study::RobustnessOptions study;
   /// Empty: only the table on standard output.
   std::string output;
   unsigned threads{0};

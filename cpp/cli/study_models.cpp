@@ -6,18 +6,18 @@
 #include <memory>
 #include <set>
 
-#include "girth/retrieval/descriptor_rows.h"
+#include "girth/study/descriptor_rows.h"
 #include "model_fields.h"
 #include "progress_line.h"
 
 namespace girth::cli {
 namespace {
 
-using retrieval::Descriptor;
-using retrieval::FieldGroup;
-using retrieval::PairDistances;
-using retrieval::Signatures;
-using retrieval::StudyFields;
+using study::Descriptor;
+using study::FieldGroup;
+using study::PairDistances;
+using study::Signatures;
+using study::StudyFields;
 
 void say(const std::string& text) { std::fprintf(stderr, "girth: note: %s\n", text.c_str()); }
 
@@ -39,9 +39,8 @@ class StudyLoader {
         descriptors_(descriptors),
         options_(options),
         cache_(cache),
-        groups_(retrieval::groupsOf(descriptors)),
-        signatures_(retrieval::termsOf(descriptors), collection.models.size(), options.signatures) {
-  }
+        groups_(study::groupsOf(descriptors)),
+        signatures_(study::termsOf(descriptors), collection.models.size(), options.signatures) {}
 
   Result<StudyModels> load(const Shard& shard) {
     study_.notes = collection_.notes;
@@ -156,7 +155,7 @@ class StudyLoader {
     }
     noteClasses(numbers);
     const auto shared = std::make_shared<Signatures>(std::move(signatures_));
-    for (const std::string& name : retrieval::termsOf(descriptors_)) {
+    for (const std::string& name : study::termsOf(descriptors_)) {
       study_.distances.emplace(
           name, PairDistances(study_.models.size(),
                               [shared, name, originals](std::size_t a, std::size_t b) {

@@ -10,8 +10,8 @@
 
 #include "collection.h"
 #include "field_cache.h"
-#include "girth/retrieval/pair_distances.h"
-#include "girth/retrieval/signatures.h"
+#include "girth/study/pair_distances.h"
+#include "girth/study/signatures.h"
 #include "retrieve_options.h"
 #include "shard.h"
 
@@ -26,7 +26,7 @@ struct StudyModels {
   /// What else was wrong and what became of it: one line each.
   std::vector<std::string> notes;
   /// The distances of `models` by each of the descriptors' terms.
-  std::map<std::string, retrieval::PairDistances> distances;
+  std::map<std::string, study::PairDistances> distances;
   /// Models, each content once, and fields of them that were computed and taken from the cache.
   std::size_t contents{0}, computed{0}, taken{0};
 };
@@ -35,7 +35,7 @@ struct StudyModels {
 /// the fields are computed: `models`, `classes` and `distances` stay empty. Failures and notes are
 /// also told on standard error. Errors: CANCELLED; the fields computed so far are in the cache.
 Result<StudyModels> loadStudyModels(const Collection& collection,
-                                    const std::vector<retrieval::Descriptor>& descriptors,
+                                    const std::vector<study::Descriptor>& descriptors,
                                     const RetrieveOptions& options, const FieldCache& cache,
                                     const Shard& shard);
 

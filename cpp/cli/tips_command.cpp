@@ -7,7 +7,8 @@
 #include "compute.h"
 #include "files.h"
 #include "girth/io/write_tips.h"
-#include "girth/tip_stability.h"
+#include "girth/study/tip_stability.h"
+#include "girth/study/write_tip_trials.h"
 #include "girth/tips.h"
 #include "interrupt.h"
 #include "progress_line.h"
@@ -40,10 +41,10 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Tip
 }
 
 /// Which tips are to be relied on.
-void printTrials(const Tips& tips, const std::vector<TipTrial>& trials) {
+void printTrials(const Tips& tips, const std::vector<study::TipTrial>& trials) {
   std::printf("  %-34s %5s %6s  %s\n", "after a change of the surface", "tips", "arcs",
               "not found again");
-  for (const TipTrial& trial : trials) {
+  for (const study::TipTrial& trial : trials) {
     const std::string change = trial.noise
                                    ? "noise of " + readable(100 * *trial.noise) + "% of an edge"
                                    : std::string("each triangle cut into four");
@@ -79,16 +80,16 @@ int runTips(const TipsOptions& options) {
   const auto tips = findTips(mesh, girth.value().values, {0, &catchInterrupts(), {}});
   if (!tips) return reportError(options.model, tips.error());
 
-  std::vector<TipTrial> trials;
+  std::vector<study::TipTrial> trials;
   if (options.stability) {
     ProgressLine progress(options.model);
-    auto tried = tipTrials(mesh, tips.value().tips, {}, watched(options.threads, progress));
+    auto tried = study::tipTrials(mesh, tips.value().tips, {}, watched(options.threads, progress));
     if (!tried) return reportError(options.model, tried.error());
     trials = std::move(tried).value();
   }
 
   const auto json = [&] {
-    return io::tipsJson(loaded.value(), tips.value(), options.model, trials);
+    return io::tipsJson(loaded.value(), tips.value(), options.model, study::tipTrialsJson(trials));
   };
   if (!options.output.empty()) {
     if (auto error =

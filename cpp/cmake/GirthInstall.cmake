@@ -3,7 +3,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/girth")
-install(TARGETS girth_core girth_io EXPORT girthTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS girth_core girth_io girth_study EXPORT girthTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY cpp/include/girth DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT girthTargets NAMESPACE girth:: DESTINATION ${package})
 configure_package_config_file(cpp/cmake/girthConfig.cmake.in girthConfig.cmake

@@ -1,6 +1,8 @@
-// Everything of the core: `#include <girth/girth.h>`.
+// Everything of the core library: `#include <girth/girth.h>`. Reading and writing are in
+// girth/io/, what repeats the paper's studies in girth/study/.
 #pragma once
 
+#include "girth/distribution.h"
 #include "girth/error.h"
 #include "girth/execution.h"
 #include "girth/field_difference.h"
@@ -10,25 +12,13 @@
 #include "girth/girth_solver.h"
 #include "girth/heat_kernel.h"
 #include "girth/heat_maxima.h"
-#include "girth/naive_girth.h"
 #include "girth/parts.h"
 #include "girth/persistent_maxima.h"
 #include "girth/prepare_surface.h"
 #include "girth/remesh.h"
-#include "girth/retrieval/bag_of_features.h"
-#include "girth/retrieval/distribution.h"
-#include "girth/retrieval/histogram.h"
-#include "girth/retrieval/joint_histogram.h"
-#include "girth/retrieval/measures.h"
-#include "girth/retrieval/pair_distances.h"
-#include "girth/retrieval/robustness.h"
-#include "girth/retrieval/signatures.h"
-#include "girth/retrieval/study_fields.h"
-#include "girth/retrieval/transport.h"
 #include "girth/search_statistics.h"
 #include "girth/shape_diameter.h"
 #include "girth/spectrum.h"
-#include "girth/surface_changes.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
 #include "girth/tips.h"

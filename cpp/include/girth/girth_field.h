@@ -14,9 +14,6 @@ namespace girth {
 enum class GirthMethod : std::uint8_t {
   /// GirthSolver: early termination, windows near the frontier only. The default.
   Exact,
-  /// The paper's section 4.2: the whole distance field, every pair of windows. For tests and
-  /// benchmarks; slow.
-  Naive,
   /// IGF-MS, the paper's approximation (section 6.1): twice the distance, by fast marching, of the
   /// nearest vertex that is a saddle of the distance field.
   Marched,

@@ -24,8 +24,6 @@ std::string_view toString(GirthMethod method) {
   switch (method) {
     case GirthMethod::Exact:
       return "exact";
-    case GirthMethod::Naive:
-      return "naive";
     case GirthMethod::Marched:
       break;
   }

@@ -36,18 +36,6 @@ std::string arcJson(const LoadedMesh& loaded, const OpenArc& arc) {
          ",\"line\":" + lineJson(loaded, arc.line) + "}";
 }
 
-std::string trialJson(const TipTrial& trial) {
-  std::string text = trial.noise ? "{\"change\":\"noise\",\"noise\":" + formatNumber(*trial.noise)
-                                 : std::string("{\"change\":\"subdivided\"");
-  if (trial.failed) return text + ",\"error\":" + jsonString(trial.failed->message) + "}";
-  std::string found;
-  for (const bool again : trial.found) {
-    found += std::string(found.empty() ? "" : ",") + (again ? "true" : "false");
-  }
-  return text + ",\"tips\":" + std::to_string(trial.tips) +
-         ",\"arcs\":" + std::to_string(trial.arcs) + ",\"found\":[" + found + "]}";
-}
-
 /// Appends vertices and a line element; `count` vertices stand before.
 void appendLine(const LoadedMesh& loaded, const ContourLine& line, std::size_t& count,
                 std::string& text) {
@@ -63,7 +51,7 @@ void appendLine(const LoadedMesh& loaded, const ContourLine& line, std::size_t& 
 }  // namespace
 
 std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_view file,
-                     std::span<const TipTrial> trials) {
+                     std::string_view trials) {
   std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
                      ",\"crossedEdges\":" + std::to_string(tips.crossedEdges) + ",\"tips\":[";
   for (std::size_t i = 0; i < tips.tips.size(); ++i) {
@@ -74,10 +62,8 @@ std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_vie
     text += (i == 0 ? "\n" : ",\n") + arcJson(loaded, tips.arcs[i]);
   }
   text += "]";
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    text += (i == 0 ? ",\"trials\":[\n" : ",\n") + trialJson(trials[i]);
-  }
-  return text + (trials.empty() ? "}\n" : "]}\n");
+  if (!trials.empty()) text += ",\"trials\":" + std::string(trials);
+  return text + "}\n";
 }
 
 std::string tipsObj(const LoadedMesh& loaded, const Tips& tips) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "girth/retrieval/distribution.h"
+#include "girth/distribution.h"
 #include "girth/vertex_areas.h"
 
 namespace girth {
@@ -11,20 +11,19 @@ namespace girth {
 namespace {
 
 /// Of the values over the root of the surface's area.
-retrieval::Distribution scaledDistribution(const SurfaceMesh& mesh,
-                                           std::span<const double> values) {
+Distribution scaledDistribution(const SurfaceMesh& mesh, std::span<const double> values) {
   const double scale = std::sqrt(mesh.area());
   std::vector<double> scaled(values.begin(), values.end());
   for (double& value : scaled) value /= scale;
-  return retrieval::distributionOf(scaled, vertexAreas(mesh));
+  return distributionOf(scaled, vertexAreas(mesh));
 }
 
 }  // namespace
 
 double fieldDifference(const SurfaceMesh& mesh1, std::span<const double> values1,
                        const SurfaceMesh& mesh2, std::span<const double> values2) {
-  return retrieval::earthMoversDistance(scaledDistribution(mesh1, values1),
-                                        scaledDistribution(mesh2, values2));
+  return earthMoversDistance(scaledDistribution(mesh1, values1),
+                             scaledDistribution(mesh2, values2));
 }
 
 }  // namespace girth

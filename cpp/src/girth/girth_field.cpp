@@ -8,7 +8,6 @@
 #include "geodesic/fast_marching.h"
 #include "geodesic/unfolding.h"
 #include "girth/marched_girth.h"
-#include "girth/naive_girth.h"
 #include "mesh/check_vertex.h"
 
 namespace girth {
@@ -67,10 +66,6 @@ VertexFunction countedFunction(const SurfaceMesh& mesh, GirthMethod method,
         return [solver, &context](Index v) { return asVertexValue(solver->value(v, context)); };
       }};
     }
-    case GirthMethod::Naive:
-      return {[&mesh](const ExecutionContext& context) -> VertexEvaluator {
-        return [&mesh, &context](Index v) { return asVertexValue(naiveGirth(mesh, v, context)); };
-      }};
     case GirthMethod::Marched:
       break;
   }

@@ -2,6 +2,7 @@
 
 #include <girth/girth.h>
 #include <girth/io/read_mesh.h>
+#include <girth/study/naive_girth.h>
 
 #include <cmath>
 #include <cstdio>
@@ -28,6 +29,9 @@ int main() {
     std::fprintf(stderr, "%s\n", loop.error().message.c_str());
     return 1;
   }
+  const auto naive = girth::study::naiveGirth(loaded.value().mesh, 0);
+  if (!naive) return 1;
   std::printf("girth at vertex 0: %.17g\n", loop.value().length);
-  return std::isfinite(loop.value().length) && loop.value().length > 0 ? 0 : 1;
+  const bool agrees = std::fabs(naive.value().length - loop.value().length) < 1e-9;
+  return std::isfinite(loop.value().length) && loop.value().length > 0 && agrees ? 0 : 1;
 }

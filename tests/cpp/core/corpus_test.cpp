@@ -7,6 +7,7 @@
 
 #include "corpus.h"
 #include "girth/girth.h"
+#include "girth/study/naive_girth.h"
 #include "girth_proof.h"
 #include "loop_checks.h"
 #include "shapes.h"
@@ -23,7 +24,7 @@ TEST(Corpus, ExactAgreesWithNaiveAndLoopsAreGeodesic) {
     const std::vector<Index> order = coarseToFineOrder(mesh);
     for (std::size_t i = 0; i < 8; ++i) {
       const GirthLoop loop = solver.loop(order[i]).value();
-      const GirthValue naive = naiveGirth(mesh, order[i]).value();
+      const GirthValue naive = study::naiveGirth(mesh, order[i]).value();
       EXPECT_NEAR(loop.length / naive.length, 1, 1e-9) << "vertex " << order[i];
       EXPECT_EQ(loop.kind, naive.kind) << "vertex " << order[i];
     }

@@ -10,6 +10,7 @@
 
 #include "brute_force.h"
 #include "girth/girth.h"
+#include "girth/study/naive_girth.h"
 #include "loop_checks.h"
 #include "shapes.h"
 
@@ -254,7 +255,7 @@ TEST_P(AgainstNaive, AtEveryVertex) {
     GirthSolver solver(mesh);
     for (Index v = 0; v < mesh.vertexCount(); ++v) {
       const GirthLoop loop = solver.loop(v).value();
-      const GirthValue naive = naiveGirth(mesh, v).value();
+      const GirthValue naive = study::naiveGirth(mesh, v).value();
       expectClose(loop.length, naive.length, at(v));
       EXPECT_EQ(loop.kind, naive.kind) << at(v);
       EXPECT_EQ(solver.value(v).value().length, loop.length) << at(v);
@@ -387,7 +388,7 @@ TEST(Solver, RefusesVerticesThatDoNotExist) {
   GirthSolver solver(mesh);
   EXPECT_EQ(solver.value(4).error().code, ErrorCode::VertexOutOfRange);
   EXPECT_EQ(solver.loop(kNoIndex).error().code, ErrorCode::VertexOutOfRange);
-  EXPECT_EQ(naiveGirth(mesh, 4).error().code, ErrorCode::VertexOutOfRange);
+  EXPECT_EQ(study::naiveGirth(mesh, 4).error().code, ErrorCode::VertexOutOfRange);
 }
 
 TEST(Solver, NeighboursDifferByNoMoreThanTheyMustOutsideTips) {

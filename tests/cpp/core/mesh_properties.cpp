@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "girth/girth.h"
+#include "girth/study/naive_girth.h"
 #include "girth_proof.h"
 #include "path_checks.h"
 #include "random_meshes.h"
@@ -117,7 +118,7 @@ void expectProperties(std::uint64_t seed) {
     const GirthLoop loop = solver.loop(v).value();
     EXPECT_EQ(loop.length, exact.values[v]) << at(v);
     EXPECT_EQ(loop.kind, exact.kinds[v]) << at(v);
-    const GirthValue naive = naiveGirth(mesh, v).value();
+    const GirthValue naive = study::naiveGirth(mesh, v).value();
     EXPECT_NEAR(exact.values[v] / naive.length, 1, 1e-9) << at(v) << ", naive " << naive.length;
     if (exact.kinds[v] != naive.kind) {
       // Right only where the loop's midpoint is the farthest point as well.

@@ -8,6 +8,7 @@
 
 #include "brute_force.h"
 #include "girth/girth.h"
+#include "girth/study/naive_girth.h"
 #include "random_meshes.h"
 
 namespace girth::test {
@@ -239,7 +240,7 @@ TEST(OpenSurfaces, ExactIsNaive) {
     const SurfaceMesh& mesh = prepared.value().mesh;
     GirthSolver solver(mesh);
     for (Index v = 0; v < mesh.vertexCount(); ++v) {
-      const GirthValue exact = solver.value(v).value(), naive = naiveGirth(mesh, v).value();
+      const GirthValue exact = solver.value(v).value(), naive = study::naiveGirth(mesh, v).value();
       EXPECT_NEAR(exact.length / naive.length, 1, 1e-9) << "vertex " << v;
       EXPECT_EQ(exact.kind, naive.kind) << "vertex " << v;
       ++(exact.kind == LoopKind::Loop ? loops : antipodal);

@@ -9,18 +9,19 @@
 #include <numeric>
 #include <vector>
 
-#include "girth/retrieval/bag_of_features.h"
-#include "girth/retrieval/distribution.h"
-#include "girth/retrieval/histogram.h"
-#include "girth/retrieval/joint_histogram.h"
-#include "girth/retrieval/measures.h"
-#include "girth/retrieval/pair_distances.h"
-#include "girth/retrieval/signatures.h"
-#include "girth/retrieval/study_fields.h"
-#include "girth/retrieval/transport.h"
+#include "girth/distribution.h"
+#include "girth/study/bag_of_features.h"
+#include "girth/study/histogram.h"
+#include "girth/study/joint_histogram.h"
+#include "girth/study/measures.h"
+#include "girth/study/pair_distances.h"
+#include "girth/study/signatures.h"
+#include "girth/study/study_fields.h"
+#include "girth/study/transport.h"
+#include "retrieval/common_quantile.h"
 #include "shapes.h"
 
-namespace girth::retrieval {
+namespace girth::study {
 namespace {
 
 using girth::test::Random;
@@ -606,4 +607,4 @@ TEST(StudyFields, LargerSurfacesAreRemeshedSmallerOnesAreNot) {
 }
 
 }  // namespace
-}  // namespace girth::retrieval
+}  // namespace girth::study

@@ -1,5 +1,5 @@
 // The study of robustness on a small surface.
-#include "girth/retrieval/robustness.h"
+#include "girth/study/robustness.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "shapes.h"
 
-namespace girth::retrieval {
+namespace girth::study {
 namespace {
 
 RobustnessOptions small() {
@@ -82,4 +82,4 @@ TEST(Robustness, SaysWhatCannotBeDone) {
 }
 
 }  // namespace
-}  // namespace girth::retrieval
+}  // namespace girth::study

@@ -1,5 +1,5 @@
 // Changes of surfaces: what they leave alone, and what they change by how much.
-#include "girth/surface_changes.h"
+#include "girth/study/surface_changes.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "mesh/vector.h"
 #include "shapes.h"
 
-namespace girth {
+namespace girth::study {
 namespace {
 
 ErrorCode codeOf(const Result<SurfaceMesh>& result) {
@@ -150,4 +150,4 @@ TEST(SurfaceChanges, SubdividedIsTheSameSurfaceInSmallerTriangles) {
 }
 
 }  // namespace
-}  // namespace girth
+}  // namespace girth::study

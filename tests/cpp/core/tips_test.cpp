@@ -9,7 +9,7 @@
 
 #include "corpus.h"
 #include "girth/girth_field.h"
-#include "girth/tip_stability.h"
+#include "girth/study/tip_stability.h"
 #include "mesh/angles.h"
 #include "mesh/vector.h"
 #include "shapes.h"
@@ -275,13 +275,13 @@ TEST(TipTrials, TheSharpEndOfAPyramidIsFoundAgain) {
   const SurfaceMesh mesh = test::pyramid(16, 1.0, 8).mesh();
   const std::vector<Tip> tips = tipsOf(mesh).tips;
   ASSERT_GE(tips.size(), 1u);
-  const auto trials = tipTrials(mesh, tips);
+  const auto trials = study::tipTrials(mesh, tips);
   ASSERT_TRUE(trials.ok());
   ASSERT_EQ(trials.value().size(), 4u);
   EXPECT_FALSE(trials.value()[0].noise.has_value());
   EXPECT_EQ(trials.value()[0].tips, tips.size()) << "the same surface";
   EXPECT_EQ(trials.value()[3].noise, 0.25);
-  for (const TipTrial& trial : trials.value()) {
+  for (const study::TipTrial& trial : trials.value()) {
     EXPECT_FALSE(trial.failed.has_value());
     EXPECT_EQ(trial.foundAgain(), tips.size());
     EXPECT_GE(trial.tips, tips.size());
@@ -294,12 +294,12 @@ TEST(TipTrials, WhatIsNotFoundAgainIsTold) {
   const std::vector<double> values = steps(mesh, 20, [](const Vec3& p) { return p.z > 0.4; });
   const std::vector<Tip> tips = tipsOf(mesh, values).tips;
   ASSERT_EQ(tips.size(), 1u);
-  TipTrialOptions options;
+  study::TipTrialOptions options;
   options.noise = {0.1};
-  const auto trials = tipTrials(mesh, tips, options);
+  const auto trials = study::tipTrials(mesh, tips, options);
   ASSERT_TRUE(trials.ok());
   ASSERT_EQ(trials.value().size(), 2u);
-  for (const TipTrial& trial : trials.value()) EXPECT_EQ(trial.foundAgain(), 0u);
+  for (const study::TipTrial& trial : trials.value()) EXPECT_EQ(trial.foundAgain(), 0u);
 }
 
 TEST(TipTrials, AreTheSameOnAnyThreadsAndStopWhenTold) {
@@ -314,24 +314,24 @@ TEST(TipTrials, AreTheSameOnAnyThreadsAndStopWhenTold) {
       EXPECT_GE(done, last);
       last = done;
     };
-    const auto trials = tipTrials(mesh, tips, {}, context);
+    const auto trials = study::tipTrials(mesh, tips, {}, context);
     ASSERT_TRUE(trials.ok());
     EXPECT_EQ(last, 1);
     counts.emplace_back();
-    for (const TipTrial& trial : trials.value()) counts.back().push_back(trial.tips);
+    for (const study::TipTrial& trial : trials.value()) counts.back().push_back(trial.tips);
   }
   EXPECT_EQ(counts[0], counts[1]);
 
   const std::atomic<bool> cancel{true};
   ExecutionContext context;
   context.cancel = &cancel;
-  const auto stopped = tipTrials(mesh, tips, {}, context);
+  const auto stopped = study::tipTrials(mesh, tips, {}, context);
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
   for (const double noise : {-0.1, 1.5, std::nan("")}) {
-    TipTrialOptions options;
+    study::TipTrialOptions options;
     options.noise = {noise};
-    const auto refused = tipTrials(mesh, tips, options);
+    const auto refused = study::tipTrials(mesh, tips, options);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().code, ErrorCode::InvalidOption);
   }

@@ -1,6 +1,7 @@
 // Functions of the vertices, one by one and all together.
 
 #include "girth/vertex_function.h"
+#include "girth/study/naive_girth.h"
 
 #include <gtest/gtest.h>
 
@@ -39,8 +40,7 @@ std::vector<Named> functionsOf(const SurfaceMesh& mesh) {
       {"girth", girthFunction(mesh), girthField(mesh).values},
       {"marched girth", girthFunction(mesh, GirthMethod::Marched),
        girthField(mesh, GirthMethod::Marched).values},
-      {"naive girth", girthFunction(mesh, GirthMethod::Naive),
-       girthField(mesh, GirthMethod::Naive).values},
+      {"naive girth", study::naiveGirthFunction(mesh), study::naiveGirthField(mesh).values},
       {"shape diameter", shapeDiameterFunction(mesh).value(), shapeDiameter(mesh).value().values},
       {"mean distance",
        geodesicExtentFunction(mesh, ExtentMeasure::Average, DistanceMethod::FastMarching),

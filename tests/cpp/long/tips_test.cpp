@@ -9,7 +9,7 @@
 
 #include "core/corpus.h"
 #include "girth/girth_field.h"
-#include "girth/tip_stability.h"
+#include "girth/study/tip_stability.h"
 #include "girth/tips.h"
 #include "mesh/vector.h"
 
@@ -35,11 +35,11 @@ TEST(CorpusTips, AnOctopusHasEightArms) {
   // told.
   const auto tips = findTips(mesh, girthField(mesh).values);
   ASSERT_TRUE(tips.ok());
-  const auto trials = tipTrials(mesh, tips.value().tips);
+  const auto trials = study::tipTrials(mesh, tips.value().tips);
   ASSERT_TRUE(trials.ok());
   EXPECT_EQ(trials.value()[0].foundAgain(), 8u);
   EXPECT_EQ(trials.value()[0].tips, 8u);
-  for (const TipTrial& trial : trials.value()) EXPECT_GE(trial.foundAgain(), 7u);
+  for (const study::TipTrial& trial : trials.value()) EXPECT_GE(trial.foundAgain(), 7u);
 }
 
 TEST(CorpusTips, AHandHasFiveFingersAndAWrist) {

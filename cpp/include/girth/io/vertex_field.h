@@ -32,7 +32,7 @@ struct VertexField {
   bool complete() const;
 };
 
-/// "exact", "naive" or "ms".
+/// "exact" or "ms".
 std::string_view toString(GirthMethod method);
 
 /// How values were computed, in words: "exact" or "fast marching"; "30 rays".

@@ -1,12 +1,10 @@
 // Tips and their contours as a file's content: JSON or OBJ.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "girth/io/read_mesh.h"
-#include "girth/tip_stability.h"
 #include "girth/tips.h"
 
 namespace girth::io {
@@ -14,11 +12,10 @@ namespace girth::io {
 /// One JSON object: `file`, `unit`, `crossedEdges`, `tips` and `arcs`. Of a tip: `area`,
 /// `boundaryLength`, `jump`, `apex` (as a point of `loopJson`), `apexDistance`, `vertices` (of the
 /// file), and `contour`: lines with `closed` and `points` [x,y,z]. Of an arc: `length`, `jump` and
-/// `line`. With `trials` also `trials`: of each, `change` ("subdivided" or "noise"), `noise` (mean
-/// edge lengths), `tips` and `arcs` (how many), and `found` (for each tip, in order, true or
-/// false); or `error`, why there is none.
+/// `line`. `trials`, a JSON array (study::tipTrialsJson), becomes the member `trials`; empty:
+/// there is none.
 std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_view file,
-                     std::span<const TipTrial> trials = {});
+                     std::string_view trials = {});
 
 /// The contours as OBJ line elements: one object a tip (`o tip_1`, …) and one an arc (`o arc_1`,
 /// …).

@@ -1,0 +1,27 @@
+// The paper's naive algorithm (section 4.2): the reference implementation for tests and benchmarks.
+#pragma once
+
+#include <functional>
+
+#include "girth/execution.h"
+#include "girth/girth_field.h"
+#include "girth/girth_solver.h"
+#include "girth/surface_mesh.h"
+
+namespace girth::study {
+
+/// I(p) by computing the whole exact distance field of p, keeping every window, and testing every
+/// mesh edge and every pair of windows that meet from opposite sides. O(n^3 log n) time and O(n^2)
+/// memory at worst. Errors: VERTEX_OUT_OF_RANGE, CANCELLED.
+Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
+                              const ExecutionContext& context = {});
+
+/// I(v) with its kind, vertex by vertex, by the naive algorithm.
+VertexFunction naiveGirthFunction(const SurfaceMesh& mesh);
+
+/// I(v) for all vertices, as `evaluateAll` of naiveGirthFunction. Nothing is counted in
+/// `statistics`.
+GirthField naiveGirthField(const SurfaceMesh& mesh, const ExecutionContext& context = {},
+                           const std::function<void(const VertexPartial&)>& onPartial = {});
+
+}  // namespace girth::study

@@ -1,0 +1,68 @@
+// How little the girth's distribution changes with a surface's triangles, noise and pose: the
+// paper's Figures 7, 8 and 9.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/execution.h"
+#include "girth/study/surface_changes.h"
+#include "girth/surface_mesh.h"
+
+namespace girth::study {
+
+struct RobustnessOptions {
+  /// Triangles of the even mesh that changes are made to, and of all that are compared with it.
+  Index faces{10'000};
+  /// Triangles of the meshes that are compared with the model as it is (RemeshMethod::Fitting: as
+  /// one would remesh it).
+  std::vector<Index> sizes{2'000, 5'000, 10'000, 20'000, 50'000};
+  /// How uneven the uneven triangles are (surface_changes.h).
+  double stretch{4};
+  /// Of the noise.
+  std::uint64_t seed{1};
+  HumpOptions humps;
+  /// Changes of topology.
+  std::size_t bridges{2};
+};
+
+struct RobustnessRow {
+  /// Of the paper: "7", "8b", ... "9".
+  std::string figure;
+  /// What was done to the surface.
+  std::string change;
+  Index faces{0};
+  /// Equation (1) against the unchanged surface, each scaled to area 1; NaN where the change could
+  /// not be made.
+  double difference{std::numeric_limits<double>::quiet_NaN()};
+  /// Where vertices are still the same ones: the share of the area whose girth, as it stands in the
+  /// model, changed by at most 5%.
+  std::optional<double> unchanged;
+  /// What the paper reports for its own models. It does not say how strong its changes were.
+  std::optional<double> paper;
+  /// Why there is no value.
+  std::string note;
+};
+
+/// A surface and what tables call it.
+struct NamedSurface {
+  std::string name;
+  SurfaceMesh mesh;
+};
+
+/// Computes the exact girth of the model, and of a dozen changes of it, and compares the
+/// distributions. `poses`: the same thing in other poses. Time: that of as many girth fields. The
+/// same bits for any number of threads. Errors: those of remesh for the even mesh;
+/// INVALID_OPTION (stretch); CANCELLED.
+Result<std::vector<RobustnessRow>> robustnessStudy(const SurfaceMesh& model,
+                                                   std::span<const NamedSurface> poses,
+                                                   const RobustnessOptions& options = {},
+                                                   const ExecutionContext& context = {});
+
+}  // namespace girth::study

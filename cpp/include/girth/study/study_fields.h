@@ -1,0 +1,86 @@
+// The fields that shapes are compared by, computed as the paper's section 6.1 does.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/execution.h"
+#include "girth/geodesic_extent.h"
+#include "girth/heat_kernel.h"
+#include "girth/shape_diameter.h"
+#include "girth/spectrum.h"
+#include "girth/surface_mesh.h"
+#include "girth/wave_kernel.h"
+
+namespace girth::study {
+
+/// Fields that come out of one computation.
+enum class FieldGroup : std::uint8_t {
+  Girth,         ///< igf: the exact girth
+  MarchedGirth,  ///< igf-ms: the girth by fast marching
+  Diameter,      ///< sdf: the shape diameter
+  Extent,        ///< geoaverage and geofarthest
+  Spectral,      ///< hks, sihks and wks: many numbers for each vertex
+};
+
+inline constexpr FieldGroup kFieldGroups[] = {FieldGroup::Girth, FieldGroup::MarchedGirth,
+                                              FieldGroup::Diameter, FieldGroup::Extent,
+                                              FieldGroup::Spectral};
+
+/// "igf", "igf-ms", "sdf", "extent" or "spectral".
+std::string_view toString(FieldGroup group);
+
+/// The paper's parameters are the defaults.
+struct FieldParameters {
+  /// Surfaces of more triangles are remeshed to so many; 0: all are taken as they are.
+  Index faces{10'000};
+  /// Whether surfaces are scaled to area 1.
+  bool unitArea{true};
+  ShapeDiameterOptions diameter;
+  DistanceMethod distances{DistanceMethod::FastMarching};
+  /// Never more than one pair for 5 vertices (but 10): faster waves tell of the triangles, not of
+  /// the shape, and spoil wks.
+  SpectrumOptions spectrum;
+  SihksOptions sihks;
+  WksOptions wks;
+};
+
+/// A field with one or more numbers for every vertex.
+struct StudyField {
+  std::string name;
+  std::size_t dimensions{1};
+  /// Of vertex v: values[v · dimensions + d]; NaN where there is none.
+  std::vector<double> values;
+};
+
+/// Fields and how much each vertex counts: its share of the area.
+struct StudyFields {
+  std::vector<double> weights;
+  std::vector<StudyField> fields;
+
+  /// Null where there is no field of that name.
+  const StudyField* find(std::string_view name) const;
+};
+
+/// The surface on which the fields are computed: remeshed and scaled as the parameters say. Errors:
+/// those of remesh.h; LIMIT_EXCEEDED where the area is no number that can be scaled.
+Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh, const FieldParameters& parameters,
+                                 const ExecutionContext& context = {});
+
+/// A group's fields on such a surface. hks is the heat kernel signature at 16 times, from 4 ln 10 /
+/// (4π · 300) to 4 ln 10 / 4π times the area in equal ratios: what Sun et al. 2009 choose, with the
+/// eigenvalues 1 and 300 that a surface of that area has on average (Weyl's law); at each time it
+/// is divided by its mean over the surface, so that all times count alike. Costs and errors: those
+/// of the fields; CANCELLED.
+Result<StudyFields> studyFields(const SurfaceMesh& surface, FieldGroup group,
+                                const FieldParameters& parameters,
+                                const ExecutionContext& context = {});
+
+/// All parameters that a group's values depend on, and the version of what computes them: equal
+/// texts mean equal fields of equal surfaces.
+std::string parametersText(FieldGroup group, const FieldParameters& parameters);
+
+}  // namespace girth::study

@@ -1,0 +1,46 @@
+// How the tips of a surface change when its triangles do, and under noise.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/execution.h"
+#include "girth/surface_mesh.h"
+#include "girth/tips.h"
+
+namespace girth::study {
+
+/// What came of the tips on one changed surface.
+struct TipTrial {
+  /// By how many mean edge lengths vertices moved at most (withNoise); none: each triangle was cut
+  /// into four instead (subdivided), which leaves the surface as it is.
+  std::optional<double> noise;
+  /// Why there is nothing to say: the change took a face's area away.
+  std::optional<Error> failed;
+  Index tips{0}, arcs{0};
+  /// For each tip of the unchanged surface whether it is found again: whether one of the changed
+  /// surface's has its apex inside, and has its own apex inside this one.
+  std::vector<bool> found;
+
+  Index foundAgain() const;
+};
+
+struct TipTrialOptions {
+  /// One trial each, beside that of smaller triangles.
+  std::vector<double> noise{0.05, 0.1, 0.25};
+  std::uint64_t seed{1};
+};
+
+/// Finds the tips of changed copies of a surface: first with each triangle cut into four, then with
+/// noise. The paper (section 6.2) warns that small changes may move the contour much; this tells
+/// which tips to rely on. `tips`: those of the surface. Time: that of the girth of one surface with
+/// four times the faces and of as many others as there are amounts of noise. The same bits for any
+/// number of threads. Errors: INVALID_OPTION (withNoise); CANCELLED.
+Result<std::vector<TipTrial>> tipTrials(const SurfaceMesh& mesh, std::span<const Tip> tips,
+                                        const TipTrialOptions& options = {},
+                                        const ExecutionContext& context = {});
+
+}  // namespace girth::study

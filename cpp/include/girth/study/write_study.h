@@ -1,0 +1,64 @@
+// A retrieval study as files: tables for programs, and one page for people.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "girth/study/measures.h"
+
+namespace girth::study {
+
+struct StudyModel {
+  std::string name;
+  std::uint32_t ofClass{0};
+};
+
+struct StudyDescriptor {
+  std::string name;
+  RetrievalMeasures mean;
+  std::size_t queries{0};
+  /// A PNG of its distances, the models in their order, or empty.
+  std::string matrix;
+};
+
+/// A query and the models nearest to it.
+struct StudyAnswers {
+  std::uint32_t query{0};
+  std::vector<std::uint32_t> answers;
+};
+
+struct RetrievalStudy {
+  std::string title;
+  /// How it was made, each with what it is called.
+  std::vector<std::pair<std::string, std::string>> settings;
+  std::vector<StudyModel> models;
+  std::vector<std::string> classes;
+  std::vector<StudyDescriptor> descriptors;
+  /// The descriptor that the answers are those of.
+  std::string shownDescriptor;
+  std::vector<StudyAnswers> shown;
+  /// PNGs by model; empty for those not shown.
+  std::vector<std::string> thumbnails;
+  /// Models that were left out, each with its reason.
+  std::vector<std::pair<std::string, std::string>> failed;
+  std::vector<std::string> notes;
+};
+
+/// `descriptor,nn,first_tier,second_tier,e_measure,e_measure_with_query,dcg,queries`, one row for
+/// each descriptor; shares in [0, 1] with all digits.
+std::string measuresCsv(const RetrievalStudy& study);
+
+/// `descriptor,recall,precision`: 20 rows for each descriptor.
+std::string precisionRecallCsv(const RetrievalStudy& study);
+
+/// Everything but the pictures as one JSON object.
+std::string studyJson(const RetrievalStudy& study);
+
+/// One page without scripts that needs no other file and no network: the table, the
+/// precision-recall curves, a sheet of queries and answers, the distances, and how it was made.
+std::string studyHtml(const RetrievalStudy& study);
+
+}  // namespace girth::study
