@@ -2,7 +2,7 @@
 // that stands in backticks exists.
 
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
-import { basename, dirname, join, relative, resolve } from 'node:path';
+import { basename, dirname, join, normalize } from 'node:path';
 import { expect, test } from 'vitest';
 import { repository } from '../../../web/scripts/run.mjs';
 
@@ -16,6 +16,8 @@ function filesBelow(folder: string, ending: string): string[] {
     return entry.name.endsWith(ending) ? [path] : [];
   });
 }
+
+const text = (path: string) => readFileSync(join(repository, path), 'utf8');
 
 interface Document {
   /** Without blocks of code. */
@@ -33,8 +35,9 @@ function anchorOf(heading: string): string {
     .replace(/ /g, '-');
 }
 
+/** A document by its path in the repository. */
 function read(path: string): Document {
-  const prose = readFileSync(path, 'utf8').replace(/^( *)(```|~~~)[^]*?^\1\2.*$/gm, '');
+  const prose = text(path).replace(/^( *)(```|~~~)[^]*?^\1\2.*$/gm, '');
   const anchors = new Set<string>();
   for (const [, heading = ''] of prose.matchAll(/^#{1,6} +(.*?) *#*$/gm)) {
     const anchor = anchorOf(heading);
@@ -72,21 +75,28 @@ test('there are documents', () => {
 });
 
 test.each(documents)('%s: links lead somewhere', (path) => {
-  const { prose } = read(join(repository, path));
-  const broken = targetsOf(prose).filter((target) => {
-    if (/^[a-z]+:/.test(target)) return false;
-    const [file = '', anchor] = target.split('#');
-    const full = file === '' ? join(repository, path) : resolve(repository, dirname(path), file);
-    if (!existsSync(full) || relative(repository, full).startsWith('..')) return true;
-    return anchor !== undefined && full.endsWith('.md') && !read(full).anchors.has(anchor);
+  const { prose } = read(path);
+  const broken = targetsOf(prose).filter((link) => {
+    if (/^[a-z]+:/.test(link)) return false;
+    const [file = '', anchor] = link.split('#');
+    const target = file === '' ? path : normalize(join(dirname(path), file));
+    if (target.startsWith('..') || !existsSync(join(repository, target))) return true;
+    return anchor !== undefined && target.endsWith('.md') && !read(target).anchors.has(anchor);
   });
   expect(broken).toEqual([]);
 });
 
 test.each(documents)('%s: paths of the repository exist', (path) => {
-  const { prose } = read(join(repository, path));
+  const { prose } = read(path);
   const named = [...prose.matchAll(/`((?:cpp|web|tests)\/[^`\s{}()…]+)`/g)].map(
     ([, name]) => name!,
   );
   expect(named.filter((name) => !matches(name))).toEqual([]);
+});
+
+test('the citation is of the latest release', () => {
+  const [, released] = /^## \[(\d[^\]]*)\] - (\S+)$/m.exec(text('CHANGELOG.md')) ?? [];
+  expect(released).toBeDefined();
+  const [, cited] = /^version: (.*)$/m.exec(text('CITATION.cff')) ?? [];
+  expect(cited).toBe(released);
 });
