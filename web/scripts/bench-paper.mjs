@@ -1,6 +1,6 @@
 // `npm run bench:paper [-- --naive-seconds S] [-- --folder FOLDER]`: the paper's Table I and Figure 6,
 // measured here and written to web/docs/bench/paper.{md,svg,json}. The naive algorithm runs for at most
-// about S seconds a size (600 if nothing is said; what would take longer is extrapolated, and marked so).
+// about S seconds a size. Default: 600. What would take longer is extrapolated, and marked so.
 // A quarter of an hour on a machine that does nothing else, a few minutes with 20 seconds; the figures are
 // of the machine that it runs on.
 
@@ -149,14 +149,14 @@ Written by \`npm run bench:paper\` on ${date}: ${machine}.
 
 ## Table I: with and without the speed-ups
 
-The girth at all vertices. _naive_ is section 4.2 of the paper, on one thread; where not all vertices
-were run, the time is extrapolated from as many as are given in brackets, spread over the surface.
-_exact_ is the library's default, on ${threads} threads, so that its seconds are what one waits.
-Megabytes are the most that one thread held beyond the mesh. The paper's own figures are beside ours
-(Xin et al. 2016, Table I: a quad core of 3.07 GHz, OpenMP).
+The girth at all vertices, by two methods. _naive_ is section 4.2 of the paper on one thread; a number of
+vertices in brackets means that only so many were run, spread over the surface, and the time is extrapolated.
+_exact_ is the default of the library on ${threads} threads, in elapsed seconds. Megabytes are the most that one
+thread held in addition to the mesh. The paper's own figures stand beside ours (Xin et al. 2016, Table I: a quad core of
+3.07 GHz, OpenMP).
 ${
   horse
-    ? 'Models: horses of 6,000 and 10,000 faces as they are; for 2,000 and 4,000 one of 1,500 faces, for 8,000 the one of 6,000, the longest edges halved until the number was met.'
+    ? 'Models: horses of 6,000 and 10,000 faces as they are. The sizes 2,000 and 4,000 are made from one of 1,500 faces, and 8,000 from the one of 6,000, by halving the longest edges until the number is reached.'
     : 'Model: the octopus of the built-in examples; the paper has a horse.'
 }
 
@@ -166,7 +166,7 @@ ${markdownTable([headings, ...rows])}
 
 ![Seconds and megabytes against faces](paper.svg)
 
-The built-in examples, each made anew from its solid at every size; chair and octopus from 4,000 faces
+The built-in examples, each made from its description at every size; chair and octopus from 4,000 faces
 on, since their limbs cannot be made of fewer. ${threads} threads; megabytes of one of them.
 
 ${markdownTable([['model', 'faces', 'seconds', 'MB', 'windows a vertex'], ...plotRows])}
