@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "boundary.h"
 #include "described.h"
@@ -33,6 +34,8 @@ std::string noteOf(const FieldRequest& request, const SurfaceMesh& mesh, Index w
   return budgetNote(withoutValue, mesh.vertexCount());
 }
 
+using AnyEvaluator = std::variant<VertexEvaluator<GirthValue>, VertexEvaluator<double>>;
+
 /// A surface, and what works on it: made when it is first asked for.
 class Surface {
  public:
@@ -47,27 +50,28 @@ class Surface {
     return guarded([&] {
       const FieldRequest request = requestOf(field);
       if (!evaluator_ || !(request == evaluated_)) {
-        evaluator_ = {};  // its memory first
-        const Result<VertexFunction> function = functionOf(mesh_, request);
+        evaluator_.reset();  // its memory first
+        const Result<AnyFunction> function = functionOf(mesh_, request);
         if (!function) return toJs(function.error());
-        evaluator_ = function.value().evaluator(context_);
+        evaluator_ =
+            std::visit([&](const auto& one) -> AnyEvaluator { return one.evaluator(context_); },
+                       function.value());
         evaluated_ = request;
       }
       const std::vector<Index> wanted = copyIn<Index>(vertices);
-      std::vector<double> values;
-      std::vector<LoopKind> kinds;
-      values.reserve(wanted.size());
-      kinds.reserve(wanted.size());
-      for (const Index vertex : wanted) {
-        const Result<VertexValue> found = evaluator_(vertex);
-        if (!found) return toJs(found.error());
-        values.push_back(found.value().value);
-        kinds.push_back(found.value().kind);
-      }
-      val result = val::object();
-      result.set("values", copyOut<double>("Float64Array", values));
-      result.set("kinds", copyOut<std::uint8_t>("Uint8Array", kindsOf(request, kinds)));
-      return result;
+      return std::visit(
+          [&](const auto& evaluate) {
+            ValueArrays arrays;
+            for (const Index vertex : wanted) {
+              const auto found = evaluate(vertex);
+              if (!found) return toJs(found.error());
+              arrays.add(found.value());
+            }
+            val result = val::object();
+            arrays.setIn(result);
+            return result;
+          },
+          *evaluator_);
     });
   }
 
@@ -117,7 +121,7 @@ class Surface {
   Vec3 origin_;
   ExecutionContext context_;
   std::optional<GirthSolver> solver_;
-  VertexEvaluator evaluator_;
+  std::optional<AnyEvaluator> evaluator_;
   FieldRequest evaluated_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <utility>
+#include <variant>
 
 #include "boundary.h"
 #include "girth/vertex_function.h"
@@ -33,22 +34,26 @@ class Surface {
   val field(const val& wanted, unsigned threads, const val& onPartial) const {
     return guarded([&] {
       const FieldRequest request = requestOf(wanted);
-      const Result<VertexFunction> function = functionOf(mesh_, request);
+      const Result<AnyFunction> function = functionOf(mesh_, request);
       if (!function) return toJs(function.error());
       ExecutionContext context;
       context.threads = threads;
       context.cancel = &cancelled;
-      const VertexValues field =
-          evaluateAll(mesh_, function.value(), context, [&](const VertexPartial& partial) {
-            val report = val::object();
-            report.set("vertices", copyOut<Index>("Uint32Array", partial.vertices));
-            report.set("values", copyOut<double>("Float64Array", partial.values));
-            report.set("kinds",
-                       copyOut<std::uint8_t>("Uint8Array", kindsOf(request, partial.kinds)));
-            onPartial(report);
-          });
+      const bool complete = std::visit(
+          [&](const auto& one) {
+            const auto field = evaluateAll(mesh_, one, context, [&](const auto& partial) {
+              ValueArrays arrays;
+              for (const auto& value : partial.values) arrays.add(value);
+              val report = val::object();
+              report.set("vertices", copyOut<Index>("Uint32Array", partial.vertices));
+              arrays.setIn(report);
+              onPartial(report);
+            });
+            return field.complete();
+          },
+          function.value());
       val result = val::object();
-      result.set("complete", field.complete());
+      result.set("complete", complete);
       return result;
     });
   }

@@ -3,8 +3,9 @@
 
 #include <emscripten/val.h>
 
-#include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "boundary.h"
@@ -36,24 +37,40 @@ inline FieldRequest requestOf(const emscripten::val& request) {
                                                             : DistanceMethod::FastMarching};
 }
 
-inline Result<VertexFunction> functionOf(const SurfaceMesh& mesh, const FieldRequest& request) {
-  if (request.name == "igf") return girthFunction(mesh);
-  if (request.name == "angle") return loopAngleFunction(mesh);
-  if (request.name == "sdf") return shapeDiameterFunction(mesh, request.shapeDiameter);
+/// A function with lengths and their kinds, or with numbers alone.
+using AnyFunction = std::variant<VertexFunction<GirthValue>, VertexFunction<double>>;
+
+inline Result<AnyFunction> functionOf(const SurfaceMesh& mesh, const FieldRequest& request) {
+  if (request.name == "igf") return AnyFunction(girthFunction(mesh));
+  if (request.name == "angle") return AnyFunction(loopAngleFunction(mesh));
+  if (request.name == "sdf") {
+    auto function = shapeDiameterFunction(mesh, request.shapeDiameter);
+    if (!function) return function.error();
+    return AnyFunction(std::move(function).value());
+  }
   if (request.name == "geoaverage") {
-    return geodesicExtentFunction(mesh, ExtentMeasure::Average, request.distances);
+    return AnyFunction(geodesicExtentFunction(mesh, ExtentMeasure::Average, request.distances));
   }
   if (request.name == "geofarthest") {
-    return geodesicExtentFunction(mesh, ExtentMeasure::Farthest, request.distances);
+    return AnyFunction(geodesicExtentFunction(mesh, ExtentMeasure::Farthest, request.distances));
   }
   return makeError(ErrorCode::Usage, -1, "there is no field '" + request.name + "'");
 }
 
-/// Only the girth's values have kinds that tell something.
-inline std::span<const std::uint8_t> kindsOf(const FieldRequest& request,
-                                             std::span<const LoopKind> kinds) {
-  if (request.name != "igf") return {};
-  return {reinterpret_cast<const std::uint8_t*>(kinds.data()), kinds.size()};
-}
+/// Values as JavaScript has them: `kinds` only of the girth.
+struct ValueArrays {
+  std::vector<double> values;
+  std::vector<std::uint8_t> kinds;
+
+  void add(double value) { values.push_back(value); }
+  void add(const GirthValue& girth) {
+    values.push_back(girth.length);
+    kinds.push_back(static_cast<std::uint8_t>(girth.kind));
+  }
+  void setIn(emscripten::val& object) const {
+    object.set("values", copyOut<double>("Float64Array", values));
+    object.set("kinds", copyOut<std::uint8_t>("Uint8Array", kinds));
+  }
+};
 
 }  // namespace girth::bind

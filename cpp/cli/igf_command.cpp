@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <optional>
 #include <span>
-#include <thread>
 
 #include "commands.h"
 #include "files.h"
 #include "girth/io/write_field.h"
+#include "girth/parallel.h"
 #include "girth/study/naive_girth.h"
 #include "girth/transfer.h"
 #include "interrupt.h"
@@ -69,9 +69,7 @@ struct Timing {
   double reading{0}, computing{0};
 };
 
-unsigned threadsOf(const IgfOptions& options) {
-  return options.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : options.threads;
-}
+unsigned threadsOf(const IgfOptions& options) { return threadCount({options.threads}); }
 
 /// Time of one thread for one window that crossed a face; 0 where none were counted.
 double nanosecondsPerWindow(const GirthField& field, const IgfOptions& options,

@@ -5,11 +5,11 @@
 #include <new>
 #include <optional>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "files.h"
 #include "girth/io/read_mesh.h"
+#include "girth/parallel.h"
 
 namespace girth::cli {
 namespace {
@@ -25,10 +25,6 @@ bool isLarge(const std::string& path) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   return !error && size > kLargeFile;
-}
-
-unsigned threadsOf(const ExecutionContext& context) {
-  return context.threads > 0 ? context.threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
 void append(StudyFields& all, StudyFields&& some) {
@@ -116,7 +112,6 @@ bool ModelFields::forEach(const std::vector<Work>& works, const Use& use) {
   for (std::size_t i = 0; i < works.size(); ++i) {
     (isLarge(works[i].path) ? large : small).push_back(i);
   }
-  std::atomic<std::size_t> next{0}, done{0};
   const auto workOn = [&](std::size_t number, const ExecutionContext& context) {
     std::optional<Result<StudyFields>> fields;
     try {
@@ -126,31 +121,25 @@ bool ModelFields::forEach(const std::vector<Work>& works, const Use& use) {
           Result<StudyFields>(makeError(ErrorCode::OutOfMemory, -1, "there is not enough memory"));
     }
     if (!context.cancelled()) use(number, *fields);
-    ++done;
   };
-  const auto report = [&] {
-    if (context_.onProgress && !works.empty()) {
-      context_.onProgress(static_cast<double>(done) / static_cast<double>(works.size()));
-    }
+  const auto report = [&](double done) {
+    if (context_.onProgress) context_.onProgress(done / static_cast<double>(works.size()));
   };
   const ExecutionContext alone{1, context_.cancel, {}};
-  const auto take = [&](bool reports) {
-    for (std::size_t i = next++; i < small.size() && !context_.cancelled(); i = next++) {
-      workOn(small[i], alone);
-      if (reports) report();
-    }
-  };
-  const auto threads = static_cast<unsigned>(
-      std::min<std::size_t>(threadsOf(context_), std::max<std::size_t>(1, small.size())));
-  std::vector<std::thread> others;
-  for (unsigned i = 1; i < threads; ++i) others.emplace_back([&] { take(false); });
-  take(true);
-  for (std::thread& other : others) other.join();
+  const auto smallCount = static_cast<double>(small.size());
+  const ExecutionContext several{context_.threads, context_.cancel,
+                                 [&](double fraction) { report(fraction * smallCount); }};
+  if (!small.empty()) {
+    parallelFor(small.size(), 1, several, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) workOn(small[i], alone);
+    });
+  }
   const ExecutionContext together{context_.threads, context_.cancel, {}};
+  double done = smallCount;
   for (const std::size_t number : large) {
     if (context_.cancelled()) break;
     workOn(number, together);
-    report();
+    report(++done);
   }
   return !context_.cancelled();
 }

@@ -35,7 +35,7 @@ GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
 enum class ExtentMeasure : std::uint8_t { Average, Farthest };
 
 /// GeoAverage or GeoFarthest, in model units, vertex by vertex.
-VertexFunction geodesicExtentFunction(const SurfaceMesh& mesh, ExtentMeasure measure,
-                                      DistanceMethod method);
+VertexFunction<double> geodesicExtentFunction(const SurfaceMesh& mesh, ExtentMeasure measure,
+                                              DistanceMethod method);
 
 }  // namespace girth

@@ -12,6 +12,7 @@
 #include "girth/girth_solver.h"
 #include "girth/heat_kernel.h"
 #include "girth/heat_maxima.h"
+#include "girth/parallel.h"
 #include "girth/parts.h"
 #include "girth/persistent_maxima.h"
 #include "girth/prepare_surface.h"

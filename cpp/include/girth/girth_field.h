@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <vector>
 
 #include "girth/execution.h"
 #include "girth/girth_solver.h"
@@ -19,22 +21,43 @@ enum class GirthMethod : std::uint8_t {
   Marched,
 };
 
-/// I(v) in model units for every vertex.
-struct GirthField : VertexValues {
+/// Of the girth, what stands at vertices that were not computed: NaN.
+template <>
+inline constexpr GirthValue kNotComputed<GirthValue>{std::numeric_limits<double>::quiet_NaN(),
+                                                     LoopKind::Loop};
+
+/// The girth of a surface, in the order of its vertices.
+struct GirthField {
+  /// I(v) in model units; NaN at vertices that were not reached before the work was cancelled.
+  std::vector<double> values;
+  /// How each value came about.
+  std::vector<LoopKind> kinds;
+  /// Vertices computed; less than all of them only after cancelling.
+  std::size_t computed{0};
   /// What it cost.
   SearchStatistics statistics;
+
+  /// Whether all vertices have been computed.
+  bool complete() const { return computed == values.size(); }
 };
+
+/// Values that were finished since the last report.
+using GirthPartial = VertexPartial<GirthValue>;
 
 /// I(v) for all vertices, as `evaluateAll` of girthFunction.
 GirthField girthField(const SurfaceMesh& mesh, GirthMethod method = GirthMethod::Exact,
                       const ExecutionContext& context = {},
-                      const std::function<void(const VertexPartial&)>& onPartial = {});
+                      const std::function<void(const GirthPartial&)>& onPartial = {});
+
+/// The lengths and kinds of values, each in an array of its own.
+GirthField girthFieldOf(const VertexValues<GirthValue>& girth);
 
 /// I(v), in model units, with its kind.
-VertexFunction girthFunction(const SurfaceMesh& mesh, GirthMethod method = GirthMethod::Exact);
+VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh,
+                                         GirthMethod method = GirthMethod::Exact);
 
 /// The angle at v between the two ends of the loop through it (GirthLoop::angle), in radians; NaN
 /// where the loop is unresolved.
-VertexFunction loopAngleFunction(const SurfaceMesh& mesh);
+VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh);
 
 }  // namespace girth

@@ -12,10 +12,6 @@
 
 namespace girth {
 
-namespace geodesic {
-class Unfolding;
-}
-
 /// How the shortest loop came about (paper, section 3.1, figure 1).
 enum class LoopKind : std::uint8_t {
   /// The frontier of the growing geodesic disk touched itself head-on: a loop around the surface.
@@ -74,9 +70,6 @@ class GirthSolver {
  public:
   explicit GirthSolver(const SurfaceMesh& mesh);
   ~GirthSolver();
-  /// A solver that shares the prepared faces with the solvers of other threads; for the library's
-  /// own use.
-  explicit GirthSolver(std::shared_ptr<const geodesic::Unfolding> unfolding);
   GirthSolver(GirthSolver&&) noexcept;
   GirthSolver& operator=(GirthSolver&&) noexcept;
 
@@ -88,13 +81,15 @@ class GirthSolver {
   Result<GirthLoop> loop(Index vertex, const ExecutionContext& context = {});
   Result<GirthLoop> loop(const SurfacePoint& point, const ExecutionContext& context = {});
 
-  /// Calls give up after so many windows, with LoopKind::Unresolved; 2^26 if nothing is said.
+  /// Calls give up after so many windows, with LoopKind::Unresolved. Default: 2^26.
   void setBudget(std::size_t windows);
   /// What the last call cost.
   SearchStatistics statistics() const;
 
  private:
+  friend struct SolverFactory;
   struct State;
+  explicit GirthSolver(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 

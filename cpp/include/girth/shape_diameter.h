@@ -48,8 +48,8 @@ Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
                                          const ExecutionContext& context = {});
 
 /// The shape diameter, in model units, vertex by vertex. The same errors.
-Result<VertexFunction> shapeDiameterFunction(const SurfaceMesh& mesh,
-                                             const ShapeDiameterOptions& options = {});
+Result<VertexFunction<double>> shapeDiameterFunction(const SurfaceMesh& mesh,
+                                                     const ShapeDiameterOptions& options = {});
 
 /// Whether the surface is closed, but encloses a negative volume: its faces look inwards, and what
 /// is measured is the space around it. O(n).

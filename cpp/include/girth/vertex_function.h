@@ -3,64 +3,105 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "girth/error.h"
 #include "girth/execution.h"
-#include "girth/girth_solver.h"
 #include "girth/surface_mesh.h"
 
 namespace girth {
 
-/// The value of a function at a vertex.
-struct VertexValue {
-  /// NaN where the function has none.
-  double value{0};
-  /// Of the girth: how it came about. Of other functions, Loop.
-  LoopKind kind{LoopKind::Loop};
-};
-
 /// Computes a function at single vertices. Keeps scratch memory between calls; one for each thread.
 /// Errors: VERTEX_OUT_OF_RANGE; CANCELLED.
-using VertexEvaluator = std::function<Result<VertexValue>(Index vertex)>;
+template <class Value>
+using VertexEvaluator = std::function<Result<Value>(Index vertex)>;
 
 /// A function of a surface's vertices, with what all threads share of the work already done. The
 /// surface must outlive it; evaluators may outlive it. Made by girthFunction, loopAngleFunction,
-/// shapeDiameterFunction and geodesicExtentFunction.
+/// shapeDiameterFunction and geodesicExtentFunction. `Value`: what it has at a vertex, such as
+/// double or GirthValue.
+template <class Value>
 struct VertexFunction {
   /// Makes an evaluator; may be called by several threads at once. Of the context, which must
   /// outlive the evaluator, only `cancel` matters.
-  std::function<VertexEvaluator(const ExecutionContext& context)> evaluator;
+  std::function<VertexEvaluator<Value>(const ExecutionContext& context)> evaluator;
 };
 
+/// What stands at vertices that were not computed.
+template <class Value>
+inline constexpr Value kNotComputed{};
+/// Of numbers: NaN.
+template <>
+inline constexpr double kNotComputed<double> = std::numeric_limits<double>::quiet_NaN();
+
 /// A value for every vertex, in the order of the vertices.
+template <class Value>
 struct VertexValues {
-  /// NaN where the function has none, and at vertices that were not reached before the work was
-  /// cancelled.
-  std::vector<double> values;
-  std::vector<LoopKind> kinds;
+  /// `kNotComputed` at vertices that were not reached before the work was cancelled.
+  std::vector<Value> values;
   /// Vertices computed; less than all of them only after cancelling.
   std::size_t computed{0};
 
+  /// Whether all vertices have been computed.
   bool complete() const { return computed == values.size(); }
 };
 
-/// Values that were finished since the last report: value[i] and kind[i] belong to vertex[i].
+/// Values that were finished since the last report: values[i] belongs to vertices[i].
+template <class Value>
 struct VertexPartial {
+  /// The vertices, each of them in one report only.
   std::span<const Index> vertices;
-  std::span<const double> values;
-  std::span<const LoopKind> kinds;
+  /// As many values.
+  std::span<const Value> values;
 };
 
-/// The function at all vertices. The calling thread is one of those that compute. `onPartial`,
-/// where given, is called on it every few hundredths of a second, between two vertices of its own,
-/// with what is new, in the order of `coarseToFineOrder`, so that early reports are spread over the
-/// whole surface. The same bits for any number of threads.
-VertexValues evaluateAll(const SurfaceMesh& mesh, const VertexFunction& function,
-                         const ExecutionContext& context = {},
-                         const std::function<void(const VertexPartial&)>& onPartial = {});
+/// Works on all vertices of a surface, in the order of `coarseToFineOrder`, each thread on one
+/// after the other; the calling thread is one of them. `startThread` is called once on each thread,
+/// and what it returns with every vertex that the thread takes; false stops that thread.
+/// `onFinished`, where given, is called on the calling thread every few hundredths of a second,
+/// between two vertices of its own, and at the end, with the vertices that were finished since the
+/// last time; so early reports are spread over the whole surface. Returns how many vertices were
+/// finished: all, unless cancelled. Exceptions are thrown again on the calling thread.
+std::size_t forEachVertex(const SurfaceMesh& mesh, const ExecutionContext& context,
+                          const std::function<std::function<bool(Index vertex)>()>& startThread,
+                          const std::function<void(std::span<const Index> vertices)>& onFinished);
+
+/// The function at all vertices, by `forEachVertex`. `onPartial`, where given, has what is new.
+/// The same bits for any number of threads.
+template <class Value>
+VertexValues<Value> evaluateAll(
+    const SurfaceMesh& mesh, const VertexFunction<Value>& function,
+    const ExecutionContext& context = {},
+    const std::type_identity_t<std::function<void(const VertexPartial<Value>&)>>& onPartial = {}) {
+  static_assert(!std::is_same_v<Value, bool>, "threads write to neighbouring values");
+  VertexValues<Value> result{{}, 0};
+  std::vector<Value>& values = result.values;
+  values.assign(mesh.vertexCount(), kNotComputed<Value>);
+  const auto startThread = [&]() -> std::function<bool(Index)> {
+    return [&values, evaluate = function.evaluator(context)](Index vertex) {
+      auto value = evaluate(vertex);
+      if (!value) return false;  // cancelled: the vertices are in range
+      values[vertex] = std::move(value).value();
+      return true;
+    };
+  };
+  std::vector<Value> finished;
+  const auto report = [&](std::span<const Index> vertices) {
+    finished.clear();
+    for (const Index vertex : vertices) finished.push_back(values[vertex]);
+    onPartial({vertices, finished});
+  };
+  if (onPartial) {
+    result.computed = forEachVertex(mesh, context, startThread, report);
+  } else {
+    result.computed = forEachVertex(mesh, context, startThread, {});
+  }
+  return result;
+}
 
 /// What people are to know of values that propagations gave up (GirthSolver::setBudget), in a
 /// sentence; empty where there is none.

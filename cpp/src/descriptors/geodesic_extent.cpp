@@ -9,9 +9,9 @@
 
 #include "geodesic/fast_marching.h"
 #include "geodesic/propagation.h"
+#include "girth/parallel.h"
 #include "girth/vertex_areas.h"
 #include "mesh/check_vertex.h"
-#include "parallel.h"
 
 namespace girth {
 
@@ -106,7 +106,7 @@ GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
   extent.farthest.assign(mesh.vertexCount(), kNone);
   const Distances distances(mesh, method);
   extent.complete =
-      inParallel(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
+      parallelFor(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
         ExtentSolver solver(distances);
         for (auto v = static_cast<Index>(begin); v < end && !context.cancelled(); ++v) {
           const Extent found = solver.at(v, context);
@@ -117,17 +117,17 @@ GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
   return extent;
 }
 
-VertexFunction geodesicExtentFunction(const SurfaceMesh& mesh, ExtentMeasure measure,
-                                      DistanceMethod method) {
+VertexFunction<double> geodesicExtentFunction(const SurfaceMesh& mesh, ExtentMeasure measure,
+                                              DistanceMethod method) {
   const auto distances = std::make_shared<const Distances>(mesh, method);
-  return {[distances, measure](const ExecutionContext& context) -> VertexEvaluator {
+  return {[distances, measure](const ExecutionContext& context) -> VertexEvaluator<double> {
     const auto solver = std::make_shared<ExtentSolver>(*distances);
     // The distances are held as long as the solver reads them.
-    return [distances, solver, measure, &context](Index v) -> Result<VertexValue> {
+    return [distances, solver, measure, &context](Index v) -> Result<double> {
       if (auto error = checkVertex(distances->mesh, v)) return *std::move(error);
       const Extent extent = solver->at(v, context);
       if (context.cancelled()) return makeError(ErrorCode::Cancelled, v, "cancelled");
-      return VertexValue{measure == ExtentMeasure::Average ? extent.average : extent.farthest};
+      return measure == ExtentMeasure::Average ? extent.average : extent.farthest;
     };
   }};
 }

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "descriptors/triangle_tree.h"
+#include "girth/parallel.h"
 #include "mesh/angles.h"
 #include "mesh/check_vertex.h"
 #include "mesh/vector.h"
 #include "mesh/vertex_normals.h"
-#include "parallel.h"
 
 namespace girth {
 
@@ -156,7 +156,7 @@ Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
   field.values.assign(mesh.vertexCount(), kNone);
   field.insideOut = isInsideOut(mesh);
   field.complete =
-      inParallel(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
+      parallelFor(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
         std::vector<Length> lengths;
         for (auto v = static_cast<Index>(begin); v < end; ++v) {
           field.values[v] = cones.at(v, lengths);
@@ -167,14 +167,14 @@ Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
   return field;
 }
 
-Result<VertexFunction> shapeDiameterFunction(const SurfaceMesh& mesh,
-                                             const ShapeDiameterOptions& options) {
+Result<VertexFunction<double>> shapeDiameterFunction(const SurfaceMesh& mesh,
+                                                     const ShapeDiameterOptions& options) {
   if (auto error = check(options)) return *std::move(error);
   const auto cones = std::make_shared<const Cones>(mesh, options);
-  return VertexFunction{[cones](const ExecutionContext&) -> VertexEvaluator {
-    return [cones, lengths = std::vector<Length>()](Index v) mutable -> Result<VertexValue> {
+  return VertexFunction<double>{[cones](const ExecutionContext&) -> VertexEvaluator<double> {
+    return [cones, lengths = std::vector<Length>()](Index v) mutable -> Result<double> {
       if (auto error = checkVertex(cones->mesh, v)) return *std::move(error);
-      return VertexValue{cones->at(v, lengths)};
+      return cones->at(v, lengths);
     };
   }};
 }

@@ -8,6 +8,7 @@
 #include "geodesic/fast_marching.h"
 #include "geodesic/unfolding.h"
 #include "girth/marched_girth.h"
+#include "girth/solver_factory.h"
 #include "mesh/check_vertex.h"
 
 namespace girth {
@@ -28,11 +29,11 @@ class Costs {
   SearchStatistics sum_;
 };
 
-/// A solver that tells at its end what all its calls cost.
+/// A solver that reports at its end what all its calls cost.
 class CountedSolver {
  public:
   CountedSolver(std::shared_ptr<const geodesic::Unfolding> unfolding, std::shared_ptr<Costs> costs)
-      : solver_(std::move(unfolding)), costs_(std::move(costs)) {}
+      : solver_(SolverFactory::onUnfolding(std::move(unfolding))), costs_(std::move(costs)) {}
   CountedSolver(const CountedSolver&) = delete;
   CountedSolver& operator=(const CountedSolver&) = delete;
   ~CountedSolver() {
@@ -51,61 +52,64 @@ class CountedSolver {
   SearchStatistics statistics_;
 };
 
-Result<VertexValue> asVertexValue(const Result<GirthValue>& girth) {
-  if (!girth) return girth.error();
-  return VertexValue{girth.value().length, girth.value().kind};
-}
-
-VertexFunction countedFunction(const SurfaceMesh& mesh, GirthMethod method,
-                               const std::shared_ptr<Costs>& costs) {
-  switch (method) {
-    case GirthMethod::Exact: {
-      const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
-      return {[unfolding, costs](const ExecutionContext& context) -> VertexEvaluator {
-        const auto solver = std::make_shared<CountedSolver>(unfolding, costs);
-        return [solver, &context](Index v) { return asVertexValue(solver->value(v, context)); };
-      }};
-    }
-    case GirthMethod::Marched:
-      break;
+VertexFunction<GirthValue> countedFunction(const SurfaceMesh& mesh, GirthMethod method,
+                                           const std::shared_ptr<Costs>& costs) {
+  if (method == GirthMethod::Exact) {
+    const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
+    return {[unfolding, costs](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
+      const auto solver = std::make_shared<CountedSolver>(unfolding, costs);
+      return [solver, &context](Index v) { return solver->value(v, context); };
+    }};
   }
   const auto stencils = std::make_shared<const geodesic::MarchingStencils>(mesh);
-  return {[&mesh, stencils](const ExecutionContext& context) -> VertexEvaluator {
+  return {[&mesh, stencils](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
     const auto march = std::make_shared<geodesic::FastMarching>(*stencils);
     // The stencils are held as long as the march reads them.
-    return [&mesh, stencils, march, &context](Index v) -> Result<VertexValue> {
+    return [&mesh, stencils, march, &context](Index v) -> Result<GirthValue> {
       if (auto error = checkVertex(mesh, v)) return *std::move(error);
       const GirthValue girth = marchedGirth(*march, mesh, v, context);
       if (context.cancelled()) return makeError(ErrorCode::Cancelled, v, "cancelled");
-      return VertexValue{girth.length, girth.kind};
+      return girth;
     };
   }};
 }
 
 }  // namespace
 
-VertexFunction girthFunction(const SurfaceMesh& mesh, GirthMethod method) {
+VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh, GirthMethod method) {
   return countedFunction(mesh, method, nullptr);
 }
 
-VertexFunction loopAngleFunction(const SurfaceMesh& mesh) {
+VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh) {
   const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
-  return {[unfolding](const ExecutionContext& context) -> VertexEvaluator {
-    const auto solver = std::make_shared<GirthSolver>(unfolding);
-    return [solver, &context](Index v) -> Result<VertexValue> {
+  return {[unfolding](const ExecutionContext& context) -> VertexEvaluator<double> {
+    const auto solver = std::make_shared<GirthSolver>(SolverFactory::onUnfolding(unfolding));
+    return [solver, &context](Index v) -> Result<double> {
       const auto loop = solver->loop(v, context);
       if (!loop) return loop.error();
       const bool isResolved = loop.value().kind != LoopKind::Unresolved;
-      return VertexValue{isResolved ? loop.value().angle
-                                    : std::numeric_limits<double>::quiet_NaN()};
+      return isResolved ? loop.value().angle : std::numeric_limits<double>::quiet_NaN();
     };
   }};
 }
 
+GirthField girthFieldOf(const VertexValues<GirthValue>& girth) {
+  GirthField field;
+  field.values.reserve(girth.values.size());
+  field.kinds.reserve(girth.values.size());
+  for (const GirthValue& value : girth.values) {
+    field.values.push_back(value.length);
+    field.kinds.push_back(value.kind);
+  }
+  field.computed = girth.computed;
+  return field;
+}
+
 GirthField girthField(const SurfaceMesh& mesh, GirthMethod method, const ExecutionContext& context,
-                      const std::function<void(const VertexPartial&)>& onPartial) {
+                      const std::function<void(const GirthPartial&)>& onPartial) {
   const auto costs = std::make_shared<Costs>();
-  GirthField field{evaluateAll(mesh, countedFunction(mesh, method, costs), context, onPartial), {}};
+  GirthField field =
+      girthFieldOf(evaluateAll(mesh, countedFunction(mesh, method, costs), context, onPartial));
   field.statistics = costs->sum();
   return field;
 }

@@ -10,6 +10,7 @@
 #include "geodesic/propagation.h"
 #include "girth/farthest_point.h"
 #include "girth/loop_search.h"
+#include "girth/solver_factory.h"
 
 namespace girth {
 
@@ -158,9 +159,8 @@ struct GirthSolver::State {
 };
 
 GirthSolver::GirthSolver(const SurfaceMesh& mesh)
-    : GirthSolver(std::make_shared<const Unfolding>(mesh)) {}
-GirthSolver::GirthSolver(std::shared_ptr<const Unfolding> unfolding)
-    : state_(std::make_unique<State>(std::move(unfolding))) {}
+    : GirthSolver(std::make_unique<State>(std::make_shared<const Unfolding>(mesh))) {}
+GirthSolver::GirthSolver(std::unique_ptr<State> state) : state_(std::move(state)) {}
 GirthSolver::~GirthSolver() = default;
 GirthSolver::GirthSolver(GirthSolver&&) noexcept = default;
 GirthSolver& GirthSolver::operator=(GirthSolver&&) noexcept = default;
@@ -187,6 +187,10 @@ SearchStatistics GirthSolver::statistics() const {
   const Propagation& p = state_->propagation;
   return {1, p.windowsCreated(), p.windowsCrossed(),
           p.memoryBytes() + state_->search.memoryBytes()};
+}
+
+GirthSolver SolverFactory::onUnfolding(std::shared_ptr<const Unfolding> unfolding) {
+  return GirthSolver(std::make_unique<GirthSolver::State>(std::move(unfolding)));
 }
 
 Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Index vertex) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <limits>
-#include <thread>
+#include <utility>
 
+#include "girth/parallel.h"
 #include "mesh/space_filling_curve.h"
-#include "parallel.h"
+#include "threads.h"
 
 namespace girth {
 
@@ -16,112 +16,83 @@ namespace {
 /// How often the calling thread reports.
 constexpr auto kReportInterval = std::chrono::milliseconds(40);
 
-/// What the threads share: they take vertices from `order` in turn and mark them done.
+/// What the threads share: they take vertices from `order` one by one and mark them finished.
 struct Work {
-  const VertexFunction& function;
-  const ExecutionContext& context;
   std::vector<Index> order;
-  VertexValues field;
-
   std::atomic<std::size_t> taken{0};
   std::atomic<std::size_t> done{0};
   std::vector<std::atomic<bool>> finished;  // by place in `order`
+
+  explicit Work(std::vector<Index> vertices) : order(std::move(vertices)), finished(order.size()) {}
 };
 
-/// The life of one thread: vertices, one after the other, until none are left; `afterEach` after
-/// each.
-template <class AfterEach>
-void computeVertices(Work& work, AfterEach afterEach) {
-  const VertexEvaluator evaluate = work.function.evaluator(work.context);
-  while (!work.context.cancelled()) {
-    const std::size_t place = work.taken.fetch_add(1, std::memory_order_relaxed);
-    if (place >= work.order.size()) break;
-    const Index v = work.order[place];
-    const auto value = evaluate(v);
-    if (!value) break;  // cancelled: the vertices are in range
-    work.field.values[v] = value.value().value;
-    work.field.kinds[v] = value.value().kind;
-    work.finished[place].store(true, std::memory_order_release);
-    work.done.fetch_add(1, std::memory_order_relaxed);
-    afterEach();
-  }
-}
-
-/// Hands on what was finished since the last time, in order; a vertex still in work does not hold
-/// up those behind it.
+/// Reports what was finished since the last time, in order; a vertex still in work does not hold up
+/// those behind it.
 class Reporter {
  public:
-  Reporter(Work& work, const std::function<void(const VertexPartial&)>& onPartial)
-      : work_(work), onPartial_(onPartial), reported_(work.order.size(), false) {}
+  Reporter(const Work& work, const ExecutionContext& context,
+           const std::function<void(std::span<const Index>)>& onFinished)
+      : work_(work),
+        context_(context),
+        onFinished_(onFinished),
+        reported_(work.order.size(), false) {}
 
   void report() {
-    if (onPartial_) {
+    if (onFinished_) {
       vertices_.clear();
-      values_.clear();
-      kinds_.clear();
       const std::size_t end = std::min(work_.taken.load(), work_.order.size());
       for (std::size_t place = begin_; place < end; ++place) {
         if (reported_[place] || !work_.finished[place].load(std::memory_order_acquire)) continue;
         reported_[place] = true;
         vertices_.push_back(work_.order[place]);
-        values_.push_back(work_.field.values[vertices_.back()]);
-        kinds_.push_back(work_.field.kinds[vertices_.back()]);
       }
       while (begin_ < end && reported_[begin_]) ++begin_;
-      if (!vertices_.empty()) onPartial_({vertices_, values_, kinds_});
+      if (!vertices_.empty()) onFinished_(vertices_);
     }
     const double fraction =
         static_cast<double>(work_.done.load()) / static_cast<double>(work_.order.size());
-    if (work_.context.onProgress && fraction > fraction_) work_.context.onProgress(fraction);
+    if (context_.onProgress && fraction > fraction_) context_.onProgress(fraction);
     fraction_ = std::max(fraction_, fraction);
   }
 
  private:
-  Work& work_;
-  const std::function<void(const VertexPartial&)>& onPartial_;
+  const Work& work_;
+  const ExecutionContext& context_;
+  const std::function<void(std::span<const Index>)>& onFinished_;
   std::vector<bool> reported_;
   std::size_t begin_{0};  // everything before has been reported
   double fraction_{0};
   std::vector<Index> vertices_;
-  std::vector<double> values_;
-  std::vector<LoopKind> kinds_;
 };
 
 }  // namespace
 
-VertexValues evaluateAll(const SurfaceMesh& mesh, const VertexFunction& function,
-                         const ExecutionContext& context,
-                         const std::function<void(const VertexPartial&)>& onPartial) {
-  Work work{function,
-            context,
-            coarseToFineOrder(mesh),
-            {},
-            {},
-            {},
-            std::vector<std::atomic<bool>>(mesh.vertexCount())};
-  work.field.values.assign(mesh.vertexCount(), std::numeric_limits<double>::quiet_NaN());
-  work.field.kinds.assign(mesh.vertexCount(), LoopKind::Loop);
-
-  const unsigned threads = std::min(threadsOf(context), mesh.vertexCount());
-  std::vector<std::thread> others;
-  for (unsigned i = 1; i < threads; ++i) {
-    others.emplace_back([&] { computeVertices(work, [] {}); });
-  }
+std::size_t forEachVertex(const SurfaceMesh& mesh, const ExecutionContext& context,
+                          const std::function<std::function<bool(Index vertex)>()>& startThread,
+                          const std::function<void(std::span<const Index> vertices)>& onFinished) {
+  Work work(coarseToFineOrder(mesh));
   // The calling thread computes too, and reports between two vertices: so callbacks come from it
   // alone, and where there are no threads it needs none. One that only waited would be woken a
   // thousand times a second as WebAssembly, and take the others' place each time.
-  Reporter reporter(work, onPartial);
+  Reporter reporter(work, context, onFinished);
   auto last = std::chrono::steady_clock::now();
-  computeVertices(work, [&] {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last < kReportInterval) return;
-    last = now;
-    reporter.report();
+  const unsigned threads = std::min(threadCount(context), mesh.vertexCount());
+  onThreads(threads, [&](bool calling, const std::atomic<bool>& failed) {
+    const std::function<bool(Index)> compute = startThread();
+    while (!context.cancelled() && !failed) {
+      const std::size_t place = work.taken.fetch_add(1, std::memory_order_relaxed);
+      if (place >= work.order.size() || !compute(work.order[place])) break;
+      work.finished[place].store(true, std::memory_order_release);
+      work.done.fetch_add(1, std::memory_order_relaxed);
+      if (!calling) continue;
+      const auto now = std::chrono::steady_clock::now();
+      if (now - last < kReportInterval) continue;
+      last = now;
+      reporter.report();
+    }
   });
-  for (std::thread& other : others) other.join();
   reporter.report();
-  work.field.computed = work.done.load();
-  return std::move(work.field);
+  return work.done.load();
 }
 
 std::string budgetNote(Index withoutValue, Index vertices) {

@@ -398,19 +398,15 @@ Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
   return NaiveGirth(mesh, vertex, context).compute();
 }
 
-VertexFunction naiveGirthFunction(const SurfaceMesh& mesh) {
-  return {[&mesh](const ExecutionContext& context) -> VertexEvaluator {
-    return [&mesh, &context](Index v) -> Result<VertexValue> {
-      const auto girth = naiveGirth(mesh, v, context);
-      if (!girth) return girth.error();
-      return VertexValue{girth.value().length, girth.value().kind};
-    };
+VertexFunction<GirthValue> naiveGirthFunction(const SurfaceMesh& mesh) {
+  return {[&mesh](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
+    return [&mesh, &context](Index v) { return naiveGirth(mesh, v, context); };
   }};
 }
 
 GirthField naiveGirthField(const SurfaceMesh& mesh, const ExecutionContext& context,
-                           const std::function<void(const VertexPartial&)>& onPartial) {
-  return {evaluateAll(mesh, naiveGirthFunction(mesh), context, onPartial), {}};
+                           const std::function<void(const GirthPartial&)>& onPartial) {
+  return girthFieldOf(evaluateAll(mesh, naiveGirthFunction(mesh), context, onPartial));
 }
 
 }  // namespace girth::study

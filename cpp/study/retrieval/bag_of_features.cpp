@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "parallel.h"
+#include "girth/parallel.h"
 #include "random.h"
 
 namespace girth::study {
@@ -97,7 +97,7 @@ class Clustering {
     while (true) {
       const double* word = features_[chosen];
       vocabulary_.words.insert(vocabulary_.words.end(), word, word + dimensions_);
-      const bool done = inParallel(
+      const bool done = parallelFor(
           features_.size(), kGrain, quietly(context), [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
               distance_[i] =
@@ -114,7 +114,7 @@ class Clustering {
   bool refine(unsigned rounds, const ExecutionContext& context) {
     for (unsigned round = 0; round < rounds; ++round) {
       std::atomic<bool> changed{round == 0};
-      const bool done = inParallel(
+      const bool done = parallelFor(
           features_.size(), kGrain, quietly(context), [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
               const auto [word, distance] = nearestWord(vocabulary_, features_[i]);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "parallel.h"
+#include "girth/parallel.h"
 
 namespace girth::study {
 
@@ -37,7 +37,7 @@ bool PairDistances::prepare(const ExecutionContext& context) {
   if (keeps_) {
     // Rows grow: a row from the front and one from the back make work of equal size.
     const std::size_t halves = (models_ + 1) / 2;
-    const bool done = inParallel(halves, 1, context, [&](std::size_t begin, std::size_t end) {
+    const bool done = parallelFor(halves, 1, context, [&](std::size_t begin, std::size_t end) {
       const auto fill = [&](std::size_t i) {
         for (std::size_t j = 0; j < i && !context.cancelled(); ++j) {
           pairs_[i * (i - 1) / 2 + j] = distance_(j, i);
@@ -53,7 +53,7 @@ bool PairDistances::prepare(const ExecutionContext& context) {
   } else {
     const std::size_t rows = std::min(models_, kSampledRows);
     std::vector<Mean> means(rows);
-    const bool done = inParallel(rows, 1, context, [&](std::size_t begin, std::size_t end) {
+    const bool done = parallelFor(rows, 1, context, [&](std::size_t begin, std::size_t end) {
       for (std::size_t r = begin; r < end; ++r) {
         const std::size_t model = (2 * r + 1) * models_ / (2 * rows);
         for (std::size_t j = 0; j < models_ && !context.cancelled(); ++j) {
@@ -80,7 +80,7 @@ bool PairDistances::row(std::size_t model, std::span<double> row,
     }
     return true;
   }
-  return inParallel(models_, kGrain, context, [&](std::size_t begin, std::size_t end) {
+  return parallelFor(models_, kGrain, context, [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end && !context.cancelled(); ++j) {
       row[j] = j == model ? 0 : distance_(j, model);
     }

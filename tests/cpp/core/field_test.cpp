@@ -54,12 +54,11 @@ TEST(Field, ReportsEveryVertexOnceAndProgressNeverFalls) {
     std::vector<int> seen(mesh.vertexCount(), 0);
     std::vector<double> values(mesh.vertexCount());
     const GirthField field =
-        girthField(mesh, GirthMethod::Exact, context, [&](const VertexPartial& partial) {
+        girthField(mesh, GirthMethod::Exact, context, [&](const GirthPartial& partial) {
           ASSERT_EQ(partial.vertices.size(), partial.values.size());
-          ASSERT_EQ(partial.vertices.size(), partial.kinds.size());
           for (std::size_t i = 0; i < partial.vertices.size(); ++i) {
             ++seen[partial.vertices[i]];
-            values[partial.vertices[i]] = partial.values[i];
+            values[partial.vertices[i]] = partial.values[i].length;
           }
         });
     EXPECT_EQ(last, 1);

@@ -1,18 +1,21 @@
 // Functions of the vertices, one by one and all together.
 
 #include "girth/vertex_function.h"
-#include "girth/study/naive_girth.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cmath>
+#include <new>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "girth/geodesic_extent.h"
 #include "girth/girth_field.h"
+#include "girth/parallel.h"
 #include "girth/shape_diameter.h"
+#include "girth/study/naive_girth.h"
 #include "shapes.h"
 
 namespace girth::test {
@@ -29,18 +32,30 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
 
 struct Named {
   const char* name;
-  VertexFunction function;
+  VertexFunction<double> function;
   std::vector<double> all;
 };
+
+/// The lengths of a girth function.
+VertexFunction<double> lengths(const VertexFunction<GirthValue>& girth) {
+  return {[girth](const ExecutionContext& context) -> VertexEvaluator<double> {
+    return [evaluate = girth.evaluator(context)](Index v) -> Result<double> {
+      const auto value = evaluate(v);
+      if (!value) return value.error();
+      return value.value().length;
+    };
+  }};
+}
 
 std::vector<Named> functionsOf(const SurfaceMesh& mesh) {
   const GeodesicExtent marched = geodesicExtent(mesh, DistanceMethod::FastMarching);
   const GeodesicExtent exact = geodesicExtent(mesh, DistanceMethod::Exact);
   return {
-      {"girth", girthFunction(mesh), girthField(mesh).values},
-      {"marched girth", girthFunction(mesh, GirthMethod::Marched),
+      {"girth", lengths(girthFunction(mesh)), girthField(mesh).values},
+      {"marched girth", lengths(girthFunction(mesh, GirthMethod::Marched)),
        girthField(mesh, GirthMethod::Marched).values},
-      {"naive girth", study::naiveGirthFunction(mesh), study::naiveGirthField(mesh).values},
+      {"naive girth", lengths(study::naiveGirthFunction(mesh)),
+       study::naiveGirthField(mesh).values},
       {"shape diameter", shapeDiameterFunction(mesh).value(), shapeDiameter(mesh).value().values},
       {"mean distance",
        geodesicExtentFunction(mesh, ExtentMeasure::Average, DistanceMethod::FastMarching),
@@ -61,37 +76,37 @@ TEST(VertexFunction, OneByOneAsAllTogether) {
   for (const Named& named : functionsOf(mesh)) {
     SCOPED_TRACE(named.name);
     const ExecutionContext context;
-    const VertexEvaluator evaluate = named.function.evaluator(context);
+    const VertexEvaluator<double> evaluate = named.function.evaluator(context);
     std::vector<double> values(mesh.vertexCount());
     // Backwards: what was computed before must not matter.
-    for (Index v = mesh.vertexCount(); v-- > 0;) values[v] = evaluate(v).value().value;
+    for (Index v = mesh.vertexCount(); v-- > 0;) values[v] = evaluate(v).value();
     EXPECT_TRUE(same(values, named.all));
     for (const unsigned threads : {1u, 3u}) {
       ExecutionContext several;
       several.threads = threads;
-      const VertexValues all = evaluateAll(mesh, named.function, several);
+      const VertexValues<double> all = evaluateAll(mesh, named.function, several);
       EXPECT_TRUE(all.complete());
       EXPECT_TRUE(same(all.values, named.all));
     }
     EXPECT_EQ(evaluate(mesh.vertexCount()).error().code, ErrorCode::VertexOutOfRange);
     EXPECT_EQ(evaluate(kNoIndex).error().code, ErrorCode::VertexOutOfRange);
-    EXPECT_EQ(evaluate(0).value().value, named.all[0]);
+    EXPECT_EQ(evaluate(0).value(), named.all[0]);
   }
 }
 
 TEST(VertexFunction, EvaluatorsOutliveTheirFunction) {
   const SurfaceMesh mesh = octasphere(2).mesh();
   const ExecutionContext context;
-  std::vector<std::pair<VertexEvaluator, double>> evaluators;
+  std::vector<std::pair<VertexEvaluator<double>, double>> evaluators;
   for (const Named& named : functionsOf(mesh)) {
     evaluators.emplace_back(named.function.evaluator(context), named.all[5]);
   }
-  for (const auto& [evaluate, value] : evaluators) EXPECT_EQ(evaluate(5).value().value, value);
+  for (const auto& [evaluate, value] : evaluators) EXPECT_EQ(evaluate(5).value(), value);
 }
 
 TEST(VertexFunction, AngleIsThatOfTheLoop) {
   const SurfaceMesh mesh = perturbed(octasphere(2), 0.2, 1).mesh();
-  const VertexValues angles = evaluateAll(mesh, loopAngleFunction(mesh));
+  const VertexValues<double> angles = evaluateAll(mesh, loopAngleFunction(mesh));
   GirthSolver solver(mesh);
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     EXPECT_EQ(angles.values[v], solver.loop(v).value().angle) << v;
@@ -107,17 +122,36 @@ TEST(VertexFunction, StopsWhenTold) {
     context.cancel = &stopped;
     EXPECT_EQ(evaluateAll(few, named.function, context).computed, 0u);
   }
-  const VertexFunction far =
+  const VertexFunction<double> far =
       geodesicExtentFunction(mesh, ExtentMeasure::Average, DistanceMethod::Exact);
   std::atomic<bool> cancel{false};
   ExecutionContext context;
   context.cancel = &cancel;
   context.onProgress = [&](double) { cancel = true; };
-  const VertexValues values = evaluateAll(mesh, far, context);
+  const VertexValues<double> values = evaluateAll(mesh, far, context);
   EXPECT_LT(values.computed, values.values.size());
   std::size_t numbers = 0;
   for (const double value : values.values) numbers += std::isfinite(value);
   EXPECT_EQ(numbers, values.computed);
+}
+
+TEST(VertexFunction, ExceptionsReachTheCaller) {
+  const SurfaceMesh mesh = octasphere(3).mesh();
+  const VertexFunction<int> failing{[](const ExecutionContext&) -> VertexEvaluator<int> {
+    return [](Index v) -> Result<int> {
+      if (v == 7) throw std::bad_alloc();
+      return 1;
+    };
+  }};
+  for (const unsigned threads : {1u, 4u}) {
+    ExecutionContext context;
+    context.threads = threads;
+    EXPECT_THROW(evaluateAll(mesh, failing, context), std::bad_alloc);
+    const auto work = [](std::size_t begin, std::size_t) {
+      if (begin == 90) throw std::out_of_range("90");
+    };
+    EXPECT_THROW(parallelFor(1000, 10, context, work), std::out_of_range);
+  }
 }
 
 TEST(VertexFunction, OptionsAreChecked) {

@@ -17,11 +17,11 @@ Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
                               const ExecutionContext& context = {});
 
 /// I(v) with its kind, vertex by vertex, by the naive algorithm.
-VertexFunction naiveGirthFunction(const SurfaceMesh& mesh);
+VertexFunction<GirthValue> naiveGirthFunction(const SurfaceMesh& mesh);
 
 /// I(v) for all vertices, as `evaluateAll` of naiveGirthFunction. Nothing is counted in
 /// `statistics`.
 GirthField naiveGirthField(const SurfaceMesh& mesh, const ExecutionContext& context = {},
-                           const std::function<void(const VertexPartial&)>& onPartial = {});
+                           const std::function<void(const GirthPartial&)>& onPartial = {});
 
 }  // namespace girth::study
