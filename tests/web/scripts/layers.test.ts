@@ -1,0 +1,56 @@
+// The arrows between the parts run one way (ARCHITECTURE.md, Rules): who includes or imports what, read
+// from the sources. Linking and the linter check the same; here it is also found where nothing is linked.
+
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { expect, test } from 'vitest';
+import { repository } from '../../../web/scripts/run.mjs';
+
+/** All files below a folder with one of the endings, as paths in the repository. */
+function filesBelow(folder: string, endings: RegExp): string[] {
+  if (!existsSync(join(repository, folder))) return [];
+  return readdirSync(join(repository, folder), { withFileTypes: true }).flatMap((entry) => {
+    const path = join(folder, entry.name);
+    if (entry.isDirectory()) return entry.name === 'wasm' ? [] : filesBelow(path, endings);
+    return endings.test(entry.name) ? [path] : [];
+  });
+}
+
+const text = (path: string) => readFileSync(join(repository, path), 'utf8');
+
+/** Lines of C++ that include something that matches, as "file: header". */
+function includes(folder: string, header: RegExp): string[] {
+  return filesBelow(folder, /\.(cpp|h|inl)$/).flatMap((path) =>
+    [...text(path).matchAll(/^\s*#\s*include\s*[<"]([^>"]+)[>"]/gm)]
+      .map(([, name]) => name!)
+      .filter((name) => header.test(name))
+      .map((name) => `${path}: ${name}`),
+  );
+}
+
+const files = /^(fstream|filesystem|unistd\.h|fcntl\.h|sys\/stat\.h)$/;
+
+test.each([
+  [
+    'cpp/src',
+    'the core uses none of the others',
+    /^girth\/(io|study)\/|^emscripten|tiny_?gltf|^CLI\//,
+  ],
+  ['cpp/io', 'reading uses the core only', /^girth\/study\/|^emscripten|^CLI\/|^Eigen|^Spectra/],
+  ['cpp/study', 'studies use core and reading only', /^emscripten|^CLI\/|tiny_?gltf/],
+  ['cpp/cli', 'the command does not know WebAssembly', /^emscripten|tiny_?gltf/],
+  ['cpp/bind', 'the bindings do not know the command', /^CLI\/|tiny_?gltf/],
+])('%s: %s', (folder, _, header) => {
+  expect(includes(folder, header)).toEqual([]);
+});
+
+test.each(['cpp/src', 'cpp/study', 'cpp/bind'])('%s touches no files', (folder) => {
+  expect(includes(folder, files)).toEqual([]);
+});
+
+test('public headers include public headers and the standard library only', () => {
+  expect(includes('cpp/include', /^(?!girth\/)(.*\/|.*\.h)/)).toEqual([]);
+  const core = includes('cpp/include/girth', /^girth\/(io|study)\//);
+  expect(core.filter((line) => !/^cpp\/include\/girth\/(io|study)\//.test(line))).toEqual([]);
+  expect(includes('cpp/include/girth/io', /^girth\/study\//)).toEqual([]);
+});
