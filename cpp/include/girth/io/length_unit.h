@@ -6,10 +6,11 @@
 
 namespace girth::io {
 
+/// A unit of length.
 struct LengthUnit {
   std::string_view symbol;  ///< "mm"
   std::string_view name;    ///< "millimetre": what `ReadModel::unit` holds
-  double metres;
+  double metres;            ///< in one of it: 0.001
 };
 
 /// um, mm, cm, m, km, in and ft.

@@ -17,20 +17,29 @@
 
 namespace girth::io {
 
-enum class Format : std::uint8_t { Glb, Gltf, Obj, Ply, Stl, Off };
+/// The formats that are read and written.
+enum class Format : std::uint8_t {
+  Glb,   ///< glTF 2.0 in one binary file
+  Gltf,  ///< glTF 2.0 as JSON
+  Obj,   ///< Wavefront OBJ
+  Ply,   ///< Stanford PLY, ASCII or binary
+  Stl,   ///< STL, ASCII or binary
+  Off,   ///< OFF, ASCII or binary
+};
 
 /// "GLB", "glTF", "OBJ", "PLY", "STL" or "OFF".
 std::string_view toString(Format format);
 
-/// A model as its file says it, nothing repaired.
+/// A model as it is in its file, nothing repaired.
 struct ReadModel {
   /// Positions are finite; polygons are cut into triangles. Vertices are in the file's order; glTF:
   /// in world space, in metres, in the order of a depth-first walk of the default scene; primitives
   /// of one mesh that share a list of positions share its vertices, and points and lines are left
   /// out.
   TriangleSoup soup;
+  /// What the bytes were recognised as.
   Format format{Format::Obj};
-  /// "metre" for glTF, otherwise empty: the file does not say.
+  /// "metre" for glTF, otherwise empty: the file does not state it.
   std::string unit;
   /// What the reader did that a user may want to know, one sentence each.
   std::vector<std::string> notes;
@@ -38,13 +47,15 @@ struct ReadModel {
 
 /// A model's surface, how the file's vertices and triangles map onto it, and what was done.
 struct LoadedMesh : PreparedSurface {
+  /// As in ReadModel.
   Format format{Format::Obj};
   /// As in ReadModel.
   std::string unit;
+  /// As in ReadModel.
   std::vector<std::string> notes;
 };
 
-/// Brings a file that a model refers to by a relative name; nothing if it is not to be had.
+/// Brings a file that a model refers to by a relative name; nothing if there is none.
 using ResourceReader = std::function<std::optional<std::vector<std::byte>>(std::string_view name)>;
 
 /// Reads bytes. The format is recognised by content; `name` only breaks ties and is used in

@@ -19,7 +19,7 @@ struct VertexField {
   std::string name;
   /// One for each vertex of the surface; NaN where there is none.
   std::span<const double> values;
-  /// "metre"; empty where the values have no unit, or nobody knows it.
+  /// "metre"; empty where the values have no unit, or it is not known.
   std::string unit;
   /// How it was computed, in a word: "exact"; may be empty.
   std::string method;
@@ -27,6 +27,7 @@ struct VertexField {
   /// most one of the fields of a file has kinds.
   std::span<const LoopKind> kinds;
 
+  /// Whether a vertex has a value.
   bool has(Index vertex) const { return values[vertex] == values[vertex]; }
   /// Whether all vertices have a value.
   bool complete() const;
@@ -35,8 +36,9 @@ struct VertexField {
 /// "exact" or "ms".
 std::string_view toString(GirthMethod method);
 
-/// How values were computed, in words: "exact" or "fast marching"; "30 rays".
+/// How distances were computed, in words: "exact" or "fast marching".
 std::string_view toString(DistanceMethod method);
+/// How the shape diameter was computed, in words: "30 rays".
 std::string methodText(const ShapeDiameterOptions& options);
 
 /// Whether files can hold the fields: USAGE where there is none, where one does not have a value

@@ -18,7 +18,7 @@ namespace girth::io {
 /// Numbers read back as the same doubles (formatNumber); lines end with "\n".
 std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fields);
 
-/// The same as one JSON object: `file`, `unit` of the model ("" where nobody knows it), `complete`,
+/// The same as one JSON object: `file`, `unit` of the model ("" where it is not known), `complete`,
 /// `vertices`, `fields` (of each its `name`, `method`, `unit` and whether it is `complete`), and
 /// one array for every column of the CSV but the first, under its name, with null where that is
 /// empty.
@@ -31,13 +31,14 @@ std::string fieldNpy(const LoadedMesh& loaded, const VertexField& field);
 
 /// The surface as binary little-endian PLY: for every vertex of the *surface* (not of the file) x,
 /// y, z and each field as doubles, after a field with kinds `kind` as a byte (0 loop, 1 antipodal,
-/// 2 unresolved, 255 no value, where the field is NaN); then the faces. Comments tell units and
-/// methods.
+/// 2 unresolved, 255 no value, where the field is NaN); then the faces. Comments state units
+/// and methods.
 std::string fieldPly(const LoadedMesh& loaded, std::span<const VertexField> fields);
 
 /// Values between which the colour map of a GLB runs.
 struct ColourRange {
-  double low{0}, high{1};
+  double low{0};   ///< its first colour
+  double high{1};  ///< its last colour
 };
 
 /// The surface as GLB with, for every vertex of the *surface*: each field as an attribute of its

@@ -11,6 +11,7 @@
 
 namespace girth::study {
 
+/// How words are chosen.
 struct VocabularyOptions {
   /// Words: the paper takes 48.
   std::size_t words{48};
@@ -22,6 +23,7 @@ struct VocabularyOptions {
 
 /// The words that features are replaced by.
 struct Vocabulary {
+  /// Numbers of a word.
   std::size_t dimensions{0};
   /// Word w: words[w · dimensions + d].
   std::vector<double> words;
@@ -29,6 +31,7 @@ struct Vocabulary {
   /// gives its soft words. 0 with one word.
   double width{0};
 
+  /// How many words there are.
   std::size_t size() const { return dimensions == 0 ? 0 : words.size() / dimensions; }
 };
 

@@ -10,7 +10,8 @@ namespace girth::study {
 
 /// What the bins of a histogram cover; `low` < `high`.
 struct HistogramRange {
-  double low{0}, high{1};
+  double low{0};   ///< where the first bin begins
+  double high{1};  ///< where the last bin ends
 };
 
 /// The shares of the values in `bins` bins of equal width (the paper: 512); what lies outside the

@@ -12,16 +12,24 @@ namespace girth::study {
 
 /// A histogram in the plane without its empty cells: what Rubner et al. 2000 call a signature.
 struct JointHistogram {
-  /// For each cell the mean of the values in it (not the cell's middle), and its share.
-  std::vector<double> first, second, shares;
+  /// For each cell the mean of the first field's values in it (not the cell's middle).
+  std::vector<double> first;
+  /// The same of the second field.
+  std::vector<double> second;
+  /// For each cell its share of the whole.
+  std::vector<double> shares;
+  /// Whether there is no cell.
   bool empty() const { return shares.empty(); }
 };
 
+/// The cells of a joint histogram.
 struct JointHistogramOptions {
   /// Cells along each axis, 1 to 1000.
   std::size_t bins{16};
-  /// What they cover; values outside count to the cells at the ends.
-  HistogramRange first, second;
+  /// What they cover of the first field; values outside count to the cells at the ends.
+  HistogramRange first;
+  /// And of the second.
+  HistogramRange second;
 };
 
 /// Vertices counted by weight in the cells of (first, second); those that lack one of the values do

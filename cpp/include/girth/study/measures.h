@@ -15,8 +15,10 @@ namespace girth::study {
 struct RetrievalMeasures {
   /// Nearest neighbour: r(1).
   double nearestNeighbour{0};
-  /// First and second tier: r(C − 1) / (C − 1) and r(2(C − 1)) / (C − 1).
-  double firstTier{0}, secondTier{0};
+  /// First tier: r(C − 1) / (C − 1).
+  double firstTier{0};
+  /// Second tier: r(2(C − 1)) / (C − 1).
+  double secondTier{0};
   /// E-measure of the first 32: 2 / (1/P + 1/R) with precision P = r(32)/32 and recall R =
   /// r(32)/(C − 1), that is 2 r(32) / (32 + C − 1). At most 74.5% with 20 models a class.
   double eMeasure{0};
@@ -30,13 +32,15 @@ struct RetrievalMeasures {
   /// have been found: the precision-recall curve.
   std::array<double, 20> precision{};
 
+  /// Adds another query's, measure by measure.
   RetrievalMeasures& operator+=(const RetrievalMeasures& other);
+  /// Divides every measure.
   RetrievalMeasures& operator/=(double count);
 };
 
 /// The models but the query in rising order of their distances. Of equal distances, models of other
-/// classes come first, so that what tells nothing apart gains nothing; NaN comes last. Of what is
-/// still equal, the lower number. O(n log n).
+/// classes come first, so that a descriptor that distinguishes nothing gains nothing; NaN comes
+/// last. Of what is still equal, the lower number. O(n log n).
 std::vector<std::uint32_t> rankingOf(std::size_t query, std::span<const double> distances,
                                      std::span<const std::uint32_t> classes);
 
@@ -49,6 +53,7 @@ RetrievalMeasures measuresOf(std::size_t query, std::span<const std::uint32_t> r
 /// al.'s micro-average), by adding up row after row.
 class MeanMeasures {
  public:
+  /// `classes`: of each model the number of its class; must outlive this.
   explicit MeanMeasures(std::span<const std::uint32_t> classes);
 
   /// One query's distances to all models. Returns its measures.
@@ -56,6 +61,7 @@ class MeanMeasures {
   /// Whether the query's class has another model.
   bool counts(std::size_t query) const { return sizes_[classes_[query]] > 1; }
 
+  /// How many queries that count were added.
   std::size_t queries() const { return queries_; }
   /// All 0 before the first query that counts.
   RetrievalMeasures mean() const;

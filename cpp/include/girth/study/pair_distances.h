@@ -15,7 +15,9 @@ namespace girth::study {
 /// asked for and nothing is kept, so that memory stays in proportion to the models.
 class PairDistances {
  public:
+  /// Models up to which all pairs are kept.
   static constexpr std::size_t kKept = 3000;
+  /// How far two models are apart, by their numbers.
   using Distance = std::function<double(std::size_t one, std::size_t two)>;
 
   /// `distance` must be safe to call from several threads.

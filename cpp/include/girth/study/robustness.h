@@ -17,6 +17,7 @@
 
 namespace girth::study {
 
+/// What the study does.
 struct RobustnessOptions {
   /// Triangles of the even mesh that changes are made to, and of all that are compared with it.
   Index faces{10'000};
@@ -25,18 +26,21 @@ struct RobustnessOptions {
   std::vector<Index> sizes{2'000, 5'000, 10'000, 20'000, 50'000};
   /// How uneven the uneven triangles are (surface_changes.h).
   double stretch{4};
-  /// Of the noise.
+  /// Of the random noise; the same seed always gives the same surfaces.
   std::uint64_t seed{1};
+  /// The humps of Figure 8e.
   HumpOptions humps;
   /// Changes of topology.
   std::size_t bridges{2};
 };
 
+/// One change of the surface, and what came of the girth.
 struct RobustnessRow {
   /// Of the paper: "7", "8b", ... "9".
   std::string figure;
   /// What was done to the surface.
   std::string change;
+  /// Triangles of the changed surface.
   Index faces{0};
   /// Equation (1) against the unchanged surface, each scaled to area 1; NaN where the change could
   /// not be made.
@@ -52,8 +56,8 @@ struct RobustnessRow {
 
 /// A surface and what tables call it.
 struct NamedSurface {
-  std::string name;
-  SurfaceMesh mesh;
+  std::string name;  ///< for tables
+  SurfaceMesh mesh;  ///< the surface
 };
 
 /// Computes the exact girth of the model, and of a dozen changes of it, and compares the

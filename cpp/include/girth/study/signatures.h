@@ -25,12 +25,14 @@ std::vector<std::string> descriptorNames();
 
 /// A descriptor: one of those above, or a weighted sum of some.
 struct Descriptor {
+  /// A part of a sum.
   struct Term {
-    double weight{1};
-    std::string name;
+    double weight{1};  ///< what its distances are multiplied by
+    std::string name;  ///< one of descriptorNames
   };
   /// As it was given.
   std::string name;
+  /// What it is the sum of; one or more.
   std::vector<Term> terms;
 };
 
@@ -48,10 +50,12 @@ enum class ValueScale : std::uint8_t {
   Span,      ///< each model's least value becomes 0 and its greatest 1
 };
 
+/// How signatures are made of fields and compared.
 struct SignatureOptions {
   /// Bins of one-dimensional histograms over the values of all models; 0: the exact distance of the
   /// distributions.
   std::size_t bins{0};
+  /// What values are multiplied by.
   ValueScale scale{ValueScale::AsIs};
   /// One-dimensional values are told apart up to the one that this share (in (0, 1]) of all models
   /// together does not exceed; greater ones count as it: the long loops of plates and tips then do
@@ -59,7 +63,9 @@ struct SignatureOptions {
   double axis{1};
   /// Cells along each axis of joint histograms.
   std::size_t jointBins{16};
+  /// How the words of bags of features are chosen.
   VocabularyOptions vocabulary;
+  /// How a feature counts to the words.
   WordChoice words{WordChoice::Nearest};
   /// Features of each model that the words are chosen among, spread over its vertices.
   std::size_t featuresPerModel{100};
@@ -71,15 +77,21 @@ struct SignatureOptions {
 /// to the models: their one-dimensional fields, not their surfaces.
 class Signatures {
  public:
+  /// `names`: of descriptorNames, each once; `models`: how many will be added.
   Signatures(std::vector<std::string> names, std::size_t models, SignatureOptions options);
   ~Signatures();
+  /// Signatures can be moved, not copied.
   Signatures(Signatures&&) noexcept;
+  /// The same.
   Signatures& operator=(Signatures&&) noexcept;
 
+  /// Hands over all fields of a model that its descriptors need (groupsOf).
   void add(std::size_t model, const StudyFields& fields);
   /// Chooses words, and the ranges of histograms. Errors: CANCELLED.
   Result<bool> finish(const ExecutionContext& context = {});
+  /// Whether there are bags of features, so that fields are needed once more. After `finish`.
   bool needsWords() const;
+  /// Counts a model's features to the words.
   void addWords(std::size_t model, const StudyFields& fields);
 
   /// How far two models are apart by one of the names. Symmetric; NaN where one of them has no

@@ -26,6 +26,7 @@ enum class FieldGroup : std::uint8_t {
   Spectral,      ///< hks, sihks and wks: many numbers for each vertex
 };
 
+/// All of them.
 inline constexpr FieldGroup kFieldGroups[] = {FieldGroup::Girth, FieldGroup::MarchedGirth,
                                               FieldGroup::Diameter, FieldGroup::Extent,
                                               FieldGroup::Spectral};
@@ -39,18 +40,24 @@ struct FieldParameters {
   Index faces{10'000};
   /// Whether surfaces are scaled to area 1.
   bool unitArea{true};
+  /// Of the shape diameter.
   ShapeDiameterOptions diameter;
+  /// Of geoaverage and geofarthest.
   DistanceMethod distances{DistanceMethod::FastMarching};
-  /// Never more than one pair for 5 vertices (but 10): faster waves tell of the triangles, not of
-  /// the shape, and spoil wks.
+  /// Never more than one pair for 5 vertices (but 10): faster waves describe the triangles, not the
+  /// shape, and spoil wks.
   SpectrumOptions spectrum;
+  /// Of sihks.
   SihksOptions sihks;
+  /// Of wks.
   WksOptions wks;
 };
 
 /// A field with one or more numbers for every vertex.
 struct StudyField {
+  /// As descriptors call it: "igf".
   std::string name;
+  /// Numbers of each vertex.
   std::size_t dimensions{1};
   /// Of vertex v: values[v · dimensions + d]; NaN where there is none.
   std::vector<double> values;
@@ -58,7 +65,9 @@ struct StudyField {
 
 /// Fields and how much each vertex counts: its share of the area.
 struct StudyFields {
+  /// Of each vertex; they add up to 1.
   std::vector<double> weights;
+  /// On the same vertices.
   std::vector<StudyField> fields;
 
   /// Null where there is no field of that name.

@@ -11,14 +11,21 @@
 
 namespace girth::study {
 
+/// A model of the collection.
 struct StudyModel {
+  /// For tables.
   std::string name;
+  /// The number of its class in RetrievalStudy::classes.
   std::uint32_t ofClass{0};
 };
 
+/// What came of one descriptor.
 struct StudyDescriptor {
+  /// As it was given: "igf+sdf".
   std::string name;
+  /// Over all queries.
   RetrievalMeasures mean;
+  /// How many there were: models whose class has another one.
   std::size_t queries{0};
   /// A PNG of its distances, the models in their order, or empty.
   std::string matrix;
@@ -26,24 +33,33 @@ struct StudyDescriptor {
 
 /// A query and the models nearest to it.
 struct StudyAnswers {
+  /// A number in RetrievalStudy::models.
   std::uint32_t query{0};
+  /// The same of the models nearest to it, nearest first.
   std::vector<std::uint32_t> answers;
 };
 
+/// Everything that is written.
 struct RetrievalStudy {
+  /// The heading of the page.
   std::string title;
   /// How it was made, each with what it is called.
   std::vector<std::pair<std::string, std::string>> settings;
+  /// Those that were compared.
   std::vector<StudyModel> models;
+  /// The names of the classes.
   std::vector<std::string> classes;
+  /// In the order of the table.
   std::vector<StudyDescriptor> descriptors;
   /// The descriptor that the answers are those of.
   std::string shownDescriptor;
+  /// For the sheet of queries and answers.
   std::vector<StudyAnswers> shown;
   /// PNGs by model; empty for those not shown.
   std::vector<std::string> thumbnails;
   /// Models that were left out, each with its reason.
   std::vector<std::pair<std::string, std::string>> failed;
+  /// Sentences for the page's list of notes.
   std::vector<std::string> notes;
 };
 
