@@ -25,7 +25,9 @@ export const hints = {
 
 /** Every failure of the kernel. `code` is stable; `message` and `hint` are for people. */
 export class GirthError extends Error implements GirthErrorFields {
+  /** Always 'GirthError'. */
   override readonly name = 'GirthError';
+  /** One of the table in `error_codes.def`: 'OPEN_EDGE'. */
   readonly code: string;
   /** The first offending vertex, face, line or byte, as the message says; -1 where there is none. */
   readonly element: number;

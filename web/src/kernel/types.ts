@@ -9,13 +9,17 @@ export type LoopKind = 'loop' | 'antipodal' | 'unresolved';
 
 /** A failure: the code of the table in `error_codes.def`, the element, the words and the remedy. */
 export interface GirthErrorFields {
+  /** Stable: 'OPEN_EDGE'. */
   code: string;
-  /** The first offending vertex, face, line or byte, as the message says; -1 where there is none. */
+  /** The first offending vertex, face, line or byte, as the message states; -1 where there is none. */
   element: number;
+  /** What is wrong and where, for people. */
   message: string;
+  /** What to do about it, for people. */
   hint: string;
 }
 
+/** How a kernel computes. */
 export interface KernelOptions {
   /** Parallel workers or threads; 'auto' is one per core, at most 8. */
   threads?: number | 'auto';
@@ -29,14 +33,26 @@ export interface KernelOptions {
 
 /** Plain arrays as a mesh: x, y, z per vertex and three vertices per triangle. */
 export interface MeshArrays {
+  /** x, y, z per vertex, in model units. */
   positions: Float64Array | Float32Array;
+  /** Three vertices per triangle, counter-clockwise seen from outside. */
   indices: Uint32Array | Uint16Array;
 }
 
-/** A file among several; `path` has '/' between folders, as in 'scene/model.gltf'. */
+/** A file among several. */
 export interface FileWithPath {
+  /** With '/' between folders: 'scene/model.gltf'. */
   path: string;
+  /** Its bytes. */
   content: Blob;
+}
+
+/** Bytes of a file. */
+export interface NamedBytes {
+  /** The whole content. */
+  bytes: ArrayBuffer;
+  /** For messages, and for formats that the content alone does not decide. */
+  name: string;
 }
 
 /**
@@ -44,14 +60,9 @@ export interface FileWithPath {
  * which is the model; or arrays. A glTF's buffers are found among the files, or beside its address.
  */
 export type MeshSource =
-  | Blob
-  | string
-  | URL
-  | { bytes: ArrayBuffer; name: string }
-  | readonly (File | FileWithPath)[]
-  | MeshArrays;
+  Blob | string | URL | NamedBytes | readonly (File | FileWithPath)[] | MeshArrays;
 
-/** How the surface is prepared (`prepare_surface.h`); nothing said: repaired, and whole. */
+/** How the surface is prepared (`prepare_surface.h`). Default: repaired, with all components. */
 export interface PrepareOptions {
   /** Vertices up to this far apart become one, in model units; 0 (default): exactly equal ones. */
   weldDistance?: number;
@@ -61,24 +72,29 @@ export interface PrepareOptions {
   components?: readonly number[];
 }
 
+/** For every call. */
 export interface CallOptions {
   /** Aborting really stops the work; the promise is rejected with a GirthError of code CANCELLED. */
   signal?: AbortSignal;
 }
 
+/** For calls that write files. */
 export interface ExportOptions extends CallOptions {
-  /** Of lengths, where the file does not say it: 'mm'. */
+  /** The unit of lengths, where the file does not state it: 'mm'. */
   unit?: string;
 }
 
+/** For calls that take long. */
 export interface WatchedOptions extends CallOptions {
   /** The finished share in [0, 1]; never falls; ends with 1. */
   onProgress?: (fraction: number) => void;
 }
 
+/** For loading a model. */
 export interface LoadOptions extends WatchedOptions {
   /** Which of several models, one of `MeshInfo.models`; absent: the first that can be read. */
   model?: string;
+  /** How its surface is prepared. */
   prepare?: PrepareOptions;
 }
 
@@ -96,10 +112,12 @@ export type VertexFieldName = 'igf' | 'sdf' | 'geoaverage' | 'geofarthest' | 'an
  */
 export type SpectralFieldName = 'hks' | 'wks' | 'sihks';
 
+/** All fields. */
 export type FieldName = VertexFieldName | SpectralFieldName;
 
 /** Values finished since the last report; values[i] and kinds[i] belong to vertex vertices[i]. */
 export interface PartialField {
+  /** Vertices of the surface, each reported once. */
   vertices: Uint32Array;
   /** NaN where there is no value. */
   values: Float64Array;
@@ -107,29 +125,41 @@ export interface PartialField {
   kinds: Uint8Array;
 }
 
+/** For computing a field. */
 export interface FieldOptions extends WatchedOptions {
   /** New values, coarse to fine: each batch is spread over the whole surface. */
   onPartial?: (partial: PartialField) => void;
-  /** Of 'sdf': the cone's full opening in radians (default 120°), and its number of rays (30). */
-  sdf?: { coneAngle?: number; rays?: number };
+  /** Of 'sdf'. */
+  sdf?: ShapeDiameterOptions;
   /** Of 'geoaverage' and 'geofarthest': how distances are computed; fast marching by default. */
   distances?: 'fast-marching' | 'exact';
   /** Of 'hks', 'wks' and 'sihks'. */
   spectral?: SpectralOptions;
 }
 
+/** Of the shape diameter (`shape_diameter.h`). */
+export interface ShapeDiameterOptions {
+  /** The cone's full opening, in radians. Default: 120°. */
+  coneAngle?: number;
+  /** Rays sent from each vertex. Default: 30. */
+  rays?: number;
+}
+
+/** Of signatures made of the surface's vibrations. */
 export interface SpectralOptions {
-  /** Eigenfunctions: 300 by default. */
+  /** Pairs of eigenvalues and eigenfunctions. Default: 300. */
   pairs?: number;
-  /** Of 'hks' and heat maxima: a share of the surface's area; 0.002 by default. */
+  /** Of 'hks' and heat maxima: the time, as a share of the surface's area. Default: 0.002. */
   time?: number;
-  /** Which number, counted from 1: of 'wks' the energy (of 100; 20), of 'sihks' the frequency (of 19; 1). */
+  /** Which number, from 1: of 'wks' one of 100 energies (default: 20), of 'sihks' one of 19 frequencies (1). */
   component?: number;
 }
 
 /** A maximum of a field, and how far it rises above its surroundings (`persistent_maxima.h`). */
 export interface Maximum {
+  /** Where it is. */
   vertex: number;
+  /** The field there. */
   value: number;
   /** How far one must go down from it to reach a higher maximum, in the field's unit. */
   persistence: number;
@@ -137,7 +167,9 @@ export interface Maximum {
   saddle: number;
 }
 
+/** A value for every vertex. */
 export interface Field {
+  /** Which function it is. */
   name: FieldName;
   /** One per vertex of the surface, in its order; NaN where there is no value. */
   values: Float64Array;
@@ -146,7 +178,7 @@ export interface Field {
   /** Smallest and largest value; NaN twice where no vertex has one. */
   range: [number, number];
   /**
-   * For lengths that of the model: 'm' for glTF, '' where the file does not say. 'rad' for angles;
+   * For lengths that of the model: 'm' for glTF, '' where the file does not state it. 'rad' for angles;
    * '1/m²' for heat and wave kernels, '' where the model's is not known.
    */
   unit: string;
@@ -154,7 +186,7 @@ export interface Field {
   method: string;
   /** Vertices that have no value. */
   withoutValue: number;
-  /** What is to be known of the values, in sentences: 'the surface is inside out: ...'; or ''. */
+  /** What users should know of the values, in sentences: 'the surface is inside out: ...'; or ''. */
   note: string;
 }
 
@@ -162,10 +194,13 @@ export interface Field {
 export interface NamedField {
   /** A small letter, then small letters, digits and underscores: 'part'. */
   name: string;
+  /** One per vertex of the surface; NaN where there is no value. */
   values: Float64Array;
+  /** As of `Field`; absent: none. */
   kinds?: Uint8Array;
   /** As of `Field`; '' for plain numbers. */
   unit: string;
+  /** As of `Field`; absent: not stated. */
   method?: string;
 }
 
@@ -183,32 +218,50 @@ export interface Tip {
   vertices: Uint32Array;
   /** What cuts it off: usually one closed line. */
   contour: ContourLine[];
+  /** Area inside the contour, in squared model units. */
   area: number;
-  /** Length of the contour. */
+  /** Length of the contour, in model units. */
   boundaryLength: number;
-  /** The vertex farthest from the contour, along the surface, and how far. */
+  /** The vertex of the region that is farthest from the contour, along the surface. */
   apex: number;
+  /** How far that is, in model units. */
   apexDistance: number;
-  /** How far the girth rises from outside to inside. */
+  /** How far the girth rises from outside to inside, in model units. */
   jump: number;
 }
 
+/** A part of the contour that cuts no tip off. */
+export interface OpenArc {
+  /** Where it runs. */
+  line: ContourLine;
+  /** In model units. */
+  length: number;
+  /** How far the girth jumps along it, in model units. */
+  jump: number;
+}
+
+/** The tips of a shape. */
 export interface Tips {
   /** Largest jump first. */
   tips: Tip[];
   /** Parts of the contour that cut no tip off; longest first. */
-  arcs: { line: ContourLine; length: number; jump: number }[];
+  arcs: OpenArc[];
+  /** Edges of the surface that the contour crosses. */
   crossedEdges: number;
 }
 
+/** What a place of a shape is; 'unknown' where its girth or its thickness has no value. */
 export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
 
-/** τ1 and τ2 of the paper, in model units; from 0 to Infinity. */
+/** Where tubes, plates and body are divided; in model units, from 0 to Infinity. */
 export interface PartThresholds {
+  /** τ1 of the paper: tubes have a girth below it, plates one above. */
   girth: number;
+  /** τ2 of the paper: tubes and plates are thinner than this. */
   diameter: number;
 }
 
+/** How parts are found. */
 export interface PartOptions extends PartThresholds {
   /** 0 (default): plain thresholds; above: what a vertex's neighbourhood weighs against it. */
   smoothing?: number;
@@ -216,19 +269,23 @@ export interface PartOptions extends PartThresholds {
 
 /** A connected region of one kind (`parts.h`). */
 export interface Part {
+  /** Of all its vertices. */
   kind: PartKind;
   /** In rising order. */
   vertices: Uint32Array;
+  /** Sum of the vertices' areas, in squared model units. */
   area: number;
-  /** NaN where it is unknown. */
+  /** Median girth, in model units; NaN where it is unknown. */
   medianGirth: number;
+  /** Median thickness, in model units; NaN where it is unknown. */
   medianDiameter: number;
   /** The vertex of the least girth (tubes) or diameter (others); -1 where it is unknown. */
   thinnest: number;
-  /** Of the round tube of the same girth: I / 2π. */
+  /** Radius of the round tube of the same girth, I / 2π, in model units. */
   equivalentRadius: number;
 }
 
+/** The parts of a shape. */
 export interface Parts {
   /** Of the vertices; 0: body, 1: tube, 2: plate, 3: unknown. */
   kinds: Uint8Array;
@@ -240,7 +297,9 @@ export interface Parts {
 
 /** What can still be printed, in model units; 0: everything. */
 export interface PrintLimits {
+  /** The least diameter of a tube. */
   tubeDiameter: number;
+  /** The least thickness of a wall. */
   wallThickness: number;
 }
 
@@ -248,10 +307,13 @@ export interface PrintLimits {
 export interface WeakPlace {
   /** 'plate': a thin wall. */
   kind: 'tube' | 'plate';
+  /** In rising order. */
   vertices: Uint32Array;
+  /** In squared model units. */
   area: number;
-  /** The least diameter I / π of the tube, or thickness of the wall; and the vertex where it is. */
+  /** The least diameter I / π of the tube, or thickness of the wall, in model units. */
   least: number;
+  /** The vertex where that is. */
   thinnest: number;
 }
 
@@ -266,9 +328,11 @@ export interface FacePoint {
 /** A vertex, or a point of a face: of its inside, of an edge (one share is 0) or a corner. */
 export type SurfacePoint = number | FacePoint;
 
+/** The shortest loop based at a point. */
 export interface Loop {
-  /** The girth I(p). */
+  /** The girth I(p), in model units. */
   length: number;
+  /** How it came about. */
   kind: LoopKind;
   /** The point p, as it was asked for. */
   base: SurfacePoint;
@@ -278,35 +342,57 @@ export interface Loop {
   midpoint: [number, number, number];
   /** Angle at p between the loop's ends, in radians. */
   angle: number;
+  /** Of the length: 'm' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
 /** What was done to the input, each step counted, in this order (`prepare_surface.h`). */
 export interface PreparationReport {
+  /** Vertices of the input. */
   inputVertices: number;
+  /** Triangles of the input. */
   inputFaces: number;
+  /** Vertices that became one with an earlier one. */
   weldedVertices: number;
+  /** Faces without area, dropped. */
   degenerateFaces: number;
+  /** Faces without area whose longest side was flipped, since dropping them would open the surface. */
   flippedFaces: number;
+  /** Faces that another one repeats, dropped. */
   duplicateFaces: number;
+  /** Vertices that no face uses, dropped. */
   unreferencedVertices: number;
+  /** Faces turned over, so that neighbours agree. */
   reorientedFaces: number;
+  /** Edges cut because the surface has one side only. */
   oneSidedEdges: number;
+  /** Edges with more than two faces, cut apart. */
   nonManifoldEdges: number;
+  /** Vertices at which parts only touched, cut apart. */
   nonManifoldVertices: number;
+  /** Copies of vertices made by cutting. */
   addedVertices: number;
+  /** Connected components of the result. */
   components: number;
+  /** How many of them are kept. */
   keptComponents: number;
+  /** Boundary curves of the kept components, after holes were closed. */
   boundaryCurves: number;
+  /** Edges of these curves. */
   boundaryEdges: number;
+  /** Boundary curves that were filled. */
   closedHoles: number;
+  /** Which these were. */
   holes: ClosedHole[];
 }
 
-/** A hole that was filled; lengths in model units. */
+/** A hole that was filled. */
 export interface ClosedHole {
+  /** Edges on its rim. */
   edges: number;
+  /** Length of its rim, in model units. */
   perimeter: number;
+  /** Area of the faces that fill it, in squared model units. */
   area: number;
   /** A vertex of the input on its rim. */
   vertex: number;
@@ -314,6 +400,7 @@ export interface ClosedHole {
 
 /** A connected component of what was read, kept or not. */
 export interface MeshPart {
+  /** Its faces. */
   faceCount: number;
   /** In squared model units. */
   area: number;
@@ -323,29 +410,39 @@ export interface MeshPart {
 export interface UnreadableModel {
   /** One of `MeshInfo.models`. */
   model: string;
+  /** Why it cannot be read. */
   error: GirthErrorFields;
 }
 
+/** What a model is. */
 export interface MeshInfo {
+  /** Of the file, without folders; '' for arrays. */
   name: string;
   /** All models among the files that were given, the one that is shown included; paths. */
   models: string[];
   /** Of these, those that were tried before this one and cannot be read. */
   unreadable: UnreadableModel[];
+  /** What the content was recognised as. */
   format: 'GLB' | 'glTF' | 'OBJ' | 'PLY' | 'STL' | 'OFF' | 'arrays';
+  /** Vertices of the surface. */
   vertexCount: number;
+  /** Faces of the surface. */
   faceCount: number;
+  /** Edges of the surface. */
   edgeCount: number;
+  /** Connected components of the surface. */
   components: number;
-  /** One per component. */
+  /** Number of handles, one per component. */
   genus: number[];
   /** Number of boundary curves, one per component. */
   boundaries: number[];
+  /** In squared model units. */
   area: number;
   /** Extent along x, y and z, in model units. */
   size: [number, number, number];
-  /** 'm' for glTF, '' where the file does not say. */
+  /** 'm' for glTF, '' where the file does not state it. */
   unit: string;
+  /** What was done to make a surface of the file. */
   report: PreparationReport;
   /** What else there is to know, a sentence each: 'skinned: shown in its bind pose'. */
   notes: string[];
@@ -358,23 +455,31 @@ export type FieldFormat = 'csv' | 'json' | 'npy' | 'ply' | 'glb';
 /** Files that loops can be written as. */
 export type LoopFormat = 'obj' | 'glb' | 'json';
 
-export interface Mesh {
-  readonly info: MeshInfo;
+/** A surface to draw. Do not modify. */
+export interface MeshGeometry {
+  /** x, y, z per vertex, from `origin`. */
+  positions: Float32Array;
+  /** Three vertices per face. */
+  indices: Uint32Array;
+  /** Two vertices for each edge of the boundary. */
+  boundary: Uint32Array;
   /**
-   * The surface to draw and pick on: positions are x, y, z per vertex; `boundary` has two vertices for
-   * each edge of the boundary. Do not modify. These positions, and the points of loops and contours,
-   * count from `origin`: 0, 0, 0, but for surfaces that lie more than 64 times their size away from the
-   * coordinates' origin, where 32-bit numbers would draw steps. Add it for the file's coordinates.
+   * What positions, and the points of loops and contours, are relative to; add it for the file's
+   * coordinates. 0, 0, 0, but for surfaces that lie more than 64 times their size away from the
+   * coordinates' origin, where 32-bit numbers would draw steps.
    */
-  readonly geometry: {
-    positions: Float32Array;
-    indices: Uint32Array;
-    boundary: Uint32Array;
-    origin: readonly [number, number, number];
-  };
+  origin: readonly [number, number, number];
+}
+
+/** A model that was loaded, and everything that can be computed of it. Made by `Kernel.load`. */
+export interface Mesh {
+  /** What the model is. */
+  readonly info: MeshInfo;
+  /** The surface to draw and pick on. */
+  readonly geometry: MeshGeometry;
   /** The surface's vertex for each vertex of the input; 0xFFFFFFFF where there is none. */
   readonly vertexOfInput: Uint32Array;
-  /** Codes of failure: USAGE and INVALID_OPTION for options out of range, CANCELLED. */
+  /** Computes a field. Codes of failure: USAGE and INVALID_OPTION for options out of range, CANCELLED. */
   field(name: FieldName, options?: FieldOptions): Promise<Field>;
   /**
    * The loop at a vertex or at a point of a face. Served at once, also while a field is being
@@ -384,7 +489,7 @@ export interface Mesh {
   /**
    * The field as a file's content: CSV, JSON and NPY in the order of the input's vertices, PLY and
    * GLB as the surface with its values (`write_field.h`). Lengths and the model are written in the
-   * unit `unit`, by default that of the field if it is a length, else the model's.
+   * unit `unit`. Default: that of the field if it is a length, otherwise the model's.
    */
   exportField(field: Field, format: FieldFormat, options?: ExportOptions): Promise<Uint8Array>;
   /** Several fields in one file, columns in their order; NPY takes only one. */
@@ -458,6 +563,7 @@ export interface Mesh {
    * (`field_difference.h`).
    */
   difference(field: Field, other: Mesh, otherField: Field, options?: CallOptions): Promise<number>;
+  /** Frees the surface in all workers. What is still being computed of it is cancelled. */
   dispose(): void;
 }
 
@@ -467,29 +573,47 @@ export interface RemeshedMesh extends Mesh {
   carryBack(values: Float64Array, options?: CallOptions): Promise<Float64Array>;
 }
 
+/** How shapes are compared. */
 export interface CompareOptions extends WatchedOptions {
   /**
-   * What to compare by (`retrieval/signatures.h`): 'igf', 'igf-ms', 'sdf', 'geoaverage',
+   * What to compare by (`study/signatures.h`): 'igf', 'igf-ms', 'sdf', 'geoaverage',
    * 'geofarthest' (with 'log-' before: their logarithms), 'hks', 'sihks', 'wks', 'igf-sdf', and sums
    * such as '2*igf+sdf'.
    */
   descriptors: readonly string[];
-  /** Surfaces of more faces are made anew of about so many; 10,000 by default, 0: none is. */
+  /** Surfaces of more faces are remeshed to this number. Default: 10,000. 0: none is. */
   faces?: number;
 }
 
-export interface Comparison {
-  /**
-   * For each descriptor the distances between all shapes, each scaled to area 1: that of i and j is
-   * `distances[i * shapes + j]`, NaN where one of them has no value or has failed.
-   */
-  matrices: { descriptor: string; distances: Float64Array }[];
-  /** Shapes whose fields could not be computed, by their place. */
-  failed: { shape: number; error: GirthErrorFields }[];
+/** Distances between all shapes by one descriptor. */
+export interface DistanceMatrix {
+  /** As it was given. */
+  descriptor: string;
+  /** That of i and j is `distances[i * shapes + j]`; NaN where one of them has no value or has failed. */
+  distances: Float64Array;
 }
 
+/** A shape that could not be compared. */
+export interface FailedShape {
+  /** Its place among the shapes. */
+  shape: number;
+  /** Why its fields could not be computed. */
+  error: GirthErrorFields;
+}
+
+/** How far shapes are apart, each scaled to area 1. */
+export interface Comparison {
+  /** One for each descriptor, in their order. */
+  matrices: DistanceMatrix[];
+  /** Shapes whose fields could not be computed. */
+  failed: FailedShape[];
+}
+
+/** Workers that compute. Made by `createKernel`. */
 export interface Kernel {
+  /** Threads of one module, or a pool of workers with one module each. */
   readonly mode: 'threads' | 'pool';
+  /** How many of them. */
   readonly threads: number;
   /**
    * How far shapes are apart, two at a time in workers of their own; what was computed of a mesh is
@@ -499,5 +623,6 @@ export interface Kernel {
   compare(meshes: readonly Mesh[], options: CompareOptions): Promise<Comparison>;
   /** Reads, prepares and checks a model, in a worker of its own. */
   load(source: MeshSource, options?: LoadOptions): Promise<Mesh>;
+  /** Ends all workers. What is still being computed is cancelled, and no mesh can be used any more. */
   dispose(): void;
 }
