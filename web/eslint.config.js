@@ -56,6 +56,20 @@ export default defineConfig(
     regex: '/app/',
     message: 'The element does not know the page.',
   }),
+  {
+    files: ['web/app/*.ts'],
+    ignores: ['web/app/draft.ts'],
+    rules: {
+      'no-restricted-syntax': [
+        'error',
+        {
+          selector: 'AssignmentExpression[left.property.name="value"]',
+          message:
+            'Only web/app/draft.ts writes what a control shows: it knows whether that is being edited.',
+        },
+      ],
+    },
+  },
   forbid(['web/app/**'], three, {
     regex: '/src/(?!(kernel/(index|types)|element/(index|plots))\\.(js|ts)$)',
     message: 'The page uses public exports only.',

@@ -5,6 +5,7 @@ import { fieldTitle, formatCount, make } from '../src/element/index.js';
 import { DistributionPlot, extent } from '../src/element/plots.js';
 import { ComparedModel } from './compared-model.js';
 import { DistanceMatrix, distanceWords } from './distance-matrix.js';
+import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
 import { kernel } from './kernel.js';
 import { Panel } from './panel.js';
@@ -44,6 +45,7 @@ export interface ComparePage {
 export class ComparePanel {
   readonly panel = new Panel('compare-panel');
   private readonly field = make('select', { id: 'compare-field', 'aria-label': 'Compare by' });
+  private readonly choice: Draft;
   private readonly plot = new DistributionPlot();
   private readonly matrix = new DistanceMatrix((row) => this.ask(row));
   private readonly ranking = new PlaceList('Ranking');
@@ -67,9 +69,11 @@ export class ComparePanel {
       ...comparedFields.map((name) => make('option', { value: name }, fieldTitle(name))),
       ...Object.entries(descriptors).map(([value, words]) => make('option', { value }, words)),
     );
-    this.field.addEventListener('change', () => {
-      this.cancel();
-      this.computeAll();
+    this.choice = new Draft(this.field, {
+      committed: () => {
+        this.cancel();
+        this.computeAll();
+      },
     });
     const button = (words: string, act: () => void): HTMLButtonElement => {
       const made = make('button', { type: 'button', class: 'plain' }, words);
@@ -145,7 +149,7 @@ export class ComparePanel {
 
   /** What the distances are made of. */
   private get descriptor(): string {
-    return this.field.value;
+    return this.choice.text;
   }
 
   /** Stops computing; what there is stays. */

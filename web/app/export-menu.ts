@@ -4,6 +4,7 @@ import type { FieldFormat, FieldName, LoopFormat } from '../src/kernel/index.js'
 import { type GirthViewer, fieldNames, fieldTitle, make } from '../src/element/index.js';
 import type { ComputedFields } from './computed-fields.js';
 import { byId } from './dom.js';
+import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
 import type { PartsPanel } from './parts-panel.js';
 import { saveFile, stemOf } from './save-file.js';
@@ -34,6 +35,7 @@ export function offerExports(viewer: GirthViewer, known: ComputedFields, parts: 
   const failure = byId('export-failure');
   const allFields = 'all';
   const field = make('select', { id: 'export-name', 'aria-label': 'Field' });
+  const choice = new Draft(field);
 
   /** Writes files and hands them to the browser; several as a zip. */
   const save = async (kind: string, format: string, write: () => Promise<Content[]>) => {
@@ -63,7 +65,7 @@ export function offerExports(viewer: GirthViewer, known: ComputedFields, parts: 
   const computed = (): FieldName[] => fieldNames.filter((name) => known.has(name));
 
   const saveField = (format: FieldFormat): Promise<void> => {
-    const name = field.value as FieldName | typeof allFields;
+    const name = choice.text as FieldName | typeof allFields;
     if (name !== allFields) {
       return save(`-${name}`, format, async () => [await viewer.exportField(format, name)]);
     }
@@ -112,7 +114,7 @@ export function offerExports(viewer: GirthViewer, known: ComputedFields, parts: 
 
   menu.addEventListener('beforetoggle', () => {
     const names = computed();
-    const before = field.value;
+    const before = choice.text;
     field.replaceChildren(
       ...names.map((name) => make('option', { value: name }, fieldTitle(name))),
       ...(names.length > 1 ? [make('option', { value: allFields }, 'All of these')] : []),
@@ -120,7 +122,7 @@ export function offerExports(viewer: GirthViewer, known: ComputedFields, parts: 
     const shown = viewer.getAttribute('field') as FieldName | null;
     const options = [...field.options].map(({ value }) => value);
     const wished = [before, shown, 'igf'].find((name) => name && options.includes(name));
-    if (wished) field.value = wished;
+    if (wished) choice.show(wished);
     field.disabled = names.length === 0;
     for (const button of fields) button.disabled = names.length === 0;
     for (const button of [...tips, ...tubes]) button.disabled = !names.includes('igf');

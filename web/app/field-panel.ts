@@ -30,6 +30,7 @@ import type { PageState } from './address-state.js';
 import { CategoryShares } from './category-shares.js';
 import type { ComputedFields } from './computed-fields.js';
 import { byId } from './dom.js';
+import { Draft } from './draft.js';
 import { RangeSliders } from './range-sliders.js';
 import { SignatureChoice } from './signature-choice.js';
 import { type TermName, explains } from './terms.js';
@@ -92,9 +93,19 @@ export class FieldPanel {
     'aria-label': 'Range of the colours',
   });
   private readonly caption = make('p', { class: 'caption', role: 'status' });
+  private readonly captionWords = make('span');
+  private readonly clearBrush = make(
+    'button',
+    { type: 'button', 'aria-label': 'Mark nothing' },
+    '✕',
+  );
   private readonly colormap = make('select', { id: 'colormap', 'aria-label': 'Colours' });
   private readonly isolines = make('select', { id: 'isolines' });
   private readonly edges = make('input', { id: 'edges', type: 'checkbox' });
+  private readonly fieldDraft: Draft;
+  private readonly rangeDraft: Draft;
+  private readonly colormapDraft: Draft;
+  private readonly isolinesDraft: Draft;
   private kind: DistributionKind = 'histogram';
   private areas: Float64Array | undefined;
   /** What coloured the surface before a panel wanted something else. */
@@ -109,7 +120,7 @@ export class FieldPanel {
   ) {
     const { field, plot } = this;
     field.append(...shownNames.map((name) => make('option', { value: name }, wordsFor(name))));
-    field.addEventListener('change', () => this.choose(field.value as ShownName));
+    this.fieldDraft = new Draft(field, { committed: (name) => this.choose(name as ShownName) });
     const kindButton = (kind: DistributionKind, words: string): HTMLButtonElement => {
       const button = make(
         'button',
@@ -129,21 +140,25 @@ export class FieldPanel {
       ...ranges.map(([value, words]) => make('option', { value }, words)),
       make('option', { value: ownRange, hidden: '' }, 'own range'),
     );
-    this.rangeChoice.addEventListener('change', () => this.setRange(this.rangeChoice.value));
+    this.rangeDraft = new Draft(this.rangeChoice, { committed: (range) => this.setRange(range) });
     this.colormap.append(...colormapNames.map((name) => make('option', { value: name }, name)));
-    this.colormap.addEventListener('change', () => {
-      viewer.setAttribute('colormap', this.colormap.value);
-      this.paint();
-      page.changed();
+    this.colormapDraft = new Draft(this.colormap, {
+      committed: (name) => {
+        viewer.setAttribute('colormap', name);
+        this.paint();
+        page.changed();
+      },
     });
     this.isolines.append(
       ...isolineCounts.map((count) =>
         make('option', { value: String(count) }, count === 0 ? 'no lines' : `${count} lines`),
       ),
     );
-    this.isolines.addEventListener('change', () => {
-      setAttribute(viewer, 'isolines', this.isolines.value === '0' ? '' : this.isolines.value);
-      page.changed();
+    this.isolinesDraft = new Draft(this.isolines, {
+      committed: (count) => {
+        setAttribute(viewer, 'isolines', count === '0' ? '' : count);
+        page.changed();
+      },
     });
     this.edges.addEventListener('change', () => {
       viewer.toggleAttribute('edges', this.edges.checked);
@@ -170,6 +185,8 @@ export class FieldPanel {
         make('label', { class: 'check' }, this.edges, ' Edges'),
       ),
     );
+    this.caption.append(this.captionWords);
+    this.clearBrush.addEventListener('click', () => this.setBrush(undefined));
     this.isolines.setAttribute('aria-label', 'Lines of equal value');
     this.setKind('histogram');
     this.apply({});
@@ -258,7 +275,7 @@ export class FieldPanel {
     if (![...this.isolines.options].some(({ value }) => value === count)) {
       this.isolines.append(make('option', { value: count }, `${count} lines`));
     }
-    this.isolines.value = count;
+    this.isolinesDraft.show(count);
     this.refresh();
   }
 
@@ -285,7 +302,7 @@ export class FieldPanel {
     clearTimeout(this.timer);
     this.timer = undefined;
     const { name, plot, sliders } = this;
-    this.field.value = name;
+    this.fieldDraft.show(name);
     explains(this.field, fieldTerms[name]);
     this.signature.show(name);
     const isNumeric = isFieldName(name) || name === 'tips';
@@ -300,7 +317,7 @@ export class FieldPanel {
     if (!reach) {
       sliders.show(undefined, undefined, String);
       plot.element.setAttribute('aria-label', 'Distribution: no values yet');
-      this.caption.textContent = '';
+      this.writeInCaption('', false);
       if (isNumeric) {
         plot.show({
           kind: this.kind,
@@ -371,8 +388,8 @@ export class FieldPanel {
     const { viewer, plot, sliders } = this;
     const range = viewer.getAttribute('range') ?? '';
     const offered = ranges.some(([value]) => value === range);
-    this.rangeChoice.value = offered ? range : ownRange;
-    this.colormap.value = viewer.shown?.colormap ?? viewer.getAttribute('colormap') ?? 'viridis';
+    this.rangeDraft.show(offered ? range : ownRange);
+    this.colormapDraft.show(viewer.shown?.colormap ?? viewer.getAttribute('colormap') ?? 'viridis');
     plot.recolour((value) => this.colourOf(value));
     sliders.show(extent(this.valuesOf(this.name)), this.ends, (value) =>
       formatLength(value, this.format),
@@ -409,22 +426,28 @@ export class FieldPanel {
     if (!range) {
       const without = values.reduce((count, value) => count + (Number.isFinite(value) ? 0 : 1), 0);
       const isWhole = isFieldName(this.name) && this.computed.has(this.name);
-      this.caption.textContent =
+      this.writeInCaption(
         `median ${format(quantile(values, this.areas, 0.5))}` +
-        (without > 0 && isWhole ? ` · no value at ${formatCount(without)} vertices` : '');
+          (without > 0 && isWhole ? ` · no value at ${formatCount(without)} vertices` : ''),
+        false,
+      );
       return;
     }
     const low = Math.max(range[0], reach[0]);
     const high = Math.min(range[1], reach[1]);
     const share = 100 * shareWithin(values, this.areas, range);
     const percent = share > 0 && share < 0.1 ? '<\u202f0.1' : share.toFixed(1);
-    const clear = make('button', { type: 'button', 'aria-label': 'Mark nothing' }, '✕');
-    this.caption.title = 'Share of the area with these values';
-    clear.addEventListener('click', () => this.setBrush(undefined));
-    this.caption.replaceChildren(
-      make('span', {}, `${formatNumber(low, this.format)} to ${format(high)}: ${percent}\u202f%`),
-      clear,
+    this.writeInCaption(
+      `${formatNumber(low, this.format)} to ${format(high)}: ${percent}\u202f%`,
+      true,
     );
+  }
+
+  private writeInCaption(words: string, isOfBrush: boolean): void {
+    this.caption.title = isOfBrush ? 'Share of the area with these values' : '';
+    this.captionWords.textContent = words;
+    if (isOfBrush) this.caption.append(this.clearBrush);
+    else this.clearBrush.remove();
   }
 }
 

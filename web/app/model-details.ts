@@ -4,6 +4,7 @@
 import type { MeshInfo, PrepareOptions } from '../src/kernel/index.js';
 import { type GirthViewer, formatCount, make, sentence } from '../src/element/index.js';
 import { byId } from './dom.js';
+import { Draft } from './draft.js';
 import { modelFacts, plural, repairs, sizeWords } from './model-words.js';
 
 /** Units that a file may be in that does not say. */
@@ -34,6 +35,9 @@ export class ModelDetails {
   private readonly opener = byId<HTMLButtonElement>('details-open');
   private readonly line = byId('model');
   private readonly comparison = make('p', { class: 'hint', role: 'status' });
+  private readonly size = make('span');
+  private readonly done = make('div');
+  private unit: Draft | undefined;
   private shown: { info: MeshInfo; state: ModelState } | undefined;
 
   constructor(
@@ -52,6 +56,7 @@ export class ModelDetails {
     const isRepaired = repairs(info.report, this.viewer.lengthFormat).length > 0;
     this.opener.textContent = isRepaired ? 'repaired' : 'details';
     this.opener.hidden = false;
+    this.build(info, state);
     this.refresh();
   }
 
@@ -64,17 +69,26 @@ export class ModelDetails {
     this.comparison.textContent = `Its girth differs from that before by ${words} (the paper’s equation 1).`;
   }
 
-  private refresh(): void {
-    if (!this.shown) return;
-    const { info, state } = this.shown;
+  /** Another model, or the same one prepared otherwise: whatever was being changed is no longer meant. */
+  private build(info: MeshInfo, state: ModelState): void {
+    this.unit = undefined;
     this.sheet.replaceChildren(
       make('h2', { id: 'details-title' }, info.name),
       this.facts(info),
-      ...this.whatWasDone(info, state),
+      this.done,
       ...this.models(info),
       ...this.components(info, state),
       ...this.changes(info, state),
     );
+  }
+
+  /** What the unit changes; the controls stay as they are. */
+  private refresh(): void {
+    if (!this.shown) return;
+    const { info, state } = this.shown;
+    this.size.textContent = sizeWords(info, this.viewer.lengthFormat);
+    this.unit?.show(this.viewer.unit);
+    this.done.replaceChildren(...this.whatWasDone(info, state));
   }
 
   private close(): void {
@@ -82,10 +96,9 @@ export class ModelDetails {
   }
 
   private facts(info: MeshInfo): HTMLElement {
-    const { viewer } = this;
     const rows: [string, (Node | string)[]][] = [
       ['File', [info.format]],
-      ['Size', [sizeWords(info, viewer.lengthFormat)]],
+      ['Size', [this.size]],
       ['Unit', [info.unit ? `${info.unit}, as the file says` : this.unitChooser()]],
       [
         'Surface',
@@ -109,12 +122,7 @@ export class ModelDetails {
       make('option', { value: '' }, 'the file does not say'),
       ...units.map((unit) => make('option', { value: unit }, unit)),
     );
-    select.value = viewer.unit;
-    select.addEventListener('change', () => {
-      viewer.setAttribute('unit', select.value);
-      // The sheet has been drawn anew.
-      document.getElementById('unit')?.focus();
-    });
+    this.unit = new Draft(select, { committed: (unit) => viewer.setAttribute('unit', unit) });
     return select;
   }
 
@@ -140,11 +148,13 @@ export class ModelDetails {
       ...models.map((path) => make('option', { value: path }, path)),
     );
     const chosen = models.find((path) => path === name || path.endsWith(`/${name}`));
-    if (chosen !== undefined) select.value = chosen;
-    select.addEventListener('change', () => {
-      this.close();
-      this.actions.choose(select.value);
+    const draft = new Draft(select, {
+      committed: (path) => {
+        this.close();
+        this.actions.choose(path);
+      },
     });
+    if (chosen !== undefined) draft.show(chosen);
     const title = `${formatCount(models.length)} models came together`;
     return [make('h3', {}, title), make('p', {}, select)];
   }
@@ -231,8 +241,9 @@ export class ModelDetails {
       max: '200000',
       step: '1',
       required: '',
-      value: String(Math.min(10_000, Math.max(500, Math.round(faceCount / 2)))),
     });
+    const draft = new Draft(number);
+    draft.show(String(Math.min(10_000, Math.max(500, Math.round(faceCount / 2)))));
     const form = make(
       'form',
       { class: 'remesh' },
@@ -244,7 +255,7 @@ export class ModelDetails {
     form.addEventListener('submit', (event) => {
       event.preventDefault();
       this.close();
-      this.actions.remesh(Number(number.value));
+      this.actions.remesh(Number(draft.text));
     });
     return form;
   }

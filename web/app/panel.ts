@@ -23,12 +23,21 @@ export class Panel {
     this.element.open = true;
   }
 
-  /** Says when it is opened or closed. */
+  /**
+   * Calls back when it is opened or closed: before anything else that people do can come, unlike the `toggle`
+   * event, which may be late by many frames.
+   */
   onToggle(act: (isOpen: boolean) => void): void {
-    this.element.addEventListener('toggle', () => act(this.element.open));
+    let wasOpen = this.isOpen;
+    const watcher = new MutationObserver(() => {
+      if (this.isOpen === wasOpen) return;
+      wasOpen = this.isOpen;
+      act(wasOpen);
+    });
+    watcher.observe(this.element, { attributes: true, attributeFilter: ['open'] });
   }
 
-  /** Says when it is about to be opened by hand. */
+  /** Calls back when it is about to be opened by hand. */
   onChosen(act: () => void): void {
     this.element.querySelector('summary')!.addEventListener('click', () => {
       if (!this.element.open) act();

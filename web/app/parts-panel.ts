@@ -5,6 +5,7 @@ import type { Field, Part, PartKind, Parts, PartThresholds } from '../src/kernel
 import { ScatterPlot } from '../src/element/plots.js';
 import type { PageState } from './address-state.js';
 import { formatArea } from './area-words.js';
+import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
 import { LengthInput, noLength } from './length-input.js';
 import { plural } from './model-words.js';
@@ -34,12 +35,16 @@ export interface PartsPage {
 export class PartsPanel {
   readonly panel = new Panel('parts-panel');
   private readonly plot = new ScatterPlot({
-    moved: (thresholds, settled) => this.setThresholds(thresholds, settled),
+    moved: (thresholds, settled) => {
+      this.discardDrafts();
+      this.setThresholds(thresholds, settled);
+    },
   });
   private readonly log = make('input', { id: 'parts-log', type: 'checkbox' });
   private readonly inputs: Record<keyof PartThresholds, LengthInput>;
   private readonly sliders: Record<keyof PartThresholds, ThresholdSlider>;
   private readonly smoothing = make('select', { id: 'smoothing', 'aria-label': 'Smoothing' });
+  private readonly smoothingDraft: Draft;
   private readonly words = make('p', { class: 'hint', role: 'status' });
   private readonly tubes = new PlaceList('Tubes');
   private readonly plates = new PlaceList('Plates');
@@ -65,7 +70,7 @@ export class PartsPanel {
         `parts-${name}`,
         words,
         (length) => {
-          this.words.textContent = sentence(this.fields?.sdf.note ?? '');
+          this.writeNote();
           if (length === undefined || !this.thresholds) return this.write();
           this.setThresholds({ ...this.thresholds, [name]: length }, true);
         },
@@ -76,9 +81,10 @@ export class PartsPanel {
       diameter: input('diameter', 'Thin: below'),
     };
     const slider = (name: keyof PartThresholds, label: string): ThresholdSlider =>
-      new ThresholdSlider(label, (length, settled) =>
-        this.setThresholds({ ...this.thresholds!, [name]: length }, settled),
-      );
+      new ThresholdSlider(label, (length, settled) => {
+        this.discardDrafts(name);
+        this.setThresholds({ ...this.thresholds!, [name]: length }, settled);
+      });
     this.sliders = {
       girth: slider('girth', 'Girth below which thin parts are tubes'),
       diameter: slider('diameter', 'Thickness below which parts are thin'),
@@ -86,7 +92,7 @@ export class PartsPanel {
     for (const [weight, words] of smoothings) {
       this.smoothing.append(make('option', { value: String(weight) }, words));
     }
-    this.smoothing.addEventListener('change', () => void this.find());
+    this.smoothingDraft = new Draft(this.smoothing, { committed: () => void this.find() });
     const automatic = make(
       'button',
       { type: 'button', class: 'plain', id: 'automatic' },
@@ -153,7 +159,8 @@ export class PartsPanel {
     this.thresholds = undefined;
     this.found = undefined;
     this.pending = {};
-    this.smoothing.value = '0';
+    this.discardDrafts();
+    this.smoothingDraft.show('0');
     this.controls.hidden = true;
     this.refresh();
     this.words.textContent = '';
@@ -215,17 +222,28 @@ export class PartsPanel {
     if (![...this.smoothing.options].some(({ value }) => value === weight)) {
       this.smoothing.append(make('option', { value: weight }, `smoothed, weight ${weight}`));
     }
-    this.smoothing.value = weight;
+    this.smoothingDraft.show(weight);
     const chosen = { girth: girth ?? suggested.girth, diameter: diameter ?? suggested.diameter };
     this.setThresholds(chosen, true, girth === undefined && diameter === undefined);
   }
 
   private async suggest(): Promise<void> {
+    this.discardDrafts();
     const asked = ++this.asked;
     const suggested = await this.viewer.suggestedThresholds();
     if (asked !== this.asked) return;
-    this.words.textContent = sentence(this.fields?.sdf.note ?? '');
     this.setThresholds(suggested, true, true);
+  }
+
+  /** Somebody has set a threshold in another way: what was typed for it is no longer meant. */
+  private discardDrafts(...names: (keyof PartThresholds)[]): void {
+    const all = names.length > 0 ? names : (['girth', 'diameter'] as const);
+    for (const name of all) this.inputs[name].discard();
+    this.writeNote();
+  }
+
+  private writeNote(): void {
+    this.words.textContent = sentence(this.fields?.sdf.note ?? '');
   }
 
   private drawPlot(): boolean {
@@ -281,8 +299,7 @@ export class PartsPanel {
     const { thresholds, fields } = this;
     const format = this.viewer.lengthFormat;
     for (const name of ['girth', 'diameter'] as const) {
-      this.inputs[name].show(format);
-      this.inputs[name].value = thresholds?.[name];
+      this.inputs[name].show(thresholds?.[name], format);
       const field = name === 'girth' ? fields?.igf : fields?.sdf;
       this.sliders[name].show(field?.range, thresholds?.[name], (length) =>
         formatLength(length, format),

@@ -9,6 +9,8 @@ export class PinnedList {
   readonly panel = new Panel('loops-panel');
   private readonly list = byId('loops');
   private readonly hint = byId('no-loops');
+  /** By the loops' numbers: a row stays the same element for as long as its loop is pinned. */
+  private readonly rows = new Map<number, { element: HTMLElement; show(loop: PinnedLoop): void }>();
 
   constructor(
     private readonly viewer: GirthViewer,
@@ -43,33 +45,41 @@ export class PinnedList {
 
   private refresh(): void {
     const { pinned } = this.viewer;
-    this.list.replaceChildren(...pinned.map((one) => this.row(one)));
+    for (const [id, { element }] of this.rows) {
+      if (pinned.some((one) => one.id === id)) continue;
+      element.remove();
+      this.rows.delete(id);
+    }
+    for (const one of pinned) {
+      const row = this.rows.get(one.id) ?? this.row(one.id);
+      row.show(one);
+      if (row.element.isConnected) continue;
+      this.rows.set(one.id, row);
+      this.list.append(row.element);
+    }
     this.hint.hidden = pinned.length > 0;
     this.panel.summary = pinned.length > 0 ? String(pinned.length) : '';
   }
 
-  private row({ id, loop }: PinnedLoop): HTMLElement {
+  private row(id: number): { element: HTMLElement; show(loop: PinnedLoop): void } {
     const { viewer } = this;
-    const length = formatLength(loop.length, viewer.lengthFormat);
-    const remove = make(
-      'button',
-      { type: 'button', 'aria-label': `Remove loop ${id}, ${length}`, title: 'Remove' },
-      '✕',
-    );
+    const remove = make('button', { type: 'button', title: 'Remove' }, '✕');
     remove.addEventListener('click', () => {
       viewer.unpin(id);
       this.changed();
     });
-    const { base, kind } = loop;
-    const place = typeof base === 'number' ? `vertex ${base}` : `face ${base.face}`;
-    const words = { loop: place, antipodal: 'there and back', unresolved: 'or more' }[kind];
-    return make(
-      'li',
-      {},
-      make('i', {}, String(id)),
-      make('b', {}, length),
-      make('span', {}, words),
-      remove,
-    );
+    const [length, place] = [make('b'), make('span')];
+    const element = make('li', {}, make('i', {}, String(id)), length, place, remove);
+    return {
+      element,
+      show: ({ loop: { base, kind, length: value } }) => {
+        length.textContent = formatLength(value, viewer.lengthFormat);
+        const from = typeof base === 'number' ? `vertex ${base}` : `face ${base.face}`;
+        place.textContent = { loop: from, antipodal: 'there and back', unresolved: 'or more' }[
+          kind
+        ];
+        remove.setAttribute('aria-label', `Remove loop ${id}, ${length.textContent}`);
+      },
+    };
   }
 }

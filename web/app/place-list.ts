@@ -20,48 +20,80 @@ const mostRows = 100;
 
 export class PlaceList {
   readonly element = make('ol', { class: 'places' });
-  private readonly buttons: HTMLButtonElement[] = [];
+  readonly #lines: Line[] = [];
+  readonly #more = make('li', { class: 'hint' });
 
   constructor(label: string) {
     this.element.setAttribute('aria-label', label);
   }
 
+  /** Rows that are there already stay the same elements: a press that has begun on one ends on it. */
   show(rows: readonly PlaceRow[]): void {
-    this.buttons.length = 0;
-    const items = rows.slice(0, mostRows).map((row, i) => {
-      const button = make(
-        'button',
-        { type: 'button', 'aria-pressed': 'false' },
-        make('i', {}, row.lead ?? String(i + 1)),
-        make(
-          'span',
-          { class: 'words' },
-          make('b', {}, row.main),
-          ' ',
-          make('span', {}, row.detail),
-        ),
-      );
-      if (row.colour !== undefined) {
-        const swatch = make('em', { class: 'swatch' });
-        swatch.style.background = row.colour;
-        button.prepend(swatch);
+    const shown = rows.slice(0, mostRows);
+    for (const line of this.#lines.splice(shown.length)) line.element.remove();
+    shown.forEach((row, i) => {
+      let line = this.#lines[i];
+      if (!line) {
+        line = new Line(() => this.select(i));
+        this.#lines.push(line);
+        this.element.append(line.element);
       }
-      if (row.picture) button.append(row.picture);
-      button.addEventListener('click', () => {
-        this.select(i);
-        row.choose();
-      });
-      this.buttons.push(button);
-      return make('li', {}, button);
+      line.show(row, String(i + 1));
     });
-    const more = rows.length - items.length;
-    if (more > 0) items.push(make('li', { class: 'hint' }, `and ${formatCount(more)} more`));
-    this.element.replaceChildren(...items);
+    const more = rows.length - shown.length;
+    this.#more.textContent = `and ${formatCount(more)} more`;
+    if (more > 0) this.element.append(this.#more);
+    else this.#more.remove();
     this.element.hidden = rows.length === 0;
   }
 
   /** Marks a row as the chosen one; undefined for none. */
   select(chosen: number | undefined): void {
-    this.buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(i === chosen)));
+    this.#lines.forEach((line, i) => line.select(i === chosen));
+  }
+}
+
+/** One row, whose content comes and goes. */
+class Line {
+  readonly element: HTMLElement;
+  readonly #lead = make('i');
+  readonly #main = make('b');
+  readonly #detail = make('span');
+  readonly #button = make(
+    'button',
+    { type: 'button', 'aria-pressed': 'false' },
+    this.#lead,
+    make('span', { class: 'words' }, this.#main, ' ', this.#detail),
+  );
+  readonly #swatch = make('em', { class: 'swatch' });
+  #picture: HTMLElement | undefined;
+  #row: PlaceRow | undefined;
+
+  constructor(chosen: () => void) {
+    this.element = make('li', {}, this.#button);
+    this.#button.addEventListener('click', () => {
+      chosen();
+      this.#row?.choose();
+    });
+  }
+
+  show(row: PlaceRow, number: string): void {
+    this.#row = row;
+    this.#lead.textContent = row.lead ?? number;
+    this.#main.textContent = row.main;
+    this.#detail.textContent = row.detail;
+    if (row.colour === undefined) this.#swatch.remove();
+    else {
+      this.#swatch.style.background = row.colour;
+      this.#button.prepend(this.#swatch);
+    }
+    if (row.picture === this.#picture) return;
+    this.#picture?.remove();
+    this.#picture = row.picture;
+    if (row.picture) this.#button.append(row.picture);
+  }
+
+  select(isChosen: boolean): void {
+    this.#button.setAttribute('aria-pressed', String(isChosen));
   }
 }

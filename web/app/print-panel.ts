@@ -3,6 +3,7 @@
 import { type GirthViewer, formatLength, make, sentence } from '../src/element/index.js';
 import type { MeshInfo, PrintLimits, WeakPlace } from '../src/kernel/index.js';
 import { formatArea } from './area-words.js';
+import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
 import { LengthInput, noLength } from './length-input.js';
 import { modelFacts, plural } from './model-words.js';
@@ -28,14 +29,17 @@ interface Check {
   limits: PrintLimits;
   places: WeakPlace[];
   pictures: Map<WeakPlace, ReportedPlace>;
+  /** The pictures as the list has them. */
+  images: Map<WeakPlace, HTMLImageElement>;
 }
 
 export class PrintPanel {
   readonly panel = new Panel('print-panel');
   private readonly unit = make('select', { id: 'print-unit' });
+  private readonly unitDraft: Draft;
   private readonly unitWords = make('span', { class: 'said' });
-  private readonly tube = new LengthInput('min-tube', 'Smallest tube', () => undefined);
-  private readonly wall = new LengthInput('min-wall', 'Smallest wall', () => undefined);
+  private readonly tube = new LengthInput('min-tube', 'Smallest tube');
+  private readonly wall = new LengthInput('min-wall', 'Smallest wall');
   private readonly answer = make('p', { class: 'answer', role: 'status' });
   private readonly cautions = make('ul', { class: 'cautions' });
   private readonly list = new PlaceList('Places that are too thin');
@@ -54,7 +58,7 @@ export class PrintPanel {
       make('option', { value: '' }, 'choose'),
       ...units.map((name) => make('option', { value: name }, name)),
     );
-    unit.addEventListener('change', () => viewer.setAttribute('unit', unit.value));
+    this.unitDraft = new Draft(unit, { committed: (name) => viewer.setAttribute('unit', name) });
     explains(this.tube.label, 'tube');
     explains(this.wall.label, 'plate');
     const submit = make('button', { class: 'plain', id: 'check' }, 'Check');
@@ -89,15 +93,18 @@ export class PrintPanel {
       changed();
     });
     viewer.addEventListener('unit', () => {
-      // Limits were typed in another unit.
-      for (const input of [this.tube, this.wall]) input.value = undefined;
+      // The numbers stay as they were typed, and count in the unit that is now beside them.
+      for (const input of [this.tube, this.wall]) input.setUnit(viewer.lengthFormat);
       this.forget();
     });
     this.clear();
   }
 
   clear(): void {
-    for (const input of [this.tube, this.wall]) input.value = undefined;
+    for (const input of [this.tube, this.wall]) {
+      input.discard();
+      input.show(undefined, this.viewer.lengthFormat);
+    }
     this.forget();
   }
 
@@ -117,11 +124,12 @@ export class PrintPanel {
     const said = info?.unit ?? '';
     this.unit.hidden = said !== '';
     this.unitWords.textContent = said === '' ? '' : said;
-    if (viewer.unit && !units.includes(viewer.unit) && said === '') {
+    const isListed = [...this.unit.options].some(({ value }) => value === viewer.unit);
+    if (!isListed && said === '') {
       this.unit.append(make('option', { value: viewer.unit }, viewer.unit));
     }
-    this.unit.value = said === '' ? viewer.unit : '';
-    for (const input of [this.tube, this.wall]) input.show(viewer.lengthFormat);
+    this.unitDraft.show(said === '' ? viewer.unit : '');
+    for (const input of [this.tube, this.wall]) input.show(input.length, viewer.lengthFormat);
     this.cautions.replaceChildren(...this.words().map((line) => make('li', {}, line)));
     this.reports.hidden = !this.check;
     this.list.element.hidden = !this.check?.places.length;
@@ -149,15 +157,16 @@ export class PrintPanel {
   private async run(): Promise<void> {
     const { viewer, tube, wall } = this;
     const { info } = viewer;
-    const wrong = [tube, wall].find(({ isWrong }) => isWrong);
-    if (wrong || (!tube.value && !wall.value)) {
+    // What was typed counts, whether or not the field has been left.
+    const wrong = [tube, wall].filter((input) => !input.commit())[0];
+    if (wrong || (!tube.length && !wall.length)) {
       this.answer.className = 'answer';
       this.answer.textContent = wrong ? noLength : 'Say how thin a tube or a wall may be.';
       (wrong ?? tube).input.focus();
       return;
     }
     if (!info) return;
-    const limits = { tubeDiameter: tube.value ?? 0, wallThickness: wall.value ?? 0 };
+    const limits = { tubeDiameter: tube.length ?? 0, wallThickness: wall.length ?? 0 };
     const asked = ++this.asked;
     this.answer.className = 'answer';
     this.answer.textContent = 'Checking …';
@@ -168,7 +177,7 @@ export class PrintPanel {
       this.refresh();
       const places = await viewer.weakPlaces(limits);
       if (asked !== this.asked || viewer.info !== info) return;
-      this.check = { limits, places, pictures: new Map() };
+      this.check = { limits, places, pictures: new Map(), images: new Map() };
       this.show();
       for (const place of places.slice(0, picturedPlaces)) {
         await this.picture(this.check, place);
@@ -197,12 +206,17 @@ export class PrintPanel {
         return {
           main: formatLength(place.least, format),
           detail: `${placeName(place)}, ${loop}${formatArea(place.area, format)}`,
-          picture:
-            made?.picture === undefined ? undefined : make('img', { src: made.picture, alt: '' }),
+          picture: made?.picture === undefined ? undefined : this.image(check, place, made.picture),
           choose: () => this.choose(place),
         };
       }),
     );
+  }
+
+  private image({ images }: Check, place: WeakPlace, src: string): HTMLImageElement {
+    const image = images.get(place) ?? make('img', { src, alt: '' });
+    images.set(place, image);
+    return image;
   }
 
   private choose(place: WeakPlace): void {

@@ -2,11 +2,13 @@
 
 import { make } from '../src/element/index.js';
 import { byId } from './dom.js';
+import { Draft } from './draft.js';
 
 /** `fileName`: what a link cannot have in it; undefined where it has all. */
 export function offerLink(link: () => string, fileName: () => string | undefined): void {
   const sheet = byId('share');
   const address = make('input', { type: 'text', readonly: '', 'aria-label': 'Link' });
+  const shown = new Draft(address);
   const copy = make('button', { type: 'button', class: 'plain' }, 'Copy the link');
   const said = make('p', { class: 'hint', role: 'status' });
   const words = make('p', { class: 'hint' });
@@ -14,7 +16,7 @@ export function offerLink(link: () => string, fileName: () => string | undefined
   address.addEventListener('focus', () => address.select());
   copy.addEventListener('click', () => {
     address.select();
-    navigator.clipboard.writeText(address.value).then(
+    navigator.clipboard.writeText(shown.text).then(
       () => (said.textContent = 'Copied.'),
       () => (said.textContent = 'Copy it from the line above: this browser keeps pages from it.'),
     );
@@ -22,7 +24,7 @@ export function offerLink(link: () => string, fileName: () => string | undefined
   sheet.addEventListener('beforetoggle', (event) => {
     if (event.newState !== 'open') return;
     said.textContent = '';
-    address.value = link();
+    shown.show(link());
     const name = fileName();
     words.textContent =
       name === undefined

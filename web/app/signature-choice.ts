@@ -3,6 +3,7 @@
 import { type GirthViewer, make } from '../src/element/index.js';
 import type { SpectralFieldName } from '../src/kernel/index.js';
 import type { PageState } from './address-state.js';
+import { Draft } from './draft.js';
 
 interface Signature {
   /** Of the element, and of the page's state. */
@@ -50,6 +51,7 @@ export class SignatureChoice {
   private readonly label = make('label', { for: 'signature' });
   private readonly words = make('output', { for: 'signature' });
   private readonly slider = make('input', { id: 'signature', type: 'range', min: '0' });
+  private readonly draft: Draft;
   private shown: Signature | undefined;
 
   constructor(
@@ -58,28 +60,34 @@ export class SignatureChoice {
   ) {
     const { slider } = this;
     this.element.append(this.label, this.words, slider);
-    slider.addEventListener('input', () => this.write());
-    // Not before the hand lets go: to be computed takes a while, and a new wish would end it.
-    slider.addEventListener('change', () => {
-      if (!this.shown) return;
-      viewer.setAttribute(this.shown.attribute, String(this.shown.at(Number(slider.value))));
-      this.write();
-      changed();
+    this.draft = new Draft(slider, {
+      edited: () => this.write(),
+      // Not before the hand lets go: to be computed takes a while, and a new wish would end it.
+      committed: (text) => {
+        if (!this.shown) return;
+        viewer.setAttribute(this.shown.attribute, String(this.shown.at(Number(text))));
+        this.write();
+        changed();
+      },
+      ended: () => this.write(),
     });
     this.show('igf');
   }
 
   /** For the field that colours the surface; hidden where that is no signature. */
   show(name: string): void {
-    this.shown = Object.hasOwn(signatures, name)
+    const shown = Object.hasOwn(signatures, name)
       ? signatures[name as SpectralFieldName]
       : undefined;
+    // A place on the slider means nothing to another signature.
+    if (shown !== this.shown) this.draft.discard();
+    this.shown = shown;
     this.element.hidden = !this.shown;
     if (!this.shown) return;
     const { label, steps, stepOf } = this.shown;
     this.label.textContent = label;
     this.slider.max = String(steps);
-    this.slider.value = String(stepOf(this.number(this.shown)));
+    this.draft.show(String(stepOf(this.number(this.shown))));
     this.write();
   }
 
@@ -109,7 +117,7 @@ export class SignatureChoice {
   private write(): void {
     const { shown, slider } = this;
     if (!shown) return;
-    const [now, step] = [this.number(shown), Number(slider.value)];
+    const [now, step] = [this.number(shown), Number(this.draft.text)];
     const number = shown.stepOf(now) === step ? now : shown.at(step);
     this.words.textContent = shown.words(number);
     slider.setAttribute('aria-valuetext', this.words.textContent);

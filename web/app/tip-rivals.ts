@@ -2,6 +2,7 @@
 
 import { type GirthViewer, fieldTitle, formatLength, make } from '../src/element/index.js';
 import type { Maximum } from '../src/kernel/index.js';
+import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
 import { plural } from './model-words.js';
 import { PlaceList } from './place-list.js';
@@ -35,6 +36,8 @@ export class TipRivals {
     min: '1',
     max: String(most),
   });
+  private readonly choiceDraft: Draft;
+  private readonly countDraft: Draft;
   private readonly countLine: HTMLElement;
   private readonly words = make('p', { class: 'hint', role: 'status' });
   private readonly list = new PlaceList('Points beside the tips');
@@ -49,8 +52,11 @@ export class TipRivals {
   ) {
     const { choice, count } = this;
     choice.append(...rivals.map(([value, words]) => make('option', { value }, words)));
-    choice.addEventListener('change', () => void this.choose());
-    count.addEventListener('input', () => this.draw());
+    this.choiceDraft = new Draft(choice, { committed: () => void this.choose() });
+    this.countDraft = new Draft(count, {
+      edited: () => this.draw(),
+      ended: () => this.draw(),
+    });
     this.countLine = make(
       'p',
       { class: 'length' },
@@ -70,7 +76,9 @@ export class TipRivals {
   clear(tips: number): void {
     ++this.asked;
     this.colour(false);
-    this.choice.value = '';
+    this.choiceDraft.discard();
+    this.choiceDraft.show('');
+    this.countDraft.discard();
     this.found = undefined;
     this.expect(tips);
     this.draw();
@@ -78,7 +86,7 @@ export class TipRivals {
 
   /** As many points as there are tips, to begin with. */
   expect(tips: number): void {
-    this.count.value = String(Math.min(most, Math.max(1, tips)));
+    this.countDraft.show(String(Math.min(most, Math.max(1, tips))));
   }
 
   private colour(bySdf: boolean): void {
@@ -89,7 +97,7 @@ export class TipRivals {
 
   private async choose(): Promise<void> {
     const { viewer } = this;
-    const rival = this.choice.value as Rival;
+    const rival = this.choiceDraft.text as Rival;
     const asked = ++this.asked;
     this.found = undefined;
     this.draw();
@@ -116,7 +124,7 @@ export class TipRivals {
 
   private draw(): void {
     const { found, viewer } = this;
-    const wanted = Math.min(most, Math.max(0, Math.floor(Number(this.count.value)) || 0));
+    const wanted = Math.min(most, Math.max(0, Math.floor(Number(this.countDraft.text)) || 0));
     const shown = found?.extrema.slice(0, wanted) ?? [];
     if (viewer.info) viewer.showPoints(shown.map(({ vertex }) => vertex));
     this.countLine.hidden = !found;

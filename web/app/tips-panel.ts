@@ -4,6 +4,7 @@ import { type GirthViewer, formatLength, make } from '../src/element/index.js';
 import type { Tips } from '../src/kernel/index.js';
 import type { PageState } from './address-state.js';
 import { formatArea } from './area-words.js';
+import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
@@ -35,6 +36,7 @@ export class TipsPanel {
     max: String(steps),
     value: '0',
   });
+  private readonly jumpDraft: Draft;
   private readonly jumpText = make('output', { for: 'tips-jump' });
   private readonly rivals: TipRivals;
   private readonly words = make('p', { id: 'tips-words', class: 'hint', role: 'status' });
@@ -76,11 +78,13 @@ export class TipsPanel {
       this.rivals.element,
     );
     this.shown.addEventListener('change', () => this.draw());
-    this.jump.addEventListener('input', () => {
-      this.refresh();
-      this.draw();
+    this.jumpDraft = new Draft(this.jump, {
+      edited: () => {
+        this.refresh();
+        this.draw();
+      },
+      committed: () => page.changed(),
     });
-    this.jump.addEventListener('change', () => page.changed());
     this.panel.onToggle((isOpen) => {
       this.draw();
       if (isOpen) void this.compute();
@@ -97,7 +101,8 @@ export class TipsPanel {
     this.rises = undefined;
     this.selected = undefined;
     this.pending = {};
-    this.jump.value = '0';
+    this.jumpDraft.discard();
+    this.jumpDraft.show('0');
     this.rivals.clear(0);
     this.refresh();
   }
@@ -146,7 +151,7 @@ export class TipsPanel {
   private applyPending(fly: boolean): void {
     const { tip, jump = 0 } = this.pending;
     const { tips = [] } = this.tips!;
-    this.jump.value = String(this.highest > 0 ? Math.ceil((steps * jump) / this.highest) : 0);
+    this.jumpDraft.show(String(this.highest > 0 ? Math.ceil((steps * jump) / this.highest) : 0));
     this.selected = tip !== undefined && tip >= 1 && tip <= tips.length ? tip - 1 : undefined;
     this.refresh();
     this.draw();
@@ -163,7 +168,7 @@ export class TipsPanel {
   }
 
   private get leastJump(): number {
-    return (this.highest * Number(this.jump.value)) / steps;
+    return (this.highest * Number(this.jumpDraft.text)) / steps;
   }
 
   private choose(number: number): void {
