@@ -17,6 +17,20 @@ function forbid(files, ...patterns) {
 
 const three = { regex: '^three', message: 'Only the view knows three.js.' };
 
+/** Private members are those of the language: `#name`. */
+const privateMembers = [
+  {
+    selector: ':matches(PropertyDefinition, MethodDefinition)[accessibility="private"]',
+    message: 'Write #name.',
+  },
+  { selector: 'TSParameterProperty', message: 'Declare the field and assign it.' },
+];
+
+const shownText = {
+  selector: 'AssignmentExpression[left.property.name="value"]',
+  message: 'Only draft.ts writes what a control shows: it knows whether that is being edited.',
+};
+
 export default defineConfig(
   { ignores: ['build*/', 'dist/', 'web/src/kernel/wasm/', 'web/app/public/'] },
   eslint.configs.recommended,
@@ -57,18 +71,13 @@ export default defineConfig(
     message: 'The element does not know the page.',
   }),
   {
+    files: ['web/app/*.ts', 'web/src/view/**/*.ts', 'web/src/element/**/*.ts'],
+    rules: { 'no-restricted-syntax': ['error', ...privateMembers] },
+  },
+  {
     files: ['web/app/*.ts'],
     ignores: ['web/app/draft.ts'],
-    rules: {
-      'no-restricted-syntax': [
-        'error',
-        {
-          selector: 'AssignmentExpression[left.property.name="value"]',
-          message:
-            'Only web/app/draft.ts writes what a control shows: it knows whether that is being edited.',
-        },
-      ],
-    },
+    rules: { 'no-restricted-syntax': ['error', ...privateMembers, shownText] },
   },
   forbid(['web/app/**'], three, {
     regex: '/src/(?!(kernel/(index|types)|element/(index|plots))\\.(js|ts)$)',

@@ -12,18 +12,17 @@ function withoutMoves({ camera, range, panel, ...rest }: PageState): PageState {
 }
 
 export class Address {
-  private timer: ReturnType<typeof setTimeout> | undefined;
+  #timer: ReturnType<typeof setTimeout> | undefined;
   /** How many are still bringing about what the address says. */
-  private holders = 0;
+  #holders = 0;
   /** What needs no writing: the state as it came about by itself, or was written last. */
-  private known = '';
+  #known = '';
+  readonly #read: () => PageState;
 
-  constructor(
-    private readonly read: () => PageState,
-    apply: (state: PageState) => void,
-  ) {
+  constructor(read: () => PageState, apply: (state: PageState) => void) {
+    this.#read = read;
     window.addEventListener('popstate', () => {
-      clearTimeout(this.timer);
+      clearTimeout(this.#timer);
       apply(this.state);
     });
   }
@@ -36,37 +35,37 @@ export class Address {
   /** What is shown as an address. */
   get link(): string {
     const link = new URL(location.href);
-    link.hash = writeState(this.read());
+    link.hash = writeState(this.#read());
     return link.href;
   }
 
   /** Nothing is written until some work on bringing about what the address says is over. */
   async during(work: Promise<unknown>): Promise<void> {
-    ++this.holders;
-    clearTimeout(this.timer);
+    ++this.#holders;
+    clearTimeout(this.#timer);
     await work.catch(() => undefined);
-    if (--this.holders === 0) this.changed();
+    if (--this.#holders === 0) this.changed();
   }
 
   /** What is shown now did not come about by hand. */
   settle(): void {
-    this.known = writeState(this.read());
+    this.#known = writeState(this.#read());
   }
 
   /** What is shown has changed: writes it before long. */
   changed(): void {
-    if (this.holders > 0) return;
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.write(), delay);
+    if (this.#holders > 0) return;
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.#write(), delay);
   }
 
-  private write(): void {
-    if (this.holders > 0) return;
+  #write(): void {
+    if (this.#holders > 0) return;
     const before = this.state;
-    const now = this.read();
+    const now = this.#read();
     const text = writeState(now);
-    if (text === this.known || text === writeState(before)) return;
-    this.known = text;
+    if (text === this.#known || text === writeState(before)) return;
+    this.#known = text;
     const address = text === '' ? location.pathname + location.search : `#${text}`;
     const isStep = writeState(withoutMoves(now)) !== writeState(withoutMoves(before));
     if (isStep) history.pushState(null, '', address);

@@ -4,17 +4,17 @@ import { type Category, make } from '../src/element/index.js';
 
 export class CategoryShares {
   readonly element = make('div', { class: 'shares' });
-  private readonly bar = make('div', { class: 'bar', 'aria-hidden': 'true' });
-  private readonly list = make('ul');
+  readonly #bar = make('div', { class: 'bar', 'aria-hidden': 'true' });
+  readonly #list = make('ul');
 
   constructor() {
-    this.element.append(this.bar, this.list);
+    this.element.append(this.#bar, this.#list);
   }
 
   /** Nothing is to be said. */
   clear(): void {
-    this.bar.replaceChildren();
-    this.list.replaceChildren();
+    this.#bar.replaceChildren();
+    this.#list.replaceChildren();
   }
 
   /** `kinds`: for each vertex the number of its category; empty while it is not known. */
@@ -38,7 +38,7 @@ export class CategoryShares {
       element.style.background = colour;
       return element;
     };
-    this.bar.replaceChildren(
+    this.#bar.replaceChildren(
       ...shown.map(({ colour, share }) => {
         const piece = make('span');
         piece.style.background = colour;
@@ -46,12 +46,12 @@ export class CategoryShares {
         return piece;
       }),
     );
-    this.list.replaceChildren(
+    this.#list.replaceChildren(
       ...shown.map(({ name, colour, share }) => {
         const percent = share < 0.001 ? '<\u202f0.1' : (100 * share).toFixed(1);
         return make('li', {}, swatch(colour), name, make('b', {}, `${percent}\u202f%`));
       }),
     );
-    if (shown.length === 0) this.list.append(make('li', { class: 'hint' }, 'not computed yet'));
+    if (shown.length === 0) this.#list.append(make('li', { class: 'hint' }, 'not computed yet'));
   }
 }

@@ -44,35 +44,35 @@ export interface ComparePage {
 
 export class ComparePanel {
   readonly panel = new Panel('compare-panel');
-  private readonly field = make('select', { id: 'compare-field', 'aria-label': 'Compare by' });
-  private readonly choice: Draft;
-  private readonly plot = new DistributionPlot();
-  private readonly matrix = new DistanceMatrix((row) => this.ask(row));
-  private readonly ranking = new PlaceList('Ranking');
-  private readonly rankingTitle = make('h3');
-  private readonly words = make('span', { class: 'hint', role: 'status' });
-  private readonly results: HTMLElement;
-  private readonly buttons: Record<Button, HTMLButtonElement>;
-  private models: ComparedModel[] = [];
-  private query: ComparedModel | undefined;
-  private readonly distances = new Map<string, number>();
-  private readonly pictures = new Map<string, HTMLCanvasElement>();
+  readonly #field = make('select', { id: 'compare-field', 'aria-label': 'Compare by' });
+  readonly #choice: Draft;
+  readonly #plot = new DistributionPlot();
+  readonly #matrix = new DistanceMatrix((row) => this.#ask(row));
+  readonly #ranking = new PlaceList('Ranking');
+  readonly #rankingTitle = make('h3');
+  readonly #words = make('span', { class: 'hint', role: 'status' });
+  readonly #results: HTMLElement;
+  readonly #buttons: Record<Button, HTMLButtonElement>;
+  #models: ComparedModel[] = [];
+  #query: ComparedModel | undefined;
+  readonly #distances = new Map<string, number>();
+  readonly #pictures = new Map<string, HTMLCanvasElement>();
   /** For keys: what a model is called here. */
-  private readonly numbers = new Map<ComparedModel, number>();
-  private comparing = new AbortController();
-  private isRunning = false;
-  private isCancelled = false;
-  private timer: ReturnType<typeof setTimeout> | undefined;
+  readonly #numbers = new Map<ComparedModel, number>();
+  #comparing = new AbortController();
+  #isRunning = false;
+  #isCancelled = false;
+  #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(page: ComparePage) {
-    this.field.append(
+    this.#field.append(
       ...comparedFields.map((name) => make('option', { value: name }, fieldTitle(name))),
       ...Object.entries(descriptors).map(([value, words]) => make('option', { value }, words)),
     );
-    this.choice = new Draft(this.field, {
+    this.#choice = new Draft(this.#field, {
       committed: () => {
-        this.cancel();
-        this.computeAll();
+        this.#cancel();
+        this.#computeAll();
       },
     });
     const button = (words: string, act: () => void): HTMLButtonElement => {
@@ -80,28 +80,34 @@ export class ComparePanel {
       made.addEventListener('click', act);
       return made;
     };
-    this.buttons = {
+    this.#buttons = {
       keep: button('Add this model', () => {
         const present = page.present();
         if (present) this.add([present]);
       }),
       gallery: button('Add the examples', () => this.add(page.gallery())),
-      cancel: button('Cancel', () => this.cancel()),
-      resume: button('Go on', () => this.computeAll()),
-      show: button('Show it', () => this.query && page.show(this.query.opened)),
-      remove: button('Remove it', () => this.query && this.remove(this.query)),
-      clear: button('Remove all', () => this.clear()),
+      cancel: button('Cancel', () => this.#cancel()),
+      resume: button('Go on', () => this.#computeAll()),
+      show: button('Show it', () => this.#query && page.show(this.#query.opened)),
+      remove: button('Remove it', () => this.#query && this.#remove(this.#query)),
+      clear: button('Remove all', () => this.#clear()),
     };
-    this.plot.element.classList.add('compared');
-    this.results = make(
+    this.#plot.element.classList.add('compared');
+    this.#results = make(
       'div',
       {},
-      make('div', { class: 'row' }, this.field),
-      this.plot.element,
-      this.rankingTitle,
-      this.ranking.element,
-      make('p', { class: 'buttons' }, this.buttons.show, this.buttons.remove, this.buttons.clear),
-      this.matrix.element,
+      make('div', { class: 'row' }, this.#field),
+      this.#plot.element,
+      this.#rankingTitle,
+      this.#ranking.element,
+      make(
+        'p',
+        { class: 'buttons' },
+        this.#buttons.show,
+        this.#buttons.remove,
+        this.#buttons.clear,
+      ),
+      this.#matrix.element,
     );
     this.panel.body.append(
       make(
@@ -111,140 +117,140 @@ export class ComparePanel {
         term('emd', 'EMD'),
         ' of their fields.',
       ),
-      make('p', { class: 'buttons' }, this.buttons.keep, this.buttons.gallery),
-      make('p', { class: 'working' }, this.words, this.buttons.cancel, this.buttons.resume),
-      this.results,
+      make('p', { class: 'buttons' }, this.#buttons.keep, this.#buttons.gallery),
+      make('p', { class: 'working' }, this.#words, this.#buttons.cancel, this.#buttons.resume),
+      this.#results,
     );
     this.panel.onToggle(() => {
-      this.refresh();
+      this.#refresh();
       page.changed();
     });
-    this.refresh();
+    this.#refresh();
   }
 
   /** Takes models in; those that are there already are not taken twice. */
   add(some: readonly { opened: Opened; name: string }[]): void {
     const key = ({ source, model, prepare, remeshed }: Opened): string =>
       JSON.stringify([typeof source === 'string' ? source : '', model, prepare, remeshed?.faces]);
-    let left = mostModels - this.models.length;
+    let left = mostModels - this.#models.length;
     for (const { opened, name } of some) {
-      const isThere = this.models.some(
+      const isThere = this.#models.some(
         (one) => one.opened.source === opened.source && key(one.opened) === key(opened),
       );
       if (isThere) continue;
       if (--left < 0) break;
-      this.models.push(new ComparedModel(opened, name, () => this.refreshSoon()));
+      this.#models.push(new ComparedModel(opened, name, () => this.#refreshSoon()));
     }
-    this.words.textContent =
+    this.#words.textContent =
       left < 0 ? `No more than ${mostModels} are compared; remove some first.` : '';
-    this.query ??= this.models[0];
-    this.computeAll();
+    this.#query ??= this.#models[0];
+    this.#computeAll();
   }
 
   /** The field whose values are drawn. */
-  private get name(): FieldName {
-    const { descriptor } = this;
+  get #name(): FieldName {
+    const descriptor = this.#descriptor;
     return comparedFields.find((name) => name === descriptor) ?? 'igf';
   }
 
   /** What the distances are made of. */
-  private get descriptor(): string {
-    return this.choice.text;
+  get #descriptor(): string {
+    return this.#choice.text;
   }
 
   /** Stops computing; what there is stays. */
-  private cancel(): void {
-    this.isCancelled = true;
-    this.comparing.abort();
-    for (const model of this.models) model.cancel();
+  #cancel(): void {
+    this.#isCancelled = true;
+    this.#comparing.abort();
+    for (const model of this.#models) model.cancel();
   }
 
-  private remove(model: ComparedModel): void {
+  #remove(model: ComparedModel): void {
     model.dispose();
-    this.models = this.models.filter((one) => one !== model);
-    if (this.query === model) this.query = this.models[0];
-    this.words.textContent = '';
-    this.refresh();
+    this.#models = this.#models.filter((one) => one !== model);
+    if (this.#query === model) this.#query = this.#models[0];
+    this.#words.textContent = '';
+    this.#refresh();
   }
 
-  private clear(): void {
-    for (const model of this.models) model.dispose();
-    this.models = [];
-    this.query = undefined;
-    this.distances.clear();
-    this.pictures.clear();
-    this.words.textContent = '';
-    this.refresh();
+  #clear(): void {
+    for (const model of this.#models) model.dispose();
+    this.#models = [];
+    this.#query = undefined;
+    this.#distances.clear();
+    this.#pictures.clear();
+    this.#words.textContent = '';
+    this.#refresh();
   }
 
-  private ask(number: number): void {
-    this.query = this.models[number];
-    this.refresh();
+  #ask(number: number): void {
+    this.#query = this.#models[number];
+    this.#refresh();
   }
 
-  private computeAll(): void {
-    this.isCancelled = false;
-    this.refresh();
-    void this.computeMissing();
+  #computeAll(): void {
+    this.#isCancelled = false;
+    this.#refresh();
+    void this.#computeMissing();
   }
 
   /** One model after another: each uses all workers by itself. */
-  private async computeMissing(): Promise<void> {
-    if (this.isRunning) return;
-    this.isRunning = true;
-    this.refresh();
+  async #computeMissing(): Promise<void> {
+    if (this.#isRunning) return;
+    this.#isRunning = true;
+    this.#refresh();
     try {
       const own = await kernel;
       for (;;) {
-        if (this.isCancelled) break;
+        if (this.#isCancelled) break;
         // The choice is read anew each time: what was asked for meanwhile comes first.
-        const { name, descriptor } = this;
-        const pair = name === descriptor ? this.unmeasured(name) : undefined;
-        const next = this.models.find((model) => !model.failure && !model.fieldOf(name));
-        if (pair) await this.measure(...pair, name);
+        const [name, descriptor] = [this.#name, this.#descriptor];
+        const pair = name === descriptor ? this.#unmeasured(name) : undefined;
+        const next = this.#models.find((model) => !model.failure && !model.fieldOf(name));
+        if (pair) await this.#measure(...pair, name);
         else if (next) await next.compute(own, name);
-        else if (!(await this.compareBy(own, descriptor))) break;
-        this.refreshSoon();
+        else if (!(await this.#compareBy(own, descriptor))) break;
+        this.#refreshSoon();
       }
     } catch (error) {
-      this.words.textContent = `${failureWords(error)}.`;
+      this.#words.textContent = `${failureWords(error)}.`;
     } finally {
-      this.isRunning = false;
-      this.refresh();
+      this.#isRunning = false;
+      this.#refresh();
     }
   }
 
   /** Two models whose fields are there, and their distance not yet. */
-  private unmeasured(name: FieldName): [ComparedModel, ComparedModel] | undefined {
-    const models = this.models.filter((model) => !model.failure && model.fieldOf(name));
+  #unmeasured(name: FieldName): [ComparedModel, ComparedModel] | undefined {
+    const models = this.#models.filter((model) => !model.failure && model.fieldOf(name));
     for (const [i, a] of models.entries()) {
-      const b = models.slice(0, i).find((one) => !this.distances.has(this.keyOf(a, one, name)));
+      const b = models.slice(0, i).find((one) => !this.#distances.has(this.#keyOf(a, one, name)));
       if (b) return [a, b];
     }
     return undefined;
   }
 
   /** The distance of two models by a field; what is cancelled stays unmeasured. */
-  private async measure(a: ComparedModel, b: ComparedModel, name: FieldName): Promise<void> {
-    this.comparing = new AbortController();
-    const { signal } = this.comparing;
+  async #measure(a: ComparedModel, b: ComparedModel, name: FieldName): Promise<void> {
+    this.#comparing = new AbortController();
+    const { signal } = this.#comparing;
     try {
-      this.distances.set(this.keyOf(a, b, name), await a.differenceTo(b, name, signal));
+      this.#distances.set(this.#keyOf(a, b, name), await a.differenceTo(b, name, signal));
     } catch {
-      if (!signal.aborted) this.distances.set(this.keyOf(a, b, name), NaN);
+      if (!signal.aborted) this.#distances.set(this.#keyOf(a, b, name), NaN);
     }
   }
 
   /** The distances by a descriptor that is no field; false where there is nothing to be done. */
-  private async compareBy(own: Kernel, descriptor: string): Promise<boolean> {
+  async #compareBy(own: Kernel, descriptor: string): Promise<boolean> {
     if (!Object.hasOwn(descriptors, descriptor)) return false;
-    const models = this.models.filter(({ mesh, failure }) => mesh && !failure);
+    const models = this.#models.filter(({ mesh, failure }) => mesh && !failure);
     const isMissing = models.some((a, i) =>
-      models.some((b, j) => j > i && !this.distances.has(this.keyOf(a, b, descriptor))),
+      models.some((b, j) => j > i && !this.#distances.has(this.#keyOf(a, b, descriptor))),
     );
     if (!isMissing) return false;
-    this.comparing = new AbortController();
-    const { signal } = this.comparing;
+    this.#comparing = new AbortController();
+    const { signal } = this.#comparing;
     try {
       const { matrices } = await own.compare(
         models.map(({ mesh }) => mesh!),
@@ -252,139 +258,139 @@ export class ComparePanel {
           descriptors: [descriptor],
           signal,
           onProgress: (share) => {
-            this.words.textContent = `Comparing, ${Math.floor(100 * share)}\u202f%`;
+            this.#words.textContent = `Comparing, ${Math.floor(100 * share)}\u202f%`;
           },
         },
       );
       models.forEach((a, i) =>
         models.forEach((b, j) => {
           const distance = matrices[0]!.distances[i * models.length + j]!;
-          if (j > i) this.distances.set(this.keyOf(a, b, descriptor), distance);
+          if (j > i) this.#distances.set(this.#keyOf(a, b, descriptor), distance);
         }),
       );
-      this.words.textContent = '';
+      this.#words.textContent = '';
     } catch (error) {
       if (!signal.aborted) throw error;
-      this.words.textContent = '';
+      this.#words.textContent = '';
     }
     return true;
   }
 
-  private keyOf(a: ComparedModel, b: ComparedModel, name: string): string {
+  #keyOf(a: ComparedModel, b: ComparedModel, name: string): string {
     const numberOf = (model: ComparedModel): number => {
-      const number = this.numbers.get(model) ?? this.numbers.size;
-      this.numbers.set(model, number);
+      const number = this.#numbers.get(model) ?? this.#numbers.size;
+      this.#numbers.set(model, number);
       return number;
     };
     const [i, j] = [numberOf(a), numberOf(b)];
     return `${name} ${Math.min(i, j)} ${Math.max(i, j)}`;
   }
 
-  private distance(a: ComparedModel, b: ComparedModel): number | undefined {
-    if (a === b) return a.fieldOf(this.name) ? 0 : undefined;
+  #distance(a: ComparedModel, b: ComparedModel): number | undefined {
+    if (a === b) return a.fieldOf(this.#name) ? 0 : undefined;
     if (a.failure || b.failure) return NaN;
-    return this.distances.get(this.keyOf(a, b, this.descriptor));
+    return this.#distances.get(this.#keyOf(a, b, this.#descriptor));
   }
 
-  private refreshSoon(): void {
-    this.timer ??= setTimeout(() => this.refresh(), 200);
+  #refreshSoon(): void {
+    this.#timer ??= setTimeout(() => this.#refresh(), 200);
   }
 
-  private refresh(): void {
-    clearTimeout(this.timer);
-    this.timer = undefined;
-    const { models, query, buttons } = this;
+  #refresh(): void {
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+    const [models, query, buttons] = [this.#models, this.#query, this.#buttons];
     this.panel.summary = models.length > 0 ? formatCount(models.length) : '';
-    this.results.hidden = models.length === 0;
-    buttons.cancel.hidden = !this.isRunning;
-    buttons.resume.hidden = this.isRunning || !this.isCancelled || models.length === 0;
+    this.#results.hidden = models.length === 0;
+    buttons.cancel.hidden = !this.#isRunning;
+    buttons.resume.hidden = this.#isRunning || !this.#isCancelled || models.length === 0;
     buttons.show.disabled = buttons.remove.disabled = !query;
     if (!this.panel.isOpen || !query) return;
-    this.showPlot();
-    this.showRanking(query);
-    this.matrix.element.hidden = models.length < 3;
-    this.matrix.show(
+    this.#showPlot();
+    this.#showRanking(query);
+    this.#matrix.element.hidden = models.length < 3;
+    this.#matrix.show(
       models.map(({ name }) => name),
-      models.map((a) => models.map((b) => this.distance(a, b))),
+      models.map((a) => models.map((b) => this.#distance(a, b))),
       models.indexOf(query),
     );
   }
 
-  private colourOf(model: ComparedModel): string {
-    return colours[this.models.indexOf(model) % colours.length]!;
+  #colourOf(model: ComparedModel): string {
+    return colours[this.#models.indexOf(model) % colours.length]!;
   }
 
-  private showPlot(): void {
-    const hasDistribution = this.name === this.descriptor;
-    const drawn = (hasDistribution ? this.models : []).flatMap((model) => {
-      const values = model.normalised(this.name);
+  #showPlot(): void {
+    const hasDistribution = this.#name === this.#descriptor;
+    const drawn = (hasDistribution ? this.#models : []).flatMap((model) => {
+      const values = model.normalised(this.#name);
       return values ? [{ model, values }] : [];
     });
     const reaches = drawn.flatMap(({ values }) => extent(values) ?? []);
-    this.plot.element.hidden = reaches.length === 0;
+    this.#plot.element.hidden = reaches.length === 0;
     if (reaches.length === 0) return;
     const [low, high] = [Math.min(...reaches), Math.max(...reaches)];
-    this.plot.show({
+    this.#plot.show({
       kind: 'cdf',
       series: drawn.map(({ model, values }) => ({
         values,
         weights: model.weights,
-        colour: this.colourOf(model),
-        dash: dashes[Math.floor(this.models.indexOf(model) / colours.length) % dashes.length],
+        colour: this.#colourOf(model),
+        dash: dashes[Math.floor(this.#models.indexOf(model) / colours.length) % dashes.length],
       })),
       range: [low, high > low ? high : low + 1e-9],
       colourOf: () => ({ colour: 'transparent', faint: true }),
       format: (value) => String(Number(value.toPrecision(3))),
-      axes: { label: `${fieldTitle(this.name)} / √area` },
+      axes: { label: `${fieldTitle(this.#name)} / √area` },
     });
-    this.plot.element.setAttribute(
+    this.#plot.element.setAttribute(
       'aria-label',
       `Cumulative distributions of ${drawn.map(({ model }) => model.name).join(', ')}`,
     );
   }
 
-  private showRanking(query: ComparedModel): void {
-    const { name, models } = this;
-    const rows = models.map((model) => ({ model, distance: this.distance(query, model) }));
+  #showRanking(query: ComparedModel): void {
+    const [name, models] = [this.#name, this.#models];
+    const rows = models.map((model) => ({ model, distance: this.#distance(query, model) }));
     const far = (distance: number | undefined): number =>
       distance === undefined || Number.isNaN(distance) ? Infinity : distance;
     rows.sort((a, b) =>
       a.model === query ? -1 : b.model === query ? 1 : far(a.distance) - far(b.distance),
     );
-    this.rankingTitle.textContent = `Most like ${query.name}`;
-    this.ranking.show(
+    this.#rankingTitle.textContent = `Most like ${query.name}`;
+    this.#ranking.show(
       rows.map(({ model, distance }) => ({
         lead: String(models.indexOf(model) + 1),
-        colour: this.colourOf(model),
+        colour: this.#colourOf(model),
         main: model.name,
-        detail: this.detail(model, query, distance),
-        picture: this.pictureOf(model, name),
+        detail: this.#detail(model, query, distance),
+        picture: this.#pictureOf(model, name),
         choose: () => {
-          this.query = model;
-          this.refresh();
+          this.#query = model;
+          this.#refresh();
         },
       })),
     );
-    this.ranking.select(0);
+    this.#ranking.select(0);
   }
 
-  private detail(model: ComparedModel, query: ComparedModel, distance: number | undefined): string {
+  #detail(model: ComparedModel, query: ComparedModel, distance: number | undefined): string {
     if (model.failure) return model.failure;
-    if (!model.fieldOf(this.name)) {
+    if (!model.fieldOf(this.#name)) {
       if (model.share > 0) return `computing, ${Math.floor(100 * model.share)}\u202f%`;
-      return this.isRunning ? 'waiting' : 'not computed';
+      return this.#isRunning ? 'waiting' : 'not computed';
     }
     return model === query ? 'asked about' : distanceWords(distance);
   }
 
-  private pictureOf(model: ComparedModel, name: FieldName): HTMLCanvasElement | undefined {
+  #pictureOf(model: ComparedModel, name: FieldName): HTMLCanvasElement | undefined {
     if (!model.mesh) return undefined;
     const field = model.fieldOf(name);
-    const key = `${this.keyOf(model, model, name)} ${field !== undefined}`;
-    let picture = this.pictures.get(key);
+    const key = `${this.#keyOf(model, model, name)} ${field !== undefined}`;
+    let picture = this.#pictures.get(key);
     if (!picture) {
       picture = thumbnail(model.mesh, field, 'viridis');
-      this.pictures.set(key, picture);
+      this.#pictures.set(key, picture);
     }
     return picture;
   }

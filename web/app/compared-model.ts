@@ -13,24 +13,27 @@ export class ComparedModel {
   /** Why it cannot be compared; '' where it can. */
   failure = '';
   /** Aborted to stop what is computed now; another one comes with the next computation. */
-  private work = new AbortController();
-  private readonly known = new Map<FieldName, Field>();
-  private isDisposed = false;
+  #work = new AbortController();
+  readonly #known = new Map<FieldName, Field>();
+  #isDisposed = false;
+  readonly opened: Opened;
+  readonly name: string;
+  readonly #changed: () => void;
 
-  constructor(
-    readonly opened: Opened,
-    readonly name: string,
-    private readonly changed: () => void,
-  ) {}
+  constructor(opened: Opened, name: string, changed: () => void) {
+    this.opened = opened;
+    this.name = name;
+    this.#changed = changed;
+  }
 
   /** The field, once it is computed. */
   fieldOf(name: FieldName): Field | undefined {
-    return this.known.get(name);
+    return this.#known.get(name);
   }
 
   /** Values as if the surface had the area 1: size does not matter. */
   normalised(name: FieldName): Float64Array | undefined {
-    const field = this.known.get(name);
+    const field = this.#known.get(name);
     const area = this.mesh?.info.area ?? 0;
     if (!field || !(area > 0)) return undefined;
     const scale = field.unit === 'rad' ? 1 : 1 / Math.sqrt(area);
@@ -39,44 +42,44 @@ export class ComparedModel {
 
   /** Reads the model and computes a field; what goes wrong is in `failure`. One at a time. */
   async compute(kernel: Kernel, name: FieldName): Promise<void> {
-    this.work = new AbortController();
-    const { signal } = this.work;
+    this.#work = new AbortController();
+    const { signal } = this.#work;
     this.share = 0;
     try {
-      this.mesh ??= await this.load(kernel, signal);
+      this.mesh ??= await this.#load(kernel, signal);
       this.weights ??= await this.mesh.vertexAreas({ signal });
       const onProgress = (share: number): void => {
         this.share = share;
-        this.changed();
+        this.#changed();
       };
-      this.known.set(name, await this.mesh.field(name, { signal, onProgress }));
+      this.#known.set(name, await this.mesh.field(name, { signal, onProgress }));
     } catch (error) {
       if (!signal.aborted) this.failure = failureWords(error);
-      else if (this.isDisposed) this.mesh?.dispose();
+      else if (this.#isDisposed) this.mesh?.dispose();
     }
     this.share = 0;
-    this.changed();
+    this.#changed();
   }
 
   /** Stops the computation; it may be begun again. */
   cancel(): void {
-    this.work.abort();
+    this.#work.abort();
   }
 
   /** Equation (1) of the paper; NaN where one of the two fields is missing. */
   async differenceTo(other: ComparedModel, name: FieldName, signal: AbortSignal): Promise<number> {
-    const [field, otherField] = [this.known.get(name), other.known.get(name)];
+    const [field, otherField] = [this.#known.get(name), other.#known.get(name)];
     if (!this.mesh || !other.mesh || !field || !otherField) return NaN;
     return this.mesh.difference(field, other.mesh, otherField, { signal });
   }
 
   dispose(): void {
-    this.isDisposed = true;
-    this.work.abort();
+    this.#isDisposed = true;
+    this.#work.abort();
     this.mesh?.dispose();
   }
 
-  private async load(kernel: Kernel, signal: AbortSignal): Promise<Mesh> {
+  async #load(kernel: Kernel, signal: AbortSignal): Promise<Mesh> {
     const { source, model, prepare, remeshed } = this.opened;
     const options = { signal, prepare, ...(model === undefined ? {} : { model }) };
     const address = typeof source === 'string' ? new URL(source, document.baseURI) : source;

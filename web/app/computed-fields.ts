@@ -4,18 +4,18 @@ import type { FieldName } from '../src/kernel/index.js';
 import type { FieldDetail, GirthViewer } from '../src/element/index.js';
 
 export class ComputedFields {
-  private readonly names = new Set<FieldName>();
+  readonly #names = new Set<FieldName>();
 
   /** Listens before anybody who asks. */
   constructor(viewer: GirthViewer) {
-    viewer.addEventListener('load', () => this.names.clear());
+    viewer.addEventListener('load', () => this.#names.clear());
     viewer.addEventListener('field', (event) => {
       const { name, share } = (event as CustomEvent<FieldDetail>).detail;
-      if (share === 1) this.names.add(name);
+      if (share === 1) this.#names.add(name);
     });
   }
 
   has(name: FieldName): boolean {
-    return this.names.has(name);
+    return this.#names.has(name);
   }
 }

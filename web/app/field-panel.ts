@@ -80,157 +80,157 @@ export interface FieldPage {
 }
 
 export class FieldPanel {
-  private readonly field = make('select', { id: 'field-name', 'aria-label': 'Field' });
-  private readonly kindButtons: Record<DistributionKind, HTMLButtonElement>;
-  private readonly plot = new DistributionPlot({
-    brushed: (range) => this.brushed(range),
+  readonly #field = make('select', { id: 'field-name', 'aria-label': 'Field' });
+  readonly #kindButtons: Record<DistributionKind, HTMLButtonElement>;
+  readonly #plot = new DistributionPlot({
+    brushed: (range) => this.#brushed(range),
   });
-  private readonly categories = new CategoryShares();
-  private readonly signature: SignatureChoice;
-  private readonly sliders = new RangeSliders((low, high) => this.setRange(`${low} ${high}`));
-  private readonly rangeChoice = make('select', {
+  readonly #categories = new CategoryShares();
+  readonly #signature: SignatureChoice;
+  readonly #sliders = new RangeSliders((low, high) => this.#setRange(`${low} ${high}`));
+  readonly #rangeChoice = make('select', {
     id: 'range',
     'aria-label': 'Range of the colours',
   });
-  private readonly caption = make('p', { class: 'caption', role: 'status' });
-  private readonly captionWords = make('span');
-  private readonly clearBrush = make(
-    'button',
-    { type: 'button', 'aria-label': 'Mark nothing' },
-    '✕',
-  );
-  private readonly colormap = make('select', { id: 'colormap', 'aria-label': 'Colours' });
-  private readonly isolines = make('select', { id: 'isolines' });
-  private readonly edges = make('input', { id: 'edges', type: 'checkbox' });
-  private readonly fieldDraft: Draft;
-  private readonly rangeDraft: Draft;
-  private readonly colormapDraft: Draft;
-  private readonly isolinesDraft: Draft;
-  private kind: DistributionKind = 'histogram';
-  private areas: Float64Array | undefined;
+  readonly #caption = make('p', { class: 'caption', role: 'status' });
+  readonly #captionWords = make('span');
+  readonly #clearBrush = make('button', { type: 'button', 'aria-label': 'Mark nothing' }, '✕');
+  readonly #colormap = make('select', { id: 'colormap', 'aria-label': 'Colours' });
+  readonly #isolines = make('select', { id: 'isolines' });
+  readonly #edges = make('input', { id: 'edges', type: 'checkbox' });
+  readonly #fieldDraft: Draft;
+  readonly #rangeDraft: Draft;
+  readonly #colormapDraft: Draft;
+  readonly #isolinesDraft: Draft;
+  #kind: DistributionKind = 'histogram';
+  #areas: Float64Array | undefined;
   /** What coloured the surface before a panel wanted something else. */
-  private before: ShownName | undefined;
-  private timer: ReturnType<typeof setTimeout> | undefined;
-  private marking = 0;
+  #before: ShownName | undefined;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #marking = 0;
+  readonly #viewer: GirthViewer;
+  readonly #computed: ComputedFields;
+  readonly #page: FieldPage;
 
-  constructor(
-    private readonly viewer: GirthViewer,
-    private readonly computed: ComputedFields,
-    private readonly page: FieldPage,
-  ) {
-    const { field, plot } = this;
+  constructor(viewer: GirthViewer, computed: ComputedFields, page: FieldPage) {
+    this.#viewer = viewer;
+    this.#computed = computed;
+    this.#page = page;
+    const [field, plot] = [this.#field, this.#plot];
     field.append(...shownNames.map((name) => make('option', { value: name }, wordsFor(name))));
-    this.fieldDraft = new Draft(field, { committed: (name) => this.choose(name as ShownName) });
+    this.#fieldDraft = new Draft(field, { committed: (name) => this.choose(name as ShownName) });
     const kindButton = (kind: DistributionKind, words: string): HTMLButtonElement => {
       const button = make(
         'button',
         { type: 'button', 'aria-pressed': 'false', 'aria-label': words, title: words },
         icon(kind),
       );
-      button.addEventListener('click', () => this.setKind(kind));
+      button.addEventListener('click', () => this.#setKind(kind));
       return button;
     };
-    this.kindButtons = {
+    this.#kindButtons = {
       histogram: kindButton('histogram', 'Histogram'),
       cdf: kindButton('cdf', 'Cumulative distribution'),
     };
-    this.signature = new SignatureChoice(viewer, () => page.changed());
+    this.#signature = new SignatureChoice(viewer, () => page.changed());
     plot.element.id = 'distribution';
-    this.rangeChoice.append(
+    this.#rangeChoice.append(
       ...ranges.map(([value, words]) => make('option', { value }, words)),
       make('option', { value: ownRange, hidden: '' }, 'own range'),
     );
-    this.rangeDraft = new Draft(this.rangeChoice, { committed: (range) => this.setRange(range) });
-    this.colormap.append(...colormapNames.map((name) => make('option', { value: name }, name)));
-    this.colormapDraft = new Draft(this.colormap, {
+    this.#rangeDraft = new Draft(this.#rangeChoice, {
+      committed: (range) => this.#setRange(range),
+    });
+    this.#colormap.append(...colormapNames.map((name) => make('option', { value: name }, name)));
+    this.#colormapDraft = new Draft(this.#colormap, {
       committed: (name) => {
         viewer.setAttribute('colormap', name);
-        this.paint();
+        this.#paint();
         page.changed();
       },
     });
-    this.isolines.append(
+    this.#isolines.append(
       ...isolineCounts.map((count) =>
         make('option', { value: String(count) }, count === 0 ? 'no lines' : `${count} lines`),
       ),
     );
-    this.isolinesDraft = new Draft(this.isolines, {
+    this.#isolinesDraft = new Draft(this.#isolines, {
       committed: (count) => {
         setAttribute(viewer, 'isolines', count === '0' ? '' : count);
         page.changed();
       },
     });
-    this.edges.addEventListener('change', () => {
-      viewer.toggleAttribute('edges', this.edges.checked);
+    this.#edges.addEventListener('change', () => {
+      viewer.toggleAttribute('edges', this.#edges.checked);
       page.changed();
     });
     const kinds = make(
       'div',
       { class: 'switch', role: 'group', 'aria-label': 'Distribution' },
-      ...Object.values(this.kindButtons),
+      ...Object.values(this.#kindButtons),
     );
     byId('field').append(
       make('div', { class: 'row first' }, field, kinds),
       plot.element,
-      this.categories.element,
-      this.sliders.element,
-      make('div', { class: 'ends' }, this.sliders.low, this.rangeChoice, this.sliders.high),
-      this.caption,
-      this.signature.element,
+      this.#categories.element,
+      this.#sliders.element,
+      make('div', { class: 'ends' }, this.#sliders.low, this.#rangeChoice, this.#sliders.high),
+      this.#caption,
+      this.#signature.element,
       make(
         'div',
         { class: 'row' },
-        this.colormap,
-        this.isolines,
-        make('label', { class: 'check' }, this.edges, ' Edges'),
+        this.#colormap,
+        this.#isolines,
+        make('label', { class: 'check' }, this.#edges, ' Edges'),
       ),
     );
-    this.caption.append(this.captionWords);
-    this.clearBrush.addEventListener('click', () => this.setBrush(undefined));
-    this.isolines.setAttribute('aria-label', 'Lines of equal value');
-    this.setKind('histogram');
+    this.#caption.append(this.#captionWords);
+    this.#clearBrush.addEventListener('click', () => this.#setBrush(undefined));
+    this.#isolines.setAttribute('aria-label', 'Lines of equal value');
+    this.#setKind('histogram');
     this.apply({});
 
-    viewer.addEventListener('progress', () => this.refreshSoon());
+    viewer.addEventListener('progress', () => this.#refreshSoon());
     viewer.addEventListener('field', () => this.refresh());
     viewer.addEventListener('fieldchange', () => this.refresh());
     viewer.addEventListener('unit', () => this.refresh());
     viewer.addEventListener('hover', (event) => {
       const { vertex } = (event as CustomEvent<{ vertex: number | undefined }>).detail;
       const name = this.name;
-      this.plot.markValue(vertex === undefined ? undefined : this.valuesOf(name)[vertex]);
+      this.#plot.markValue(vertex === undefined ? undefined : this.#valuesOf(name)[vertex]);
     });
   }
 
   /** What colours the surface. */
   get name(): ShownName {
-    const name = this.viewer.getAttribute('field');
+    const name = this.#viewer.getAttribute('field');
     return isShownName(name) ? name : 'igf';
   }
 
   /** Colours the surface otherwise; for other panels too. */
   choose(name: ShownName): void {
     if (name === this.name) return;
-    this.setBrush(undefined);
-    setAttribute(this.viewer, 'field', name === 'igf' ? '' : name);
+    this.#setBrush(undefined);
+    setAttribute(this.#viewer, 'field', name === 'igf' ? '' : name);
     // Values of one field mean nothing for another; shares do.
-    if (!this.viewer.getAttribute('range')?.includes('%')) this.viewer.removeAttribute('range');
+    if (!this.#viewer.getAttribute('range')?.includes('%')) this.#viewer.removeAttribute('range');
     this.refresh();
-    this.page.changed();
+    this.#page.changed();
   }
 
   /** Another model: an empty plot, and the full range. */
   clear(): void {
-    this.areas = undefined;
-    this.setBrush(undefined);
-    this.viewer.removeAttribute('range');
+    this.#areas = undefined;
+    this.#setBrush(undefined);
+    this.#viewer.removeAttribute('range');
     this.refresh();
-    const { viewer } = this;
+    const viewer = this.#viewer;
     const { info } = viewer;
     void viewer.areas().then(
       (areas) => {
         if (viewer.info !== info) return;
-        this.areas = areas;
+        this.#areas = areas;
         this.refresh();
       },
       () => undefined,
@@ -240,17 +240,18 @@ export class FieldPanel {
   /** Colours the surface as an open panel wants it, and afterwards as it was. */
   colourForPanel(name: ShownName, wanted: boolean): void {
     if (wanted) {
-      this.before = this.name;
+      this.#before = this.name;
       this.choose(name);
     } else if (this.name === name) {
-      this.choose(this.before ?? 'igf');
-      this.before = undefined;
+      this.choose(this.#before ?? 'igf');
+      this.#before = undefined;
     }
   }
 
   read(): PageState {
-    const { viewer, name } = this;
-    const state: PageState = this.signature.read();
+    const viewer = this.#viewer;
+    const { name } = this;
+    const state: PageState = this.#signature.read();
     if (name !== 'igf') state.field = name;
     const [colormap, range] = [viewer.getAttribute('colormap'), viewer.getAttribute('range')];
     if (colormap) state.colormap = colormap;
@@ -262,65 +263,66 @@ export class FieldPanel {
   }
 
   apply(state: PageState): void {
-    const { viewer } = this;
+    const viewer = this.#viewer;
     const { field, colormap, range, isolines, edges } = state;
-    this.signature.apply(state);
+    this.#signature.apply(state);
     setAttribute(viewer, 'field', isShownName(field ?? null) && field !== 'igf' ? field! : '');
     setAttribute(viewer, 'colormap', isColormapName(colormap) ? colormap : '');
     setAttribute(viewer, 'range', range ?? '');
     setAttribute(viewer, 'isolines', isolines ? String(isolines) : '');
     viewer.toggleAttribute('edges', edges ?? false);
-    this.edges.checked = edges ?? false;
+    this.#edges.checked = edges ?? false;
     const count = String(isolines ?? 0);
-    if (![...this.isolines.options].some(({ value }) => value === count)) {
-      this.isolines.append(make('option', { value: count }, `${count} lines`));
+    if (![...this.#isolines.options].some(({ value }) => value === count)) {
+      this.#isolines.append(make('option', { value: count }, `${count} lines`));
     }
-    this.isolinesDraft.show(count);
+    this.#isolinesDraft.show(count);
     this.refresh();
   }
 
-  private valuesOf(name: ShownName): Float64Array {
-    const { viewer } = this;
+  #valuesOf(name: ShownName): Float64Array {
+    const viewer = this.#viewer;
     const none = new Float64Array();
-    if (name === 'tips') return this.page.tipRises() ?? none;
+    if (name === 'tips') return this.#page.tipRises() ?? none;
     return viewer.info && isFieldName(name) ? viewer.values(name) : none;
   }
 
-  private setKind(kind: DistributionKind): void {
-    this.kind = kind;
-    for (const [one, button] of Object.entries(this.kindButtons)) {
+  #setKind(kind: DistributionKind): void {
+    this.#kind = kind;
+    for (const [one, button] of Object.entries(this.#kindButtons)) {
       button.setAttribute('aria-pressed', String(one === kind));
     }
     this.refresh();
   }
 
-  private refreshSoon(): void {
-    this.timer ??= setTimeout(() => this.refresh(), interval);
+  #refreshSoon(): void {
+    this.#timer ??= setTimeout(() => this.refresh(), interval);
   }
 
   refresh(): void {
-    clearTimeout(this.timer);
-    this.timer = undefined;
-    const { name, plot, sliders } = this;
-    this.fieldDraft.show(name);
-    explains(this.field, fieldTerms[name]);
-    this.signature.show(name);
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+    const [plot, sliders] = [this.#plot, this.#sliders];
+    const { name } = this;
+    this.#fieldDraft.show(name);
+    explains(this.#field, fieldTerms[name]);
+    this.#signature.show(name);
     const isNumeric = isFieldName(name) || name === 'tips';
-    const values = this.valuesOf(name);
+    const values = this.#valuesOf(name);
     const reach = extent(values);
     plot.element.hidden = !isNumeric;
-    this.categories.element.hidden = isNumeric;
-    for (const button of Object.values(this.kindButtons)) button.disabled = !isNumeric;
+    this.#categories.element.hidden = isNumeric;
+    for (const button of Object.values(this.#kindButtons)) button.disabled = !isNumeric;
     sliders.disabled = !reach;
-    this.rangeChoice.disabled = !reach;
-    if (!isNumeric) this.showShares();
+    this.#rangeChoice.disabled = !reach;
+    if (!isNumeric) this.#showShares();
     if (!reach) {
       sliders.show(undefined, undefined, String);
       plot.element.setAttribute('aria-label', 'Distribution: no values yet');
-      this.writeInCaption('', false);
+      this.#writeInCaption('', false);
       if (isNumeric) {
         plot.show({
-          kind: this.kind,
+          kind: this.#kind,
           series: [],
           range: [0, 1],
           colourOf: () => ({ colour: 'transparent', faint: true }),
@@ -329,105 +331,109 @@ export class FieldPanel {
       }
       return;
     }
-    const format = (value: number): string => formatLength(value, this.format);
+    const format = (value: number): string => formatLength(value, this.#format);
     // Values that are the same but for rounding are one bar, in the middle.
     const least = 1e-6 * Math.abs(reach[1]);
     const widen = reach[1] - reach[0] < least ? least : 0;
     plot.show({
-      kind: this.kind,
-      series: [{ values, weights: this.areas, colour: getComputedStyle(plot.element).color }],
+      kind: this.#kind,
+      series: [{ values, weights: this.#areas, colour: getComputedStyle(plot.element).color }],
       range: [reach[0] - widen, reach[1] + widen],
-      colourOf: (value) => this.colourOf(value),
+      colourOf: (value) => this.#colourOf(value),
       format,
     });
-    const middle = quantile(values, this.areas, 0.5);
+    const middle = quantile(values, this.#areas, 0.5);
     plot.element.setAttribute(
       'aria-label',
       `Distribution of ${wordsFor(name)} from ${format(reach[0])} to ${format(reach[1])}, median ` +
         `${format(middle)}. Arrows mark a range.`,
     );
-    this.paint();
-    this.writeCaption(values, reach);
+    this.#paint();
+    this.#writeCaption(values, reach);
   }
 
-  private showShares(): void {
-    const { name, viewer, categories, areas } = this;
-    if (name === 'parts') categories.show(partKinds, this.page.partKinds() ?? [], areas);
+  #showShares(): void {
+    const [viewer, categories, areas] = [this.#viewer, this.#categories, this.#areas];
+    const { name } = this;
+    if (name === 'parts') categories.show(partKinds, this.#page.partKinds() ?? [], areas);
     else if (name === 'none') categories.clear();
     else {
       categories.show(girthKinds, [], areas);
-      if (!this.computed.has('igf')) return;
+      if (!this.#computed.has('igf')) return;
       const { info } = viewer;
       void viewer.fieldOf('igf').then(({ kinds }) => {
         if (viewer.info === info && this.name === 'kind')
-          categories.show(girthKinds, kinds, this.areas);
+          categories.show(girthKinds, kinds, this.#areas);
       });
     }
   }
 
-  private get format() {
-    const { viewer, name } = this;
+  get #format() {
+    const viewer = this.#viewer;
+    const { name } = this;
     return viewer.info ? viewer.formatOf(name) : viewer.lengthFormat;
   }
 
   /** The range that the colours span. */
-  private get ends(): readonly [number, number] | undefined {
-    return this.viewer.shown?.range;
+  get #ends(): readonly [number, number] | undefined {
+    return this.#viewer.shown?.range;
   }
 
-  private colourOf(value: number): { colour: string; faint: boolean } {
-    const [low, high] = this.ends ?? [0, 1];
+  #colourOf(value: number): { colour: string; faint: boolean } {
+    const [low, high] = this.#ends ?? [0, 1];
     return {
-      colour: colourAt(this.viewer.shown?.colormap ?? 'viridis', (value - low) / (high - low)),
+      colour: colourAt(this.#viewer.shown?.colormap ?? 'viridis', (value - low) / (high - low)),
       faint: value < low || value > high,
     };
   }
 
   /** Colours of the bars, and the ends of the range. */
-  private paint(): void {
-    const { viewer, plot, sliders } = this;
+  #paint(): void {
+    const [viewer, plot, sliders] = [this.#viewer, this.#plot, this.#sliders];
     const range = viewer.getAttribute('range') ?? '';
     const offered = ranges.some(([value]) => value === range);
-    this.rangeDraft.show(offered ? range : ownRange);
-    this.colormapDraft.show(viewer.shown?.colormap ?? viewer.getAttribute('colormap') ?? 'viridis');
-    plot.recolour((value) => this.colourOf(value));
-    sliders.show(extent(this.valuesOf(this.name)), this.ends, (value) =>
-      formatLength(value, this.format),
+    this.#rangeDraft.show(offered ? range : ownRange);
+    this.#colormapDraft.show(
+      viewer.shown?.colormap ?? viewer.getAttribute('colormap') ?? 'viridis',
+    );
+    plot.recolour((value) => this.#colourOf(value));
+    sliders.show(extent(this.#valuesOf(this.name)), this.#ends, (value) =>
+      formatLength(value, this.#format),
     );
   }
 
-  private setRange(range: string): void {
-    setAttribute(this.viewer, 'range', range);
-    this.paint();
-    this.page.changed();
+  #setRange(range: string): void {
+    setAttribute(this.#viewer, 'range', range);
+    this.#paint();
+    this.#page.changed();
   }
 
-  private setBrush(range: [number, number] | undefined): void {
-    this.plot.brush = range;
-    this.brushed(range);
+  #setBrush(range: [number, number] | undefined): void {
+    this.#plot.brush = range;
+    this.#brushed(range);
   }
 
-  private brushed(range: [number, number] | undefined): void {
-    const { viewer } = this;
+  #brushed(range: [number, number] | undefined): void {
+    const viewer = this.#viewer;
     // Once a frame is enough: a finger moves more often.
-    cancelAnimationFrame(this.marking);
-    this.marking = requestAnimationFrame(() => {
+    cancelAnimationFrame(this.#marking);
+    this.#marking = requestAnimationFrame(() => {
       if (!viewer.info) return;
-      const values = this.valuesOf(this.name);
+      const values = this.#valuesOf(this.name);
       viewer.mark(range && placesWithin(values, range));
       const reach = extent(values);
-      if (reach) this.writeCaption(values, reach);
+      if (reach) this.#writeCaption(values, reach);
     });
   }
 
-  private writeCaption(values: Float64Array, reach: readonly [number, number]): void {
-    const range = this.plot.brush;
-    const format = (value: number): string => formatLength(value, this.format);
+  #writeCaption(values: Float64Array, reach: readonly [number, number]): void {
+    const range = this.#plot.brush;
+    const format = (value: number): string => formatLength(value, this.#format);
     if (!range) {
       const without = values.reduce((count, value) => count + (Number.isFinite(value) ? 0 : 1), 0);
-      const isWhole = isFieldName(this.name) && this.computed.has(this.name);
-      this.writeInCaption(
-        `median ${format(quantile(values, this.areas, 0.5))}` +
+      const isWhole = isFieldName(this.name) && this.#computed.has(this.name);
+      this.#writeInCaption(
+        `median ${format(quantile(values, this.#areas, 0.5))}` +
           (without > 0 && isWhole ? ` · no value at ${formatCount(without)} vertices` : ''),
         false,
       );
@@ -435,19 +441,19 @@ export class FieldPanel {
     }
     const low = Math.max(range[0], reach[0]);
     const high = Math.min(range[1], reach[1]);
-    const share = 100 * shareWithin(values, this.areas, range);
+    const share = 100 * shareWithin(values, this.#areas, range);
     const percent = share > 0 && share < 0.1 ? '<\u202f0.1' : share.toFixed(1);
-    this.writeInCaption(
-      `${formatNumber(low, this.format)} to ${format(high)}: ${percent}\u202f%`,
+    this.#writeInCaption(
+      `${formatNumber(low, this.#format)} to ${format(high)}: ${percent}\u202f%`,
       true,
     );
   }
 
-  private writeInCaption(words: string, isOfBrush: boolean): void {
-    this.caption.title = isOfBrush ? 'Share of the area with these values' : '';
-    this.captionWords.textContent = words;
-    if (isOfBrush) this.caption.append(this.clearBrush);
-    else this.clearBrush.remove();
+  #writeInCaption(words: string, isOfBrush: boolean): void {
+    this.#caption.title = isOfBrush ? 'Share of the area with these values' : '';
+    this.#captionWords.textContent = words;
+    if (isOfBrush) this.#caption.append(this.#clearBrush);
+    else this.#clearBrush.remove();
   }
 }
 

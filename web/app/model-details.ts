@@ -31,75 +31,76 @@ export interface ModelState {
 }
 
 export class ModelDetails {
-  private readonly sheet = byId('details');
-  private readonly opener = byId<HTMLButtonElement>('details-open');
-  private readonly line = byId('model');
-  private readonly comparison = make('p', { class: 'hint', role: 'status' });
-  private readonly size = make('span');
-  private readonly done = make('div');
-  private unit: Draft | undefined;
-  private shown: { info: MeshInfo; state: ModelState } | undefined;
+  readonly #sheet = byId('details');
+  readonly #opener = byId<HTMLButtonElement>('details-open');
+  readonly #line = byId('model');
+  readonly #comparison = make('p', { class: 'hint', role: 'status' });
+  readonly #size = make('span');
+  readonly #done = make('div');
+  #unit: Draft | undefined;
+  #shown: { info: MeshInfo; state: ModelState } | undefined;
+  readonly #viewer: GirthViewer;
+  readonly #actions: ModelActions;
 
-  constructor(
-    private readonly viewer: GirthViewer,
-    private readonly actions: ModelActions,
-  ) {
-    viewer.addEventListener('unit', () => this.refresh());
+  constructor(viewer: GirthViewer, actions: ModelActions) {
+    this.#viewer = viewer;
+    this.#actions = actions;
+    viewer.addEventListener('unit', () => this.#refresh());
   }
 
   show(info: MeshInfo, state: ModelState): void {
     const [name = '', ...rest] = modelFacts(info);
-    this.line.replaceChildren(make('b', {}, name), ` · ${rest.join(' · ')}`);
-    this.line.title = this.line.textContent ?? '';
-    this.comparison.textContent = '';
-    this.shown = { info, state };
-    const isRepaired = repairs(info.report, this.viewer.lengthFormat).length > 0;
-    this.opener.textContent = isRepaired ? 'repaired' : 'details';
-    this.opener.hidden = false;
-    this.build(info, state);
-    this.refresh();
+    this.#line.replaceChildren(make('b', {}, name), ` · ${rest.join(' · ')}`);
+    this.#line.title = this.#line.textContent ?? '';
+    this.#comparison.textContent = '';
+    this.#shown = { info, state };
+    const isRepaired = repairs(info.report, this.#viewer.lengthFormat).length > 0;
+    this.#opener.textContent = isRepaired ? 'repaired' : 'details';
+    this.#opener.hidden = false;
+    this.#build(info, state);
+    this.#refresh();
   }
 
   /** Says how far the field of a remeshed surface is from that of the surface before. */
   async compare(): Promise<void> {
-    const { shown } = this;
-    const difference = await this.viewer.differenceToOriginal().catch(() => undefined);
-    if (difference === undefined || shown !== this.shown) return;
+    const shown = this.#shown;
+    const difference = await this.#viewer.differenceToOriginal().catch(() => undefined);
+    if (difference === undefined || shown !== this.#shown) return;
     const words = difference.toPrecision(2).replace('-', '−');
-    this.comparison.textContent = `Its girth differs from that before by ${words} (the paper’s equation 1).`;
+    this.#comparison.textContent = `Its girth differs from that before by ${words} (the paper’s equation 1).`;
   }
 
   /** Another model, or the same one prepared otherwise: whatever was being changed is no longer meant. */
-  private build(info: MeshInfo, state: ModelState): void {
-    this.unit = undefined;
-    this.sheet.replaceChildren(
+  #build(info: MeshInfo, state: ModelState): void {
+    this.#unit = undefined;
+    this.#sheet.replaceChildren(
       make('h2', { id: 'details-title' }, info.name),
-      this.facts(info),
-      this.done,
-      ...this.models(info),
-      ...this.components(info, state),
-      ...this.changes(info, state),
+      this.#facts(info),
+      this.#done,
+      ...this.#models(info),
+      ...this.#components(info, state),
+      ...this.#changes(info, state),
     );
   }
 
   /** What the unit changes; the controls stay as they are. */
-  private refresh(): void {
-    if (!this.shown) return;
-    const { info, state } = this.shown;
-    this.size.textContent = sizeWords(info, this.viewer.lengthFormat);
-    this.unit?.show(this.viewer.unit);
-    this.done.replaceChildren(...this.whatWasDone(info, state));
+  #refresh(): void {
+    if (!this.#shown) return;
+    const { info, state } = this.#shown;
+    this.#size.textContent = sizeWords(info, this.#viewer.lengthFormat);
+    this.#unit?.show(this.#viewer.unit);
+    this.#done.replaceChildren(...this.#whatWasDone(info, state));
   }
 
-  private close(): void {
-    this.sheet.hidePopover();
+  #close(): void {
+    this.#sheet.hidePopover();
   }
 
-  private facts(info: MeshInfo): HTMLElement {
+  #facts(info: MeshInfo): HTMLElement {
     const rows: [string, (Node | string)[]][] = [
       ['File', [info.format]],
-      ['Size', [this.size]],
-      ['Unit', [info.unit ? `${info.unit}, as the file says` : this.unitChooser()]],
+      ['Size', [this.#size]],
+      ['Unit', [info.unit ? `${info.unit}, as the file says` : this.#unitChooser()]],
       [
         'Surface',
         [`${formatCount(info.faceCount)} faces, ${formatCount(info.vertexCount)} vertices`],
@@ -114,20 +115,20 @@ export class ModelDetails {
     );
   }
 
-  private unitChooser(): HTMLElement {
-    const { viewer } = this;
+  #unitChooser(): HTMLElement {
+    const viewer = this.#viewer;
     const select = make(
       'select',
       { id: 'unit', 'aria-label': 'Unit of the file' },
       make('option', { value: '' }, 'the file does not say'),
       ...units.map((unit) => make('option', { value: unit }, unit)),
     );
-    this.unit = new Draft(select, { committed: (unit) => viewer.setAttribute('unit', unit) });
+    this.#unit = new Draft(select, { committed: (unit) => viewer.setAttribute('unit', unit) });
     return select;
   }
 
-  private whatWasDone(info: MeshInfo, { remeshed }: ModelState): HTMLElement[] {
-    const done = repairs(info.report, this.viewer.lengthFormat);
+  #whatWasDone(info: MeshInfo, { remeshed }: ModelState): HTMLElement[] {
+    const done = repairs(info.report, this.#viewer.lengthFormat);
     for (const { model, error } of info.unreadable) {
       done.push(`${model} was passed over: ${error.message}`);
     }
@@ -140,7 +141,7 @@ export class ModelDetails {
     ];
   }
 
-  private models({ models, name }: MeshInfo): HTMLElement[] {
+  #models({ models, name }: MeshInfo): HTMLElement[] {
     if (models.length < 2) return [];
     const select = make(
       'select',
@@ -150,8 +151,8 @@ export class ModelDetails {
     const chosen = models.find((path) => path === name || path.endsWith(`/${name}`));
     const draft = new Draft(select, {
       committed: (path) => {
-        this.close();
-        this.actions.choose(path);
+        this.#close();
+        this.#actions.choose(path);
       },
     });
     if (chosen !== undefined) draft.show(chosen);
@@ -159,7 +160,7 @@ export class ModelDetails {
     return [make('h3', {}, title), make('p', {}, select)];
   }
 
-  private components({ parts }: MeshInfo, { prepare, remeshed }: ModelState): HTMLElement[] {
+  #components({ parts }: MeshInfo, { prepare, remeshed }: ModelState): HTMLElement[] {
     if (parts.length < 2 || remeshed !== undefined) return [];
     const kept = new Set(prepare.components?.length ? prepare.components : parts.keys());
     const largest = [...parts.keys()].sort((a, b) => parts[b]!.area - parts[a]!.area);
@@ -195,8 +196,8 @@ export class ModelDetails {
     refresh();
     apply.addEventListener('click', () => {
       const components = wanted();
-      this.close();
-      this.actions.prepare({ components: components.length === parts.length ? [] : components });
+      this.#close();
+      this.#actions.prepare({ components: components.length === parts.length ? [] : components });
     });
     const more = parts.length - offered.length;
     return [
@@ -207,12 +208,12 @@ export class ModelDetails {
     ];
   }
 
-  private changes(info: MeshInfo, { prepare, remeshed }: ModelState): HTMLElement[] {
+  #changes(info: MeshInfo, { prepare, remeshed }: ModelState): HTMLElement[] {
     const buttons: HTMLElement[] = [];
     const button = (words: string, act: () => void): void => {
       const made = make('button', { type: 'button', class: 'plain' }, words);
       made.addEventListener('click', () => {
-        this.close();
+        this.#close();
         act();
       });
       buttons.push(made);
@@ -220,20 +221,20 @@ export class ModelDetails {
     const holes = info.boundaries.reduce((sum, count) => sum + count, 0);
     if (holes > 0 && remeshed === undefined) {
       button(holes === 1 ? 'Close the hole' : `Close ${formatCount(holes)} holes`, () =>
-        this.actions.prepare({ closeHoles: true }),
+        this.#actions.prepare({ closeHoles: true }),
       );
     }
     const isChanged = remeshed !== undefined || prepare.closeHoles || prepare.components?.length;
-    if (isChanged) button('Back to the file', () => this.actions.back());
+    if (isChanged) button('Back to the file', () => this.#actions.back());
     return [
       make('h3', {}, 'Change the surface'),
-      this.remeshing(info),
+      this.#remeshing(info),
       ...(buttons.length > 0 ? [make('p', { class: 'buttons' }, ...buttons)] : []),
-      this.comparison,
+      this.#comparison,
     ];
   }
 
-  private remeshing({ faceCount }: MeshInfo): HTMLElement {
+  #remeshing({ faceCount }: MeshInfo): HTMLElement {
     const number = make('input', {
       type: 'number',
       id: 'faces',
@@ -254,8 +255,8 @@ export class ModelDetails {
     );
     form.addEventListener('submit', (event) => {
       event.preventDefault();
-      this.close();
-      this.actions.remesh(Number(draft.text));
+      this.#close();
+      this.#actions.remesh(Number(draft.text));
     });
     return form;
   }

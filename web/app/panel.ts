@@ -7,11 +7,11 @@ export class Panel {
   readonly element: HTMLDetailsElement;
   /** Where the panel's own things go. */
   readonly body = make('div', { class: 'body' });
-  private readonly count = make('span', { class: 'count' });
+  readonly #count = make('span', { class: 'count' });
 
   constructor(id: string) {
     this.element = byId<HTMLDetailsElement>(id);
-    this.element.querySelector('summary')!.append(this.count);
+    this.element.querySelector('summary')!.append(this.#count);
     this.element.append(this.body);
   }
 
@@ -46,6 +46,6 @@ export class Panel {
 
   /** What is written behind the title; '' for nothing. */
   set summary(words: string) {
-    this.count.textContent = words;
+    this.#count.textContent = words;
   }
 }

@@ -34,86 +34,87 @@ export interface PartsPage {
 
 export class PartsPanel {
   readonly panel = new Panel('parts-panel');
-  private readonly plot = new ScatterPlot({
+  readonly #plot = new ScatterPlot({
     moved: (thresholds, settled) => {
-      this.discardDrafts();
-      this.setThresholds(thresholds, settled);
+      this.#discardDrafts();
+      this.#setThresholds(thresholds, settled);
     },
   });
-  private readonly log = make('input', { id: 'parts-log', type: 'checkbox' });
-  private readonly inputs: Record<keyof PartThresholds, LengthInput>;
-  private readonly sliders: Record<keyof PartThresholds, ThresholdSlider>;
-  private readonly smoothing = make('select', { id: 'smoothing', 'aria-label': 'Smoothing' });
-  private readonly smoothingDraft: Draft;
-  private readonly words = make('p', { class: 'hint', role: 'status' });
-  private readonly tubes = new PlaceList('Tubes');
-  private readonly plates = new PlaceList('Plates');
-  private readonly titles = { tube: make('h3'), plate: make('h3') };
-  private readonly controls: HTMLElement;
-  private fields: { igf: Field; sdf: Field; areas: Float64Array } | undefined;
-  private thresholds: PartThresholds | undefined;
-  private found: Parts | undefined;
-  private pending: PageState = {};
+  readonly #log = make('input', { id: 'parts-log', type: 'checkbox' });
+  readonly #inputs: Record<keyof PartThresholds, LengthInput>;
+  readonly #sliders: Record<keyof PartThresholds, ThresholdSlider>;
+  readonly #smoothing = make('select', { id: 'smoothing', 'aria-label': 'Smoothing' });
+  readonly #smoothingDraft: Draft;
+  readonly #words = make('p', { class: 'hint', role: 'status' });
+  readonly #tubes = new PlaceList('Tubes');
+  readonly #plates = new PlaceList('Plates');
+  readonly #titles = { tube: make('h3'), plate: make('h3') };
+  readonly #controls: HTMLElement;
+  #fields: { igf: Field; sdf: Field; areas: Float64Array } | undefined;
+  #thresholds: PartThresholds | undefined;
+  #found: Parts | undefined;
+  #pending: PageState = {};
   /** Whether the thresholds are those that are suggested. */
-  private isSuggested = true;
-  private asked = 0;
+  #isSuggested = true;
+  #asked = 0;
+  readonly #viewer: GirthViewer;
+  readonly #page: PartsPage;
 
-  constructor(
-    private readonly viewer: GirthViewer,
-    private readonly page: PartsPage,
-  ) {
-    const { plot, log } = this;
+  constructor(viewer: GirthViewer, page: PartsPage) {
+    this.#viewer = viewer;
+    this.#page = page;
+    const [plot, log] = [this.#plot, this.#log];
     log.checked = true;
-    log.addEventListener('change', () => this.drawPlot());
+    log.addEventListener('change', () => this.#drawPlot());
     const input = (name: keyof PartThresholds, words: string): LengthInput =>
       new LengthInput(
         `parts-${name}`,
         words,
         (length) => {
-          this.writeNote();
-          if (length === undefined || !this.thresholds) return this.write();
-          this.setThresholds({ ...this.thresholds, [name]: length }, true);
+          this.#writeNote();
+          if (length === undefined || !this.#thresholds) return this.#write();
+          this.#setThresholds({ ...this.#thresholds, [name]: length }, true);
         },
-        () => (this.words.textContent = noLength),
+        () => (this.#words.textContent = noLength),
       );
-    this.inputs = {
+    this.#inputs = {
       girth: input('girth', 'Tube: girth below'),
       diameter: input('diameter', 'Thin: below'),
     };
     const slider = (name: keyof PartThresholds, label: string): ThresholdSlider =>
       new ThresholdSlider(label, (length, settled) => {
-        this.discardDrafts(name);
-        this.setThresholds({ ...this.thresholds!, [name]: length }, settled);
+        this.#discardDrafts(name);
+        this.#setThresholds({ ...this.#thresholds!, [name]: length }, settled);
       });
-    this.sliders = {
+    this.#sliders = {
       girth: slider('girth', 'Girth below which thin parts are tubes'),
       diameter: slider('diameter', 'Thickness below which parts are thin'),
     };
     for (const [weight, words] of smoothings) {
-      this.smoothing.append(make('option', { value: String(weight) }, words));
+      this.#smoothing.append(make('option', { value: String(weight) }, words));
     }
-    this.smoothingDraft = new Draft(this.smoothing, { committed: () => void this.find() });
+    this.#smoothingDraft = new Draft(this.#smoothing, { committed: () => void this.#find() });
     const automatic = make(
       'button',
       { type: 'button', class: 'plain', id: 'automatic' },
       'Automatic',
     );
-    automatic.addEventListener('click', () => void this.suggest());
-    this.controls = make(
+    automatic.addEventListener('click', () => void this.#suggest());
+    this.#controls = make(
       'div',
       { class: 'controls' },
       plot.element,
       make('label', { class: 'check' }, log, ' Logarithmic'),
-      this.inputs.girth.label,
-      this.sliders.girth.element,
-      this.inputs.diameter.label,
-      this.sliders.diameter.element,
-      make('div', { class: 'row' }, this.smoothing, automatic),
+      this.#inputs.girth.label,
+      this.#sliders.girth.element,
+      this.#inputs.diameter.label,
+      this.#sliders.diameter.element,
+      make('div', { class: 'row' }, this.#smoothing, automatic),
     );
-    explains(this.titles.tube, 'tube');
-    explains(this.titles.plate, 'plate');
-    explains(this.inputs.girth.label, 'girth');
-    explains(this.inputs.diameter.label, 'sdf');
+    explains(this.#titles.tube, 'tube');
+    explains(this.#titles.plate, 'plate');
+    explains(this.#inputs.girth.label, 'girth');
+    explains(this.#inputs.diameter.label, 'sdf');
     this.panel.body.append(
       make(
         'p',
@@ -125,12 +126,12 @@ export class PartsPanel {
         term('sdf', 'SDF'),
         ' and told apart by their girth.',
       ),
-      this.words,
-      this.controls,
-      this.titles.tube,
-      this.tubes.element,
-      this.titles.plate,
-      this.plates.element,
+      this.#words,
+      this.#controls,
+      this.#titles.tube,
+      this.#tubes.element,
+      this.#titles.plate,
+      this.#plates.element,
     );
     this.panel.onToggle((isOpen) => {
       if (isOpen) void this.compute();
@@ -139,189 +140,190 @@ export class PartsPanel {
     });
     // Only by hand: a link says itself what colours the surface.
     this.panel.onChosen(() => page.colour(true));
-    viewer.addEventListener('unit', () => this.refresh());
+    viewer.addEventListener('unit', () => this.#refresh());
     this.clear();
   }
 
   /** What each vertex is, by the present parts; undefined where there are none yet. */
   get kinds(): Uint8Array | undefined {
-    return this.found?.kinds;
+    return this.#found?.kinds;
   }
 
   /** The thresholds and the smoothing, as exports need them. */
   get choice(): (PartThresholds & { smoothing: number }) | undefined {
-    return this.thresholds && { ...this.thresholds, smoothing: Number(this.smoothing.value) };
+    return this.#thresholds && { ...this.#thresholds, smoothing: Number(this.#smoothing.value) };
   }
 
   clear(): void {
-    ++this.asked;
-    this.fields = undefined;
-    this.thresholds = undefined;
-    this.found = undefined;
-    this.pending = {};
-    this.discardDrafts();
-    this.smoothingDraft.show('0');
-    this.controls.hidden = true;
-    this.refresh();
-    this.words.textContent = '';
+    ++this.#asked;
+    this.#fields = undefined;
+    this.#thresholds = undefined;
+    this.#found = undefined;
+    this.#pending = {};
+    this.#discardDrafts();
+    this.#smoothingDraft.show('0');
+    this.#controls.hidden = true;
+    this.#refresh();
+    this.#words.textContent = '';
   }
 
   read(): PageState {
     const { choice } = this;
-    if (!choice) return this.pending;
+    if (!choice) return this.#pending;
     const { girth, diameter, smoothing } = choice;
     return {
-      ...(this.isSuggested ? {} : { girth, diameter }),
+      ...(this.#isSuggested ? {} : { girth, diameter }),
       ...(smoothing > 0 ? { smoothing } : {}),
     };
   }
 
   apply({ girth, diameter, smoothing }: PageState): void {
-    this.pending = {};
-    if (girth !== undefined) this.pending.girth = girth;
-    if (diameter !== undefined) this.pending.diameter = diameter;
-    if (smoothing !== undefined) this.pending.smoothing = smoothing;
-    if (this.fields) void this.applyPending();
+    this.#pending = {};
+    if (girth !== undefined) this.#pending.girth = girth;
+    if (diameter !== undefined) this.#pending.diameter = diameter;
+    if (smoothing !== undefined) this.#pending.smoothing = smoothing;
+    if (this.#fields) void this.#applyPending();
     else if (this.panel.isOpen) void this.compute();
   }
 
   /** Computes what thresholds divide, where it is not there yet. */
   async compute(): Promise<void> {
-    const { viewer } = this;
+    const viewer = this.#viewer;
     const { info } = viewer;
-    if (!info || this.fields) return;
-    this.words.textContent = 'As soon as girth and thickness are computed …';
+    if (!info || this.#fields) return;
+    this.#words.textContent = 'As soon as girth and thickness are computed …';
     try {
       const [igf, sdf, areas] = await Promise.all([
         viewer.fieldOf('igf'),
         viewer.fieldOf('sdf'),
         viewer.areas(),
       ]);
-      if (viewer.info !== info || this.fields) return;
-      this.fields = { igf, sdf, areas };
-      this.words.textContent = sentence(sdf.note);
-      if (!this.drawPlot()) {
-        this.words.textContent =
+      if (viewer.info !== info || this.#fields) return;
+      this.#fields = { igf, sdf, areas };
+      this.#words.textContent = sentence(sdf.note);
+      if (!this.#drawPlot()) {
+        this.#words.textContent =
           `${sentence(sdf.note)} No vertex has both a girth and a thickness.`.trim();
         return;
       }
-      await this.applyPending();
+      await this.#applyPending();
     } catch (error) {
       if (viewer.info !== info) return;
-      this.words.textContent = `No parts: ${failureWords(error)}.`;
+      this.#words.textContent = `No parts: ${failureWords(error)}.`;
     }
   }
 
-  private async applyPending(): Promise<void> {
-    const { girth, diameter, smoothing = 0 } = this.pending;
-    this.pending = {};
-    const asked = ++this.asked;
-    const suggested = await this.viewer.suggestedThresholds();
-    if (asked !== this.asked) return;
+  async #applyPending(): Promise<void> {
+    const { girth, diameter, smoothing = 0 } = this.#pending;
+    this.#pending = {};
+    const asked = ++this.#asked;
+    const suggested = await this.#viewer.suggestedThresholds();
+    if (asked !== this.#asked) return;
     const weight = String(smoothing);
-    if (![...this.smoothing.options].some(({ value }) => value === weight)) {
-      this.smoothing.append(make('option', { value: weight }, `smoothed, weight ${weight}`));
+    if (![...this.#smoothing.options].some(({ value }) => value === weight)) {
+      this.#smoothing.append(make('option', { value: weight }, `smoothed, weight ${weight}`));
     }
-    this.smoothingDraft.show(weight);
+    this.#smoothingDraft.show(weight);
     const chosen = { girth: girth ?? suggested.girth, diameter: diameter ?? suggested.diameter };
-    this.setThresholds(chosen, true, girth === undefined && diameter === undefined);
+    this.#setThresholds(chosen, true, girth === undefined && diameter === undefined);
   }
 
-  private async suggest(): Promise<void> {
-    this.discardDrafts();
-    const asked = ++this.asked;
-    const suggested = await this.viewer.suggestedThresholds();
-    if (asked !== this.asked) return;
-    this.setThresholds(suggested, true, true);
+  async #suggest(): Promise<void> {
+    this.#discardDrafts();
+    const asked = ++this.#asked;
+    const suggested = await this.#viewer.suggestedThresholds();
+    if (asked !== this.#asked) return;
+    this.#setThresholds(suggested, true, true);
   }
 
   /** Somebody has set a threshold in another way: what was typed for it is no longer meant. */
-  private discardDrafts(...names: (keyof PartThresholds)[]): void {
+  #discardDrafts(...names: (keyof PartThresholds)[]): void {
     const all = names.length > 0 ? names : (['girth', 'diameter'] as const);
-    for (const name of all) this.inputs[name].discard();
-    this.writeNote();
+    for (const name of all) this.#inputs[name].discard();
+    this.#writeNote();
   }
 
-  private writeNote(): void {
-    this.words.textContent = sentence(this.fields?.sdf.note ?? '');
+  #writeNote(): void {
+    this.#words.textContent = sentence(this.#fields?.sdf.note ?? '');
   }
 
-  private drawPlot(): boolean {
-    const { fields, viewer } = this;
+  #drawPlot(): boolean {
+    const [fields, viewer] = [this.#fields, this.#viewer];
     if (!fields) return false;
     const { igf, sdf, areas } = fields;
     const format = viewer.lengthFormat;
     const [body, tube, plate] = partKinds.map(({ colour }) => bytesOf(colour));
     const unit = format.unit ? `, ${format.unit}` : '';
-    const isShown = this.plot.show({
+    const isShown = this.#plot.show({
       girth: igf.values,
       diameter: sdf.values,
       weights: areas,
-      log: this.log.checked,
+      log: this.#log.checked,
       colours: { body: darker(body!), tube: tube!, plate: plate! },
       format: (length) => String(Number((length * format.scale).toPrecision(2))),
       labels: { girth: `Girth${unit}`, diameter: `Thickness${unit}` },
     });
-    if (this.thresholds) this.plot.setThresholds(this.thresholds);
+    if (this.#thresholds) this.#plot.setThresholds(this.#thresholds);
     return isShown;
   }
 
-  private setThresholds(thresholds: PartThresholds, settled: boolean, isSuggested = false): void {
-    this.isSuggested = isSuggested;
-    this.thresholds = { ...thresholds };
+  #setThresholds(thresholds: PartThresholds, settled: boolean, isSuggested = false): void {
+    this.#isSuggested = isSuggested;
+    this.#thresholds = { ...thresholds };
     // Not before: a control that has nothing to change would lose what is done with it.
-    this.controls.hidden = false;
-    this.plot.setThresholds(thresholds);
-    this.viewer.setThresholds(thresholds);
-    this.write();
-    if (settled) void this.find();
+    this.#controls.hidden = false;
+    this.#plot.setThresholds(thresholds);
+    this.#viewer.setThresholds(thresholds);
+    this.#write();
+    if (settled) void this.#find();
   }
 
   /** The parts by the present thresholds. */
-  private async find(): Promise<void> {
-    const { choice, viewer } = this;
+  async #find(): Promise<void> {
+    const viewer = this.#viewer;
+    const { choice } = this;
     if (!choice) return;
-    const asked = ++this.asked;
+    const asked = ++this.#asked;
     try {
       const found = await viewer.parts(choice);
-      if (asked !== this.asked) return;
-      this.found = found;
-      this.refresh();
-      this.page.found();
+      if (asked !== this.#asked) return;
+      this.#found = found;
+      this.#refresh();
+      this.#page.found();
     } catch (error) {
-      if (asked !== this.asked) return;
-      this.words.textContent = `${failureWords(error)}.`;
+      if (asked !== this.#asked) return;
+      this.#words.textContent = `${failureWords(error)}.`;
     }
-    this.page.changed();
+    this.#page.changed();
   }
 
-  private write(): void {
-    const { thresholds, fields } = this;
-    const format = this.viewer.lengthFormat;
+  #write(): void {
+    const [thresholds, fields] = [this.#thresholds, this.#fields];
+    const format = this.#viewer.lengthFormat;
     for (const name of ['girth', 'diameter'] as const) {
-      this.inputs[name].show(thresholds?.[name], format);
+      this.#inputs[name].show(thresholds?.[name], format);
       const field = name === 'girth' ? fields?.igf : fields?.sdf;
-      this.sliders[name].show(field?.range, thresholds?.[name], (length) =>
+      this.#sliders[name].show(field?.range, thresholds?.[name], (length) =>
         formatLength(length, format),
       );
     }
   }
 
-  private refresh(): void {
-    const { found, viewer } = this;
-    this.write();
-    if (this.fields) this.drawPlot();
+  #refresh(): void {
+    const [found, viewer] = [this.#found, this.#viewer];
+    this.#write();
+    if (this.#fields) this.#drawPlot();
     const format = viewer.lengthFormat;
     const of = (kind: PartKind): Part[] => found?.parts.filter((part) => part.kind === kind) ?? [];
     const [tubes, plates] = [of('tube'), of('plate')];
     this.panel.summary = found
       ? `${plural(tubes.length, 'tube', 'tubes')}, ${plural(plates.length, 'plate', 'plates')}`
       : '';
-    this.titles.tube.textContent = `Tubes: ${tubes.length}`;
-    this.titles.plate.textContent = `Plates: ${plates.length}`;
-    for (const title of Object.values(this.titles)) title.hidden = !found;
+    this.#titles.tube.textContent = `Tubes: ${tubes.length}`;
+    this.#titles.plate.textContent = `Plates: ${plates.length}`;
+    for (const title of Object.values(this.#titles)) title.hidden = !found;
     const fly = ({ vertices }: Part): void => viewer.flyTo({ vertices });
-    this.tubes.show(
+    this.#tubes.show(
       tubes.map((part) => ({
         colour: partKinds[1]!.colour,
         main: `r ${formatLength(part.equivalentRadius, format)}`,
@@ -329,7 +331,7 @@ export class PartsPanel {
         choose: () => fly(part),
       })),
     );
-    this.plates.show(
+    this.#plates.show(
       plates.map((part) => ({
         colour: partKinds[2]!.colour,
         main: formatLength(part.medianDiameter, format),

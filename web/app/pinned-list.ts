@@ -7,30 +7,31 @@ import { Panel } from './panel.js';
 
 export class PinnedList {
   readonly panel = new Panel('loops-panel');
-  private readonly list = byId('loops');
-  private readonly hint = byId('no-loops');
+  readonly #list = byId('loops');
+  readonly #hint = byId('no-loops');
   /** By the loops' numbers: a row stays the same element for as long as its loop is pinned. */
-  private readonly rows = new Map<number, { element: HTMLElement; show(loop: PinnedLoop): void }>();
+  readonly #rows = new Map<number, { element: HTMLElement; show(loop: PinnedLoop): void }>();
+  readonly #viewer: GirthViewer;
+  readonly #changed: () => void;
 
-  constructor(
-    private readonly viewer: GirthViewer,
-    private readonly changed: () => void,
-  ) {
-    this.panel.body.append(this.hint, this.list);
+  constructor(viewer: GirthViewer, changed: () => void) {
+    this.#viewer = viewer;
+    this.#changed = changed;
+    this.panel.body.append(this.#hint, this.#list);
     this.panel.onToggle(changed);
-    const refresh = (): void => this.refresh();
+    const refresh = (): void => this.#refresh();
     for (const event of ['load', 'unit', 'field', 'pick']) viewer.addEventListener(event, refresh);
     viewer.addEventListener('pick', changed);
   }
 
   read(): PageState {
-    const loops = this.viewer.pinned.map(({ loop }) => loop.base);
+    const loops = this.#viewer.pinned.map(({ loop }) => loop.base);
     return loops.length > 0 ? { loops } : {};
   }
 
   /** Pins what is missing and removes what is too much. */
   async apply({ loops = [] }: PageState): Promise<void> {
-    const { viewer } = this;
+    const viewer = this.#viewer;
     const wanted = new Set(loops.map((base) => JSON.stringify(base)));
     for (const { id, loop } of viewer.pinned) {
       if (!wanted.delete(JSON.stringify(loop.base))) viewer.unpin(id);
@@ -43,30 +44,30 @@ export class PinnedList {
     }
   }
 
-  private refresh(): void {
-    const { pinned } = this.viewer;
-    for (const [id, { element }] of this.rows) {
+  #refresh(): void {
+    const { pinned } = this.#viewer;
+    for (const [id, { element }] of this.#rows) {
       if (pinned.some((one) => one.id === id)) continue;
       element.remove();
-      this.rows.delete(id);
+      this.#rows.delete(id);
     }
     for (const one of pinned) {
-      const row = this.rows.get(one.id) ?? this.row(one.id);
+      const row = this.#rows.get(one.id) ?? this.#row(one.id);
       row.show(one);
       if (row.element.isConnected) continue;
-      this.rows.set(one.id, row);
-      this.list.append(row.element);
+      this.#rows.set(one.id, row);
+      this.#list.append(row.element);
     }
-    this.hint.hidden = pinned.length > 0;
+    this.#hint.hidden = pinned.length > 0;
     this.panel.summary = pinned.length > 0 ? String(pinned.length) : '';
   }
 
-  private row(id: number): { element: HTMLElement; show(loop: PinnedLoop): void } {
-    const { viewer } = this;
+  #row(id: number): { element: HTMLElement; show(loop: PinnedLoop): void } {
+    const viewer = this.#viewer;
     const remove = make('button', { type: 'button', title: 'Remove' }, '✕');
     remove.addEventListener('click', () => {
       viewer.unpin(id);
-      this.changed();
+      this.#changed();
     });
     const [length, place] = [make('b'), make('span')];
     const element = make('li', {}, make('i', {}, String(id)), length, place, remove);

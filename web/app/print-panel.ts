@@ -35,32 +35,31 @@ interface Check {
 
 export class PrintPanel {
   readonly panel = new Panel('print-panel');
-  private readonly unit = make('select', { id: 'print-unit' });
-  private readonly unitDraft: Draft;
-  private readonly unitWords = make('span', { class: 'said' });
-  private readonly tube = new LengthInput('min-tube', 'Smallest tube');
-  private readonly wall = new LengthInput('min-wall', 'Smallest wall');
-  private readonly answer = make('p', { class: 'answer', role: 'status' });
-  private readonly cautions = make('ul', { class: 'cautions' });
-  private readonly list = new PlaceList('Places that are too thin');
-  private readonly reports: HTMLElement;
-  private check: Check | undefined;
+  readonly #unit = make('select', { id: 'print-unit' });
+  readonly #unitDraft: Draft;
+  readonly #unitWords = make('span', { class: 'said' });
+  readonly #tube = new LengthInput('min-tube', 'Smallest tube');
+  readonly #wall = new LengthInput('min-wall', 'Smallest wall');
+  readonly #answer = make('p', { class: 'answer', role: 'status' });
+  readonly #cautions = make('ul', { class: 'cautions' });
+  readonly #list = new PlaceList('Places that are too thin');
+  readonly #reports: HTMLElement;
+  #check: Check | undefined;
   /** What is to be known of the thickness. */
-  private note = '';
-  private asked = 0;
+  #note = '';
+  #asked = 0;
+  readonly #viewer: GirthViewer;
 
-  constructor(
-    private readonly viewer: GirthViewer,
-    changed: () => void,
-  ) {
-    const { unit } = this;
+  constructor(viewer: GirthViewer, changed: () => void) {
+    this.#viewer = viewer;
+    const unit = this.#unit;
     unit.append(
       make('option', { value: '' }, 'choose'),
       ...units.map((name) => make('option', { value: name }, name)),
     );
-    this.unitDraft = new Draft(unit, { committed: (name) => viewer.setAttribute('unit', name) });
-    explains(this.tube.label, 'tube');
-    explains(this.wall.label, 'plate');
+    this.#unitDraft = new Draft(unit, { committed: (name) => viewer.setAttribute('unit', name) });
+    explains(this.#tube.label, 'tube');
+    explains(this.#wall.label, 'plate');
     const submit = make('button', { class: 'plain', id: 'check' }, 'Check');
     const form = make(
       'form',
@@ -70,74 +69,74 @@ export class PrintPanel {
         { class: 'length' },
         make('label', { for: 'print-unit' }, 'Unit of the file'),
         unit,
-        this.unitWords,
+        this.#unitWords,
       ),
-      this.tube.label,
-      this.wall.label,
+      this.#tube.label,
+      this.#wall.label,
       make('p', {}, submit),
     );
     form.noValidate = true;
     form.addEventListener('submit', (event) => {
       event.preventDefault();
-      void this.run();
+      void this.#run();
     });
     const html = make('button', { type: 'button', class: 'plain' }, 'Report (HTML)');
-    html.addEventListener('click', () => void this.save('html'));
+    html.addEventListener('click', () => void this.#save('html'));
     const json = make('button', { type: 'button', class: 'plain' }, 'JSON');
-    json.addEventListener('click', () => void this.save('json'));
-    this.reports = make('p', { class: 'buttons' }, html, json);
-    this.panel.body.append(form, this.answer, this.cautions, this.reports, this.list.element);
+    json.addEventListener('click', () => void this.#save('json'));
+    this.#reports = make('p', { class: 'buttons' }, html, json);
+    this.panel.body.append(form, this.#answer, this.#cautions, this.#reports, this.#list.element);
     this.panel.onToggle((isOpen) => {
-      if (isOpen) this.refresh();
+      if (isOpen) this.#refresh();
       else if (viewer.info) viewer.mark(undefined);
       changed();
     });
     viewer.addEventListener('unit', () => {
       // The numbers stay as they were typed, and count in the unit that is now beside them.
-      for (const input of [this.tube, this.wall]) input.setUnit(viewer.lengthFormat);
-      this.forget();
+      for (const input of [this.#tube, this.#wall]) input.setUnit(viewer.lengthFormat);
+      this.#forget();
     });
     this.clear();
   }
 
   clear(): void {
-    for (const input of [this.tube, this.wall]) {
+    for (const input of [this.#tube, this.#wall]) {
       input.discard();
-      input.show(undefined, this.viewer.lengthFormat);
+      input.show(undefined, this.#viewer.lengthFormat);
     }
-    this.forget();
+    this.#forget();
   }
 
-  private forget(): void {
-    ++this.asked;
-    this.check = undefined;
-    this.note = '';
-    this.answer.textContent = '';
-    this.answer.className = 'answer';
+  #forget(): void {
+    ++this.#asked;
+    this.#check = undefined;
+    this.#note = '';
+    this.#answer.textContent = '';
+    this.#answer.className = 'answer';
     this.panel.summary = '';
-    this.refresh();
+    this.#refresh();
   }
 
-  private refresh(): void {
-    const { viewer } = this;
+  #refresh(): void {
+    const viewer = this.#viewer;
     const { info } = viewer;
     const said = info?.unit ?? '';
-    this.unit.hidden = said !== '';
-    this.unitWords.textContent = said === '' ? '' : said;
-    const isListed = [...this.unit.options].some(({ value }) => value === viewer.unit);
+    this.#unit.hidden = said !== '';
+    this.#unitWords.textContent = said === '' ? '' : said;
+    const isListed = [...this.#unit.options].some(({ value }) => value === viewer.unit);
     if (!isListed && said === '') {
-      this.unit.append(make('option', { value: viewer.unit }, viewer.unit));
+      this.#unit.append(make('option', { value: viewer.unit }, viewer.unit));
     }
-    this.unitDraft.show(said === '' ? viewer.unit : '');
-    for (const input of [this.tube, this.wall]) input.show(input.length, viewer.lengthFormat);
-    this.cautions.replaceChildren(...this.words().map((line) => make('li', {}, line)));
-    this.reports.hidden = !this.check;
-    this.list.element.hidden = !this.check?.places.length;
+    this.#unitDraft.show(said === '' ? viewer.unit : '');
+    for (const input of [this.#tube, this.#wall]) input.show(input.length, viewer.lengthFormat);
+    this.#cautions.replaceChildren(...this.#words().map((line) => make('li', {}, line)));
+    this.#reports.hidden = !this.#check;
+    this.#list.element.hidden = !this.#check?.places.length;
   }
 
   /** What stands in the way of trusting the answer. */
-  private words(): string[] {
-    const { info, unit } = this.viewer;
+  #words(): string[] {
+    const { info, unit } = this.#viewer;
     if (!info) return [];
     const words: string[] = [];
     if (!unit) {
@@ -150,83 +149,84 @@ export class PrintPanel {
           'may be wrong. What can be printed is closed.',
       );
     }
-    if (this.note) words.push(this.note);
+    if (this.#note) words.push(this.#note);
     return words;
   }
 
-  private async run(): Promise<void> {
-    const { viewer, tube, wall } = this;
+  async #run(): Promise<void> {
+    const [viewer, tube, wall] = [this.#viewer, this.#tube, this.#wall];
     const { info } = viewer;
     // What was typed counts, whether or not the field has been left.
     const wrong = [tube, wall].filter((input) => !input.commit())[0];
     if (wrong || (!tube.length && !wall.length)) {
-      this.answer.className = 'answer';
-      this.answer.textContent = wrong ? noLength : 'Say how thin a tube or a wall may be.';
+      this.#answer.className = 'answer';
+      this.#answer.textContent = wrong ? noLength : 'Say how thin a tube or a wall may be.';
       (wrong ?? tube).input.focus();
       return;
     }
     if (!info) return;
     const limits = { tubeDiameter: tube.length ?? 0, wallThickness: wall.length ?? 0 };
-    const asked = ++this.asked;
-    this.answer.className = 'answer';
-    this.answer.textContent = 'Checking …';
+    const asked = ++this.#asked;
+    this.#answer.className = 'answer';
+    this.#answer.textContent = 'Checking …';
     try {
       const sdf = await viewer.fieldOf('sdf');
-      if (asked !== this.asked || viewer.info !== info) return;
-      this.note = sentence(sdf.note);
-      this.refresh();
+      if (asked !== this.#asked || viewer.info !== info) return;
+      this.#note = sentence(sdf.note);
+      this.#refresh();
       const places = await viewer.weakPlaces(limits);
-      if (asked !== this.asked || viewer.info !== info) return;
-      this.check = { limits, places, pictures: new Map(), images: new Map() };
-      this.show();
+      if (asked !== this.#asked || viewer.info !== info) return;
+      this.#check = { limits, places, pictures: new Map(), images: new Map() };
+      this.#show();
       for (const place of places.slice(0, picturedPlaces)) {
-        await this.picture(this.check, place);
-        if (asked !== this.asked || viewer.info !== info) return;
-        this.show();
+        await this.#picture(this.#check, place);
+        if (asked !== this.#asked || viewer.info !== info) return;
+        this.#show();
       }
     } catch (error) {
-      if (asked !== this.asked || viewer.info !== info) return;
-      this.answer.textContent = `Not checked: ${failureWords(error)}.`;
+      if (asked !== this.#asked || viewer.info !== info) return;
+      this.#answer.textContent = `Not checked: ${failureWords(error)}.`;
     }
   }
 
-  private show(): void {
-    const { check, viewer } = this;
+  #show(): void {
+    const [check, viewer] = [this.#check, this.#viewer];
     if (!check) return;
     const { places, pictures } = check;
     const format = viewer.lengthFormat;
-    this.answer.className = `answer ${places.length > 0 ? 'fails' : 'passes'}`;
-    this.answer.textContent = answerWords(places.length);
+    this.#answer.className = `answer ${places.length > 0 ? 'fails' : 'passes'}`;
+    this.#answer.textContent = answerWords(places.length);
     this.panel.summary = places.length > 0 ? `${places.length} ✕` : '✓';
-    this.refresh();
-    this.list.show(
+    this.#refresh();
+    this.#list.show(
       places.map((place) => {
         const made = pictures.get(place);
         const loop = made?.loop === undefined ? '' : `loop ${formatLength(made.loop, format)}, `;
         return {
           main: formatLength(place.least, format),
           detail: `${placeName(place)}, ${loop}${formatArea(place.area, format)}`,
-          picture: made?.picture === undefined ? undefined : this.image(check, place, made.picture),
-          choose: () => this.choose(place),
+          picture:
+            made?.picture === undefined ? undefined : this.#image(check, place, made.picture),
+          choose: () => this.#choose(place),
         };
       }),
     );
   }
 
-  private image({ images }: Check, place: WeakPlace, src: string): HTMLImageElement {
+  #image({ images }: Check, place: WeakPlace, src: string): HTMLImageElement {
     const image = images.get(place) ?? make('img', { src, alt: '' });
     images.set(place, image);
     return image;
   }
 
-  private choose(place: WeakPlace): void {
-    this.viewer.mark(place.vertices);
-    this.viewer.flyTo({ vertices: place.vertices });
+  #choose(place: WeakPlace): void {
+    this.#viewer.mark(place.vertices);
+    this.#viewer.flyTo({ vertices: place.vertices });
   }
 
   /** The loop at a place, where it is a tube, and a picture of both. */
-  private async picture({ pictures }: Check, place: WeakPlace): Promise<ReportedPlace> {
-    const { viewer } = this;
+  async #picture({ pictures }: Check, place: WeakPlace): Promise<ReportedPlace> {
+    const viewer = this.#viewer;
     const known = pictures.get(place);
     if (known) return known;
     const loop =
@@ -241,13 +241,13 @@ export class PrintPanel {
   }
 
   /** The whole shape, as it is coloured now. */
-  private async overview({ vertexCount }: MeshInfo): Promise<string> {
+  async #overview({ vertexCount }: MeshInfo): Promise<string> {
     const vertices = Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex);
-    return dataAddress(await this.viewer.snapshotOf({ vertices, width: 960, height: 640 }));
+    return dataAddress(await this.#viewer.snapshotOf({ vertices, width: 960, height: 640 }));
   }
 
-  private async save(ending: 'html' | 'json'): Promise<void> {
-    const { check, viewer } = this;
+  async #save(ending: 'html' | 'json'): Promise<void> {
+    const [check, viewer] = [this.#check, this.#viewer];
     const { info } = viewer;
     if (!check || !info) return;
     const name = `${stemOf(info.name)}-print-check.${ending}`;
@@ -258,23 +258,23 @@ export class PrintPanel {
       }
       const places: ReportedPlace[] = [];
       for (const place of check.places.slice(0, reportedPlaces)) {
-        places.push(await this.picture(check, place));
+        places.push(await this.#picture(check, place));
       }
       const [, ...facts] = modelFacts(info);
       const report: PrintReport = {
         model: info.name,
         facts: facts.join(' · '),
-        cautions: this.words(),
+        cautions: this.#words(),
         limits: check.limits,
         format: viewer.lengthFormat,
         places,
         more: check.places.length - places.length,
-        overview: await this.overview(info),
+        overview: await this.#overview(info),
         date: new Date().toISOString().slice(0, 10),
       };
       saveFile(printReportHtml(report), name);
     } catch (error) {
-      this.answer.textContent = `That could not be written: ${failureWords(error)}.`;
+      this.#answer.textContent = `That could not be written: ${failureWords(error)}.`;
     }
   }
 }

@@ -20,29 +20,33 @@ export class Session {
   /** What is shown. */
   opened: Opened | undefined;
   /** What will be shown when the element has it. */
-  private next: Opened | undefined;
+  #next: Opened | undefined;
+  readonly #viewer: GirthViewer;
 
-  constructor(private readonly viewer: GirthViewer) {}
+  constructor(viewer: GirthViewer) {
+    this.#viewer = viewer;
+  }
 
   /** Shows a model; what goes wrong is written on the surface by the element itself. */
   async open(wanted: Opened): Promise<boolean> {
-    this.next = wanted;
+    this.#next = wanted;
     const { source, model, prepare } = wanted;
     const options = model === undefined ? { prepare } : { prepare, model };
-    return this.viewer.load(source, options).then(
+    return this.#viewer.load(source, options).then(
       () => true,
       () => false,
     );
   }
 
   async remesh(faces: number): Promise<boolean> {
-    const { opened, viewer } = this;
+    const viewer = this.#viewer;
+    const { opened } = this;
     if (!opened || !viewer.info) return false;
     const before = formatCount(
       opened.remeshed ? viewer.original!.faceCount : viewer.info.faceCount,
     );
     const words = `remeshed from ${before} to about ${formatCount(faces)} faces`;
-    this.next = { ...opened, remeshed: { faces, words } };
+    this.#next = { ...opened, remeshed: { faces, words } };
     return viewer.remesh(faces).then(
       () => true,
       () => false,
@@ -76,7 +80,8 @@ export class Session {
 
   /** The element shows what was asked for last; returns whether it is another model than before. */
   arrived(): boolean {
-    const { opened, next } = this;
+    const next = this.#next;
+    const { opened } = this;
     this.opened = next;
     return opened?.source !== next?.source || opened?.model !== next?.model;
   }

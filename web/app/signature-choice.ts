@@ -48,28 +48,27 @@ const signatures: Record<SpectralFieldName, Signature> = {
 
 export class SignatureChoice {
   readonly element = make('div', { class: 'slide signature' });
-  private readonly label = make('label', { for: 'signature' });
-  private readonly words = make('output', { for: 'signature' });
-  private readonly slider = make('input', { id: 'signature', type: 'range', min: '0' });
-  private readonly draft: Draft;
-  private shown: Signature | undefined;
+  readonly #label = make('label', { for: 'signature' });
+  readonly #words = make('output', { for: 'signature' });
+  readonly #slider = make('input', { id: 'signature', type: 'range', min: '0' });
+  readonly #draft: Draft;
+  #shown: Signature | undefined;
+  readonly #viewer: GirthViewer;
 
-  constructor(
-    private readonly viewer: GirthViewer,
-    changed: () => void,
-  ) {
-    const { slider } = this;
-    this.element.append(this.label, this.words, slider);
-    this.draft = new Draft(slider, {
-      edited: () => this.write(),
+  constructor(viewer: GirthViewer, changed: () => void) {
+    this.#viewer = viewer;
+    const slider = this.#slider;
+    this.element.append(this.#label, this.#words, slider);
+    this.#draft = new Draft(slider, {
+      edited: () => this.#write(),
       // Not before the hand lets go: to be computed takes a while, and a new wish would end it.
       committed: (text) => {
-        if (!this.shown) return;
-        viewer.setAttribute(this.shown.attribute, String(this.shown.at(Number(text))));
-        this.write();
+        if (!this.#shown) return;
+        viewer.setAttribute(this.#shown.attribute, String(this.#shown.at(Number(text))));
+        this.#write();
         changed();
       },
-      ended: () => this.write(),
+      ended: () => this.#write(),
     });
     this.show('igf');
   }
@@ -80,21 +79,21 @@ export class SignatureChoice {
       ? signatures[name as SpectralFieldName]
       : undefined;
     // A place on the slider means nothing to another signature.
-    if (shown !== this.shown) this.draft.discard();
-    this.shown = shown;
-    this.element.hidden = !this.shown;
-    if (!this.shown) return;
-    const { label, steps, stepOf } = this.shown;
-    this.label.textContent = label;
-    this.slider.max = String(steps);
-    this.draft.show(String(stepOf(this.number(this.shown))));
-    this.write();
+    if (shown !== this.#shown) this.#draft.discard();
+    this.#shown = shown;
+    this.element.hidden = !this.#shown;
+    if (!this.#shown) return;
+    const { label, steps, stepOf } = this.#shown;
+    this.#label.textContent = label;
+    this.#slider.max = String(steps);
+    this.#draft.show(String(stepOf(this.#number(this.#shown))));
+    this.#write();
   }
 
   read(): PageState {
     const state: PageState = {};
     for (const { attribute } of Object.values(signatures)) {
-      const number = Number(this.viewer.getAttribute(attribute) ?? NaN);
+      const number = Number(this.#viewer.getAttribute(attribute) ?? NaN);
       if (Number.isFinite(number)) state[attribute] = number;
     }
     return state;
@@ -103,23 +102,23 @@ export class SignatureChoice {
   apply(state: PageState): void {
     for (const { attribute } of Object.values(signatures)) {
       const number = state[attribute];
-      if (number === undefined) this.viewer.removeAttribute(attribute);
-      else this.viewer.setAttribute(attribute, String(number));
+      if (number === undefined) this.#viewer.removeAttribute(attribute);
+      else this.#viewer.setAttribute(attribute, String(number));
     }
   }
 
-  private number({ attribute, usual }: Signature): number {
-    const text = this.viewer.getAttribute(attribute);
+  #number({ attribute, usual }: Signature): number {
+    const text = this.#viewer.getAttribute(attribute);
     return text !== null && Number.isFinite(Number(text)) ? Number(text) : usual;
   }
 
   /** The number that the slider is at; exactly the attribute's where it was not moved. */
-  private write(): void {
-    const { shown, slider } = this;
+  #write(): void {
+    const [shown, slider] = [this.#shown, this.#slider];
     if (!shown) return;
-    const [now, step] = [this.number(shown), Number(this.draft.text)];
+    const [now, step] = [this.#number(shown), Number(this.#draft.text)];
     const number = shown.stepOf(now) === step ? now : shown.at(step);
-    this.words.textContent = shown.words(number);
-    slider.setAttribute('aria-valuetext', this.words.textContent);
+    this.#words.textContent = shown.words(number);
+    slider.setAttribute('aria-valuetext', this.#words.textContent);
   }
 }

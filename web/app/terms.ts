@@ -120,92 +120,92 @@ function askedAt(event: Event): HTMLElement | undefined {
 }
 
 class Explanation {
-  private readonly picture = make('img', { alt: '', width: '112', height: '84' });
-  private readonly title = make('b');
-  private readonly lines = [make('span'), make('span')] as const;
-  private readonly element = make(
+  readonly #picture = make('img', { alt: '', width: '112', height: '84' });
+  readonly #title = make('b');
+  readonly #lines = [make('span'), make('span')] as const;
+  readonly #element = make(
     'div',
     { class: 'explained', popover: 'manual', role: 'tooltip' },
-    this.picture,
-    make('p', {}, this.title, this.lines[0], ' ', this.lines[1]),
+    this.#picture,
+    make('p', {}, this.#title, this.#lines[0], ' ', this.#lines[1]),
   );
-  private anchor: HTMLElement | undefined;
-  private timer: ReturnType<typeof setTimeout> | undefined;
+  #anchor: HTMLElement | undefined;
+  #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
     // In the top layer wherever it stands, but for screen readers within the page's landmarks.
-    document.querySelector('main')!.append(this.element);
+    document.querySelector('main')!.append(this.#element);
   }
 
   listen(): void {
     document.addEventListener('pointerover', (event) => {
       if (event.pointerType !== 'mouse') return;
       const anchor = askedAt(event);
-      const isInside = event.target instanceof Node && this.element.contains(event.target);
-      if (isInside || (anchor && anchor === this.anchor)) this.later(undefined);
-      else if (anchor) this.later(() => this.show(anchor), showDelay);
-      else this.later(this.anchor && (() => this.hide()), hideDelay);
+      const isInside = event.target instanceof Node && this.#element.contains(event.target);
+      if (isInside || (anchor && anchor === this.#anchor)) this.#later(undefined);
+      else if (anchor) this.#later(() => this.#show(anchor), showDelay);
+      else this.#later(this.#anchor && (() => this.#hide()), hideDelay);
     });
     document.addEventListener('focusin', (event) => {
       const anchor = askedAt(event);
       // Only of buttons: a control that is focused is about to be used.
       if (anchor instanceof HTMLButtonElement && anchor.matches(':focus-visible')) {
-        this.show(anchor);
+        this.#show(anchor);
       }
     });
-    document.addEventListener('focusout', () => this.hide());
+    document.addEventListener('focusout', () => this.#hide());
     document.addEventListener('pointerdown', (event) => {
       const anchor = askedAt(event);
-      if (anchor !== this.anchor || !(anchor instanceof HTMLButtonElement)) this.hide();
+      if (anchor !== this.#anchor || !(anchor instanceof HTMLButtonElement)) this.#hide();
     });
     document.addEventListener('click', (event) => {
       const anchor = askedAt(event);
       if (!(anchor instanceof HTMLButtonElement)) return;
-      if (anchor === this.anchor && event.pointerType === 'touch') this.hide();
-      else this.show(anchor);
+      if (anchor === this.#anchor && event.pointerType === 'touch') this.#hide();
+      else this.#show(anchor);
     });
     document.addEventListener('keydown', (event) => {
-      if (event.key !== 'Escape' || !this.anchor) return;
+      if (event.key !== 'Escape' || !this.#anchor) return;
       // The same key closes a sheet: first what lies above it.
       event.preventDefault();
-      this.hide();
+      this.#hide();
     });
     for (const moved of ['scroll', 'resize']) {
       window.addEventListener(
         moved,
-        () => this.anchor && this.place(this.anchor.getBoundingClientRect()),
+        () => this.#anchor && this.#place(this.#anchor.getBoundingClientRect()),
         { capture: true, passive: true },
       );
     }
   }
 
-  private later(act: (() => void) | undefined, delay = 0): void {
-    clearTimeout(this.timer);
-    this.timer = act && setTimeout(act, delay);
+  #later(act: (() => void) | undefined, delay = 0): void {
+    clearTimeout(this.#timer);
+    this.#timer = act && setTimeout(act, delay);
   }
 
-  private show(anchor: HTMLElement): void {
-    this.later(undefined);
+  #show(anchor: HTMLElement): void {
+    this.#later(undefined);
     const name = termOf(anchor);
     if (!name || !anchor.isConnected) return;
     const { title, lines, picture } = terms[name];
-    this.anchor = anchor;
-    this.title.textContent = title;
-    this.lines.forEach((line, i) => (line.textContent = lines[i]!));
-    if (this.picture.src !== picture.href) this.picture.src = picture.href;
-    if (!this.element.matches(':popover-open')) this.element.showPopover();
-    this.place(anchor.getBoundingClientRect());
+    this.#anchor = anchor;
+    this.#title.textContent = title;
+    this.#lines.forEach((line, i) => (line.textContent = lines[i]!));
+    if (this.#picture.src !== picture.href) this.#picture.src = picture.href;
+    if (!this.#element.matches(':popover-open')) this.#element.showPopover();
+    this.#place(anchor.getBoundingClientRect());
   }
 
-  private hide(): void {
-    this.later(undefined);
-    this.anchor = undefined;
-    if (this.element.matches(':popover-open')) this.element.hidePopover();
+  #hide(): void {
+    this.#later(undefined);
+    this.#anchor = undefined;
+    if (this.#element.matches(':popover-open')) this.#element.hidePopover();
   }
 
   /** Beside the panels, so that it covers nothing of them; where there is no room, above the word or below. */
-  private place(anchor: DOMRect): void {
-    const { element } = this;
+  #place(anchor: DOMRect): void {
+    const element = this.#element;
     const { offsetWidth: width, offsetHeight: height } = element;
     const side = document.querySelector('aside')?.getBoundingClientRect();
     const isInSide = side !== undefined && anchor.left >= side.left && anchor.right <= side.right;

@@ -29,35 +29,36 @@ export interface RivalsPage {
 
 export class TipRivals {
   readonly element = make('div', { class: 'rivals' });
-  private readonly choice = make('select', { id: 'rival' });
-  private readonly count = make('input', {
+  readonly #choice = make('select', { id: 'rival' });
+  readonly #count = make('input', {
     id: 'rival-count',
     type: 'number',
     min: '1',
     max: String(most),
   });
-  private readonly choiceDraft: Draft;
-  private readonly countDraft: Draft;
-  private readonly countLine: HTMLElement;
-  private readonly words = make('p', { class: 'hint', role: 'status' });
-  private readonly list = new PlaceList('Points beside the tips');
-  private found: { rival: Rival; extrema: Extremum[] } | undefined;
+  readonly #choiceDraft: Draft;
+  readonly #countDraft: Draft;
+  readonly #countLine: HTMLElement;
+  readonly #words = make('p', { class: 'hint', role: 'status' });
+  readonly #list = new PlaceList('Points beside the tips');
+  #found: { rival: Rival; extrema: Extremum[] } | undefined;
   /** Whether the surface is coloured by thickness for this. */
-  private isColoured = false;
-  private asked = 0;
+  #isColoured = false;
+  #asked = 0;
+  readonly #viewer: GirthViewer;
+  readonly #page: RivalsPage;
 
-  constructor(
-    private readonly viewer: GirthViewer,
-    private readonly page: RivalsPage,
-  ) {
-    const { choice, count } = this;
+  constructor(viewer: GirthViewer, page: RivalsPage) {
+    this.#viewer = viewer;
+    this.#page = page;
+    const [choice, count] = [this.#choice, this.#count];
     choice.append(...rivals.map(([value, words]) => make('option', { value }, words)));
-    this.choiceDraft = new Draft(choice, { committed: () => void this.choose() });
-    this.countDraft = new Draft(count, {
-      edited: () => this.draw(),
-      ended: () => this.draw(),
+    this.#choiceDraft = new Draft(choice, { committed: () => void this.#choose() });
+    this.#countDraft = new Draft(count, {
+      edited: () => this.#draw(),
+      ended: () => this.#draw(),
     });
-    this.countLine = make(
+    this.#countLine = make(
       'p',
       { class: 'length' },
       make('label', { for: 'rival-count' }, 'The most persistent'),
@@ -65,45 +66,45 @@ export class TipRivals {
     );
     this.element.append(
       make('div', { class: 'row' }, make('label', { for: 'rival' }, 'Beside them'), choice),
-      this.words,
-      this.countLine,
-      this.list.element,
+      this.#words,
+      this.#countLine,
+      this.#list.element,
     );
     this.clear(0);
   }
 
   /** Another model, or the panel is closed; `tips`: so many points are as many as the tips. */
   clear(tips: number): void {
-    ++this.asked;
-    this.colour(false);
-    this.choiceDraft.discard();
-    this.choiceDraft.show('');
-    this.countDraft.discard();
-    this.found = undefined;
+    ++this.#asked;
+    this.#colour(false);
+    this.#choiceDraft.discard();
+    this.#choiceDraft.show('');
+    this.#countDraft.discard();
+    this.#found = undefined;
     this.expect(tips);
-    this.draw();
+    this.#draw();
   }
 
   /** As many points as there are tips, to begin with. */
   expect(tips: number): void {
-    this.countDraft.show(String(Math.min(most, Math.max(1, tips))));
+    this.#countDraft.show(String(Math.min(most, Math.max(1, tips))));
   }
 
-  private colour(bySdf: boolean): void {
-    if (bySdf === this.isColoured) return;
-    this.isColoured = bySdf;
-    this.page.colour(bySdf);
+  #colour(bySdf: boolean): void {
+    if (bySdf === this.#isColoured) return;
+    this.#isColoured = bySdf;
+    this.#page.colour(bySdf);
   }
 
-  private async choose(): Promise<void> {
-    const { viewer } = this;
-    const rival = this.choiceDraft.text as Rival;
-    const asked = ++this.asked;
-    this.found = undefined;
-    this.draw();
-    this.colour(rival === 'sdf');
+  async #choose(): Promise<void> {
+    const viewer = this.#viewer;
+    const rival = this.#choiceDraft.text as Rival;
+    const asked = ++this.#asked;
+    this.#found = undefined;
+    this.#draw();
+    this.#colour(rival === 'sdf');
     if (rival === '' || rival === 'sdf') return;
-    this.words.textContent = 'Computing …';
+    this.#words.textContent = 'Computing …';
     try {
       const extrema =
         rival === 'heat'
@@ -112,35 +113,35 @@ export class TipRivals {
               ...ofKind(await viewer.maxima(rival), false),
               ...ofKind(await viewer.maxima(rival, { minima: true }), true),
             ];
-      if (asked !== this.asked) return;
+      if (asked !== this.#asked) return;
       extrema.sort((a, b) => b.persistence - a.persistence);
-      this.found = { rival, extrema };
-      this.draw();
+      this.#found = { rival, extrema };
+      this.#draw();
     } catch (error) {
-      if (asked !== this.asked) return;
-      this.words.textContent = `Not found: ${failureWords(error)}.`;
+      if (asked !== this.#asked) return;
+      this.#words.textContent = `Not found: ${failureWords(error)}.`;
     }
   }
 
-  private draw(): void {
-    const { found, viewer } = this;
-    const wanted = Math.min(most, Math.max(0, Math.floor(Number(this.countDraft.text)) || 0));
+  #draw(): void {
+    const [found, viewer] = [this.#found, this.#viewer];
+    const wanted = Math.min(most, Math.max(0, Math.floor(Number(this.#countDraft.text)) || 0));
     const shown = found?.extrema.slice(0, wanted) ?? [];
     if (viewer.info) viewer.showPoints(shown.map(({ vertex }) => vertex));
-    this.countLine.hidden = !found;
-    this.words.textContent = found ? inAll(found.extrema) : '';
+    this.#countLine.hidden = !found;
+    this.#words.textContent = found ? inAll(found.extrema) : '';
     const words = ({ persistence }: Maximum): string =>
       found?.rival === 'geoaverage'
         ? formatLength(persistence, viewer.formatOf('geoaverage'))
         : persistence.toPrecision(3);
-    this.list.show(
+    this.#list.show(
       shown.map((maximum) => ({
         main: words(maximum),
         detail: `${maximum.isMinimum ? 'minimum' : 'maximum'} at vertex ${maximum.vertex}`,
         choose: () => viewer.flyTo({ vertex: maximum.vertex }),
       })),
     );
-    this.list.element.setAttribute(
+    this.#list.element.setAttribute(
       'aria-label',
       found?.rival === 'geoaverage' ? `Extrema: ${fieldTitle('geoaverage')}` : 'Heat maxima',
     );

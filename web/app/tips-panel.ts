@@ -25,33 +25,34 @@ export interface TipsPage {
 
 export class TipsPanel {
   readonly panel = new Panel('tips-panel');
-  private readonly list = new PlaceList('Tips');
-  private readonly arcs = new PlaceList('Other lines');
-  private readonly arcsTitle = make('h3');
-  private readonly shown = make('input', { id: 'tips-shown', type: 'checkbox' });
-  private readonly jump = make('input', {
+  readonly #list = new PlaceList('Tips');
+  readonly #arcs = new PlaceList('Other lines');
+  readonly #arcsTitle = make('h3');
+  readonly #shown = make('input', { id: 'tips-shown', type: 'checkbox' });
+  readonly #jump = make('input', {
     id: 'tips-jump',
     type: 'range',
     min: '0',
     max: String(steps),
     value: '0',
   });
-  private readonly jumpDraft: Draft;
-  private readonly jumpText = make('output', { for: 'tips-jump' });
-  private readonly rivals: TipRivals;
-  private readonly words = make('p', { id: 'tips-words', class: 'hint', role: 'status' });
+  readonly #jumpDraft: Draft;
+  readonly #jumpText = make('output', { for: 'tips-jump' });
+  readonly #rivals: TipRivals;
+  readonly #words = make('p', { id: 'tips-words', class: 'hint', role: 'status' });
   /** How far the girth rises at the tip that each vertex is in, 0 elsewhere. */
   rises: Float64Array | undefined;
-  private tips: Tips | undefined;
-  private selected: number | undefined;
-  private pending: Pick<PageState, 'tip' | 'jump'> = {};
+  #tips: Tips | undefined;
+  #selected: number | undefined;
+  #pending: Pick<PageState, 'tip' | 'jump'> = {};
+  readonly #viewer: GirthViewer;
+  readonly #page: TipsPage;
 
-  constructor(
-    private readonly viewer: GirthViewer,
-    private readonly page: TipsPage,
-  ) {
-    this.shown.checked = true;
-    this.rivals = new TipRivals(viewer, page);
+  constructor(viewer: GirthViewer, page: TipsPage) {
+    this.#viewer = viewer;
+    this.#page = page;
+    this.#shown.checked = true;
+    this.#rivals = new TipRivals(viewer, page);
     this.panel.body.append(
       make(
         'p',
@@ -62,150 +63,151 @@ export class TipsPanel {
         term('girth', 'girth'),
         ' cuts off.',
       ),
-      this.words,
-      make('label', { class: 'check' }, this.shown, ' Show them on the surface'),
+      this.#words,
+      make('label', { class: 'check' }, this.#shown, ' Show them on the surface'),
       make(
         'div',
         { class: 'slide' },
         make('label', { for: 'tips-jump' }, 'Hide what rises less than'),
-        this.jumpText,
-        this.jump,
+        this.#jumpText,
+        this.#jump,
       ),
-      this.list.element,
-      this.arcsTitle,
+      this.#list.element,
+      this.#arcsTitle,
       make('p', { class: 'hint' }, 'Here the girth jumps, but nothing is cut off.'),
-      this.arcs.element,
-      this.rivals.element,
+      this.#arcs.element,
+      this.#rivals.element,
     );
-    this.shown.addEventListener('change', () => this.draw());
-    this.jumpDraft = new Draft(this.jump, {
+    this.#shown.addEventListener('change', () => this.#draw());
+    this.#jumpDraft = new Draft(this.#jump, {
       edited: () => {
-        this.refresh();
-        this.draw();
+        this.#refresh();
+        this.#draw();
       },
       committed: () => page.changed(),
     });
     this.panel.onToggle((isOpen) => {
-      this.draw();
+      this.#draw();
       if (isOpen) void this.compute();
-      else this.rivals.clear(this.tips?.tips.length ?? 0);
+      else this.#rivals.clear(this.#tips?.tips.length ?? 0);
       page.changed();
     });
-    viewer.addEventListener('unit', () => this.refresh());
+    viewer.addEventListener('unit', () => this.#refresh());
     this.clear();
   }
 
   /** Another model. */
   clear(): void {
-    this.tips = undefined;
+    this.#tips = undefined;
     this.rises = undefined;
-    this.selected = undefined;
-    this.pending = {};
-    this.jumpDraft.discard();
-    this.jumpDraft.show('0');
-    this.rivals.clear(0);
-    this.refresh();
+    this.#selected = undefined;
+    this.#pending = {};
+    this.#jumpDraft.discard();
+    this.#jumpDraft.show('0');
+    this.#rivals.clear(0);
+    this.#refresh();
   }
 
   read(): PageState {
-    if (!this.tips) return this.pending;
+    if (!this.#tips) return this.#pending;
     const state: PageState = {};
-    if (this.selected !== undefined) state.tip = this.selected + 1;
-    if (this.leastJump > 0) state.jump = this.leastJump;
+    if (this.#selected !== undefined) state.tip = this.#selected + 1;
+    if (this.#leastJump > 0) state.jump = this.#leastJump;
     return state;
   }
 
   apply({ tip, jump }: PageState): void {
-    this.pending = {
+    this.#pending = {
       ...(tip === undefined ? {} : { tip }),
       ...(jump === undefined ? {} : { jump }),
     };
-    if (this.tips) this.applyPending(true);
+    if (this.#tips) this.#applyPending(true);
     else if (this.panel.isOpen) void this.compute();
   }
 
   /** Finds the tips, once the girth is there. */
   async compute(): Promise<void> {
-    const { viewer } = this;
+    const viewer = this.#viewer;
     const { info } = viewer;
-    if (!info || this.tips) return;
-    this.words.textContent = 'As soon as the girth is computed …';
+    if (!info || this.#tips) return;
+    this.#words.textContent = 'As soon as the girth is computed …';
     try {
       const tips = await viewer.tips();
       if (viewer.info !== info) return;
-      this.tips = tips;
+      this.#tips = tips;
       this.rises = new Float64Array(info.vertexCount);
       // The largest last: a vertex in several tips has the rise of the highest.
       for (const { vertices, jump } of [...tips.tips].reverse()) {
         for (const vertex of vertices) this.rises[vertex] = jump;
       }
-      this.applyPending(false);
-      this.rivals.expect(tips.tips.length);
-      this.page.found();
+      this.#applyPending(false);
+      this.#rivals.expect(tips.tips.length);
+      this.#page.found();
     } catch (error) {
       if (viewer.info !== info) return;
-      this.words.textContent = `No tips: ${failureWords(error)}.`;
+      this.#words.textContent = `No tips: ${failureWords(error)}.`;
     }
   }
 
-  private applyPending(fly: boolean): void {
-    const { tip, jump = 0 } = this.pending;
-    const { tips = [] } = this.tips!;
-    this.jumpDraft.show(String(this.highest > 0 ? Math.ceil((steps * jump) / this.highest) : 0));
-    this.selected = tip !== undefined && tip >= 1 && tip <= tips.length ? tip - 1 : undefined;
-    this.refresh();
-    this.draw();
-    if (fly && this.selected !== undefined) {
-      this.viewer.flyTo({ vertices: tips[this.selected]!.vertices });
+  #applyPending(fly: boolean): void {
+    const { tip, jump = 0 } = this.#pending;
+    const { tips = [] } = this.#tips!;
+    this.#jumpDraft.show(String(this.#highest > 0 ? Math.ceil((steps * jump) / this.#highest) : 0));
+    this.#selected = tip !== undefined && tip >= 1 && tip <= tips.length ? tip - 1 : undefined;
+    this.#refresh();
+    this.#draw();
+    if (fly && this.#selected !== undefined) {
+      this.#viewer.flyTo({ vertices: tips[this.#selected]!.vertices });
     }
   }
 
-  private get highest(): number {
+  get #highest(): number {
     return Math.max(
       0,
-      ...[...(this.tips?.tips ?? []), ...(this.tips?.arcs ?? [])].map(({ jump }) => jump),
+      ...[...(this.#tips?.tips ?? []), ...(this.#tips?.arcs ?? [])].map(({ jump }) => jump),
     );
   }
 
-  private get leastJump(): number {
-    return (this.highest * Number(this.jumpDraft.text)) / steps;
+  get #leastJump(): number {
+    return (this.#highest * Number(this.#jumpDraft.text)) / steps;
   }
 
-  private choose(number: number): void {
-    const tip = this.tips!.tips[number]!;
-    this.selected = number;
-    this.draw();
-    this.viewer.flyTo({ vertices: tip.vertices });
-    this.page.changed();
+  #choose(number: number): void {
+    const tip = this.#tips!.tips[number]!;
+    this.#selected = number;
+    this.#draw();
+    this.#viewer.flyTo({ vertices: tip.vertices });
+    this.#page.changed();
   }
 
-  private refresh(): void {
-    const { tips: made, viewer, panel } = this;
+  #refresh(): void {
+    const [made, viewer] = [this.#tips, this.#viewer];
+    const { panel } = this;
     const format = viewer.lengthFormat;
-    const { leastJump } = this;
+    const leastJump = this.#leastJump;
     const tips = (made?.tips ?? []).map((tip, number) => ({ tip, number }));
     const kept = tips.filter(({ tip }) => tip.jump >= leastJump);
     const arcs = (made?.arcs ?? []).filter(({ jump }) => jump >= leastJump);
     const hidden = tips.length - kept.length;
     panel.summary = made ? String(kept.length) : '';
-    this.jump.disabled = !made || this.highest === 0;
-    this.jumpText.textContent = leastJump > 0 ? formatLength(leastJump, format) : 'nothing';
-    this.jump.setAttribute('aria-valuetext', this.jumpText.textContent);
-    this.list.show(
+    this.#jump.disabled = !made || this.#highest === 0;
+    this.#jumpText.textContent = leastJump > 0 ? formatLength(leastJump, format) : 'nothing';
+    this.#jump.setAttribute('aria-valuetext', this.#jumpText.textContent);
+    this.#list.show(
       kept.map(({ tip, number }) => ({
         lead: String(number + 1),
         main: formatLength(tip.jump, format),
         detail: `rise, ${formatLength(tip.apexDistance, format)} long, ${formatArea(tip.area, format)}`,
-        choose: () => this.choose(number),
+        choose: () => this.#choose(number),
       })),
     );
-    const chosen = kept.findIndex(({ number }) => number === this.selected);
-    this.list.select(chosen < 0 ? undefined : chosen);
-    this.arcsTitle.textContent =
+    const chosen = kept.findIndex(({ number }) => number === this.#selected);
+    this.#list.select(chosen < 0 ? undefined : chosen);
+    this.#arcsTitle.textContent =
       arcs.length === 1 ? 'One line cuts no tip off' : `${arcs.length} lines cut no tip off`;
-    const openPart = [this.arcsTitle, this.arcsTitle.nextElementSibling as HTMLElement];
+    const openPart = [this.#arcsTitle, this.#arcsTitle.nextElementSibling as HTMLElement];
     for (const part of openPart) part.hidden = arcs.length === 0;
-    this.arcs.show(
+    this.#arcs.show(
       arcs.map(({ line, length, jump }) => ({
         main: formatLength(jump, format),
         detail: `rise, ${line.closed ? 'closed' : 'open'}, ${length > 0 ? `${formatLength(length, format)} long` : 'across one edge'}`,
@@ -213,22 +215,22 @@ export class TipsPanel {
       })),
     );
     if (!made) {
-      this.words.textContent = '';
+      this.#words.textContent = '';
       return;
     }
     const words =
       tips.length === 0 ? 'The girth jumps nowhere so that a part is cut off: no tips.' : '';
-    this.words.textContent = hidden > 0 ? `${hidden} hidden.` : words;
+    this.#words.textContent = hidden > 0 ? `${hidden} hidden.` : words;
   }
 
   /** Lines and tints on the surface, while the panel is open. */
-  private draw(): void {
-    const { tips, viewer, selected } = this;
+  #draw(): void {
+    const [tips, viewer, selected] = [this.#tips, this.#viewer, this.#selected];
     if (!tips) return;
-    const shown = this.panel.isOpen && this.shown.checked;
+    const shown = this.panel.isOpen && this.#shown.checked;
     void viewer.showTips({
       shown,
-      leastJump: this.leastJump,
+      leastJump: this.#leastJump,
       ...(selected === undefined ? {} : { selected }),
     });
   }

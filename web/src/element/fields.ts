@@ -25,96 +25,99 @@ export interface FieldsHost {
 }
 
 export class Fields {
-  private readonly states = new Map<FieldName, FieldState>();
+  readonly #states = new Map<FieldName, FieldState>();
+  readonly #mesh: Mesh;
+  readonly #adjacency: Adjacency;
+  readonly #host: FieldsHost;
 
-  constructor(
-    private readonly mesh: Mesh,
-    private readonly adjacency: Adjacency,
-    private readonly host: FieldsHost,
-  ) {}
+  constructor(mesh: Mesh, adjacency: Adjacency, host: FieldsHost) {
+    this.#mesh = mesh;
+    this.#adjacency = adjacency;
+    this.#host = host;
+  }
 
   /** Every field that was asked for. */
   get all(): Iterable<FieldState> {
-    return this.states.values();
+    return this.#states.values();
   }
 
   get(name: FieldName): FieldState | undefined {
-    return this.states.get(name);
+    return this.#states.get(name);
   }
 
   /** Of the fields that are being computed, the one that was asked for first. */
   get computing(): FieldName | undefined {
-    return [...this.states.values()].find(({ running }) => running)?.name;
+    return [...this.#states.values()].find(({ running }) => running)?.name;
   }
 
   /** The values there are, one per vertex; NaN where there is none, or none yet. */
   valuesOf(name: FieldName): Float64Array {
-    const state = this.states.get(name);
+    const state = this.#states.get(name);
     return (
       state?.field?.values ??
       state?.preview?.values ??
-      new Float64Array(this.mesh.info.vertexCount).fill(NaN)
+      new Float64Array(this.#mesh.info.vertexCount).fill(NaN)
     );
   }
 
   /** The computed share of the vertices. */
   shareOf(name: FieldName): number {
-    const state = this.states.get(name);
+    const state = this.#states.get(name);
     if (state?.field) return 1;
-    return (state?.preview?.computed ?? 0) / this.mesh.info.vertexCount;
+    return (state?.preview?.computed ?? 0) / this.#mesh.info.vertexCount;
   }
 
   /** The whole field; computed now unless it is there already. */
   compute(name: FieldName): Promise<Field> {
-    let state = this.states.get(name);
+    let state = this.#states.get(name);
     if (!state) {
       state = { name, preview: undefined, field: undefined, running: undefined };
-      this.states.set(name, state);
+      this.#states.set(name, state);
     }
     if (state.field) return Promise.resolve(state.field);
-    state.preview ??= new FieldPreview(this.adjacency);
+    state.preview ??= new FieldPreview(this.#adjacency);
     // One that was cancelled and is only coming to its end does not count.
     if (!state.running || state.running.abort.signal.aborted) {
       const abort = new AbortController();
-      state.running = { promise: this.run(state, abort), abort };
+      state.running = { promise: this.#run(state, abort), abort };
     }
     return state.running.promise;
   }
 
   /** Which number of its signature a field is. */
   spectralOf(name: FieldName): SpectralOptions | undefined {
-    return this.host.spectral(name);
+    return this.#host.spectral(name);
   }
 
   /** Lets go of a field that is now to be another number of its signature. */
   forget(name: FieldName): void {
-    const state = this.states.get(name);
-    this.states.delete(name);
+    const state = this.#states.get(name);
+    this.#states.delete(name);
     state?.running?.abort.abort();
   }
 
   /** Stops every computation; what there is stays. */
   cancel(): void {
-    for (const { running } of this.states.values()) running?.abort.abort();
+    for (const { running } of this.#states.values()) running?.abort.abort();
   }
 
-  private async run(state: FieldState, abort: AbortController): Promise<Field> {
+  async #run(state: FieldState, abort: AbortController): Promise<Field> {
     const { name } = state;
     const { signal } = abort;
     const timeLeft = new TimeLeft(performance.now());
     const spectral = this.spectralOf(name);
     let failure: unknown;
     try {
-      this.host.progressed(name, 0, undefined);
-      const field = await this.mesh.field(name, {
+      this.#host.progressed(name, 0, undefined);
+      const field = await this.#mesh.field(name, {
         signal,
         ...(spectral ? { spectral } : {}),
         onProgress: (fraction) => {
           if (signal.aborted) return;
-          this.host.progressed(name, fraction, timeLeft.update(fraction, performance.now()));
+          this.#host.progressed(name, fraction, timeLeft.update(fraction, performance.now()));
         },
         onPartial: (partial) => {
-          if (!signal.aborted) this.host.received(state, partial);
+          if (!signal.aborted) this.#host.received(state, partial);
         },
       });
       state.field = field;
@@ -126,7 +129,7 @@ export class Fields {
     } finally {
       if (!state.running || state.running.abort === abort) {
         state.running = undefined;
-        this.host.ended(state, failure);
+        this.#host.ended(state, failure);
       }
     }
   }

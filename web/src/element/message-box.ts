@@ -9,8 +9,8 @@ const mostNamed = 4;
 
 export class MessageBox {
   readonly element = make('div', { class: 'message', role: 'alert' });
-  private readonly what = make('p');
-  private readonly remedy = make('p');
+  readonly #what = make('p');
+  readonly #remedy = make('p');
 
   constructor() {
     const close = make(
@@ -19,7 +19,7 @@ export class MessageBox {
       '✕',
     );
     close.addEventListener('click', () => this.clear());
-    this.element.append(make('div', {}, this.what, this.remedy), close);
+    this.element.append(make('div', {}, this.#what, this.#remedy), close);
     this.clear();
   }
 
@@ -27,8 +27,8 @@ export class MessageBox {
   show(name: string, error: GirthErrorFields, kept: boolean): void {
     this.element.hidden = false;
     this.element.dataset['code'] = error.code;
-    this.what.textContent = `${name ? `${name} could not be used. ` : ''}${sentence(error.message)}`;
-    this.remedy.textContent = [
+    this.#what.textContent = `${name ? `${name} could not be used. ` : ''}${sentence(error.message)}`;
+    this.#remedy.textContent = [
       error.hint ? `What helps: ${error.hint.replace(/[.\s]+$/, '')}.` : '',
       kept ? 'The former model is still here.' : '',
     ]
@@ -47,8 +47,8 @@ export class MessageBox {
       .map(({ model, error }) => `${model} could not be used. ${sentence(error.message)}`);
     const more = unreadable.length - words.length;
     if (more > 0) words.push(`Nor could ${more} more.`);
-    this.what.textContent = words.join(' ');
-    this.remedy.textContent = `${shown} is shown instead.`;
+    this.#what.textContent = words.join(' ');
+    this.#remedy.textContent = `${shown} is shown instead.`;
   }
 
   clear(): void {

@@ -24,13 +24,17 @@ const creaseAngle = (38 * Math.PI) / 180;
 export class Model {
   /** Aborted when the model goes. */
   readonly life = new AbortController();
-  private readonly kept = new Map<string, Promise<unknown>>();
+  readonly #kept = new Map<string, Promise<unknown>>();
+  readonly mesh: Mesh;
+  readonly surface: Surface;
+  readonly fields: Fields;
 
-  private constructor(
-    readonly mesh: Mesh,
-    readonly surface: Surface,
-    readonly fields: Fields,
-  ) {}
+  /** Made by `Model.of`. */
+  constructor(mesh: Mesh, surface: Surface, fields: Fields) {
+    this.mesh = mesh;
+    this.surface = surface;
+    this.fields = fields;
+  }
 
   /** Makes a mesh ready to draw, in slices of time. */
   static async of(mesh: Mesh, host: FieldsHost, signal: AbortSignal): Promise<Model> {
@@ -47,46 +51,46 @@ export class Model {
 
   /** The area that each vertex stands for. */
   areas(): Promise<Float64Array> {
-    return this.once('areas', () => this.mesh.vertexAreas(this.watched));
+    return this.#once('areas', () => this.mesh.vertexAreas(this.#watched));
   }
 
   tips(): Promise<Tips> {
-    return this.once('tips', async () =>
-      this.mesh.tips(await this.fields.compute('igf'), this.watched),
+    return this.#once('tips', async () =>
+      this.mesh.tips(await this.fields.compute('igf'), this.#watched),
     );
   }
 
   /** The maxima of a field, or its minima, most persistent first. */
   maxima(name: FieldName, minima: boolean): Promise<Maximum[]> {
     const which = JSON.stringify(this.fields.spectralOf(name) ?? {});
-    return this.once(`${name} ${which} ${minima ? 'minima' : 'maxima'}`, async () =>
-      this.mesh.maxima(await this.fields.compute(name), { ...this.watched, minima }),
+    return this.#once(`${name} ${which} ${minima ? 'minima' : 'maxima'}`, async () =>
+      this.mesh.maxima(await this.fields.compute(name), { ...this.#watched, minima }),
     );
   }
 
   /** Where heat stays longest, most persistent first. */
   heatMaxima(options: SpectralOptions): Promise<Maximum[]> {
-    return this.once(`heat maxima ${JSON.stringify(options)}`, () =>
-      this.mesh.heatMaxima({ ...options, ...this.watched }),
+    return this.#once(`heat maxima ${JSON.stringify(options)}`, () =>
+      this.mesh.heatMaxima({ ...options, ...this.#watched }),
     );
   }
 
   /** Thresholds to start from. */
   suggestedThresholds(): Promise<PartThresholds> {
-    return this.once('thresholds', async () => {
+    return this.#once('thresholds', async () => {
       const { igf, sdf } = await this.girthAndDiameter();
-      return this.mesh.suggestedThresholds(igf, sdf, this.watched);
+      return this.mesh.suggestedThresholds(igf, sdf, this.#watched);
     });
   }
 
   async parts(options: PartOptions): Promise<Parts> {
     const { igf, sdf } = await this.girthAndDiameter();
-    return this.mesh.parts(igf, sdf, options, this.watched);
+    return this.mesh.parts(igf, sdf, options, this.#watched);
   }
 
   async weakPlaces(limits: PrintLimits): Promise<WeakPlace[]> {
     const { igf, sdf } = await this.girthAndDiameter();
-    return this.mesh.weakPlaces(igf, sdf, limits, this.watched);
+    return this.mesh.weakPlaces(igf, sdf, limits, this.#watched);
   }
 
   async girthAndDiameter() {
@@ -104,17 +108,17 @@ export class Model {
     if (!keepsMesh) this.mesh.dispose();
   }
 
-  private get watched(): { signal: AbortSignal } {
+  get #watched(): { signal: AbortSignal } {
     return { signal: this.life.signal };
   }
 
   /** Computes something once; again where it failed or was cancelled. */
-  private once<Answer>(name: string, compute: () => Promise<Answer>): Promise<Answer> {
-    const there = this.kept.get(name) as Promise<Answer> | undefined;
+  #once<Answer>(name: string, compute: () => Promise<Answer>): Promise<Answer> {
+    const there = this.#kept.get(name) as Promise<Answer> | undefined;
     if (there) return there;
     const promise = compute();
-    this.kept.set(name, promise);
-    promise.catch(() => this.kept.delete(name));
+    this.#kept.set(name, promise);
+    promise.catch(() => this.#kept.delete(name));
     return promise;
   }
 }

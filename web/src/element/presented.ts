@@ -53,29 +53,35 @@ export class Presented {
   readonly shading: Shading;
   readonly loops: LoopsOnSurface;
   readonly tips: TipsOnSurface;
-  private readonly smoother: Latest<PartsWish, Parts>;
-  private points: PointMarks | undefined;
-  private marked: ArrayLike<number> | undefined;
-  private wished: PartsWish | undefined;
-  private format: LengthFormat;
+  readonly #smoother: Latest<PartsWish, Parts>;
+  #points: PointMarks | undefined;
+  #marked: ArrayLike<number> | undefined;
+  #wished: PartsWish | undefined;
+  #format: LengthFormat;
+  readonly #stage: Stage;
+  readonly model: Model;
+  readonly #host: PresentedHost;
 
   constructor(
-    private readonly stage: Stage,
+    stage: Stage,
     canvas: HTMLCanvasElement,
-    readonly model: Model,
+    model: Model,
     wishes: ShadingWishes,
-    private readonly host: PresentedHost,
+    host: PresentedHost,
   ) {
+    this.#stage = stage;
+    this.model = model;
+    this.#host = host;
     const { surface } = model;
     this.shading = new Shading(model, wishes);
-    this.format = lengthFormat(2 * surface.bounds.radius, wishes.unit);
+    this.#format = lengthFormat(2 * surface.bounds.radius, wishes.unit);
     stage.show(surface);
-    this.loops = new LoopsOnSurface(stage, canvas, model, this.format, host);
+    this.loops = new LoopsOnSurface(stage, canvas, model, this.#format, host);
     this.tips = new TipsOnSurface(stage, model);
-    this.smoother = new Latest(
+    this.#smoother = new Latest(
       (wish) => model.parts(wish),
       (wish, parts) => {
-        if (wish === this.wished) this.showParts(wish, parts);
+        if (wish === this.#wished) this.#showParts(wish, parts);
       },
       (_wish, error) => host.failed(error),
     );
@@ -83,14 +89,14 @@ export class Presented {
 
   /** How lengths are written everywhere but in the legend of another field: as fits the girth. */
   get lengthFormat(): LengthFormat {
-    return this.format;
+    return this.#format;
   }
 
   /** Colours the surface anew with what there is. */
   paint(): void {
     this.shading.paint();
-    this.relabel();
-    this.stage.invalidate();
+    this.#relabel();
+    this.#stage.invalidate();
   }
 
   /** Once a frame: colours spread a little further. Returns whether some are still to come. */
@@ -104,20 +110,20 @@ export class Presented {
   /** Range, lines and words as they are wished for now. */
   refresh(): void {
     this.shading.refresh();
-    this.relabel();
-    this.stage.invalidate();
+    this.#relabel();
+    this.#stage.invalidate();
   }
 
-  private relabel(): void {
+  #relabel(): void {
     const { model, shading } = this;
     const state = model.fields.get('igf');
     const largest = (state?.field?.range ?? state?.preview?.range)?.[1];
     const format = lengthFormat(largest ?? 2 * model.surface.bounds.radius, shading.wishes.unit);
-    if (JSON.stringify(format) !== JSON.stringify(this.format)) {
-      this.format = format;
+    if (JSON.stringify(format) !== JSON.stringify(this.#format)) {
+      this.#format = format;
       this.loops.setFormat(format);
     }
-    this.host.relabelled(shading.legend, format);
+    this.#host.relabelled(shading.legend, format);
   }
 
   /** The values that fields have at a vertex, of those that are computed there. */
@@ -134,7 +140,7 @@ export class Presented {
     const { parts } = this.shading;
     if (!parts) return undefined;
     const { girth, diameter } = parts;
-    return { girth, diameter, smoothing: this.wished?.smoothing ?? 0 };
+    return { girth, diameter, smoothing: this.#wished?.smoothing ?? 0 };
   }
 
   /** Plain thresholds at once; smoothed parts as soon as they are computed. */
@@ -145,52 +151,52 @@ export class Presented {
         throw new RangeError('thresholds and smoothing are numbers from 0 on, in model units');
       }
     }
-    this.wished = wish;
-    this.smoother.clear();
-    this.showParts(wish, undefined);
-    if (smoothing > 0) this.smoother.request(wish);
+    this.#wished = wish;
+    this.#smoother.clear();
+    this.#showParts(wish, undefined);
+    if (smoothing > 0) this.#smoother.request(wish);
   }
 
-  private showParts({ girth, diameter }: PartsWish, smoothed: Parts | undefined): void {
+  #showParts({ girth, diameter }: PartsWish, smoothed: Parts | undefined): void {
     this.shading.parts = { girth, diameter, smoothed };
     if (this.shading.wishes.name === 'parts') this.paint();
   }
 
   mark(vertices: ArrayLike<number> | undefined): void {
-    this.marked = vertices;
+    this.#marked = vertices;
     this.model.surface.mark(vertices);
-    this.stage.invalidate();
+    this.#stage.invalidate();
   }
 
   showPoints(vertices: ArrayLike<number>): void {
-    if (this.points) this.stage.remove(this.points);
+    if (this.#points) this.#stage.remove(this.#points);
     const { surface } = this.model;
     const places = Array.from(vertices, (vertex) => surface.positionOf(vertex).toArray());
-    this.points = places.length > 0 ? new PointMarks(places) : undefined;
-    if (this.points) this.stage.add(this.points);
+    this.#points = places.length > 0 ? new PointMarks(places) : undefined;
+    if (this.#points) this.#stage.add(this.#points);
   }
 
   flyTo(place: PlaceOnSurface, atOnce: boolean): void {
-    this.stage.flyTo(this.placeOf(place), atOnce);
+    this.#stage.flyTo(this.#placeOf(place), atOnce);
   }
 
   /** A picture of a place, whatever is on the canvas. */
   pictureOf({ vertices, loop, width = 480, height = 360 }: PlacePicture): HTMLCanvasElement {
     const { surface } = this.model;
     const polyline = loop?.polyline;
-    const place = this.placeOf(polyline ? { vertices, polyline } : { vertices });
+    const place = this.#placeOf(polyline ? { vertices, polyline } : { vertices });
     const band = loop && new LoopBand(loop, pictureStyle);
     surface.mark(vertices);
     try {
-      return this.stage.pictureOf(place, band, width, height);
+      return this.#stage.pictureOf(place, band, width, height);
     } finally {
-      surface.mark(this.marked);
+      surface.mark(this.#marked);
       band?.dispose();
-      this.stage.invalidate();
+      this.#stage.invalidate();
     }
   }
 
-  private placeOf({ vertices = [], vertex, polyline }: PlaceOnSurface): Place {
+  #placeOf({ vertices = [], vertex, polyline }: PlaceOnSurface): Place {
     const { surface } = this.model;
     const chosen = vertex === undefined ? sampleOf(vertices) : [vertex, ...sampleOf(vertices)];
     const points = chosen.map((v) => surface.positionOf(v));
@@ -204,12 +210,12 @@ export class Presented {
   }
 
   dispose(keepsMesh: boolean): void {
-    this.smoother.clear();
+    this.#smoother.clear();
     this.loops.dispose();
     this.tips.clear();
     this.showPoints([]);
     this.model.dispose(keepsMesh);
-    this.stage.show(undefined);
+    this.#stage.show(undefined);
   }
 }
 

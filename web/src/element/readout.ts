@@ -22,12 +22,12 @@ export const kindWords = {
 
 export class Readout {
   readonly element = make('div', { class: 'readout' });
-  private readonly length = make('b');
-  private readonly kind = make('span');
-  private readonly words = make('small');
+  readonly #length = make('b');
+  readonly #kind = make('span');
+  readonly #words = make('small');
 
   constructor() {
-    this.element.append(this.length, this.kind, this.words);
+    this.element.append(this.#length, this.#kind, this.#words);
     this.clear();
   }
 
@@ -36,11 +36,11 @@ export class Readout {
     this.element.dataset['base'] = JSON.stringify(loop.base);
     this.element.dataset['length'] = String(loop.length);
     this.element.dataset['kind'] = loop.kind;
-    this.length.textContent = formatLength(loop.length, format);
+    this.#length.textContent = formatLength(loop.length, format);
     const { name, sentence } = kindWords[loop.kind];
-    this.kind.textContent = name;
-    this.words.textContent = sentence;
-    this.words.hidden = sentence === '';
+    this.#kind.textContent = name;
+    this.#words.textContent = sentence;
+    this.#words.hidden = sentence === '';
   }
 
   /** Beside a point of the canvas of the given size, on the side where there is room. */
@@ -60,30 +60,30 @@ export class Readout {
 
 export class PinTag {
   readonly element = make('div', { class: 'tag' });
-  private readonly length = make('span');
-  private size: { width: number; height: number } | undefined;
+  readonly #length = make('span');
+  #size: { width: number; height: number } | undefined;
+  readonly number: number;
+  readonly #loop: Loop;
 
-  constructor(
-    readonly number: number,
-    private readonly loop: Loop,
-    remove: () => void,
-  ) {
+  constructor(number: number, loop: Loop, remove: () => void) {
+    this.number = number;
+    this.#loop = loop;
     const cross = make('button', { class: 'cross', type: 'button' }, '✕');
     cross.setAttribute('aria-label', `Remove pinned loop ${number}`);
     cross.addEventListener('click', remove);
-    this.element.append(make('i', {}, String(number)), this.length, cross);
+    this.element.append(make('i', {}, String(number)), this.#length, cross);
   }
 
   setFormat(format: LengthFormat): void {
-    this.length.textContent = formatLength(this.loop.length, format);
-    this.size = undefined;
+    this.#length.textContent = formatLength(this.#loop.length, format);
+    this.#size = undefined;
   }
 
   /** Beside a point of the canvas of the given size, never cut off by its edge. */
   place(point: ScreenPoint, width: number, height: number): void {
-    this.size ??= { width: this.element.offsetWidth, height: this.element.offsetHeight };
-    const left = Math.max(4, Math.min(width - this.size.width - 4, point.x + 12));
-    const top = Math.max(4, Math.min(height - this.size.height - 4, point.y - 14));
+    this.#size ??= { width: this.element.offsetWidth, height: this.element.offsetHeight };
+    const left = Math.max(4, Math.min(width - this.#size.width - 4, point.x + 12));
+    const top = Math.max(4, Math.min(height - this.#size.height - 4, point.y - 14));
     this.element.classList.toggle('behind', !point.visible);
     this.element.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
   }

@@ -60,57 +60,56 @@ export class Shading {
   wishes: ShadingWishes;
   /** The thresholds of the parts; undefined until they are first chosen. */
   parts: PartsChoice | undefined;
-  private tips: { made: Tips; jumps: Float64Array; highest: number } | undefined;
-  private areas: Float64Array | undefined;
+  #tips: { made: Tips; jumps: Float64Array; highest: number } | undefined;
+  #areas: Float64Array | undefined;
   /** Whether the two fields are in the surface's memory that the thresholds divide. */
-  private hasPair = false;
-  private shares: { key: string; ends: [number, number] } | undefined;
-  private content: LegendContent | undefined;
-  private current: ShownField | undefined;
+  #hasPair = false;
+  #shares: { key: string; ends: [number, number] } | undefined;
+  #content: LegendContent | undefined;
+  #current: ShownField | undefined;
+  readonly #model: Model;
 
-  constructor(
-    private readonly model: Model,
-    wishes: ShadingWishes,
-  ) {
+  constructor(model: Model, wishes: ShadingWishes) {
+    this.#model = model;
     this.wishes = wishes;
   }
 
   get legend(): LegendContent | undefined {
-    return this.content;
+    return this.#content;
   }
 
   get shown(): ShownField | undefined {
-    return this.current;
+    return this.#current;
   }
 
   /** Computes what is to be shown, unless it is there. */
   async prepare(): Promise<void> {
-    const { model } = this;
+    const model = this.#model;
     const { name, range } = this.wishes;
     if (name === 'none') return;
     if (isFieldName(name)) await model.fields.compute(name);
     else if (name === 'kind') await model.fields.compute('igf');
-    else if (name === 'tips') this.keepTips(await model.tips());
+    else if (name === 'tips') this.#keepTips(await model.tips());
     else {
       await model.girthAndDiameter();
       this.parts ??= { ...(await model.suggestedThresholds()), smoothed: undefined };
     }
-    if (range?.by === 'shares') this.areas ??= await model.areas();
+    if (range?.by === 'shares') this.#areas ??= await model.areas();
   }
 
-  private keepTips(made: Tips): void {
-    if (this.tips?.made === made) return;
-    const jumps = new Float64Array(this.model.mesh.info.vertexCount);
+  #keepTips(made: Tips): void {
+    if (this.#tips?.made === made) return;
+    const jumps = new Float64Array(this.#model.mesh.info.vertexCount);
     // The largest last: a vertex in several tips has the rise of the highest.
     for (const { vertices, jump } of [...made.tips].reverse()) {
       for (const vertex of vertices) jumps[vertex] = jump;
     }
-    this.tips = { made, jumps, highest: made.tips[0]?.jump ?? 0 };
+    this.#tips = { made, jumps, highest: made.tips[0]?.jump ?? 0 };
   }
 
   /** How a field's values are written. */
   formatOf(name: ShownName): LengthFormat {
-    const largest = this.extentOf(name)?.[1] ?? 2 * this.model.surface.bounds.radius;
+    const largest = this.#extentOf(name)?.[1] ?? 2 * this.#model.surface.bounds.radius;
     return lengthFormat(largest, fieldUnit(name, this.wishes.unit));
   }
 
@@ -120,54 +119,54 @@ export class Shading {
     if (!preview) return;
     const isShown = state.name === this.wishes.name;
     // The first values take the place of whatever the surface was coloured by.
-    if (isShown && preview.computed === 0) this.paintScalar(preview.shown, () => computedWeight);
+    if (isShown && preview.computed === 0) this.#paintScalar(preview.shown, () => computedWeight);
     preview.receive(partial, (vertex) => {
-      if (isShown) this.paintVertex(vertex, preview.shown[vertex]!, computedWeight);
+      if (isShown) this.#paintVertex(vertex, preview.shown[vertex]!, computedWeight);
     });
   }
 
   /** Whether colours are still to be spread between values that are there. */
   get isSpreading(): boolean {
-    return this.preview !== undefined && this.preview.computed > 0;
+    return this.#preview !== undefined && this.#preview.computed > 0;
   }
 
   /** Spreads colours to vertices without a value, for a few milliseconds; true when all are done. */
   spread(): boolean {
-    const { preview } = this;
+    const preview = this.#preview;
     if (!preview) return true;
     const done = preview.spread(
-      (vertex) => this.paintVertex(vertex, preview.shown[vertex]!, borrowedWeight),
+      (vertex) => this.#paintVertex(vertex, preview.shown[vertex]!, borrowedWeight),
       performance.now() + spreadBudget,
       () => performance.now(),
     );
-    this.model.surface.uploadScalars();
+    this.#model.surface.uploadScalars();
     return done;
   }
 
-  private get preview() {
+  get #preview() {
     const { name } = this.wishes;
-    return isFieldName(name) ? this.model.fields.get(name)?.preview : undefined;
+    return isFieldName(name) ? this.#model.fields.get(name)?.preview : undefined;
   }
 
-  private paintVertex(vertex: number, value: number, weight: number): void {
-    this.model.surface.setScalar(vertex, value, Number.isNaN(value) ? 0 : weight);
+  #paintVertex(vertex: number, value: number, weight: number): void {
+    this.#model.surface.setScalar(vertex, value, Number.isNaN(value) ? 0 : weight);
   }
 
   /** Colours every vertex anew with what there is. */
   paint(): void {
-    const { surface, fields } = this.model;
+    const { surface, fields } = this.#model;
     const { name } = this.wishes;
     if (name === 'kind') {
       const kinds = fields.get('igf')?.field?.kinds;
       if (kinds) surface.setCategories(kinds, girthKinds);
       surface.shadeBy(kinds ? 'categories' : 'plain');
     } else if (name === 'parts') {
-      this.paintParts();
+      this.#paintParts();
     } else if (name === 'tips') {
-      this.paintScalar(this.tips?.jumps, () => computedWeight);
+      this.#paintScalar(this.#tips?.jumps, () => computedWeight);
     } else if (isFieldName(name)) {
       const { field, preview } = fields.get(name) ?? {};
-      this.paintScalar(field?.values ?? preview?.shown, (vertex) =>
+      this.#paintScalar(field?.values ?? preview?.shown, (vertex) =>
         !preview || preview.isComputed(vertex) ? computedWeight : borrowedWeight,
       );
     } else {
@@ -176,21 +175,18 @@ export class Shading {
     this.refresh();
   }
 
-  private paintScalar(
-    values: ArrayLike<number> | undefined,
-    weightOf: (vertex: number) => number,
-  ): void {
-    const { surface } = this.model;
+  #paintScalar(values: ArrayLike<number> | undefined, weightOf: (vertex: number) => number): void {
+    const { surface } = this.#model;
     surface.shadeBy(values ? 'scalar' : 'plain');
     if (!values) return;
     for (let vertex = 0; vertex < values.length; ++vertex) {
-      this.paintVertex(vertex, values[vertex]!, weightOf(vertex));
+      this.#paintVertex(vertex, values[vertex]!, weightOf(vertex));
     }
     surface.uploadScalars();
   }
 
-  private paintParts(): void {
-    const { surface, fields } = this.model;
+  #paintParts(): void {
+    const { surface, fields } = this.#model;
     const [igf, sdf] = [fields.get('igf')?.field, fields.get('sdf')?.field];
     const { parts } = this;
     if (!parts || !igf || !sdf) {
@@ -199,8 +195,8 @@ export class Shading {
       surface.setCategories(parts.smoothed.kinds, partKinds);
       surface.shadeBy('categories');
     } else {
-      if (!this.hasPair) surface.setPair(igf.values, sdf.values);
-      this.hasPair = true;
+      if (!this.#hasPair) surface.setPair(igf.values, sdf.values);
+      this.#hasPair = true;
       surface.setThresholds(parts.girth, parts.diameter, partKinds);
       surface.shadeBy('thresholds');
     }
@@ -208,95 +204,97 @@ export class Shading {
 
   /** Brings range, lines and legend up to date with the values there are. */
   refresh(): void {
-    const { surface } = this.model;
+    const { surface } = this.#model;
     const { name, isolines, colormap: wished } = this.wishes;
     const format = this.formatOf(name);
-    this.current = undefined;
-    this.content = undefined;
+    this.#current = undefined;
+    this.#content = undefined;
     if (name === 'none') return;
     const title = fieldTitle(name);
     if (name === 'kind' || name === 'parts') {
-      if (name === 'kind' ? !this.model.fields.get('igf')?.field : !this.parts) return;
-      const used = name === 'kind' ? this.usedGirthKinds() : partKinds;
+      if (name === 'kind' ? !this.#model.fields.get('igf')?.field : !this.parts) return;
+      const used = name === 'kind' ? this.#usedGirthKinds() : partKinds;
       const colormap = wished ?? 'viridis';
-      this.current = { name, range: undefined, extent: undefined, colormap, format };
-      this.content = { title, categories: used, note: this.noteOf(name) };
+      this.#current = { name, range: undefined, extent: undefined, colormap, format };
+      this.#content = { title, categories: used, note: this.#noteOf(name) };
       return;
     }
-    const extent = this.extentOf(name);
+    const extent = this.#extentOf(name);
     if (!extent) {
-      const note = this.noteOf(name);
-      if (note) this.content = { title, categories: [], note };
+      const note = this.#noteOf(name);
+      if (note) this.#content = { title, categories: [], note };
       return;
     }
     const isSigned = extent[0] < 0 && extent[1] > 0;
     const colormap = wished ?? (isSigned ? 'rdbu' : 'viridis');
-    const range = this.rangeOf(name, extent, colormap === 'rdbu' && isSigned);
+    const range = this.#rangeOf(name, extent, colormap === 'rdbu' && isSigned);
     // Where all values are the same but for rounding, they have the same colour.
     const least = 1e-5 * Math.abs(range[1]);
     const widen = range[1] - range[0] < least ? least : 0;
     surface.setColormap(colormap);
     surface.setRange(range[0] - widen, range[1] + widen);
     surface.setIsolines(isolines, name === 'igf' ? steepestGirth : Infinity);
-    this.current = { name, range, extent, colormap, format };
-    this.content = {
+    this.#current = { name, range, extent, colormap, format };
+    this.#content = {
       title,
       colormap,
       range,
       extent,
       format,
       isolines,
-      note: this.noteOf(name),
+      note: this.#noteOf(name),
     };
   }
 
-  private usedGirthKinds() {
-    const kinds = this.model.fields.get('igf')!.field!.kinds;
+  #usedGirthKinds() {
+    const kinds = this.#model.fields.get('igf')!.field!.kinds;
     return girthKinds.filter((_, number) => kinds.includes(number));
   }
 
-  private extentOf(name: ShownName): readonly [number, number] | undefined {
-    if (name === 'tips') return this.tips?.highest ? [0, this.tips.highest] : undefined;
+  #extentOf(name: ShownName): readonly [number, number] | undefined {
+    if (name === 'tips') return this.#tips?.highest ? [0, this.#tips.highest] : undefined;
     if (!isFieldName(name)) return undefined;
-    const state = this.model.fields.get(name);
+    const state = this.#model.fields.get(name);
     const range = state?.field?.range ?? state?.preview?.range;
     return range && Number.isNaN(range[0]) ? undefined : range;
   }
 
-  private rangeOf(
+  #rangeOf(
     name: ShownName,
     extent: readonly [number, number],
     isCentred: boolean,
   ): readonly [number, number] {
     const { range } = this.wishes;
     if (range?.by === 'values') return range.ends;
-    let [low, high] = range ? this.endsOf(name, extent, range) : extent;
+    let [low, high] = range ? this.#endsOf(name, extent, range) : extent;
     if (isCentred) [low, high] = [Math.min(low, -high), Math.max(high, -low)];
     return [low, high];
   }
 
   /** The values below which the wished shares of the surface lie; the extent until the field is whole. */
-  private endsOf(
+  #endsOf(
     name: ShownName,
     extent: readonly [number, number],
     { ends }: RangeChoice,
   ): readonly [number, number] {
     const values =
-      name === 'tips' ? this.tips?.jumps : this.model.fields.get(name as FieldName)?.field?.values;
-    if (!values || !this.areas) return extent;
+      name === 'tips'
+        ? this.#tips?.jumps
+        : this.#model.fields.get(name as FieldName)?.field?.values;
+    if (!values || !this.#areas) return extent;
     const key = `${name} ${ends.join()}`;
-    if (this.shares?.key !== key) {
-      const [low, high] = ends.map((share) => quantile(values, this.areas, share));
-      this.shares = { key, ends: [low!, high!] };
+    if (this.#shares?.key !== key) {
+      const [low, high] = ends.map((share) => quantile(values, this.#areas, share));
+      this.#shares = { key, ends: [low!, high!] };
     }
-    return this.shares.ends;
+    return this.#shares.ends;
   }
 
   /** What else there is to know of the values: what the core says of them, and what is grey. */
-  private noteOf(name: ShownName): string {
-    if (name === 'tips') return this.tips?.made.tips.length === 0 ? 'no tips' : '';
+  #noteOf(name: ShownName): string {
+    if (name === 'tips') return this.#tips?.made.tips.length === 0 ? 'no tips' : '';
     const source = name === 'parts' ? 'sdf' : name;
-    const field = isFieldName(source) ? this.model.fields.get(source)?.field : undefined;
+    const field = isFieldName(source) ? this.#model.fields.get(source)?.field : undefined;
     if (!field) return '';
     const { note, withoutValue } = field;
     if (withoutValue === 0) return note;

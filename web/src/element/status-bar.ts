@@ -24,79 +24,79 @@ function cross(label: string): HTMLButtonElement {
 
 export class StatusBar {
   readonly element = make('div', { class: 'status' });
-  private readonly progress: HTMLElement;
-  private readonly partial: HTMLElement;
-  private readonly work: HTMLElement;
-  private readonly workWords = make('span', { role: 'status' });
-  private readonly workShare = make('progress', { max: '1', 'aria-label': 'Preparing the model' });
-  private readonly track = make('div', {
+  readonly #progress: HTMLElement;
+  readonly #partial: HTMLElement;
+  readonly #work: HTMLElement;
+  readonly #workWords = make('span', { role: 'status' });
+  readonly #workShare = make('progress', { max: '1', 'aria-label': 'Preparing the model' });
+  readonly #track = make('div', {
     class: 'track',
     role: 'progressbar',
     'aria-valuemin': '0',
     'aria-valuemax': '100',
   });
-  private readonly bar = make('div', { class: 'bar' });
-  private readonly what = make('span', { class: 'what' });
-  private readonly share = make('span', { class: 'share' });
-  private readonly left = make('span', { class: 'left' });
-  private readonly words = make('span');
+  readonly #bar = make('div', { class: 'bar' });
+  readonly #what = make('span', { class: 'what' });
+  readonly #share = make('span', { class: 'share' });
+  readonly #left = make('span', { class: 'left' });
+  readonly #words = make('span');
 
   constructor(actions: StatusActions) {
-    this.track.append(this.bar);
+    this.#track.append(this.#bar);
     const cancel = cross('Cancel computing');
     cancel.addEventListener('click', () => actions.cancel());
-    this.progress = make(
+    this.#progress = make(
       'div',
       { class: 'progress plate' },
-      this.what,
-      this.track,
-      this.share,
-      this.left,
+      this.#what,
+      this.#track,
+      this.#share,
+      this.#left,
       cancel,
     );
     const restart = make('button', { type: 'button' }, 'Compute all');
     restart.addEventListener('click', () => actions.restart());
-    this.partial = make('div', { class: 'partial plate', role: 'status' }, this.words, restart);
+    this.#partial = make('div', { class: 'partial plate', role: 'status' }, this.#words, restart);
     const stop = cross('Cancel reading');
     stop.addEventListener('click', () => actions.cancelWork());
-    const { workWords, workShare } = this;
-    this.work = make('div', { class: 'work plate' }, workWords, workShare, stop);
-    this.element.append(this.work, this.progress, this.partial);
+    const [workWords, workShare] = [this.#workWords, this.#workShare];
+    this.#work = make('div', { class: 'work plate' }, workWords, workShare, stop);
+    this.element.append(this.#work, this.#progress, this.#partial);
     this.clear();
     this.endWork();
   }
 
   /** Says what is being done to a model, and how much of it, until `endWork`. */
   showWork(words: string, fraction: number): void {
-    this.work.hidden = false;
-    if (this.workWords.textContent !== words) this.workWords.textContent = words;
-    this.workShare.value = fraction;
+    this.#work.hidden = false;
+    if (this.#workWords.textContent !== words) this.#workWords.textContent = words;
+    this.#workShare.value = fraction;
   }
 
   endWork(): void {
-    this.work.hidden = true;
+    this.#work.hidden = true;
   }
 
   /** `title` is what is computed. */
   showProgress(title: string, fraction: number, secondsLeft: number | undefined): void {
-    this.partial.hidden = true;
-    this.progress.hidden = false;
-    this.what.textContent = title;
-    this.track.setAttribute('aria-label', `Computing: ${title}`);
-    this.bar.style.transform = `scaleX(${fraction.toFixed(4)})`;
-    this.track.setAttribute('aria-valuenow', String(Math.round(100 * fraction)));
-    this.share.textContent = percent(fraction);
-    this.left.textContent = secondsLeft === undefined ? '' : `${formatSeconds(secondsLeft)} left`;
+    this.#partial.hidden = true;
+    this.#progress.hidden = false;
+    this.#what.textContent = title;
+    this.#track.setAttribute('aria-label', `Computing: ${title}`);
+    this.#bar.style.transform = `scaleX(${fraction.toFixed(4)})`;
+    this.#track.setAttribute('aria-valuenow', String(Math.round(100 * fraction)));
+    this.#share.textContent = percent(fraction);
+    this.#left.textContent = secondsLeft === undefined ? '' : `${formatSeconds(secondsLeft)} left`;
   }
 
   showPartial(title: string, fraction: number): void {
-    this.progress.hidden = true;
-    this.partial.hidden = false;
-    this.words.textContent = `${title}, partial: ${percent(fraction)} of vertices`;
+    this.#progress.hidden = true;
+    this.#partial.hidden = false;
+    this.#words.textContent = `${title}, partial: ${percent(fraction)} of vertices`;
   }
 
   clear(): void {
-    this.progress.hidden = true;
-    this.partial.hidden = true;
+    this.#progress.hidden = true;
+    this.#partial.hidden = true;
   }
 }

@@ -16,23 +16,25 @@ export interface TipsChoice {
 const dash = 0.035;
 
 export class TipsOnSurface {
-  private marks: TipMarks | undefined;
+  #marks: TipMarks | undefined;
+  readonly #stage: Stage;
+  readonly #model: Model;
 
-  constructor(
-    private readonly stage: Stage,
-    private readonly model: Model,
-  ) {}
+  constructor(stage: Stage, model: Model) {
+    this.#stage = stage;
+    this.#model = model;
+  }
 
   show({ tips, arcs }: Tips, { leastJump = 0, selected }: TipsChoice): void {
     this.clear();
-    const { surface } = this.model;
+    const { surface } = this.#model;
     const isShown = ({ jump }: { jump: number }): boolean => jump >= leastJump;
     const chosen = selected === undefined ? undefined : tips[selected];
     const others = tips.filter((tip) => tip !== chosen && isShown(tip));
     const linesOf = (some: readonly { contour: ContourLine[] }[]): ContourLine[] =>
       some.flatMap(({ contour }) => contour);
     const place = (vertex: number): number[] => surface.positionOf(vertex).toArray();
-    this.marks = new TipMarks({
+    this.#marks = new TipMarks({
       contours: linesOf(others),
       selected: linesOf(chosen ? [chosen] : []),
       arcs: arcs.filter(isShown).map(({ line }) => line),
@@ -40,7 +42,7 @@ export class TipsOnSurface {
       selectedApex: chosen && place(chosen.apex),
       dash: dash * surface.bounds.radius,
     });
-    this.stage.add(this.marks);
+    this.#stage.add(this.#marks);
     surface.tint(
       others.map(({ vertices }) => vertices),
       chosen?.vertices,
@@ -48,10 +50,10 @@ export class TipsOnSurface {
   }
 
   clear(): void {
-    if (!this.marks) return;
-    this.stage.remove(this.marks);
-    this.marks = undefined;
-    this.model.surface.tint([], undefined);
-    this.stage.invalidate();
+    if (!this.#marks) return;
+    this.#stage.remove(this.#marks);
+    this.#marks = undefined;
+    this.#model.surface.tint([], undefined);
+    this.#stage.invalidate();
   }
 }

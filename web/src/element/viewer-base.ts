@@ -69,36 +69,36 @@ export abstract class ViewerBase extends HTMLElement {
     'turn',
   ];
 
-  private canvas = make('canvas', {
+  #canvas = make('canvas', {
     tabindex: '0',
     role: 'application',
     'aria-roledescription': '3D surface',
     'aria-label':
       'Surface. Arrows turn, plus and minus zoom, Shift with arrows moves a probe, Enter pins its loop.',
   });
-  private readonly legend = new Legend();
-  private readonly message = new MessageBox();
-  private readonly live = make('div', { class: 'quiet-live', 'aria-live': 'polite' });
-  private readonly status = new StatusBar({
+  readonly #legend = new Legend();
+  readonly #message = new MessageBox();
+  readonly #live = make('div', { class: 'quiet-live', 'aria-live': 'polite' });
+  readonly #status = new StatusBar({
     cancel: () => this.cancel(),
-    cancelWork: () => this.work.cancel(),
-    restart: () => void this.restart(),
+    cancelWork: () => this.#work.cancel(),
+    restart: () => void this.#restart(),
   });
-  private readonly work = new Work(this.status);
+  readonly #work = new Work(this.#status);
 
   protected stage: Stage | undefined;
   protected presented: Presented | undefined;
   protected madeFrom: Original | undefined;
   /** The field whose computation was cancelled. */
-  private halted: FieldName | undefined;
-  private readonly said = new WeakSet<object>();
+  #halted: FieldName | undefined;
+  readonly #said = new WeakSet<object>();
 
-  private inView = false;
+  #inView = false;
   /** Whether the surface was moved by hand, so that it no longer turns by itself. */
-  private touched = false;
-  private pointedVertex: number | undefined;
-  private whenInView: (() => void)[] = [];
-  private readonly watchers: (() => void)[] = [];
+  #touched = false;
+  #pointedVertex: number | undefined;
+  #whenInView: (() => void)[] = [];
+  readonly #watchers: (() => void)[] = [];
 
   constructor() {
     super();
@@ -107,28 +107,28 @@ export abstract class ViewerBase extends HTMLElement {
     sheet.replaceSync(style);
     root.adoptedStyleSheets = [sheet];
     root.append(
-      this.canvas,
-      this.legend.element,
-      this.status.element,
-      this.message.element,
-      this.live,
+      this.#canvas,
+      this.#legend.element,
+      this.#status.element,
+      this.#message.element,
+      this.#live,
     );
   }
 
   connectedCallback(): void {
     try {
-      this.stage = new Stage(this.canvas, {
+      this.stage = new Stage(this.#canvas, {
         beforeFrame: () => this.presented?.spread() ?? false,
         afterFrame: () => this.presented?.loops.place(),
         touched: () => {
-          if (this.touched) return;
-          this.touched = true;
+          if (this.#touched) return;
+          this.#touched = true;
           this.dispatchEvent(new CustomEvent('touch'));
         },
         rested: () => this.dispatchEvent(new CustomEvent('camera')),
       });
     } catch {
-      this.message.show(
+      this.#message.show(
         '',
         {
           code: 'NO_WEBGL',
@@ -148,73 +148,73 @@ export abstract class ViewerBase extends HTMLElement {
     });
     resized.observe(this);
     const seen = new IntersectionObserver((entries) => {
-      this.inView = entries.at(-1)!.isIntersecting;
-      stage.rest(!this.inView);
-      if (this.inView) for (const go of this.whenInView.splice(0)) go();
+      this.#inView = entries.at(-1)!.isIntersecting;
+      stage.rest(!this.#inView);
+      if (this.#inView) for (const go of this.#whenInView.splice(0)) go();
     });
     seen.observe(this);
     const motion = window.matchMedia('(prefers-reduced-motion: reduce)');
     const respectMotion = (): void => {
       stage.setDamping(!motion.matches);
-      this.updateTurning();
+      this.#updateTurning();
     };
     motion.addEventListener('change', respectMotion);
     respectMotion();
-    this.watchers.push(
+    this.#watchers.push(
       () => resized.disconnect(),
       () => seen.disconnect(),
       () => motion.removeEventListener('change', respectMotion),
     );
-    if (this.hasAttribute('src')) void this.loadSrc();
+    if (this.hasAttribute('src')) void this.#loadSrc();
   }
 
   disconnectedCallback(): void {
-    for (const stop of this.watchers.splice(0)) stop();
-    this.work.cancel();
-    this.dropModel();
+    for (const stop of this.#watchers.splice(0)) stop();
+    this.#work.cancel();
+    this.#dropModel();
     this.stage?.dispose();
     this.stage = undefined;
     // A lost context cannot be had again from the same canvas.
-    const fresh = this.canvas.cloneNode() as HTMLCanvasElement;
-    this.canvas.replaceWith(fresh);
-    this.canvas = fresh;
-    this.inView = false;
-    this.whenInView = [];
+    const fresh = this.#canvas.cloneNode() as HTMLCanvasElement;
+    this.#canvas.replaceWith(fresh);
+    this.#canvas = fresh;
+    this.#inView = false;
+    this.#whenInView = [];
   }
 
   attributeChangedCallback(name: string, before: string | null, value: string | null): void {
     if (before === value) return;
     switch (name) {
       case 'src':
-        if (value !== null && this.stage) void this.loadSrc();
+        if (value !== null && this.stage) void this.#loadSrc();
         break;
       case 'unit':
-        this.restyle(false);
+        this.#restyle(false);
         if (this.presented) this.dispatchEvent(new CustomEvent('unit'));
         break;
       case 'field':
         if (value === 'none') this.cancel();
-        this.restyle(true);
-        void this.showField();
+        this.#restyle(true);
+        void this.#showField();
         break;
       case 'range':
-        this.restyle(false);
+        this.#restyle(false);
         // Percentages ask for the vertices' areas.
-        void this.showField();
+        void this.#showField();
         break;
       case 'colormap':
       case 'isolines':
-        this.restyle(false);
-        this.sendChange();
+        this.#restyle(false);
+        this.#sendChange();
         break;
       case 'time':
-        this.choose('hks');
+        this.#choose('hks');
         break;
       case 'energy':
-        this.choose('wks');
+        this.#choose('wks');
         break;
       case 'component':
-        this.choose('sihks');
+        this.#choose('sihks');
         break;
       case 'loop':
         if (value === 'none') this.presented?.loops.clear();
@@ -223,7 +223,7 @@ export abstract class ViewerBase extends HTMLElement {
         this.presented?.model.surface.showEdges(value !== null);
         break;
       case 'turn':
-        this.updateTurning();
+        this.#updateTurning();
         break;
     }
     this.stage?.invalidate();
@@ -263,7 +263,7 @@ export abstract class ViewerBase extends HTMLElement {
     make: (watched: Watched) => Promise<Mesh>,
     before?: Original,
   ): Promise<MeshInfo> {
-    return this.work.run(words, async ({ signal, onProgress }) => {
+    return this.#work.run(words, async ({ signal, onProgress }) => {
       try {
         const mesh = await make({
           signal,
@@ -272,17 +272,17 @@ export abstract class ViewerBase extends HTMLElement {
         try {
           onProgress(kernelShare);
           signal.throwIfAborted();
-          const model = await Model.of(mesh, this.fieldsHost, signal);
+          const model = await Model.of(mesh, this.#fieldsHost, signal);
           await this.stage?.prepare(model.surface.object);
           signal.throwIfAborted();
-          this.show(model, before);
+          this.#show(model, before);
         } catch (error) {
           mesh.dispose();
           throw error;
         }
         return mesh.info;
       } catch (error) {
-        if (!signal.aborted) this.fail(name, error);
+        if (!signal.aborted) this.#fail(name, error);
         throw error;
       }
     });
@@ -295,44 +295,44 @@ export abstract class ViewerBase extends HTMLElement {
 
   // ---- loading and computing
 
-  private async loadSrc(): Promise<void> {
-    await this.untilInView();
+  async #loadSrc(): Promise<void> {
+    await this.#untilInView();
     const src = this.getAttribute('src');
     // What went wrong has been said already.
     if (src) await this.load(src).catch(() => undefined);
   }
 
-  private untilInView(): Promise<void> {
-    return this.inView
+  #untilInView(): Promise<void> {
+    return this.#inView
       ? Promise.resolve()
-      : new Promise((resolve) => this.whenInView.push(resolve));
+      : new Promise((resolve) => this.#whenInView.push(resolve));
   }
 
-  private show(model: Model, before: Original | undefined): void {
-    this.dropModel(before);
+  #show(model: Model, before: Original | undefined): void {
+    this.#dropModel(before);
     if (!this.stage) throw new Error('the element is no longer on a page');
     this.madeFrom = before;
-    this.message.clear();
+    this.#message.clear();
     const { unreadable, name } = model.mesh.info;
-    if (!before) this.message.showPassedOver(unreadable, name);
+    if (!before) this.#message.showPassedOver(unreadable, name);
     model.surface.showEdges(this.hasAttribute('edges'));
     // The unit of what is shown is the model's own, which is not there yet.
-    const wishes = { ...this.wishes, unit: model.mesh.info.unit || this.wishes.unit };
-    this.presented = new Presented(this.stage, this.canvas, model, wishes, {
+    const wishes = { ...this.#wishes, unit: model.mesh.info.unit || this.#wishes.unit };
+    this.presented = new Presented(this.stage, this.#canvas, model, wishes, {
       followsPointer: () => this.getAttribute('loop') !== 'none',
-      pointed: (vertex) => this.pointed(vertex),
-      picked: (detail) => this.send<PickDetail>('pick', detail),
-      failed: (error) => this.fail('', error),
-      relabelled: (legend) => this.legend.update(legend),
+      pointed: (vertex) => this.#pointed(vertex),
+      picked: (detail) => this.#send<PickDetail>('pick', detail),
+      failed: (error) => this.#fail('', error),
+      relabelled: (legend) => this.#legend.update(legend),
     });
-    this.legend.element.after(this.presented.loops.element);
-    this.send<LoadDetail>('load', { info: model.mesh.info });
-    void this.afterShowing(this.presented);
-    void this.showField();
+    this.#legend.element.after(this.presented.loops.element);
+    this.#send<LoadDetail>('load', { info: model.mesh.info });
+    void this.#afterShowing(this.presented);
+    void this.#showField();
   }
 
   /** What may come after the first picture. */
-  private async afterShowing({ model, loops }: Presented): Promise<void> {
+  async #afterShowing({ model, loops }: Presented): Promise<void> {
     const { signal } = model.life;
     try {
       await new Promise((resolve) => setTimeout(resolve));
@@ -347,57 +347,57 @@ export abstract class ViewerBase extends HTMLElement {
       signal.throwIfAborted();
       for (const vertex of parseVertices(this.getAttribute('loop'))) await loops.pin(vertex);
     } catch (error) {
-      if (!signal.aborted) this.fail('', error);
+      if (!signal.aborted) this.#fail('', error);
     }
   }
 
   /** `kept` is still wanted: what comes next was made of it. */
-  private dropModel(kept?: Original): void {
+  #dropModel(kept?: Original): void {
     const { presented, madeFrom: before } = this;
     if (before && before.mesh !== kept?.mesh) before.mesh.dispose();
     this.madeFrom = undefined;
-    this.halted = undefined;
-    this.pointedVertex = undefined;
+    this.#halted = undefined;
+    this.#pointedVertex = undefined;
     if (!presented) return;
     this.presented = undefined;
     presented.dispose(kept?.mesh === presented.model.mesh);
-    this.status.clear();
-    this.legend.update(undefined);
+    this.#status.clear();
+    this.#legend.update(undefined);
   }
 
   /** Computes what the attributes ask for, and shows it. */
-  private async showField(): Promise<void> {
+  async #showField(): Promise<void> {
     const { presented } = this;
     if (!presented) return;
-    const { name } = this.wishes;
-    const isWanted = (): boolean => this.presented === presented && this.wishes.name === name;
-    await this.untilInView();
+    const { name } = this.#wishes;
+    const isWanted = (): boolean => this.presented === presented && this.#wishes.name === name;
+    await this.#untilInView();
     if (!isWanted()) return;
     try {
       await presented.shading.prepare();
       if (!isWanted()) return;
       presented.paint();
-      this.sendChange();
+      this.#sendChange();
     } catch (error) {
-      if (this.presented === presented) this.fail('', error);
+      if (this.presented === presented) this.#fail('', error);
     }
   }
 
   /** Another number of a signature is wanted: what was computed of it no longer counts. */
-  private choose(name: FieldName): void {
+  #choose(name: FieldName): void {
     const { presented } = this;
     if (!presented) return;
     presented.model.fields.forget(name);
-    if (!presented.model.fields.computing) this.status.clear();
-    if (this.wishes.name !== name) return;
-    this.restyle(true);
-    void this.showField();
+    if (!presented.model.fields.computing) this.#status.clear();
+    if (this.#wishes.name !== name) return;
+    this.#restyle(true);
+    void this.#showField();
   }
 
-  private readonly fieldsHost: FieldsHost = {
+  readonly #fieldsHost: FieldsHost = {
     spectral: (name) => parseSpectral(name, (attribute) => this.getAttribute(attribute)),
     received: (state, partial) => {
-      if (!this.isPresent(state)) return;
+      if (!this.#isPresent(state)) return;
       this.presented!.shading.receive(state, partial);
       this.stage?.invalidateSoon();
     },
@@ -405,62 +405,62 @@ export abstract class ViewerBase extends HTMLElement {
       // One after the other, where there are several.
       const { computing } = this.presented?.model.fields ?? {};
       if ((computing ?? name) === name) {
-        this.status.showProgress(fieldTitle(name), fraction, secondsLeft);
+        this.#status.showProgress(fieldTitle(name), fraction, secondsLeft);
       }
-      this.updateTurning();
-      if (fraction > 0) this.send<ProgressDetail>('progress', { name, fraction, secondsLeft });
+      this.#updateTurning();
+      if (fraction > 0) this.#send<ProgressDetail>('progress', { name, fraction, secondsLeft });
     },
     ended: (state, error) => {
-      if (!this.isPresent(state)) return;
+      if (!this.#isPresent(state)) return;
       const { name, field } = state;
       const { shading, model } = this.presented!;
-      if (!model.fields.computing) this.status.clear();
+      if (!model.fields.computing) this.#status.clear();
       if (field) {
         if (shading.wishes.name === name) this.presented!.paint();
-        this.sendField(name, field.range, 1);
+        this.#sendField(name, field.range, 1);
       } else if (fieldsOf(error).code === 'CANCELLED') {
         const share = model.fields.shareOf(name);
-        this.halted = name;
-        this.status.showPartial(fieldTitle(name), share);
-        this.sendField(name, state.preview?.range ?? [NaN, NaN], share);
+        this.#halted = name;
+        this.#status.showPartial(fieldTitle(name), share);
+        this.#sendField(name, state.preview?.range ?? [NaN, NaN], share);
       } else {
-        this.fail(model.mesh.info.name, error);
+        this.#fail(model.mesh.info.name, error);
       }
-      this.updateTurning();
+      this.#updateTurning();
     },
   };
 
   /** Whether a field is one of the model that is shown. */
-  private isPresent(state: FieldState): boolean {
+  #isPresent(state: FieldState): boolean {
     return this.presented?.model.fields.get(state.name) === state;
   }
 
   /** Goes on with what was cancelled. */
-  private async restart(): Promise<void> {
-    const { halted } = this;
-    this.halted = undefined;
+  async #restart(): Promise<void> {
+    const halted = this.#halted;
+    this.#halted = undefined;
     if (halted === undefined || !this.presented) return;
     // What goes wrong is said where the field ends; cancelled once more, it stays so.
     const computed = this.presented.model.fields.compute(halted).then(
       () => true,
       () => false,
     );
-    if (await computed) await this.showField();
+    if (await computed) await this.#showField();
   }
 
   /** Turns where it is asked for, but not while it computes: the work goes first. */
-  private updateTurning(): void {
+  #updateTurning(): void {
     if (!this.stage) return;
     const still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
     const isBusy = this.presented?.model.fields.computing !== undefined;
-    const turning = this.hasAttribute('turn') && !this.touched && !still && !isBusy;
+    const turning = this.hasAttribute('turn') && !this.#touched && !still && !isBusy;
     if (this.stage.turning !== turning) this.stage.turning = turning;
   }
 
   // ---- colours
 
   /** What the attributes ask for. */
-  private get wishes(): ShadingWishes {
+  get #wishes(): ShadingWishes {
     const field = this.getAttribute('field');
     const colormap = this.getAttribute('colormap');
     return {
@@ -473,10 +473,10 @@ export abstract class ViewerBase extends HTMLElement {
   }
 
   /** Shows what there is as the attributes ask for now; `anew` where each vertex has another colour. */
-  private restyle(anew: boolean): void {
+  #restyle(anew: boolean): void {
     const { presented } = this;
     if (!presented) return;
-    presented.shading.wishes = this.wishes;
+    presented.shading.wishes = this.#wishes;
     if (anew) presented.paint();
     else presented.refresh();
   }
@@ -488,38 +488,38 @@ export abstract class ViewerBase extends HTMLElement {
     return this.presented;
   }
 
-  private pointed(vertex: number | undefined): void {
-    if (vertex === this.pointedVertex) return;
-    this.pointedVertex = vertex;
+  #pointed(vertex: number | undefined): void {
+    if (vertex === this.#pointedVertex) return;
+    this.#pointedVertex = vertex;
     const values = vertex === undefined ? {} : this.require().valuesAt(vertex);
-    this.send<HoverDetail>('hover', { vertex, values });
+    this.#send<HoverDetail>('hover', { vertex, values });
   }
 
-  private sendField(name: FieldName, range: [number, number], share: number): void {
+  #sendField(name: FieldName, range: [number, number], share: number): void {
     const unit = fieldUnit(name, this.unit);
-    this.send<FieldDetail>('field', { name, range, unit, share });
-    if (share === 1) this.live.textContent = `${fieldTitle(name)}: computed.`;
+    this.#send<FieldDetail>('field', { name, range, unit, share });
+    if (share === 1) this.#live.textContent = `${fieldTitle(name)}: computed.`;
   }
 
-  private sendChange(): void {
+  #sendChange(): void {
     if (!this.presented) return;
-    const { name } = this.wishes;
-    this.send<FieldChangeDetail>('fieldchange', { name, shown: this.presented.shading.shown });
+    const { name } = this.#wishes;
+    this.#send<FieldChangeDetail>('fieldchange', { name, shown: this.presented.shading.shown });
   }
 
-  private send<Detail>(name: string, detail: Detail): void {
+  #send<Detail>(name: string, detail: Detail): void {
     this.dispatchEvent(new CustomEvent(name, { detail }));
   }
 
   /** Says what went wrong, once; that something was cancelled is no news. */
-  private fail(name: string, error: unknown): void {
+  #fail(name: string, error: unknown): void {
     const fields = fieldsOf(error);
     if (fields.code === 'CANCELLED') return;
     if (error instanceof Error) {
-      if (this.said.has(error)) return;
-      this.said.add(error);
+      if (this.#said.has(error)) return;
+      this.#said.add(error);
     }
-    this.message.show(name, fields, this.presented !== undefined);
-    this.send<GirthErrorFields>('error', fields);
+    this.#message.show(name, fields, this.presented !== undefined);
+    this.#send<GirthErrorFields>('error', fields);
   }
 }

@@ -73,7 +73,7 @@ import { ViewerBase } from './viewer-base.js';
  * for, by the attribute or by a method. All elements of a page share one kernel.
  */
 export class GirthViewer extends ViewerBase {
-  private tipsTurn = 0;
+  #tipsTurn = 0;
 
   /** The vertex of the surface for each vertex of the file; 0xFFFFFFFF where no face uses it. */
   get vertexOfInput(): Uint32Array {
@@ -162,13 +162,13 @@ export class GirthViewer extends ViewerBase {
   /** Draws the tips' contours and apexes and tints their regions, or no longer. */
   async showTips(choice: TipsChoice): Promise<void> {
     const presented = this.require();
-    const turn = ++this.tipsTurn;
+    const turn = ++this.#tipsTurn;
     if (!choice.shown) {
       presented.tips.clear();
       return;
     }
     const tips = await presented.model.tips();
-    if (this.presented === presented && turn === this.tipsTurn) presented.tips.show(tips, choice);
+    if (this.presented === presented && turn === this.#tipsTurn) presented.tips.show(tips, choice);
   }
 
   /** Where a field is greatest, or least, among its surroundings; most persistent first. */

@@ -12,25 +12,28 @@ export interface Watched {
 }
 
 export class Work {
-  private running: AbortController | undefined;
+  #running: AbortController | undefined;
+  readonly #status: StatusBar;
 
-  constructor(private readonly status: StatusBar) {}
+  constructor(status: StatusBar) {
+    this.#status = status;
+  }
 
   /** Ends what runs. */
   cancel(): void {
-    this.running?.abort();
-    this.running = undefined;
+    this.#running?.abort();
+    this.#running = undefined;
   }
 
   /** Runs something in place of what runs already, and says so where it takes a while. */
   async run<Answer>(words: string, act: (watched: Watched) => Promise<Answer>): Promise<Answer> {
     this.cancel();
     const running = new AbortController();
-    this.running = running;
+    this.#running = running;
     let share = 0;
     let isSlow = false;
     const show = (): void => {
-      if (isSlow && this.running === running) this.status.showWork(words, share);
+      if (isSlow && this.#running === running) this.#status.showWork(words, share);
     };
     const onProgress = (fraction: number): void => {
       share = fraction;
@@ -44,8 +47,8 @@ export class Work {
       return await act({ signal: running.signal, onProgress });
     } finally {
       clearTimeout(slow);
-      if (this.running === running || !this.running) this.status.endWork();
-      if (this.running === running) this.running = undefined;
+      if (this.#running === running || !this.#running) this.#status.endWork();
+      if (this.#running === running) this.#running = undefined;
     }
   }
 }

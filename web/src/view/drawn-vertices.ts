@@ -7,25 +7,26 @@ import { BufferAttribute, DynamicDrawUsage } from 'three';
  * `attribute` makes has an entry for all; write those of the mesh, then `upload`.
  */
 export class DrawnVertices {
-  private readonly firstCopy: Int32Array;
-  private readonly nextCopy: Int32Array;
+  readonly #firstCopy: Int32Array;
+  readonly #nextCopy: Int32Array;
+  readonly count: number;
+  readonly #copyOf: Uint32Array;
 
   /** Copy i, which is drawn vertex `count + i`, is one of vertex `copyOf[i]`. */
-  constructor(
-    readonly count: number,
-    private readonly copyOf: Uint32Array,
-  ) {
-    this.firstCopy = new Int32Array(count).fill(-1);
-    this.nextCopy = new Int32Array(copyOf.length).fill(-1);
+  constructor(count: number, copyOf: Uint32Array) {
+    this.count = count;
+    this.#copyOf = copyOf;
+    this.#firstCopy = new Int32Array(count).fill(-1);
+    this.#nextCopy = new Int32Array(copyOf.length).fill(-1);
     copyOf.forEach((vertex, copy) => {
-      this.nextCopy[copy] = this.firstCopy[vertex]!;
-      this.firstCopy[vertex] = copy;
+      this.#nextCopy[copy] = this.#firstCopy[vertex]!;
+      this.#firstCopy[vertex] = copy;
     });
   }
 
   /** `size` numbers a vertex, all 0: floats, or bytes that mean shares from 0 to 1. */
   attribute(size: number, kind: 'floats' | 'shares'): BufferAttribute {
-    const length = size * (this.count + this.copyOf.length);
+    const length = size * (this.count + this.#copyOf.length);
     const attribute =
       kind === 'floats'
         ? new BufferAttribute(new Float32Array(length), size)
@@ -39,7 +40,7 @@ export class DrawnVertices {
     const data = attribute.array;
     data[2 * vertex] = x;
     data[2 * vertex + 1] = y;
-    for (let copy = this.firstCopy[vertex]!; copy >= 0; copy = this.nextCopy[copy]!) {
+    for (let copy = this.#firstCopy[vertex]!; copy >= 0; copy = this.#nextCopy[copy]!) {
       data[2 * (this.count + copy)] = x;
       data[2 * (this.count + copy) + 1] = y;
     }
@@ -48,8 +49,8 @@ export class DrawnVertices {
   /** Gives the copies what the vertices have, and sends all with the next frame. */
   upload(attribute: BufferAttribute): void {
     const { array: data, itemSize: size } = attribute;
-    for (let copy = 0; copy < this.copyOf.length; ++copy) {
-      const from = size * this.copyOf[copy]!;
+    for (let copy = 0; copy < this.#copyOf.length; ++copy) {
+      const from = size * this.#copyOf[copy]!;
       const to = size * (this.count + copy);
       for (let k = 0; k < size; ++k) data[to + k] = data[from + k]!;
     }

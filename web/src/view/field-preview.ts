@@ -22,20 +22,22 @@ export class FieldPreview {
   /** Smallest and largest value so far; undefined before the first. */
   range: [number, number] | undefined;
 
-  private readonly hops: Uint16Array;
-  private readonly queue: number[] = [];
-  private head = 0;
+  readonly #hops: Uint16Array;
+  readonly #queue: number[] = [];
+  #head = 0;
+  readonly #adjacency: Adjacency;
 
-  constructor(private readonly adjacency: Adjacency) {
+  constructor(adjacency: Adjacency) {
+    this.#adjacency = adjacency;
     const vertexCount = adjacency.first.length - 1;
     this.values = new Float64Array(vertexCount).fill(NaN);
     this.shown = new Float32Array(vertexCount).fill(NaN);
-    this.hops = new Uint16Array(vertexCount).fill(unreached);
+    this.#hops = new Uint16Array(vertexCount).fill(unreached);
   }
 
   /** True where the vertex's own value has been computed. */
   isComputed(vertex: number): boolean {
-    return this.hops[vertex] === 0;
+    return this.#hops[vertex] === 0;
   }
 
   /** Takes new values; `changed` is called for each of their vertices. */
@@ -43,17 +45,17 @@ export class FieldPreview {
     for (let i = 0; i < vertices.length; ++i) {
       const vertex = vertices[i]!;
       const value = values[i]!;
-      if (this.hops[vertex] !== 0) ++this.computed;
+      if (this.#hops[vertex] !== 0) ++this.computed;
       this.values[vertex] = value;
       this.shown[vertex] = value;
-      this.hops[vertex] = 0;
+      this.#hops[vertex] = 0;
       changed(vertex);
       // A place without a value has none to lend.
       if (Number.isNaN(value)) continue;
       this.range = this.range
         ? [Math.min(this.range[0], value), Math.max(this.range[1], value)]
         : [value, value];
-      this.queue.push(vertex);
+      this.#queue.push(vertex);
     }
   }
 
@@ -62,22 +64,22 @@ export class FieldPreview {
    * `changed` is called for each vertex that takes a new value. Returns whether nothing is left.
    */
   spread(changed: (vertex: number) => void, deadline = Infinity, now = () => 0): boolean {
-    const { first, neighbours } = this.adjacency;
-    while (this.head < this.queue.length) {
-      if (this.head % 256 === 0 && now() >= deadline) return false;
-      const vertex = this.queue[this.head++]!;
-      const hops = this.hops[vertex]! + 1;
+    const { first, neighbours } = this.#adjacency;
+    while (this.#head < this.#queue.length) {
+      if (this.#head % 256 === 0 && now() >= deadline) return false;
+      const vertex = this.#queue[this.#head++]!;
+      const hops = this.#hops[vertex]! + 1;
       for (let k = first[vertex]!; k < first[vertex + 1]!; ++k) {
         const neighbour = neighbours[k]!;
-        if (this.hops[neighbour]! <= hops) continue;
-        this.hops[neighbour] = hops;
+        if (this.#hops[neighbour]! <= hops) continue;
+        this.#hops[neighbour] = hops;
         this.shown[neighbour] = this.shown[vertex]!;
-        this.queue.push(neighbour);
+        this.#queue.push(neighbour);
         changed(neighbour);
       }
     }
-    this.queue.length = 0;
-    this.head = 0;
+    this.#queue.length = 0;
+    this.#head = 0;
     return true;
   }
 }

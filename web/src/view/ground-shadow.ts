@@ -85,12 +85,12 @@ function blurRows(grid: Float32Array): Float32Array<ArrayBuffer> {
 
 export class GroundShadow {
   readonly object: Mesh<PlaneGeometry, ShaderMaterial>;
-  private readonly texture: DataTexture;
+  readonly #texture: DataTexture;
 
   constructor(grid: Uint8Array, bounds: Sphere, ground: number, halfWidth: number) {
-    this.texture = new DataTexture(grid, cells, cells, RedFormat, UnsignedByteType);
-    this.texture.minFilter = this.texture.magFilter = LinearFilter;
-    this.texture.needsUpdate = true;
+    this.#texture = new DataTexture(grid, cells, cells, RedFormat, UnsignedByteType);
+    this.#texture.minFilter = this.#texture.magFilter = LinearFilter;
+    this.#texture.needsUpdate = true;
     const plane = new PlaneGeometry(2 * halfWidth, 2 * halfWidth);
     // The grid's rows run along z: lie the plane down so that its v axis does too.
     plane.rotateX(-Math.PI / 2);
@@ -99,7 +99,7 @@ export class GroundShadow {
       new ShaderMaterial({
         transparent: true,
         depthWrite: false,
-        uniforms: { grid: { value: this.texture } },
+        uniforms: { grid: { value: this.#texture } },
         vertexShader: /* glsl */ `
           varying vec2 vPlace;
           void main() {
@@ -121,7 +121,7 @@ export class GroundShadow {
   }
 
   dispose(): void {
-    this.texture.dispose();
+    this.#texture.dispose();
     this.object.geometry.dispose();
     this.object.material.dispose();
     this.object.removeFromParent();

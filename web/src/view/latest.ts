@@ -9,58 +9,71 @@ const patience = 120;
  * but is aborted when it takes too long.
  */
 export class Latest<Key, Answer> {
-  private running: { key: Key; controller: AbortController; timer?: Timer } | undefined;
-  private waiting: { key: Key } | undefined;
+  #running: Running<Key> | undefined;
+  #pending: { key: Key } | undefined;
+  readonly #ask: (key: Key, signal: AbortSignal) => Promise<Answer>;
+  readonly #answered: (key: Key, answer: Answer) => void;
+  readonly #failed: (key: Key, error: unknown) => void;
 
   constructor(
-    private readonly ask: (key: Key, signal: AbortSignal) => Promise<Answer>,
-    private readonly answered: (key: Key, answer: Answer) => void,
-    private readonly failed: (key: Key, error: unknown) => void,
-  ) {}
+    ask: (key: Key, signal: AbortSignal) => Promise<Answer>,
+    answered: (key: Key, answer: Answer) => void,
+    failed: (key: Key, error: unknown) => void,
+  ) {
+    this.#ask = ask;
+    this.#answered = answered;
+    this.#failed = failed;
+  }
 
   /** Asks for `key`; replaces whatever waits. Asking again for what runs already does nothing. */
   request(key: Key): void {
-    if (this.running) {
-      if (Object.is(this.running.key, key)) {
-        this.waiting = undefined;
+    if (this.#running) {
+      if (Object.is(this.#running.key, key)) {
+        this.#pending = undefined;
         return;
       }
-      this.waiting = { key };
-      const { controller } = this.running;
-      this.running.timer ??= setTimeout(() => controller.abort(), patience);
+      this.#pending = { key };
+      const { controller } = this.#running;
+      this.#running.timer ??= setTimeout(() => controller.abort(), patience);
       return;
     }
-    void this.run(key);
+    void this.#run(key);
   }
 
   /** Forgets what waits and aborts what runs; neither is answered. */
   clear(): void {
-    this.waiting = undefined;
-    const { running } = this;
-    this.running = undefined;
+    this.#pending = undefined;
+    const running = this.#running;
+    this.#running = undefined;
     clearTimeout(running?.timer);
     running?.controller.abort();
   }
 
-  private async run(key: Key): Promise<void> {
-    const current: NonNullable<typeof this.running> = { key, controller: new AbortController() };
-    this.running = current;
+  async #run(key: Key): Promise<void> {
+    const current: Running<Key> = { key, controller: new AbortController() };
+    this.#running = current;
     const { signal } = current.controller;
     try {
-      const answer = await this.ask(key, signal);
-      if (this.running === current) this.answered(key, answer);
+      const answer = await this.#ask(key, signal);
+      if (this.#running === current) this.#answered(key, answer);
     } catch (error) {
-      if (this.running === current && !signal.aborted) this.failed(key, error);
+      if (this.#running === current && !signal.aborted) this.#failed(key, error);
     } finally {
       clearTimeout(current.timer);
-      if (this.running === current) {
-        this.running = undefined;
-        const next = this.waiting;
-        this.waiting = undefined;
-        if (next) void this.run(next.key);
+      if (this.#running === current) {
+        this.#running = undefined;
+        const next = this.#pending;
+        this.#pending = undefined;
+        if (next) void this.#run(next.key);
       }
     }
   }
 }
 
 type Timer = ReturnType<typeof setTimeout>;
+
+interface Running<Key> {
+  key: Key;
+  controller: AbortController;
+  timer?: Timer;
+}

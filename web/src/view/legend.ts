@@ -68,44 +68,44 @@ export function linePlaces(isolines: number): number[] {
 
 export class Legend {
   readonly element = document.createElement('figure');
-  private readonly title = document.createElement('figcaption');
-  private readonly bar = document.createElement('div');
-  private readonly key = document.createElement('ul');
-  private readonly note = document.createElement('p');
-  private shown = '';
+  readonly #title = document.createElement('figcaption');
+  readonly #bar = document.createElement('div');
+  readonly #key = document.createElement('ul');
+  readonly #note = document.createElement('p');
+  #shown = '';
 
   constructor() {
     this.element.className = 'legend';
     this.element.hidden = true;
-    this.title.className = 'legend-title';
-    this.bar.className = 'legend-bar';
-    this.key.className = 'legend-key';
-    this.note.className = 'legend-note';
-    this.element.append(this.title, this.bar, this.key, this.note);
+    this.#title.className = 'legend-title';
+    this.#bar.className = 'legend-bar';
+    this.#key.className = 'legend-key';
+    this.#note.className = 'legend-note';
+    this.element.append(this.#title, this.#bar, this.#key, this.#note);
   }
 
   update(content: LegendContent | undefined): void {
     this.element.hidden = !content;
     const key = JSON.stringify(content);
-    if (!content || key === this.shown) return;
-    this.shown = key;
-    this.title.textContent = headingOf(content);
-    this.note.textContent = content.note;
-    this.note.hidden = content.note === '';
+    if (!content || key === this.#shown) return;
+    this.#shown = key;
+    this.#title.textContent = headingOf(content);
+    this.#note.textContent = content.note;
+    this.#note.hidden = content.note === '';
     const isScale = 'range' in content;
-    this.bar.hidden = !isScale;
-    this.key.hidden = isScale;
-    if (isScale) this.showScale(content);
-    else this.key.replaceChildren(...content.categories.map(keyEntry));
+    this.#bar.hidden = !isScale;
+    this.#key.hidden = isScale;
+    if (isScale) this.#showScale(content);
+    else this.#key.replaceChildren(...content.categories.map(keyEntry));
   }
 
-  private showScale(content: ScaleContent): void {
-    this.bar.style.setProperty('--colours', colormapStops(content.colormap));
+  #showScale(content: ScaleContent): void {
+    this.#bar.style.setProperty('--colours', colormapStops(content.colormap));
     const lines = linePlaces(content.isolines).map((place) => at(place, 'legend-line', ''));
     const ticks = ticksOf(content).map(({ place, text, inner }) =>
       at(place, inner ? 'legend-tick inner' : 'legend-tick', text),
     );
-    this.bar.replaceChildren(...ticks, ...lines);
+    this.#bar.replaceChildren(...ticks, ...lines);
   }
 }
 

@@ -28,17 +28,17 @@ export interface BandStyle {
 export class LoopBand implements Overlay {
   readonly object = new Group();
 
-  private readonly line: LineGeometry;
-  private readonly materials: LineMaterial[];
-  private readonly dots: Dots;
+  readonly #line: LineGeometry;
+  readonly #materials: LineMaterial[];
+  readonly #dots: Dots;
 
   constructor(loop: Loop, style: BandStyle) {
     const antipodal = loop.kind === 'antipodal';
     // Of a loop that was not found there is only the base.
     const known = loop.polyline.length > 0;
-    this.line = new LineGeometry();
-    if (known) this.line.setPositions(loop.polyline);
-    this.materials = (known ? strokes : []).map(({ part, width, opacity }, order) => {
+    this.#line = new LineGeometry();
+    if (known) this.#line.setPositions(loop.polyline);
+    this.#materials = (known ? strokes : []).map(({ part, width, opacity }, order) => {
       const dashed = antipodal && part !== 'shadow';
       const material = strokeMaterial({
         colour: part === 'shadow' ? '#05060a' : style.colour,
@@ -56,7 +56,7 @@ export class LoopBand implements Overlay {
         material.gapSize = 0.4;
         material.dashOffset = 0.3;
       }
-      const object = new Line2(this.line, material);
+      const object = new Line2(this.#line, material);
       if (dashed) object.computeLineDistances();
       object.renderOrder = 2 + order;
       object.frustumCulled = false;
@@ -68,19 +68,19 @@ export class LoopBand implements Overlay {
       { place: known ? loop.polyline : loop.midpoint, size: 8 * style.weight },
       { place: loop.midpoint, size: 15 * style.weight },
     ];
-    this.dots = makeDots(dots, style.colour, 2 + strokes.length);
-    this.object.add(this.dots);
+    this.#dots = makeDots(dots, style.colour, 2 + strokes.length);
+    this.object.add(this.#dots);
   }
 
   setPixelRatio(ratio: number): void {
-    this.dots.material.uniforms['pixelRatio']!.value = ratio;
+    this.#dots.material.uniforms['pixelRatio']!.value = ratio;
   }
 
   dispose(): void {
-    this.line.dispose();
-    for (const material of this.materials) material.dispose();
-    this.dots.geometry.dispose();
-    this.dots.material.dispose();
+    this.#line.dispose();
+    for (const material of this.#materials) material.dispose();
+    this.#dots.geometry.dispose();
+    this.#dots.material.dispose();
     this.object.removeFromParent();
   }
 }

@@ -48,57 +48,63 @@ export class Surface {
   readonly object = new Group();
   readonly bounds: Sphere;
 
-  private readonly drawn: BufferGeometry;
-  private readonly picked: BufferGeometry;
-  private readonly material: ShaderMaterial;
-  private readonly vertices: DrawnVertices;
-  private readonly scalar: BufferAttribute;
-  private readonly flags: BufferAttribute;
-  private readonly texture: DataTexture;
-  private edges: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
-  private readonly boundary: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
-  private hierarchy: MeshBVH | undefined;
-  private steepest = 0;
-  private disposed = false;
+  readonly #drawn: BufferGeometry;
+  readonly #picked: BufferGeometry;
+  readonly #material: ShaderMaterial;
+  readonly #vertices: DrawnVertices;
+  readonly #scalar: BufferAttribute;
+  readonly #flags: BufferAttribute;
+  readonly #texture: DataTexture;
+  #edges: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
+  readonly #boundary: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
+  #hierarchy: MeshBVH | undefined;
+  #steepest = 0;
+  #disposed = false;
+  readonly #positions: Float32Array;
+  readonly #indices: Uint32Array;
+  readonly #adjacency: Adjacency;
 
   /**
    * `positions`, `indices` and `boundary` are the mesh's own and stay unchanged; `creased` is the same
    * surface made ready to draw.
    */
   constructor(
-    private readonly positions: Float32Array,
-    private readonly indices: Uint32Array,
+    positions: Float32Array,
+    indices: Uint32Array,
     boundary: Uint32Array,
-    private readonly adjacency: Adjacency,
+    adjacency: Adjacency,
     creased: CreasedSurface,
   ) {
-    this.vertices = new DrawnVertices(positions.length / 3, creased.copyOf);
-    this.scalar = this.vertices.attribute(2, 'floats');
-    this.flags = this.vertices.attribute(4, 'shares');
-    this.drawn = new BufferGeometry();
-    this.drawn.setAttribute('position', new BufferAttribute(creased.positions, 3));
-    this.drawn.setAttribute('normal', new BufferAttribute(creased.normals, 3));
-    this.drawn.setAttribute('scalar', this.scalar);
-    this.drawn.setAttribute('flags', this.flags);
-    this.drawn.setIndex(new BufferAttribute(creased.indices, 1));
-    this.drawn.computeBoundingSphere();
+    this.#positions = positions;
+    this.#indices = indices;
+    this.#adjacency = adjacency;
+    this.#vertices = new DrawnVertices(positions.length / 3, creased.copyOf);
+    this.#scalar = this.#vertices.attribute(2, 'floats');
+    this.#flags = this.#vertices.attribute(4, 'shares');
+    this.#drawn = new BufferGeometry();
+    this.#drawn.setAttribute('position', new BufferAttribute(creased.positions, 3));
+    this.#drawn.setAttribute('normal', new BufferAttribute(creased.normals, 3));
+    this.#drawn.setAttribute('scalar', this.#scalar);
+    this.#drawn.setAttribute('flags', this.#flags);
+    this.#drawn.setIndex(new BufferAttribute(creased.indices, 1));
+    this.#drawn.computeBoundingSphere();
     this.bounds = boundsOf(positions);
 
-    this.picked = new BufferGeometry();
-    this.picked.setAttribute('position', new BufferAttribute(positions, 3));
-    this.picked.setIndex(new BufferAttribute(indices, 1));
+    this.#picked = new BufferGeometry();
+    this.#picked.setAttribute('position', new BufferAttribute(positions, 3));
+    this.#picked.setIndex(new BufferAttribute(indices, 1));
 
-    this.texture = new DataTexture(new Uint8Array(4 * colormapSize), colormapSize, 1);
-    this.texture.colorSpace = NoColorSpace;
-    this.texture.minFilter = this.texture.magFilter = LinearFilter;
-    this.material = new ShaderMaterial({
+    this.#texture = new DataTexture(new Uint8Array(4 * colormapSize), colormapSize, 1);
+    this.#texture.colorSpace = NoColorSpace;
+    this.#texture.minFilter = this.#texture.magFilter = LinearFilter;
+    this.#material = new ShaderMaterial({
       vertexShader,
       fragmentShader,
       side: DoubleSide,
       defines: { SHADING: shadingModes.scalar },
       uniforms: {
         coloured: { value: 0 },
-        colormap: { value: this.texture },
+        colormap: { value: this.#texture },
         range: { value: new Vector2(0, 1) },
         isolines: { value: 0 },
         steepest: { value: 0 },
@@ -117,24 +123,24 @@ export class Surface {
       polygonOffsetUnits: 2,
     });
     // Until they are first needed; the two cost much memory.
-    Object.assign(this.material.defaultAttributeValues, {
+    Object.assign(this.#material.defaultAttributeValues, {
       pair: [0, 0, 0],
       category: [0, 0, 0, 0],
     });
-    this.object.add(new Mesh(this.drawn, this.material));
-    if (boundary.length > 0) this.boundary = this.addLines(boundary, 0.62);
+    this.object.add(new Mesh(this.#drawn, this.#material));
+    if (boundary.length > 0) this.#boundary = this.#addLines(boundary, 0.62);
     this.setColormap('viridis');
   }
 
   setColormap(name: ColormapName): void {
-    (this.texture.image.data as Uint8Array).set(colormapTable(name));
-    this.texture.needsUpdate = true;
+    (this.#texture.image.data as Uint8Array).set(colormapTable(name));
+    this.#texture.needsUpdate = true;
   }
 
   /** The values at the two ends of the colour map. */
   setRange(low: number, high: number): void {
-    this.vector2('range').set(low, high);
-    this.updateSteepest();
+    this.#vector2('range').set(low, high);
+    this.#updateSteepest();
   }
 
   /**
@@ -142,55 +148,55 @@ export class Surface {
    * changes by more than `steepest` for each unit of length it jumps, and has no lines.
    */
   setIsolines(count: number, steepest: number): void {
-    this.define('LINES', count > 0 ? '' : undefined);
-    this.material.uniforms['isolines']!.value = count;
-    this.steepest = steepest;
-    this.updateSteepest();
+    this.#define('LINES', count > 0 ? '' : undefined);
+    this.#material.uniforms['isolines']!.value = count;
+    this.#steepest = steepest;
+    this.#updateSteepest();
   }
 
   /** The shader's counts in ranges for each radius: numbers of the same size on every surface. */
-  private updateSteepest(): void {
-    const { x: low, y: high } = this.vector2('range');
-    const steepest = (this.steepest * this.bounds.radius) / (high - low);
-    this.material.uniforms['steepest']!.value = Math.min(Math.abs(steepest), 1e30) || 0;
+  #updateSteepest(): void {
+    const { x: low, y: high } = this.#vector2('range');
+    const steepest = (this.#steepest * this.bounds.radius) / (high - low);
+    this.#material.uniforms['steepest']!.value = Math.min(Math.abs(steepest), 1e30) || 0;
   }
 
   /** The screen's pixels for each CSS pixel. */
   setPixelRatio(ratio: number): void {
-    this.material.uniforms['pixelRatio']!.value = ratio;
+    this.#material.uniforms['pixelRatio']!.value = ratio;
   }
 
   /** What the surface is coloured by, of what was set before. */
   shadeBy(mode: ShadingMode): void {
-    this.material.uniforms['coloured']!.value = mode === 'plain' ? 0 : 1;
-    this.define('SHADING', shadingModes[mode === 'plain' ? 'scalar' : mode]);
+    this.#material.uniforms['coloured']!.value = mode === 'plain' ? 0 : 1;
+    this.#define('SHADING', shadingModes[mode === 'plain' ? 'scalar' : mode]);
   }
 
   /** The value of one vertex and how strongly it shows; weight 0 is plain grey. */
   setScalar(vertex: number, value: number, weight: number): void {
     // Stored times its weight, so that values are averaged by weight across a face.
-    this.vertices.set(this.scalar, vertex, weight > 0 ? value * weight : 0, weight);
+    this.#vertices.set(this.#scalar, vertex, weight > 0 ? value * weight : 0, weight);
   }
 
   /** Sends what `setScalar` changed with the next frame. */
   uploadScalars(): void {
-    this.scalar.needsUpdate = true;
+    this.#scalar.needsUpdate = true;
   }
 
   /** Sorts the vertices: a number below `categories.length` for each. */
   setCategories(numbers: ArrayLike<number>, categories: readonly Category[]): void {
-    const attribute = this.ensure('category', 4, 'shares');
+    const attribute = this.#ensure('category', 4, 'shares');
     const data = attribute.array.fill(0);
     for (let vertex = 0; vertex < numbers.length; ++vertex) {
       data[4 * vertex + numbers[vertex]!] = 255;
     }
-    this.vertices.upload(attribute);
-    this.setPalette(categories);
+    this.#vertices.upload(attribute);
+    this.#setPalette(categories);
   }
 
   /** Two values for each vertex, NaN where there is none, which thresholds divide. */
   setPair(girth: Float64Array, diameter: Float64Array): void {
-    const attribute = this.ensure('pair', 3, 'floats');
+    const attribute = this.#ensure('pair', 3, 'floats');
     const data = attribute.array;
     for (let vertex = 0; vertex < girth.length; ++vertex) {
       const known = !Number.isNaN(girth[vertex]! + diameter[vertex]!);
@@ -198,7 +204,7 @@ export class Surface {
       data[3 * vertex + 1] = known ? diameter[vertex]! : 0;
       data[3 * vertex + 2] = known ? 1 : 0;
     }
-    this.vertices.upload(attribute);
+    this.#vertices.upload(attribute);
   }
 
   /**
@@ -207,50 +213,50 @@ export class Surface {
    * and plate where it is not; and what has no values.
    */
   setThresholds(girth: number, diameter: number, categories: readonly Category[]): void {
-    this.vector2('thresholds').set(Math.min(girth, 1e30), Math.min(diameter, 1e30));
-    this.setPalette(categories);
+    this.#vector2('thresholds').set(Math.min(girth, 1e30), Math.min(diameter, 1e30));
+    this.#setPalette(categories);
   }
 
   /** Shows these vertices as they are and fades the others; undefined: all as they are. */
   mark(vertices: ArrayLike<number> | undefined): void {
-    this.setFlags('marking', vertices !== undefined);
-    this.setFlag(0, vertices ? [vertices] : []);
+    this.#setFlags('marking', vertices !== undefined);
+    this.#setFlag(0, vertices ? [vertices] : []);
   }
 
   /** Tints regions, one of them strongly. */
   tint(regions: readonly ArrayLike<number>[], selected: ArrayLike<number> | undefined): void {
-    this.setFlags('tinting', regions.length > 0 || selected !== undefined);
-    this.setFlag(1, regions);
-    this.setFlag(2, selected ? [selected] : []);
+    this.#setFlags('tinting', regions.length > 0 || selected !== undefined);
+    this.#setFlag(1, regions);
+    this.#setFlag(2, selected ? [selected] : []);
   }
 
-  private setFlags(use: 'marking' | 'tinting', used: boolean): void {
-    const { uniforms } = this.material;
+  #setFlags(use: 'marking' | 'tinting', used: boolean): void {
+    const { uniforms } = this.#material;
     uniforms[use]!.value = used ? 1 : 0;
     const isUsed = uniforms['marking']!.value === 1 || uniforms['tinting']!.value === 1;
-    this.define('FLAGS', isUsed ? '' : undefined);
+    this.#define('FLAGS', isUsed ? '' : undefined);
   }
 
   /** Chooses the program: one that is new to the page is compiled with the next frame. */
-  private define(name: string, value: unknown): void {
-    const { defines } = this.material;
+  #define(name: string, value: unknown): void {
+    const { defines } = this.#material;
     if (defines[name] === value) return;
     if (value === undefined) delete defines[name];
     else defines[name] = value;
-    this.material.needsUpdate = true;
+    this.#material.needsUpdate = true;
   }
 
-  private setFlag(component: number, regions: readonly ArrayLike<number>[]): void {
-    const data = this.flags.array;
+  #setFlag(component: number, regions: readonly ArrayLike<number>[]): void {
+    const data = this.#flags.array;
     for (let i = component; i < data.length; i += 4) data[i] = 0;
     for (const vertices of regions) {
       for (let i = 0; i < vertices.length; ++i) data[4 * vertices[i]! + component] = 255;
     }
-    this.vertices.upload(this.flags);
+    this.#vertices.upload(this.#flags);
   }
 
-  private setPalette(categories: readonly Category[]): void {
-    const { palette, hatched } = this.material.uniforms;
+  #setPalette(categories: readonly Category[]): void {
+    const { palette, hatched } = this.#material.uniforms;
     categories.forEach(({ colour, hatched: striped }, i) => {
       const { r, g, b } = new Color(colour).convertLinearToSRGB();
       (palette!.value as Vector3[])[i]!.set(r, g, b);
@@ -259,37 +265,37 @@ export class Surface {
   }
 
   /** An attribute of the drawn surface, made when it is first asked for. */
-  private ensure(name: string, size: number, kind: 'floats' | 'shares'): BufferAttribute {
-    const there = this.drawn.getAttribute(name) as BufferAttribute | undefined;
+  #ensure(name: string, size: number, kind: 'floats' | 'shares'): BufferAttribute {
+    const there = this.#drawn.getAttribute(name) as BufferAttribute | undefined;
     if (there) return there;
-    const made = this.vertices.attribute(size, kind);
-    this.drawn.setAttribute(name, made);
+    const made = this.#vertices.attribute(size, kind);
+    this.#drawn.setAttribute(name, made);
     return made;
   }
 
-  private vector2(uniform: string): Vector2 {
-    return this.material.uniforms[uniform]!.value as Vector2;
+  #vector2(uniform: string): Vector2 {
+    return this.#material.uniforms[uniform]!.value as Vector2;
   }
 
   /** Draws every edge of the mesh as a hairline, or none. */
   showEdges(shown: boolean): void {
-    if (shown && !this.edges) {
-      const { first, neighbours } = this.adjacency;
+    if (shown && !this.#edges) {
+      const { first, neighbours } = this.#adjacency;
       const pairs: number[] = [];
       for (let v = 0; v + 1 < first.length; ++v) {
         for (let k = first[v]!; k < first[v + 1]!; ++k) {
           if (neighbours[k]! > v) pairs.push(v, neighbours[k]!);
         }
       }
-      this.edges = this.addLines(Uint32Array.from(pairs), 0.22);
+      this.#edges = this.#addLines(Uint32Array.from(pairs), 0.22);
     }
-    if (this.edges) this.edges.visible = shown;
+    if (this.#edges) this.#edges.visible = shown;
   }
 
   /** Hairlines between pairs of vertices. */
-  private addLines(pairs: Uint32Array, opacity: number) {
+  #addLines(pairs: Uint32Array, opacity: number) {
     const geometry = new BufferGeometry();
-    geometry.setAttribute('position', this.picked.getAttribute('position'));
+    geometry.setAttribute('position', this.#picked.getAttribute('position'));
     geometry.setIndex(new BufferAttribute(pairs, 1));
     const material = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity });
     const lines = new LineSegments(geometry, material);
@@ -304,24 +310,24 @@ export class Surface {
    */
   async prepareToPick(): Promise<void> {
     const built =
-      this.indices.length / 3 > manyFaces
-        ? await this.buildInWorker().catch(() => undefined)
+      this.#indices.length / 3 > manyFaces
+        ? await this.#buildInWorker().catch(() => undefined)
         : undefined;
-    if (!this.disposed) this.hierarchy = built ?? new MeshBVH(this.picked, hierarchyOptions);
+    if (!this.#disposed) this.#hierarchy = built ?? new MeshBVH(this.#picked, hierarchyOptions);
   }
 
-  private async buildInWorker(): Promise<MeshBVH> {
+  async #buildInWorker(): Promise<MeshBVH> {
     const { GenerateMeshBVHWorker } = await import('three-mesh-bvh/worker');
     const worker = new GenerateMeshBVHWorker();
     try {
       // The worker takes the arrays it is given away from this page: hand it copies.
       const copy = new BufferGeometry();
-      copy.setAttribute('position', new BufferAttribute(this.positions.slice(), 3));
-      copy.setIndex(new BufferAttribute(this.indices.slice(), 1));
+      copy.setAttribute('position', new BufferAttribute(this.#positions.slice(), 3));
+      copy.setIndex(new BufferAttribute(this.#indices.slice(), 1));
       const built = MeshBVH.serialize(await worker.generate(copy, hierarchyOptions), {
         cloneBuffers: false,
       });
-      return MeshBVH.deserialize(built, this.picked, { setIndex: false });
+      return MeshBVH.deserialize(built, this.#picked, { setIndex: false });
     } finally {
       worker.dispose();
     }
@@ -329,10 +335,10 @@ export class Surface {
 
   /** Where a ray first meets the surface; undefined where it passes by. */
   pick(ray: Ray): FacePoint | undefined {
-    const hit = this.hierarchy?.raycastFirst(ray, DoubleSide);
+    const hit = this.#hierarchy?.raycastFirst(ray, DoubleSide);
     // The hierarchy leaves the faces in their order: their numbers are the mesh's own.
     if (!hit || typeof hit.faceIndex !== 'number') return undefined;
-    const [a, b, c] = this.cornersOf(hit.faceIndex).map((vertex) => this.positionOf(vertex));
+    const [a, b, c] = this.#cornersOf(hit.faceIndex).map((vertex) => this.positionOf(vertex));
     return { face: hit.faceIndex, weights: weightsIn(a!, b!, c!, hit.point) };
   }
 
@@ -342,7 +348,7 @@ export class Surface {
     const place = this.positionOf(point);
     let nearest = -1;
     let shortest = Infinity;
-    for (const vertex of this.cornersOf(point.face)) {
+    for (const vertex of this.#cornersOf(point.face)) {
       const distance = this.positionOf(vertex).distanceToSquared(place);
       if (distance < shortest) [nearest, shortest] = [vertex, distance];
     }
@@ -354,18 +360,18 @@ export class Surface {
    * the surface's near side are not hidden.
    */
   hides(point: Vector3, eye: Vector3): boolean {
-    if (!this.hierarchy) return true;
+    if (!this.#hierarchy) return true;
     const ray = new Ray(eye, point.clone().sub(eye));
     const distance = ray.direction.length();
     ray.direction.divideScalar(distance);
-    const hit = this.hierarchy.raycastFirst(ray, DoubleSide);
+    const hit = this.#hierarchy.raycastFirst(ray, DoubleSide);
     return !!hit && hit.distance < distance - 0.01 * this.bounds.radius;
   }
 
   positionOf(point: SurfacePoint): Vector3 {
-    if (typeof point === 'number') return new Vector3().fromArray(this.positions, 3 * point);
+    if (typeof point === 'number') return new Vector3().fromArray(this.#positions, 3 * point);
     const position = new Vector3();
-    this.cornersOf(point.face).forEach((vertex, k) => {
+    this.#cornersOf(point.face).forEach((vertex, k) => {
       position.addScaledVector(this.positionOf(vertex), point.weights[k]!);
     });
     return position;
@@ -373,30 +379,30 @@ export class Surface {
 
   /** Away from the inside, at a vertex; at a crease, on one side of it. */
   normalOf(vertex: number): Vector3 {
-    return new Vector3().fromBufferAttribute(this.drawn.getAttribute('normal'), vertex);
+    return new Vector3().fromBufferAttribute(this.#drawn.getAttribute('normal'), vertex);
   }
 
   /** The vertices that share an edge with one. */
   neighboursOf(vertex: number): Uint32Array {
-    const { first, neighbours } = this.adjacency;
+    const { first, neighbours } = this.#adjacency;
     return neighbours.subarray(first[vertex], first[vertex + 1]);
   }
 
-  private cornersOf(face: number): number[] {
-    return Array.from(this.indices.subarray(3 * face, 3 * face + 3));
+  #cornersOf(face: number): number[] {
+    return Array.from(this.#indices.subarray(3 * face, 3 * face + 3));
   }
 
   dispose(): void {
-    this.disposed = true;
-    this.drawn.dispose();
-    this.picked.dispose();
-    this.material.dispose();
-    this.texture.dispose();
-    for (const lines of [this.edges, this.boundary]) {
+    this.#disposed = true;
+    this.#drawn.dispose();
+    this.#picked.dispose();
+    this.#material.dispose();
+    this.#texture.dispose();
+    for (const lines of [this.#edges, this.#boundary]) {
       lines?.geometry.dispose();
       lines?.material.dispose();
     }
-    this.hierarchy = undefined;
+    this.#hierarchy = undefined;
     this.object.removeFromParent();
   }
 }

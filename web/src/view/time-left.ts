@@ -5,22 +5,22 @@
  * enough to be believed.
  */
 export class TimeLeft {
-  private readonly start: number;
-  private smoothed: number | undefined;
+  readonly #start: number;
+  #smoothed: number | undefined;
 
   /** `now` and all later times are in milliseconds. */
   constructor(now: number) {
-    this.start = now;
+    this.#start = now;
   }
 
   /** Seconds left at a finished share in [0, 1]; undefined while it is too early to tell. */
   update(fraction: number, now: number): number | undefined {
-    const elapsed = (now - this.start) / 1000;
+    const elapsed = (now - this.#start) / 1000;
     if (fraction >= 1) return 0;
     if (fraction < 0.02 || elapsed < 0.4) return undefined;
     const left = (elapsed / fraction) * (1 - fraction);
-    this.smoothed = this.smoothed === undefined ? left : 0.7 * this.smoothed + 0.3 * left;
-    return Math.min(this.smoothed, 2 * left);
+    this.#smoothed = this.#smoothed === undefined ? left : 0.7 * this.#smoothed + 0.3 * left;
+    return Math.min(this.#smoothed, 2 * left);
   }
 }
 

@@ -31,29 +31,29 @@ const once = 64;
 
 export class TipMarks implements Overlay {
   readonly object = new Group();
-  private readonly geometries: LineSegmentsGeometry[] = [];
-  private readonly materials: LineMaterial[] = [];
-  private readonly dots: Dots[] = [];
+  readonly #geometries: LineSegmentsGeometry[] = [];
+  readonly #materials: LineMaterial[] = [];
+  readonly #dots: Dots[] = [];
 
   constructor({ contours, selected, arcs, apexes, selectedApex, dash }: TipMarksContent) {
-    this.addLines(contours, paper, 2.2, undefined);
-    this.addLines(arcs, paper, 2.2, dash);
-    this.addLines(selected, accent, 3.4, undefined);
-    this.addDots(
+    this.#addLines(contours, paper, 2.2, undefined);
+    this.#addLines(arcs, paper, 2.2, dash);
+    this.#addLines(selected, accent, 3.4, undefined);
+    this.#addDots(
       apexes.map((place) => ({ place, size: 11 })),
       paper,
     );
-    if (selectedApex) this.addDots([{ place: selectedApex, size: 16 }], accent);
+    if (selectedApex) this.#addDots([{ place: selectedApex, size: 16 }], accent);
   }
 
   setPixelRatio(ratio: number): void {
-    for (const dots of this.dots) dots.material.uniforms['pixelRatio']!.value = ratio;
+    for (const dots of this.#dots) dots.material.uniforms['pixelRatio']!.value = ratio;
   }
 
   dispose(): void {
-    for (const geometry of this.geometries) geometry.dispose();
-    for (const material of this.materials) material.dispose();
-    for (const dots of this.dots) {
+    for (const geometry of this.#geometries) geometry.dispose();
+    for (const material of this.#materials) material.dispose();
+    for (const dots of this.#dots) {
       dots.geometry.dispose();
       dots.material.dispose();
     }
@@ -61,7 +61,7 @@ export class TipMarks implements Overlay {
   }
 
   /** A light line in a dark casing; faint where the surface hides it. */
-  private addLines(
+  #addLines(
     lines: readonly ContourLine[],
     colour: string,
     width: number,
@@ -71,7 +71,7 @@ export class TipMarks implements Overlay {
     if (segments.length === 0) return;
     const geometry = new LineSegmentsGeometry();
     geometry.setPositions(segments);
-    this.geometries.push(geometry);
+    this.#geometries.push(geometry);
     const strokes = [
       { colour: ink, width: width + 0.4, opacity: 0.2, hidden: true, dashed: false, once },
       {
@@ -95,15 +95,15 @@ export class TipMarks implements Overlay {
       }
       object.renderOrder = order + 0.1 * i;
       object.frustumCulled = false;
-      this.materials.push(material);
+      this.#materials.push(material);
       this.object.add(object);
     });
   }
 
-  private addDots(dots: readonly Dot[], colour: string): void {
+  #addDots(dots: readonly Dot[], colour: string): void {
     if (dots.length === 0) return;
     const made = makeDots(dots, colour, order + 0.4);
-    this.dots.push(made);
+    this.#dots.push(made);
     this.object.add(made);
   }
 }

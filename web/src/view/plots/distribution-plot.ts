@@ -40,17 +40,20 @@ const leastDrag = 3;
 
 export class DistributionPlot {
   readonly element = document.createElement('div');
-  private readonly frame = new PlotFrame(this.element);
-  private readonly band = document.createElement('div');
-  private readonly mark = document.createElement('div');
-  private content: DistributionContent | undefined;
-  private range: [number, number] | undefined;
-  private marked: number | undefined;
+  readonly #frame = new PlotFrame(this.element);
+  readonly #band = document.createElement('div');
+  readonly #mark = document.createElement('div');
+  #content: DistributionContent | undefined;
+  #range: [number, number] | undefined;
+  #marked: number | undefined;
+  readonly #events: DistributionEvents | undefined;
 
   /** Without events no range can be marked: it is a picture. */
-  constructor(private readonly events?: DistributionEvents) {
-    const { element, band, mark } = this;
-    const { over } = this.frame;
+  constructor(events?: DistributionEvents) {
+    this.#events = events;
+    const [band, mark] = [this.#band, this.#mark];
+    const { element } = this;
+    const { over } = this.#frame;
     element.className = 'plot';
     band.className = 'plot-band';
     mark.className = 'plot-mark';
@@ -61,25 +64,25 @@ export class DistributionPlot {
       element.tabIndex = 0;
       element.setAttribute('aria-valuemin', '0');
       element.setAttribute('aria-valuemax', String(histogramBins));
-      over.addEventListener('pointerdown', (event) => this.beginDrag(event));
-      element.addEventListener('keydown', (event) => this.key(event));
+      over.addEventListener('pointerdown', (event) => this.#beginDrag(event));
+      element.addEventListener('keydown', (event) => this.#key(event));
     }
-    this.place();
+    this.#place();
   }
 
   /** The marked range; undefined where none is. */
   get brush(): [number, number] | undefined {
-    return this.range;
+    return this.#range;
   }
 
   /** Marks a range without telling it to anybody. */
   set brush(range: ValueRange | undefined) {
-    this.range = range && [...range];
-    this.place();
+    this.#range = range && [...range];
+    this.#place();
   }
 
   show(content: DistributionContent): void {
-    this.content = content;
+    this.#content = content;
     const [low, high] = content.range;
     const isCumulative = content.kind === 'cdf';
     const lines: { curve: Cumulative; series: DistributionSeries }[] = isCumulative
@@ -90,7 +93,7 @@ export class DistributionPlot {
       : [];
     const at = lines[0]?.curve.at ?? [low, high];
     const axes = content.axes !== undefined;
-    this.frame.show({
+    this.#frame.show({
       x: {
         scale: { low, high, log: false },
         format: axes ? content.format : undefined,
@@ -109,36 +112,36 @@ export class DistributionPlot {
           }))
         : [],
       paint: (context, inside, pixelRatio) => {
-        if (isCumulative) this.paintQuarters(context, inside, pixelRatio);
-        else this.paintBars(context, inside, pixelRatio);
+        if (isCumulative) this.#paintQuarters(context, inside, pixelRatio);
+        else this.#paintBars(context, inside, pixelRatio);
       },
     });
-    this.place();
+    this.#place();
   }
 
   /** Draws bars in their present colours. */
   recolour(colourOf: DistributionContent['colourOf']): void {
-    if (!this.content) return;
-    this.content.colourOf = colourOf;
-    this.frame.repaint();
+    if (!this.#content) return;
+    this.#content.colourOf = colourOf;
+    this.#frame.repaint();
   }
 
   /** A line at a value, for example that of the point under the pointer. */
   markValue(value: number | undefined): void {
-    this.marked = value;
-    this.place();
+    this.#marked = value;
+    this.#place();
   }
 
   dispose(): void {
-    this.frame.dispose();
+    this.#frame.dispose();
   }
 
-  private paintBars(
+  #paintBars(
     context: CanvasRenderingContext2D,
     inside: { left: number; top: number; width: number; height: number },
     pixelRatio: number,
   ): void {
-    const { series, range, colourOf } = this.content!;
+    const { series, range, colourOf } = this.#content!;
     const [first] = series;
     if (!first) return;
     const { shares, peak } = histogram(first.values, first.weights, histogramBins, range);
@@ -163,12 +166,12 @@ export class DistributionPlot {
   }
 
   /** Hairlines at the quarters, where no axis has them. */
-  private paintQuarters(
+  #paintQuarters(
     context: CanvasRenderingContext2D,
     inside: { left: number; top: number; width: number; height: number },
     pixelRatio: number,
   ): void {
-    if (this.content!.axes) return;
+    if (this.#content!.axes) return;
     context.strokeStyle = getComputedStyle(this.element).getPropertyValue('--plot-line');
     context.lineWidth = pixelRatio;
     context.beginPath();
@@ -180,19 +183,19 @@ export class DistributionPlot {
     context.stroke();
   }
 
-  private valueAt(place: number): number {
-    const [low, high] = this.content!.range;
+  #valueAt(place: number): number {
+    const [low, high] = this.#content!.range;
     return place >= 1 ? high : low + (high - low) * place;
   }
 
-  private placeOf(value: number): number {
-    const [low, high] = this.content!.range;
+  #placeOf(value: number): number {
+    const [low, high] = this.#content!.range;
     return high > low ? (value - low) / (high - low) : 0.5;
   }
 
-  private beginDrag(down: PointerEvent): void {
-    if (down.button !== 0 || !this.content) return;
-    const { over } = this.frame;
+  #beginDrag(down: PointerEvent): void {
+    if (down.button !== 0 || !this.#content) return;
+    const { over } = this.#frame;
     const box = over.getBoundingClientRect();
     const placeOf = (event: PointerEvent): number => (event.clientX - box.left) / box.width;
     const from = placeOf(down);
@@ -201,7 +204,7 @@ export class DistributionPlot {
       isDrag ||= Math.abs(event.clientX - down.clientX) >= leastDrag;
       if (!isDrag) return;
       const [low, high] = dragged(from, placeOf(event));
-      this.setBrush([this.valueAt(low), this.valueAt(high)], false);
+      this.#setBrush([this.#valueAt(low), this.#valueAt(high)], false);
     };
     const before = this.brush;
     let isTaken = false;
@@ -212,8 +215,8 @@ export class DistributionPlot {
     const end = (): void => {
       over.removeEventListener('pointermove', move);
       over.removeEventListener('pointercancel', take);
-      if (isTaken) this.setBrush(before, true);
-      else this.setBrush(isDrag ? this.range : undefined, true);
+      if (isTaken) this.#setBrush(before, true);
+      else this.#setBrush(isDrag ? this.#range : undefined, true);
     };
     over.setPointerCapture(down.pointerId);
     over.addEventListener('pointermove', move);
@@ -221,9 +224,9 @@ export class DistributionPlot {
     over.addEventListener('lostpointercapture', end, { once: true });
   }
 
-  private key(event: KeyboardEvent): void {
-    if (!this.content || event.ctrlKey || event.altKey || event.metaKey) return;
-    const bins = this.range?.map((value) => this.placeOf(value) * histogramBins);
+  #key(event: KeyboardEvent): void {
+    if (!this.#content || event.ctrlKey || event.altKey || event.metaKey) return;
+    const bins = this.#range?.map((value) => this.#placeOf(value) * histogramBins);
     const now: ValueRange | undefined = bins && [
       Math.min(histogramBins - 1, Math.max(0, Math.round(bins[0]!))),
       Math.max(0, Math.round(bins[1]!) - 1),
@@ -231,40 +234,47 @@ export class DistributionPlot {
     const next = movedByKey(now, event.key, event.shiftKey, histogramBins);
     if (next === undefined) return;
     event.preventDefault();
-    this.setBrush(
+    this.#setBrush(
       next === 'none'
         ? undefined
-        : [this.valueAt(next[0] / histogramBins), this.valueAt((next[1] + 1) / histogramBins)],
+        : [this.#valueAt(next[0] / histogramBins), this.#valueAt((next[1] + 1) / histogramBins)],
       true,
     );
   }
 
-  private setBrush(range: ValueRange | undefined, settled: boolean): void {
+  #setBrush(range: ValueRange | undefined, settled: boolean): void {
     this.brush = range;
-    this.events?.brushed(this.range, settled);
+    this.#events?.brushed(this.#range, settled);
   }
 
   /** Puts the band and the mark where they belong. */
-  private place(): void {
-    const { band, mark, range, marked, content, element } = this;
+  #place(): void {
+    const [band, mark, range, marked, content] = [
+      this.#band,
+      this.#mark,
+      this.#range,
+      this.#marked,
+      this.#content,
+    ];
+    const { element } = this;
     const format = content?.format;
     band.hidden = !range || !content;
     mark.hidden = marked === undefined || !Number.isFinite(marked) || !content;
-    if (!this.events) return;
+    if (!this.#events) return;
     if (!content || !format) {
       element.setAttribute('aria-valuenow', '0');
       element.setAttribute('aria-valuetext', 'no range marked');
       return;
     }
     if (range) {
-      const [low, high] = range.map((value) => Math.min(1, Math.max(0, this.placeOf(value))));
+      const [low, high] = range.map((value) => Math.min(1, Math.max(0, this.#placeOf(value))));
       band.style.left = `${100 * low!}%`;
       band.style.right = `${100 * (1 - high!)}%`;
     }
     if (!mark.hidden) {
-      mark.style.left = `${100 * Math.min(1, Math.max(0, this.placeOf(marked!)))}%`;
+      mark.style.left = `${100 * Math.min(1, Math.max(0, this.#placeOf(marked!)))}%`;
     }
-    const now = range ? Math.round(histogramBins * this.placeOf(range[0])) : 0;
+    const now = range ? Math.round(histogramBins * this.#placeOf(range[0])) : 0;
     element.setAttribute('aria-valuenow', String(Math.min(histogramBins, Math.max(0, now))));
     element.setAttribute(
       'aria-valuetext',

@@ -36,71 +36,73 @@ const font = '11px system-ui, sans-serif';
 export class PlotFrame {
   /** Above the plot's inside, its size. */
   readonly over = document.createElement('div');
-  private readonly watchers: (() => void)[] = [];
-  private plot: uPlot | undefined;
-  private content: PlotContent | undefined;
-  private layout = '';
+  readonly #watchers: (() => void)[] = [];
+  #plot: uPlot | undefined;
+  #content: PlotContent | undefined;
+  #layout = '';
+  readonly #host: HTMLElement;
 
   /** `host` has a size of its own; the colour of its text is that of numbers and axes. */
-  constructor(private readonly host: HTMLElement) {
+  constructor(host: HTMLElement) {
+    this.#host = host;
     this.over.className = 'plot-over';
-    const resized = new ResizeObserver(() => this.fit());
+    const resized = new ResizeObserver(() => this.#fit());
     resized.observe(host);
-    this.watchers.push(() => resized.disconnect());
+    this.#watchers.push(() => resized.disconnect());
     for (const query of ['(prefers-color-scheme: dark)', `(resolution: ${devicePixelRatio}dppx)`]) {
       const media = window.matchMedia(query);
-      const changed = (): void => this.rebuild();
+      const changed = (): void => this.#rebuild();
       media.addEventListener('change', changed);
-      this.watchers.push(() => media.removeEventListener('change', changed));
+      this.#watchers.push(() => media.removeEventListener('change', changed));
     }
   }
 
   show(content: PlotContent): void {
-    this.content = content;
+    this.#content = content;
     // Axes that come, go or change their kind need another plot; else only what is drawn changes.
     const { x, y, lines } = content;
     const layout = JSON.stringify([
       [x, y].map(({ scale, format, label }) => [scale.log, !!format, label]),
       lines.map(({ colour, dash }) => [colour, dash]),
     ]);
-    if (!this.plot || layout !== this.layout) {
-      this.layout = layout;
-      this.rebuild();
+    if (!this.#plot || layout !== this.#layout) {
+      this.#layout = layout;
+      this.#rebuild();
       return;
     }
-    this.plot.setData(this.data(), true);
+    this.#plot.setData(this.#data(), true);
   }
 
   /** Draws again what `paint` draws. */
   repaint(): void {
-    this.plot?.redraw(false, false);
+    this.#plot?.redraw(false, false);
   }
 
   dispose(): void {
-    for (const stop of this.watchers.splice(0)) stop();
-    this.plot?.destroy();
-    this.plot = undefined;
+    for (const stop of this.#watchers.splice(0)) stop();
+    this.#plot?.destroy();
+    this.#plot = undefined;
   }
 
-  private data(): uPlot.AlignedData {
-    const { at, lines } = this.content!;
+  #data(): uPlot.AlignedData {
+    const { at, lines } = this.#content!;
     return [Array.from(at), ...lines.map(({ y }) => Array.from(y))];
   }
 
-  private fit(): void {
-    const { clientWidth, clientHeight } = this.host;
+  #fit(): void {
+    const { clientWidth, clientHeight } = this.#host;
     if (clientWidth === 0 || clientHeight === 0) return;
-    if (!this.plot) this.rebuild();
-    else if (this.plot.width !== clientWidth || this.plot.height !== clientHeight) {
-      this.plot.setSize({ width: clientWidth, height: clientHeight });
+    if (!this.#plot) this.#rebuild();
+    else if (this.#plot.width !== clientWidth || this.#plot.height !== clientHeight) {
+      this.#plot.setSize({ width: clientWidth, height: clientHeight });
     }
   }
 
-  private rebuild(): void {
-    const { content, host } = this;
+  #rebuild(): void {
+    const [content, host] = [this.#content, this.#host];
     const { clientWidth, clientHeight } = host;
     if (!content || clientWidth === 0 || clientHeight === 0) return;
-    this.plot?.destroy();
+    this.#plot?.destroy();
     const style = getComputedStyle(host);
     const ink = style.color;
     const line = style.getPropertyValue('--plot-line') || ink;
@@ -118,17 +120,17 @@ export class PlotFrame {
         gap: 4,
         size: side === 'x' ? 20 : 44,
         ...(label === undefined ? {} : { label, labelSize: 16, labelGap: 0 }),
-        splits: () => this.ticks(side),
-        values: (_, ticks) => ticks.map((tick) => this.content![side].format?.(tick) ?? ''),
+        splits: () => this.#ticks(side),
+        values: (_, ticks) => ticks.map((tick) => this.#content![side].format?.(tick) ?? ''),
         filter: (_, ticks) => ticks,
       };
     };
     const scale = (side: 'x' | 'y'): uPlot.Scale => ({
       time: false,
       distr: content[side].scale.log ? 3 : 1,
-      range: () => [this.content![side].scale.low, this.content![side].scale.high],
+      range: () => [this.#content![side].scale.low, this.#content![side].scale.high],
     });
-    this.plot = new uPlot(
+    this.#plot = new uPlot(
       {
         width: clientWidth,
         height: clientHeight,
@@ -152,21 +154,21 @@ export class PlotFrame {
             (plot) => {
               const { ctx, bbox } = plot;
               ctx.save();
-              this.content!.paint?.(ctx, bbox, uPlot.pxRatio);
+              this.#content!.paint?.(ctx, bbox, uPlot.pxRatio);
               ctx.restore();
             },
           ],
         },
       },
-      this.data(),
+      this.#data(),
       host,
     );
-    this.plot.over.append(this.over);
+    this.#plot.over.append(this.over);
   }
 
-  private ticks(side: 'x' | 'y'): number[] {
-    const { scale } = this.content![side];
-    const room = side === 'x' ? this.host.clientWidth / 64 : this.host.clientHeight / 34;
+  #ticks(side: 'x' | 'y'): number[] {
+    const { scale } = this.#content![side];
+    const room = side === 'x' ? this.#host.clientWidth / 64 : this.#host.clientHeight / 34;
     const wanted = Math.max(2, Math.floor(room));
     return scale.log ? logTicks(scale, wanted) : roundTicks(scale.low, scale.high, wanted);
   }

@@ -55,58 +55,60 @@ const keySteps: Record<string, number> = {
 
 export class ScatterPlot {
   readonly element = document.createElement('div');
-  private readonly frame = new PlotFrame(this.element);
-  private readonly handles: Record<keyof Thresholds, HTMLElement>;
-  private readonly cross = document.createElement('div');
-  private content: ScatterContent | undefined;
-  private axes: { x: Scale; y: Scale } | undefined;
-  private thresholds: Thresholds = { girth: 0, diameter: 0 };
-  private counted: { density: Density; key: string } | undefined;
-  private images: Record<keyof RegionColours, OffscreenCanvas> | undefined;
+  readonly #frame = new PlotFrame(this.element);
+  readonly #handles: Record<keyof Thresholds, HTMLElement>;
+  readonly #cross = document.createElement('div');
+  #content: ScatterContent | undefined;
+  #axes: { x: Scale; y: Scale } | undefined;
+  #thresholds: Thresholds = { girth: 0, diameter: 0 };
+  #counted: { density: Density; key: string } | undefined;
+  #images: Record<keyof RegionColours, OffscreenCanvas> | undefined;
+  readonly #events: ScatterEvents;
 
-  constructor(private readonly events: ScatterEvents) {
+  constructor(events: ScatterEvents) {
+    this.#events = events;
     this.element.className = 'plot scatter';
-    this.handles = {
-      girth: this.handle('girth', 'Girth below which thin parts are tubes'),
-      diameter: this.handle('diameter', 'Thickness below which parts are thin'),
+    this.#handles = {
+      girth: this.#handle('girth', 'Girth below which thin parts are tubes'),
+      diameter: this.#handle('diameter', 'Thickness below which parts are thin'),
     };
-    this.cross.className = 'plot-cross';
-    this.drags(this.cross, ['girth', 'diameter']);
-    this.frame.over.append(this.handles.girth, this.handles.diameter, this.cross);
+    this.#cross.className = 'plot-cross';
+    this.#drags(this.#cross, ['girth', 'diameter']);
+    this.#frame.over.append(this.#handles.girth, this.#handles.diameter, this.#cross);
   }
 
   /** Shows points; false where none of them has both values. */
   show(content: ScatterContent): boolean {
-    this.content = content;
+    this.#content = content;
     const x = scaleFor(content.girth, content.log);
     const y = scaleFor(content.diameter, content.log);
-    this.counted = undefined;
-    this.images = undefined;
-    this.axes = x && y && { x, y };
+    this.#counted = undefined;
+    this.#images = undefined;
+    this.#axes = x && y && { x, y };
     if (!x || !y) return false;
-    this.frame.show({
+    this.#frame.show({
       x: { scale: x, format: content.format, label: content.labels.girth },
       y: { scale: y, format: content.format, label: content.labels.diameter },
       at: [x.low, x.high],
       lines: [],
-      paint: (context, inside, pixelRatio) => this.paint(context, inside, pixelRatio),
+      paint: (context, inside, pixelRatio) => this.#paint(context, inside, pixelRatio),
     });
-    this.place();
+    this.#place();
     return true;
   }
 
   /** Moves the lines without telling it to anybody. */
   setThresholds(thresholds: Thresholds): void {
-    this.thresholds = { ...thresholds };
-    this.place();
-    this.frame.repaint();
+    this.#thresholds = { ...thresholds };
+    this.#place();
+    this.#frame.repaint();
   }
 
   dispose(): void {
-    this.frame.dispose();
+    this.#frame.dispose();
   }
 
-  private handle(name: keyof Thresholds, label: string): HTMLElement {
+  #handle(name: keyof Thresholds, label: string): HTMLElement {
     const handle = document.createElement('div');
     handle.className = `plot-handle plot-handle-${name}`;
     handle.tabIndex = 0;
@@ -116,25 +118,25 @@ export class ScatterPlot {
     handle.setAttribute('aria-valuemin', '0');
     handle.setAttribute('aria-valuemax', '100');
     handle.setAttribute('aria-valuenow', '0');
-    this.drags(handle, [name]);
+    this.#drags(handle, [name]);
     handle.addEventListener('keydown', (event) => {
       const step = keySteps[event.key];
-      const scale = name === 'girth' ? this.axes?.x : this.axes?.y;
+      const scale = name === 'girth' ? this.#axes?.x : this.#axes?.y;
       if (step === undefined || !scale) return;
       event.preventDefault();
-      const place = placeOn(scale, this.thresholds[name]);
+      const place = placeOn(scale, this.#thresholds[name]);
       const from = Math.min(1, Math.max(0, Number.isNaN(place) ? 0 : place));
-      this.move({ [name]: valueAt(scale, Math.min(1, Math.max(0, from + step))) }, true);
+      this.#move({ [name]: valueAt(scale, Math.min(1, Math.max(0, from + step))) }, true);
     });
     return handle;
   }
 
-  private drags(handle: HTMLElement, names: (keyof Thresholds)[]): void {
+  #drags(handle: HTMLElement, names: (keyof Thresholds)[]): void {
     handle.addEventListener('pointerdown', (down) => {
-      if (down.button !== 0 || !this.axes) return;
+      if (down.button !== 0 || !this.#axes) return;
       down.preventDefault();
-      const { axes } = this;
-      const box = this.frame.over.getBoundingClientRect();
+      const axes = this.#axes;
+      const box = this.#frame.over.getBoundingClientRect();
       const move = (event: PointerEvent): void => {
         const clamp = (place: number): number => Math.min(1, Math.max(0, place));
         const change: Partial<Thresholds> = {};
@@ -144,7 +146,7 @@ export class ScatterPlot {
         if (names.includes('diameter')) {
           change.diameter = valueAt(axes.y, clamp(1 - (event.clientY - box.top) / box.height));
         }
-        this.move(change, false);
+        this.#move(change, false);
       };
       handle.setPointerCapture(down.pointerId);
       handle.addEventListener('pointermove', move);
@@ -152,21 +154,21 @@ export class ScatterPlot {
         'lostpointercapture',
         () => {
           handle.removeEventListener('pointermove', move);
-          this.events.moved({ ...this.thresholds }, true);
+          this.#events.moved({ ...this.#thresholds }, true);
         },
         { once: true },
       );
     });
   }
 
-  private move(change: Partial<Thresholds>, settled: boolean): void {
-    this.setThresholds({ ...this.thresholds, ...change });
-    this.events.moved({ ...this.thresholds }, settled);
+  #move(change: Partial<Thresholds>, settled: boolean): void {
+    this.setThresholds({ ...this.#thresholds, ...change });
+    this.#events.moved({ ...this.#thresholds }, settled);
   }
 
   /** Places of the thresholds on the axes, within them. */
-  private places(): { right: number; up: number } {
-    const { axes, thresholds } = this;
+  #places(): { right: number; up: number } {
+    const [axes, thresholds] = [this.#axes, this.#thresholds];
     const clamp = (place: number): number =>
       Math.min(1, Math.max(0, Number.isNaN(place) ? 0 : place));
     return {
@@ -175,11 +177,11 @@ export class ScatterPlot {
     };
   }
 
-  private place(): void {
-    const { handles, cross, axes, content } = this;
+  #place(): void {
+    const [handles, cross, axes, content] = [this.#handles, this.#cross, this.#axes, this.#content];
     for (const one of [handles.girth, handles.diameter, cross]) one.hidden = !axes;
     if (!axes || !content) return;
-    const { right, up } = this.places();
+    const { right, up } = this.#places();
     handles.girth.style.left = cross.style.left = `${100 * right}%`;
     handles.girth.style.top = handles.diameter.style.top = cross.style.top = `${100 * (1 - up)}%`;
     for (const [name, place] of [
@@ -187,28 +189,28 @@ export class ScatterPlot {
       ['diameter', up],
     ] as const) {
       handles[name].setAttribute('aria-valuenow', String(Math.round(100 * place)));
-      handles[name].setAttribute('aria-valuetext', content.format(this.thresholds[name]));
+      handles[name].setAttribute('aria-valuetext', content.format(this.#thresholds[name]));
     }
   }
 
   /** The points, in the colour of the region that each lies in. */
-  private paint(
+  #paint(
     context: CanvasRenderingContext2D,
     inside: { left: number; top: number; width: number; height: number },
     pixelRatio: number,
   ): void {
-    const { content, axes } = this;
+    const [content, axes] = [this.#content, this.#axes];
     if (!content || !axes) return;
     const width = Math.max(1, Math.round(inside.width / (pixelRatio * cell)));
     const height = Math.max(1, Math.round(inside.height / (pixelRatio * cell)));
     const key = `${width} ${height}`;
-    if (this.counted?.key !== key) {
+    if (this.#counted?.key !== key) {
       const { girth, diameter, weights } = content;
-      this.counted = { key, density: density(girth, diameter, weights, axes, width, height) };
-      this.images = undefined;
+      this.#counted = { key, density: density(girth, diameter, weights, axes, width, height) };
+      this.#images = undefined;
     }
-    this.images ??= this.drawImages(content.colours);
-    const { right, up } = this.places();
+    this.#images ??= this.#drawImages(content.colours);
+    const { right, up } = this.#places();
     const [x, y] = [inside.left + inside.width * right, inside.top + inside.height * (1 - up)];
     const [endX, endY] = [inside.left + inside.width, inside.top + inside.height];
     const regions: [keyof RegionColours, number, number, number, number][] = [
@@ -225,13 +227,13 @@ export class ScatterPlot {
       context.fillStyle = `rgb(${r} ${g} ${b} / 0.1)`;
       context.fillRect(left, top, end - left, bottom - top);
       context.imageSmoothingEnabled = false;
-      context.drawImage(this.images[region], inside.left, inside.top, inside.width, inside.height);
+      context.drawImage(this.#images[region], inside.left, inside.top, inside.width, inside.height);
       context.restore();
     }
   }
 
-  private drawImages(colours: RegionColours): Record<keyof RegionColours, OffscreenCanvas> {
-    const counted = this.counted!.density;
+  #drawImages(colours: RegionColours): Record<keyof RegionColours, OffscreenCanvas> {
+    const counted = this.#counted!.density;
     const draw = (region: keyof RegionColours): OffscreenCanvas => {
       const canvas = new OffscreenCanvas(counted.width, counted.height);
       const pixels = densityImage(counted, colours[region]);
