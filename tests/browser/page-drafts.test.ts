@@ -176,6 +176,7 @@ test('a row that is pressed while its list is filled is chosen, and stays so', a
   await page.locator('#check').click();
   const row = panel.locator('.places button').first();
   await row.waitFor();
+  await row.scrollIntoViewIfNeeded();
   const box = (await row.boundingBox())!;
   await page.mouse.move(box.x + 10, box.y + 10);
   await page.mouse.down();
