@@ -14,6 +14,7 @@ struct Distribution {
   /// They add up to 1.
   std::vector<double> shares;
 
+  /// Whether nothing counts.
   bool empty() const { return values.empty(); }
 };
 

@@ -25,6 +25,7 @@ int exitCodeOf(ErrorCode code);
 
 /// A failure.
 struct Error {
+  /// What went wrong.
   ErrorCode code{ErrorCode::Internal};
   /// The first offending element: a vertex, face, line or byte, as the message says. -1: none.
   std::int64_t element{-1};
@@ -41,15 +42,21 @@ Error makeError(ErrorCode code, std::int64_t element, std::string message);
 template <class T>
 class [[nodiscard]] Result {
  public:
+  /// A success.
   Result(T value) : content_(std::move(value)) {}
+  /// A failure.
   Result(Error error) : content_(std::move(error)) {}
 
+  /// Whether there is a value.
   bool ok() const { return content_.index() == 0; }
+  /// The same as ok().
   explicit operator bool() const { return ok(); }
 
   /// The value. Only where ok().
   T& value() & { return std::get<0>(content_); }
+  /// The same, not to be changed.
   const T& value() const& { return std::get<0>(content_); }
+  /// The same, to be moved out.
   T&& value() && { return std::get<0>(std::move(content_)); }
 
   /// The error. Only where not ok().

@@ -19,6 +19,7 @@ struct ExecutionContext {
   /// work that was not cancelled is 1.
   std::function<void(double fraction)> onProgress{};
 
+  /// Whether the work has been asked to stop.
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
 };
 

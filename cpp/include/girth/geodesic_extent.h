@@ -16,12 +16,15 @@ enum class DistanceMethod : std::uint8_t {
   FastMarching,  ///< Kimmel and Sethian 1998: off by a share that falls with the triangles' size
 };
 
+/// For each vertex p two numbers, in model units, over the vertices of its own component. NaN where
+/// the work was cancelled before, and where exact distances would take more than 67 million
+/// windows.
 struct GeodesicExtent {
-  /// For each vertex p, in model units, over the vertices of its own component: the mean of the
-  /// distances from p, weighted by the vertices' areas (GeoAverage, centricity), and the greatest
-  /// (GeoFarthest, eccentricity). NaN where cancelled before, and where exact distances would take
-  /// more than 67 million windows.
-  std::vector<double> average, farthest;
+  /// The mean of the distances from p, weighted by the vertices' areas (GeoAverage, centricity).
+  std::vector<double> average;
+  /// The greatest distance from p (GeoFarthest, eccentricity).
+  std::vector<double> farthest;
+  /// False after cancelling.
   bool complete{false};
 };
 

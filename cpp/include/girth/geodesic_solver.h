@@ -30,9 +30,12 @@ struct GeodesicPath {
 /// about O(n^1.5) for the usual mesh of n faces.
 class GeodesicSolver {
  public:
+  /// Lays the faces flat. O(n log n).
   explicit GeodesicSolver(const SurfaceMesh& mesh);
   ~GeodesicSolver();
+  /// Solvers can be moved, not copied.
   GeodesicSolver(GeodesicSolver&&) noexcept;
+  /// The same.
   GeodesicSolver& operator=(GeodesicSolver&&) noexcept;
 
   /// Distance of every vertex from the source, in model units; infinite beyond the radius and in
@@ -51,7 +54,7 @@ class GeodesicSolver {
   Result<GeodesicPath> path(const SurfacePoint& from, const SurfacePoint& to,
                             const ExecutionContext& context = {});
 
-  /// Calls give up with LIMIT_EXCEEDED after so many windows; 2^26 if nothing is said.
+  /// Calls give up with LIMIT_EXCEEDED after this number of windows. Default: 2^26.
   void setBudget(std::size_t windows);
   /// What the last call cost.
   SearchStatistics statistics() const;

@@ -22,13 +22,21 @@ Result<VertexSignatures> heatKernelSignature(const Spectrum& spectrum,
 /// are the paper's (section 6.1) and those of the original authors' program, which was made for
 /// models some 200 units tall: hence the area.
 struct SihksOptions {
+  /// What times are powers of; above 1.
   double base{2};
-  double first{1}, last{20}, step{0.2};
-  /// Frequencies kept, from `lowestFrequency` on; 0 would be the mean.
+  /// The first exponent.
+  double first{1};
+  /// The last exponent, if steps lead to it.
+  double last{20};
+  /// From one exponent to the next; above 0.
+  double step{0.2};
+  /// How many frequencies are kept.
   Index frequencies{19};
+  /// The first of them; 0 would be the mean.
   Index lowestFrequency{1};
-  /// Only so many of the spectrum's pairs are used; 0: all.
+  /// How many of the spectrum's pairs are used; 0: all.
   Index eigenfunctions{0};
+  /// The area that the times are made for, in squared model units.
   double referenceArea{16384};
 };
 
@@ -38,8 +46,8 @@ struct SihksOptions {
 /// which do not change with the surface's size.
 ///
 /// The paper says that the 'number of eigenfunctions is 19'; the original work takes the 19 lowest
-/// frequencies. Either can be had. O(n · pairs · times). Errors: INVALID_OPTION for options out of
-/// range (times: 2 to 100,000 of them, frequencies: below their number); USAGE as above.
+/// frequencies. Either can be chosen. O(n · pairs · times). Errors: INVALID_OPTION for options out
+/// of range (times: 2 to 100,000 of them, frequencies: below their number); USAGE as above.
 Result<VertexSignatures> scaleInvariantHeatKernelSignature(const Spectrum& spectrum,
                                                            const SihksOptions& options = {});
 

@@ -25,13 +25,17 @@ enum class RemeshMethod : std::uint8_t {
   Even,
 };
 
+/// What mesh is wanted.
 struct RemeshOptions {
   /// Triangles wanted, from 4 to 100 million.
   Index faces{10'000};
+  /// How triangles are made.
   RemeshMethod method{RemeshMethod::Fitting};
 };
 
+/// A surface with other triangles.
 struct RemeshedSurface {
+  /// With numbers of its own.
   SurfaceMesh mesh;
   /// For each vertex the point of the original surface that it lies on, or next to (Fitting).
   std::vector<SurfacePoint> onOriginal;

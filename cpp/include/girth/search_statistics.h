@@ -13,6 +13,7 @@ struct SearchStatistics {
   std::size_t windowsCrossed{0};  ///< windows that crossed their face before the end
   std::size_t peakBytes{0};       ///< memory of the solver that held most
 
+  /// Adds the counts, and takes the greater memory.
   SearchStatistics& operator+=(const SearchStatistics& other) {
     sources += other.sources;
     windowsCreated += other.windowsCreated;

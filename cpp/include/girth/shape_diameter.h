@@ -11,6 +11,7 @@
 
 namespace girth {
 
+/// Which rays are sent.
 struct ShapeDiameterOptions {
   /// The full opening of the cone of rays, in radians, in (0, π).
   double coneAngle{2.0943951023931953};  // 120°
@@ -18,6 +19,7 @@ struct ShapeDiameterOptions {
   unsigned rays{30};
 };
 
+/// How thick the body is under each vertex.
 struct ShapeDiameterField {
   /// In model units, one for each vertex; NaN where no ray met a wall from inside, or before the
   /// work was cancelled.
@@ -26,6 +28,7 @@ struct ShapeDiameterField {
   Index withoutValue{0};
   /// isInsideOut of the surface.
   bool insideOut{false};
+  /// False after cancelling.
   bool complete{false};
 };
 

@@ -9,17 +9,19 @@
 
 namespace girth {
 
+/// How much of the spectrum is wanted.
 struct SpectrumOptions {
   /// Pairs wanted, from 1 on, the lowest ones; where there are fewer vertices, as many as those.
   Index pairs{300};
 };
 
+/// Eigenvalues and eigenfunctions, k from 0.
 struct Spectrum {
   /// The eigenvalues, rising, in 1 / squared model units. Every component of the surface has one
   /// that is exactly 0; all others are above 0.
   std::vector<double> values;
   /// The eigenfunctions φ, in 1 / model units: `vectors[k * vertices + v]` is φ_k at v. Orthonormal
-  /// with respect to the areas: Σ_v areas[v] φ_j(v) φ_k(v) is 1 for j = k, else 0. Each is 0
+  /// with respect to the areas: Σ_v areas[v] φ_j(v) φ_k(v) is 1 for j = k, otherwise 0. Each is 0
   /// outside its component, and positive at the vertex where its magnitude is largest (the first of
   /// those within a millionth of that).
   std::vector<double> vectors;

@@ -6,8 +6,9 @@
 
 namespace girth {
 
+/// The same count of numbers for every vertex.
 struct VertexSignatures {
-  /// Numbers for each vertex.
+  /// How many numbers a vertex has.
   std::size_t dimensions{0};
   /// Of vertex v: values[v · dimensions + d].
   std::vector<double> values;

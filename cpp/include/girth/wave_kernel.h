@@ -7,6 +7,7 @@
 
 namespace girth {
 
+/// Which energies, and how sharply they are distinguished.
 struct WksOptions {
   /// Energies, 2 to 100,000.
   Index energies{100};

@@ -1,4 +1,7 @@
-// `<girth-viewer>`, defined as soon as this module is imported, and what a page around it needs.
+/**
+ * `<girth-viewer>`, defined as soon as this module is imported, and what a page around it needs.
+ * @module girth/element
+ */
 
 import { GirthViewer } from './viewer-element.js';
 

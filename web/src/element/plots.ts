@@ -1,3 +1,6 @@
-// Plots of fields for a page around the element, `girth/plots` on npm: what they need of style is in `plots.css`.
+/**
+ * Plots of fields for a page around the element. Their style is in `girth/plots.css`.
+ * @module girth/plots
+ */
 
 export * from '../view/plots/index.js';

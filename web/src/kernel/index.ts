@@ -1,4 +1,7 @@
-// The kernel's public API.
+/**
+ * The kernel: `import { createKernel } from 'girth'`. Everything is computed in workers.
+ * @module girth
+ */
 
 export { createKernel } from './kernel.js';
 export { GirthError } from './errors.js';
