@@ -21,8 +21,9 @@ export default defineConfig({
         test: {
           name: 'browser',
           include: ['tests/browser/**/*.test.ts'],
-          // Chromium wants the processor for itself: times are measured.
-          fileParallelism: false,
+          // Nothing here depends on how long something takes: files run beside each other, each with
+          // a Chromium of its own.
+          globalSetup: ['tests/browser/global-setup.ts'],
           testTimeout: 120_000,
           hookTimeout: 120_000,
           // Generous: a slow machine is no failure.

@@ -8,7 +8,8 @@ import { isDeepStrictEqual } from 'node:util';
 import { afterAll, expect, test } from 'vitest';
 import type { MeshInfo } from '../../web/src/kernel/index.js';
 import type { KernelPage } from './kernel-page.js';
-import { buildKernelSite, kernelHtml, kernelSite } from './kernel-site.js';
+import { kernelSite } from './build-kernel-site.js';
+import { kernelHtml } from './kernel-site.js';
 import { chromiumForTests, command, serve, strictPolicy, type StaticServer } from './support.js';
 
 /** Inside `page.evaluate` only. */
@@ -70,7 +71,6 @@ function asCommandSays(info: MeshInfo, command: object): object {
 }
 
 test.runIf(data)('command and page read the same', async () => {
-  await buildKernelSite();
   server = await serve(kernelSite, {
     policy: strictPolicy,
     pages: { '/': kernelHtml },

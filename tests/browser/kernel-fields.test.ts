@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { afterAll, describe, expect, test } from 'vitest';
 import type {
   FieldName,
   FieldOptions,
@@ -14,7 +14,7 @@ import type {
   SpectralOptions,
 } from '../../web/src/kernel/index.js';
 import type { KernelPage } from './kernel-page.js';
-import { buildKernelSite, onKernelPage } from './kernel-site.js';
+import { onKernelPage } from './kernel-site.js';
 import { box, dumbbell, torus, tube } from './meshes.js';
 import { chromiumForTests, command, differing } from './support.js';
 
@@ -23,8 +23,6 @@ declare const girth: KernelPage;
 
 const scratch = mkdtempSync(join(tmpdir(), 'girth-fields-'));
 const openPage = chromiumForTests();
-
-beforeAll(buildKernelSite);
 
 afterAll(() => rmSync(scratch, { recursive: true }));
 

@@ -6,11 +6,11 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { afterAll, describe, expect, test } from 'vitest';
 import { box, dumbbell, moved, torus } from './meshes.js';
 import type { FacePoint } from '../../web/src/kernel/index.js';
 import type { KernelPage } from './kernel-page.js';
-import { buildKernelSite, onKernelPage } from './kernel-site.js';
+import { onKernelPage } from './kernel-site.js';
 import { chromiumForTests, command, differing, repository, type StaticServer } from './support.js';
 import { loopByCommand } from './viewer-page.js';
 
@@ -23,8 +23,6 @@ const scratch = mkdtempSync(join(tmpdir(), 'girth-kernel-'));
 const endless = torus(160, 110);
 
 const openPage = chromiumForTests();
-
-beforeAll(buildKernelSite);
 
 afterAll(() => rmSync(scratch, { recursive: true }));
 

@@ -12,15 +12,3 @@ export async function withoutDrawing(page: Page): Promise<void> {
     }
   });
 }
-
-/** Records the tasks of 50 ms and more that block the page, from now on; in milliseconds. */
-export async function watchLongTasks(page: Page): Promise<() => Promise<number[]>> {
-  await page.evaluate(() => {
-    const tasks: number[] = [];
-    Object.assign(globalThis, { longTasks: tasks });
-    new PerformanceObserver((list) => {
-      for (const entry of list.getEntries()) tasks.push(entry.duration);
-    }).observe({ type: 'longtask' });
-  });
-  return () => page.evaluate(() => (globalThis as unknown as { longTasks: number[] }).longTasks);
-}

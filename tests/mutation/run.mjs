@@ -1,5 +1,6 @@
 // `npm run test:mutation [name…]`: breaks one rule of the engine at a time, and requires that some
-// test of the core notices. The list is mutations.json: `find` must occur exactly once in `file`.
+// test of the core notices. The list is mutations.json: `find` must occur exactly once in `file`;
+// `--check` looks at nothing but that.
 //
 // Works on a copy of the sources, in build/mutation; a build tree of its own, lightly optimised,
 // where only what depends on the file is compiled again.
@@ -90,11 +91,13 @@ function mutated({ name, file, find, replace }) {
 async function main() {
   /** @type {Mutation[]} */
   const all = JSON.parse(readFileSync(join(repository, 'tests/mutation/mutations.json'), 'utf8'));
-  const names = process.argv.slice(2);
+  const words = process.argv.slice(2);
+  const names = words.filter((word) => word !== '--check');
   const unknown = names.find((name) => !all.some((mutation) => mutation.name === name));
   if (unknown) throw new Complaint(`no mutation ${unknown}`);
   const wanted = all.filter(({ name }) => names.length === 0 || names.includes(name));
   const texts = wanted.map(mutated); // all of them can be made, or none is tried
+  if (words.includes('--check')) return;
 
   setUp();
   copySources();

@@ -16,6 +16,7 @@ await script(() => {
     .filter((file) => /^cpp.bench.\w+\.cpp$/.test(file))
     .map((file) => basename(file, '.cpp'));
   setUp();
-  buildNative();
-  for (const name of names.length > 0 ? names : all) run(`build/native/cpp/bench/${name}`, flags);
+  const wanted = names.length > 0 ? names : all;
+  buildNative(wanted);
+  for (const name of wanted) run(`build/native/cpp/bench/${name}`, flags);
 });

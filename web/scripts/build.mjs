@@ -3,6 +3,7 @@
 import { cpSync, existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { compilerCache, compilerCacheEnvironment } from './compiler-cache.mjs';
 import { copyDecoders } from './decoders.mjs';
 import { emscriptenEnvironment, findEmscripten } from './emscripten.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
@@ -16,7 +17,7 @@ const configuration = ['package-lock.json', 'web/tsconfig.base.json'];
  * knows what is stale.
  * @param {{ tree: string, compiler?: string, wrapper?: string[], options?: string[], env?: NodeJS.ProcessEnv }} tree
  */
-export function configure({ tree, compiler = '', wrapper = [], options = [], env = process.env }) {
+export function configure({ tree, compiler = '', wrapper = [], options = [], env }) {
   const cache = join(repository, tree, 'CMakeCache.txt');
   const isConfigured =
     existsSync(join(repository, tree, 'build.ninja')) &&
@@ -25,7 +26,13 @@ export function configure({ tree, compiler = '', wrapper = [], options = [], env
   if (isConfigured && warnings.length === 0) return;
   if (!isConfigured) rmSync(cache, { force: true });
   const [program = '', ...args] = [...wrapper, 'cmake', '-S', '.', '-B', tree, '-G', 'Ninja'];
-  run(program, [...args, ...options, ...warnings], { env, quiet: isConfigured });
+  // Emscripten starts the compiler itself; its environment names the cache.
+  const launcher = compilerCache();
+  if (launcher && wrapper.length === 0) args.push(`-DCMAKE_CXX_COMPILER_LAUNCHER=${launcher}`);
+  run(program, [...args, ...options, ...warnings], {
+    env: env ?? compilerCacheEnvironment(),
+    quiet: isConfigured,
+  });
 }
 
 /** The native build tree, ready to be built and to be looked at by clang-tidy. */
@@ -33,10 +40,14 @@ export function configureNative() {
   configure({ tree: 'build/native' });
 }
 
-/** The libraries, the command, the tests and the benchmarks. */
-export function buildNative() {
+/**
+ * The libraries, the command and the tests; other targets by name, such as long_tests or benchmarks.
+ * @param {string[]} targets
+ */
+export function buildNative(targets = []) {
   configureNative();
-  run('cmake', ['--build', 'build/native']);
+  const named = targets.length > 0 ? ['--target', ...targets] : [];
+  run('cmake', ['--build', 'build/native', ...named], { env: compilerCacheEnvironment() });
 }
 
 /** The build tree of the WebAssembly modules, for the newest Emscripten there is. */
@@ -123,7 +134,7 @@ export async function buildPackage() {
 }
 
 const builds = {
-  native: buildNative,
+  native: () => buildNative(),
   wasm: buildWasm,
   examples: buildExamples,
   page: buildPage,

@@ -2,6 +2,7 @@
 
 import { existsSync, realpathSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
+import { compilerCache, compilerCacheEnvironment } from './compiler-cache.mjs';
 import { outputOf } from './run.mjs';
 
 /** Debian 12's; older ones are not tried. */
@@ -41,8 +42,12 @@ export function findEmscripten() {
  * @returns {NodeJS.ProcessEnv}
  */
 export function emscriptenEnvironment({ folder }) {
+  const environment = compilerCacheEnvironment();
+  const cache = compilerCache();
+  if (cache) environment.EM_COMPILER_WRAPPER ??= cache;
   const isDebians = realpathSync(join(folder, 'em++')).startsWith('/usr/');
-  if (!isDebians) return process.env;
-  const modules = [process.env.NODE_PATH, debianModules].filter(Boolean).join(delimiter);
-  return { ...process.env, NODE_PATH: modules };
+  if (isDebians) {
+    environment.NODE_PATH = [process.env.NODE_PATH, debianModules].filter(Boolean).join(delimiter);
+  }
+  return environment;
 }

@@ -5,40 +5,26 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { configure } from './build.mjs';
+import { buildSanitized } from './sanitizers.mjs';
 import { Complaint, repository, run, script } from './run.mjs';
 import { setUp } from './setup.mjs';
 import { filesBelow } from './stale.mjs';
 
 const tree = 'build/fuzz';
+const replays = 'build/native/tests/fuzz';
 const regressions = 'tests/data/regressions';
 
 /** The names of all fuzzers. */
 const all = () =>
   filesBelow('tests/fuzz').flatMap((file) => /^fuzz_(\w+)\.cpp$/.exec(basename(file))?.[1] ?? []);
 
-function buildFuzzers() {
-  configure({
-    tree,
-    compiler: 'clang++',
-    options: [
-      '-DCMAKE_CXX_COMPILER=clang++',
-      '-DCMAKE_BUILD_TYPE=Debug',
-      '-DGIRTH_BUILD_FUZZERS=ON',
-      '-DGIRTH_BUILD_COMMAND=OFF',
-      '-DGIRTH_BUILD_TESTS=OFF',
-      '-DGIRTH_BUILD_BENCHMARKS=OFF',
-    ],
-  });
-  run('cmake', ['--build', tree]);
-}
-
 /**
  * Runs one fuzzer; how many inputs it has tried.
+ * @param {string} folder where the programs lie
  * @param {string} name
  * @param {number} seconds
  */
-function fuzz(name, seconds) {
+function fuzz(folder, name, seconds) {
   const [corpus, seeds, findings] = ['corpus', 'seeds', 'findings'].map((kind) => {
     const folder = join(repository, tree, kind, name);
     mkdirSync(folder, { recursive: true });
@@ -47,7 +33,7 @@ function fuzz(name, seconds) {
   const before = readdirSync(String(findings)).length;
   const known = existsSync(join(repository, regressions)) ? [join(repository, regressions)] : [];
   const result = spawnSync(
-    join(tree, 'tests/fuzz', `fuzz_${name}`),
+    join(folder, `fuzz_${name}`),
     [
       ...['-max_len=16384', '-timeout=20', '-rss_limit_mb=2048', '-malloc_limit_mb=512'],
       ...['-print_final_stats=1', '-verbosity=1', `-max_total_time=${seconds}`],
@@ -75,11 +61,31 @@ export function runFuzzers({ names = [], seconds }) {
   const known = all();
   const unknown = names.find((name) => !known.includes(name));
   if (unknown) throw new Complaint(`fuzz: no ${unknown}; there are ${known.join(', ')}`);
-  buildFuzzers();
+  const programs = buildSanitized(
+    'address',
+    known.map((name) => `fuzz_${name}`),
+  );
   run('node', ['tests/fuzz/seeds.mjs', join(tree, 'seeds')]);
   const wanted = names.length > 0 ? names : known;
   const share = Math.max(1, Math.floor(seconds / wanted.length));
-  return wanted.reduce((sum, name) => sum + fuzz(name, share), 0);
+  return wanted.reduce((sum, name) => sum + fuzz(join(programs, 'tests/fuzz'), name, share), 0);
+}
+
+/**
+ * Gives every fuzzer its seeds, the inputs that were findings once, and what earlier runs have kept, without
+ * sanitizers and without making new ones; the number of inputs.
+ */
+export function replayFuzzers() {
+  run('node', ['tests/fuzz/seeds.mjs', join(tree, 'seeds')]);
+  let sum = 0;
+  for (const name of all()) {
+    const inputs = [join(tree, 'seeds', name), join(tree, 'corpus', name), regressions].flatMap(
+      filesBelow,
+    );
+    run(join(replays, `replay_${name}`), inputs);
+    sum += inputs.length;
+  }
+  return sum;
 }
 
 function main() {

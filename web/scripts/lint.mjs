@@ -1,17 +1,19 @@
-// `npm run lint` checks the format, the rules and the types of everything; `npm run format` mends the
-// format and what the linters can mend.
+// `npm run lint` checks the format, the rules and the types of everything, with clang-tidy only what has
+// changed where `--changed` stands behind it; `npm run format` mends the format and what the linters can mend.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { spawn } from 'node:child_process';
 import { availableParallelism } from 'node:os';
-import { dirname, join } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { configureNative } from './build.mjs';
-import { Complaint, repository, run, runTool, script } from './run.mjs';
+import { Complaint, outputOf, repository, run, runTool, script } from './run.mjs';
 import { setUp } from './setup.mjs';
 import { filesBelow, hashOf } from './stale.mjs';
 
 const native = 'build/native';
+/** The compile commands as clang-tidy understands them. */
+const tidyCommands = 'build/tidy';
 
 /** @param {RegExp} pattern */
 const sources = (pattern) =>
@@ -42,7 +44,7 @@ function tidy(file) {
   return new Promise((done, fail) => {
     // The compile commands are GCC's, with warnings that clang may not know.
     const known = '--extra-arg=-Wno-unknown-warning-option';
-    const args = ['--quiet', '--warnings-as-errors=*', known, '-p', native, file];
+    const args = ['--quiet', '--warnings-as-errors=*', known, '-p', tidyCommands, file];
     const child = spawn('clang-tidy', args, { cwd: repository });
     let said = '';
     child.stdout.on('data', (text) => (said += text));
@@ -51,12 +53,56 @@ function tidy(file) {
   });
 }
 
-/** The C++ sources that have changed since they were last found clean, as many at once as there are cores. */
-async function lintNative() {
+/**
+ * Writes the compile commands for clang-tidy: without the compiler cache and without GCC's precompiled
+ * headers, neither of which it can read.
+ */
+function writeTidyCommands() {
+  /** @type {{ command: string }[]} */
+  const entries = JSON.parse(
+    readFileSync(join(repository, native, 'compile_commands.json'), 'utf8'),
+  );
+  const known = entries.map((entry) => ({
+    ...entry,
+    command: entry.command
+      .replace(/^\S*ccache /, '')
+      .replace(/ (-Winvalid-pch|-fpch-preprocess)\b/g, '')
+      .replace(/ -include \S*cmake_pch\.hxx/g, ''),
+  }));
+  mkdirSync(join(repository, tidyCommands), { recursive: true });
+  writeFileSync(join(repository, tidyCommands, 'compile_commands.json'), JSON.stringify(known));
+}
+
+/**
+ * The files that differ from where this branch left the main one; on the main one, from the commit before.
+ * Nothing where Git does not know.
+ * @returns {Set<string> | undefined}
+ */
+function changedFiles() {
+  const head = outputOf('git', ['rev-parse', 'HEAD'])?.trim();
+  const left = outputOf('git', ['merge-base', 'HEAD', 'origin/main'])?.trim();
+  const base = left && left !== head ? left : 'HEAD~1';
+  const changed = outputOf('git', ['diff', '--name-only', base]);
+  if (changed === undefined) return undefined;
+  const untracked = outputOf('git', ['ls-files', '--others', '--exclude-standard']) ?? '';
+  return new Set(`${changed}\n${untracked}`.split('\n').filter(Boolean));
+}
+
+/**
+ * The C++ sources that have not been found clean as they are, as many at once as there are cores.
+ * @param {{ changedOnly: boolean }} which changedOnly: of them those that have changed (changedFiles), or
+ *   whose header has
+ */
+export async function lintNative({ changedOnly }) {
   configureNative();
+  writeTidyCommands();
+  const changed = changedOnly ? changedFiles() : undefined;
+  const stems =
+    changed && new Set([...changed].map((file) => basename(file).replace(/\.\w+$/, '')));
   const common = hashOf(['.clang-tidy', ...sources(/\.(h|def)$/)]);
   // What the bindings and other people's programs include is not there.
-  const stale = sources(/^cpp\/(?!bind|bench\/peers).*\.cpp$/).flatMap((file) => {
+  const stale = sources(/^cpp\/(?!bind|bench|examples).*\.cpp$/).flatMap((file) => {
+    if (stems && !stems.has(basename(file, '.cpp'))) return [];
     const stamp = join(repository, 'build/stamps/tidy', file);
     const fingerprint = common + hashOf([file]);
     const isFresh = existsSync(stamp) && readFileSync(stamp, 'utf8') === fingerprint;
@@ -79,11 +125,15 @@ async function lintNative() {
   if (failed > 0) throw new Complaint(`clang-tidy: ${failed} files are not clean`);
 }
 
-/** Format, rules and types of everything. */
-export async function lint() {
+/**
+ * Format, rules and types of everything, and whether each mutation still finds its line.
+ * @param {{ changedOnly: boolean }} which of the C++ sources clang-tidy reads
+ */
+export async function lint(which) {
   format(false);
+  run('node', ['tests/mutation/run.mjs', '--check']);
   lintWeb(false);
-  await lintNative();
+  await lintNative(which);
 }
 
 async function main() {
@@ -92,7 +142,7 @@ async function main() {
     lintWeb(true);
     format(true);
   } else {
-    await lint();
+    await lint({ changedOnly: process.argv.includes('--changed') });
   }
 }
 

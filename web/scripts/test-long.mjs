@@ -30,7 +30,7 @@ function share(args, index, count) {
 
 await script(async () => {
   setUp();
-  buildNative();
+  buildNative(['long_tests']);
   const filter = process.argv.slice(2).join(':');
   const args = ['--gtest_brief=1', ...(filter ? [`--gtest_filter=${filter}`] : [])];
   const count = availableParallelism();

@@ -1,102 +1,165 @@
-// `npm test`: sets up, then lints, builds and runs all tests; `test.mjs native fuzz web browser` only those
-// named. A part that fails does not keep the others from running. The last line is the sum.
+// `npm test`: sets up, then lints, builds and runs the tests; `test.mjs NAME...` only those parts, with what
+// they need; `--all` everything (`npm run test:all`). A part that fails does not keep the others from
+// running. Two lanes run at once: what has to wait for its own steps goes first, and compiling and testing
+// the native code takes the processor time that is left. Prints what each part took, and writes it to
+// build/reports/times.json; the output of each part is in build/reports/NAME.log.
 
-import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { spawn } from 'node:child_process';
+import {
+  createWriteStream,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
+import { constants, setPriority } from 'node:os';
 import { join } from 'node:path';
-import { buildNative, buildPackage, buildPage, buildWasm } from './build.mjs';
-import { runFuzzers } from './fuzz.mjs';
-import { lint } from './lint.mjs';
-import { Complaint, repository, run, runTool, script } from './run.mjs';
+import { configureNative } from './build.mjs';
+import { Complaint, repository, script } from './run.mjs';
 import { setUp } from './setup.mjs';
+import { longParts, parts, reports } from './test-parts.mjs';
 
-const reports = join(repository, 'build/reports');
+/** @typedef {import('./test-parts.mjs').Part} Part */
+/** @typedef {import('./test-parts.mjs').Count} Count */
 
-/** What a part counted: tests passed, failed and skipped. */
-const sum = { passed: 0, failed: 0, skipped: 0 };
+/** Lines of a failed part's output that are shown. */
+const shownLines = 200;
 
-/** @param {'web' | 'browser'} project */
-function vitest(project) {
-  const report = join(reports, `${project}.json`);
-  rmSync(report, { force: true });
-  try {
-    runTool('vitest', [
-      ...['run', '--config', 'web/vitest.config.ts', '--project', project],
-      ...['--reporter', 'default', '--reporter', 'json', '--outputFile', report],
-    ]);
-  } finally {
-    if (existsSync(report)) {
-      const counted = JSON.parse(readFileSync(report, 'utf8'));
-      sum.passed += counted.numPassedTests;
-      sum.failed += counted.numFailedTests;
-      sum.skipped += counted.numPendingTests;
+/**
+ * Runs one part as a program of its own.
+ * @param {string} name
+ * @param {Part} part
+ * @param {boolean} shown whether its output is shown as it comes
+ * @returns {Promise<boolean>} whether it succeeded
+ */
+function runPart(name, part, shown) {
+  const log = join(reports, `${name}.log`);
+  rmSync(join(reports, `${name}.json`), { force: true });
+  return new Promise((done, fail) => {
+    const child = spawn(process.execPath, ['web/scripts/test-parts.mjs', name], {
+      cwd: repository,
+      stdio: shown ? 'inherit' : ['ignore', 'pipe', 'pipe'],
+    });
+    if (part.background && child.pid) setPriority(child.pid, constants.priority.PRIORITY_LOW);
+    if (!shown) {
+      const stream = createWriteStream(log);
+      child.stdout?.pipe(stream, { end: false });
+      child.stderr?.pipe(stream, { end: false });
     }
-  }
+    child.on('error', fail);
+    child.on('close', (code) => {
+      if (code !== 0 && !shown) {
+        const lines = readFileSync(log, 'utf8').trimEnd().split('\n');
+        console.error(`\n${lines.slice(-shownLines).join('\n')}\n`);
+      }
+      done(code === 0);
+    });
+  });
 }
 
-function ctest() {
-  const report = join(reports, 'native.xml');
-  rmSync(report, { force: true });
-  try {
-    run('ctest', [
-      ...['--test-dir', 'build/native', '--output-on-failure', '--parallel', '2', '--progress'],
-      ...['--output-junit', report],
-    ]);
-  } finally {
-    if (existsSync(report)) {
-      const [suite = ''] = /<testsuite[^>]*>/.exec(readFileSync(report, 'utf8')) ?? [];
-      /** @param {string} name */
-      const count = (name) => Number(new RegExp(`\\b${name}="(\\d+)"`).exec(suite)?.[1] ?? 0);
-      const skipped = count('skipped') + count('disabled');
-      sum.failed += count('failures');
-      sum.skipped += skipped;
-      sum.passed += count('tests') - count('failures') - skipped;
-    }
-  }
+/** @param {number} milliseconds */
+const seconds = (milliseconds) => `${(milliseconds / 1000).toFixed(0)} s`.padStart(7);
+
+/**
+ * The wanted parts with all that they need, in the order of the table.
+ * @param {string[]} wanted
+ * @param {Record<string, Part>} all
+ */
+function withNeeds(wanted, all) {
+  const chosen = new Set(wanted);
+  for (const name of chosen) for (const need of all[name]?.needs ?? []) chosen.add(need);
+  return Object.keys(all).filter((name) => chosen.has(name));
 }
 
-/** @type {Record<string, () => void | Promise<void>>} */
-const parts = {
-  lint,
-  native: () => {
-    buildNative();
-    ctest();
-  },
-  fuzz: () => {
-    const inputs = runFuzzers({ seconds: 60 });
-    console.log(`girth: fuzz: ${inputs.toLocaleString('en')} inputs in all, no finding`);
-  },
-  web: () => {
-    buildWasm();
-    vitest('web');
-  },
-  browser: async () => {
-    await buildPage();
-    await buildPackage();
-    buildNative();
-    vitest('browser');
-  },
-};
+/**
+ * Runs parts in two lanes, each as soon as what it needs is there.
+ * @param {string[]} names
+ * @param {Record<string, Part>} all
+ * @param {boolean} shown whether the parts' output is shown as it comes
+ * @returns {Promise<{ name: string, title: string, succeeded: boolean, milliseconds: number }[]>}
+ */
+async function runParts(names, all, shown) {
+  /** @type {{ name: string, title: string, succeeded: boolean, milliseconds: number }[]} */
+  const ended = [];
+  /** @type {Map<string, Promise<boolean>>} */
+  const outcomes = new Map();
+  let [front, back] = [Promise.resolve(true), Promise.resolve(true)];
+  for (const name of names) {
+    const part = /** @type {Part} */ (all[name]);
+    const { title, needs = [], background } = part;
+    const lane = background ? back : front;
+    const outcome = (async () => {
+      const needed = await Promise.all(needs.map((need) => outcomes.get(need)));
+      await lane;
+      const begun = performance.now();
+      let succeeded = false;
+      if (needed.every(Boolean)) {
+        console.log(`girth: ${title}`);
+        succeeded = await runPart(name, part, shown);
+      }
+      const milliseconds = performance.now() - begun;
+      ended.push({ name, title, succeeded, milliseconds });
+      const words = succeeded ? 'in order' : needed.every(Boolean) ? 'FAILED' : 'not run';
+      console.log(`girth: ${title.padEnd(26)} ${seconds(milliseconds)}  ${words}`);
+      return succeeded;
+    })();
+    outcomes.set(name, outcome);
+    if (background) back = outcome;
+    else front = outcome;
+  }
+  await Promise.all([front, back]);
+  return ended;
+}
 
 async function main() {
-  const wanted = process.argv.slice(2);
-  const unknown = wanted.find((name) => !(name in parts));
-  if (unknown)
-    throw new Complaint(`test: no ${unknown}; there are ${Object.keys(parts).join(', ')}`);
-  setUp();
-  mkdirSync(reports, { recursive: true });
-  /** @type {string[]} */
-  const failed = [];
-  for (const [name, part] of Object.entries(parts)) {
-    if (wanted.length > 0 && !wanted.includes(name)) continue;
-    console.log(`\ngirth: ${name}`);
-    try {
-      await part();
-    } catch (error) {
-      if (!(error instanceof Complaint)) throw error;
-      console.error(`girth: ${error.message}`);
-      failed.push(name);
-    }
+  const words = process.argv.slice(2);
+  const everything = words.includes('--all');
+  const wanted = words.filter((word) => word !== '--all');
+  const all = { ...parts, ...longParts };
+  const unknown = wanted.find((name) => !(name in all));
+  if (unknown) {
+    throw new Complaint(`test: no ${unknown}; there are ${Object.keys(all).join(', ')}`);
   }
+  const began = performance.now();
+  setUp();
+  const setUpTook = performance.now() - began;
+  mkdirSync(reports, { recursive: true });
+  // Linting looks at the commands that compiling uses: before both.
+  configureNative();
+  const names = wanted.length > 0 ? wanted : Object.keys(everything ? all : parts);
+  const ended = await runParts(withNeeds(names, all), all, wanted.length > 0);
+  const took = performance.now() - began;
+
+  /** @type {Count} */
+  const sum = { passed: 0, failed: 0, skipped: 0 };
+  for (const { name } of ended) {
+    const report = join(reports, `${name}.json`);
+    if (!existsSync(report)) continue;
+    /** @type {Count} */
+    const count = JSON.parse(readFileSync(report, 'utf8'));
+    sum.passed += count.passed;
+    sum.failed += count.failed;
+    sum.skipped += count.skipped;
+  }
+  const times = [
+    { title: 'set-up', milliseconds: setUpTook },
+    ...ended,
+    { title: 'in all, set-up apart', milliseconds: took - setUpTook },
+  ];
+  writeFileSync(
+    join(reports, 'times.json'),
+    `${JSON.stringify(
+      times.map(({ title, milliseconds }) => ({ part: title, seconds: milliseconds / 1000 })),
+      null,
+      2,
+    )}\n`,
+  );
+  console.log('\nWhat each part took; two run at a time (build/reports/times.json):');
+  for (const { title, milliseconds } of times) {
+    console.log(`  ${title.padEnd(34)} ${seconds(milliseconds)}`);
+  }
+  const failed = ended.filter(({ succeeded }) => !succeeded).map(({ title }) => title);
   console.log(failed.length > 0 ? `\nNot in order: ${failed.join(', ')}` : '\nAll in order');
   console.log(`${sum.passed} passed, ${sum.failed} failed, ${sum.skipped} skipped`);
   if (failed.length > 0) process.exitCode = 1;

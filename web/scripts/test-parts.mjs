@@ -1,0 +1,153 @@
+// The parts that tests consist of: what each runs, what it needs, and in which lane. `test.mjs` arranges
+// them; `test-parts.mjs NAME` runs one and writes what it counted to build/reports/NAME.json.
+
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { buildNative, buildPackage, buildPage, buildWasm } from './build.mjs';
+import { replayFuzzers, runFuzzers } from './fuzz.mjs';
+import { lint, lintNative } from './lint.mjs';
+import { Complaint, repository, run, runTool, script } from './run.mjs';
+import { testWithSanitizers } from './sanitizers.mjs';
+
+export const reports = join(repository, 'build/reports');
+
+/**
+ * @typedef {object} Count tests passed, failed and skipped
+ * @property {number} passed
+ * @property {number} failed
+ * @property {number} skipped
+ */
+
+/**
+ * @typedef {object} Part
+ * @property {string} title as it is printed
+ * @property {string[]} [needs] parts that must have succeeded before
+ * @property {boolean} [background] runs beside the other lane, with what processor time that one leaves
+ * @property {(count: Count) => void | Promise<void>} run
+ */
+
+/**
+ * Runs a project of vitest.config.ts, its files shared out between the cores.
+ * @param {string} project
+ * @param {Count} count
+ */
+function vitest(project, count) {
+  const report = join(reports, `vitest-${project}.json`);
+  rmSync(report, { force: true });
+  try {
+    runTool('vitest', [
+      ...['run', '--config', 'web/vitest.config.ts', '--project', project],
+      `--maxWorkers=${availableParallelism()}`,
+      ...['--reporter', 'default', '--reporter', 'json', '--outputFile', report],
+    ]);
+  } finally {
+    if (existsSync(report)) {
+      const counted = JSON.parse(readFileSync(report, 'utf8'));
+      count.passed += counted.numPassedTests;
+      count.failed += counted.numFailedTests;
+      count.skipped += counted.numPendingTests;
+    }
+  }
+}
+
+/** @param {Count} count */
+function ctest(count) {
+  const report = join(reports, 'ctest.xml');
+  rmSync(report, { force: true });
+  try {
+    run('ctest', [
+      ...['--test-dir', 'build/native', '--output-on-failure', '--output-junit', report],
+      ...['--parallel', `${availableParallelism()}`],
+    ]);
+  } finally {
+    if (existsSync(report)) {
+      const [suite = ''] = /<testsuite[^>]*>/.exec(readFileSync(report, 'utf8')) ?? [];
+      /** @param {string} name */
+      const counted = (name) => Number(new RegExp(`\\b${name}="(\\d+)"`).exec(suite)?.[1] ?? 0);
+      const skipped = counted('skipped') + counted('disabled');
+      count.failed += counted('failures');
+      count.skipped += skipped;
+      count.passed += counted('tests') - counted('failures') - skipped;
+    }
+  }
+}
+
+/**
+ * In the order in which they are begun. The table in CONTRIBUTING.md says what is in which, and why.
+ * @type {Record<string, Part>}
+ */
+export const parts = {
+  'compile-native': { title: 'compile native', background: true, run: () => buildNative() },
+  'compile-wasm': { title: 'compile wasm', run: buildWasm },
+  lint: { title: 'lint', run: () => lint({ changedOnly: true }) },
+  bundle: {
+    title: 'bundle page and package',
+    needs: ['compile-wasm'],
+    run: async () => {
+      await buildPage();
+      await buildPackage();
+    },
+  },
+  web: { title: 'web', needs: ['compile-wasm'], run: (count) => vitest('web', count) },
+  native: {
+    title: 'native tests',
+    needs: ['compile-native'],
+    background: true,
+    run: ctest,
+  },
+  replay: {
+    title: 'fuzz replay',
+    needs: ['compile-native'],
+    background: true,
+    run: (count) => {
+      count.passed += replayFuzzers();
+    },
+  },
+  browser: {
+    title: 'browser',
+    needs: ['bundle', 'compile-native'],
+    run: (count) => vitest('browser', count),
+  },
+};
+
+/**
+ * What `npm run test:all` runs after them.
+ * @type {Record<string, Part>}
+ */
+export const longParts = {
+  tidy: { title: 'clang-tidy of everything', run: () => lintNative({ changedOnly: false }) },
+  'sanitize-memory': {
+    title: 'native tests with ASan and UBSan',
+    run: () => testWithSanitizers('address'),
+  },
+  fuzz: {
+    title: 'fuzz for ten minutes',
+    run: () => {
+      const inputs = runFuzzers({ seconds: 600 });
+      console.log(`${inputs.toLocaleString('en')} inputs in all, no finding`);
+    },
+  },
+  'sanitize-threads': {
+    title: 'native tests with TSan',
+    run: () => testWithSanitizers('thread'),
+  },
+  long: { title: 'long tests', run: () => run('node', ['web/scripts/test-long.mjs']) },
+  mutation: { title: 'mutation tests', run: () => run('node', ['tests/mutation/run.mjs']) },
+};
+
+async function main() {
+  const [name = ''] = process.argv.slice(2);
+  const part = { ...parts, ...longParts }[name];
+  if (!part) throw new Complaint(`test: no part ${name}`);
+  const count = { passed: 0, failed: 0, skipped: 0 };
+  mkdirSync(reports, { recursive: true });
+  try {
+    await part.run(count);
+  } finally {
+    writeFileSync(join(reports, `${name}.json`), JSON.stringify(count));
+  }
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await script(main);

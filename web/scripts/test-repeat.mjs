@@ -1,0 +1,96 @@
+// `npm run test:repeat [-- FILE...] [-- --times N] [-- --loaded N]`: runs the browser tests again and again, to
+// find those that do not hold: N times (20 by default) as they are, then N times (as often by default) on
+// one core with two busy loops beside them. What has been built is tested. Prints every failure with its
+// test, and how often each failed.
+
+import { spawn, spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import { join } from 'node:path';
+import { parseArgs } from 'node:util';
+import { Complaint, outputOf, repository, script } from './run.mjs';
+import { reports } from './test-parts.mjs';
+
+/** @type {Map<string, number>} */
+const failures = new Map();
+let [runs, tests] = [0, 0];
+
+/**
+ * One run of the browser tests.
+ * @param {string[]} files
+ * @param {{ label: string, before?: string[], workers: number }} how before: the program that starts it
+ */
+function runOnce(files, { label, before = [], workers }) {
+  const report = join(reports, 'repeat.json');
+  rmSync(report, { force: true });
+  const begun = performance.now();
+  const [program = '', ...args] = [
+    ...before,
+    join(repository, 'node_modules/.bin/vitest'),
+    ...['run', '--config', 'web/vitest.config.ts', '--project', 'browser'],
+    ...['--reporter', 'json', '--outputFile', report, `--maxWorkers=${workers}`],
+    ...files,
+  ];
+  const { stderr } = spawnSync(program, args, { cwd: repository, encoding: 'utf8' });
+  const seconds = ((performance.now() - begun) / 1000).toFixed(0);
+  ++runs;
+  if (!existsSync(report)) {
+    console.log(`${label}: nothing was run\n${stderr}`);
+    failures.set('(no report)', (failures.get('(no report)') ?? 0) + 1);
+    return;
+  }
+  const { testResults, numPassedTests, numFailedTests } = JSON.parse(readFileSync(report, 'utf8'));
+  tests += numPassedTests + numFailedTests;
+  console.log(`${label}: ${numPassedTests} passed, ${numFailedTests} failed, ${seconds} s`);
+  for (const { name, status, message, assertionResults } of testResults) {
+    const failed = assertionResults.filter(
+      (/** @type {{ status: string }} */ result) => result.status === 'failed',
+    );
+    if (status === 'failed' && failed.length === 0) {
+      failed.push({ fullName: '(the file)', failureMessages: [message] });
+    }
+    for (const { fullName, failureMessages } of failed) {
+      const test = `${name.slice(repository.length)}: ${fullName}`;
+      failures.set(test, (failures.get(test) ?? 0) + 1);
+      console.log(
+        `  ${test}\n    ${failureMessages.join('\n').split('\n').slice(0, 12).join('\n    ')}`,
+      );
+    }
+  }
+}
+
+await script(() => {
+  const { values, positionals: files } = parseArgs({
+    allowPositionals: true,
+    options: { times: { type: 'string', default: '20' }, loaded: { type: 'string' } },
+  });
+  const [times, loaded] = [values.times, values.loaded ?? values.times].map(Number);
+  if (![times, loaded].every((count) => Number.isInteger(count) && Number(count) >= 0)) {
+    throw new Complaint('test:repeat: --times and --loaded take whole numbers');
+  }
+  mkdirSync(reports, { recursive: true });
+  for (let i = 1; i <= Number(times); ++i) {
+    runOnce(files, { label: `run ${i} of ${times}`, workers: availableParallelism() });
+  }
+  if (Number(loaded) > 0) {
+    if (outputOf('taskset', ['--version']) === undefined) {
+      throw new Complaint('test:repeat: taskset, which gives a program one core, is missing');
+    }
+    const oneCore = ['taskset', '-c', '0'];
+    const busy = [1, 2].map(() =>
+      spawn('taskset', ['-c', '0', process.execPath, '-e', 'for (;;);']),
+    );
+    try {
+      for (let i = 1; i <= Number(loaded); ++i) {
+        runOnce(files, { label: `loaded ${i} of ${loaded}`, before: oneCore, workers: 1 });
+      }
+    } finally {
+      for (const loop of busy) loop.kill();
+    }
+  }
+  for (const [test, count] of failures) console.log(`${count} of ${runs} runs: ${test}`);
+  console.log(
+    `${runs} runs, ${tests} tests, ${[...failures.values()].reduce((a, b) => a + b, 0)} failures`,
+  );
+  if (failures.size > 0) process.exitCode = 1;
+});
