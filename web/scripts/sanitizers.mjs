@@ -29,6 +29,7 @@ export function buildSanitized(kind, targets) {
     options: [
       ...['-DCMAKE_CXX_COMPILER=clang++', '-DCMAKE_BUILD_TYPE=Debug'],
       ...['-DGIRTH_BUILD_COMMAND=OFF', '-DGIRTH_BUILD_BENCHMARKS=OFF'],
+      '-DGIRTH_PRECOMPILE_HEADERS=OFF',
       ...options[kind],
     ],
   });
