@@ -31,9 +31,11 @@ export interface PinnedLoop {
   loop: Loop;
 }
 
+/** Of `pick`: a loop was shown, kept or let go. */
 export interface PickDetail {
   /** 'hover': the loop under the pointer is shown; 'pin' and 'unpin': it was kept or let go. */
   action: 'hover' | 'pin' | 'unpin';
+  /** Which loop. */
   loop: Loop;
 }
 

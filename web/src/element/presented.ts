@@ -19,9 +19,11 @@ import { TipsOnSurface } from './tips-on-surface.js';
 
 /** A place of the surface to look at: a vertex, a region, a line, or some of these together. */
 export interface PlaceOnSurface {
+  /** Of the region. */
   vertices?: ArrayLike<number>;
+  /** A single one. */
   vertex?: number;
-  /** x, y, z per point. */
+  /** Of the line: x, y, z per point, from `Mesh.geometry.origin`. */
   polyline?: Float32Array;
 }
 
@@ -29,18 +31,21 @@ export interface PlaceOnSurface {
 export interface PlacePicture {
   /** Shown as they are, the rest of the surface faded. */
   vertices: ArrayLike<number>;
+  /** Drawn as a band. */
   loop?: Loop;
-  /** Pixels; 480 by 360 where nothing is said. */
+  /** In pixels. Default: 480. */
   width?: number;
+  /** In pixels. Default: 360. */
   height?: number;
 }
 
-/** Where parts begin: the two thresholds in model units, and how much neighbours count (0: nothing). */
+/** Where parts begin: the two thresholds in model units. */
 export interface PartsWish extends PartThresholds {
+  /** As of `PartOptions`. Default: 0. */
   smoothing?: number;
 }
 
-/** Points of a region that tell where it is. */
+/** Points of a region that suffice to find where it is. */
 const enoughPoints = 300;
 const pictureStyle = { colour: '#ff7a45', weight: 1.1 };
 

@@ -43,11 +43,15 @@ export interface ShadingWishes {
 
 /** What is shown, once there is something to show. */
 export interface ShownField {
+  /** What colours the surface. */
   name: ShownName;
-  /** The values at the ends of the colour map, and the field's own; undefined for categories. */
+  /** The values at the ends of the colour map; undefined for categories. */
   range: readonly [number, number] | undefined;
+  /** The field's smallest and largest value; undefined for categories. */
   extent: readonly [number, number] | undefined;
+  /** The colours. */
   colormap: ColormapName;
+  /** How values are written. */
   format: LengthFormat;
 }
 

@@ -4,9 +4,11 @@ import type { ContourLine, Tips } from '../kernel/types.js';
 import { type Stage, TipMarks } from '../view/index.js';
 import type { Model } from './model.js';
 
+/** Which tips are drawn on the surface. */
 export interface TipsChoice {
+  /** Whether any are. */
   shown: boolean;
-  /** Hides tips and arcs that rise less, in model units; nothing said: none are hidden. */
+  /** Hides tips and arcs that rise less, in model units. Default: none are hidden. */
   leastJump?: number;
   /** A tip's number in `Tips.tips`. */
   selected?: number;

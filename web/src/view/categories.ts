@@ -2,10 +2,11 @@
 
 /** One of few kinds of place on a surface. */
 export interface Category {
+  /** For the legend. */
   name: string;
   /** `#rrggbb`. */
   colour: string;
-  /** Drawn with stripes: told apart without its colour. */
+  /** Drawn with stripes: distinguished without its colour. */
   hatched: boolean;
 }
 

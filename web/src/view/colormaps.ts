@@ -22,6 +22,7 @@ const interpolators = {
   rdbu: (place: number) => interpolateRdBu(1 - place),
 } as const;
 
+/** The name of a colour map. */
 export type ColormapName = keyof typeof interpolators;
 
 /**
@@ -30,6 +31,7 @@ export type ColormapName = keyof typeof interpolators;
  */
 export const colormapNames = Object.keys(interpolators) as ColormapName[];
 
+/** Whether there is a colour map of that name. */
 export function isColormapName(name: string | null | undefined): name is ColormapName {
   return name !== null && name !== undefined && Object.hasOwn(interpolators, name);
 }

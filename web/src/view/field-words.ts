@@ -35,10 +35,12 @@ const words: Record<ShownName, string> = {
   none: '',
 };
 
+/** Whether the kernel computes a field of that name. */
 export function isFieldName(name: string): name is FieldName {
   return (fieldNames as readonly string[]).includes(name);
 }
 
+/** Whether something of that name can colour a surface. */
 export function isShownName(name: string | null): name is ShownName {
   return name !== null && Object.hasOwn(words, name);
 }

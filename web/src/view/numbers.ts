@@ -3,10 +3,11 @@
 
 /** How the values of one field are written: lengths, angles or plain numbers. */
 export interface LengthFormat {
-  /** Written after the number; '' where the file does not say its unit. */
+  /** Written after the number; '' where the file does not state its unit. */
   unit: string;
   /** Multiplies a value in the field's own unit. */
   scale: number;
+  /** Digits after the point. */
   decimals: number;
 }
 

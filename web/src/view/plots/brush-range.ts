@@ -1,5 +1,6 @@
 // The range of values that is marked on a plot, and how pointer and keys change it.
 
+/** The lower and the upper end. */
 export type ValueRange = readonly [number, number];
 
 /** The range between two places of a drag; places are shares of the axis. */

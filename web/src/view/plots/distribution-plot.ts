@@ -5,29 +5,52 @@ import { type Cumulative, type Weights, cumulative, histogram } from './distribu
 import { type ValueRange, dragged, movedByKey } from './brush-range.js';
 import { PlotFrame } from './plot-frame.js';
 
+/** Bars, or the cumulative distribution. */
 export type DistributionKind = 'histogram' | 'cdf';
 
+/** The values of one model. */
 export interface DistributionSeries {
+  /** Those that are no numbers do not count. */
   values: ArrayLike<number>;
+  /** How much each counts. */
   weights: Weights;
   /** A CSS colour, of the cumulative line. */
   colour: string;
+  /** Of the cumulative line: lengths of dashes and gaps, in CSS pixels; absent: a plain line. */
   dash?: number[] | undefined;
 }
 
+/** A colour, and whether it stands back. */
+export interface BarColour {
+  /** A CSS colour. */
+  colour: string;
+  /** Drawn fainter. */
+  faint: boolean;
+}
+
+/** What a plot shows. */
 export interface DistributionContent {
+  /** In which form. */
   kind: DistributionKind;
   /** The first of them is the one that the histogram shows. */
   series: readonly DistributionSeries[];
   /** The values at the ends of the axis. */
   range: ValueRange;
-  /** The colour of a bar by its value, and whether it stands back. */
-  colourOf: (value: number) => { colour: string; faint: boolean };
+  /** The colour of a bar by its value. */
+  colourOf: (value: number) => BarColour;
+  /** Writes a value. */
   format: (value: number) => string;
-  /** Writes numbers at the axes, and what the values are. */
-  axes?: { label: string } | undefined;
+  /** Writes numbers at the axes; absent: there are none. */
+  axes?: DistributionAxes | undefined;
 }
 
+/** What is written at the axes. */
+export interface DistributionAxes {
+  /** What the values are, with the unit. */
+  label: string;
+}
+
+/** What a plot reports. */
 export interface DistributionEvents {
   /** A range was marked, or none any more; `settled` once the hand has let go. */
   brushed(range: [number, number] | undefined, settled: boolean): void;
@@ -38,7 +61,9 @@ const steps = 256;
 /** A drag shorter than this is a click, CSS pixels. */
 const leastDrag = 3;
 
+/** A plot of how values are distributed. */
 export class DistributionPlot {
+  /** To be put into the page. */
   readonly element = document.createElement('div');
   readonly #frame = new PlotFrame(this.element);
   readonly #band = document.createElement('div');
@@ -75,12 +100,13 @@ export class DistributionPlot {
     return this.#range;
   }
 
-  /** Marks a range without telling it to anybody. */
+  /** Marks a range without an event. */
   set brush(range: ValueRange | undefined) {
     this.#range = range && [...range];
     this.#place();
   }
 
+  /** Shows other content; the marked range stays. */
   show(content: DistributionContent): void {
     this.#content = content;
     const [low, high] = content.range;
@@ -132,6 +158,7 @@ export class DistributionPlot {
     this.#place();
   }
 
+  /** Takes the plot out of use. */
   dispose(): void {
     this.#frame.dispose();
   }

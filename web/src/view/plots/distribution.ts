@@ -34,10 +34,13 @@ function forEachFinite(
   return total;
 }
 
+/** Shares of values in bins. */
 export interface Histogram {
   /** Weight in each bin as a share of the weight of all finite values; the bins are equally wide. */
   shares: Float64Array;
+  /** Where the first bin begins. */
   low: number;
+  /** Where the last bin ends. */
   high: number;
   /** The largest share. */
   peak: number;
@@ -89,7 +92,9 @@ export function placesWithin(
 
 /** The cumulative distribution at equally distant values: `shares[i]` of the weight is at most `at[i]`. */
 export interface Cumulative {
+  /** Rising values. */
   at: Float64Array;
+  /** In [0, 1]. */
   shares: Float64Array;
 }
 

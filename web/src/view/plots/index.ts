@@ -11,13 +11,24 @@ export {
   quantile,
   shareWithin,
 } from './distribution.js';
+export type { ValueRange } from './brush-range.js';
 export {
+  type BarColour,
+  type DistributionAxes,
   type DistributionContent,
+  type DistributionEvents,
   type DistributionKind,
   type DistributionSeries,
   DistributionPlot,
 } from './distribution-plot.js';
-export { type RegionColours, type Thresholds, ScatterPlot } from './scatter-plot.js';
+export {
+  type RegionColours,
+  type ScatterContent,
+  type ScatterEvents,
+  type ScatterLabels,
+  type Thresholds,
+  ScatterPlot,
+} from './scatter-plot.js';
 export {
   type LengthFormat,
   formatCount,

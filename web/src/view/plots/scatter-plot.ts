@@ -13,29 +13,51 @@ import {
 import type { Weights } from './distribution.js';
 import { PlotFrame } from './plot-frame.js';
 
+/** Where tubes, plates and body are divided; in model units. */
 export interface Thresholds {
+  /** Tubes have a girth below it, plates one above. */
   girth: number;
+  /** Tubes and plates are thinner than this. */
   diameter: number;
 }
 
 /** sRGB bytes of what lies where. */
 export interface RegionColours {
+  /** What is thick. */
   body: readonly [number, number, number];
+  /** What is thin, with a small girth. */
   tube: readonly [number, number, number];
+  /** What is thin, with a large girth. */
   plate: readonly [number, number, number];
 }
 
-export interface ScatterContent {
-  girth: ArrayLike<number>;
-  diameter: ArrayLike<number>;
-  weights: Weights;
-  log: boolean;
-  colours: RegionColours;
-  format: (value: number) => string;
-  /** What the axes are, with the unit. */
-  labels: { girth: string; diameter: string };
+/** What the axes are, with the unit. */
+export interface ScatterLabels {
+  /** Of the axis to the right. */
+  girth: string;
+  /** Of the axis upwards. */
+  diameter: string;
 }
 
+/** What a plot shows. */
+export interface ScatterContent {
+  /** One value for each vertex. */
+  girth: ArrayLike<number>;
+  /** The thickness, one value for each vertex. */
+  diameter: ArrayLike<number>;
+  /** How much each vertex counts. */
+  weights: Weights;
+  /** Whether the axes are logarithmic. */
+  log: boolean;
+  /** Of the points, by where they lie. */
+  colours: RegionColours;
+  /** Writes a value at an axis. */
+  format: (value: number) => string;
+  /** What the axes are. */
+  labels: ScatterLabels;
+}
+
+/** What a plot reports. */
 export interface ScatterEvents {
   /** A threshold was moved; `settled` once the hand has let go. */
   moved(thresholds: Thresholds, settled: boolean): void;
@@ -53,7 +75,9 @@ const keySteps: Record<string, number> = {
   PageDown: -0.1,
 };
 
+/** A plot of girth against thickness with two thresholds to drag. */
 export class ScatterPlot {
+  /** To be put into the page. */
   readonly element = document.createElement('div');
   readonly #frame = new PlotFrame(this.element);
   readonly #handles: Record<keyof Thresholds, HTMLElement>;
@@ -65,6 +89,7 @@ export class ScatterPlot {
   #images: Record<keyof RegionColours, OffscreenCanvas> | undefined;
   readonly #events: ScatterEvents;
 
+  /** An empty plot. */
   constructor(events: ScatterEvents) {
     this.#events = events;
     this.element.className = 'plot scatter';
@@ -97,13 +122,14 @@ export class ScatterPlot {
     return true;
   }
 
-  /** Moves the lines without telling it to anybody. */
+  /** Moves the lines without an event. */
   setThresholds(thresholds: Thresholds): void {
     this.#thresholds = { ...thresholds };
     this.#place();
     this.#frame.repaint();
   }
 
+  /** Takes the plot out of use. */
   dispose(): void {
     this.#frame.dispose();
   }
