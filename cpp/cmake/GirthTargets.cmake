@@ -44,6 +44,7 @@ function(girth_library name)
     girth_precompile(${target})
     target_include_directories(
       ${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/cpp/include>"
+                       "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>"
                        "$<INSTALL_INTERFACE:include>"
                 PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
     foreach(library IN LISTS arg_PUBLIC)

@@ -25,6 +25,7 @@
 #include "girth/tips.h"
 #include "girth/transfer.h"
 #include "girth/triangle_soup.h"
+#include "girth/version.h"
 #include "girth/vertex_areas.h"
 #include "girth/vertex_function.h"
 #include "girth/vertex_signatures.h"

@@ -1,4 +1,6 @@
 // Work on many things at once, on the threads that a context asks for.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <cstddef>

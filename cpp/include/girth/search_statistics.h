@@ -1,4 +1,6 @@
 // What a computation cost.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include <girth/girth.h>
 #include <girth/io/read_mesh.h>
 #include <girth/study/naive_girth.h>
+#include <girth/version.h>
 
 #include <cmath>
 #include <cstdio>
@@ -19,6 +20,7 @@ constexpr std::string_view kOctahedron =
 }  // namespace
 
 int main() {
+  if (girth::version() != GIRTH_VERSION) return 1;
   const auto loaded = girth::io::readMesh(std::as_bytes(std::span(kOctahedron)), "octahedron.obj");
   if (!loaded) {
     std::fprintf(stderr, "%s\n", loaded.error().message.c_str());

@@ -1,4 +1,6 @@
 // Bags of features: what many-valued signatures of vertices are compared by.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,6 @@
 // Distances by descriptors that are sums of others.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <cstddef>

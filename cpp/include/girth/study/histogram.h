@@ -1,4 +1,6 @@
 // Histograms of one field, as the paper compares them.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,6 @@
 // The joint distribution of two fields, as IGF-SDF needs it.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <cstddef>

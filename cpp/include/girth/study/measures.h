@@ -1,5 +1,7 @@
 // How good a ranking is: the measures of Shilane, Min, Kazhdan and Funkhouser, "The Princeton Shape
 // Benchmark", 2004, section 4, as the paper's section 6.1 uses them.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <array>

@@ -1,4 +1,6 @@
 // The paper's naive algorithm (section 4.2): the reference implementation for tests and benchmarks.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <functional>

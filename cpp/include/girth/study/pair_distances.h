@@ -1,4 +1,6 @@
 // Distances between all pairs of a collection, row by row, however many there are.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <cstddef>

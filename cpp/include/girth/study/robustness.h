@@ -1,5 +1,7 @@
 // How little the girth's distribution changes with a surface's triangles, noise and pose: the
 // paper's Figures 7, 8 and 9.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <cstddef>

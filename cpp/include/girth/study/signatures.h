@@ -1,4 +1,6 @@
 // The signatures of a collection of shapes, and the distances between them.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,8 @@
 // Everything of the library girth::study: `#include <girth/study/study.h>`. It repeats the studies
 // of the paper: the naive method, robustness (section 5), and the retrieval of shapes
 // (section 6.1), with tables and pages of what came out.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include "girth/study/bag_of_features.h"

@@ -1,4 +1,6 @@
 // The fields that shapes are compared by, computed as the paper's section 6.1 does.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,8 @@
 // What happens to surfaces between two scans of the same thing: other triangles, noise, humps,
 // parts that have grown together. The ways in which the paper's section 5.2 puts the girth to the
 // test.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <array>

@@ -1,4 +1,6 @@
 // How the tips of a surface change when its triangles do, and under noise.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <cstdint>

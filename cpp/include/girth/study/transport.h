@@ -1,4 +1,6 @@
 // The transportation problem: the earth mover's distance where things do not lie on a line.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <span>

@@ -1,4 +1,6 @@
 // The study of robustness as a file's content: CSV or JSON.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <span>

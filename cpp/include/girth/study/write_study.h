@@ -1,4 +1,6 @@
 // A retrieval study as files: tables for programs, and one page for people.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <cstddef>

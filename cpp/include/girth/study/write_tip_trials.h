@@ -1,4 +1,6 @@
 // What came of the tips on changed surfaces, as JSON.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
 
 #include <span>

@@ -1,0 +1,28 @@
+// The version of the library, and how it marks what is to go and what may still change.
+//
+// GIRTH_VERSION_MAJOR, GIRTH_VERSION_MINOR and GIRTH_VERSION_PATCH are its numbers, GIRTH_VERSION
+// all three as a text, such as "0.1.0". Versions are semantic (semver.org): before 1.0.0 a new
+// minor version may change the interface, from then on only a new major version does. What changed
+// is in CHANGELOG.md, with the old names and the new ones.
+//
+// A name that is to be removed is marked with GIRTH_DEPRECATED for one minor version at least, with
+// what to use instead; compilers warn where it is used.
+//
+// A header with GIRTH_EXPERIMENTAL in the comment at its top may change in any version, a patch
+// too. All of girth/study/ is experimental. Everything else is meant to last.
+#pragma once
+
+#include <string_view>
+
+#include "girth/version_numbers.h"
+
+/// Marks a declaration that will be removed; `message` states what to use instead.
+#define GIRTH_DEPRECATED(message) [[deprecated(message)]]
+
+namespace girth {
+
+/// The version of the library that the program was linked with, such as "0.1.0". GIRTH_VERSION is
+/// that of the headers it was compiled with.
+std::string_view version();
+
+}  // namespace girth
