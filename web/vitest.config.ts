@@ -21,6 +21,7 @@ export default defineConfig({
         test: {
           name: 'browser',
           include: ['tests/browser/**/*.test.ts'],
+          exclude: ['tests/browser/other-browsers.test.ts'],
           // Nothing here depends on how long something takes: files run beside each other, each with
           // a Chromium of its own.
           globalSetup: ['tests/browser/global-setup.ts'],
@@ -28,6 +29,16 @@ export default defineConfig({
           hookTimeout: 120_000,
           // Generous: a slow machine is no failure.
           expect: { poll: { timeout: 30_000 } },
+        },
+      },
+      {
+        root,
+        test: {
+          name: 'other-browsers',
+          include: ['tests/browser/other-browsers.test.ts'],
+          globalSetup: ['tests/browser/global-setup.ts'],
+          testTimeout: 120_000,
+          hookTimeout: 120_000,
         },
       },
       {

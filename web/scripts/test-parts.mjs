@@ -134,6 +134,11 @@ export const longParts = {
     run: () => testWithSanitizers('thread'),
   },
   long: { title: 'long tests', run: () => run('node', ['web/scripts/test-long.mjs']) },
+  'other-browsers': {
+    title: 'Firefox and WebKit',
+    needs: ['bundle', 'compile-native'],
+    run: (count) => vitest('other-browsers', count),
+  },
   mutation: { title: 'mutation tests', run: () => run('node', ['tests/mutation/run.mjs']) },
 };
 
