@@ -41,7 +41,7 @@ async function openFirefox(): Promise<OtherPage> {
   const page = await browser.newPage();
   return {
     open: async (address) => void (await page.goto(address)),
-    evaluate: (task, text) => page.evaluate(task, text) as Promise<never>,
+    evaluate: (task, text) => page.evaluate(task, text),
     close: () => browser.close(),
   };
 }
