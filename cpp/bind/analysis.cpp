@@ -6,9 +6,9 @@
 
 #include <utility>
 
-#include "described.h"
 #include "girth/tips.h"
 #include "girth/vertex_areas.h"
+#include "job_surface.h"
 #include "maxima.h"
 
 using emscripten::val;
@@ -16,27 +16,21 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
-/// A surface, and what points on it are drawn from.
-struct Drawn {
-  const SurfaceMesh& mesh;
-  Vec3 origin{drawingOrigin(mesh)};
-};
-
 /// `ContourLine` of types.ts.
-val lineOf(const Drawn& surface, const ContourLine& line) {
+val lineOf(const JobSurface& surface, const ContourLine& line) {
   std::vector<Vec3> points;
   points.reserve(line.points.size());
   for (const SurfacePoint& point : line.points) {
-    points.push_back(positionOf(surface.mesh, point));
+    points.push_back(positionOf(surface.mesh(), point));
   }
   val result = val::object();
   result.set("closed", line.closed);
-  result.set("polyline", drawnPoints(points, surface.origin));
+  result.set("polyline", drawnPoints(points, surface.origin()));
   return result;
 }
 
 /// `Tip` of types.ts.
-val tipOf(const Drawn& surface, const Tip& tip) {
+val tipOf(const JobSurface& surface, const Tip& tip) {
   val contour = val::array();
   for (const ContourLine& line : tip.contour) contour.call<void>("push", lineOf(surface, line));
   val result = val::object();
@@ -67,24 +61,19 @@ val partOf(const Part& part) {
 }
 
 /// {areas} of the vertices, or an error.
-val areasOfVertices(const val& arrays) {
+val areasOfVertices(const JobSurface& surface) {
   return guarded([&] {
-    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
-    if (!mesh) return toJs(mesh.error());
     val result = val::object();
-    result.set("areas", copyOut<double>("Float64Array", vertexAreas(mesh.value())));
+    result.set("areas", copyOut<double>("Float64Array", vertexAreas(surface.mesh())));
     return result;
   });
 }
 
 /// `Tips` of types.ts, or an error.
-val tips(const val& arrays, const val& girth) {
+val tips(const JobSurface& surface, const val& girth) {
   return guarded([&] {
-    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
-    if (!mesh) return toJs(mesh.error());
-    const Result<Tips> found = findTips(mesh.value(), copyIn<double>(girth));
+    const Result<Tips> found = findTips(surface.mesh(), copyIn<double>(girth));
     if (!found) return toJs(found.error());
-    const Drawn surface{mesh.value()};
     val regions = val::array(), arcs = val::array();
     for (const Tip& tip : found.value().tips) regions.call<void>("push", tipOf(surface, tip));
     for (const OpenArc& arc : found.value().arcs) {
@@ -103,12 +92,10 @@ val tips(const val& arrays, const val& girth) {
 }
 
 /// {girth, diameter}, or an error.
-val thresholds(const val& arrays, const val& fields) {
+val thresholds(const JobSurface& surface, const val& fields) {
   return guarded([&] {
-    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
-    if (!mesh) return toJs(mesh.error());
     const GirthAndDiameter values(fields);
-    const PartThresholds found = suggestedThresholds(mesh.value(), values.girth, values.diameter);
+    const PartThresholds found = suggestedThresholds(surface.mesh(), values.girth, values.diameter);
     val result = val::object();
     result.set("girth", found.girth);
     result.set("diameter", found.diameter);
@@ -117,13 +104,11 @@ val thresholds(const val& arrays, const val& fields) {
 }
 
 /// `Parts` of types.ts, or an error.
-val parts(const val& arrays, const val& fields, const val& options) {
+val parts(const JobSurface& surface, const val& fields, const val& options) {
   return guarded([&] {
-    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
-    if (!mesh) return toJs(mesh.error());
     const GirthAndDiameter values(fields);
     const Result<Parts> found =
-        findParts(mesh.value(), values.girth, values.diameter, partOptionsOf(options));
+        findParts(surface.mesh(), values.girth, values.diameter, partOptionsOf(options));
     if (!found) return toJs(found.error());
     std::vector<std::uint8_t> kinds;
     for (const PartKind kind : found.value().kinds) {
@@ -140,14 +125,12 @@ val parts(const val& arrays, const val& fields, const val& options) {
 }
 
 /// {maxima} of the values, or of their negatives, or an error.
-val maxima(const val& arrays, const val& values, bool minima) {
+val maxima(const JobSurface& surface, const val& values, bool minima) {
   return guarded([&] {
-    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
-    if (!mesh) return toJs(mesh.error());
     std::vector<double> heights = copyIn<double>(values);
     const double sign = minima ? -1 : 1;
     for (double& height : heights) height *= sign;
-    auto found = persistentMaxima(mesh.value(), heights);
+    auto found = persistentMaxima(surface.mesh(), heights);
     if (!found) return toJs(found.error());
     for (PersistentMaximum& maximum : found.value()) maximum.value *= sign;
     return describe(found.value());
@@ -155,12 +138,10 @@ val maxima(const val& arrays, const val& values, bool minima) {
 }
 
 /// {places}, each a `WeakPlace` of types.ts, or an error.
-val weakPlaces(const val& arrays, const val& fields, const val& limits) {
+val weakPlaces(const JobSurface& surface, const val& fields, const val& limits) {
   return guarded([&] {
-    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
-    if (!mesh) return toJs(mesh.error());
     const GirthAndDiameter values(fields);
-    const auto found = checkedPlaces(mesh.value(), values, limitsOf(limits));
+    const auto found = checkedPlaces(surface.mesh(), values, limitsOf(limits));
     if (!found) return toJs(found.error());
     val places = val::array();
     for (const WeakPlace& place : found.value()) {

@@ -94,11 +94,6 @@ inline Result<SurfaceMesh> surfaceOf(const emscripten::val& positions,
                                  OpenEdges::Boundary);
 }
 
-/// The same of an object {positions, indices}.
-inline Result<SurfaceMesh> surfaceOf(const emscripten::val& arrays) {
-  return surfaceOf(arrays["positions"], arrays["indices"]);
-}
-
 /// {surface}, an `Owner` made of the surface of a prepared one's arrays, or an error; the owner is
 /// the caller's to delete.
 template <class Owner>

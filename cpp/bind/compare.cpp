@@ -12,6 +12,7 @@
 #include "girth/study/pair_distances.h"
 #include "girth/study/signatures.h"
 #include "girth/study/study_fields.h"
+#include "studies_surface.h"
 
 using emscripten::val;
 
@@ -49,10 +50,9 @@ val fieldGroups(const val& names) {
 }
 
 /// `StudyFields` of protocol.ts: one group of a surface, or an error.
-val studyFields(const val& arrays, const std::string& name, double faces, const val& onProgress) {
+val studyFields(StudiesSurface& surface, const std::string& name, double faces,
+                const val& onProgress) {
   return guarded([&] {
-    const Result<SurfaceMesh> mesh = surfaceOf(arrays);
-    if (!mesh) return toJs(mesh.error());
     const auto* const end = std::end(study::kFieldGroups);
     const auto* const group =
         std::find_if(std::begin(study::kFieldGroups), end,
@@ -67,9 +67,8 @@ val studyFields(const val& arrays, const std::string& name, double faces, const 
     study::FieldParameters parameters;
     parameters.faces = static_cast<Index>(faces);
     const ExecutionContext context = reportingTo(onProgress);
-    const auto surface = study::studySurface(mesh.value(), parameters);
-    if (!surface) return toJs(surface.error());
-    const auto fields = study::studyFields(surface.value(), *group, parameters, context);
+    if (const auto error = surface.prepareStudy(parameters)) return toJs(*error);
+    const auto fields = study::studyFields(surface.study(), *group, parameters, context);
     if (!fields) return toJs(fields.error());
     val list = val::array();
     for (const study::StudyField& field : fields.value().fields) {

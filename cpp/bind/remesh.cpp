@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "boundary.h"
-#include "described.h"
 #include "girth/field_difference.h"
 #include "girth/transfer.h"
+#include "job_surface.h"
 
 using emscripten::val;
 
@@ -21,44 +21,36 @@ namespace {
 constexpr double kSteepestGirth = 2;
 
 /// A surface of about `faces` faces, as `describe` gives it, or an error.
-val remeshSurface(const val& positions, const val& indices, double faces, const val& onProgress) {
+val remeshSurface(const JobSurface& surface, double faces, const val& onProgress) {
   return guarded([&] {
-    const Result<SurfaceMesh> mesh = bind::surfaceOf(positions, indices);
-    if (!mesh) return toJs(mesh.error());
     const bool isNumber = faces >= 0 && faces <= 4e9;
     const RemeshOptions options{isNumber ? static_cast<Index>(faces) : 0};
-    const Result<RemeshedSurface> remeshed = remesh(mesh.value(), options, reportingTo(onProgress));
+    const Result<RemeshedSurface> remeshed =
+        remesh(surface.mesh(), options, reportingTo(onProgress));
     if (!remeshed) return toJs(remeshed.error());
     return describe(remeshed.value().mesh);
   });
 }
 
 /// {values} of a remeshed surface at the vertices of the original, or an error.
-val carryBack(const val& original, const val& remeshed, const val& values) {
+val carryBack(const JobSurface& original, const JobSurface& remeshed, const val& values) {
   return guarded([&] {
-    const Result<SurfaceMesh> to = surfaceOf(original);
-    if (!to) return toJs(to.error());
-    const Result<SurfaceMesh> from = surfaceOf(remeshed);
-    if (!from) return toJs(from.error());
-    const std::vector<SurfacePoint> places = nearestPoints(from.value(), to.value());
+    const std::vector<SurfacePoint> places = nearestPoints(remeshed.mesh(), original.mesh());
     const std::vector<double> carried =
-        interpolated(from.value(), copyIn<double>(values), places, kSteepestGirth);
+        interpolated(remeshed.mesh(), copyIn<double>(values), places, kSteepestGirth);
     val result = val::object();
     result.set("values", copyOut<double>("Float64Array", carried));
     return result;
   });
 }
 
-/// {difference} of two fields, each {positions, indices, values}, or an error.
-val difference(const val& one, const val& other) {
+/// {difference} of two fields, each on its surface, or an error.
+val difference(const JobSurface& one, const val& values, const JobSurface& other,
+               const val& otherValues) {
   return guarded([&] {
-    const Result<SurfaceMesh> first = surfaceOf(one);
-    if (!first) return toJs(first.error());
-    const Result<SurfaceMesh> second = surfaceOf(other);
-    if (!second) return toJs(second.error());
     val result = val::object();
-    result.set("difference", fieldDifference(first.value(), copyIn<double>(one["values"]),
-                                             second.value(), copyIn<double>(other["values"])));
+    result.set("difference", fieldDifference(one.mesh(), copyIn<double>(values), other.mesh(),
+                                             copyIn<double>(otherValues)));
     return result;
   });
 }

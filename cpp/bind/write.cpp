@@ -12,26 +12,12 @@
 #include "girth/io/write_parts.h"
 #include "girth/io/write_tips.h"
 #include "girth/tips.h"
+#include "job_surface.h"
 
 using emscripten::val;
 
 namespace girth::bind {
 namespace {
-
-/// `WrittenModel` of wasm-modules.d.ts: a prepared surface's arrays, and what the file said.
-Result<io::LoadedMesh> loadedOf(const val& model) {
-  Result<SurfaceMesh> mesh = surfaceOf(model["positions"], model["indices"]);
-  if (!mesh) return mesh.error();
-  return io::LoadedMesh{{std::move(mesh).value(),
-                         copyIn<Index>(model["vertexOfInput"]),
-                         copyIn<Index>(model["inputOfVertex"]),
-                         {},
-                         {},
-                         {}},
-                        io::Format::Obj,
-                        model["unit"].as<std::string>(),
-                        {}};
-}
 
 /// A field of JavaScript (`NamedField` of types.ts, complete) with its own memory.
 struct WrittenField {
@@ -76,27 +62,28 @@ Result<std::string> loopFile(const io::LoadedMesh& loaded, const GirthLoop& loop
   return unknownFormat("loops", format);
 }
 
+/// Of a `WrittenModel` of protocol.ts.
 std::string nameOf(const val& model) { return model["name"].as<std::string>(); }
+std::string unitOf(const val& model) { return model["unit"].as<std::string>(); }
 
 /// {bytes} of a file with fields, or an error.
-val writeFields(const val& model, const val& list, const std::string& format) {
+val writeFields(JobSurface& surface, const val& model, const val& list, const std::string& format) {
   return guarded([&] {
-    const Result<io::LoadedMesh> loaded = loadedOf(model);
-    if (!loaded) return toJs(loaded.error());
+    const io::LoadedMesh& loaded = surface.inUnit(unitOf(model));
     std::vector<WrittenField> owned;
     for (unsigned i = 0; i < list["length"].as<unsigned>(); ++i) owned.emplace_back(list[i]);
     std::vector<io::VertexField> fields;
     for (const WrittenField& field : owned) fields.push_back(field.view());
-    return fileOf(fieldFile(loaded.value(), fields, format, nameOf(model)));
+    return fileOf(fieldFile(loaded, fields, format, nameOf(model)));
   });
 }
 
 /// {files}, one for the loop at each of the points (vertices, or faces with weights), or an error.
-val writeLoops(const val& model, const val& points, const std::string& format) {
+val writeLoops(JobSurface& surface, const val& model, const val& points,
+               const std::string& format) {
   return guarded([&] {
-    const Result<io::LoadedMesh> loaded = loadedOf(model);
-    if (!loaded) return toJs(loaded.error());
-    GirthSolver solver(loaded.value().mesh);
+    const io::LoadedMesh& loaded = surface.inUnit(unitOf(model));
+    GirthSolver solver(loaded.mesh);
     val files = val::array();
     for (unsigned i = 0; i < points["length"].as<unsigned>(); ++i) {
       const val point = points[i];
@@ -107,8 +94,7 @@ val writeLoops(const val& model, const val& points, const std::string& format) {
                                                   {weights[0].as<double>(), weights[1].as<double>(),
                                                    weights[2].as<double>()}));
       if (!loop) return toJs(loop.error());
-      const Result<std::string> file =
-          loopFile(loaded.value(), loop.value(), format, nameOf(model));
+      const Result<std::string> file = loopFile(loaded, loop.value(), format, nameOf(model));
       if (!file) return toJs(file.error());
       files.call<void>("push", fileOf(file)["bytes"]);
     }
@@ -119,45 +105,42 @@ val writeLoops(const val& model, const val& points, const std::string& format) {
 }
 
 /// {bytes} of a file with the tips by the girth, or an error.
-val writeTips(const val& model, const val& girth, const std::string& format) {
+val writeTips(JobSurface& surface, const val& model, const val& girth, const std::string& format) {
   return guarded([&] {
-    const Result<io::LoadedMesh> loaded = loadedOf(model);
-    if (!loaded) return toJs(loaded.error());
+    const io::LoadedMesh& loaded = surface.inUnit(unitOf(model));
     if (format != "json" && format != "obj") return toJs(unknownFormat("tips", format));
-    const Result<Tips> tips = findTips(loaded.value().mesh, copyIn<double>(girth));
+    const Result<Tips> tips = findTips(loaded.mesh, copyIn<double>(girth));
     if (!tips) return toJs(tips.error());
-    return fileOf(format == "json" ? io::tipsJson(loaded.value(), tips.value(), nameOf(model))
-                                   : io::tipsObj(loaded.value(), tips.value()));
+    return fileOf(format == "json" ? io::tipsJson(loaded, tips.value(), nameOf(model))
+                                   : io::tipsObj(loaded, tips.value()));
   });
 }
 
 /// {bytes} of a file with the parts, or an error.
-val writeParts(const val& model, const val& fields, const val& options, const std::string& format) {
+val writeParts(JobSurface& surface, const val& model, const val& fields, const val& options,
+               const std::string& format) {
   return guarded([&] {
-    const Result<io::LoadedMesh> loaded = loadedOf(model);
-    if (!loaded) return toJs(loaded.error());
+    const io::LoadedMesh& loaded = surface.inUnit(unitOf(model));
     if (format != "json") return toJs(unknownFormat("parts", format));
     const GirthAndDiameter values(fields);
     const PartOptions wanted = partOptionsOf(options);
-    const Result<Parts> parts =
-        findParts(loaded.value().mesh, values.girth, values.diameter, wanted);
+    const Result<Parts> parts = findParts(loaded.mesh, values.girth, values.diameter, wanted);
     if (!parts) return toJs(parts.error());
-    return fileOf(io::partsJson(loaded.value(), parts.value(), wanted, nameOf(model)));
+    return fileOf(io::partsJson(loaded, parts.value(), wanted, nameOf(model)));
   });
 }
 
 /// {bytes} of a file with the weak places, or an error.
-val writeWeakPlaces(const val& model, const val& fields, const val& limits,
+val writeWeakPlaces(JobSurface& surface, const val& model, const val& fields, const val& limits,
                     const std::string& format) {
   return guarded([&] {
-    const Result<io::LoadedMesh> loaded = loadedOf(model);
-    if (!loaded) return toJs(loaded.error());
+    const io::LoadedMesh& loaded = surface.inUnit(unitOf(model));
     if (format != "json") return toJs(unknownFormat("weak places", format));
     const GirthAndDiameter values(fields);
     const PrintLimits wanted = limitsOf(limits);
-    const auto places = checkedPlaces(loaded.value().mesh, values, wanted);
+    const auto places = checkedPlaces(loaded.mesh, values, wanted);
     if (!places) return toJs(places.error());
-    return fileOf(io::weakPlacesJson(loaded.value(), places.value(), wanted, nameOf(model)));
+    return fileOf(io::weakPlacesJson(loaded, places.value(), wanted, nameOf(model)));
   });
 }
 

@@ -14,8 +14,8 @@ export class FakeWorker implements WorkerLike {
   onerror: WorkerLike['onerror'] = null;
   onmessageerror: WorkerLike['onmessageerror'] = null;
   terminated = false;
-  /** Operations in the order in which they arrived. */
-  readonly operations: string[] = [];
+  /** Requests in the order in which they arrived. */
+  readonly requests: Request[] = [];
   readonly #behaviour: Behaviour;
   #last: Promise<void> = Promise.resolve();
 
@@ -23,8 +23,13 @@ export class FakeWorker implements WorkerLike {
     this.#behaviour = behaviour;
   }
 
+  /** The operations of the requests. */
+  get operations(): string[] {
+    return this.requests.map(({ operation }) => operation);
+  }
+
   postMessage(request: Request): void {
-    this.operations.push(request.operation);
+    this.requests.push(request);
     this.#last = this.#last.then(() => this.#serve(request));
   }
 
@@ -95,11 +100,17 @@ export function fakeSurface(count: number): Behaviour {
       case 'weakPlaces':
         return { places: [] };
       case 'writeFields':
+      case 'writeTips':
+      case 'writeParts':
+      case 'writeWeakPlaces':
         return { bytes: new Uint8Array(1) };
+      case 'writeLoops':
+        return { files: [new Uint8Array(1)] };
       case 'loop':
         return { length: 1, polyline: new Float32Array(6) };
       case 'take':
       case 'read':
+      case 'remesh':
         return {
           info: { name: '', vertexCount: count, faceCount: count, unit: 'm' },
           arrays: { positions: new Float64Array(3 * count), indices: new Uint32Array(3) },

@@ -419,10 +419,11 @@ describe('spectral fields', () => {
 
 describe('comparing shapes', () => {
   /** Fakes whose shapes are as far apart as their vertex counts; `broken` faces fail. */
-  const comparing =
-    (asked: object[], broken = -1): Behaviour =>
-    (request, report) => {
+  const comparing = (asked: object[], broken = -1): Behaviour => {
+    const vertexCounts = new Map<number, number>();
+    return (request, report) => {
       const args = request.arguments as {
+        surface: number;
         arrays: { positions: Float64Array };
         group: string;
         faces: number;
@@ -434,10 +435,13 @@ describe('comparing shapes', () => {
           const { positions } = args.arrays;
           return fakeSurface(positions.length / 3)(request, report);
         }
+        case 'adopt':
+          vertexCounts.set(args.surface, args.arrays.positions.length / 3);
+          return {};
         case 'fieldGroups':
           return { groups: ['igf', 'sdf'] };
         case 'studyFields': {
-          const count = args.arrays.positions.length / 3;
+          const count = vertexCounts.get(args.surface)!;
           asked.push([count, args.group, args.faces]);
           if (count === broken) throw new GirthError({ ...usage, message: 'it is broken' });
           report({ progress: 0.5 });
@@ -452,6 +456,7 @@ describe('comparing shapes', () => {
           return {};
       }
     };
+  };
   const usage = { code: 'USAGE', element: -1, hint: '' };
   const arraysOf = (count: number) => ({
     positions: new Float64Array(3 * count),

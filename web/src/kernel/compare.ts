@@ -1,46 +1,46 @@
 // Shapes compared by descriptors: the fields of each one, two at a time, then their distances.
 
 import { fieldsOf, GirthError } from './errors.js';
-import type { MeshOfWorkers } from './mesh.js';
-import type { StudiesOperations, StudyFields } from './protocol.js';
-import type { CompareOptions, Comparison } from './types.js';
 import type { JobPool } from './job-pool.js';
+import type { Report, StudiesOperations, StudyFields } from './protocol.js';
+import type { SurfaceSource } from './surface-source.js';
+import type { CompareOptions, Comparison } from './types.js';
 
 /** Groups of fields that have been computed, by the number of faces and their name. */
-const known = new WeakMap<MeshOfWorkers, Map<string, StudyFields>>();
+const known = new WeakMap<SurfaceSource, Map<string, StudyFields>>();
 
 /** The share of the work that computing the fields is. */
 const fieldsShare = 0.95;
 
 export async function compareShapes(
   pool: JobPool<StudiesOperations>,
-  meshes: readonly MeshOfWorkers[],
+  surfaces: readonly SurfaceSource[],
   { descriptors, faces = 10_000, onProgress }: CompareOptions,
   signal: AbortSignal,
 ): Promise<Comparison> {
-  const { groups } = await pool.run(signal, 0, (worker) =>
+  const { groups } = await pool.run(signal, {}, (worker) =>
     worker.request('fieldGroups', { descriptors }),
   );
-  const shares = meshes.map(() => 0);
+  const shares = surfaces.map(() => 0);
   let told = 0;
   const tell = (progress: number) => {
     if (signal.aborted || progress <= told) return;
     told = progress;
     onProgress?.(progress);
   };
-  const fieldsOfMesh = async (mesh: MeshOfWorkers, place: number): Promise<StudyFields[]> => {
+  const fieldsOfSurface = async (surface: SurfaceSource, place: number): Promise<StudyFields[]> => {
     const found: StudyFields[] = [];
     for (const group of groups) {
       found.push(
-        await studyFields(pool, mesh, group, faces, signal, (share) => {
+        await studyFields(pool, surface, group, faces, signal, (share) => {
           shares[place] = (found.length + share) / groups.length;
-          tell((fieldsShare * shares.reduce((sum, one) => sum + one, 0)) / meshes.length);
+          tell((fieldsShare * shares.reduce((sum, one) => sum + one, 0)) / surfaces.length);
         }),
       );
     }
     return found;
   };
-  const outcomes = await Promise.allSettled(meshes.map(fieldsOfMesh));
+  const outcomes = await Promise.allSettled(surfaces.map(fieldsOfSurface));
 
   const failed: Comparison['failed'] = [];
   const places: number[] = [];
@@ -54,15 +54,15 @@ export async function compareShapes(
     models.push(outcome.value);
   });
   if (models.length === 0 && failed.length > 0) throw new GirthError(failed[0]!.error);
-  const bytes = models.flat().reduce((sum, { fields }) => sum + bytesOf(fields), 0);
-  const { matrices } = await pool.run(signal, bytes, (worker) =>
+  const passing = models.flat().reduce((sum, { fields }) => sum + bytesOf(fields), 0);
+  const { matrices } = await pool.run(signal, { passing }, (worker) =>
     worker.request('compare', { models, descriptors }),
   );
   tell(1);
   return {
     matrices: descriptors.map((descriptor, d) => ({
       descriptor,
-      distances: spread(matrices[d]!, places, meshes.length),
+      distances: spread(matrices[d]!, places, surfaces.length),
     })),
     failed,
   };
@@ -70,27 +70,22 @@ export async function compareShapes(
 
 async function studyFields(
   pool: JobPool<StudiesOperations>,
-  mesh: MeshOfWorkers,
+  surface: SurfaceSource,
   group: string,
   faces: number,
   signal: AbortSignal,
   onProgress: (share: number) => void,
 ): Promise<StudyFields> {
-  let ofMesh = known.get(mesh);
-  if (!ofMesh) known.set(mesh, (ofMesh = new Map<string, StudyFields>()));
+  let ofSurface = known.get(surface);
+  if (!ofSurface) known.set(surface, (ofSurface = new Map<string, StudyFields>()));
   const key = `${faces} ${group}`;
-  let fields = ofMesh.get(key);
+  let fields = ofSurface.get(key);
   if (!fields) {
-    const { arrays } = mesh.surface;
-    const bytes = arrays.positions.byteLength + arrays.indices.byteLength;
-    fields = await pool.run(signal, bytes, (worker) =>
-      worker.request(
-        'studyFields',
-        { arrays, group, faces },
-        { onReport: (report) => 'progress' in report && onProgress(report.progress) },
-      ),
+    const onReport = (report: Report) => 'progress' in report && onProgress(report.progress);
+    fields = await pool.run(signal, { surfaces: [surface] }, (worker) =>
+      worker.requestOn(surface, 'studyFields', { group, faces }, { onReport }),
     );
-    ofMesh.set(key, fields);
+    ofSurface.set(key, fields);
   }
   onProgress(1);
   return fields;

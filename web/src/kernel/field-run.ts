@@ -2,7 +2,7 @@
 // evenly, and ends exactly once, also when it is stopped.
 
 import type { FieldRequest } from './protocol.js';
-import type { SurfaceSource } from './worker-client.js';
+import type { SurfaceSource } from './surface-source.js';
 import type { FieldOptions, PartialField } from './types.js';
 
 /** Reports closer together than this are put together: the page draws each of them. */

@@ -1,15 +1,17 @@
-// A worker that reads models, prepares surfaces and writes files.
+// A worker for jobs: it reads models, and keeps surfaces to analyse, remesh and write them.
 
-import createModule, { type GirthModule } from './wasm/girth.mjs';
+import createModule, { type GirthModule, type JobSurface } from './wasm/girth.mjs';
 import { failure, fieldsOf, GirthError } from './errors.js';
 import { FileSet, type SetFile } from './file-set.js';
 import { moduleOptions, openedSurface, remeshedSurface } from './opened-surface.js';
 import type { OpenedSurface, JobOperations } from './protocol.js';
+import { SurfaceStore } from './surface-store.js';
 import type { FileWithPath, UnreadableModel } from './types.js';
 import { unpackIfCompressed } from './unpack.js';
 import { checked, progressTo, serveRequests } from './worker-loop.js';
 
 let module: GirthModule;
+const surfaces = new SurfaceStore<JobSurface>();
 
 function asSetFile({ path, content }: FileWithPath): SetFile {
   const bytes = () => {
@@ -37,7 +39,7 @@ function fetchedBeside(address: string, name: string): Uint8Array | undefined {
   return isFound ? new Uint8Array(request.response as ArrayBuffer) : undefined;
 }
 
-/** The first of several models that can be read; those before it are told with it, and why. */
+/** The first of several models that can be read, with those before it and their errors. */
 async function firstReadable(
   models: readonly string[],
   read: (path: string, unreadable: UnreadableModel[]) => Promise<OpenedSurface>,
@@ -101,69 +103,74 @@ serveRequests<JobOperations>({
     return openedSurface(prepared, { name: '', models: [], unreadable: [] });
   },
 
-  remesh({ arrays, faces, info }, report) {
-    const { positions, indices } = arrays;
-    const made = checked(module.remesh(positions, indices, faces, progressTo(report)));
-    return remeshedSurface(made, info);
-  },
-
-  carryBack({ original, remeshed, values }) {
-    return checked(module.carryBack(original, remeshed, values));
-  },
-
-  difference({ fields }) {
-    return checked(module.difference(...fields));
-  },
-
-  vertexAreas({ arrays }) {
-    return checked(module.vertexAreas(arrays));
-  },
-
-  tips({ arrays, girth }) {
-    return checked(module.tips(arrays, girth));
-  },
-
-  thresholds({ arrays, fields }) {
-    return checked(module.suggestedThresholds(arrays, fields));
-  },
-
-  parts({ arrays, fields, options }) {
-    return checked(module.parts(arrays, fields, options));
-  },
-
-  maxima({ arrays, values, minima }) {
-    return checked(module.maxima(arrays, values, minima));
-  },
-
-  weakPlaces({ arrays, fields, limits }) {
-    return checked(module.weakPlaces(arrays, fields, limits));
-  },
-
-  writeFields({ model, fields, format }) {
-    return checked(module.writeFields(model, fields, format));
-  },
-
-  writeTips({ model, girth, format }) {
-    return checked(module.writeTips(model, girth, format));
-  },
-
-  writeParts({ model, fields, options, format }) {
-    return checked(module.writeParts(model, fields, options, format));
-  },
-
-  writeWeakPlaces({ model, fields, limits, format }) {
-    return checked(module.writeWeakPlaces(model, fields, limits, format));
-  },
-
-  writeLoops({ model, points, format }) {
-    return checked(module.writeLoops(model, points, format));
-  },
-
-  adopt() {
+  adopt({ surface, arrays }) {
+    const { positions, indices, vertexOfInput, inputOfVertex } = arrays;
+    const made = module.jobSurface(positions, indices, vertexOfInput, inputOfVertex);
+    surfaces.add(surface, checked(made).surface);
     return {};
   },
 
-  drop() {
+  remesh({ surface, faces, info }, report) {
+    const made = checked(module.remesh(surfaces.get(surface), faces, progressTo(report)));
+    return remeshedSurface(made, info);
+  },
+
+  carryBack({ surface, remeshed, values }) {
+    return checked(module.carryBack(surfaces.get(surface), surfaces.get(remeshed), values));
+  },
+
+  difference({ surface, values, other, otherValues }) {
+    return checked(
+      module.difference(surfaces.get(surface), values, surfaces.get(other), otherValues),
+    );
+  },
+
+  vertexAreas({ surface }) {
+    return checked(module.vertexAreas(surfaces.get(surface)));
+  },
+
+  tips({ surface, girth }) {
+    return checked(module.tips(surfaces.get(surface), girth));
+  },
+
+  thresholds({ surface, fields }) {
+    return checked(module.suggestedThresholds(surfaces.get(surface), fields));
+  },
+
+  parts({ surface, fields, options }) {
+    return checked(module.parts(surfaces.get(surface), fields, options));
+  },
+
+  maxima({ surface, values, minima }) {
+    return checked(module.maxima(surfaces.get(surface), values, minima));
+  },
+
+  weakPlaces({ surface, fields, limits }) {
+    return checked(module.weakPlaces(surfaces.get(surface), fields, limits));
+  },
+
+  writeFields({ surface, model, fields, format }) {
+    return checked(module.writeFields(surfaces.get(surface), model, fields, format));
+  },
+
+  writeTips({ surface, model, girth, format }) {
+    return checked(module.writeTips(surfaces.get(surface), model, girth, format));
+  },
+
+  writeParts({ surface, model, fields, options, format }) {
+    return checked(module.writeParts(surfaces.get(surface), model, fields, options, format));
+  },
+
+  writeWeakPlaces({ surface, model, fields, limits, format }) {
+    return checked(module.writeWeakPlaces(surfaces.get(surface), model, fields, limits, format));
+  },
+
+  writeLoops({ surface, model, points, format }) {
+    return checked(module.writeLoops(surfaces.get(surface), model, points, format));
+  },
+
+  drop({ surface }) {
+    surfaces.drop(surface);
     return {};
   },
 });

@@ -5,19 +5,23 @@ import { compareShapes } from './compare.js';
 import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
 import { hasKinds } from './field-request.js';
 import { FieldRun, summaryOf, type FieldEngine } from './field-run.js';
+import { JobPool, type JobNeeds } from './job-pool.js';
 import { LoopQueue } from './loop-queue.js';
 import { MeshOfWorkers } from './mesh.js';
+import type { MeshHost } from './mesh-host.js';
 import { PoolEngine } from './pool-engine.js';
 import type {
+  CommonOperations,
   FieldRequest,
-  OpenedSurface,
+  JobOperations,
   Report,
   SingleOperations,
   StudiesOperations,
+  SurfaceArrays,
   ThreadsOperations,
-  JobOperations,
 } from './protocol.js';
 import { contentOf, sizeOf } from './source.js';
+import type { SurfaceSource } from './surface-source.js';
 import { ThreadsEngine } from './threads-engine.js';
 import type {
   CallOptions,
@@ -32,9 +36,8 @@ import type {
   MeshSource,
   SurfacePoint,
 } from './types.js';
-import { WorkerClient, type SurfaceSource } from './worker-client.js';
+import { WorkerClient } from './worker-client.js';
 import { moduleWorkers, type WorkerFactory } from './workers.js';
-import { JobPool } from './job-pool.js';
 
 /** More workers than this cost more memory than they save time. */
 const mostThreads = 8;
@@ -54,8 +57,12 @@ export async function openKernel(
 ): Promise<KernelOfWorkers> {
   const threads = threadsOf(options.threads);
   const models = new JobPool<JobOperations>(() => factory.job());
-  // One after the other: the second one may need the spectrum of the first.
-  const spectral = new JobPool<StudiesOperations>(() => factory.studies(), 1);
+  // One after the other: the second one may need the spectrum of the first. The spectrum of any surface
+  // is heavy.
+  const spectral = new JobPool<StudiesOperations>(() => factory.studies(), {
+    mostJobs: 1,
+    heavy: 0,
+  });
   const comparing = new JobPool<StudiesOperations>(() => factory.studies());
   const pools = { models, spectral, comparing };
   const interactive = new WorkerClient<SingleOperations>(() => factory.single());
@@ -126,7 +133,10 @@ interface JobPools {
 
 type AnyWorker = Pick<WorkerClient<SingleOperations>, 'drop' | 'terminate'>;
 
-export class KernelOfWorkers implements Kernel {
+/** Of all kernels of the page: a mesh of one can be compared with those of another. */
+let lastSurface = 0;
+
+export class KernelOfWorkers implements Kernel, MeshHost {
   readonly mode: 'threads' | 'pool';
   readonly threads: number;
   readonly #pools: JobPools;
@@ -135,7 +145,6 @@ export class KernelOfWorkers implements Kernel {
   readonly #engine: FieldEngine;
   readonly #loops: LoopQueue;
   readonly #life = new AbortController();
-  #lastSurface = 0;
   /** Settles when the last field that was asked for has left the workers. */
   #fields: Promise<unknown> = Promise.resolve();
 
@@ -160,7 +169,7 @@ export class KernelOfWorkers implements Kernel {
     const { model, prepare = {}, onProgress } = options;
     const opened = await this.#work([options.signal], async (signal) => {
       const content = await contentOf(source, signal);
-      return this.#pools.models.run(signal, sizeOf(content), (worker) => {
+      return this.#pools.models.run(signal, { passing: sizeOf(content) }, (worker) => {
         const onReport = (report: Report) => {
           if (!signal.aborted && 'progress' in report) onProgress?.(report.progress);
         };
@@ -173,24 +182,22 @@ export class KernelOfWorkers implements Kernel {
         return worker.request('read', { ...content, ...chosen, prepare }, { onReport });
       });
     });
-    return this.open(opened);
+    return new MeshOfWorkers(this, opened);
   }
 
-  /** A mesh for the page of a surface that a worker has made. */
-  open(opened: OpenedSurface): MeshOfWorkers {
-    const mesh = new MeshOfWorkers(this, { number: ++this.#lastSurface, ...opened });
+  introduce(arrays: SurfaceArrays, life: AbortSignal): SurfaceSource {
+    const surface = { number: ++lastSurface, arrays, life };
     // So that the first loop need not wait for it; who asks for it learns of a failure.
-    void this.#interactive.adopt(mesh.surface).catch(() => undefined);
-    return mesh;
+    void this.#interactive.adopt(surface).catch(() => undefined);
+    return surface;
   }
 
-  /** A field of a mesh; fields are computed one after the other, each by all workers. */
   field(
     surface: SurfaceSource,
     request: FieldRequest,
-    life: AbortSignal,
     options: FieldOptions,
   ): Promise<Omit<Field, 'unit'>> {
+    const { life } = surface;
     const run = new FieldRun(surface.arrays.positions.length / 3, hasKinds(request), options);
     return this.#work([options.signal, life], async (signal) => {
       // The caller keeps what is finished; a disposed mesh has no use for it.
@@ -213,43 +220,43 @@ export class KernelOfWorkers implements Kernel {
     });
   }
 
-  /** Something that a worker of its own makes of a surface. */
-  make<T>(
-    bytes: number,
-    signals: (AbortSignal | undefined)[],
-    job: (worker: WorkerClient<JobOperations>) => Promise<T>,
-  ): Promise<T> {
-    return this.#work(signals, (signal) => this.#pools.models.run(signal, bytes, job));
+  job<R>(
+    needs: JobNeeds,
+    signal: AbortSignal | undefined,
+    job: (worker: WorkerClient<JobOperations>) => Promise<R>,
+  ): Promise<R> {
+    return this.#run(this.#pools.models, needs, signal, job);
   }
 
-  /** Something that a worker of its own makes of a surface's spectrum. */
-  makeSpectral<T>(
-    bytes: number,
-    signals: (AbortSignal | undefined)[],
-    job: (worker: WorkerClient<StudiesOperations>) => Promise<T>,
-  ): Promise<T> {
-    return this.#work(signals, (signal) => this.#pools.spectral.run(signal, bytes, job));
+  spectralJob<R>(
+    needs: JobNeeds,
+    signal: AbortSignal | undefined,
+    job: (worker: WorkerClient<StudiesOperations>) => Promise<R>,
+  ): Promise<R> {
+    return this.#run(this.#pools.spectral, needs, signal, job);
   }
 
   async compare(meshes: readonly Mesh[], options: CompareOptions): Promise<Comparison> {
-    const own = meshes.map((mesh) => {
-      if (mesh instanceof MeshOfWorkers) return mesh;
+    const surfaces = meshes.map((mesh) => {
+      if (mesh instanceof MeshOfWorkers) return mesh.surface;
       throw failure('USAGE', 'one of the meshes is not of this package', {
         hint: 'load it with a kernel',
       });
     });
-    const lives = own.map(({ life }) => life);
+    const lives = surfaces.map(({ life }) => life);
     return this.#work([options.signal, ...lives], (signal) =>
-      compareShapes(this.#pools.comparing, own, options, signal),
+      compareShapes(this.#pools.comparing, surfaces, options, signal),
     );
   }
 
-  loop(surface: SurfaceSource, point: SurfacePoint, life: AbortSignal, options: CallOptions) {
-    return this.#work([options.signal, life], (signal) => this.#loops.loop(surface, point, signal));
+  loop(surface: SurfaceSource, point: SurfacePoint, options: CallOptions) {
+    return this.#work([options.signal, surface.life], (signal) =>
+      this.#loops.loop(surface, point, signal),
+    );
   }
 
   drop(surface: number): void {
-    for (const worker of [this.#pools.spectral, ...this.#workers]) worker.drop(surface);
+    for (const worker of this.#workers) worker.drop(surface);
   }
 
   dispose(): void {
@@ -259,6 +266,16 @@ export class KernelOfWorkers implements Kernel {
     for (const one of [models, spectral, comparing, ...this.#workers]) {
       one.terminate(cancelled(reason));
     }
+  }
+
+  #run<T extends CommonOperations, R>(
+    pool: JobPool<T>,
+    needs: JobNeeds,
+    signal: AbortSignal | undefined,
+    job: (worker: WorkerClient<T>) => Promise<R>,
+  ): Promise<R> {
+    const lives = (needs.surfaces ?? []).map(({ life }) => life);
+    return this.#work([signal, ...lives], (whole) => pool.run(whole, needs, job));
   }
 
   /** Runs work that ends with CANCELLED when a signal fires or the kernel is disposed of. */

@@ -3,7 +3,8 @@
 
 import type { Answer, SingleOperations } from './protocol.js';
 import type { SurfacePoint } from './types.js';
-import type { SurfaceSource, WorkerClient } from './worker-client.js';
+import type { SurfaceSource } from './surface-source.js';
+import type { WorkerClient } from './worker-client.js';
 
 type FoundLoop = Answer<SingleOperations, 'loop'>;
 

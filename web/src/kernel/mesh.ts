@@ -11,16 +11,20 @@ import {
   unitOf,
 } from './field-request.js';
 import { summaryOf } from './field-run.js';
-import type { KernelOfWorkers } from './kernel.js';
+import type { MeshHost } from './mesh-host.js';
 import type {
+  Answer,
+  Arguments,
   GirthAndDiameter,
+  JobOperations,
   OpenedSurface,
   Report,
   StudiesOperations,
-  JobOperations,
+  SurfaceWithInput,
   WrittenModel,
 } from './protocol.js';
 import { checkedPoint } from './surface-point.js';
+import { bytesOf, type SurfaceSource } from './surface-source.js';
 import type {
   CallOptions,
   ExportOptions,
@@ -45,7 +49,6 @@ import type {
   WatchedOptions,
   WeakPlace,
 } from './types.js';
-import type { SurfaceSource, WorkerClient } from './worker-client.js';
 
 /** Units as files call them. */
 const unitNames: Record<string, string | undefined> = {
@@ -74,34 +77,28 @@ export class MeshOfWorkers implements Mesh {
   readonly info: Mesh['info'];
   readonly geometry: Mesh['geometry'];
   readonly vertexOfInput: Uint32Array;
-  /** As the workers know it. */
+  /** As the workers for fields and loops know it. */
   readonly surface: SurfaceSource;
-  readonly #kernel: KernelOfWorkers;
-  readonly #inputOfVertex: Uint32Array;
+  /** As the workers for jobs know it. */
+  readonly #jobSurface: SurfaceSource<SurfaceWithInput>;
+  readonly #host: MeshHost;
   readonly #life = new AbortController();
-  /** Fires when the mesh is disposed of. */
-  readonly life = this.#life.signal;
 
-  constructor(kernel: KernelOfWorkers, opened: OpenedSurface & { number: number }) {
-    const { number, info, arrays, origin, drawn, boundary, vertexOfInput, inputOfVertex } = opened;
-    this.#kernel = kernel;
-    this.surface = { number, arrays };
+  constructor(host: MeshHost, opened: OpenedSurface) {
+    const { info, arrays, origin, drawn, boundary, vertexOfInput, inputOfVertex } = opened;
+    this.#host = host;
+    this.surface = host.introduce(arrays, this.#life.signal);
+    this.#jobSurface = { ...this.surface, arrays: { ...arrays, vertexOfInput, inputOfVertex } };
     this.info = info;
     this.geometry = { positions: drawn, indices: arrays.indices, boundary, origin };
     this.vertexOfInput = vertexOfInput;
-    this.#inputOfVertex = inputOfVertex;
   }
 
   async field(name: FieldName, options: FieldOptions = {}): Promise<Field> {
     checkName(String(name));
     const field = isSpectral(name)
       ? await this.#spectralField(name, options)
-      : await this.#kernel.field(
-          this.surface,
-          fieldRequest(name, options),
-          this.#life.signal,
-          options,
-        );
+      : await this.#host.field(this.surface, fieldRequest(name, options), options);
     return { ...field, unit: unitOf(name, this.info.unit) };
   }
 
@@ -111,13 +108,11 @@ export class MeshOfWorkers implements Mesh {
   ): Promise<Omit<Field, 'unit'>> {
     const field = spectralRequest(name, spectral);
     const note = spectralNote(field);
-    const { values, method } = await this.#makeSpectral(signal, (worker) =>
-      worker.requestOn(
-        this.surface,
-        'spectralField',
-        { field },
-        { onReport: progressOf(signal, onProgress) },
-      ),
+    const { values, method } = await this.#askSpectral(
+      'spectralField',
+      { field },
+      signal,
+      onProgress,
     );
     const kinds = new Uint8Array(0);
     const { range, withoutValue } = summaryOf(values);
@@ -128,22 +123,18 @@ export class MeshOfWorkers implements Mesh {
   async loop(point: SurfacePoint, options: CallOptions = {}): Promise<Loop> {
     const { unit } = this.info;
     const base = checkedPoint(point, this.info);
-    const found = await this.#kernel.loop(this.surface, base, this.#life.signal, options);
+    const found = await this.#host.loop(this.surface, base, options);
     return { ...found, base, unit };
   }
 
   async vertexAreas({ signal }: CallOptions = {}): Promise<Float64Array> {
-    const { arrays } = this.surface;
-    const { areas } = await this.#make(signal, (worker) =>
-      worker.request('vertexAreas', { arrays }),
-    );
+    const { areas } = await this.#ask('vertexAreas', {}, signal);
     return areas;
   }
 
   async tips(igf: Field, { signal }: CallOptions = {}): Promise<Tips> {
     const girth = this.#own(igf, 'igf');
-    const { arrays } = this.surface;
-    return this.#make(signal, (worker) => worker.request('tips', { arrays, girth }));
+    return this.#ask('tips', { girth }, signal);
   }
 
   async suggestedThresholds(
@@ -152,8 +143,7 @@ export class MeshOfWorkers implements Mesh {
     { signal }: CallOptions = {},
   ): Promise<PartThresholds> {
     const fields = this.#girthAndDiameter(igf, sdf);
-    const { arrays } = this.surface;
-    return this.#make(signal, (worker) => worker.request('thresholds', { arrays, fields }));
+    return this.#ask('thresholds', { fields }, signal);
   }
 
   async parts(
@@ -163,9 +153,7 @@ export class MeshOfWorkers implements Mesh {
     { signal }: CallOptions = {},
   ): Promise<Parts> {
     const fields = this.#girthAndDiameter(igf, sdf);
-    const options = whole(parts);
-    const { arrays } = this.surface;
-    return this.#make(signal, (worker) => worker.request('parts', { arrays, fields, options }));
+    return this.#ask('parts', { fields, options: whole(parts) }, signal);
   }
 
   async maxima(
@@ -173,11 +161,8 @@ export class MeshOfWorkers implements Mesh {
     { signal, minima = false }: CallOptions & { minima?: boolean } = {},
   ): Promise<Maximum[]> {
     this.#checkCount(values);
-    const { arrays } = this.surface;
-    const found = await this.#make(signal, (worker) =>
-      worker.request('maxima', { arrays, values, minima }),
-    );
-    return found.maxima;
+    const { maxima } = await this.#ask('maxima', { values, minima }, signal);
+    return maxima;
   }
 
   async heatMaxima({
@@ -186,14 +171,7 @@ export class MeshOfWorkers implements Mesh {
     ...options
   }: WatchedOptions & SpectralOptions = {}): Promise<Maximum[]> {
     const field = spectralRequest('hks', options);
-    const { maxima } = await this.#makeSpectral(signal, (worker) =>
-      worker.requestOn(
-        this.surface,
-        'heatMaxima',
-        { field },
-        { onReport: progressOf(signal, onProgress) },
-      ),
-    );
+    const { maxima } = await this.#askSpectral('heatMaxima', { field }, signal, onProgress);
     onProgress?.(1);
     return maxima;
   }
@@ -206,10 +184,7 @@ export class MeshOfWorkers implements Mesh {
   ): Promise<WeakPlace[]> {
     const fields = this.#girthAndDiameter(igf, sdf);
     const limits = { tubeDiameter, wallThickness };
-    const { arrays } = this.surface;
-    const { places } = await this.#make(signal, (worker) =>
-      worker.request('weakPlaces', { arrays, fields, limits }),
-    );
+    const { places } = await this.#ask('weakPlaces', { fields, limits }, signal);
     return places;
   }
 
@@ -231,9 +206,8 @@ export class MeshOfWorkers implements Mesh {
     });
     const length = fields.find(({ name }) => isLength(name));
     const model = this.#written(unit ?? length?.unit);
-    const { bytes } = await this.#make(signal, (worker) =>
-      worker.request('writeFields', { model, fields: written, format }),
-    );
+    const args = { model, fields: written, format };
+    const { bytes } = await this.#ask('writeFields', args, signal);
     return bytes;
   }
 
@@ -244,9 +218,7 @@ export class MeshOfWorkers implements Mesh {
   ): Promise<Uint8Array> {
     const girth = this.#own(igf, 'igf');
     const model = this.#written(unit);
-    const { bytes } = await this.#make(signal, (worker) =>
-      worker.request('writeTips', { model, girth, format }),
-    );
+    const { bytes } = await this.#ask('writeTips', { model, girth, format }, signal);
     return bytes;
   }
 
@@ -260,9 +232,7 @@ export class MeshOfWorkers implements Mesh {
     const fields = this.#girthAndDiameter(igf, sdf);
     const options = whole(parts);
     const model = this.#written(unit);
-    const { bytes } = await this.#make(signal, (worker) =>
-      worker.request('writeParts', { model, fields, options, format }),
-    );
+    const { bytes } = await this.#ask('writeParts', { model, fields, options, format }, signal);
     return bytes;
   }
 
@@ -276,9 +246,7 @@ export class MeshOfWorkers implements Mesh {
     const fields = this.#girthAndDiameter(igf, sdf);
     const limits = { tubeDiameter, wallThickness };
     const model = this.#written(unit);
-    const { bytes } = await this.#make(signal, (worker) =>
-      worker.request('writeWeakPlaces', { model, fields, limits, format }),
-    );
+    const { bytes } = await this.#ask('writeWeakPlaces', { model, fields, limits, format }, signal);
     return bytes;
   }
 
@@ -288,36 +256,42 @@ export class MeshOfWorkers implements Mesh {
     { signal, unit }: ExportOptions = {},
   ): Promise<Uint8Array[]> {
     const checked = points.map((point) => checkedPoint(point, this.info));
-    const { files } = await this.#make(signal, (worker) =>
-      worker.request('writeLoops', { model: this.#written(unit), points: checked, format }),
-    );
+    const args = { model: this.#written(unit), points: checked, format };
+    const { files } = await this.#ask('writeLoops', args, signal);
     return files;
   }
 
   async remesh(faces: number, { signal, onProgress }: WatchedOptions = {}): Promise<RemeshedMesh> {
     const { info } = this;
-    const { arrays } = this.surface;
-    const opened = await this.#make(signal, (worker) =>
-      worker.request(
-        'remesh',
-        { arrays, faces, info },
-        { onReport: progressOf(signal, onProgress) },
-      ),
+    const surface = this.#jobSurface;
+    const opened = await this.#host.job(
+      { surfaces: [surface], passing: bytesOf(surface) },
+      signal,
+      (worker) => {
+        const onReport = progressOf(signal, onProgress);
+        return worker.requestOn(surface, 'remesh', { faces, info }, { onReport });
+      },
     );
-    const mesh = this.#kernel.open(opened);
-    const carryBack: RemeshedMesh['carryBack'] = async (values, options = {}) => {
-      if (values.length !== mesh.info.vertexCount) {
-        throw failure('USAGE', 'there is not one value for each vertex of the remeshed surface', {
-          hint: 'carry back its own values',
-        });
-      }
-      const remeshed = opened.arrays;
-      const carried = await this.#make(options.signal, (worker) =>
-        worker.request('carryBack', { original: arrays, remeshed, values }),
-      );
-      return carried.values;
-    };
-    return Object.assign(mesh, { carryBack });
+    const mesh = new MeshOfWorkers(this.#host, opened);
+    return Object.assign(mesh, {
+      carryBack: (values: Float64Array, options: CallOptions = {}) =>
+        this.#carryBack(mesh, values, options),
+    });
+  }
+
+  async #carryBack(
+    remeshed: MeshOfWorkers,
+    values: Float64Array,
+    { signal }: CallOptions,
+  ): Promise<Float64Array> {
+    if (values.length !== remeshed.info.vertexCount) {
+      throw failure('USAGE', 'there is not one value for each vertex of the remeshed surface', {
+        hint: 'carry back its own values',
+      });
+    }
+    const args = { remeshed: remeshed.surface.number, values };
+    const carried = await this.#ask('carryBack', args, signal, remeshed);
+    return carried.values;
   }
 
   async difference(
@@ -331,33 +305,43 @@ export class MeshOfWorkers implements Mesh {
         hint: 'load it with a kernel',
       });
     }
-    const fields = [
-      { ...this.surface.arrays, values: field.values },
-      { ...other.surface.arrays, values: otherField.values },
-    ] as const;
-    const { difference } = await this.#make(signal, (worker) =>
-      worker.request('difference', { fields }),
-    );
+    this.#checkCount(field.values);
+    other.#checkCount(otherField.values);
+    const args = {
+      values: field.values,
+      other: other.surface.number,
+      otherValues: otherField.values,
+    };
+    const { difference } = await this.#ask('difference', args, signal, other);
     return difference;
   }
 
-  #make<T>(
+  /** A job on this surface, and maybe on another one, whose number is among the arguments. */
+  #ask<K extends keyof JobOperations>(
+    operation: K,
+    args: Omit<Arguments<JobOperations, K>, 'surface'>,
     signal: AbortSignal | undefined,
-    job: (worker: WorkerClient<JobOperations>) => Promise<T>,
-  ): Promise<T> {
-    return this.#kernel.make(this.#bytes, [signal, this.#life.signal], job);
+    other: MeshOfWorkers = this,
+  ): Promise<Answer<JobOperations, K>> {
+    const surface = this.#jobSurface;
+    const surfaces = [surface, ...(other === this ? [] : [other.#jobSurface])];
+    return this.#host.job({ surfaces }, signal, async (worker) => {
+      for (const one of surfaces.slice(1)) await worker.adopt(one);
+      return worker.requestOn(surface, operation, args);
+    });
   }
 
-  #makeSpectral<T>(
+  #askSpectral<K extends 'spectralField' | 'heatMaxima'>(
+    operation: K,
+    args: Omit<Arguments<StudiesOperations, K>, 'surface'>,
     signal: AbortSignal | undefined,
-    job: (worker: WorkerClient<StudiesOperations>) => Promise<T>,
-  ): Promise<T> {
-    return this.#kernel.makeSpectral(this.#bytes, [signal, this.#life.signal], job);
-  }
-
-  get #bytes(): number {
-    const { positions, indices } = this.surface.arrays;
-    return positions.byteLength + indices.byteLength;
+    onProgress: WatchedOptions['onProgress'],
+  ): Promise<Answer<StudiesOperations, K>> {
+    const { surface } = this;
+    const onReport = progressOf(signal, onProgress);
+    return this.#host.spectralJob({ surfaces: [surface] }, signal, (worker) =>
+      worker.requestOn(surface, operation, args, { onReport }),
+    );
   }
 
   #checkCount(values: { length: number }): void {
@@ -383,15 +367,12 @@ export class MeshOfWorkers implements Mesh {
   }
 
   #written(unit = this.info.unit): WrittenModel {
-    const { vertexOfInput, info, surface } = this;
-    const inputOfVertex = this.#inputOfVertex;
-    const { name } = info;
-    return { ...surface.arrays, vertexOfInput, inputOfVertex, name, unit: unitName(unit) };
+    return { name: this.info.name, unit: unitName(unit) };
   }
 
   dispose(): void {
     if (this.#life.signal.aborted) return;
     this.#life.abort('the mesh has been disposed of');
-    this.#kernel.drop(this.surface.number);
+    this.#host.drop(this.surface.number);
   }
 }

@@ -4,7 +4,8 @@
 import { cancelled } from './errors.js';
 import type { FieldRequest, SingleOperations } from './protocol.js';
 import type { FieldEngine, FieldRun } from './field-run.js';
-import type { SurfaceSource, WorkerClient } from './worker-client.js';
+import type { SurfaceSource } from './surface-source.js';
+import type { WorkerClient } from './worker-client.js';
 
 /** How long a chunk should take: long against a message, short against a person's patience. */
 const chunkMilliseconds = 40;

@@ -46,11 +46,16 @@ export interface OpenedSurface {
   inputOfVertex: Uint32Array<ArrayBuffer>;
 }
 
-/** What files say of a model besides a field or loops: its arrays, name and unit, as `WrittenModel`. */
-export interface WrittenModel extends SurfaceArrays {
+/** A surface's arrays with the numbers that its vertices have in the input, for files in its order. */
+export interface SurfaceWithInput extends SurfaceArrays {
   vertexOfInput: Uint32Array;
   inputOfVertex: Uint32Array;
+}
+
+/** What files state of a model besides its surface and fields. */
+export interface WrittenModel {
   name: string;
+  /** By its name, for example 'metre'; or ''. */
   unit: string;
 }
 
@@ -73,11 +78,6 @@ export interface SpectralRequest extends Required<SpectralOptions> {
 export interface GirthAndDiameter {
   girth: Float64Array;
   diameter: Float64Array;
-}
-
-/** A field with the surface that it is on. */
-export interface FieldOfSurface extends SurfaceArrays {
-  values: Float64Array;
 }
 
 /** Values of some vertices, in the order in which they were asked for. */
@@ -126,38 +126,41 @@ export interface JobOperations extends CommonOperations {
   ];
   /** Prepares a surface of the caller's arrays. */
   take: [{ arrays: SurfaceArrays; prepare: PrepareOptions }, OpenedSurface];
+  /** Makes a surface of the arrays of another worker. */
+  adopt: [{ surface: number; arrays: SurfaceWithInput }, object];
   /** A surface of about so many faces. */
-  remesh: [{ arrays: SurfaceArrays; faces: number; info: MeshInfo }, OpenedSurface];
-  /** Values of a remeshed surface at the vertices of that which it was made of. */
+  remesh: [{ surface: number; faces: number; info: MeshInfo }, OpenedSurface];
+  /** Values at the vertices of the surface `remeshed` as values at those of `surface`. */
   carryBack: [
-    { original: SurfaceArrays; remeshed: SurfaceArrays; values: Float64Array },
+    { surface: number; remeshed: number; values: Float64Array },
     { values: Float64Array<ArrayBuffer> },
   ];
-  /** The difference of two fields. */
-  difference: [{ fields: readonly [FieldOfSurface, FieldOfSurface] }, { difference: number }];
-  vertexAreas: [{ arrays: SurfaceArrays }, { areas: Float64Array<ArrayBuffer> }];
-  tips: [{ arrays: SurfaceArrays; girth: Float64Array }, Tips];
-  thresholds: [{ arrays: SurfaceArrays; fields: GirthAndDiameter }, PartThresholds];
-  parts: [
-    { arrays: SurfaceArrays; fields: GirthAndDiameter; options: Required<PartOptions> },
-    Parts,
+  /** The difference of two fields, each on its surface. */
+  difference: [
+    { surface: number; values: Float64Array; other: number; otherValues: Float64Array },
+    { difference: number },
   ];
+  vertexAreas: [{ surface: number }, { areas: Float64Array<ArrayBuffer> }];
+  tips: [{ surface: number; girth: Float64Array }, Tips];
+  thresholds: [{ surface: number; fields: GirthAndDiameter }, PartThresholds];
+  parts: [{ surface: number; fields: GirthAndDiameter; options: Required<PartOptions> }, Parts];
   /** The maxima of values; of their negatives where `minima` are wanted. */
-  maxima: [{ arrays: SurfaceArrays; values: Float64Array; minima: boolean }, { maxima: Maximum[] }];
+  maxima: [{ surface: number; values: Float64Array; minima: boolean }, { maxima: Maximum[] }];
   weakPlaces: [
-    { arrays: SurfaceArrays; fields: GirthAndDiameter; limits: PrintLimits },
+    { surface: number; fields: GirthAndDiameter; limits: PrintLimits },
     { places: WeakPlace[] },
   ];
   writeFields: [
-    { model: WrittenModel; fields: readonly NamedField[]; format: FieldFormat },
+    { surface: number; model: WrittenModel; fields: readonly NamedField[]; format: FieldFormat },
     { bytes: Uint8Array<ArrayBuffer> },
   ];
   writeTips: [
-    { model: WrittenModel; girth: Float64Array; format: string },
+    { surface: number; model: WrittenModel; girth: Float64Array; format: string },
     { bytes: Uint8Array<ArrayBuffer> },
   ];
   writeParts: [
     {
+      surface: number;
       model: WrittenModel;
       fields: GirthAndDiameter;
       options: Required<PartOptions>;
@@ -166,11 +169,22 @@ export interface JobOperations extends CommonOperations {
     { bytes: Uint8Array<ArrayBuffer> },
   ];
   writeWeakPlaces: [
-    { model: WrittenModel; fields: GirthAndDiameter; limits: PrintLimits; format: string },
+    {
+      surface: number;
+      model: WrittenModel;
+      fields: GirthAndDiameter;
+      limits: PrintLimits;
+      format: string;
+    },
     { bytes: Uint8Array<ArrayBuffer> },
   ];
   writeLoops: [
-    { model: WrittenModel; points: readonly SurfacePoint[]; format: LoopFormat },
+    {
+      surface: number;
+      model: WrittenModel;
+      points: readonly SurfacePoint[];
+      format: LoopFormat;
+    },
     { files: Uint8Array<ArrayBuffer>[] },
   ];
 }
@@ -196,7 +210,7 @@ export interface StudiesOperations extends CommonOperations {
   /** The groups of fields that descriptors need. */
   fieldGroups: [{ descriptors: readonly string[] }, { groups: string[] }];
   /** One group of a surface, made anew of about so many faces where it has more. */
-  studyFields: [{ arrays: SurfaceArrays; group: string; faces: number }, StudyFields];
+  studyFields: [{ surface: number; group: string; faces: number }, StudyFields];
   /** For each descriptor the distances between all models, row after row. */
   compare: [
     { models: readonly (readonly StudyFields[])[]; descriptors: readonly string[] },
@@ -216,6 +230,13 @@ export type Arguments<T, K extends keyof T> = T[K] extends [infer A extends obje
   : never;
 export type Answer<T, K extends keyof T> = T[K] extends [object, infer R extends object]
   ? R
+  : never;
+
+/** The arrays that a worker is given of a surface. */
+export type AdoptedArrays<T> = T extends {
+  adopt: [{ arrays: infer A extends SurfaceArrays }, object];
+}
+  ? A
   : never;
 
 /** Page to worker. `id` counts up from 1. */

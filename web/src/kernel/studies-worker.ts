@@ -1,23 +1,13 @@
 // A worker that computes spectra and what is made of them (it keeps the latest spectrum), and compares
 // shapes.
 
-import createModule, {
-  type GirthStudiesModule,
-  type SpectralSurface,
-} from './wasm/girth-studies.mjs';
+import createModule, { type GirthStudiesModule, type Surface } from './wasm/girth-studies.mjs';
 import type { StudiesOperations } from './protocol.js';
+import { SurfaceStore } from './surface-store.js';
 import { checked, progressTo, serveRequests } from './worker-loop.js';
 
 let module: GirthStudiesModule;
-const surfaces = new Map<number, SpectralSurface>();
-
-/** The surface; spectra of others are let go of. */
-function surfaceOf(number: number): SpectralSurface {
-  const surface = surfaces.get(number);
-  if (!surface) throw new Error(`surface ${number} is not known to this worker`);
-  for (const other of surfaces.values()) if (other !== surface) other.forget();
-  return surface;
-}
+const surfaces = new SurfaceStore<Surface>();
 
 serveRequests<StudiesOperations>({
   async start() {
@@ -26,24 +16,25 @@ serveRequests<StudiesOperations>({
   },
 
   adopt({ surface, arrays }) {
-    surfaces.set(surface, checked(module.spectralSurface(arrays)).surface);
+    const { positions, indices } = arrays;
+    surfaces.add(surface, checked(module.exactSurface(positions, indices)).surface);
     return {};
   },
 
   spectralField({ surface, field }, report) {
-    return checked(surfaceOf(surface).field(field, progressTo(report)));
+    return checked(module.spectralField(surfaces.get(surface), field, progressTo(report)));
   },
 
   heatMaxima({ surface, field }, report) {
-    return checked(surfaceOf(surface).heatMaxima(field, progressTo(report)));
+    return checked(module.heatMaxima(surfaces.get(surface), field, progressTo(report)));
   },
 
   fieldGroups({ descriptors }) {
     return checked(module.fieldGroups(descriptors));
   },
 
-  studyFields({ arrays, group, faces }, report) {
-    return checked(module.studyFields(arrays, group, faces, progressTo(report)));
+  studyFields({ surface, group, faces }, report) {
+    return checked(module.studyFields(surfaces.get(surface), group, faces, progressTo(report)));
   },
 
   compare({ models, descriptors }, report) {
@@ -51,8 +42,7 @@ serveRequests<StudiesOperations>({
   },
 
   drop({ surface }) {
-    surfaces.get(surface)?.delete();
-    surfaces.delete(surface);
+    surfaces.drop(surface);
     return {};
   },
 });

@@ -3,7 +3,8 @@
 import { failure } from './errors.js';
 import type { FieldRequest, ThreadsOperations } from './protocol.js';
 import type { FieldEngine, FieldRun } from './field-run.js';
-import type { SurfaceSource, WorkerClient } from './worker-client.js';
+import type { SurfaceSource } from './surface-source.js';
+import type { WorkerClient } from './worker-client.js';
 
 export class ThreadsEngine implements FieldEngine {
   readonly #worker: WorkerClient<ThreadsOperations>;

@@ -3,10 +3,12 @@
 
 import createModule, { type GirthThreadsModule, type Surface } from './wasm/girth-threads.mjs';
 import type { ThreadsOperations } from './protocol.js';
+import { SurfaceStore } from './surface-store.js';
+import type { PartialField } from './types.js';
 import { checked, serveRequests } from './worker-loop.js';
 
 let module: GirthThreadsModule;
-const surfaces = new Map<number, Surface>();
+const surfaces = new SurfaceStore<Surface>();
 
 serveRequests<ThreadsOperations>({
   async start({ threads }) {
@@ -17,19 +19,17 @@ serveRequests<ThreadsOperations>({
 
   adopt({ surface, arrays }) {
     const { positions, indices } = arrays;
-    surfaces.set(surface, checked(module.exactSurface(positions, indices)).surface);
+    surfaces.add(surface, checked(module.exactSurface(positions, indices)).surface);
     return {};
   },
 
-  field({ surface: number, field, threads }, report) {
-    const surface = surfaces.get(number);
-    if (!surface) throw new Error(`surface ${number} is not known to this worker`);
-    return checked(surface.field(field, threads, (partial) => report({ partial })));
+  field({ surface, field, threads }, report) {
+    const onPartial = (partial: PartialField) => report({ partial });
+    return checked(surfaces.get(surface).field(field, threads, onPartial));
   },
 
   drop({ surface }) {
-    surfaces.get(surface)?.delete();
-    surfaces.delete(surface);
+    surfaces.drop(surface);
     return {};
   },
 });

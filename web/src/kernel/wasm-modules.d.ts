@@ -72,19 +72,13 @@ declare module '*/girth.mjs' {
     area: number;
   }
 
-  /** A prepared surface's arrays, and what the file said. */
-  export interface WrittenModel extends Arrays {
-    vertexOfInput: Uint32Array;
-    inputOfVertex: Uint32Array;
-    name: string;
-    /** By its name, for example 'metre'; or ''. */
-    unit: string;
+  /** A surface that a worker keeps from one job to the next. */
+  export interface JobSurface {
+    delete(): void;
   }
 
-  interface GirthAndDiameter {
-    girth: Float64Array;
-    diameter: Float64Array;
-  }
+  type WrittenModel = import('./protocol.js').WrittenModel;
+  type GirthAndDiameter = import('./protocol.js').GirthAndDiameter;
 
   interface Bytes {
     bytes: Uint8Array<ArrayBuffer>;
@@ -108,57 +102,70 @@ declare module '*/girth.mjs' {
     ): Prepared | Failed;
     /** The surface of the arrays of one that was prepared. */
     exactSurface(positions: Float64Array, indices: Uint32Array): { surface: Surface } | Failed;
-    /** A surface of about so many faces. */
-    remesh(
+    /** The same with the numbers that its vertices have in the input. */
+    jobSurface(
       positions: Float64Array,
       indices: Uint32Array,
-      faces: number,
-      onProgress: OnProgress,
-    ): Described | Failed;
+      vertexOfInput: Uint32Array,
+      inputOfVertex: Uint32Array,
+    ): { surface: JobSurface } | Failed;
+    /** A surface of about so many faces. */
+    remesh(surface: JobSurface, faces: number, onProgress: OnProgress): Described | Failed;
+    /** Values of a remeshed surface at the vertices of the original one. */
     carryBack(
-      original: Arrays,
-      remeshed: Arrays,
+      original: JobSurface,
+      remeshed: JobSurface,
       values: Float64Array,
     ): { values: Float64Array<ArrayBuffer> } | Failed;
     /** Equation (1) of the paper. */
     difference(
-      one: Arrays & { values: Float64Array },
-      other: Arrays & { values: Float64Array },
+      one: JobSurface,
+      values: Float64Array,
+      other: JobSurface,
+      otherValues: Float64Array,
     ): { difference: number } | Failed;
-    vertexAreas(arrays: Arrays): { areas: Float64Array<ArrayBuffer> } | Failed;
-    tips(arrays: Arrays, girth: Float64Array): import('./types.js').Tips | Failed;
+    vertexAreas(surface: JobSurface): { areas: Float64Array<ArrayBuffer> } | Failed;
+    tips(surface: JobSurface, girth: Float64Array): import('./types.js').Tips | Failed;
     suggestedThresholds(
-      arrays: Arrays,
+      surface: JobSurface,
       fields: GirthAndDiameter,
     ): import('./types.js').PartThresholds | Failed;
     parts(
-      arrays: Arrays,
+      surface: JobSurface,
       fields: GirthAndDiameter,
       options: Required<import('./types.js').PartOptions>,
     ): import('./types.js').Parts | Failed;
     maxima(
-      arrays: Arrays,
+      surface: JobSurface,
       values: Float64Array,
       minima: boolean,
     ): { maxima: import('./types.js').Maximum[] } | Failed;
     weakPlaces(
-      arrays: Arrays,
+      surface: JobSurface,
       fields: GirthAndDiameter,
       limits: import('./types.js').PrintLimits,
     ): { places: import('./types.js').WeakPlace[] } | Failed;
     writeFields(
+      surface: JobSurface,
       model: WrittenModel,
       fields: readonly import('./types.js').NamedField[],
       format: string,
     ): Bytes | Failed;
-    writeTips(model: WrittenModel, girth: Float64Array, format: string): Bytes | Failed;
+    writeTips(
+      surface: JobSurface,
+      model: WrittenModel,
+      girth: Float64Array,
+      format: string,
+    ): Bytes | Failed;
     writeParts(
+      surface: JobSurface,
       model: WrittenModel,
       fields: GirthAndDiameter,
       options: Required<import('./types.js').PartOptions>,
       format: string,
     ): Bytes | Failed;
     writeWeakPlaces(
+      surface: JobSurface,
       model: WrittenModel,
       fields: GirthAndDiameter,
       limits: import('./types.js').PrintLimits,
@@ -166,6 +173,7 @@ declare module '*/girth.mjs' {
     ): Bytes | Failed;
     /** A file for each loop. */
     writeLoops(
+      surface: JobSurface,
       model: WrittenModel,
       points: readonly import('./types.js').SurfacePoint[],
       format: string,
@@ -203,27 +211,26 @@ declare module '*/girth-threads.mjs' {
 declare module '*/girth-studies.mjs' {
   type OnProgress = (fraction: number) => void;
 
-  export interface SpectralSurface {
-    field(
-      request: import('./protocol.js').SpectralRequest,
-      onProgress: OnProgress,
-    ): { values: Float64Array<ArrayBuffer>; method: string } | Failed;
-    heatMaxima(
-      request: import('./protocol.js').SpectralRequest,
-      onProgress: OnProgress,
-    ): { maxima: import('./types.js').Maximum[] } | Failed;
-    /** Lets go of the spectrum. */
-    forget(): void;
+  /** A surface with its spectrum, and with the one that its fields are compared on. */
+  export interface Surface {
     delete(): void;
   }
 
   export interface GirthStudiesModule {
-    spectralSurface(
-      arrays: import('./protocol.js').SurfaceArrays,
-    ): { surface: SpectralSurface } | Failed;
+    exactSurface(positions: Float64Array, indices: Uint32Array): { surface: Surface } | Failed;
+    spectralField(
+      surface: Surface,
+      request: import('./protocol.js').SpectralRequest,
+      onProgress: OnProgress,
+    ): { values: Float64Array<ArrayBuffer>; method: string } | Failed;
+    heatMaxima(
+      surface: Surface,
+      request: import('./protocol.js').SpectralRequest,
+      onProgress: OnProgress,
+    ): { maxima: import('./types.js').Maximum[] } | Failed;
     fieldGroups(descriptors: readonly string[]): { groups: string[] } | Failed;
     studyFields(
-      arrays: import('./protocol.js').SurfaceArrays,
+      surface: Surface,
       group: string,
       faces: number,
       onProgress: OnProgress,

@@ -1,16 +1,17 @@
 // The page's side of one worker: requests and answers as promises, surfaces handed over once, and a
 // worker that has died replaced on the next request.
 
-import { failure, fieldsOf, GirthError } from './errors.js';
+import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
 import type {
+  AdoptedArrays,
   Answer,
   Arguments,
   CommonOperations,
   Reply,
   Report,
   Request,
-  SurfaceArrays,
 } from './protocol.js';
+import { bytesOf, type SurfaceSource } from './surface-source.js';
 
 /** The part of `Worker` that is used here. */
 export interface WorkerLike {
@@ -19,12 +20,6 @@ export interface WorkerLike {
   onmessage: ((event: MessageEvent<Reply>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
   onmessageerror: ((event: MessageEvent) => void) | null;
-}
-
-/** A surface as the page knows it. */
-export interface SurfaceSource {
-  number: number;
-  arrays: SurfaceArrays;
 }
 
 /** A worker that has not started after this many milliseconds never will. */
@@ -36,6 +31,14 @@ interface Pending {
   onReport?: ((report: Report) => void) | undefined;
 }
 
+interface HeldSurface {
+  adopted: Promise<object>;
+  bytes: number;
+}
+
+/** The surfaces that a worker takes: with the arrays that its operation `adopt` asks for. */
+export type SourceFor<T> = SurfaceSource<AdoptedArrays<T>>;
+
 export class WorkerClient<T extends CommonOperations> {
   readonly #create: () => WorkerLike;
   readonly #threads: number;
@@ -44,8 +47,8 @@ export class WorkerClient<T extends CommonOperations> {
   #started: Promise<Answer<CommonOperations, 'start'>> | undefined;
   #lastId = 0;
   readonly #pending = new Map<number, Pending>();
-  /** Surfaces that the present worker has or is about to have. */
-  readonly #surfaces = new Map<number, Promise<object>>();
+  /** Surfaces that the present worker has or is about to have, the least recently used first. */
+  readonly #surfaces = new Map<number, HeldSurface>();
 
   /** Nothing happens before `start` or the first request. */
   constructor(create: () => WorkerLike, threads = 1) {
@@ -100,7 +103,7 @@ export class WorkerClient<T extends CommonOperations> {
 
   /** Asks the worker about a surface, which it is given first if it does not have it. */
   async requestOn<K extends keyof T & string>(
-    surface: SurfaceSource,
+    surface: SourceFor<T>,
     operation: K,
     args: Omit<Arguments<T, K>, 'surface'>,
     options: { onReport?: (report: Report) => void } = {},
@@ -110,21 +113,33 @@ export class WorkerClient<T extends CommonOperations> {
     return this.request(operation, whole, options);
   }
 
-  /** Gives the worker a surface, once. */
-  async adopt({ number, arrays }: SurfaceSource): Promise<void> {
+  /** Gives the worker a surface, once. CANCELLED where the surface's mesh has been disposed of. */
+  async adopt(surface: SourceFor<T>): Promise<void> {
     await this.start();
-    let adopted = this.#surfaces.get(number);
-    if (!adopted) {
-      adopted = this.#post('adopt', { surface: number, arrays }, []);
-      this.#surfaces.set(number, adopted);
-      adopted.catch(() => this.#surfaces.delete(number));
+    const { number, arrays, life } = surface;
+    if (life.aborted) throw cancelled();
+    let held = this.#surfaces.get(number);
+    if (held) {
+      this.#surfaces.delete(number);
+    } else {
+      const adopted = this.#post('adopt', { surface: number, arrays }, []);
+      const made = (held = { adopted, bytes: bytesOf(surface) });
+      adopted.catch(() => {
+        if (this.#surfaces.get(number) === made) this.#surfaces.delete(number);
+      });
     }
-    await adopted;
+    this.#surfaces.set(number, held);
+    await held.adopted;
   }
 
-  /** Whether the worker has been given the surface. */
+  /** Whether the present worker has been given the surface. */
   knows(surface: number): boolean {
     return this.#surfaces.has(surface);
+  }
+
+  /** Bytes of each surface that the present worker has, the least recently used first. */
+  get held(): ReadonlyMap<number, number> {
+    return new Map([...this.#surfaces].map(([number, { bytes }]) => [number, bytes]));
   }
 
   /** Frees a surface in the worker. */

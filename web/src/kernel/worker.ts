@@ -2,16 +2,11 @@
 
 import createModule, { type GirthModule, type Surface } from './wasm/girth.mjs';
 import type { SingleOperations } from './protocol.js';
+import { SurfaceStore } from './surface-store.js';
 import { checked, serveRequests } from './worker-loop.js';
 
 let module: GirthModule;
-const surfaces = new Map<number, Surface>();
-
-function surfaceOf(number: number): Surface {
-  const surface = surfaces.get(number);
-  if (!surface) throw new Error(`surface ${number} is not known to this worker`);
-  return surface;
-}
+const surfaces = new SurfaceStore<Surface>();
 
 serveRequests<SingleOperations>({
   async start() {
@@ -21,26 +16,26 @@ serveRequests<SingleOperations>({
 
   adopt({ surface, arrays }) {
     const { positions, indices } = arrays;
-    surfaces.set(surface, checked(module.exactSurface(positions, indices)).surface);
+    surfaces.add(surface, checked(module.exactSurface(positions, indices)).surface);
     return {};
   },
 
   order({ surface }) {
-    return { order: checked(surfaceOf(surface).order()) };
+    return { order: checked(surfaces.get(surface).order()) };
   },
 
   values({ surface, field, vertices }) {
     const from = performance.now();
-    const { values, kinds } = checked(surfaceOf(surface).values(field, vertices));
+    const { values, kinds } = checked(surfaces.get(surface).values(field, vertices));
     return { values, kinds, milliseconds: performance.now() - from };
   },
 
   about({ surface, field, withoutValue }) {
-    return checked(surfaceOf(surface).about(field, withoutValue));
+    return checked(surfaces.get(surface).about(field, withoutValue));
   },
 
   loop({ surface: number, point }) {
-    const surface = surfaceOf(number);
+    const surface = surfaces.get(number);
     return checked(
       typeof point === 'number'
         ? surface.loopAtVertex(point)
@@ -49,8 +44,7 @@ serveRequests<SingleOperations>({
   },
 
   drop({ surface }) {
-    surfaces.get(surface)?.delete();
-    surfaces.delete(surface);
+    surfaces.drop(surface);
     return {};
   },
 });

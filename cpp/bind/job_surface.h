@@ -1,0 +1,41 @@
+// A surface that a worker for jobs keeps from one job to the next.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "described.h"
+#include "girth/io/read_mesh.h"
+
+namespace girth::bind {
+
+class JobSurface {
+ public:
+  /// `vertexOfInput` and `inputOfVertex` are those of `PreparedSurface`.
+  JobSurface(SurfaceMesh mesh, std::vector<Index> vertexOfInput, std::vector<Index> inputOfVertex)
+      : loaded_{{std::move(mesh), std::move(vertexOfInput), std::move(inputOfVertex), {}, {}, {}},
+                io::Format::Obj,
+                {},
+                {}},
+        origin_(drawingOrigin(loaded_.mesh)) {}
+  JobSurface(const JobSurface&) = delete;
+  JobSurface& operator=(const JobSurface&) = delete;
+
+  const SurfaceMesh& mesh() const { return loaded_.mesh; }
+
+  /// What points on the surface are drawn from.
+  const Vec3& origin() const { return origin_; }
+
+  /// As the writers take it, with its lengths in a unit: 'metre', or ''. Valid until the next call.
+  const io::LoadedMesh& inUnit(std::string unit) {
+    loaded_.unit = std::move(unit);
+    return loaded_;
+  }
+
+ private:
+  io::LoadedMesh loaded_;
+  Vec3 origin_;
+};
+
+}  // namespace girth::bind

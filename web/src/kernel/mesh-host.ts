@@ -1,0 +1,45 @@
+// What a mesh asks of the kernel that made it.
+
+import type { JobNeeds } from './job-pool.js';
+import type {
+  Answer,
+  FieldRequest,
+  JobOperations,
+  SingleOperations,
+  StudiesOperations,
+  SurfaceArrays,
+} from './protocol.js';
+import type { SurfaceSource } from './surface-source.js';
+import type { CallOptions, Field, FieldOptions, SurfacePoint } from './types.js';
+import type { WorkerClient } from './worker-client.js';
+
+/** All promises fail with CANCELLED when a surface's life ends or the kernel is disposed of. */
+export interface MeshHost {
+  /** Numbers a surface, and prepares the worker that answers for loops. */
+  introduce(arrays: SurfaceArrays, life: AbortSignal): SurfaceSource;
+  /** A field of a surface. Fields are computed one after the other, each by all workers. */
+  field(
+    surface: SurfaceSource,
+    request: FieldRequest,
+    options: FieldOptions,
+  ): Promise<Omit<Field, 'unit'>>;
+  loop(
+    surface: SurfaceSource,
+    point: SurfacePoint,
+    options: CallOptions,
+  ): Promise<Answer<SingleOperations, 'loop'>>;
+  /** Runs a job in a worker of its own. The worker is ended when the signal fires. */
+  job<R>(
+    needs: JobNeeds,
+    signal: AbortSignal | undefined,
+    job: (worker: WorkerClient<JobOperations>) => Promise<R>,
+  ): Promise<R>;
+  /** The same for a job that needs the surface's spectrum. */
+  spectralJob<R>(
+    needs: JobNeeds,
+    signal: AbortSignal | undefined,
+    job: (worker: WorkerClient<StudiesOperations>) => Promise<R>,
+  ): Promise<R>;
+  /** Frees a surface in the workers for fields and loops. */
+  drop(surface: number): void;
+}
