@@ -1,4 +1,4 @@
-// Tips, tubes and plates, and what they are weighed with.
+// Tips, parts, maxima and weak places of a surface, and the areas of its vertices.
 
 #include "analysis.h"
 

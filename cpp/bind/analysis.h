@@ -1,4 +1,4 @@
-// Tips and parts as JavaScript asks for them: shared by what computes them and what writes them.
+// Arguments of the functions that compute and write tips and parts.
 #pragma once
 
 #include <emscripten/val.h>
@@ -29,7 +29,7 @@ inline PrintLimits limitsOf(const emscripten::val& limits) {
   return {limits["tubeDiameter"].as<double>(), limits["wallThickness"].as<double>()};
 }
 
-/// What is too thin; or why that cannot be said.
+/// The weak places, or why the surface cannot be checked.
 inline Result<std::vector<WeakPlace>> checkedPlaces(const SurfaceMesh& mesh,
                                                     const GirthAndDiameter& values,
                                                     const PrintLimits& limits) {

@@ -1,4 +1,5 @@
-// The boundary to JavaScript: arrays are copied both ways, failures become plain objects.
+// What crosses between C++ and JavaScript: arrays are copied both ways, failures become plain
+// objects.
 #pragma once
 
 #include <emscripten/val.h>
@@ -17,8 +18,8 @@
 
 namespace girth::bind {
 
-/// {code, element, message, hint}, as `GirthErrorFields` of types.ts. Anything else that a function
-/// of the modules returns has no property `code`.
+/// {code, element, message, hint}: `GirthErrorFields` of types.ts. No other result of a function of
+/// the modules has a property `code`.
 inline emscripten::val toJs(const Error& error) {
   emscripten::val object = emscripten::val::object();
   object.set("code", std::string(toString(error.code)));
@@ -28,8 +29,8 @@ inline emscripten::val toJs(const Error& error) {
   return object;
 }
 
-/// Runs `body`; an exception comes back as an error. None may leave a module: JavaScript would see
-/// nothing but a number.
+/// Runs `body` and returns its result. An exception is returned as an error: JavaScript would see
+/// only a number.
 template <class Body>
 emscripten::val guarded(Body&& body) {
   try {
@@ -43,14 +44,14 @@ emscripten::val guarded(Body&& body) {
   }
 }
 
-/// A typed array of JavaScript's own memory. A view into the heap would die when the heap grows.
+/// A typed array with its own memory. A view into the heap would be detached when the heap grows.
 template <class T>
 emscripten::val copyOut(const char* typedArray, std::span<const T> content) {
   return emscripten::val::global(typedArray)
       .new_(emscripten::typed_memory_view(content.size(), content.data()));
 }
 
-/// The content of a typed array whose elements are of type T.
+/// A copy of a typed array whose elements are of type T.
 template <class T>
 std::vector<T> copyIn(const emscripten::val& typedArray) {
   std::vector<T> content(typedArray["length"].as<std::size_t>());
@@ -60,7 +61,7 @@ std::vector<T> copyIn(const emscripten::val& typedArray) {
   return content;
 }
 
-/// The content of a Uint8Array.
+/// A copy of a Uint8Array.
 inline std::vector<std::byte> copyInBytes(const emscripten::val& typedArray) {
   std::vector<std::byte> content(typedArray["length"].as<std::size_t>());
   const auto* first = reinterpret_cast<const std::uint8_t*>(content.data());
@@ -69,7 +70,7 @@ inline std::vector<std::byte> copyInBytes(const emscripten::val& typedArray) {
   return content;
 }
 
-/// {bytes}, a file's content as Uint8Array, or an error.
+/// {bytes}: a file's content as Uint8Array; or an error.
 inline emscripten::val fileOf(const Result<std::string>& content) {
   if (!content) return toJs(content.error());
   const auto* first = reinterpret_cast<const std::uint8_t*>(content.value().data());
@@ -78,8 +79,8 @@ inline emscripten::val fileOf(const Result<std::string>& content) {
   return result;
 }
 
-/// For the modules without threads: tells JavaScript the finished share; nothing else can be told
-/// or heard while a module works.
+/// For the modules without threads: reports the finished share to JavaScript. Such a module cannot
+/// be cancelled while it works; its worker is ended instead.
 inline ExecutionContext reportingTo(const emscripten::val& onProgress) {
   ExecutionContext context;
   context.threads = 1;
@@ -87,15 +88,15 @@ inline ExecutionContext reportingTo(const emscripten::val& onProgress) {
   return context;
 }
 
-/// The surface of a prepared one's arrays, a Float64Array and a Uint32Array: the same, bit for bit.
+/// The surface of a prepared surface's arrays (Float64Array, Uint32Array): the same, bit for bit.
 inline Result<SurfaceMesh> surfaceOf(const emscripten::val& positions,
                                      const emscripten::val& indices) {
   return SurfaceMesh::fromArrays(copyIn<double>(positions), copyIn<Index>(indices),
                                  OpenEdges::Boundary);
 }
 
-/// {surface}, an `Owner` made of the surface of a prepared one's arrays, or an error; the owner is
-/// the caller's to delete.
+/// {surface}: an `Owner` of the surface of a prepared surface's arrays, which JavaScript must
+/// delete; or an error.
 template <class Owner>
 emscripten::val exactSurface(const emscripten::val& positions, const emscripten::val& indices) {
   return guarded([&] {

@@ -110,8 +110,8 @@ val compare(const val& models, const val& names, const val& onProgress) {
     const unsigned count = models["length"].as<unsigned>();
     const std::vector<std::string> terms = study::termsOf(descriptors.value());
     study::SignatureOptions options;
-    // Of a few models nearly every feature is a word of its own: counted to the nearest one only,
-    // all models would be equally far apart.
+    // In a few models nearly every feature becomes a word of its own. With each feature counted for
+    // its nearest word only, all models would be equally far apart.
     options.words = study::WordChoice::Soft;
     const auto signatures = std::make_shared<Signatures>(terms, count, options);
     for (unsigned m = 0; m < count; ++m) signatures->add(m, fieldsOf(models[m]));

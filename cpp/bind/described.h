@@ -1,5 +1,5 @@
-// Surfaces and points of them as JavaScript gets them. Points are drawn with 32-bit numbers, which
-// keep their precision only near their origin.
+// Surfaces and their points as JavaScript receives them. Points are drawn with 32-bit numbers,
+// which are precise only near their origin.
 #pragma once
 
 #include <emscripten/val.h>
@@ -15,9 +15,9 @@
 
 namespace girth::bind {
 
-/// What drawn points are counted from (`Mesh.geometry.origin` of types.ts): that of the
-/// coordinates, but for surfaces that lie more than 64 times their size away from it, as scans of
-/// places on Earth do. Those are counted from their middle. Linear in the vertices.
+/// What drawn points are relative to (`MeshGeometry.origin` of types.ts): 0, 0, 0; for surfaces
+/// that lie more than 64 times their size away from it, such as scans of places on Earth, their
+/// middle. Linear in the vertices.
 inline Vec3 drawingOrigin(const SurfaceMesh& mesh) {
   constexpr double kFar = 64;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -34,7 +34,7 @@ inline Vec3 drawingOrigin(const SurfaceMesh& mesh) {
   return away > kFar * size ? middle : Vec3{0, 0, 0};
 }
 
-/// x, y, z of each point, from the origin: a Float32Array.
+/// x, y, z of each point, relative to the origin, as Float32Array.
 inline emscripten::val drawnPoints(std::span<const Vec3> points, const Vec3& origin) {
   std::vector<float> numbers;
   numbers.reserve(3 * points.size());
@@ -55,7 +55,7 @@ inline emscripten::val tripleOf(const Vec3& p) {
   return triple;
 }
 
-/// A surface's arrays and what can be told from them: `Described` of wasm-modules.d.ts.
+/// A surface's arrays and what follows from them: `Described` of wasm-modules.d.ts.
 inline emscripten::val describe(const SurfaceMesh& mesh) {
   emscripten::val genus = emscripten::val::array();
   emscripten::val boundaries = emscripten::val::array();

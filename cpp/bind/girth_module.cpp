@@ -1,5 +1,5 @@
-// girth.mjs, the module without threads: here, values and loops, vertex by vertex. Each worker of a
-// pool has one, and so has the worker that answers for the pointer.
+// girth.mjs, the module without threads: values and loops, vertex by vertex. Each worker of a pool
+// has an instance, and so has the worker that answers for the pointer.
 
 #include <emscripten/bind.h>
 
@@ -19,14 +19,14 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
-/// As files name it.
+/// The method of a field, as files name it.
 std::string methodOf(const FieldRequest& request) {
   if (request.name == "sdf") return io::methodText(request.shapeDiameter);
   const bool isExtent = request.name == "geoaverage" || request.name == "geofarthest";
   return std::string(io::toString(isExtent ? request.distances : DistanceMethod::Exact));
 }
 
-/// What people are to know of the values, of which so many are missing.
+/// What a user should know of a field's values, of which so many are missing.
 std::string noteOf(const FieldRequest& request, const SurfaceMesh& mesh, Index withoutValue) {
   if (request.name == "sdf") {
     return shapeDiameterNote(isInsideOut(mesh), withoutValue, mesh.vertexCount());
@@ -36,7 +36,7 @@ std::string noteOf(const FieldRequest& request, const SurfaceMesh& mesh, Index w
 
 using AnyEvaluator = std::variant<VertexEvaluator<GirthValue>, VertexEvaluator<double>>;
 
-/// A surface, and what works on it: made when it is first asked for.
+/// A surface, with a solver and an evaluator that are made when they are first needed.
 class Surface {
  public:
   explicit Surface(SurfaceMesh mesh) : mesh_(std::move(mesh)), origin_(drawingOrigin(mesh_)) {}
@@ -75,7 +75,7 @@ class Surface {
     });
   }
 
-  /// {method, note}: what is to be said of a field, of which so many vertices have no value.
+  /// {method, note} of a field, of which so many vertices have no value.
   val about(const val& field, Index withoutValue) const {
     return guarded([&] {
       const FieldRequest request = requestOf(field);
@@ -89,7 +89,7 @@ class Surface {
   /// The loop at a vertex, as `FoundLoop` of wasm-modules.d.ts, or an error.
   val loopAtVertex(Index vertex) { return loop(SurfacePoint::atVertex(vertex)); }
 
-  /// The loop at a point of a face, given by the shares of the face's vertices.
+  /// The loop at a point of a face, given by the weights of the face's vertices.
   val loopInFace(Index face, double a, double b, double c) {
     return loop(SurfacePoint::inFace(face, {a, b, c}));
   }

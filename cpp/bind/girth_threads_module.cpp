@@ -1,4 +1,4 @@
-// girth-threads.mjs, the module with threads: whole fields, for pages that are cross-origin
+// girth-threads.mjs, the module with threads: whole fields, on pages that are cross-origin
 // isolated.
 
 #include <emscripten/bind.h>
@@ -16,7 +16,7 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
-/// Set from JavaScript, in another thread, through the view that `cancelFlag` returns.
+/// JavaScript sets it in another thread, through the view that `cancelFlag` returns.
 std::atomic<bool> cancelled{false};
 static_assert(sizeof(cancelled) == 1 && std::atomic<bool>::is_always_lock_free);
 
@@ -29,8 +29,8 @@ class Surface {
  public:
   explicit Surface(SurfaceMesh mesh) : mesh_(std::move(mesh)) {}
 
-  /// A field (`FieldRequest`) at all vertices: {complete}, or an error. Hands each value out once,
-  /// meanwhile, by `onPartial({vertices, values, kinds})`, and returns early once the flag is set.
+  /// A field (`FieldRequest`) at all vertices: {complete}, or an error. Passes each value once to
+  /// `onPartial({vertices, values, kinds})` while it runs. Returns early when the flag is set.
   val field(const val& wanted, unsigned threads, const val& onPartial) const {
     return guarded([&] {
       const FieldRequest request = requestOf(wanted);

@@ -12,7 +12,8 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
-/// {surface} of a prepared surface's arrays, or an error; the surface is the caller's to delete.
+/// {surface}: a `JobSurface` of a prepared surface's arrays, which JavaScript must delete; or an
+/// error.
 val jobSurface(const val& positions, const val& indices, const val& vertexOfInput,
                const val& inputOfVertex) {
   return guarded([&] {

@@ -24,10 +24,11 @@ class JobSurface {
 
   const SurfaceMesh& mesh() const { return loaded_.mesh; }
 
-  /// What points on the surface are drawn from.
+  /// What drawn points of the surface are relative to.
   const Vec3& origin() const { return origin_; }
 
-  /// As the writers take it, with its lengths in a unit: 'metre', or ''. Valid until the next call.
+  /// The surface as writers take it, with a unit for its lengths: 'metre', or ''. The reference is
+  /// the same for every call.
   const io::LoadedMesh& inUnit(std::string unit) {
     loaded_.unit = std::move(unit);
     return loaded_;

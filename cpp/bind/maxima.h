@@ -1,4 +1,4 @@
-// Maxima of fields as JavaScript gets them.
+// Maxima of fields as JavaScript receives them.
 #pragma once
 
 #include <emscripten/val.h>

@@ -1,4 +1,4 @@
-// Reading and preparing surfaces: bytes or arrays in, arrays and the account of what was done out.
+// Reading and preparing surfaces: bytes or arrays in; arrays and a report out.
 
 #include <emscripten/bind.h>
 
@@ -57,7 +57,7 @@ val accountOf(const PreparationReport& report) {
   return result;
 }
 
-/// `Prepared` of wasm-modules.d.ts, but for what the file says.
+/// `Prepared` of wasm-modules.d.ts, without what the file states.
 val describePrepared(const PreparedSurface& prepared) {
   val parts = val::array();
   for (const SurfacePart& part : prepared.parts) {
@@ -74,7 +74,7 @@ val describePrepared(const PreparedSurface& prepared) {
   return result;
 }
 
-/// Asks JavaScript for a file that a model refers to.
+/// A reader that obtains the files that a model refers to from JavaScript.
 io::ResourceReader readerOf(const val& resource) {
   return [resource](std::string_view name) -> std::optional<std::vector<std::byte>> {
     const val bytes = resource(std::string(name));
@@ -83,12 +83,12 @@ io::ResourceReader readerOf(const val& resource) {
   };
 }
 
-/// The model of a file's bytes (a Uint8Array), which are gone from the memory when it returns.
+/// The model of a file's bytes (a Uint8Array). Their copy is freed before it returns.
 Result<io::ReadModel> modelOf(const val& bytes, const std::string& name, const val& resource) {
   return io::readModel(copyInBytes(bytes), name, readerOf(resource));
 }
 
-/// A prepared surface of a file's bytes, or an error.
+/// The prepared surface of a file's bytes, or an error.
 val readSurface(const val& bytes, const std::string& name, const val& resource, const val& options,
                 const val& onProgress) {
   return guarded([&] {
@@ -108,7 +108,7 @@ val readSurface(const val& bytes, const std::string& name, const val& resource, 
   });
 }
 
-/// A prepared surface of a Float64Array and a Uint32Array, or an error.
+/// The prepared surface of a Float64Array and a Uint32Array, or an error.
 val surfaceFromArrays(const val& positions, const val& indices, const val& options,
                       const val& onProgress) {
   return guarded([&] {

@@ -1,4 +1,4 @@
-// Other triangles for the same surface, and fields from one triangulation to another.
+// Remeshing, and fields carried from one mesh of a surface to another.
 
 #include "girth/remesh.h"
 
@@ -16,7 +16,7 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
-/// The girth differs by at most twice the distance along the surface, but where it jumps
+/// The girth differs by at most twice the distance along the surface, except where it jumps
 /// (web/docs/definitions.md, section 2).
 constexpr double kSteepestGirth = 2;
 

@@ -1,4 +1,4 @@
-// Fields made of a surface's vibrations.
+// Fields and maxima that are computed from a surface's spectrum.
 
 #include <emscripten/bind.h>
 
@@ -47,7 +47,7 @@ val spectralField(StudiesSurface& surface, const val& request, const val& onProg
     const Result<VertexSignatures> signatures = signaturesOf(surface, name, request);
     if (!signatures) return toJs(signatures.error());
     const std::size_t dimensions = signatures.value().dimensions;
-    // Counted from 1, as the command does. Of 'hks', only one time was asked for.
+    // Counted from 1, as in the command. 'hks' is computed at one time only.
     const std::size_t component = name == "hks" ? 1 : countOf(request["component"]);
     if (component < 1 || component > dimensions) {
       return toJs(

@@ -1,4 +1,4 @@
-// A surface as the module for studies keeps it, with what is made of it for several requests.
+// A surface that a worker for studies keeps, with what several requests need of it.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ class StudiesSurface {
   const SurfaceMesh& mesh() const { return mesh_; }
 
   /// Computes the spectrum of so many eigenpairs, unless the last call did. Errors: those of
-  /// spectrum.h. A context that reports is only used where there is something to compute.
+  /// spectrum.h.
   std::optional<Error> prepareSpectrum(Index pairs, const ExecutionContext& context) {
     if (spectrum_ && pairs == pairs_) return std::nullopt;
     spectrum_.reset();  // its memory first

@@ -1,4 +1,4 @@
-// Functions of the vertices as JavaScript asks for them.
+// Vertex fields by the requests of JavaScript.
 #pragma once
 
 #include <emscripten/val.h>
@@ -28,7 +28,7 @@ struct FieldRequest {
 };
 
 inline FieldRequest requestOf(const emscripten::val& request) {
-  // Numbers that are no counts become one that the core refuses.
+  // A number that is no count becomes 0, which the core refuses.
   const double rays = request["rays"].as<double>();
   const bool isCount = rays >= 0 && rays < 1e9;
   return {request["name"].as<std::string>(),
@@ -37,7 +37,7 @@ inline FieldRequest requestOf(const emscripten::val& request) {
                                                             : DistanceMethod::FastMarching};
 }
 
-/// A function with lengths and their kinds, or with numbers alone.
+/// A function with lengths and their kinds, or with plain numbers.
 using AnyFunction = std::variant<VertexFunction<GirthValue>, VertexFunction<double>>;
 
 inline Result<AnyFunction> functionOf(const SurfaceMesh& mesh, const FieldRequest& request) {
@@ -57,7 +57,7 @@ inline Result<AnyFunction> functionOf(const SurfaceMesh& mesh, const FieldReques
   return makeError(ErrorCode::Usage, -1, "there is no field '" + request.name + "'");
 }
 
-/// Values as JavaScript has them: `kinds` only of the girth.
+/// Values as JavaScript receives them. Only the girth has `kinds`.
 struct ValueArrays {
   std::vector<double> values;
   std::vector<std::uint8_t> kinds;

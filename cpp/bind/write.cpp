@@ -1,4 +1,4 @@
-// Fields, loops, tips and parts as files.
+// Files with fields, loops, tips, parts and weak places.
 
 #include <emscripten/bind.h>
 

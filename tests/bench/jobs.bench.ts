@@ -6,7 +6,8 @@ import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, test } from 'vitest';
 import type { Field } from '../../web/src/kernel/index.js';
 import type { KernelPage } from '../browser/kernel-page.js';
-import { buildKernelSite, kernelHtml, kernelSite } from '../browser/kernel-site.js';
+import { buildKernelSite, kernelSite } from '../browser/build-kernel-site.js';
+import { kernelHtml } from '../browser/kernel-site.js';
 import { thinRing } from '../browser/meshes.js';
 import { chromiumForTests, serve, type StaticServer } from '../browser/support.js';
 import { quantile } from './figures.js';
@@ -14,7 +15,7 @@ import { quantile } from './figures.js';
 /** Inside `page.evaluate` only. */
 declare const girth: KernelPage;
 
-const turns = 9;
+const turns = 5;
 
 const openPage = chromiumForTests();
 let server: StaticServer;

@@ -3,8 +3,8 @@
 import { cancelled } from './errors.js';
 
 /**
- * A signal that fires when one of several does. `release` lets go of them when the work is done:
- * a page's signal may live as long as the page.
+ * A signal that fires when one of several does. Call `release` when the work is done, to remove the
+ * listeners: a page's signal may live as long as the page.
  */
 export function linked(signals: (AbortSignal | undefined)[]): {
   signal: AbortSignal;

@@ -1,4 +1,4 @@
-// Shapes compared by descriptors: the fields of each one, two at a time, then their distances.
+// Comparing shapes by descriptors: first the fields of each shape, two shapes at a time, then the distances.
 
 import { fieldsOf, GirthError } from './errors.js';
 import type { JobPool } from './job-pool.js';
@@ -9,7 +9,7 @@ import type { CompareOptions, Comparison } from './types.js';
 /** Groups of fields that have been computed, by the number of faces and their name. */
 const known = new WeakMap<SurfaceSource, Map<string, StudyFields>>();
 
-/** The share of the work that computing the fields is. */
+/** The share of the work that the fields are. */
 const fieldsShare = 0.95;
 
 export async function compareShapes(
@@ -22,10 +22,10 @@ export async function compareShapes(
     worker.request('fieldGroups', { descriptors }),
   );
   const shares = surfaces.map(() => 0);
-  let told = 0;
-  const tell = (progress: number) => {
-    if (signal.aborted || progress <= told) return;
-    told = progress;
+  let reported = 0;
+  const report = (progress: number) => {
+    if (signal.aborted || progress <= reported) return;
+    reported = progress;
     onProgress?.(progress);
   };
   const fieldsOfSurface = async (surface: SurfaceSource, place: number): Promise<StudyFields[]> => {
@@ -34,7 +34,7 @@ export async function compareShapes(
       found.push(
         await studyFields(pool, surface, group, faces, signal, (share) => {
           shares[place] = (found.length + share) / groups.length;
-          tell((fieldsShare * shares.reduce((sum, one) => sum + one, 0)) / surfaces.length);
+          report((fieldsShare * shares.reduce((sum, one) => sum + one, 0)) / surfaces.length);
         }),
       );
     }
@@ -58,7 +58,7 @@ export async function compareShapes(
   const { matrices } = await pool.run(signal, { passing }, (worker) =>
     worker.request('compare', { models, descriptors }),
   );
-  tell(1);
+  report(1);
   return {
     matrices: descriptors.map((descriptor, d) => ({
       descriptor,
@@ -94,7 +94,7 @@ async function studyFields(
 const bytesOf = (fields: StudyFields['fields']) =>
   fields.reduce((sum, { values }) => sum + values.byteLength, 0);
 
-/** A matrix of some shapes as one of all, NaN for the others. */
+/** A matrix of some shapes as a matrix of all, NaN for the others. */
 function spread(matrix: Float64Array, places: readonly number[], count: number): Float64Array {
   const whole = new Float64Array(count * count).fill(NaN);
   places.forEach((i, row) => {

@@ -3,8 +3,8 @@
 import type { GirthErrorFields } from './types.js';
 
 /**
- * The codes that can arise outside the C++ core, with the remedies of `error_codes.def`; a test
- * keeps the two alike. All other codes come from the core, with their hints.
+ * The codes that arise outside the C++ core, with the hints of `error_codes.def`. A test keeps the two
+ * equal. All other codes come from the core, with their hints.
  */
 export const hints = {
   USAGE: 'see girth --help',
@@ -23,17 +23,18 @@ export const hints = {
   INTERNAL: 'please report this with the model',
 } as const;
 
-/** Every failure of the kernel. `code` is stable; `message` and `hint` are for people. */
+/** Every failure of the kernel. The code is stable; message and hint are for people. */
 export class GirthError extends Error implements GirthErrorFields {
-  /** Always 'GirthError'. */
+  /** Distinguishes it from other errors, as `instanceof` does. */
   override readonly name = 'GirthError';
-  /** One of the table in `error_codes.def`: 'OPEN_EDGE'. */
+  /** A stable code, one of those in `error_codes.def`: 'OPEN_EDGE'. */
   readonly code: string;
-  /** The first offending vertex, face, line or byte, as the message says; -1 where there is none. */
+  /** The first offending vertex, face, line or byte, as the message states; -1 where there is none. */
   readonly element: number;
   /** What to do about it. */
   readonly hint: string;
 
+  /** An error of these fields. The options may carry its cause. */
   constructor(fields: GirthErrorFields, options?: ErrorOptions) {
     super(fields.message, options);
     this.code = fields.code;
@@ -57,7 +58,7 @@ export function cancelled(message = 'cancelled', reason?: unknown): GirthError {
   return failure('CANCELLED', message, reason === undefined ? undefined : { cause: reason });
 }
 
-/** Whatever was thrown, as fields: JavaScript and wasm say "out of memory" in several ways. */
+/** Whatever was thrown, as fields. JavaScript and WebAssembly have several wordings of 'out of memory'. */
 export function fieldsOf(thrown: unknown): GirthErrorFields {
   if (thrown instanceof GirthError) {
     const { code, element, message, hint } = thrown;

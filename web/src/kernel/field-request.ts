@@ -1,4 +1,4 @@
-// Fields as workers are asked for them.
+// The requests for fields that workers receive.
 
 import { failure } from './errors.js';
 import type { FieldRequest, SpectralRequest } from './protocol.js';
@@ -30,7 +30,7 @@ export const isLength = (name: string) =>
 export const isSpectral = (name: FieldName): name is SpectralFieldName =>
   name === 'hks' || name === 'wks' || name === 'sihks';
 
-/** Whether each value also says how it came about. */
+/** Whether each value has a kind. */
 export const hasKinds = ({ name }: FieldRequest) => name === 'igf';
 
 /** Throws where there is no such field. */
@@ -48,14 +48,14 @@ export function unitOf(name: FieldName, unit: string): string {
   return kind === 'density' && unit !== '' ? `1/${unit}²` : '';
 }
 
-/** The request with everything that the caller did not say. The core checks the numbers. */
+/** The request with defaults for what the caller left out. The core checks the numbers. */
 export function fieldRequest(name: VertexFieldName, options: FieldOptions): FieldRequest {
   const { sdf: { coneAngle = (2 * Math.PI) / 3, rays = 30 } = {}, distances = 'fast-marching' } =
     options;
   return { name, coneAngle, rays, distances };
 }
 
-/** The same for a field made of vibrations. */
+/** The same for a spectral field. */
 export function spectralRequest(
   name: SpectralFieldName,
   { pairs = 300, time = 2e-3, component = name === 'wks' ? 20 : 1 }: SpectralOptions = {},
@@ -63,7 +63,7 @@ export function spectralRequest(
   return { name, pairs, time, component };
 }
 
-/** Which number of its signature a field is, in words; '' for the usual one. */
+/** Which number of its signature a field is, in words; '' for the default. */
 export function spectralNote({ name, time, component }: SpectralRequest): string {
   const usual = spectralRequest(name);
   if (name === 'hks') return time === usual.time ? '' : `heat after the time ${time} of the area`;

@@ -1,18 +1,18 @@
-// One computation of a field, apart from who computes it: collects what is finished, reports it
-// evenly, and ends exactly once, also when it is stopped.
+// One computation of a field, independent of the engine: it collects finished values and reports them at
+// intervals.
 
 import type { FieldRequest } from './protocol.js';
 import type { SurfaceSource } from './surface-source.js';
 import type { FieldOptions, PartialField } from './types.js';
 
-/** Reports closer together than this are put together: the page draws each of them. */
+/** Reports that would follow each other faster than this are joined: the page draws each of them. */
 const reportMilliseconds = 40;
 
 /** Computes whole fields, one at a time. */
 export interface FieldEngine {
   /**
-   * Calls `run.add` with new values until all are there. When `signal` fires it stops the work;
-   * the promise may settle later than that, once the workers are free again.
+   * Calls `run.add` with new values until all are there. Stops when `signal` fires. The promise settles
+   * when the workers are free again, which may be later.
    */
   compute(
     surface: SurfaceSource,
@@ -24,7 +24,7 @@ export interface FieldEngine {
 
 export class FieldRun {
   readonly values: Float64Array<ArrayBuffer>;
-  /** Empty where the field has none. */
+  /** Empty where the field has no kinds. */
   readonly kinds: Uint8Array<ArrayBuffer>;
   readonly #options: FieldOptions;
   readonly #now: () => number;
@@ -49,7 +49,7 @@ export class FieldRun {
     return this.#done === this.values.length;
   }
 
-  /** Takes finished values. No vertex comes twice. */
+  /** Adds finished values. No vertex comes twice. */
   add(partial: PartialField): void {
     partial.vertices.forEach((vertex, i) => {
       this.values[vertex] = partial.values[i]!;
@@ -60,7 +60,7 @@ export class FieldRun {
     if (this.complete || this.#now() - this.#reportedAt >= reportMilliseconds) this.flush();
   }
 
-  /** Reports what has not been reported. */
+  /** Reports the values that have not been reported. */
   flush(): void {
     if (this.#unreported.length === 0) return;
     const partials = this.#unreported;
@@ -75,7 +75,7 @@ export class FieldRun {
   }
 }
 
-/** The smallest and the largest value, NaN twice where there is none, and how many are missing. */
+/** The smallest and the largest value (NaN twice where there is none), and how many are missing. */
 export function summaryOf(values: Float64Array): { range: [number, number]; withoutValue: number } {
   let [low, high] = [Infinity, -Infinity];
   let withoutValue = 0;

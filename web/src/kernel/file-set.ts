@@ -1,9 +1,9 @@
-// The files that were given together: which of them are models, and what a model refers to.
+// Files that were given together: which of them are models, and which of them a model refers to.
 
 import { failure } from './errors.js';
 import { isZip, safePath, unpack, unpackBudget, zipEntries } from './zip.js';
 
-/** A file of the set, whose bytes are got when they are needed. */
+/** A file of the set. Its bytes are read when they are needed. */
 export interface SetFile {
   /** Relative to the set, with '/' between folders. */
   path: string;
@@ -13,10 +13,10 @@ export interface SetFile {
 
 const modelEnding = /\.(glb|gltf|obj|off|ply|stl)$/i;
 const zipEnding = /\.zip$/i;
-/** Files with these endings come along with models and are none. */
+/** Files with these endings accompany models. */
 const otherEnding = /\.(bin|bmp|gif|jpe?g|ktx2?|md|mtl|pdf|png|txt|webp|tiff?|tga)$/i;
 
-/** Whether a file that does not say so by its name begins like a model. */
+/** Whether a file begins like a model, whatever its name. */
 export function looksLikeModel(head: Uint8Array): boolean {
   const text = String.fromCharCode(...head.subarray(0, 256));
   return (
@@ -25,7 +25,7 @@ export function looksLikeModel(head: Uint8Array): boolean {
   );
 }
 
-/** Without folders first, then by name, numbers in their order. */
+/** Orders paths by the number of folders, then by name; numbers in names by their value. */
 function compare(a: string, b: string): number {
   const depth = (path: string) => path.split('/').length;
   return depth(a) - depth(b) || a.localeCompare(b, 'en', { numeric: true });
@@ -33,10 +33,10 @@ function compare(a: string, b: string): number {
 
 export class FileSet {
   readonly #files: SetFile[];
-  /** The paths of what can be opened, the one to open first at the beginning. */
+  /** The paths of the models; the first is the one to open. */
   readonly models: string[];
 
-  /** Zips are replaced by what is in them; zips inside of zips are not. */
+  /** Replaces zips by the files in them, but not zips in zips. */
   constructor(given: readonly SetFile[]) {
     const several = given.length > 1;
     this.#files = given.flatMap((file) => {
@@ -57,8 +57,8 @@ export class FileSet {
   }
 
   /**
-   * The file that a model refers to by a relative name: beside the model, in any case of letters;
-   * where the set has no folders, also one of the same last name.
+   * The file that a model refers to by a relative name. Upper and lower case may differ. Where the set has
+   * no folders, folders in the name are ignored.
    */
   resource(model: string, name: string): SetFile | undefined {
     const inside = safePath(name);
@@ -78,7 +78,7 @@ function modelsAmong(files: readonly SetFile[], given: readonly SetFile[]): stri
   const paths = (some: readonly SetFile[]) => some.map(({ path }) => path).sort(compare);
   const named = files.filter(({ path }) => modelEnding.test(path));
   if (named.length > 0) return paths(named);
-  // A file by itself is for the reader to judge.
+  // The reader decides about a single file.
   if (given.length === 1 && files.length === 1 && files[0] === given[0]) return paths(files);
   const alike = files.filter(
     (file) =>
@@ -97,7 +97,7 @@ function modelsAmong(files: readonly SetFile[], given: readonly SetFile[]): stri
   throw failure('UNKNOWN_FORMAT', message);
 }
 
-/** The files in a zip, or the file itself where it is none. */
+/** The files in a zip. A file that is no zip stands for itself. */
 function expanded(file: SetFile, prefix: string): SetFile[] {
   const archive = file.bytes();
   if (!isZip(archive)) return [file];

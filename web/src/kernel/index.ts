@@ -5,4 +5,5 @@
 
 export { createKernel } from './kernel.js';
 export { GirthError } from './errors.js';
+export { version } from './version.js';
 export type * from './types.js';

@@ -3,8 +3,8 @@
 //
 // What is kept between jobs:
 // - A worker keeps the surfaces that it was given, until their meshes are disposed of. A job goes to an idle
-//   worker that has its surfaces, so that these are copied and built once, not once a job. A worker that was
-//   ended gets them anew with the next job.
+//   worker that has its surfaces, so that these are copied and built once, not once per job. A worker that
+//   replaces one that was ended is given them again.
 // - A module's memory never shrinks. `heavy` bounds what is kept without use: beside the surfaces of the
 //   present job, a worker holds others of at most that many bytes (least recently used dropped first); a
 //   worker that has had more bytes is ended as soon as it holds no surface; a job that passes more bytes
@@ -19,7 +19,7 @@ import { WorkerClient, type WorkerLike } from './worker-client.js';
 export interface JobNeeds {
   /** Surfaces that the job refers to. */
   surfaces?: readonly SurfaceSource[];
-  /** Bytes that the job works on besides, of which nothing stays in the worker. Default: 0. */
+  /** Bytes of further input, which does not stay in the worker. Default: 0. */
   passing?: number;
 }
 
@@ -43,7 +43,7 @@ export class JobPool<T extends CommonOperations> {
   readonly #busy = new Set<Member<T>>();
   /** The most recently used first. */
   #idle: Member<T>[] = [];
-  /** Surfaces of which this pool is told when their lives end. */
+  /** Surfaces whose lives this pool listens to. */
   readonly #followed = new Set<number>();
   #pending: (() => void)[] = [];
   #jobs = 0;
@@ -122,7 +122,7 @@ export class JobPool<T extends CommonOperations> {
     return member;
   }
 
-  /** The idle worker that suits a job best; none where a new one is to be made. */
+  /** The idle worker that suits a job best; undefined where a new one is to be made. */
   #chosen(surfaces: readonly number[], bytes: number, passing: number): Member<T> | undefined {
     const idle = this.#idle;
     if (passing > this.#heavy) return idle.find(isBlank);

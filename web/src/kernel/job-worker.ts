@@ -24,7 +24,7 @@ function asSetFile({ path, content }: FileWithPath): SetFile {
   return { path, size: content.size, bytes };
 }
 
-/** A file beside an address; nothing where it cannot be had. */
+/** A file beside an address; undefined where it cannot be fetched. */
 function fetchedBeside(address: string, name: string): Uint8Array | undefined {
   const request = new XMLHttpRequest();
   try {
@@ -50,7 +50,7 @@ async function firstReadable(
       return await read(path, unreadable);
     } catch (thrown) {
       const error = fieldsOf(thrown);
-      // After these the next model would not fare better, whatever it is.
+      // These failures concern the worker, not the model.
       if (error.code === 'OUT_OF_MEMORY' || error.code === 'INTERNAL') throw thrown;
       unreadable.push({ model: path, error });
     }
@@ -68,10 +68,10 @@ serveRequests<JobOperations>({
 
   async read({ files, address, model, prepare }, report) {
     const set = new FileSet(files.map(asSetFile));
-    let told = 0;
-    // Where one model takes the place of another that cannot be read, too.
+    let reported = 0;
+    // Progress must not fall where one model follows another that cannot be read.
     const neverFalling = (progress: number) => {
-      if (progress > told) report({ progress: (told = progress) });
+      if (progress > reported) report({ progress: (reported = progress) });
     };
     const read = async (path: string, unreadable: UnreadableModel[]): Promise<OpenedSurface> => {
       const chosen = set.model(path);

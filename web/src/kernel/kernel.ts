@@ -1,4 +1,4 @@
-// Kernels: which workers there are, and who does what. Nothing is computed on the page's own thread.
+// A kernel and its workers. Nothing is computed on the page's own thread.
 
 import { linked, untilAborted } from './abort.js';
 import { compareShapes } from './compare.js';
@@ -39,26 +39,25 @@ import type {
 import { WorkerClient } from './worker-client.js';
 import { moduleWorkers, type WorkerFactory } from './workers.js';
 
-/** More workers than this cost more memory than they save time. */
+/** More workers would cost more memory than they save time. */
 const mostThreads = 8;
 
 /**
- * Starts the workers and waits until one of them can read models. Fails with a GirthError where
- * workers or WebAssembly are not to be had.
+ * Starts the workers, and waits until one of them can read models. Rejected with a GirthError of code
+ * INTERNAL where there are no workers or no WebAssembly, OUT_OF_MEMORY where the memory does not suffice.
  */
 export function createKernel(options: KernelOptions = {}): Promise<Kernel> {
   return openKernel(options, moduleWorkers);
 }
 
-/** `createKernel` with other workers. */
+/** `createKernel` with workers of the caller's choice. */
 export async function openKernel(
   options: KernelOptions,
   factory: WorkerFactory,
 ): Promise<KernelOfWorkers> {
   const threads = threadsOf(options.threads);
   const models = new JobPool<JobOperations>(() => factory.job());
-  // One after the other: the second one may need the spectrum of the first. The spectrum of any surface
-  // is heavy.
+  // One job at a time, since the next one may need the same spectrum. Any surface's spectrum is heavy.
   const spectral = new JobPool<StudiesOperations>(() => factory.studies(), {
     mostJobs: 1,
     heavy: 0,
@@ -106,7 +105,7 @@ export async function openKernel(
     { length: threads },
     () => new WorkerClient<SingleOperations>(() => factory.single()),
   );
-  // They load while the page fetches its model; a failure shows when they are needed.
+  // They load while the page fetches its model. A failure is reported when they are needed.
   for (const worker of [interactive, ...pool]) void worker.start().catch(() => undefined);
   return new KernelOfWorkers('pool', threads, pools, interactive, pool, new PoolEngine(pool));
 }
@@ -124,7 +123,7 @@ function warnOnce(text: string): void {
   console.warn(text);
 }
 
-/** Workers for jobs: models and what is made of them, spectra, comparisons. */
+/** Workers for jobs: on models and surfaces, on spectra, and on comparisons. */
 interface JobPools {
   models: JobPool<JobOperations>;
   spectral: JobPool<StudiesOperations>;
@@ -145,7 +144,7 @@ export class KernelOfWorkers implements Kernel, MeshHost {
   readonly #engine: FieldEngine;
   readonly #loops: LoopQueue;
   readonly #life = new AbortController();
-  /** Settles when the last field that was asked for has left the workers. */
+  /** Settles when the workers have finished the latest field. */
   #fields: Promise<unknown> = Promise.resolve();
 
   constructor(
@@ -187,7 +186,7 @@ export class KernelOfWorkers implements Kernel, MeshHost {
 
   introduce(arrays: SurfaceArrays, life: AbortSignal): SurfaceSource {
     const surface = { number: ++lastSurface, arrays, life };
-    // So that the first loop need not wait for it; who asks for it learns of a failure.
+    // The first loop need not wait for it then. A failure is reported to those who ask for a loop.
     void this.#interactive.adopt(surface).catch(() => undefined);
     return surface;
   }
@@ -200,15 +199,15 @@ export class KernelOfWorkers implements Kernel, MeshHost {
     const { life } = surface;
     const run = new FieldRun(surface.arrays.positions.length / 3, hasKinds(request), options);
     return this.#work([options.signal, life], async (signal) => {
-      // The caller keeps what is finished; a disposed mesh has no use for it.
+      // An aborted caller keeps what is finished; a disposed mesh does not.
       signal.addEventListener('abort', () => {
         if (options.signal?.aborted && !life.aborted) run.flush();
       });
-      const turn = this.#fields.then(async () => {
+      const finished = this.#fields.then(async () => {
         if (!signal.aborted) await this.#engine.compute(surface, request, run, signal);
       });
-      this.#fields = turn.catch(() => undefined);
-      await turn;
+      this.#fields = finished.catch(() => undefined);
+      await finished;
       if (signal.aborted) throw cancelled();
       const { values, kinds } = run;
       const { range, withoutValue } = summaryOf(values);

@@ -1,5 +1,5 @@
-// The loops under the pointer: one request at a time goes to the worker, the newest first, and those
-// that have been aborted meanwhile never run.
+// Requests for loops, which follow the pointer. The worker receives one at a time, the latest first.
+// Requests that were aborted before that are dropped.
 
 import type { Answer, SingleOperations } from './protocol.js';
 import type { SurfacePoint } from './types.js';
@@ -8,7 +8,7 @@ import type { WorkerClient } from './worker-client.js';
 
 type FoundLoop = Answer<SingleOperations, 'loop'>;
 
-interface Waiting {
+interface PendingLoop {
   surface: SurfaceSource;
   point: SurfacePoint;
   signal: AbortSignal;
@@ -18,17 +18,17 @@ interface Waiting {
 
 export class LoopQueue {
   readonly #worker: WorkerClient<SingleOperations>;
-  #waiting: Waiting[] = [];
+  #pending: PendingLoop[] = [];
   #running = false;
 
   constructor(worker: WorkerClient<SingleOperations>) {
     this.#worker = worker;
   }
 
-  /** The loop; a promise that never settles where the signal fires before its turn. */
+  /** The loop. The promise never settles where the signal fires before the request is sent. */
   loop(surface: SurfaceSource, point: SurfacePoint, signal: AbortSignal): Promise<FoundLoop> {
     return new Promise((resolve, reject) => {
-      this.#waiting.push({ surface, point, signal, resolve, reject });
+      this.#pending.push({ surface, point, signal, resolve, reject });
       void this.#run();
     });
   }
@@ -46,8 +46,8 @@ export class LoopQueue {
     this.#running = false;
   }
 
-  #newest(): Waiting | undefined {
-    this.#waiting = this.#waiting.filter(({ signal }) => !signal.aborted);
-    return this.#waiting.pop();
+  #newest(): PendingLoop | undefined {
+    this.#pending = this.#pending.filter(({ signal }) => !signal.aborted);
+    return this.#pending.pop();
   }
 }

@@ -1,4 +1,4 @@
-// A mesh as the page has it: what can be asked of it, and by whom it is answered.
+// A mesh on the page: it checks what is asked of it, and passes it to the workers.
 
 import { failure } from './errors.js';
 import {
@@ -50,7 +50,7 @@ import type {
   WeakPlace,
 } from './types.js';
 
-/** Units as files call them. */
+/** Units as files name them. */
 const unitNames: Record<string, string | undefined> = {
   m: 'metre',
   mm: 'millimetre',
@@ -64,7 +64,7 @@ function unitName(unit: string): string {
   return ofDensity === undefined ? (unitNames[unit] ?? unit) : `${unitName(ofDensity)}^-2`;
 }
 
-/** Passes a worker's progress on, until it is no longer wanted. */
+/** Passes a worker's progress on until the signal fires. */
 const progressOf =
   (signal: AbortSignal | undefined, onProgress: WatchedOptions['onProgress']) =>
   (report: Report) => {
@@ -316,7 +316,7 @@ export class MeshOfWorkers implements Mesh {
     return difference;
   }
 
-  /** A job on this surface, and maybe on another one, whose number is among the arguments. */
+  /** A job on this surface. The number of another one may be among the arguments. */
   #ask<K extends keyof JobOperations>(
     operation: K,
     args: Omit<Arguments<JobOperations, K>, 'surface'>,
@@ -351,7 +351,7 @@ export class MeshOfWorkers implements Mesh {
     });
   }
 
-  /** The values of a field of this mesh that is to be of a kind. */
+  /** The values of the field `name` of this mesh; USAGE for another one. */
   #own(field: Field, name: FieldName): Float64Array {
     if (field.name !== name) {
       throw failure('USAGE', `the field is '${String(field.name)}', not '${name}'`, {

@@ -1,10 +1,10 @@
-// A surface as the module hands it out, as the page gets it.
+// Surfaces of the module in the form that the page receives.
 
 import type { Described, ModuleOptions, Prepared } from './wasm/girth.mjs';
 import type { OpenedSurface } from './protocol.js';
 import type { MeshInfo, PrepareOptions } from './types.js';
 
-/** The options as the module wants them; numbers that no component has stay such numbers. */
+/** The options in the module's form. Numbers that no component can have stay invalid. */
 export function moduleOptions(options: PrepareOptions): ModuleOptions {
   const { weldDistance = 0, closeHoles = false, components = [] } = options;
   const none = 0xffffffff;
@@ -21,7 +21,7 @@ export function openedSurface(
   return { ...surfaceWith(prepared, { ...source, ...said }), vertexOfInput, inputOfVertex };
 }
 
-/** A surface that was made of another one, of which `info` tells; its input are its own vertices. */
+/** A surface that was made of another one, whose `info` is given. Its input are its own vertices. */
 export function remeshedSurface(described: Described, info: MeshInfo): OpenedSurface {
   const made = surfaceWith(described, info);
   const same = Uint32Array.from({ length: made.info.vertexCount }, (_, vertex) => vertex);
@@ -40,7 +40,7 @@ function surfaceWith(
     ...said,
     vertexCount: positions.length / 3,
     faceCount: indices.length / 3,
-    // Edges inside have two sides, those of the boundary one.
+    // Inner edges have two halfedges, those of the boundary one.
     edgeCount: (indices.length + boundary.length / 2) / 2,
     components: genus.length,
     genus,
@@ -52,7 +52,7 @@ function surfaceWith(
   return { info, arrays: { positions, indices }, origin, drawn, boundary };
 }
 
-/** Rounded only once they count from near by. */
+/** Positions relative to the origin. They are rounded to 32 bits only after the subtraction. */
 function drawnFrom(origin: readonly number[], positions: Float64Array): Float32Array<ArrayBuffer> {
   const drawn = new Float32Array(positions.length);
   for (let i = 0; i < positions.length; ++i) drawn[i] = positions[i]! - origin[i % 3]!;

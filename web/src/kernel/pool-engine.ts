@@ -1,5 +1,5 @@
-// Fields by a pool of workers without threads: vertices go out coarse to fine in chunks, and each
-// worker gets the next chunk as soon as it has returned one.
+// Fields by a pool of workers without threads. Vertices are handed out in chunks, coarse to fine; a worker
+// receives the next chunk when it has returned one.
 
 import { cancelled } from './errors.js';
 import type { FieldRequest, SingleOperations } from './protocol.js';
@@ -7,19 +7,19 @@ import type { FieldEngine, FieldRun } from './field-run.js';
 import type { SurfaceSource } from './surface-source.js';
 import type { WorkerClient } from './worker-client.js';
 
-/** How long a chunk should take: long against a message, short against a person's patience. */
+/** How long a chunk should take: long compared with a message, short compared with a user's patience. */
 const chunkMilliseconds = 40;
-/** Towards the end chunks become small, but not so small that messages cost more than the work. */
+/** The least time of a chunk: below it messages would cost more than the work. */
 const leastMilliseconds = 2;
-/** Each worker has one chunk in work and one waiting, so that a busy page does not leave it idle. */
+/** Each worker has one chunk in work and one pending, so that a busy page does not leave it idle. */
 const chunksPerWorker = 2;
 const firstChunk = 4;
 /** A worker that is still busy this long after the work was stopped is ended, in milliseconds. */
 const patience = 500;
 
-/** How many vertices to hand out, given a worker's speed in vertices per millisecond. */
+/** Number of vertices of the next chunk, given the worker's speed in vertices per millisecond. */
 export function chunkSize(speed: number | undefined, left: number, workers: number): number {
-  // Towards the end the chunks become small, so that all workers finish together.
+  // The last chunks are small, so that all workers finish together.
   const share = Math.ceil(left / (chunksPerWorker * workers));
   if (speed === undefined) return Math.min(firstChunk, share);
   const least = Math.ceil(speed * leastMilliseconds);
@@ -49,7 +49,7 @@ export class PoolEngine implements FieldEngine {
       let speed: number | undefined;
       const lane = async () => {
         try {
-          // Copying the surface to all workers at once must not hold up the first one's chunks.
+          // Each worker begins when it has the surface: copying it to all must not delay the first one.
           await worker.adopt(surface);
           while (next < order.length && !failed && !signal.aborted) {
             const size = chunkSize(speed, order.length - next, this.#workers.length);
@@ -67,16 +67,16 @@ export class PoolEngine implements FieldEngine {
           throw thrown;
         }
       };
-      // Nothing stops a worker in the middle of a chunk, and one vertex may take long.
-      let impatience: ReturnType<typeof setTimeout> | undefined;
-      const stop = () => (impatience = setTimeout(() => worker.restart(cancelled()), patience));
+      // A worker cannot be stopped in the middle of a chunk, and one vertex may take long.
+      let overdue: ReturnType<typeof setTimeout> | undefined;
+      const stop = () => (overdue = setTimeout(() => worker.restart(cancelled()), patience));
       signal.addEventListener('abort', stop);
       try {
-        // All lanes settle before the run does: then nothing of it is left in the workers.
+        // All lanes settle before the run does. Then the workers have no request of it left.
         await settled(Array.from({ length: chunksPerWorker }, lane));
       } finally {
         signal.removeEventListener('abort', stop);
-        clearTimeout(impatience);
+        clearTimeout(overdue);
       }
     };
     await settled(this.#workers.map(work));

@@ -1,6 +1,6 @@
-// What page and workers say to each other. The page asks and each request is answered once; while it
-// computes, a worker may report. All content is copied or transferred, never shared, with one
-// exception: the flag that cancels the threads.
+// The messages between the page and its workers. The page sends requests, and each is answered once. While
+// it computes, a worker may send reports. All content is copied or transferred, never shared, except the
+// flag that cancels the threads.
 
 import type {
   Field,
@@ -32,13 +32,13 @@ export interface SurfaceArrays {
   indices: Uint32Array<ArrayBuffer>;
 }
 
-/** A surface that a worker has made, with what the page needs of it. */
+/** A surface that a worker has made, as the page receives it. */
 export interface OpenedSurface {
   info: MeshInfo;
   arrays: SurfaceArrays;
-  /** What `drawn` and the points of loops and contours count from. */
+  /** `drawn` and the points of loops and contours are relative to it. */
   origin: [number, number, number];
-  /** The positions once more, for drawing. */
+  /** The positions rounded to 32 bits, for drawing. */
   drawn: Float32Array<ArrayBuffer>;
   /** Two vertices for each edge of the boundary. */
   boundary: Uint32Array<ArrayBuffer>;
@@ -59,33 +59,34 @@ export interface WrittenModel {
   unit: string;
 }
 
-/** A field with everything that it depends on besides the surface. */
+/** A vertex field, with all that its values depend on besides the surface. */
 export interface FieldRequest {
   name: VertexFieldName;
-  /** Of 'sdf'. */
+  /** Of 'sdf', as in `ShapeDiameterOptions`. */
   coneAngle: number;
+  /** Of 'sdf'. */
   rays: number;
   /** Of 'geoaverage' and 'geofarthest'. */
   distances: 'fast-marching' | 'exact';
 }
 
-/** One number of a signature made of the surface's vibrations. */
+/** One number of a signature, with all that its values depend on besides the surface. */
 export interface SpectralRequest extends Required<SpectralOptions> {
   name: SpectralFieldName;
 }
 
-/** The two fields that tell parts, one value for each vertex. */
+/** The two fields that parts are divided by, one value per vertex. */
 export interface GirthAndDiameter {
   girth: Float64Array;
   diameter: Float64Array;
 }
 
-/** Values of some vertices, in the order in which they were asked for. */
+/** Values of some vertices, in the order of the request. */
 export interface Values {
   values: Float64Array<ArrayBuffer>;
-  /** Empty but for the girth. */
+  /** Of the girth, the kind of each value. Empty for other fields. */
   kinds: Uint8Array<ArrayBuffer>;
-  /** How long the worker took, in milliseconds. */
+  /** Milliseconds that the worker took. */
   milliseconds: number;
 }
 
@@ -95,42 +96,48 @@ export interface CancelFlag {
   byteOffset: number;
 }
 
-/** What every worker can be asked: its arguments and its answer. `surface` is the page's number. */
+/**
+ * The operations of every worker: for each its arguments and its answer. `surface` and `remeshed` are the
+ * page's numbers of surfaces, which the worker must have adopted.
+ */
 export interface CommonOperations {
-  /** Loads the module; must be the first request. */
+  /** Loads the module. Must be the first request. */
   start: [{ threads: number }, { cancelFlag?: CancelFlag }];
-  /** Makes a surface of the arrays of another worker. */
+  /** Builds a surface and keeps it under this number. */
   adopt: [{ surface: number; arrays: SurfaceArrays }, object];
-  /** Frees a surface; an unknown one is no error. */
+  /** Frees a surface. An unknown number is no error. */
   drop: [{ surface: number }, object];
 }
 
 /** A worker that computes with the module without threads. */
 export interface SingleOperations extends CommonOperations {
+  /** All vertices, coarse to fine. */
   order: [{ surface: number }, { order: Uint32Array<ArrayBuffer> }];
+  /** A field at some vertices. */
   values: [{ surface: number; field: FieldRequest; vertices: Uint32Array<ArrayBuffer> }, Values];
-  /** What is to be said of a field, of which so many vertices have no value. */
+  /** Method and note of a field, of which so many vertices have no value. */
   about: [
     { surface: number; field: FieldRequest; withoutValue: number },
     Pick<Field, 'method' | 'note'>,
   ];
+  /** The loop at a point. */
   loop: [{ surface: number; point: SurfacePoint }, Omit<Loop, 'base' | 'unit'>];
 }
 
-/** A worker that makes surfaces and files; it is ended where its work is no longer wanted. */
+/** A worker for jobs: it reads models, and analyses, remeshes and writes surfaces. */
 export interface JobOperations extends CommonOperations {
   /** Reads the model of the path `model`, or the first one, and prepares its surface. */
   read: [
     { files: FileWithPath[]; address?: string; model?: string; prepare: PrepareOptions },
     OpenedSurface,
   ];
-  /** Prepares a surface of the caller's arrays. */
+  /** Prepares the caller's arrays. */
   take: [{ arrays: SurfaceArrays; prepare: PrepareOptions }, OpenedSurface];
-  /** Makes a surface of the arrays of another worker. */
+  /** Builds a surface and keeps it under this number. */
   adopt: [{ surface: number; arrays: SurfaceWithInput }, object];
-  /** A surface of about so many faces. */
+  /** A surface of about so many faces. `info` is that of the original. */
   remesh: [{ surface: number; faces: number; info: MeshInfo }, OpenedSurface];
-  /** Values at the vertices of the surface `remeshed` as values at those of `surface`. */
+  /** Carries values at the vertices of `remeshed` to those of `surface`. */
   carryBack: [
     { surface: number; remeshed: number; values: Float64Array },
     { values: Float64Array<ArrayBuffer> },
@@ -144,7 +151,7 @@ export interface JobOperations extends CommonOperations {
   tips: [{ surface: number; girth: Float64Array }, Tips];
   thresholds: [{ surface: number; fields: GirthAndDiameter }, PartThresholds];
   parts: [{ surface: number; fields: GirthAndDiameter; options: Required<PartOptions> }, Parts];
-  /** The maxima of values; of their negatives where `minima` are wanted. */
+  /** The maxima of values, or their minima. */
   maxima: [{ surface: number; values: Float64Array; minima: boolean }, { maxima: Maximum[] }];
   weakPlaces: [
     { surface: number; fields: GirthAndDiameter; limits: PrintLimits },
@@ -189,29 +196,28 @@ export interface JobOperations extends CommonOperations {
   ];
 }
 
-/** Fields that shapes are compared by, and the weight of each vertex (`study_fields.h`). */
+/** Fields that shapes are compared by (`study_fields.h`). */
 export interface StudyFields {
+  /** Weight of each vertex: its share of the area. */
   weights: Float64Array<ArrayBuffer>;
-  /** `dimensions` numbers for each vertex. */
+  /** `dimensions` numbers per vertex. */
   fields: { name: string; dimensions: number; values: Float64Array<ArrayBuffer> }[];
 }
 
-/**
- * A worker with the module that knows spectra and compares shapes; it is ended where its work is no
- * longer wanted.
- */
+/** A worker for jobs with the module that computes spectra and compares shapes. */
 export interface StudiesOperations extends CommonOperations {
-  /** Keeps the spectrum for the next request about the same surface. */
+  /** Keeps the spectrum for the next request on the same surface. */
   spectralField: [
     { surface: number; field: SpectralRequest },
     { values: Float64Array<ArrayBuffer>; method: string },
   ];
+  /** Persistent maxima of the heat kernel signature. */
   heatMaxima: [{ surface: number; field: SpectralRequest }, { maxima: Maximum[] }];
-  /** The groups of fields that descriptors need. */
+  /** The names of the groups of fields that descriptors need. */
   fieldGroups: [{ descriptors: readonly string[] }, { groups: string[] }];
-  /** One group of a surface, made anew of about so many faces where it has more. */
+  /** One group of fields. The surface is remeshed to about so many faces where it has more. */
   studyFields: [{ surface: number; group: string; faces: number }, StudyFields];
-  /** For each descriptor the distances between all models, row after row. */
+  /** For each descriptor the distances between all models, row by row. */
   compare: [
     { models: readonly (readonly StudyFields[])[]; descriptors: readonly string[] },
     { matrices: Float64Array<ArrayBuffer>[] },
@@ -220,14 +226,15 @@ export interface StudiesOperations extends CommonOperations {
 
 /** The worker that hosts the module with threads. */
 export interface ThreadsOperations extends CommonOperations {
-  /** Reports all values while it runs, each once; answers early once the flag is set. */
+  /** A field at all vertices. Reports each value once; answers early when the flag is set. */
   field: [{ surface: number; field: FieldRequest; threads: number }, { complete: boolean }];
 }
 
-/** The arguments and the answer of an operation of a table like those above. */
+/** The arguments of an operation of one of the tables above. */
 export type Arguments<T, K extends keyof T> = T[K] extends [infer A extends object, object]
   ? A
   : never;
+/** The answer of an operation. */
 export type Answer<T, K extends keyof T> = T[K] extends [object, infer R extends object]
   ? R
   : never;
@@ -239,17 +246,17 @@ export type AdoptedArrays<T> = T extends {
   ? A
   : never;
 
-/** Page to worker. `id` counts up from 1. */
+/** Page to worker. `id` counts from 1. */
 export interface Request {
   id: number;
   operation: string;
   arguments: object;
 }
 
-/** A worker's report on the request that it is working on. */
+/** A worker's report on its present request. */
 export type Report = { partial: PartialField } | { progress: number };
 
-/** Worker to page. After a `fatal` error the worker is of no more use. */
+/** Worker to page. After a `fatal` error the worker must be ended. */
 export type Reply =
   | { id: number; report: Report }
   | { id: number; answer: object }

@@ -1,11 +1,10 @@
-// Where models come from: files, addresses, bytes and arrays, as files or arrays that a worker can
-// be given.
+// Where models come from: files, addresses, bytes and arrays become files or arrays for a worker.
 
 import { failure } from './errors.js';
 import type { SurfaceArrays } from './protocol.js';
 import type { FileWithPath, MeshSource } from './types.js';
 
-/** Content for a worker; arrays belong to the kernel and may be transferred. */
+/** Content for a worker. The arrays are copies, and may be transferred. */
 export type SourceContent = { files: FileWithPath[]; address?: string } | { arrays: SurfaceArrays };
 
 export async function contentOf(source: MeshSource, signal: AbortSignal): Promise<SourceContent> {

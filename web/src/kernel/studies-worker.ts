@@ -1,5 +1,5 @@
-// A worker that computes spectra and what is made of them (it keeps the latest spectrum), and compares
-// shapes.
+// A worker for jobs that computes spectra and what follows from them, and compares shapes. A surface keeps
+// its latest spectrum.
 
 import createModule, { type GirthStudiesModule, type Surface } from './wasm/girth-studies.mjs';
 import type { StudiesOperations } from './protocol.js';

@@ -1,11 +1,11 @@
-// Points of a surface as callers give them.
+// Points of a surface as callers pass them.
 
 import { failure } from './errors.js';
 import type { MeshInfo, SurfacePoint } from './types.js';
 
 /**
- * A copy of the point; throws where it has no place in the mesh or is made of anything but numbers.
- * Whether a face's weights are shares that add up to 1 is for the core to say.
+ * A copy of the point. Throws where the vertex or face does not exist, or a weight is no finite number. The
+ * core checks that weights are at least 0 and add up to 1.
  */
 export function checkedPoint(
   point: SurfacePoint,

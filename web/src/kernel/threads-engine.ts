@@ -1,4 +1,4 @@
-// Fields by the threads of one module: a single call that blocks the worker which hosts it.
+// Fields by the threads of one module. A field is one call, which blocks the worker that hosts the module.
 
 import { failure } from './errors.js';
 import type { FieldRequest, ThreadsOperations } from './protocol.js';
@@ -25,7 +25,7 @@ export class ThreadsEngine implements FieldEngine {
     if (!cancelFlag) throw failure('INTERNAL', 'the module with threads has no flag to cancel it');
     if (!signal.aborted) await this.#worker.adopt(surface);
     if (signal.aborted) return;
-    // The page alone writes the flag. One field runs at a time, so a late abort cannot hit the next.
+    // Only the page writes the flag. One field runs at a time: a late abort cannot stop the next one.
     const flag = new Uint8Array(cancelFlag.buffer, cancelFlag.byteOffset, 1);
     Atomics.store(flag, 0, 0);
     const stop = () => Atomics.store(flag, 0, 1);

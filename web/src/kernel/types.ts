@@ -1,157 +1,175 @@
-// The kernel's public API: everything that the page, the element and npm users see of the computation.
-// No three.js, no DOM. Names are those of the C++ core. Lengths are in the model's own units.
+// The kernel's public types: what the page, the element and users of the package see of the computation.
+// No three.js and no DOM. Names are those of the C++ core. Lengths are in the model's own units.
 
 /**
- * How the shortest loop came about: round the surface; out and back to the farthest point; or not at
- * all, because it took too long: then the length is a lower bound, and there is nothing to draw.
+ * How the shortest loop at a point came about.
+ *
+ * - `'loop'`: it runs round the surface.
+ * - `'antipodal'`: no loop is shorter than the way to the farthest point and back.
+ * - `'unresolved'`: the search reached its limit. The length is a lower bound, and there is no polyline.
  */
 export type LoopKind = 'loop' | 'antipodal' | 'unresolved';
 
-/** A failure: the code of the table in `error_codes.def`, the element, the words and the remedy. */
+/** The fields of a failure, as plain data. */
 export interface GirthErrorFields {
-  /** Stable: 'OPEN_EDGE'. */
+  /** A stable code, one of those in `error_codes.def`: 'OPEN_EDGE'. */
   code: string;
   /** The first offending vertex, face, line or byte, as the message states; -1 where there is none. */
   element: number;
-  /** What is wrong and where, for people. */
+  /** What is wrong, for people. */
   message: string;
   /** What to do about it, for people. */
   hint: string;
 }
 
-/** How a kernel computes. */
+/** How many workers a kernel has, and of which sort. */
 export interface KernelOptions {
-  /** Parallel workers or threads; 'auto' is one per core, at most 8. */
+  /** Parallel workers or threads, from 1 to 64. Default: 'auto', one per core and at most 8. */
   threads?: number | 'auto';
   /**
-   * 'auto': threads of one module where the page is cross-origin isolated, otherwise a pool of
-   * single-threaded workers. Both give the same bits. Asking for 'threads' where the page is not
-   * isolated falls back to the pool with one warning.
+   * 'threads': the threads of one module, on pages that are cross-origin isolated; on other pages the
+   * kernel warns once and takes 'pool'. 'pool': workers with a module each. Default: 'auto', threads where
+   * the page is isolated and a pool elsewhere. Both give the same values, bit for bit.
    */
   mode?: 'auto' | 'threads' | 'pool';
 }
 
-/** Plain arrays as a mesh: x, y, z per vertex and three vertices per triangle. */
+/** A mesh as plain arrays. They are copied. */
 export interface MeshArrays {
-  /** x, y, z per vertex, in model units. */
+  /** x, y, z of each vertex, finite, in model units. */
   positions: Float64Array | Float32Array;
-  /** Three vertices per triangle, counter-clockwise seen from outside. */
+  /** Three vertices of each triangle, counted from 0, counter-clockwise seen from outside. */
   indices: Uint32Array | Uint16Array;
+}
+
+/** A file's content with its name. */
+export interface NamedBytes {
+  /** The file's bytes. They are copied. */
+  bytes: ArrayBuffer;
+  /** The file's name: 'model.glb'. The format is recognised by the content. */
+  name: string;
 }
 
 /** A file among several. */
 export interface FileWithPath {
-  /** With '/' between folders: 'scene/model.gltf'. */
+  /** Its path, with '/' between folders: 'scene/model.gltf'. */
   path: string;
-  /** Its bytes. */
+  /** Its content. */
   content: Blob;
 }
 
-/** Bytes of a file. */
-export interface NamedBytes {
-  /** The whole content. */
-  bytes: ArrayBuffer;
-  /** For messages, and for formats that the content alone does not decide. */
-  name: string;
-}
-
 /**
- * A file, also a zip; an address; raw bytes with a name; several files or those of a folder, one of
- * which is the model; or arrays. A glTF's buffers are found among the files, or beside its address.
+ * Where a model comes from: a file or zip; an address; bytes with a name; the files of a folder, one of
+ * which is the model; or arrays. The buffers of a glTF are found among the files or beside its address.
  */
 export type MeshSource =
   Blob | string | URL | NamedBytes | readonly (File | FileWithPath)[] | MeshArrays;
 
-/** How the surface is prepared (`prepare_surface.h`). Default: repaired, with all components. */
+/** How a surface is prepared (`prepare_surface.h`). */
 export interface PrepareOptions {
-  /** Vertices up to this far apart become one, in model units; 0 (default): exactly equal ones. */
+  /**
+   * Vertices at most this far apart become one, in model units, at least 0. Default: 0, only vertices at
+   * exactly equal positions.
+   */
   weldDistance?: number;
-  /** Fills the holes that are left. */
+  /** Fills the holes that are left. Default: false. */
   closeHoles?: boolean;
-  /** Keeps only these components, by their place in `MeshInfo.parts`; empty or absent: all. */
+  /** Keeps only these components, numbered as in {@link MeshInfo.parts}. Default: all. */
   components?: readonly number[];
 }
 
-/** For every call. */
+/** Options of every call. */
 export interface CallOptions {
-  /** Aborting really stops the work; the promise is rejected with a GirthError of code CANCELLED. */
+  /** Aborting stops the work. The promise is rejected with CANCELLED. */
   signal?: AbortSignal;
 }
 
-/** For calls that write files. */
+/** Options of calls that write a file. */
 export interface ExportOptions extends CallOptions {
-  /** The unit of lengths, where the file does not state it: 'mm'. */
+  /** The unit of lengths, where the file that was read does not state it: 'mm'. Default: the mesh's unit. */
   unit?: string;
 }
 
-/** For calls that take long. */
+/** Options of calls that report their progress. */
 export interface WatchedOptions extends CallOptions {
-  /** The finished share in [0, 1]; never falls; ends with 1. */
+  /** Receives the finished share, in [0, 1]. It never falls and ends with 1. */
   onProgress?: (fraction: number) => void;
 }
 
-/** For loading a model. */
+/** Which model is loaded, and how it is prepared. */
 export interface LoadOptions extends WatchedOptions {
-  /** Which of several models, one of `MeshInfo.models`; absent: the first that can be read. */
+  /** Which of several models, one of {@link MeshInfo.models}. Default: the first that can be read. */
   model?: string;
-  /** How its surface is prepared. */
+  /** How the surface is prepared. */
   prepare?: PrepareOptions;
 }
 
 /**
- * Functions of the surface that are computed vertex by vertex. In model units: the girth; the shape
- * diameter, which is the thickness (`shape_diameter.h`); the mean and the greatest geodesic distance
- * (`geodesic_extent.h`). In radians: the angle between the two ends of the loop at its base.
+ * Fields that are computed vertex by vertex.
+ *
+ * - `'igf'`: the girth, in model units.
+ * - `'sdf'`: the shape diameter, which is the thickness, in model units (`shape_diameter.h`).
+ * - `'geoaverage'`, `'geofarthest'`: the mean and the greatest geodesic distance, in model units
+ *   (`geodesic_extent.h`).
+ * - `'angle'`: the angle between the two ends of the loop at its base, in radians.
  */
 export type VertexFieldName = 'igf' | 'sdf' | 'geoaverage' | 'geofarthest' | 'angle';
 
 /**
- * Functions made of the surface's vibrations, one number of each signature: the heat kernel and wave
- * kernel signatures, in 1 / squared model units, and the scale-invariant heat kernel signature
- * (`heat_kernel.h`, `wave_kernel.h`). They are there all at once, and without partial values.
+ * Fields that are computed from the surface's spectrum. They come all at once, without partial values.
+ *
+ * - `'hks'`, `'wks'`: one number of the heat kernel and of the wave kernel signature, in 1 / squared model
+ *   units (`heat_kernel.h`, `wave_kernel.h`).
+ * - `'sihks'`: one number of the scale-invariant heat kernel signature, without a unit.
  */
 export type SpectralFieldName = 'hks' | 'wks' | 'sihks';
 
-/** All fields. */
+/** All fields that the kernel computes. */
 export type FieldName = VertexFieldName | SpectralFieldName;
 
-/** Values finished since the last report; values[i] and kinds[i] belong to vertex vertices[i]. */
+/** Values that were finished since the last report. */
 export interface PartialField {
-  /** Vertices of the surface, each reported once. */
+  /** The vertices. The other arrays follow their order. */
   vertices: Uint32Array;
-  /** NaN where there is no value. */
+  /** Their values; NaN where there is none. */
   values: Float64Array;
-  /** Of the girth, 0: loop, 1: antipodal, 2: unresolved; of other fields empty. */
+  /** Of the girth, 0: loop, 1: antipodal, 2: unresolved. Empty for other fields. */
   kinds: Uint8Array;
 }
 
-/** For computing a field. */
+/** The rays of the shape diameter. */
+export interface ShapeDiameterOptions {
+  /** The full opening of the cone of rays, in radians, in (0, π). Default: 2π / 3. */
+  coneAngle?: number;
+  /** Rays from each vertex, from 1 to 10,000. Default: 30. */
+  rays?: number;
+}
+
+/** How a field is computed and reported. Each field reads only the options that concern it. */
 export interface FieldOptions extends WatchedOptions {
-  /** New values, coarse to fine: each batch is spread over the whole surface. */
+  /** Receives new values, coarse to fine: each batch is spread over the whole surface. */
   onPartial?: (partial: PartialField) => void;
   /** Of 'sdf'. */
   sdf?: ShapeDiameterOptions;
-  /** Of 'geoaverage' and 'geofarthest': how distances are computed; fast marching by default. */
+  /** How 'geoaverage' and 'geofarthest' measure distances. Default: 'fast-marching'. */
   distances?: 'fast-marching' | 'exact';
   /** Of 'hks', 'wks' and 'sihks'. */
   spectral?: SpectralOptions;
 }
 
-/** Of the shape diameter (`shape_diameter.h`). */
-export interface ShapeDiameterOptions {
-  /** The cone's full opening, in radians. Default: 120°. */
-  coneAngle?: number;
-  /** Rays sent from each vertex. Default: 30. */
-  rays?: number;
-}
-
-/** Of signatures made of the surface's vibrations. */
+/**
+ * How fields are computed from the spectrum.
+ * @experimental
+ */
 export interface SpectralOptions {
-  /** Pairs of eigenvalues and eigenfunctions. Default: 300. */
+  /** Number of eigenfunctions, at least 1. Default: 300. */
   pairs?: number;
-  /** Of 'hks' and heat maxima: the time, as a share of the surface's area. Default: 0.002. */
+  /** The time of 'hks' and of heat maxima, as a share of the surface's area, at least 0. Default: 0.002. */
   time?: number;
-  /** Which number, from 1: of 'wks' one of 100 energies (default: 20), of 'sihks' one of 19 frequencies (1). */
+  /**
+   * Which number of the signature, counted from 1: for 'wks' one of 100 energies (default: 20), for 'sihks'
+   * one of 19 frequencies (default: 1).
+   */
   component?: number;
 }
 
@@ -159,48 +177,48 @@ export interface SpectralOptions {
 export interface Maximum {
   /** Where it is. */
   vertex: number;
-  /** The field there. */
+  /** The field's value there. */
   value: number;
   /** How far one must go down from it to reach a higher maximum, in the field's unit. */
   persistence: number;
-  /** Where its surroundings meet those of a higher maximum; -1 for the highest of a component. */
+  /** The vertex where its surroundings meet those of a higher maximum; -1 for the highest of a component. */
   saddle: number;
 }
 
-/** A value for every vertex. */
+/** A field with one value for each vertex of the surface. */
 export interface Field {
-  /** Which function it is. */
+  /** Which field it is. */
   name: FieldName;
-  /** One per vertex of the surface, in its order; NaN where there is no value. */
+  /** One value per vertex of the surface, in its order; NaN where there is none. */
   values: Float64Array;
-  /** Of the girth, 0: loop, 1: antipodal, 2: unresolved; one per vertex. Of other fields empty. */
+  /** Of the girth, 0: loop, 1: antipodal, 2: unresolved; one per vertex. Empty for other fields. */
   kinds: Uint8Array;
-  /** Smallest and largest value; NaN twice where no vertex has one. */
+  /** The smallest and the largest value; NaN twice where no vertex has one. */
   range: [number, number];
   /**
-   * For lengths that of the model: 'm' for glTF, '' where the file does not state it. 'rad' for angles;
-   * '1/m²' for heat and wave kernels, '' where the model's is not known.
+   * The unit of the values. For lengths it is the model's: 'm' for glTF, '' where the file does not state
+   * it. For angles it is 'rad'. For heat and wave kernels it is '1/m²', or '' where the model's is not known.
    */
   unit: string;
   /** How it was computed: 'exact', '30 rays', 'fast marching', '300 eigenpairs'. */
   method: string;
-  /** Vertices that have no value. */
+  /** Number of vertices that have no value. */
   withoutValue: number;
-  /** What users should know of the values, in sentences: 'the surface is inside out: ...'; or ''. */
+  /** What a user should know of the values, in sentences: 'the surface is inside out: ...'; or ''. */
   note: string;
 }
 
-/** A field to write, also one that was not computed here. */
+/** A field to write or to analyse. It need not have been computed by the kernel. */
 export interface NamedField {
   /** A small letter, then small letters, digits and underscores: 'part'. */
   name: string;
-  /** One per vertex of the surface; NaN where there is no value. */
+  /** One value per vertex of the surface; NaN where there is none. */
   values: Float64Array;
-  /** As of `Field`; absent: none. */
+  /** As of {@link Field}: one per vertex, or empty. Default: empty. */
   kinds?: Uint8Array;
-  /** As of `Field`; '' for plain numbers. */
+  /** As of {@link Field}; '' for plain numbers. */
   unit: string;
-  /** As of `Field`; absent: not stated. */
+  /** How it was computed. Default: ''. */
   method?: string;
 }
 
@@ -208,13 +226,13 @@ export interface NamedField {
 export interface ContourLine {
   /** It returns to its first point, which is not repeated. Otherwise it ends at a boundary or in faces. */
   closed: boolean;
-  /** x, y, z per point, from `Mesh.geometry.origin`. */
+  /** x, y, z of each point, relative to {@link MeshGeometry.origin}. */
   polyline: Float32Array;
 }
 
-/** Where the shape ends (`tips.h`): a region that the discontinuity contour of the girth cuts off. */
+/** Where the shape ends: a region that the discontinuity contour of the girth cuts off (`tips.h`). */
 export interface Tip {
-  /** In rising order. */
+  /** Its vertices, in rising order. */
   vertices: Uint32Array;
   /** What cuts it off: usually one closed line. */
   contour: ContourLine[];
@@ -222,127 +240,130 @@ export interface Tip {
   area: number;
   /** Length of the contour, in model units. */
   boundaryLength: number;
-  /** The vertex of the region that is farthest from the contour, along the surface. */
+  /** The vertex that is farthest from the contour along the surface. */
   apex: number;
-  /** How far that is, in model units. */
+  /** How far the apex is from the contour along the surface, in model units. */
   apexDistance: number;
   /** How far the girth rises from outside to inside, in model units. */
   jump: number;
 }
 
-/** A part of the contour that cuts no tip off. */
+/** A part of the discontinuity contour that cuts no tip off. */
 export interface OpenArc {
   /** Where it runs. */
   line: ContourLine;
-  /** In model units. */
+  /** Its length, in model units. */
   length: number;
-  /** How far the girth jumps along it, in model units. */
+  /** How far the girth rises across it, in model units. */
   jump: number;
 }
 
-/** The tips of a shape. */
+/** The tips of a surface, and the rest of the discontinuity contour. */
 export interface Tips {
-  /** Largest jump first. */
+  /** The tips, largest jump first. */
   tips: Tip[];
-  /** Parts of the contour that cut no tip off; longest first. */
+  /** The parts of the contour that cut no tip off, longest first. */
   arcs: OpenArc[];
-  /** Edges of the surface that the contour crosses. */
+  /** Number of edges that the contour crosses. */
   crossedEdges: number;
 }
 
-/** What a place of a shape is; 'unknown' where its girth or its thickness has no value. */
+/** What a place of a shape is; 'unknown' where the girth or the thickness has no value (`parts.h`). */
 export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
 
-/** Where tubes, plates and body are divided; in model units, from 0 to Infinity. */
+/** The thresholds that divide a shape into parts: τ1 and τ2 of the paper, section 6.3. */
 export interface PartThresholds {
-  /** τ1 of the paper: tubes have a girth below it, plates one above. */
+  /** Tubes have a smaller girth, plates a larger one; in model units, from 0 to Infinity. */
   girth: number;
-  /** τ2 of the paper: tubes and plates are thinner than this. */
+  /** Tubes and plates have a smaller thickness; in model units, from 0 to Infinity. */
   diameter: number;
 }
 
-/** How parts are found. */
+/** Thresholds, and whether parts are smoothed. */
 export interface PartOptions extends PartThresholds {
-  /** 0 (default): plain thresholds; above: what a vertex's neighbourhood weighs against it. */
+  /**
+   * How much a vertex's neighbourhood weighs against its own values, at least 0. Default: 0, the plain
+   * thresholds.
+   */
   smoothing?: number;
 }
 
 /** A connected region of one kind (`parts.h`). */
 export interface Part {
-  /** Of all its vertices. */
+  /** What it is. */
   kind: PartKind;
-  /** In rising order. */
+  /** Its vertices, in rising order. */
   vertices: Uint32Array;
-  /** Sum of the vertices' areas, in squared model units. */
+  /** Sum of its vertices' areas, in squared model units. */
   area: number;
-  /** Median girth, in model units; NaN where it is unknown. */
+  /** Median of the girth over the region, in model units; NaN where it is unknown. */
   medianGirth: number;
-  /** Median thickness, in model units; NaN where it is unknown. */
+  /** Median of the thickness over the region, in model units; NaN where it is unknown. */
   medianDiameter: number;
-  /** The vertex of the least girth (tubes) or diameter (others); -1 where it is unknown. */
+  /** The vertex of the least girth (tubes) or thickness (other kinds); -1 where it is unknown. */
   thinnest: number;
-  /** Radius of the round tube of the same girth, I / 2π, in model units. */
+  /** Radius of the round tube of the same median girth, I / 2π, in model units. */
   equivalentRadius: number;
 }
 
-/** The parts of a shape. */
+/** The parts of a surface. */
 export interface Parts {
-  /** Of the vertices; 0: body, 1: tube, 2: plate, 3: unknown. */
+  /** What each vertex is; 0: body, 1: tube, 2: plate, 3: unknown. */
   kinds: Uint8Array;
-  /** Of the vertices: the number of their part. */
+  /** The index into `parts` for each vertex. */
   partOf: Uint32Array;
-  /** Largest area first. */
+  /** The parts, largest area first. */
   parts: Part[];
 }
 
-/** What can still be printed, in model units; 0: everything. */
+/** What a printer can still make, in model units. */
 export interface PrintLimits {
-  /** The least diameter of a tube. */
+  /** The least diameter of a tube; 0: any. */
   tubeDiameter: number;
-  /** The least thickness of a wall. */
+  /** The least thickness of a wall; 0: any. */
   wallThickness: number;
 }
 
 /** A connected place that is too thin to print (`parts.h`). */
 export interface WeakPlace {
-  /** 'plate': a thin wall. */
+  /** A thin tube, or a thin wall ('plate'). */
   kind: 'tube' | 'plate';
-  /** In rising order. */
+  /** Its vertices, in rising order. */
   vertices: Uint32Array;
-  /** In squared model units. */
+  /** Sum of its vertices' areas, in squared model units. */
   area: number;
-  /** The least diameter I / π of the tube, or thickness of the wall, in model units. */
+  /** The least diameter I / π of the tube, or the least thickness of the wall, in model units. */
   least: number;
-  /** The vertex where that is. */
+  /** The vertex where it is thinnest. */
   thinnest: number;
 }
 
 /** A point of a face. */
 export interface FacePoint {
-  /** From 0 to the face count minus one; face f has the vertices `indices[3 * f]` and the next two. */
+  /** From 0 to the face count minus one. Face f has the vertices `indices[3 * f]` and the next two. */
   face: number;
   /** Shares of the face's three vertices, in their order: none below 0, the sum 1. */
   weights: readonly [number, number, number];
 }
 
-/** A vertex, or a point of a face: of its inside, of an edge (one share is 0) or a corner. */
+/** A vertex, or a point of a face: of its inside, of an edge (one weight is 0) or a corner. */
 export type SurfacePoint = number | FacePoint;
 
-/** The shortest loop based at a point. */
+/** The shortest loop at a point of the surface. */
 export interface Loop {
-  /** The girth I(p), in model units. */
+  /** The girth I(p), in the unit `unit`. */
   length: number;
   /** How it came about. */
   kind: LoopKind;
   /** The point p, as it was asked for. */
   base: SurfacePoint;
-  /** x, y, z per point, from p round to p; empty where unresolved. From `Mesh.geometry.origin`. */
+  /** x, y, z of each point, from p to p, relative to {@link MeshGeometry.origin}; empty where unresolved. */
   polyline: Float32Array;
-  /** x, y, z of the point of the loop farthest from p, from `Mesh.geometry.origin`. */
+  /** x, y, z of the loop's point farthest from p, relative to {@link MeshGeometry.origin}. */
   midpoint: [number, number, number];
   /** Angle at p between the loop's ends, in radians. */
   angle: number;
-  /** Of the length: 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
   unit: string;
 }
 
@@ -354,27 +375,27 @@ export interface PreparationReport {
   inputFaces: number;
   /** Vertices that became one with an earlier one. */
   weldedVertices: number;
-  /** Faces without area, dropped. */
+  /** Faces without area that were dropped. */
   degenerateFaces: number;
-  /** Faces without area whose longest side was flipped, since dropping them would open the surface. */
+  /** Faces without area whose longest side was flipped, as dropping them would open the surface. */
   flippedFaces: number;
-  /** Faces that another one repeats, dropped. */
+  /** Faces that have the three vertices of another one, dropped. */
   duplicateFaces: number;
   /** Vertices that no face uses, dropped. */
   unreferencedVertices: number;
   /** Faces turned over, so that neighbours agree. */
   reorientedFaces: number;
-  /** Edges cut because the surface has one side only. */
+  /** Edges cut because the surface has one side only there, as a Möbius strip has. */
   oneSidedEdges: number;
   /** Edges with more than two faces, cut apart. */
   nonManifoldEdges: number;
-  /** Vertices at which parts only touched, cut apart. */
+  /** Vertices cut apart where parts touch only there. */
   nonManifoldVertices: number;
   /** Copies of vertices made by cutting. */
   addedVertices: number;
-  /** Connected components of the result. */
+  /** Connected components of what came out. */
   components: number;
-  /** How many of them are kept. */
+  /** Components that were kept. */
   keptComponents: number;
   /** Boundary curves of the kept components, after holes were closed. */
   boundaryCurves: number;
@@ -382,13 +403,13 @@ export interface PreparationReport {
   boundaryEdges: number;
   /** Boundary curves that were filled. */
   closedHoles: number;
-  /** Which these were. */
+  /** The holes that were filled. */
   holes: ClosedHole[];
 }
 
 /** A hole that was filled. */
 export interface ClosedHole {
-  /** Edges on its rim. */
+  /** Number of edges of its rim. */
   edges: number;
   /** Length of its rim, in model units. */
   perimeter: number;
@@ -400,29 +421,29 @@ export interface ClosedHole {
 
 /** A connected component of what was read, kept or not. */
 export interface MeshPart {
-  /** Its faces. */
+  /** Number of its faces. */
   faceCount: number;
-  /** In squared model units. */
+  /** Its area, in squared model units. */
   area: number;
 }
 
-/** A model that was passed over, and why. */
+/** A model that was passed over. */
 export interface UnreadableModel {
-  /** One of `MeshInfo.models`. */
+  /** One of {@link MeshInfo.models}. */
   model: string;
   /** Why it cannot be read. */
   error: GirthErrorFields;
 }
 
-/** What a model is. */
+/** What is known of a mesh and of the file that it comes from. */
 export interface MeshInfo {
-  /** Of the file, without folders; '' for arrays. */
+  /** The file's name without folders; '' for arrays. */
   name: string;
-  /** All models among the files that were given, the one that is shown included; paths. */
+  /** Paths of all models among the files that were given, including this one. */
   models: string[];
-  /** Of these, those that were tried before this one and cannot be read. */
+  /** Those of `models` that were tried before this one and cannot be read. */
   unreadable: UnreadableModel[];
-  /** What the content was recognised as. */
+  /** The file's format. */
   format: 'GLB' | 'glTF' | 'OBJ' | 'PLY' | 'STL' | 'OFF' | 'arrays';
   /** Vertices of the surface. */
   vertexCount: number;
@@ -432,95 +453,121 @@ export interface MeshInfo {
   edgeCount: number;
   /** Connected components of the surface. */
   components: number;
-  /** Number of handles, one per component. */
+  /** Genus of each component. */
   genus: number[];
-  /** Number of boundary curves, one per component. */
+  /** Number of boundary curves of each component. */
   boundaries: number[];
-  /** In squared model units. */
+  /** Area of the surface, in squared model units. */
   area: number;
   /** Extent along x, y and z, in model units. */
   size: [number, number, number];
-  /** 'm' for glTF, '' where the file does not state it. */
+  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
   unit: string;
-  /** What was done to make a surface of the file. */
+  /** What was done to the input. */
   report: PreparationReport;
-  /** What else there is to know, a sentence each: 'skinned: shown in its bind pose'. */
+  /** What else a user should know, a sentence each: 'skinned: shown in its bind pose'. */
   notes: string[];
-  /** All components, numbered by their first face of the input; see `PrepareOptions.components`. */
+  /** All components, kept or not, numbered by their first face of the input. */
   parts: MeshPart[];
+}
+
+/**
+ * The surface to draw and pick on. Do not modify the arrays.
+ *
+ * Positions, and the points of loops and contours, are relative to `origin`. It is 0, 0, 0, except for
+ * surfaces that lie more than 64 times their size away from the origin of their coordinates, where 32-bit
+ * numbers would draw steps. Add it to obtain the file's coordinates.
+ */
+export interface MeshGeometry {
+  /** x, y, z of each vertex, relative to `origin`, in model units. */
+  positions: Float32Array;
+  /** Three vertices of each face. */
+  indices: Uint32Array;
+  /** Two vertices of each edge of the boundary; empty where the surface is closed. */
+  boundary: Uint32Array;
+  /** What positions are relative to, in the file's coordinates. */
+  origin: readonly [number, number, number];
 }
 
 /** Files that a field can be written as. */
 export type FieldFormat = 'csv' | 'json' | 'npy' | 'ply' | 'glb';
+
 /** Files that loops can be written as. */
 export type LoopFormat = 'obj' | 'glb' | 'json';
 
-/** A surface to draw. Do not modify. */
-export interface MeshGeometry {
-  /** x, y, z per vertex, from `origin`. */
-  positions: Float32Array;
-  /** Three vertices per face. */
-  indices: Uint32Array;
-  /** Two vertices for each edge of the boundary. */
-  boundary: Uint32Array;
-  /**
-   * What positions, and the points of loops and contours, are relative to; add it for the file's
-   * coordinates. 0, 0, 0, but for surfaces that lie more than 64 times their size away from the
-   * coordinates' origin, where 32-bit numbers would draw steps.
-   */
-  origin: readonly [number, number, number];
+/** Options of {@link Mesh.maxima}. */
+export interface MaximaOptions extends CallOptions {
+  /** Finds the minima instead. Default: false. */
+  minima?: boolean;
 }
 
-/** A model that was loaded, and everything that can be computed of it. Made by `Kernel.load`. */
+/**
+ * A prepared surface, and what can be asked of it.
+ *
+ * Every promise is rejected with a {@link GirthError}: CANCELLED when its signal fires, when the mesh or the
+ * kernel is disposed of; OUT_OF_MEMORY; INTERNAL for faults of the package; and the codes that are named
+ * with each method. A field that is handed over must be of this mesh: otherwise the code is USAGE.
+ */
 export interface Mesh {
-  /** What the model is. */
+  /** What is known of it. */
   readonly info: MeshInfo;
   /** The surface to draw and pick on. */
   readonly geometry: MeshGeometry;
   /** The surface's vertex for each vertex of the input; 0xFFFFFFFF where there is none. */
   readonly vertexOfInput: Uint32Array;
-  /** Computes a field. Codes of failure: USAGE and INVALID_OPTION for options out of range, CANCELLED. */
+  /**
+   * Computes a field. Fields are computed one after the other, each by all workers. Errors: USAGE for a
+   * name that no field has; INVALID_OPTION for an option that is out of its range.
+   */
   field(name: FieldName, options?: FieldOptions): Promise<Field>;
   /**
-   * The loop at a vertex or at a point of a face. Served at once, also while a field is being
-   * computed. Codes of failure: VERTEX_OUT_OF_RANGE, INVALID_POINT, CANCELLED.
+   * Finds the loop at a vertex or at a point of a face. It is answered at once, also while a field is
+   * computed; of several requests the latest goes first. Errors: VERTEX_OUT_OF_RANGE, INVALID_POINT.
    */
   loop(point: SurfacePoint, options?: CallOptions): Promise<Loop>;
   /**
-   * The field as a file's content: CSV, JSON and NPY in the order of the input's vertices, PLY and
-   * GLB as the surface with its values (`write_field.h`). Lengths and the model are written in the
-   * unit `unit`. Default: that of the field if it is a length, otherwise the model's.
+   * Writes a field as a file: CSV, JSON and NPY in the order of the input's vertices, PLY and GLB as the
+   * surface with its values (`write_field.h`). Lengths are labelled with `unit`; by default with the
+   * field's unit where it is a length, and with the model's otherwise. Errors: LIMIT_EXCEEDED where a GLB
+   * would pass 4 GB.
    */
   exportField(field: Field, format: FieldFormat, options?: ExportOptions): Promise<Uint8Array>;
-  /** Several fields in one file, columns in their order; NPY takes only one. */
+  /**
+   * Writes several fields as one file, columns in their order. Errors: USAGE for a name that no column can
+   * have, and for several fields in NPY, which holds one; LIMIT_EXCEEDED as above.
+   */
   exportFields(
     fields: readonly NamedField[],
     format: FieldFormat,
     options?: ExportOptions,
   ): Promise<Uint8Array>;
-  /** The loops at some points, a file's content for each (`write_loop.h`), in the unit `unit`. */
+  /**
+   * Writes the loops at some points, a file for each (`write_loop.h`). Errors: VERTEX_OUT_OF_RANGE,
+   * INVALID_POINT; EMPTY_MESH where a loop is unresolved and the format is GLB.
+   */
   exportLoops(
     points: readonly SurfacePoint[],
     format: LoopFormat,
     options?: ExportOptions,
   ): Promise<Uint8Array[]>;
   /**
-   * The area that each vertex stands for, which weighs it in distributions (`vertex_areas.h`); they
-   * add up to `info.area`.
+   * Computes the area that each vertex stands for, in squared model units; distributions are weighted by
+   * it (`vertex_areas.h`). The areas add up to `info.area`.
    */
   vertexAreas(options?: CallOptions): Promise<Float64Array>;
-  /**
-   * The tips by the girth. Of this and the next: USAGE where a field is not one of this mesh or not
-   * the one that is asked for.
-   */
+  /** Finds the tips by the girth. `igf` is the field of that name. */
   tips(igf: Field, options?: CallOptions): Promise<Tips>;
-  /** Thresholds to start from; both 0 where no vertex has both values. */
+  /**
+   * Suggests thresholds to start from; both are 0 where no vertex has both values. `igf` and `sdf` are the
+   * fields of these names, here and below.
+   */
   suggestedThresholds(igf: Field, sdf: Field, options?: CallOptions): Promise<PartThresholds>;
-  /** Tubes, plates and body. USAGE where a threshold or the smoothing is negative or no number. */
+  /** Finds tubes, plates and body. Errors: USAGE where a threshold or the smoothing is negative or NaN. */
   parts(igf: Field, sdf: Field, parts: PartOptions, options?: CallOptions): Promise<Parts>;
   /**
-   * Places too thin to print, thinnest first. USAGE where a limit is negative or no number;
-   * NO_THICKNESS where walls are to be checked and no vertex has a thickness, or the surface is inside out.
+   * Finds places that are too thin to print, thinnest first. Errors: USAGE where a limit is negative or
+   * NaN; NO_THICKNESS where walls are to be checked but no vertex has a thickness, or the surface is
+   * inside out.
    */
   weakPlaces(
     igf: Field,
@@ -528,16 +575,17 @@ export interface Mesh {
     limits: PrintLimits,
     options?: CallOptions,
   ): Promise<WeakPlace[]>;
-  /** The maxima of a field along the surface's edges, or its minima; most persistent first. */
-  maxima(field: NamedField, options?: CallOptions & { minima?: boolean }): Promise<Maximum[]>;
+  /** Finds the maxima of a field along the surface's edges, or its minima, most persistent first. */
+  maxima(field: NamedField, options?: MaximaOptions): Promise<Maximum[]>;
   /**
-   * Where heat stays longest (`heat_maxima.h`), most persistent first: the paper's comparison with
-   * the girth's tips. Of the options, `component` does not matter.
+   * Finds where heat stays longest, most persistent first (`heat_maxima.h`): what the paper compares tips
+   * with. `component` has no effect. Errors: INVALID_OPTION.
+   * @experimental
    */
   heatMaxima(options?: WatchedOptions & SpectralOptions): Promise<Maximum[]>;
-  /** The tips as a file's content (`write_tips.h`): JSON, or the contours as OBJ lines. */
+  /** Writes the tips as a file (`write_tips.h`): JSON, or the contours as lines of OBJ. */
   exportTips(igf: Field, format: 'json' | 'obj', options?: ExportOptions): Promise<Uint8Array>;
-  /** The parts as a file's content (`write_parts.h`). */
+  /** Writes the parts as a file (`write_parts.h`). Errors: as of {@link Mesh.parts}. */
   exportParts(
     igf: Field,
     sdf: Field,
@@ -545,7 +593,7 @@ export interface Mesh {
     format: 'json',
     options?: ExportOptions,
   ): Promise<Uint8Array>;
-  /** The weak places as a file's content (`write_parts.h`). */
+  /** Writes the weak places as a file (`write_parts.h`). Errors: as of {@link Mesh.weakPlaces}. */
   exportWeakPlaces(
     igf: Field,
     sdf: Field,
@@ -554,75 +602,99 @@ export interface Mesh {
     options?: ExportOptions,
   ): Promise<Uint8Array>;
   /**
-   * A surface of about `faces` faces, closed where this one is and of its genus (`remesh.h`). Its
-   * input, as files and `vertexOfInput` count it, are its own vertices.
+   * Makes a surface of about `faces` faces, from 4 to 100 million, with the same components, genus and
+   * boundary curves (`remesh.h`). Its input, as files and `vertexOfInput` count it, are its own vertices.
+   * Errors: INVALID_OPTION.
    */
   remesh(faces: number, options?: WatchedOptions): Promise<RemeshedMesh>;
   /**
-   * How far a field is from one on another mesh, whatever their sizes: equation (1) of the paper
-   * (`field_difference.h`).
+   * Measures how far a field is from one on another mesh, whatever their sizes: equation (1) of the paper,
+   * from 0 (`field_difference.h`). Each field is one of its mesh.
+   * @experimental
    */
   difference(field: Field, other: Mesh, otherField: Field, options?: CallOptions): Promise<number>;
-  /** Frees the surface in all workers. What is still being computed of it is cancelled. */
+  /** Stops its work and frees its memory. What was asked before fails with CANCELLED. */
   dispose(): void;
 }
 
-/** A surface of other faces that lies where the one before did. */
+/** A mesh that lies where another one does, with other faces. */
 export interface RemeshedMesh extends Mesh {
-  /** Values at its vertices, one each, carried to the vertices of the mesh that it was made of. */
+  /**
+   * Carries values at its vertices, one each, to the vertices of the mesh that it was made of. Errors:
+   * USAGE where the values are not as many as its vertices; CANCELLED also when either mesh is disposed of.
+   */
   carryBack(values: Float64Array, options?: CallOptions): Promise<Float64Array>;
 }
 
-/** How shapes are compared. */
+/**
+ * How shapes are compared.
+ * @experimental
+ */
 export interface CompareOptions extends WatchedOptions {
   /**
-   * What to compare by (`study/signatures.h`): 'igf', 'igf-ms', 'sdf', 'geoaverage',
-   * 'geofarthest' (with 'log-' before: their logarithms), 'hks', 'sihks', 'wks', 'igf-sdf', and sums
-   * such as '2*igf+sdf'.
+   * What to compare by (`signatures.h`): 'igf', 'igf-ms', 'sdf', 'geoaverage', 'geofarthest' (each also
+   * with 'log-' before it, for the logarithm), 'hks', 'sihks', 'wks', 'igf-sdf', and sums such as
+   * '2*igf+sdf'.
    */
   descriptors: readonly string[];
-  /** Surfaces of more faces are remeshed to this number. Default: 10,000. 0: none is. */
+  /** Surfaces of more faces are remeshed to about so many; 0: none is. Default: 10,000. */
   faces?: number;
 }
 
-/** Distances between all shapes by one descriptor. */
+/**
+ * The distances between shapes by one descriptor.
+ * @experimental
+ */
 export interface DistanceMatrix {
-  /** As it was given. */
+  /** The descriptor, as it was asked for. */
   descriptor: string;
-  /** That of i and j is `distances[i * shapes + j]`; NaN where one of them has no value or has failed. */
+  /**
+   * The distance of shapes i and j, each scaled to area 1, is `distances[i * shapes + j]`; NaN where one
+   * of them has no value or has failed.
+   */
   distances: Float64Array;
 }
 
-/** A shape that could not be compared. */
+/**
+ * A shape that could not be compared.
+ * @experimental
+ */
 export interface FailedShape {
-  /** Its place among the shapes. */
+  /** Its index among the meshes. */
   shape: number;
   /** Why its fields could not be computed. */
   error: GirthErrorFields;
 }
 
-/** How far shapes are apart, each scaled to area 1. */
+/**
+ * Shapes compared.
+ * @experimental
+ */
 export interface Comparison {
-  /** One for each descriptor, in their order. */
+  /** The distances, in the order of the descriptors. */
   matrices: DistanceMatrix[];
-  /** Shapes whose fields could not be computed. */
+  /** The shapes whose fields could not be computed. */
   failed: FailedShape[];
 }
 
-/** Workers that compute. Made by `createKernel`. */
+/** Loads meshes and computes on them, in workers. */
 export interface Kernel {
-  /** Threads of one module, or a pool of workers with one module each. */
+  /** Whether fields are computed by threads or by a pool of workers. */
   readonly mode: 'threads' | 'pool';
-  /** How many of them. */
+  /** Number of threads, or of workers of the pool. */
   readonly threads: number;
   /**
-   * How far shapes are apart, two at a time in workers of their own; what was computed of a mesh is
-   * kept as long as the mesh. USAGE for descriptors that there are not; where all meshes fail, the
-   * first one's error.
+   * Measures how far shapes are apart. What was computed of a mesh is kept as long as the mesh. Errors:
+   * USAGE for a descriptor that does not exist or a mesh of another package; where all meshes fail, the
+   * error of the first one; CANCELLED also when one of the meshes is disposed of.
+   * @experimental
    */
   compare(meshes: readonly Mesh[], options: CompareOptions): Promise<Comparison>;
-  /** Reads, prepares and checks a model, in a worker of its own. */
+  /**
+   * Reads, prepares and checks a model, in a worker of its own. Errors: FILE_NOT_FOUND, FILE_UNREADABLE
+   * and those of reading (`read_mesh.h`) and preparing (`prepare_surface.h`); CANCELLED.
+   */
   load(source: MeshSource, options?: LoadOptions): Promise<Mesh>;
-  /** Ends all workers. What is still being computed is cancelled, and no mesh can be used any more. */
+  /** Ends all workers. What was asked before fails with CANCELLED. */
   dispose(): void;
 }

@@ -1,10 +1,10 @@
-// The decoders of compressed glTF, each loaded when it is first asked for. The build copies them into
-// the folder `wasm`, as nothing but a bundler would find them in their npm packages.
+// The decoders of compressed glTF, each loaded when it is first needed. The build copies them into the
+// folder `wasm`, since only a bundler would find them in their npm packages.
 
 import type { DracoModule } from './wasm/draco-decoder.mjs';
 import type { MeshoptDecoder } from './wasm/meshopt-decoder.mjs';
 
-/** A new instance, as one that has met the end of its memory is of no more use. */
+/** A new instance. One that has run out of memory cannot be used again. */
 export async function draco(): Promise<DracoModule> {
   const [{ default: createDraco }, response] = await Promise.all([
     import('./wasm/draco-decoder.mjs'),
@@ -14,7 +14,7 @@ export async function draco(): Promise<DracoModule> {
   return createDraco({ wasmBinary: await response.arrayBuffer() });
 }
 
-/** It carries its WebAssembly module in itself. */
+/** Its script contains the WebAssembly module. */
 export async function meshopt(): Promise<typeof MeshoptDecoder> {
   const decoder = (await import('./wasm/meshopt-decoder.mjs')).MeshoptDecoder;
   await decoder.ready;

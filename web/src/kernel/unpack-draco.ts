@@ -1,11 +1,11 @@
-// Draco's streams: what one claims is looked up before memory is asked for, and what comes out is
-// checked.
+// Draco's streams. The sizes that a stream claims are checked before memory is allocated, and the result is
+// checked afterwards.
 
 import type { DracoAttribute, DracoMesh, DracoModule } from './wasm/draco-decoder.mjs';
 import { failure } from './errors.js';
 import type { UnpackBudget } from './unpack-budget.js';
 
-/** Half a bit a face would be more regular than anything real. */
+/** Half a bit per face. No real mesh is more regular. */
 const mostFacesPerByte = 16;
 
 /** glTF's component types, and Draco's names for them. */
@@ -42,7 +42,7 @@ class Front {
     this.#at += count;
     if (this.#at > this.#bytes.length) throw new RangeError('the stream breaks off');
   }
-  /** Seven bits a byte, the lowest first. */
+  /** Seven bits per byte, the lowest first. */
   varint(): number {
     let value = 0;
     for (let scale = 1; ; scale *= 128) {
@@ -52,15 +52,15 @@ class Front {
       if (scale > 2 ** 35) throw new RangeError('a number is too long');
     }
   }
-  /** Names and values, with such lists inside of them. */
+  /** Skips names and values, which may contain such lists. */
   skipMetadata(): void {
-    for (let waiting = 1, isOutermost = true; waiting > 0; --waiting, isOutermost = false) {
+    for (let pending = 1, isOutermost = true; pending > 0; --pending, isOutermost = false) {
       if (!isOutermost) this.skip(this.byte());
       for (let entries = this.varint(); entries > 0; --entries) {
         this.skip(this.byte());
         this.skip(this.varint());
       }
-      waiting += this.varint();
+      pending += this.varint();
     }
   }
 }
@@ -141,8 +141,8 @@ export class UnpackedDraco {
   }
 
   /**
-   * The attribute of that number for all points, as components of that type without gaps; nothing where
-   * there is no such attribute, or not of so many components.
+   * The attribute of that number for all points, as components of that type without gaps; undefined where
+   * there is none with so many components.
    */
   attribute(number: number, components: number, type: number): Uint8Array<ArrayBuffer> | undefined {
     if (!(type in types)) return undefined;
@@ -161,7 +161,7 @@ export class UnpackedDraco {
     );
   }
 
-  /** What `write` puts into memory of the module. */
+  /** The bytes that `write` puts into memory of the module. */
   #copied(size: number, write: (at: number) => boolean): Uint8Array<ArrayBuffer> | undefined {
     const at = this.#module._malloc(size);
     const isDone = write(at);

@@ -1,7 +1,7 @@
-// A compressed glTF document, rewritten: packed buffer views and primitives get a buffer of their own
-// with the unpacked bytes, at the end of the list of buffers; all else stays. Our own small piece
-// between the decoders and the reader, because a library that reads and writes whole documents
-// renumbers their elements, drops what it does not know, and refuses what the reader takes.
+// Rewrites a compressed glTF document: packed buffer views and primitives refer to a new buffer with the
+// unpacked bytes, the last one in the list of buffers. All else stays. This is written here because
+// libraries that read and write whole documents renumber their elements, drop what they do not know, and
+// refuse documents that the reader takes.
 
 import type { DracoModule } from './wasm/draco-decoder.mjs';
 import type { MeshoptDecoder } from './wasm/meshopt-decoder.mjs';
@@ -10,7 +10,7 @@ import { UnpackBudget } from './unpack-budget.js';
 import { UnpackedDraco } from './unpack-draco.js';
 import { unpackMeshopt } from './unpack-meshopt.js';
 
-/** Brings a file that a model refers to by a relative name; nothing if it is not to be had. */
+/** Returns a file that a model refers to by a relative name; undefined where there is none. */
 export type Resource = (name: string) => Uint8Array | undefined;
 
 export interface ModelBytes {
@@ -41,7 +41,7 @@ interface Accessor extends Members {
 }
 
 const dracoName = 'KHR_draco_mesh_compression';
-/** Of both, the first counts. */
+/** Where a view has both, the first counts. */
 const meshoptNames = ['KHR_meshopt_compression', 'EXT_meshopt_compression'];
 const componentsOf: Record<string, number> = { VEC3: 3, VEC4: 4 };
 const triangles = 4;
@@ -60,10 +60,10 @@ const extensionOf = (element: Members, name: string): Members | undefined => {
 };
 const malformed = (place: string, what: string) => failure('MALFORMED_FILE', `${place}: ${what}`);
 
-/** The document with its compressed geometry unpacked. Throws what the reader would say. */
+/** The document with its compressed geometry unpacked. Throws the errors of the reader. */
 export async function unpackGltf(model: ModelBytes, decoders: Decoders): Promise<ModelBytes> {
   const parts = partsOf(model.bytes);
-  // What is no valid document is for the reader to refuse: it says where.
+  // The reader refuses invalid documents, and states where.
   if (!parts || !isObject(parts.document)) return model;
   const unpacking = new Unpacking(parts.document, parts.binary, model);
   await unpacking.run(decoders);
@@ -104,7 +104,7 @@ function partsOf(bytes: Uint8Array): Parts | undefined {
   }
 }
 
-/** Throws where a number is too large for a double: written again it would become null. */
+/** Throws where a number is too large for a double: it would be written as null. */
 function parsed(text: string): unknown {
   const mayOverflow = /\d[eE]\+?\d{3}|\d{309}/.test(text);
   if (!mayOverflow) return JSON.parse(text) as unknown;
@@ -116,7 +116,7 @@ function parsed(text: string): unknown {
 
 const isListMode = (mode: unknown) => mode === undefined || mode === triangles;
 const isDrawn = (mode: unknown) => isListMode(mode) || (isCount(mode) && mode > triangles);
-/** Attributes that say where points stand. */
+/** Attributes with the positions of points. */
 const isPlacing = (name: string) => /^(?:POSITION|(?:JOINTS|WEIGHTS)_\d+)$/.test(name);
 
 class Unpacking {
@@ -124,10 +124,10 @@ class Unpacking {
   readonly #binary: Uint8Array;
   readonly #resource: Resource;
   readonly #budget = new UnpackBudget();
-  /** The number of the buffer with what is unpacked: the next after those that there are. */
+  /** The number of the new buffer: the next after the existing ones. */
   readonly #newBuffer: number;
   readonly #fetched = new Map<string, Uint8Array>();
-  /** What was unpacked, and where it begins in the buffer that holds it all. */
+  /** Unpacked pieces, and where each begins in the new buffer. */
   readonly #unpacked: Uint8Array<ArrayBuffer>[] = [];
   #size = 0;
 
@@ -156,7 +156,7 @@ class Unpacking {
         this.#unpackPrimitive(module, primitive, place, meshes);
       }
     } catch (thrown) {
-      // Draco's module ends where it cannot have more memory.
+      // Draco's module aborts when it cannot allocate memory.
       if (!(thrown instanceof WebAssembly.RuntimeError)) throw thrown;
       const message = 'a Draco stream asks for more memory than there is';
       throw failure('LIMIT_EXCEEDED', message, { cause: thrown });
@@ -199,7 +199,7 @@ class Unpacking {
     return bytes;
   }
 
-  /** A list of the document, made where there is none. */
+  /** A list of the document. It is added where there is none. */
   #list(name: string): unknown[] {
     const list = this.#document[name];
     if (Array.isArray(list)) return list;
@@ -267,7 +267,7 @@ class Unpacking {
       isCount(count) &&
       ['ATTRIBUTES', 'TRIANGLES', 'INDICES'].includes(mode as string) &&
       ['NONE', 'OCTAHEDRAL', 'QUATERNION', 'EXPONENTIAL', 'COLOR'].includes(filter as string);
-    // Members of other types are for the reader to refuse.
+    // The reader refuses members of other types.
     if (!isValid) return;
     const packing = { byteStride, count, mode: mode as string, filter: filter as string };
     const place = `/bufferViews/${number}/extensions/${name}`;
@@ -306,7 +306,7 @@ class Unpacking {
     const extension = extensionOf(primitive, dracoName)!;
     const { bufferView, attributes: numbers } = extension;
     const { attributes, indices, mode } = primitive;
-    // Members of other types are for the reader to refuse; primitives without positions it leaves out.
+    // The reader refuses members of other types, and leaves out primitives without positions.
     if (!isCount(bufferView) || !isObject(attributes) || !isCount(attributes['POSITION'])) return;
     const source = this.#dracoSource(
       module,
@@ -358,7 +358,7 @@ class Unpacking {
     return source;
   }
 
-  /** Gives the number of an accessor with the unpacked attribute. */
+  /** The number of an accessor with the unpacked attribute. */
   #unpackAttribute(
     { mesh, attributes }: DracoSource,
     number: number,
@@ -451,7 +451,7 @@ class Unpacking {
         throw missing(place, `${shown(name)}, which is not a file beside the model`);
       }
       bytes = this.#resource(name);
-      // Some exporters do not escape, and so a file's name may contain a percent sign.
+      // Some exporters do not escape names, which may then contain a percent sign.
       if (name !== uri && staysInside(uri)) bytes ??= this.#resource(uri);
       if (!bytes)
         throw missing(place, `the file ${shown(name)}, which is missing beside the model`);
@@ -466,7 +466,7 @@ class Unpacking {
     return isObject(accessor) ? (accessor as Accessor) : undefined;
   }
 
-  /** Puts unpacked bytes into the new buffer: where they are, as members of a buffer view. */
+  /** Puts unpacked bytes into the new buffer. Returns their place, as members of a buffer view. */
   #placed(bytes: Uint8Array<ArrayBuffer>): BufferView {
     const view = { buffer: this.#newBuffer, byteOffset: this.#size, byteLength: bytes.length };
     this.#unpacked.push(bytes);

@@ -1,11 +1,11 @@
-// Buffer views packed with EXT_meshopt_compression or KHR_meshopt_compression: what the C++ reader
-// does in `gltf_meshopt.cpp`, with the same rules.
+// Buffer views packed with EXT_meshopt_compression or KHR_meshopt_compression, with the rules of the C++
+// reader.
 
 import type { MeshoptDecoder } from './wasm/meshopt-decoder.mjs';
 import { failure } from './errors.js';
 import type { UnpackBudget } from './unpack-budget.js';
 
-/** The extension's members that say how bytes are packed. */
+/** The extension's members that state how bytes are packed. */
 export interface Packing {
   byteStride: number;
   count: number;
@@ -13,7 +13,7 @@ export interface Packing {
   filter: string;
 }
 
-/** What the extensions demand; empty if all is well. */
+/** Which requirement of the extensions is violated; '' if none is. */
 function faultOf({ byteStride, count, mode, filter }: Packing): string {
   if (count === 0) return 'has a count of 0';
   const bad = `has a byteStride of ${byteStride}, which its`;
@@ -33,7 +33,7 @@ function faultOf({ byteStride, count, mode, filter }: Packing): string {
   return fits ? '' : `${bad} filter does not allow`;
 }
 
-/** The fewest bytes in which so many elements can be packed. */
+/** The least number of bytes that so many elements can be packed into. */
 function leastBytes({ byteStride, count, mode }: Packing, bytes: Uint8Array): number {
   if (mode === 'TRIANGLES') return 1 + count / 3 + 16;
   if (mode === 'INDICES') return 1 + count + 4;

@@ -1,6 +1,6 @@
-// Compressed glTF is unpacked before the C++ reader sees it: by the decoders' own WebAssembly modules,
-// which are loaded only then. What is not geometry stays as it is, and so does every number by which
-// the document knows its elements: the reader says of an unpacked file what the command would say.
+// Compressed glTF is unpacked before the C++ reader receives it, by the decoders' own WebAssembly modules,
+// which are loaded when they are needed. What is not geometry stays as it is, and all elements of the
+// document keep their numbers, so that the reader's messages are those of the command.
 
 import type { ModelBytes, Resource } from './unpack-gltf.js';
 
@@ -9,9 +9,9 @@ export type { ModelBytes, Resource } from './unpack-gltf.js';
 const decoderNames = /"(?:KHR_draco_mesh_compression|(?:EXT|KHR)_meshopt_compression)"/;
 
 /**
- * A model without compression. `resource` brings the files that it refers to, by their relative names;
- * what comes back has one of its own, which brings the unpacked bytes as well. Files that are not
- * compressed, not glTF or not valid come back as they are.
+ * A model without compression. `resource` returns the files that the model refers to, by their relative
+ * names. The result has a `resource` that returns the unpacked bytes as well. Files that are not
+ * compressed, not glTF or not valid are returned as they are.
  */
 export async function unpackIfCompressed(
   bytes: Uint8Array,

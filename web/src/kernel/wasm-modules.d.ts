@@ -3,7 +3,7 @@
 /* eslint-disable @typescript-eslint/consistent-type-imports --
    an ambient module has no other way to name the types beside it */
 
-/** Functions return this in place of their result when they fail. */
+/** What functions return instead of their result when they fail. */
 interface Failed {
   code: string;
   element: number;
@@ -35,7 +35,7 @@ declare module '*/girth.mjs' {
     delete(): void;
   }
 
-  /** A surface with what was done to its input, as arrays. */
+  /** A prepared surface as arrays, with a report of what was done to its input. */
   export interface Prepared extends Described {
     vertexOfInput: Uint32Array<ArrayBuffer>;
     inputOfVertex: Uint32Array<ArrayBuffer>;
@@ -60,9 +60,9 @@ declare module '*/girth.mjs' {
     indices: Uint32Array<ArrayBuffer>;
   }
 
-  /** A surface's arrays, and what can be told from them. */
+  /** A surface's arrays, and what follows from them. */
   export interface Described extends Arrays {
-    /** What drawn points are counted from. */
+    /** What drawn points are relative to. */
     origin: [number, number, number];
     /** Two vertices for each edge of the boundary. */
     boundary: Uint32Array<ArrayBuffer>;
@@ -85,7 +85,7 @@ declare module '*/girth.mjs' {
   }
 
   export interface GirthModule {
-    /** `resource` brings a file that the model refers to. */
+    /** Reads and prepares a model. `resource` returns a file that the model refers to. */
     readSurface(
       bytes: Uint8Array,
       name: string,
@@ -93,16 +93,16 @@ declare module '*/girth.mjs' {
       options: ModuleOptions,
       onProgress: OnProgress,
     ): Prepared | Failed;
-    /** Prepares a surface of arrays. */
+    /** Prepares arrays. */
     surfaceFromArrays(
       positions: Float64Array,
       indices: Uint32Array,
       options: ModuleOptions,
       onProgress: OnProgress,
     ): Prepared | Failed;
-    /** The surface of the arrays of one that was prepared. */
+    /** The surface of a prepared surface's arrays. */
     exactSurface(positions: Float64Array, indices: Uint32Array): { surface: Surface } | Failed;
-    /** The same with the numbers that its vertices have in the input. */
+    /** The same, with the numbers that its vertices have in the input. */
     jobSurface(
       positions: Float64Array,
       indices: Uint32Array,
@@ -211,7 +211,7 @@ declare module '*/girth-threads.mjs' {
 declare module '*/girth-studies.mjs' {
   type OnProgress = (fraction: number) => void;
 
-  /** A surface with its spectrum, and with the one that its fields are compared on. */
+  /** A surface, with its spectrum and the remeshed surface that comparisons use. */
   export interface Surface {
     delete(): void;
   }

@@ -1,5 +1,5 @@
-// The page's side of one worker: requests and answers as promises, surfaces handed over once, and a
-// worker that has died replaced on the next request.
+// The page's side of one worker. Requests are promises of their answers. The worker is given each surface
+// once. A worker that has died is replaced with the next request.
 
 import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
 import type {
@@ -22,7 +22,7 @@ export interface WorkerLike {
   onmessageerror: ((event: MessageEvent) => void) | null;
 }
 
-/** A worker that has not started after this many milliseconds never will. */
+/** A worker that has not started after so many milliseconds is given up. */
 export const longestStart = 30_000;
 
 interface Pending {
@@ -75,7 +75,7 @@ export class WorkerClient<T extends CommonOperations> {
       worker.onmessageerror = () =>
         this.#die(failure('OUT_OF_MEMORY', 'a message of a worker could not be received'));
       this.#started = this.#post('start', { threads: this.#threads }, []);
-      // Glue and module of different builds may wait for each other for ever.
+      // JavaScript and WebAssembly of different builds may wait for each other for ever.
       const overdue = setTimeout(
         () =>
           this.#die(
@@ -85,13 +85,13 @@ export class WorkerClient<T extends CommonOperations> {
           ),
         longestStart,
       );
-      // Requests that wait for the start report its failure; one that nobody waits for is no news.
+      // Requests report a failed start. Without a request, it is not reported.
       this.#started.catch(() => undefined).finally(() => clearTimeout(overdue));
     }
     return this.#started;
   }
 
-  /** Asks the worker. `transfer` lists buffers that it may take away from the page. */
+  /** Sends a request. The buffers of `transfer` are moved to the worker. */
   async request<K extends keyof T & string>(
     operation: K,
     args: Arguments<T, K>,
@@ -101,7 +101,7 @@ export class WorkerClient<T extends CommonOperations> {
     return (await this.#post(operation, args, transfer, onReport)) as Answer<T, K>;
   }
 
-  /** Asks the worker about a surface, which it is given first if it does not have it. */
+  /** Sends a request on a surface. The worker is given the surface first unless it has it. */
   async requestOn<K extends keyof T & string>(
     surface: SourceFor<T>,
     operation: K,
@@ -148,12 +148,12 @@ export class WorkerClient<T extends CommonOperations> {
     void this.#post('drop', { surface }, []).catch(() => undefined);
   }
 
-  /** Ends the worker at once; what is pending fails with `error`. The next request starts another. */
+  /** Ends the worker at once. Pending requests fail with `error`. The next one starts another worker. */
   restart(error: GirthError): void {
     this.#die(error);
   }
 
-  /** Ends the worker at once and for good; what is pending fails with `error`. */
+  /** Ends the worker at once and for good. Pending and later requests fail with `error`. */
   terminate(error: GirthError): void {
     this.#closed = error;
     this.#die(error);

@@ -1,14 +1,14 @@
-// The worker's side of the protocol: takes requests, answers each once. What the requests mean is in
-// `worker.ts` and `threads-worker.ts`.
+// The worker's side of the protocol: it receives requests and answers each once. The workers' own files
+// (`worker.ts` and others) have the operations.
 
 import { GirthError, fieldsOf } from './errors.js';
 import type { Answer, Arguments, CommonOperations, Reply, Report, Request } from './protocol.js';
 import type { GirthErrorFields } from './types.js';
 
-/** Passes a report to the page, also while a request is being worked on. */
+/** Sends a report to the page, while a request is being served. */
 export type ReportSink = (report: Report) => void;
 
-/** Passes the finished share of a call on to the page. */
+/** Reports the finished share of a call. */
 export const progressTo = (report: ReportSink) => (progress: number) => report({ progress });
 
 type Handlers<T> = {
@@ -18,13 +18,13 @@ type Handlers<T> = {
   ) => Answer<T, K> | Promise<Answer<T, K>>;
 };
 
-/** The result of a call into a module; its failure is thrown. */
+/** The result of a call into a module. A failure is thrown. */
 export function checked<R extends object>(result: R | GirthErrorFields): R {
   if ('code' in result) throw new GirthError(result);
   return result;
 }
 
-/** The buffers of an answer's or report's typed arrays, which are the page's from then on. */
+/** The buffers of the typed arrays of an answer or report. They are moved to the page. */
 function buffersOf(content: object): ArrayBuffer[] {
   const buffers = new Set<ArrayBuffer>();
   for (const value of Object.values(content) as unknown[]) {
@@ -50,7 +50,7 @@ export function serveRequests<T extends CommonOperations>(handlers: Handlers<T>)
       const answer = await handler(args, (report) => post({ id, report }, report));
       post({ id, answer }, answer);
     } catch (thrown) {
-      // The core's failures leave the module as it was; anything else may have torn it in mid-work.
+      // The core's failures leave the module intact. Anything else may have left it inconsistent.
       const reply: Reply = { id, error: fieldsOf(thrown), fatal: !(thrown instanceof GirthError) };
       scope.postMessage(reply);
     }

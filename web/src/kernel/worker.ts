@@ -1,4 +1,4 @@
-// A worker with the module without threads: one of a pool, or the one that answers for the pointer.
+// A worker with the module without threads: one of a pool, or the one that answers requests for loops.
 
 import createModule, { type GirthModule, type Surface } from './wasm/girth.mjs';
 import type { SingleOperations } from './protocol.js';

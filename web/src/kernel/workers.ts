@@ -1,8 +1,8 @@
-// The kernel's workers, each made by an expression that Vite and webpack recognise.
+// The kernel's workers. Each is made by an expression that Vite and webpack recognise.
 
 import type { WorkerLike } from './worker-client.js';
 
-/** Makes the workers of a kernel; tests bring their own. */
+/** Makes the workers of a kernel. Tests have their own. */
 export interface WorkerFactory {
   single(): WorkerLike;
   threads(): WorkerLike;

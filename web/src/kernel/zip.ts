@@ -1,5 +1,5 @@
-// Zip archives: what is in them, and one file at a time unpacked. fflate inflates; what the archive
-// says of itself is believed only as far as it is borne out.
+// Zip archives: their directory, and their files one at a time. fflate inflates. What an archive states of
+// itself is checked before memory is allocated for it.
 
 import { Inflate } from 'fflate';
 import { failure } from './errors.js';
@@ -8,7 +8,7 @@ import { failure } from './errors.js';
 export interface ZipEntry {
   /** With '/' between folders, never leading out of the archive. */
   path: string;
-  /** Bytes once unpacked. */
+  /** Bytes when unpacked. */
   size: number;
   packedSize: number;
   /** 0: stored, 8: deflated. */
@@ -19,17 +19,17 @@ export interface ZipEntry {
   offset: number;
 }
 
-/** How many bytes may still be unpacked of one archive; counts down. */
+/** How many more bytes of one archive may be unpacked. */
 export interface UnpackBudget {
   left: number;
 }
 
 const megabyte = 2 ** 20;
-/** Bytes handed to the decoder at a time: deflate makes at most 1032 times as many of them. */
+/** Bytes passed to the decoder at a time. Deflate expands them at most 1032 times. */
 const portion = 16 * 1024;
 const largestRatio = 1032;
 
-/** What an archive of so many bytes may unpack to: models do not shrink to less than a 200th. */
+/** How much an archive of so many bytes may unpack to. Models do not shrink to less than a 200th. */
 export function unpackBudget(archiveSize: number): UnpackBudget {
   return { left: Math.min(1024 * megabyte, Math.max(64 * megabyte, 200 * archiveSize)) };
 }
@@ -48,7 +48,7 @@ function damaged(words: string): Error {
   return failure('MALFORMED_FILE', `the zip is damaged: ${words}`, { hint: 'zip the model again' });
 }
 
-/** A look at the archive's numbers, all little-endian, none beyond its end. */
+/** Reads the archive's numbers, which are little-endian. Throws beyond its end. */
 class Numbers {
   readonly #view: DataView;
   constructor(bytes: Uint8Array) {
@@ -71,8 +71,8 @@ class Numbers {
 }
 
 /**
- * The files of an archive in the directory's order. Left out: folders, names that are absolute or
- * lead out of the archive, and what systems add for themselves. Codes: MALFORMED_FILE.
+ * The files of an archive, in the directory's order, without folders, names that are absolute or lead out
+ * of the archive, and files that operating systems add. Errors: MALFORMED_FILE.
  */
 export function zipEntries(bytes: Uint8Array): ZipEntry[] {
   const numbers = new Numbers(bytes);
@@ -107,7 +107,7 @@ export function zipEntries(bytes: Uint8Array): ZipEntry[] {
 
 /** How many entries the archive's directory has, and where it begins. */
 function directoryOf(bytes: Uint8Array, numbers: Numbers): { count: number; at: number } {
-  // It ends the file, but for a comment of at most 65535 bytes.
+  // It ends the file; only a comment of at most 65535 bytes may follow.
   const earliest = Math.max(0, bytes.length - 22 - 0xffff);
   let end = bytes.length - 22;
   while (end >= earliest && numbers.u32(end) !== 0x06054b50) --end;
@@ -120,7 +120,7 @@ function directoryOf(bytes: Uint8Array, numbers: Numbers): { count: number; at: 
   return { count: numbers.u64(wideEnd + 32), at: numbers.u64(wideEnd + 48) };
 }
 
-/** Puts 64-bit numbers in the place of those that did not fit into 32 bits. */
+/** Replaces numbers that did not fit into 32 bits by those of 64 bits. */
 function widen(wide: number[], numbers: Numbers, from: number, to: number): void {
   for (let at = from; at + 4 <= to; at += 4 + numbers.u16(at + 2)) {
     if (numbers.u16(at) !== 1) continue;
@@ -134,7 +134,7 @@ function widen(wide: number[], numbers: Numbers, from: number, to: number): void
   }
 }
 
-/** UTF-8 as nearly all archives have it; other bytes as Latin letters. */
+/** A name in UTF-8, as in nearly all archives; otherwise in Latin-1. */
 function nameIn(bytes: Uint8Array): string {
   try {
     return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
@@ -143,7 +143,7 @@ function nameIn(bytes: Uint8Array): string {
   }
 }
 
-/** The path with '/' and without '.', or nothing where it is no file that a model could refer to. */
+/** The path with '/' and without '.'; undefined where a model cannot refer to it. */
 export function safePath(name: string): string | undefined {
   const parts = name.replaceAll('\\', '/').split('/');
   if (parts[0] === '' || parts.at(-1) === '' || /^[a-z]:/i.test(name)) return undefined;
@@ -153,8 +153,8 @@ export function safePath(name: string): string | undefined {
 }
 
 /**
- * The bytes of a file, whose size and checksum must be what the directory says. Codes: LIMIT_EXCEEDED
- * where it is larger than the budget allows, MALFORMED_FILE, UNSUPPORTED_FEATURE.
+ * The bytes of a file. Errors: LIMIT_EXCEEDED where it is larger than the budget allows; MALFORMED_FILE
+ * where size or checksum are not those of the directory; UNSUPPORTED_FEATURE.
  */
 export function unpack(
   archive: Uint8Array,
@@ -172,7 +172,7 @@ export function unpack(
   const from = offset + 30 + numbers.u16(offset + 26) + numbers.u16(offset + 28);
   const packed = archive.subarray(from, from + packedSize);
   if (packed.length < packedSize) throw damaged(`${path} ends too early`);
-  // The size is believed where the budget allows it and so many bytes can be made of those present.
+  // The size is plausible where the budget allows it and the packed bytes can expand to it.
   if (size > budget.left) {
     throw failure('LIMIT_EXCEEDED', `${path} in the zip would unpack to more than is allowed`, {
       hint: 'unpack the zip yourself, and drop the files in it',
@@ -209,7 +209,7 @@ export function unpack(
 
 let crcTable: Uint32Array | undefined;
 
-/** CRC-32, as zip has it. */
+/** CRC-32 as in zip. */
 function crcOf(bytes: Uint8Array): number {
   crcTable ??= Uint32Array.from({ length: 256 }, (_, n) => {
     let value = n;
