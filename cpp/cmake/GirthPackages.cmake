@@ -25,8 +25,8 @@ endif()
 function(girth_add_single_headers)
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/single_headers")
   file(MAKE_DIRECTORY "${folder}")
-  foreach(entry "nlohmann/json.hpp nlohmann-json3-dev" "Eigen/Core libeigen3-dev"
-                "Spectra/SymEigsSolver.h libspectra-dev")
+  foreach(entry "nlohmann/json.hpp nlohmann-json3-dev" "tiny_gltf.h libtinygltf-dev"
+                "Eigen/Core libeigen3-dev" "Spectra/SymEigsSolver.h libspectra-dev")
     separate_arguments(entry)
     list(GET entry 0 header)
     list(GET entry 1 debianPackage)

@@ -5,20 +5,23 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
 
 #include "bytes/bit_cast.h"
 
 namespace girth::io {
 
-/// Appends the lowest `count` bytes of `bits`.
-inline void appendBytes(std::string& content, std::uint64_t bits, std::size_t count) {
-  char bytes[8];
-  for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<char>(bits >> (8 * i) & 0xFFu);
-  content.append(bytes, count);
+/// Appends the lowest `count` bytes of `bits` to a text or a list of bytes.
+template <class Content>
+void appendBytes(Content& content, std::uint64_t bits, std::size_t count) {
+  typename Content::value_type bytes[8];
+  for (std::size_t i = 0; i < count; ++i) {
+    bytes[i] = static_cast<typename Content::value_type>(bits >> (8 * i) & 0xFFu);
+  }
+  content.insert(content.end(), bytes, bytes + count);
 }
 
-inline void appendDouble(std::string& content, double value) {
+template <class Content>
+void appendDouble(Content& content, double value) {
   appendBytes(content, bitCast<std::uint64_t>(value), 8);
 }
 
@@ -28,7 +31,8 @@ inline float nearestFloat(double value) {
   return static_cast<float>(std::clamp(value, -kLargest, kLargest));
 }
 
-inline void appendFloat(std::string& content, float value) {
+template <class Content>
+void appendFloat(Content& content, float value) {
   appendBytes(content, bitCast<std::uint32_t>(value), 4);
 }
 

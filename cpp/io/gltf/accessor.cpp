@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "bytes/bit_cast.h"
-#include "gltf/json_fields.h"
+#include "gltf/fault.h"
 
 namespace girth::io {
 namespace {
@@ -64,24 +64,24 @@ void copyNumbers(const Run& run, std::size_t components, bool normalized, double
   }
 }
 
-void copyNumbers(const Run& run, GltfComponent component, std::size_t components, bool normalized,
+void copyNumbers(const Run& run, int componentType, std::size_t components, bool normalized,
                  double* to) {
-  switch (component) {
-    case GltfComponent::Byte:
+  switch (componentType) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
       return copyNumbers<std::int8_t>(run, components, normalized, to);
-    case GltfComponent::UnsignedByte:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
       return copyNumbers<std::uint8_t>(run, components, normalized, to);
-    case GltfComponent::Short:
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
       return copyNumbers<std::int16_t>(run, components, normalized, to);
-    case GltfComponent::UnsignedShort:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
       return copyNumbers<std::uint16_t>(run, components, normalized, to);
-    case GltfComponent::Int:
+    case TINYGLTF_COMPONENT_TYPE_INT:
       return copyNumbers<std::int32_t>(run, components, normalized, to);
-    case GltfComponent::UnsignedInt:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
       return copyNumbers<std::uint32_t>(run, components, normalized, to);
-    case GltfComponent::Float:
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
       return copyNumbers<float>(run, components, normalized, to);
-    case GltfComponent::Double:
+    default:
       return copyNumbers<double>(run, components, normalized, to);
   }
 }
@@ -91,14 +91,17 @@ void copyIndices(const Run& run, Index* to) {
   for (std::size_t i = 0; i < run.count; ++i) to[i] = load<T>(run.first + i * run.stride);
 }
 
-bool canBeIndex(GltfComponent component) {
-  return component == GltfComponent::UnsignedByte || component == GltfComponent::UnsignedShort ||
-         component == GltfComponent::UnsignedInt;
+bool canBeIndex(int componentType) {
+  return componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+         componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+         componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
-void copyIndices(const Run& run, GltfComponent component, Index* to) {
-  if (component == GltfComponent::UnsignedByte) return copyIndices<std::uint8_t>(run, to);
-  if (component == GltfComponent::UnsignedShort) return copyIndices<std::uint16_t>(run, to);
+void copyIndices(const Run& run, int componentType, Index* to) {
+  if (componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE)
+    return copyIndices<std::uint8_t>(run, to);
+  if (componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+    return copyIndices<std::uint16_t>(run, to);
   return copyIndices<std::uint32_t>(run, to);
 }
 
@@ -106,31 +109,12 @@ std::string placeOf(std::uint32_t accessor) { return "/accessors/" + std::to_str
 
 }  // namespace
 
-std::size_t componentsOf(GltfShape shape) {
-  switch (shape) {
-    case GltfShape::Scalar:
-      return 1;
-    case GltfShape::Vec2:
-      return 2;
-    case GltfShape::Vec3:
-      return 3;
-    case GltfShape::Vec4:
-    case GltfShape::Mat2:
-      return 4;
-    case GltfShape::Mat3:
-      return 9;
-    case GltfShape::Mat4:
-      break;
-  }
-  return 16;
-}
-
-void appendComponents(std::span<const std::byte> bytes, GltfComponent component, bool normalized,
+void appendComponents(std::span<const std::byte> bytes, int componentType, bool normalized,
                       std::vector<double>& numbers) {
-  const std::size_t count = bytes.size() / bytesOf(component);
+  const std::size_t count = bytes.size() / bytesOf(componentType);
   const std::size_t before = numbers.size();
   numbers.resize(before + count);
-  copyNumbers({bytes.data(), bytesOf(component), count}, component, 1, normalized,
+  copyNumbers({bytes.data(), bytesOf(componentType), count}, componentType, 1, normalized,
               numbers.data() + before);
 }
 
@@ -147,7 +131,7 @@ Result<GltfAccessors::Elements> GltfAccessors::elementsOf(std::uint32_t view,
                                                           const std::string& place) {
   auto bytes = buffers_.view(view, viewUser);
   if (!bytes) return bytes.error();
-  const std::uint64_t given = document_.bufferViews[view].byteStride;
+  const std::uint64_t given = model_.bufferViews[view].byteStride;
   const std::uint64_t stride = given == 0 ? elementBytes : given;
   if (stride < elementBytes) {
     return faultAt("/bufferViews/" + std::to_string(view) + "/byteStride",
@@ -166,16 +150,16 @@ Result<GltfAccessors::Elements> GltfAccessors::elementsOf(std::uint32_t view,
   return Elements{bytes.value().data() + offset, static_cast<std::size_t>(stride)};
 }
 
-Result<const GltfAccessor*> GltfAccessors::find(std::uint32_t number, GltfShape shape,
-                                                const std::string& user) const {
-  if (number >= document_.accessors.size()) {
+Result<const tinygltf::Accessor*> GltfAccessors::find(std::uint32_t number, int shape,
+                                                      const std::string& user) const {
+  if (number >= model_.accessors.size()) {
     return faultAt(user, "there is no accessor " + std::to_string(number));
   }
-  const GltfAccessor& accessor = document_.accessors[number];
-  if (accessor.shape != shape) {
-    return faultAt(placeOf(number) + "/type", "is " + std::string(toString(accessor.shape)) +
+  const tinygltf::Accessor& accessor = model_.accessors[number];
+  if (accessor.type != shape) {
+    return faultAt(placeOf(number) + "/type", "is " + std::string(shapeText(accessor.type)) +
                                                   ", but " + user + " needs " +
-                                                  std::string(toString(shape)));
+                                                  std::string(shapeText(shape)));
   }
   if (accessor.count == 0) return faultAt(placeOf(number) + "/count", "is 0");
   return &accessor;
@@ -184,30 +168,32 @@ Result<const GltfAccessor*> GltfAccessors::find(std::uint32_t number, GltfShape 
 /// Calls `put(first element, run)` for every run of elements that have bytes behind them, later
 /// ones over earlier ones. All counts are checked, and paid for, before the first call.
 template <class Put>
-Result<std::size_t> GltfAccessors::forEachRun(const GltfAccessor& accessor,
+Result<std::size_t> GltfAccessors::forEachRun(const tinygltf::Accessor& accessor,
                                               const std::string& place, const Put& put) {
-  const std::size_t elementBytes = bytesOf(accessor.component) * componentsOf(accessor.shape);
+  const std::size_t elementBytes = bytesOf(accessor.componentType) * componentsOf(accessor.type);
   std::optional<Elements> base;
-  if (accessor.bufferView) {
-    auto elements = elementsOf(*accessor.bufferView, place + "/bufferView", accessor.byteOffset,
-                               accessor.count, elementBytes, place);
+  if (const GltfReference view = referenceOf(accessor.bufferView)) {
+    auto elements = elementsOf(*view, place + "/bufferView", accessor.byteOffset, accessor.count,
+                               elementBytes, place);
     if (!elements) return elements.error();
     base = elements.value();
   }
   std::optional<Elements> indices, values;
-  if (accessor.sparse) {
-    const GltfSparse& sparse = *accessor.sparse;
+  const auto& sparse = accessor.sparse;
+  if (sparse.isSparse) {
     const std::string sparsePlace = place + "/sparse";
-    if (!canBeIndex(sparse.indicesComponent)) {
+    if (!canBeIndex(sparse.indices.componentType)) {
       return faultAt(sparsePlace + "/indices/componentType", "is not an unsigned integer");
     }
     if (sparse.count == 0) return faultAt(sparsePlace + "/count", "is 0");
     auto foundIndices =
-        elementsOf(sparse.indicesView, sparsePlace + "/indices/bufferView", sparse.indicesOffset,
-                   sparse.count, bytesOf(sparse.indicesComponent), sparsePlace);
+        elementsOf(unsignedOf(sparse.indices.bufferView), sparsePlace + "/indices/bufferView",
+                   unsignedOf(sparse.indices.byteOffset), unsignedOf(sparse.count),
+                   bytesOf(sparse.indices.componentType), sparsePlace);
     if (!foundIndices) return foundIndices.error();
-    auto foundValues = elementsOf(sparse.valuesView, sparsePlace + "/values/bufferView",
-                                  sparse.valuesOffset, sparse.count, elementBytes, sparsePlace);
+    auto foundValues = elementsOf(
+        unsignedOf(sparse.values.bufferView), sparsePlace + "/values/bufferView",
+        unsignedOf(sparse.values.byteOffset), unsignedOf(sparse.count), elementBytes, sparsePlace);
     if (!foundValues) return foundValues.error();
     indices = foundIndices.value();
     values = foundValues.value();
@@ -222,10 +208,10 @@ Result<std::size_t> GltfAccessors::forEachRun(const GltfAccessor& accessor,
   const auto count = static_cast<std::size_t>(accessor.count);
   put.prepare(count);
   if (base) put(0, Run{base->first, base->stride, count});
-  if (!accessor.sparse) return count;
-  for (std::size_t i = 0; i < accessor.sparse->count; ++i) {
+  if (!sparse.isSparse) return count;
+  for (std::size_t i = 0; i < unsignedOf(sparse.count); ++i) {
     Index target = 0;
-    copyIndices({indices->first + i * indices->stride, 0, 1}, accessor.sparse->indicesComponent,
+    copyIndices({indices->first + i * indices->stride, 0, 1}, sparse.indices.componentType,
                 &target);
     if (target >= accessor.count) {
       return faultAt(place + "/sparse", "replaces element " + std::to_string(target) + " of " +
@@ -236,19 +222,19 @@ Result<std::size_t> GltfAccessors::forEachRun(const GltfAccessor& accessor,
   return count;
 }
 
-Result<std::size_t> GltfAccessors::appendNumbers(std::uint32_t number, GltfShape shape,
+Result<std::size_t> GltfAccessors::appendNumbers(std::uint32_t number, int shape,
                                                  const std::string& user,
                                                  std::vector<double>& numbers) {
   auto accessor = find(number, shape, user);
   if (!accessor) return accessor.error();
   struct Put {
-    const GltfAccessor& accessor;
+    const tinygltf::Accessor& accessor;
     std::size_t components, before;
     std::vector<double>& numbers;
 
     void prepare(std::size_t count) const { numbers.resize(before + components * count); }
     void operator()(std::size_t first, const Run& run) const {
-      copyNumbers(run, accessor.component, components, accessor.normalized,
+      copyNumbers(run, accessor.componentType, components, accessor.normalized,
                   numbers.data() + before + components * first);
     }
   };
@@ -258,20 +244,20 @@ Result<std::size_t> GltfAccessors::appendNumbers(std::uint32_t number, GltfShape
 
 Result<std::size_t> GltfAccessors::appendIndices(std::uint32_t number, const std::string& user,
                                                  std::vector<Index>& indices) {
-  auto accessor = find(number, GltfShape::Scalar, user);
+  auto accessor = find(number, TINYGLTF_TYPE_SCALAR, user);
   if (!accessor) return accessor.error();
-  if (!canBeIndex(accessor.value()->component)) {
+  if (!canBeIndex(accessor.value()->componentType)) {
     return faultAt(placeOf(number) + "/componentType",
                    "is not an unsigned integer, but " + user + " needs one");
   }
   struct Put {
-    const GltfAccessor& accessor;
+    const tinygltf::Accessor& accessor;
     std::size_t before;
     std::vector<Index>& indices;
 
     void prepare(std::size_t count) const { indices.resize(before + count); }
     void operator()(std::size_t first, const Run& run) const {
-      copyIndices(run, accessor.component, indices.data() + before + first);
+      copyIndices(run, accessor.componentType, indices.data() + before + first);
     }
   };
   return forEachRun(*accessor.value(), placeOf(number),

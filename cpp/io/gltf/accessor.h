@@ -19,18 +19,19 @@ namespace girth::io {
 class GltfAccessors {
  public:
   /// All must outlive the object.
-  GltfAccessors(const GltfDocument& document, GltfBuffers& buffers, SoupBudget& budget)
-      : document_(document), buffers_(buffers), budget_(budget) {}
+  GltfAccessors(const tinygltf::Model& model, GltfBuffers& buffers, SoupBudget& budget)
+      : model_(model), buffers_(buffers), budget_(budget) {}
 
-  /// The accessor of that number. `user` is the place of the reference, as a JSON pointer.
-  /// Errors: MALFORMED_FILE where there is none or where its elements have another shape.
-  Result<const GltfAccessor*> find(std::uint32_t number, GltfShape shape,
-                                   const std::string& user) const;
+  /// The accessor of that number. `shape`: TINYGLTF_TYPE_... `user` is the place of the reference,
+  /// as a JSON pointer. Errors: MALFORMED_FILE where there is none or where its elements have
+  /// another shape.
+  Result<const tinygltf::Accessor*> find(std::uint32_t number, int shape,
+                                         const std::string& user) const;
 
   /// Appends the accessor's numbers, component by component, and gives how many elements there
   /// were. Normalised integers map onto [0, 1] or [-1, 1]. The elements are taken from the budget.
   /// Errors: MALFORMED_FILE, LIMIT_EXCEEDED and those of GltfBuffers.
-  Result<std::size_t> appendNumbers(std::uint32_t number, GltfShape shape, const std::string& user,
+  Result<std::size_t> appendNumbers(std::uint32_t number, int shape, const std::string& user,
                                     std::vector<double>& numbers);
 
   /// Appends the vertex numbers of an index accessor, not compared with the number of vertices.
@@ -44,19 +45,16 @@ class GltfAccessors {
                               std::uint64_t count, std::size_t elementBytes,
                               const std::string& place);
   template <class Put>
-  Result<std::size_t> forEachRun(const GltfAccessor& accessor, const std::string& place,
+  Result<std::size_t> forEachRun(const tinygltf::Accessor& accessor, const std::string& place,
                                  const Put& put);
 
-  const GltfDocument& document_;
+  const tinygltf::Model& model_;
   GltfBuffers& buffers_;
   SoupBudget& budget_;
 };
 
-/// How many numbers an element of that shape has.
-std::size_t componentsOf(GltfShape shape);
-
-/// Appends numbers that follow each other without gaps.
-void appendComponents(std::span<const std::byte> bytes, GltfComponent component, bool normalized,
+/// Appends numbers of a component type that follow each other without gaps.
+void appendComponents(std::span<const std::byte> bytes, int componentType, bool normalized,
                       std::vector<double>& numbers);
 
 }  // namespace girth::io

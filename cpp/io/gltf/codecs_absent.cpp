@@ -36,8 +36,7 @@ Result<DracoMesh> DracoMesh::unpack(std::span<const std::byte>, const std::vecto
 std::size_t DracoMesh::pointCount() const { return 0; }
 std::size_t DracoMesh::faceCount() const { return 0; }
 void DracoMesh::appendFaces(std::vector<Index>&) const {}
-std::optional<std::vector<std::byte>> DracoMesh::attribute(std::uint32_t, std::size_t,
-                                                           GltfComponent) const {
+std::optional<std::vector<std::byte>> DracoMesh::attribute(std::uint32_t, std::size_t, int) const {
   return std::nullopt;
 }
 

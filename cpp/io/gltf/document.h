@@ -1,7 +1,7 @@
-// A glTF document, reduced to its geometry.
+// A glTF document: tinygltf's model of its geometry, and how its attributes and extensions are
+// understood.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,48 +10,36 @@
 #include <vector>
 
 #include "girth/error.h"
+#include "gltf/geometry_json.h"
+#include "gltf/tinygltf.h"
 
 namespace girth::io {
 
 /// The number of another element. Whoever follows it checks that there is such an element.
 using GltfReference = std::optional<std::uint32_t>;
 
-/// The values are those that glTF writes. Int and Double are not glTF, but some write them.
-enum class GltfComponent : std::uint16_t {
-  Byte = 5120,
-  UnsignedByte = 5121,
-  Short = 5122,
-  UnsignedShort = 5123,
-  Int = 5124,
-  UnsignedInt = 5125,
-  Float = 5126,
-  Double = 5130
-};
+/// A number of the model that was checked to be at least 0.
+inline std::uint32_t unsignedOf(int number) { return static_cast<std::uint32_t>(number); }
 
-/// Bytes of one component.
-std::size_t bytesOf(GltfComponent component);
+/// tinygltf writes -1 where there is none.
+inline GltfReference referenceOf(int number) {
+  return number < 0 ? GltfReference() : GltfReference(static_cast<std::uint32_t>(number));
+}
 
-/// The shape of an accessor's elements. Numbers: how many components there are.
-enum class GltfShape : std::uint8_t { Scalar, Vec2, Vec3, Vec4, Mat2, Mat3, Mat4 };
+/// Bytes of one component of a type that glTF knows (TINYGLTF_COMPONENT_TYPE_...).
+inline std::size_t bytesOf(int componentType) {
+  return static_cast<std::size_t>(
+      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(componentType)));
+}
 
-std::string_view toString(GltfShape shape);
+/// How many numbers an element of a shape has (TINYGLTF_TYPE_...).
+inline std::size_t componentsOf(int shape) {
+  return static_cast<std::size_t>(
+      tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(shape)));
+}
 
-enum class GltfMode : std::uint8_t {
-  Points,
-  Lines,
-  LineLoop,
-  LineStrip,
-  Triangles,
-  TriangleStrip,
-  TriangleFan
-};
-
-/// Where a buffer's bytes are to come from.
-struct GltfBuffer {
-  /// A data: URI or a relative name; empty: the GLB's binary chunk.
-  std::string uri;
-  std::uint64_t byteLength{0};
-};
+/// A shape as glTF writes it: "VEC3".
+std::string_view shapeText(int shape);
 
 /// EXT_meshopt_compression or KHR_meshopt_compression: how a buffer view's bytes are packed.
 struct GltfMeshopt {
@@ -68,34 +56,8 @@ struct GltfMeshopt {
   Filter filter{Filter::None};
 };
 
-struct GltfBufferView {
-  std::uint32_t buffer{0};
-  std::uint64_t byteOffset{0};
-  std::uint64_t byteLength{0};
-  /// 0: the elements follow each other without a gap.
-  std::uint64_t byteStride{0};
-  std::optional<GltfMeshopt> packed;
-};
-
-struct GltfSparse {
-  std::uint64_t count{0};
-  std::uint32_t indicesView{0};
-  std::uint64_t indicesOffset{0};
-  GltfComponent indicesComponent{GltfComponent::UnsignedInt};
-  std::uint32_t valuesView{0};
-  std::uint64_t valuesOffset{0};
-};
-
-struct GltfAccessor {
-  /// None: all zero, but for sparse replacements.
-  GltfReference bufferView;
-  std::uint64_t byteOffset{0};
-  std::uint64_t count{0};
-  GltfComponent component{GltfComponent::Float};
-  GltfShape shape{GltfShape::Scalar};
-  bool normalized{false};
-  std::optional<GltfSparse> sparse;
-};
+/// How a buffer view is packed, if it is; KHR_meshopt_compression where it has both extensions.
+std::optional<GltfMeshopt> meshoptOf(const tinygltf::BufferView& view);
 
 /// KHR_draco_mesh_compression: the packed mesh, and the numbers by which it knows attributes.
 struct GltfDraco {
@@ -106,9 +68,12 @@ struct GltfDraco {
   std::vector<std::optional<std::uint32_t>> weights;
 };
 
-/// The attributes that say where a primitive's points lie.
+/// The attributes that determine where a primitive's points lie.
 struct GltfPrimitive {
-  GltfMode mode{GltfMode::Triangles};
+  explicit GltfPrimitive(const tinygltf::Primitive& primitive);
+
+  /// TINYGLTF_MODE_...
+  int mode;
   GltfReference position;
   GltfReference indices;
   /// JOINTS_0, JOINTS_1, ... and WEIGHTS_0, ...: lists of the same length, up to the last set that
@@ -120,12 +85,6 @@ struct GltfPrimitive {
   std::optional<GltfDraco> draco;
 };
 
-struct GltfMesh {
-  std::string name;
-  std::vector<GltfPrimitive> primitives;
-  std::vector<double> weights;
-};
-
 /// EXT_mesh_gpu_instancing: accessors of one value an instance.
 struct GltfInstancing {
   GltfReference translation;
@@ -133,52 +92,24 @@ struct GltfInstancing {
   GltfReference scale;
 };
 
-struct GltfNode {
-  std::string name;
-  std::vector<std::uint32_t> children;
-  GltfReference mesh;
-  GltfReference skin;
-  /// 16 numbers, column by column; else the three after it count. Empty: not given.
-  std::vector<double> matrix;
-  std::vector<double> translation, rotation, scale;
-  std::vector<double> weights;
-  std::optional<GltfInstancing> instancing;
-  /// KHR_node_visibility: neither the node nor what is below it is shown.
-  bool hidden{false};
-};
+/// The instances of a node's mesh, if it has any.
+std::optional<GltfInstancing> instancingOf(const tinygltf::Node& node);
 
-struct GltfSkin {
-  std::string name;
-  std::vector<std::uint32_t> joints;
-  GltfReference inverseBindMatrices;
-};
-
-struct GltfScene {
-  std::string name;
-  std::vector<std::uint32_t> nodes;
-};
+/// KHR_node_visibility: whether neither the node nor what is below it is shown.
+bool isHidden(const tinygltf::Node& node);
 
 /// What of a document matters for the surface. Types are right and values are in their ranges, but
 /// no number has been checked against another.
 struct GltfDocument {
-  std::vector<GltfBuffer> buffers;
-  std::vector<GltfBufferView> bufferViews;
-  std::vector<GltfAccessor> accessors;
-  std::vector<GltfMesh> meshes;
-  std::vector<GltfNode> nodes;
-  std::vector<GltfSkin> skins;
-  std::vector<GltfScene> scenes;
-  GltfReference scene;
+  /// Of the buffers, only the GLB's binary chunk has its bytes yet.
+  tinygltf::Model model;
+  std::vector<GltfBufferSource> sources;
+  /// By mesh and primitive.
+  std::vector<std::vector<GltfPrimitive>> primitives;
 };
 
-/// Parses JSON text that begins at byte `firstByte` of the file. Errors name the place as a JSON
-/// pointer, or the byte where the text is no JSON: UNKNOWN_FORMAT (JSON, but not glTF),
-/// MALFORMED_FILE, UNSUPPORTED_FEATURE (glTF 1.0, or an extension without which the geometry cannot
-/// be read), LIMIT_EXCEEDED.
-Result<GltfDocument> parseGltfDocument(std::string_view json, std::size_t firstByte);
-
 /// The first reference in the document that leads nowhere, the first range that does not fit: what
-/// to say of a document without triangles, which is most likely broken. Buffers are not fetched.
+/// to report of a document without triangles, which is most likely broken. Buffers are not fetched.
 std::optional<Error> firstFaultOf(const GltfDocument& document);
 
 }  // namespace girth::io

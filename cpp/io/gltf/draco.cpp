@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "gltf/json_fields.h"
+#include "gltf/fault.h"
 
 namespace girth::io {
 
@@ -176,26 +176,25 @@ bool copyAttribute(const draco::Mesh& mesh, const draco::PointAttribute& attribu
 }
 
 bool copyAttribute(const draco::Mesh& mesh, const draco::PointAttribute& attribute,
-                   GltfComponent type, std::vector<std::byte>& bytes) {
-  switch (type) {
-    case GltfComponent::Byte:
+                   int componentType, std::vector<std::byte>& bytes) {
+  switch (componentType) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
       return copyAttribute<std::int8_t>(mesh, attribute, bytes);
-    case GltfComponent::UnsignedByte:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
       return copyAttribute<std::uint8_t>(mesh, attribute, bytes);
-    case GltfComponent::Short:
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
       return copyAttribute<std::int16_t>(mesh, attribute, bytes);
-    case GltfComponent::UnsignedShort:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
       return copyAttribute<std::uint16_t>(mesh, attribute, bytes);
-    case GltfComponent::Int:
+    case TINYGLTF_COMPONENT_TYPE_INT:
       return copyAttribute<std::int32_t>(mesh, attribute, bytes);
-    case GltfComponent::UnsignedInt:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
       return copyAttribute<std::uint32_t>(mesh, attribute, bytes);
-    case GltfComponent::Float:
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
       return copyAttribute<float>(mesh, attribute, bytes);
-    case GltfComponent::Double:
-      break;
+    default:
+      return copyAttribute<double>(mesh, attribute, bytes);
   }
-  return copyAttribute<double>(mesh, attribute, bytes);
 }
 
 }  // namespace
@@ -251,13 +250,13 @@ void DracoMesh::appendFaces(std::vector<Index>& corners) const {
 
 std::optional<std::vector<std::byte>> DracoMesh::attribute(std::uint32_t number,
                                                            std::size_t components,
-                                                           GltfComponent type) const {
+                                                           int componentType) const {
   const draco::PointAttribute* found = content_->mesh.GetAttributeByUniqueId(number);
   if (found == nullptr || static_cast<std::size_t>(found->num_components()) != components) {
     return std::nullopt;
   }
   std::vector<std::byte> bytes;
-  if (!copyAttribute(content_->mesh, *found, type, bytes)) return std::nullopt;
+  if (!copyAttribute(content_->mesh, *found, componentType, bytes)) return std::nullopt;
   return bytes;
 }
 

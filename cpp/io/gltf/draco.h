@@ -36,10 +36,11 @@ class DracoMesh {
   /// Appends three points per face. Every one is below pointCount().
   void appendFaces(std::vector<Index>& corners) const;
 
-  /// An attribute that was asked for, for all points, as components of that type without gaps;
-  /// nothing where there is no such attribute, or not of so many components.
+  /// An attribute that was asked for, for all points, as components of that type
+  /// (TINYGLTF_COMPONENT_TYPE_...) without gaps; nothing where there is no such attribute, or not
+  /// of so many components.
   std::optional<std::vector<std::byte>> attribute(std::uint32_t number, std::size_t components,
-                                                  GltfComponent type) const;
+                                                  int componentType) const;
 
   DracoMesh(DracoMesh&&) noexcept;
   DracoMesh& operator=(DracoMesh&&) noexcept;

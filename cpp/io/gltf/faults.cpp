@@ -3,31 +3,32 @@
 
 #include "gltf/accessor.h"
 #include "gltf/document.h"
-#include "gltf/json_fields.h"
+#include "gltf/fault.h"
 
 namespace girth::io {
 namespace {
 
 class FaultFinder {
  public:
-  explicit FaultFinder(const GltfDocument& document) : document_(document) {}
+  explicit FaultFinder(const GltfDocument& document)
+      : document_(document), model_(document.model) {}
 
   std::optional<Error> run() {
-    for (std::size_t i = 0; i < document_.buffers.size(); ++i) {
-      if (document_.buffers[i].byteLength == 0) {
+    for (std::size_t i = 0; i < document_.sources.size(); ++i) {
+      if (document_.sources[i].byteLength == 0) {
         report(placeOf("buffers", i) + "/byteLength", "is 0");
       }
     }
-    for (std::size_t i = 0; i < document_.bufferViews.size() && !fault_; ++i) checkView(i);
-    for (std::size_t i = 0; i < document_.accessors.size() && !fault_; ++i) checkAccessor(i);
-    for (std::size_t i = 0; i < document_.meshes.size() && !fault_; ++i) checkMesh(i);
-    for (std::size_t i = 0; i < document_.skins.size() && !fault_; ++i) checkSkin(i);
-    for (std::size_t i = 0; i < document_.nodes.size() && !fault_; ++i) checkNode(i);
-    for (std::size_t i = 0; i < document_.scenes.size() && !fault_; ++i) {
-      checkAll(document_.scenes[i].nodes, document_.nodes.size(), "node",
+    for (std::size_t i = 0; i < model_.bufferViews.size() && !fault_; ++i) checkView(i);
+    for (std::size_t i = 0; i < model_.accessors.size() && !fault_; ++i) checkAccessor(i);
+    for (std::size_t i = 0; i < model_.meshes.size() && !fault_; ++i) checkMesh(i);
+    for (std::size_t i = 0; i < model_.skins.size() && !fault_; ++i) checkSkin(i);
+    for (std::size_t i = 0; i < model_.nodes.size() && !fault_; ++i) checkNode(i);
+    for (std::size_t i = 0; i < model_.scenes.size() && !fault_; ++i) {
+      checkAll(model_.scenes[i].nodes, model_.nodes.size(), "node",
                placeOf("scenes", i) + "/nodes");
     }
-    check(document_.scene, document_.scenes.size(), "scene", "/scene");
+    check(referenceOf(model_.defaultScene), model_.scenes.size(), "scene", "/scene");
     checkParents();
     return fault_;
   }
@@ -48,18 +49,19 @@ class FaultFinder {
     return false;
   }
 
-  void checkAll(const std::vector<std::uint32_t>& references, std::size_t size, const char* what,
+  void checkAll(const std::vector<int>& references, std::size_t size, const char* what,
                 const std::string& place) {
     for (std::size_t i = 0; i < references.size(); ++i) {
-      check(references[i], size, what, place + "/" + std::to_string(i));
+      check(referenceOf(references[i]), size, what, place + "/" + std::to_string(i));
     }
   }
 
   void checkView(std::size_t number) {
-    const GltfBufferView& view = document_.bufferViews[number];
+    const tinygltf::BufferView& view = model_.bufferViews[number];
     const std::string place = placeOf("bufferViews", number);
-    if (!check(view.buffer, document_.buffers.size(), "buffer", place + "/buffer")) return;
-    const std::uint64_t size = document_.buffers[view.buffer].byteLength;
+    if (!check(referenceOf(view.buffer), document_.sources.size(), "buffer", place + "/buffer"))
+      return;
+    const std::uint64_t size = document_.sources[unsignedOf(view.buffer)].byteLength;
     if (view.byteOffset > size || view.byteLength > size - view.byteOffset) {
       report(place, "reaches beyond the end of buffer " + std::to_string(view.buffer));
     }
@@ -74,8 +76,8 @@ class FaultFinder {
   void checkElements(std::uint32_t viewNumber, std::uint64_t offset, std::uint64_t count,
                      std::size_t componentBytes, std::size_t elementBytes,
                      const std::string& viewPlace, const std::string& place) {
-    if (!check(viewNumber, document_.bufferViews.size(), "buffer view", viewPlace)) return;
-    const GltfBufferView& view = document_.bufferViews[viewNumber];
+    if (!check(viewNumber, model_.bufferViews.size(), "buffer view", viewPlace)) return;
+    const tinygltf::BufferView& view = model_.bufferViews[viewNumber];
     const std::uint64_t stride = view.byteStride == 0 ? elementBytes : view.byteStride;
     if (stride < elementBytes) {
       report(place, "has elements of " + std::to_string(elementBytes) + " bytes only " +
@@ -89,41 +91,44 @@ class FaultFinder {
   }
 
   void checkAccessor(std::size_t number) {
-    const GltfAccessor& accessor = document_.accessors[number];
+    const tinygltf::Accessor& accessor = model_.accessors[number];
     const std::string place = placeOf("accessors", number);
-    const std::size_t componentBytes = bytesOf(accessor.component);
-    const std::size_t elementBytes = componentBytes * componentsOf(accessor.shape);
+    const std::size_t componentBytes = bytesOf(accessor.componentType);
+    const std::size_t elementBytes = componentBytes * componentsOf(accessor.type);
     if (accessor.count == 0) return report(place + "/count", "is 0");
     if (accessor.normalized && componentBytes > 2) {
       report(place + "/normalized", "is only for integers of one or two bytes");
     }
-    if (accessor.bufferView) {
-      checkElements(*accessor.bufferView, accessor.byteOffset, accessor.count, componentBytes,
-                    elementBytes, place + "/bufferView", place);
+    if (const GltfReference view = referenceOf(accessor.bufferView)) {
+      checkElements(*view, accessor.byteOffset, accessor.count, componentBytes, elementBytes,
+                    place + "/bufferView", place);
     } else if (accessor.byteOffset != 0) {
       report(place + "/byteOffset", "is given, but no buffer view");
     }
-    if (!accessor.sparse) return;
-    const GltfSparse& sparse = *accessor.sparse;
+    const auto& sparse = accessor.sparse;
+    if (!sparse.isSparse) return;
     const std::string sparsePlace = place + "/sparse";
-    if (sparse.count == 0 || sparse.count > accessor.count) {
-      return report(sparsePlace + "/count", "is " + std::to_string(sparse.count) + " of " +
+    const std::uint64_t count = unsignedOf(sparse.count);
+    if (count == 0 || count > accessor.count) {
+      return report(sparsePlace + "/count", "is " + std::to_string(count) + " of " +
                                                 std::to_string(accessor.count) + " elements");
     }
-    const std::size_t indexBytes = bytesOf(sparse.indicesComponent);
-    checkElements(sparse.indicesView, sparse.indicesOffset, sparse.count, indexBytes, indexBytes,
-                  sparsePlace + "/indices/bufferView", sparsePlace + "/indices");
-    checkElements(sparse.valuesView, sparse.valuesOffset, sparse.count, componentBytes,
-                  elementBytes, sparsePlace + "/values/bufferView", sparsePlace + "/values");
+    const std::size_t indexBytes = bytesOf(sparse.indices.componentType);
+    checkElements(unsignedOf(sparse.indices.bufferView), unsignedOf(sparse.indices.byteOffset),
+                  count, indexBytes, indexBytes, sparsePlace + "/indices/bufferView",
+                  sparsePlace + "/indices");
+    checkElements(unsignedOf(sparse.values.bufferView), unsignedOf(sparse.values.byteOffset), count,
+                  componentBytes, elementBytes, sparsePlace + "/values/bufferView",
+                  sparsePlace + "/values");
   }
 
   void checkMesh(std::size_t number) {
-    const GltfMesh& mesh = document_.meshes[number];
+    const std::vector<GltfPrimitive>& primitives = document_.primitives[number];
     const std::string meshPlace = placeOf("meshes", number) + "/primitives";
-    if (mesh.primitives.empty()) report(meshPlace, "is empty");
-    const std::size_t size = document_.accessors.size();
-    for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
-      const GltfPrimitive& primitive = mesh.primitives[p];
+    if (primitives.empty()) report(meshPlace, "is empty");
+    const std::size_t size = model_.accessors.size();
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      const GltfPrimitive& primitive = primitives[p];
       const std::string place = meshPlace + "/" + std::to_string(p);
       const std::string attributes = place + "/attributes/";
       check(primitive.indices, size, "accessor", place + "/indices");
@@ -146,7 +151,7 @@ class FaultFinder {
   /// An accessor of as many elements as there are positions.
   void checkCount(const GltfReference& reference, const GltfReference& position,
                   const std::string& place) {
-    const auto& accessors = document_.accessors;
+    const auto& accessors = model_.accessors;
     if (!check(reference, accessors.size(), "accessor", place)) return;
     if (!position || *position >= accessors.size()) return;
     const std::uint64_t count = accessors[*reference].count;
@@ -156,14 +161,17 @@ class FaultFinder {
   }
 
   void checkSkin(std::size_t number) {
-    const GltfSkin& skin = document_.skins[number];
+    const tinygltf::Skin& skin = model_.skins[number];
     const std::string place = placeOf("skins", number);
     if (skin.joints.empty()) report(place, "has no joints");
-    checkAll(skin.joints, document_.nodes.size(), "node", place + "/joints");
+    checkAll(skin.joints, model_.nodes.size(), "node", place + "/joints");
     const std::string matrices = place + "/inverseBindMatrices";
-    if (!check(skin.inverseBindMatrices, document_.accessors.size(), "accessor", matrices)) return;
-    const GltfAccessor& accessor = document_.accessors[*skin.inverseBindMatrices];
-    if (accessor.shape != GltfShape::Mat4 || accessor.component != GltfComponent::Float) {
+    if (!check(referenceOf(skin.inverseBindMatrices), model_.accessors.size(), "accessor",
+               matrices))
+      return;
+    const tinygltf::Accessor& accessor = model_.accessors[unsignedOf(skin.inverseBindMatrices)];
+    if (accessor.type != TINYGLTF_TYPE_MAT4 ||
+        accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
       report(matrices, "is not an accessor of MAT4 in floats");
     } else if (accessor.count < skin.joints.size()) {
       report(matrices, "has " + std::to_string(accessor.count) + " matrices for " +
@@ -172,17 +180,18 @@ class FaultFinder {
   }
 
   void checkNode(std::size_t number) {
-    const GltfNode& node = document_.nodes[number];
+    const tinygltf::Node& node = model_.nodes[number];
     const std::string place = placeOf("nodes", number);
-    checkAll(node.children, document_.nodes.size(), "node", place + "/children");
-    check(node.mesh, document_.meshes.size(), "mesh", place + "/mesh");
-    check(node.skin, document_.skins.size(), "skin", place + "/skin");
+    checkAll(node.children, model_.nodes.size(), "node", place + "/children");
+    check(referenceOf(node.mesh), model_.meshes.size(), "mesh", place + "/mesh");
+    check(referenceOf(node.skin), model_.skins.size(), "skin", place + "/skin");
   }
 
   void checkParents() {
-    std::vector<bool> isChild(document_.nodes.size(), false);
-    for (std::size_t i = 0; i < document_.nodes.size() && !fault_; ++i) {
-      for (const std::uint32_t child : document_.nodes[i].children) {
+    std::vector<bool> isChild(model_.nodes.size(), false);
+    for (std::size_t i = 0; i < model_.nodes.size() && !fault_; ++i) {
+      for (const int number : model_.nodes[i].children) {
+        const std::uint32_t child = unsignedOf(number);
         if (isChild[child]) {
           report(placeOf("nodes", i) + "/children",
                  "node " + std::to_string(child) + " has another parent already");
@@ -193,6 +202,7 @@ class FaultFinder {
   }
 
   const GltfDocument& document_;
+  const tinygltf::Model& model_;
   std::optional<Error> fault_;
 };
 

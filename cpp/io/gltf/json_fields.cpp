@@ -1,17 +1,15 @@
 #include "gltf/json_fields.h"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "gltf/fault.h"
 #include "text/quoted_name.h"
 
 namespace girth::io {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr std::uint64_t kMostReference = std::numeric_limits<std::int32_t>::max();
 
 }  // namespace
 
@@ -29,11 +27,6 @@ std::string JsonPlace::pointer() const {
     }
   }
   return text;
-}
-
-Error faultAt(const std::string& pointer, const std::string& what) {
-  return makeError(ErrorCode::MalformedFile, -1,
-                   (pointer.empty() ? "its JSON" : pointer + ":") + ' ' + what);
 }
 
 JsonFields::JsonFields(const Json& value, const JsonPlace& place, std::optional<Error>& fault)
@@ -98,10 +91,6 @@ std::optional<std::uint32_t> JsonFields::reference(const char* name) const {
   const auto number = integer(name, kMostReference);
   if (!number) return std::nullopt;
   return static_cast<std::uint32_t>(*number);
-}
-
-std::uint32_t JsonFields::requiredReference(const char* name) const {
-  return static_cast<std::uint32_t>(requiredInteger(name, kMostReference));
 }
 
 std::vector<std::uint32_t> JsonFields::references(const char* name) const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -31,8 +32,8 @@ class JsonPlace {
   std::size_t element_{0};
 };
 
-/// MALFORMED_FILE: "/accessors/3/bufferView: there is no buffer view 7".
-Error faultAt(const std::string& pointer, const std::string& what);
+/// The largest number of an element of a list.
+constexpr std::uint64_t kMostReference = std::numeric_limits<std::int32_t>::max();
 
 /// The members of one object. Of all faults the first is kept in `fault`, which everyone who reads
 /// a document shares; after one, values are of no use, but still safe.
@@ -53,7 +54,6 @@ class JsonFields {
   std::uint64_t requiredInteger(const char* name, std::uint64_t most) const;
   /// The number of an element of another list: not checked whether there is one.
   std::optional<std::uint32_t> reference(const char* name) const;
-  std::uint32_t requiredReference(const char* name) const;
   std::vector<std::uint32_t> references(const char* name) const;
   /// Numbers; where `size` is not 0, exactly so many.
   std::vector<double> numbers(const char* name, std::size_t size) const;

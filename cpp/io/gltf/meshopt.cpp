@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "gltf/json_fields.h"
+#include "gltf/fault.h"
 #include "gltf/meshopt_vertices.h"
 
 namespace girth::io {

@@ -16,7 +16,7 @@ std::string leftOut(std::size_t count, const std::string& what, const std::strin
 }
 
 /// `Mesh 3 "arm"` or `Meshes 0, 1 and 4 more`: those of one kind.
-std::string named(const GltfDocument& document, const std::map<std::uint32_t, bool>& meshes,
+std::string named(const tinygltf::Model& model, const std::map<std::uint32_t, bool>& meshes,
                   bool kind, std::size_t& count) {
   constexpr std::size_t kMost = 3;
   count = 0;
@@ -24,8 +24,7 @@ std::string named(const GltfDocument& document, const std::map<std::uint32_t, bo
   for (const auto& [mesh, isOfKind] : meshes) {
     if (isOfKind != kind) continue;
     if (++count > kMost) continue;
-    list +=
-        (list.empty() ? "" : ", ") + std::to_string(mesh) + spacedName(document.meshes[mesh].name);
+    list += (list.empty() ? "" : ", ") + std::to_string(mesh) + spacedName(model.meshes[mesh].name);
   }
   if (count > kMost) list += " and " + std::to_string(count - kMost) + " more";
   return (count == 1 ? "Mesh " : "Meshes ") + list;
@@ -33,16 +32,15 @@ std::string named(const GltfDocument& document, const std::map<std::uint32_t, bo
 
 }  // namespace
 
-std::vector<std::string> GltfNotes::sentences(const GltfDocument& document) const {
+std::vector<std::string> GltfNotes::sentences(const tinygltf::Model& model) const {
   std::vector<std::string> notes;
-  if (scene && document.scenes.size() > 1) {
-    notes.push_back("Of " + counted(document.scenes.size(), "scene") + ", scene " +
-                    std::to_string(*scene) + spacedName(document.scenes[*scene].name) +
-                    " is shown.");
+  if (scene && model.scenes.size() > 1) {
+    notes.push_back("Of " + counted(model.scenes.size(), "scene") + ", scene " +
+                    std::to_string(*scene) + spacedName(model.scenes[*scene].name) + " is shown.");
   }
   for (const bool isBindPose : {true, false}) {
     std::size_t count = 0;
-    const std::string meshes = named(document, skinnedMeshes, isBindPose, count);
+    const std::string meshes = named(model, skinnedMeshes, isBindPose, count);
     if (count == 0) continue;
     const std::string subject = meshes + (count == 1 ? " is" : " are") + " skinned: shown in the ";
     notes.push_back(subject + (isBindPose ? "bind pose."
@@ -51,7 +49,7 @@ std::vector<std::string> GltfNotes::sentences(const GltfDocument& document) cons
   }
   for (const bool isMoved : {true, false}) {
     std::size_t count = 0;
-    const std::string meshes = named(document, morphedMeshes, isMoved, count);
+    const std::string meshes = named(model, morphedMeshes, isMoved, count);
     if (count == 0) continue;
     notes.push_back(
         meshes + (count == 1 ? " has" : " have") + " morph targets: shown at rest" +
@@ -75,7 +73,7 @@ std::vector<std::string> GltfNotes::sentences(const GltfDocument& document) cons
   return notes;
 }
 
-std::string GltfNotes::whyEmpty(const GltfDocument& document) const {
+std::string GltfNotes::whyEmpty(const tinygltf::Model& model) const {
   if (pointPrimitives > 0 && linePrimitives > 0) {
     return "it holds only points and lines, no triangles";
   }
@@ -83,7 +81,7 @@ std::string GltfNotes::whyEmpty(const GltfDocument& document) const {
   if (linePrimitives > 0) return "it holds only lines, no triangles";
   if (primitivesWithoutPositions > 0) return "its primitives have no positions";
   if (hiddenNodes > 0) return "all its nodes are hidden";
-  if (document.meshes.empty()) return "it holds no meshes";
+  if (model.meshes.empty()) return "it holds no meshes";
   return "its scene shows none of its meshes";
 }
 

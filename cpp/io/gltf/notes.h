@@ -4,16 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "gltf/document.h"
+#include "gltf/tinygltf.h"
 
 namespace girth::io {
 
 /// Counted while a scene is walked.
 struct GltfNotes {
-  GltfReference scene;
+  std::optional<std::size_t> scene;
   std::size_t hiddenNodes{0};
   std::size_t instances{0};
   std::size_t sharedNodes{0};
@@ -26,10 +27,10 @@ struct GltfNotes {
   std::map<std::uint32_t, bool> morphedMeshes;
 
   /// One sentence each.
-  std::vector<std::string> sentences(const GltfDocument& document) const;
+  std::vector<std::string> sentences(const tinygltf::Model& model) const;
 
   /// Why nothing was found in a document without a fault.
-  std::string whyEmpty(const GltfDocument& document) const;
+  std::string whyEmpty(const tinygltf::Model& model) const;
 };
 
 }  // namespace girth::io

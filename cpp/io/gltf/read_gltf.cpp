@@ -16,11 +16,12 @@
 #include "gltf/accessor.h"
 #include "gltf/document.h"
 #include "gltf/draco.h"
+#include "gltf/fault.h"
 #include "gltf/glb_container.h"
-#include "gltf/json_fields.h"
 #include "gltf/notes.h"
 #include "gltf/skin.h"
 #include "gltf/soup_budget.h"
+#include "gltf/tinygltf_model.h"
 #include "gltf/transform.h"
 #include "text/quoted_name.h"
 
@@ -62,20 +63,21 @@ PointsKey keyOf(const GltfPrimitive& primitive) {
 /// Collects the triangles of a document.
 class SceneWalk {
  public:
-  SceneWalk(const GltfDocument& document, std::span<const std::byte> binary,
-            const ResourceReader& resources, std::size_t fileBytes)
+  SceneWalk(GltfDocument& document, std::size_t binaryBytes, const ResourceReader& resources,
+            std::size_t fileBytes)
       : document_(document),
-        buffers_(document, binary, resources, budget_),
-        accessors_(document, buffers_, budget_),
-        poses_(document.skins.size()) {
+        model_(document.model),
+        buffers_(document, binaryBytes, resources, budget_),
+        accessors_(model_, buffers_, budget_),
+        poses_(model_.skins.size()) {
     budget_.allowFor(fileBytes);
   }
 
   Result<ReadModel> run() {
     std::optional<Error> error;
-    if (document_.nodes.empty()) {
+    if (model_.nodes.empty()) {
       // A library of meshes, which nothing places.
-      for (std::uint32_t m = 0; m < document_.meshes.size() && !error; ++m) {
+      for (std::uint32_t m = 0; m < model_.meshes.size() && !error; ++m) {
         error = addMesh(m, Placement());
       }
     } else {
@@ -86,7 +88,7 @@ class SceneWalk {
     ReadModel model;
     model.soup = std::move(soup_);
     model.unit = "metre";
-    model.notes = notes_.sentences(document_);
+    model.notes = notes_.sentences(model_);
     return model;
   }
 
@@ -95,15 +97,15 @@ class SceneWalk {
   Error nothingFound() {
     if (auto fault = firstFaultOf(document_)) return *fault;
     if (auto fault = buffers_.firstFault()) return *fault;
-    return makeError(ErrorCode::EmptyMesh, -1, notes_.whyEmpty(document_));
+    return makeError(ErrorCode::EmptyMesh, -1, notes_.whyEmpty(model_));
   }
 
   /// The scene's own nodes; where there is no scene, all that have no parent.
-  Result<std::vector<std::uint32_t>> rootNodes(std::string& place) {
-    const auto& nodes = document_.nodes;
-    const auto& scenes = document_.scenes;
+  Result<std::vector<int>> rootNodes(std::string& place) {
+    const auto& nodes = model_.nodes;
+    const auto& scenes = model_.scenes;
     if (!scenes.empty()) {
-      const std::uint32_t scene = document_.scene.value_or(0);
+      const std::uint32_t scene = referenceOf(model_.defaultScene).value_or(0);
       if (scene >= scenes.size()) {
         return faultAt("/scene", "there is no scene " + std::to_string(scene));
       }
@@ -112,14 +114,14 @@ class SceneWalk {
       return scenes[scene].nodes;
     }
     std::vector<bool> isChild(nodes.size(), false);
-    for (const GltfNode& node : nodes) {
-      for (const std::uint32_t child : node.children) {
-        if (child < nodes.size()) isChild[child] = true;
+    for (const tinygltf::Node& node : nodes) {
+      for (const int child : node.children) {
+        if (unsignedOf(child) < nodes.size()) isChild[unsignedOf(child)] = true;
       }
     }
-    std::vector<std::uint32_t> roots;
-    for (std::uint32_t n = 0; n < nodes.size(); ++n) {
-      if (!isChild[n]) roots.push_back(n);
+    std::vector<int> roots;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      if (!isChild[n]) roots.push_back(static_cast<int>(n));
     }
     if (roots.empty()) return faultAt("/nodes", "every node is the child of another: a cycle");
     place = "/nodes";
@@ -138,20 +140,20 @@ class SceneWalk {
       Transform above;
       bool isLeft;  // all below it was visited
     };
-    const auto& nodes = document_.nodes;
-    std::vector<Visit> waiting;
+    const auto& nodes = model_.nodes;
+    std::vector<Visit> pending;
     std::vector<bool> isAbove(nodes.size(), false);
     std::vector<std::uint8_t> visits(nodes.size(), 0);
-    const auto enter = [&](const std::vector<std::uint32_t>& children, GltfReference parent,
+    const auto enter = [&](const std::vector<int>& children, GltfReference parent,
                            const Transform& above) {
       for (auto child = children.rbegin(); child != children.rend(); ++child) {
-        waiting.push_back({*child, parent, above, false});
+        pending.push_back({unsignedOf(*child), parent, above, false});
       }
     };
     enter(roots.value(), std::nullopt, Transform());
-    while (!waiting.empty()) {
-      const Visit visit = waiting.back();
-      waiting.pop_back();
+    while (!pending.empty()) {
+      const Visit visit = pending.back();
+      pending.pop_back();
       if (visit.isLeft) {
         isAbove[visit.node] = false;
         continue;
@@ -169,42 +171,44 @@ class SceneWalk {
         if (!budget_.take(1 + nodes[visit.node].children.size())) return tooLarge("/nodes");
       }
       visits[visit.node] = visits[visit.node] == 0 ? 1 : 2;
-      const GltfNode& node = nodes[visit.node];
-      if (node.hidden) {
+      const tinygltf::Node& node = nodes[visit.node];
+      if (isHidden(node)) {
         ++notes_.hiddenNodes;
         continue;
       }
       const Transform world = visit.above.after(Transform::ofNode(node));
       if (auto error = addNode(visit.node, world)) return error;
       isAbove[visit.node] = true;
-      waiting.push_back({visit.node, std::nullopt, Transform(), true});
+      pending.push_back({visit.node, std::nullopt, Transform(), true});
       enter(node.children, visit.node, world);
     }
     return std::nullopt;
   }
 
   std::optional<Error> addNode(std::uint32_t number, const Transform& world) {
-    const GltfNode& node = document_.nodes[number];
-    if (!node.mesh) return std::nullopt;
+    const tinygltf::Node& node = model_.nodes[number];
+    const GltfReference mesh = referenceOf(node.mesh);
+    if (!mesh) return std::nullopt;
     const std::string place = "/nodes/" + std::to_string(number);
-    if (*node.mesh >= document_.meshes.size()) {
-      return faultAt(place + "/mesh", "there is no mesh " + std::to_string(*node.mesh));
+    if (*mesh >= model_.meshes.size()) {
+      return faultAt(place + "/mesh", "there is no mesh " + std::to_string(*mesh));
     }
     Placement placement;
     placement.world = world;
     if (!node.weights.empty()) placement.weights = &node.weights;
-    if (node.skin) {
-      auto pose = skinPose(*node.skin, place + "/skin");
+    if (const GltfReference skin = referenceOf(node.skin)) {
+      auto pose = skinPose(*skin, place + "/skin");
       if (!pose) return pose.error();
       placement.pose = pose.value();
     }
-    if (!node.instancing) return addMesh(*node.mesh, placement);
-    auto instances = instancesOf(*node.instancing, place);
+    const auto instancing = instancingOf(node);
+    if (!instancing) return addMesh(*mesh, placement);
+    auto instances = instancesOf(*instancing, place);
     if (!instances) return instances.error();
     notes_.instances += instances.value().size();
     for (const Transform& instance : instances.value()) {
       placement.world = world.after(instance);
-      auto error = addMesh(*node.mesh, placement);
+      auto error = addMesh(*mesh, placement);
       if (error && error->code == ErrorCode::LimitExceeded) {
         error->message = place + ": its " + std::to_string(instances.value().size()) +
                          " instances make the model far larger than its file";
@@ -216,12 +220,12 @@ class SceneWalk {
   }
 
   Result<const SkinPose*> skinPose(std::uint32_t skin, const std::string& user) {
-    if (skin >= document_.skins.size()) {
+    if (skin >= model_.skins.size()) {
       return faultAt(user, "there is no skin " + std::to_string(skin));
     }
-    if (!world_) world_.emplace(document_);
+    if (!world_) world_.emplace(model_);
     if (!poses_[skin]) {
-      auto pose = poseOf(document_, accessors_, *world_, skin);
+      auto pose = poseOf(model_, accessors_, *world_, skin);
       if (!pose) return pose.error();
       poses_[skin] = std::move(pose).value();
     }
@@ -232,7 +236,7 @@ class SceneWalk {
                                              const std::string& node) {
     const std::string place = node + "/extensions/EXT_mesh_gpu_instancing/attributes";
     std::optional<std::size_t> count;
-    const auto read = [&](const GltfReference& accessor, GltfShape shape, const char* name,
+    const auto read = [&](const GltfReference& accessor, int shape, const char* name,
                           std::vector<double>& numbers) -> std::optional<Error> {
       if (!accessor) return std::nullopt;
       const std::string user = place + "/" + name;
@@ -246,13 +250,14 @@ class SceneWalk {
       return std::nullopt;
     };
     std::vector<double> translations, rotations, scales;
-    if (auto error = read(instancing.translation, GltfShape::Vec3, "TRANSLATION", translations)) {
+    if (auto error =
+            read(instancing.translation, TINYGLTF_TYPE_VEC3, "TRANSLATION", translations)) {
       return *error;
     }
-    if (auto error = read(instancing.rotation, GltfShape::Vec4, "ROTATION", rotations)) {
+    if (auto error = read(instancing.rotation, TINYGLTF_TYPE_VEC4, "ROTATION", rotations)) {
       return *error;
     }
-    if (auto error = read(instancing.scale, GltfShape::Vec3, "SCALE", scales)) return *error;
+    if (auto error = read(instancing.scale, TINYGLTF_TYPE_VEC3, "SCALE", scales)) return *error;
     if (!count) return std::vector<Transform>(1);
     std::vector<Transform> instances;
     for (std::size_t i = 0; i < *count; ++i) {
@@ -269,15 +274,16 @@ class SceneWalk {
   }
 
   std::optional<Error> addMesh(std::uint32_t number, const Placement& placement) {
-    const GltfMesh& mesh = document_.meshes[number];
+    const std::vector<GltfPrimitive>& primitives = document_.primitives[number];
+    const std::string& name = model_.meshes[number].name;
     // Primitives of one mesh often share one list of vertices.
     std::map<PointsKey, Points> placed;
-    for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
-      const GltfPrimitive& primitive = mesh.primitives[p];
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      const GltfPrimitive& primitive = primitives[p];
       const std::string place =
           "/meshes/" + std::to_string(number) + "/primitives/" + std::to_string(p);
-      if (primitive.mode < GltfMode::Triangles) {
-        ++(primitive.mode == GltfMode::Points ? notes_.pointPrimitives : notes_.linePrimitives);
+      if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+        ++(primitive.mode == TINYGLTF_MODE_POINTS ? notes_.pointPrimitives : notes_.linePrimitives);
         continue;
       }
       if (!primitive.position) {
@@ -297,8 +303,8 @@ class SceneWalk {
         if (!added) return added.error();
         points = placed.emplace(key, added.value()).first;
       }
-      if (auto error = addTriangles(primitive, packed, points->second,
-                                    place + spacedName(mesh.name), place)) {
+      if (auto error =
+              addTriangles(primitive, packed, points->second, place + spacedName(name), place)) {
         return error;
       }
     }
@@ -331,8 +337,7 @@ class SceneWalk {
 
   /// Appends an attribute's numbers, packed or not. `count`: how many elements there must be; 0 as
   /// long as nobody knows.
-  std::optional<Error> appendAttribute(std::uint32_t accessor, GltfShape shape,
-                                       const DracoMesh* packed,
+  std::optional<Error> appendAttribute(std::uint32_t accessor, int shape, const DracoMesh* packed,
                                        const std::optional<std::uint32_t>& packedNumber,
                                        const std::string& user, std::size_t& count,
                                        std::vector<double>& numbers) {
@@ -340,11 +345,11 @@ class SceneWalk {
     if (!description) return description.error();
     std::size_t found = 0;
     if (packed != nullptr && packedNumber) {
-      const GltfAccessor& kind = *description.value();
-      const auto bytes = packed->attribute(*packedNumber, componentsOf(shape), kind.component);
+      const tinygltf::Accessor& kind = *description.value();
+      const auto bytes = packed->attribute(*packedNumber, componentsOf(shape), kind.componentType);
       if (!bytes) {
         return faultAt(user, "its Draco stream has no attribute " + std::to_string(*packedNumber) +
-                                 " of type " + std::string(toString(shape)));
+                                 " of type " + std::string(shapeText(shape)));
       }
       if (kind.count != packed->pointCount()) {
         return faultAt("/accessors/" + std::to_string(accessor) + "/count",
@@ -352,7 +357,7 @@ class SceneWalk {
                            std::to_string(packed->pointCount()));
       }
       if (!budget_.take(kind.count)) return tooLarge(user);
-      appendComponents(*bytes, kind.component, kind.normalized, numbers);
+      appendComponents(*bytes, kind.componentType, kind.normalized, numbers);
       found = packed->pointCount();
     } else {
       auto read = accessors_.appendNumbers(accessor, shape, user, numbers);
@@ -381,7 +386,7 @@ class SceneWalk {
     std::vector<double>& positions = soup_.positions;
     const std::size_t before = positions.size();
     std::size_t count = 0;
-    if (auto error = appendAttribute(*primitive.position, GltfShape::Vec3, packed,
+    if (auto error = appendAttribute(*primitive.position, TINYGLTF_TYPE_VEC3, packed,
                                      primitive.draco ? primitive.draco->position : std::nullopt,
                                      place + "/attributes/POSITION", count, positions)) {
       return *error;
@@ -413,19 +418,19 @@ class SceneWalk {
     for (std::size_t i = 0; i < 3 * count; ++i) {
       if (std::isfinite(local[i])) continue;
       return makeError(ErrorCode::NonFinitePosition, static_cast<std::int64_t>(first + i / 3),
-                       place + spacedName(document_.meshes[mesh].name) + ": vertex " +
+                       place + spacedName(model_.meshes[mesh].name) + ": vertex " +
                            std::to_string(i / 3) + " has a coordinate that is not a finite number");
     }
     return points;
   }
 
-  /// Adds the morph targets, as far as their weights tell.
+  /// Adds the morph targets, as far as their weights reach.
   std::optional<Error> applyTargets(std::uint32_t mesh, const GltfPrimitive& primitive,
                                     const Placement& placement, const std::string& place,
                                     double* points, std::size_t count) {
     if (primitive.targets.empty()) return std::nullopt;
     const std::vector<double>& weights =
-        placement.weights != nullptr ? *placement.weights : document_.meshes[mesh].weights;
+        placement.weights != nullptr ? *placement.weights : model_.meshes[mesh].weights;
     if (!weights.empty() && weights.size() != primitive.targets.size()) {
       return faultAt(place + "/targets", "has " + std::to_string(primitive.targets.size()) +
                                              " targets for " + std::to_string(weights.size()) +
@@ -435,13 +440,14 @@ class SceneWalk {
     for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
       if (!primitive.targets[t]) continue;
       const std::string user = place + "/targets/" + std::to_string(t) + "/POSITION";
-      auto target = accessors_.find(*primitive.targets[t], GltfShape::Vec3, user);
+      auto target = accessors_.find(*primitive.targets[t], TINYGLTF_TYPE_VEC3, user);
       if (!target) return target.error();
       if (target.value()->count != count) return otherCount(user, target.value()->count, count);
       if (weights.empty() || weights[t] == 0) continue;
       moved = true;
       std::vector<double> offsets;
-      auto read = accessors_.appendNumbers(*primitive.targets[t], GltfShape::Vec3, user, offsets);
+      auto read =
+          accessors_.appendNumbers(*primitive.targets[t], TINYGLTF_TYPE_VEC3, user, offsets);
       if (!read) return read.error();
       for (std::size_t i = 0; i < offsets.size(); ++i) points[i] += weights[t] * offsets[i];
     }
@@ -464,19 +470,19 @@ class SceneWalk {
       sets.emplace_back();
       const auto& draco = primitive.draco;
       std::size_t found = count;
-      if (auto error = appendAttribute(*primitive.joints[s], GltfShape::Vec4, packed,
+      if (auto error = appendAttribute(*primitive.joints[s], TINYGLTF_TYPE_VEC4, packed,
                                        draco ? draco->joints[s] : std::nullopt, joints, found,
                                        sets.back().joints)) {
         return *error;
       }
-      const GltfAccessor& kind = document_.accessors[*primitive.joints[s]];
-      const bool isUnsigned = kind.component == GltfComponent::UnsignedByte ||
-                              kind.component == GltfComponent::UnsignedShort ||
-                              kind.component == GltfComponent::UnsignedInt;
+      const tinygltf::Accessor& kind = model_.accessors[*primitive.joints[s]];
+      const bool isUnsigned = kind.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                              kind.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+                              kind.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
       if (!isUnsigned || kind.normalized) {
         return faultAt(joints, "does not hold unsigned integers");
       }
-      if (auto error = appendAttribute(*primitive.weights[s], GltfShape::Vec4, packed,
+      if (auto error = appendAttribute(*primitive.weights[s], TINYGLTF_TYPE_VEC4, packed,
                                        draco ? draco->weights[s] : std::nullopt, weights, found,
                                        sets.back().weights)) {
         return *error;
@@ -490,14 +496,15 @@ class SceneWalk {
                                     const std::string& place) {
     std::vector<Index>& triangles = soup_.triangles;
     const std::size_t before = triangles.size();
-    const bool isList = primitive.mode == GltfMode::Triangles || packed != nullptr;
+    const bool isList = primitive.mode == TINYGLTF_MODE_TRIANGLES || packed != nullptr;
     std::vector<Index> strip;
     // Lists go where they belong at once; corners of strips and fans have to be repeated.
     std::vector<Index>& corners = isList ? triangles : strip;
     if (packed != nullptr) {
       const std::size_t found = 3 * packed->faceCount();
-      if (primitive.mode == GltfMode::Triangles && primitive.indices) {
-        auto accessor = accessors_.find(*primitive.indices, GltfShape::Scalar, place + "/indices");
+      if (primitive.mode == TINYGLTF_MODE_TRIANGLES && primitive.indices) {
+        auto accessor =
+            accessors_.find(*primitive.indices, TINYGLTF_TYPE_SCALAR, place + "/indices");
         if (!accessor) return accessor.error();
         if (accessor.value()->count != found) {
           return faultAt("/accessors/" + std::to_string(*primitive.indices) + "/count",
@@ -536,7 +543,7 @@ class SceneWalk {
         std::size_t to = from;
         while (to < strip.size() && strip[to] != restart) ++to;
         const std::span<const Index> piece(strip.data() + from, to - from);
-        if (primitive.mode == GltfMode::TriangleStrip) {
+        if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
           addStrip(piece);
         } else {
           addFan(piece);
@@ -557,10 +564,14 @@ class SceneWalk {
   }
 
   Index restartValue(const GltfPrimitive& primitive) const {
-    if (!primitive.indices || *primitive.indices >= document_.accessors.size()) return kNoIndex;
-    const GltfComponent type = document_.accessors[*primitive.indices].component;
-    if (type == GltfComponent::UnsignedByte) return std::numeric_limits<std::uint8_t>::max();
-    if (type == GltfComponent::UnsignedShort) return std::numeric_limits<std::uint16_t>::max();
+    if (!primitive.indices || *primitive.indices >= model_.accessors.size()) return kNoIndex;
+    const int type = model_.accessors[*primitive.indices].componentType;
+    if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) {
+      return std::numeric_limits<std::uint8_t>::max();
+    }
+    if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) {
+      return std::numeric_limits<std::uint16_t>::max();
+    }
     return std::numeric_limits<std::uint32_t>::max();
   }
 
@@ -580,6 +591,7 @@ class SceneWalk {
   }
 
   const GltfDocument& document_;
+  const tinygltf::Model& model_;
   SoupBudget budget_;
   GltfBuffers buffers_;
   GltfAccessors accessors_;
@@ -591,13 +603,26 @@ class SceneWalk {
   GltfNotes notes_;
 };
 
+Result<GltfDocument> documentOf(std::string_view json, std::size_t firstByte,
+                                std::span<const std::byte> binary) {
+  auto geometry = geometryJson(json, firstByte, binary.size());
+  if (!geometry) return geometry.error();
+  auto model = loadModel(geometry.value(), binary);
+  if (!model) return model.error();
+  GltfDocument document{std::move(model).value(), std::move(geometry.value().buffers), {}};
+  for (const tinygltf::Mesh& mesh : document.model.meshes) {
+    document.primitives.emplace_back(mesh.primitives.begin(), mesh.primitives.end());
+  }
+  return document;
+}
+
 Result<ReadModel> readDocument(std::string_view json, std::size_t firstByte,
                                std::span<const std::byte> binary, const ResourceReader& resources,
                                std::size_t fileBytes, Format format) {
-  auto document = parseGltfDocument(json, firstByte);
-  if (!document) return document.error();
   try {
-    auto model = SceneWalk(document.value(), binary, resources, fileBytes).run();
+    auto document = documentOf(json, firstByte, binary);
+    if (!document) return document.error();
+    auto model = SceneWalk(document.value(), binary.size(), resources, fileBytes).run();
     if (model) model.value().format = format;
     return model;
   } catch (const std::length_error&) {

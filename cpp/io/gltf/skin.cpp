@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "gltf/json_fields.h"
+#include "gltf/fault.h"
 
 namespace girth::io {
 namespace {
@@ -24,31 +24,32 @@ bool areAlike(const Transform& a, const Transform& b) {
 
 }  // namespace
 
-WorldTransforms::WorldTransforms(const GltfDocument& document)
-    : transforms_(document.nodes.size()), known_(document.nodes.size(), false) {
-  const auto& nodes = document.nodes;
+WorldTransforms::WorldTransforms(const tinygltf::Model& model)
+    : transforms_(model.nodes.size()), known_(model.nodes.size(), false) {
+  const auto& nodes = model.nodes;
   std::vector<bool> isChild(nodes.size(), false);
-  for (const GltfNode& node : nodes) {
-    for (const std::uint32_t child : node.children) {
-      if (child < nodes.size()) isChild[child] = true;
+  for (const tinygltf::Node& node : nodes) {
+    for (const int child : node.children) {
+      if (unsignedOf(child) < nodes.size()) isChild[unsignedOf(child)] = true;
     }
   }
   // Without recursion: a chain of nodes may be as long as the file.
-  std::vector<std::uint32_t> waiting;
+  std::vector<std::uint32_t> pending;
   for (std::uint32_t n = 0; n < nodes.size(); ++n) {
     if (isChild[n]) continue;
     known_[n] = true;
     transforms_[n] = Transform::ofNode(nodes[n]);
-    waiting.push_back(n);
+    pending.push_back(n);
   }
-  while (!waiting.empty()) {
-    const std::uint32_t parent = waiting.back();
-    waiting.pop_back();
-    for (const std::uint32_t child : nodes[parent].children) {
+  while (!pending.empty()) {
+    const std::uint32_t parent = pending.back();
+    pending.pop_back();
+    for (const int number : nodes[parent].children) {
+      const std::uint32_t child = unsignedOf(number);
       if (child >= nodes.size() || known_[child]) continue;
       known_[child] = true;
       transforms_[child] = transforms_[parent].after(Transform::ofNode(nodes[child]));
-      waiting.push_back(child);
+      pending.push_back(child);
     }
   }
 }
@@ -57,18 +58,17 @@ const Transform* WorldTransforms::of(std::uint32_t node) const {
   return known_[node] ? &transforms_[node] : nullptr;
 }
 
-Result<SkinPose> poseOf(const GltfDocument& document, GltfAccessors& accessors,
+Result<SkinPose> poseOf(const tinygltf::Model& model, GltfAccessors& accessors,
                         const WorldTransforms& world, std::uint32_t number) {
-  const GltfSkin& skin = document.skins[number];
+  const tinygltf::Skin& skin = model.skins[number];
   const std::string place = "/skins/" + std::to_string(number);
   const std::size_t count = skin.joints.size();
   if (count == 0) return faultAt(place, "has no joints");
 
   std::vector<double> matrices;
-  if (skin.inverseBindMatrices) {
+  if (const GltfReference accessor = referenceOf(skin.inverseBindMatrices)) {
     const std::string matricesPlace = place + "/inverseBindMatrices";
-    auto found = accessors.appendNumbers(*skin.inverseBindMatrices, GltfShape::Mat4, matricesPlace,
-                                         matrices);
+    auto found = accessors.appendNumbers(*accessor, TINYGLTF_TYPE_MAT4, matricesPlace, matrices);
     if (!found) return found.error();
     if (found.value() < count) {
       return faultAt(matricesPlace, "has " + std::to_string(found.value()) + " matrices for " +
@@ -78,9 +78,9 @@ Result<SkinPose> poseOf(const GltfDocument& document, GltfAccessors& accessors,
   SkinPose pose;
   pose.joints.reserve(count);
   for (std::size_t j = 0; j < count; ++j) {
-    const std::uint32_t node = skin.joints[j];
+    const std::uint32_t node = unsignedOf(skin.joints[j]);
     const std::string jointPlace = place + "/joints/" + std::to_string(j);
-    if (node >= document.nodes.size()) {
+    if (node >= model.nodes.size()) {
       return faultAt(jointPlace, "there is no node " + std::to_string(node));
     }
     const Transform* joint = world.of(node);

@@ -14,7 +14,7 @@
 namespace girth::io {
 
 /// A skin as the file's nodes hold it. glTF ignores the transform of the node that wears a skin:
-/// the joints alone say where its points stand.
+/// the joints alone determine where its points stand.
 struct SkinPose {
   /// For each joint, the map from the mesh's own space to the world.
   std::vector<Transform> joints;
@@ -25,7 +25,7 @@ struct SkinPose {
 /// The world transform of every node.
 class WorldTransforms {
  public:
-  explicit WorldTransforms(const GltfDocument& document);
+  explicit WorldTransforms(const tinygltf::Model& model);
 
   /// Nothing for a node in a cycle.
   const Transform* of(std::uint32_t node) const;
@@ -36,7 +36,7 @@ class WorldTransforms {
 };
 
 /// Errors: MALFORMED_FILE, and those of GltfAccessors.
-Result<SkinPose> poseOf(const GltfDocument& document, GltfAccessors& accessors,
+Result<SkinPose> poseOf(const tinygltf::Model& model, GltfAccessors& accessors,
                         const WorldTransforms& world, std::uint32_t skin);
 
 /// Joints and weights of points: four of each per point and set.

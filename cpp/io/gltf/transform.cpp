@@ -25,7 +25,7 @@ Transform Transform::ofParts(const std::array<double, 3>& translation,
   return transform;
 }
 
-Transform Transform::ofNode(const GltfNode& node) {
+Transform Transform::ofNode(const tinygltf::Node& node) {
   if (!node.matrix.empty()) return ofMatrix(std::span<const double, 16>(node.matrix));
   std::array<double, 3> translation{0, 0, 0}, scale{1, 1, 1};
   std::array<double, 4> rotation{0, 0, 0, 1};

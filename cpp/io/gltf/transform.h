@@ -6,7 +6,7 @@
 #include <span>
 
 #include "girth/surface_mesh.h"
-#include "gltf/document.h"
+#include "gltf/tinygltf.h"
 
 namespace girth::io {
 
@@ -53,7 +53,7 @@ struct Transform {
                            const std::array<double, 3>& scale);
 
   /// A node's own: its matrix, or its parts.
-  static Transform ofNode(const GltfNode& node);
+  static Transform ofNode(const tinygltf::Node& node);
 };
 
 }  // namespace girth::io

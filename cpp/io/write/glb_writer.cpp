@@ -7,22 +7,15 @@
 
 #include "bytes/append.h"
 #include "girth/io/length_unit.h"
-#include "text/json_text.h"
-#include "text/number_text.h"
+#include "gltf/tinygltf_model.h"
 
 namespace girth::io {
 namespace {
 
-// The numbers that glTF has for types and targets.
-constexpr int kUnsignedShort = 5123;
-constexpr int kUnsignedInt = 5125;
-constexpr int kFloat = 5126;
-constexpr int kVertices = 34962;
-constexpr int kIndices = 34963;
+constexpr int kVertices = TINYGLTF_TARGET_ARRAY_BUFFER;
+constexpr int kIndices = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
 
-std::string numberText(float value) { return formatNumber(static_cast<double>(value)); }
-
-/// ,"min":[...],"max":[...], as floats: the least and greatest of each of some components.
+/// The least and the greatest of each of some components, as glTF wants them of floats.
 class Bounds {
  public:
   explicit Bounds(std::size_t components)
@@ -33,13 +26,9 @@ class Bounds {
     low_[component] = std::min(low_[component], value);
     high_[component] = std::max(high_[component], value);
   }
-  std::string json() const {
-    const auto list = [](const std::vector<float>& values) {
-      std::string text;
-      for (const float value : values) text += (text.empty() ? "" : ",") + numberText(value);
-      return "[" + text + "]";
-    };
-    return ",\"min\":" + list(low_) + ",\"max\":" + list(high_);
+  void write(tinygltf::Accessor& accessor) const {
+    accessor.minValues.assign(low_.begin(), low_.end());
+    accessor.maxValues.assign(high_.begin(), high_.end());
   }
 
  private:
@@ -48,104 +37,93 @@ class Bounds {
 
 }  // namespace
 
-std::size_t GlbWriter::addAccessor(std::size_t begin, std::size_t count, const std::string& type,
-                                   int componentType, int target, const std::string& more) {
-  views_ += std::string(views_.empty() ? "" : ",") +
-            "{\"buffer\":0,\"byteOffset\":" + std::to_string(begin) +
-            ",\"byteLength\":" + std::to_string(binary_.size() - begin) +
-            ",\"target\":" + std::to_string(target) + "}";
-  accessors_ += std::string(accessors_.empty() ? "" : ",") +
-                "{\"bufferView\":" + std::to_string(accessorCount_) +
-                ",\"componentType\":" + std::to_string(componentType) +
-                ",\"count\":" + std::to_string(count) + ",\"type\":\"" + type + "\"" + more + "}";
-  return accessorCount_++;
-}
+GlbWriter::GlbWriter() { model_.buffers.resize(1); }
 
-void GlbWriter::addAttribute(const std::string& name, std::size_t accessor) {
-  attributes_ +=
-      (attributes_.empty() ? "" : ",") + jsonString(name) + ":" + std::to_string(accessor);
+int GlbWriter::addAccessor(std::size_t begin, std::size_t count, int type, int componentType,
+                           int target) {
+  tinygltf::BufferView view;
+  view.buffer = 0;
+  view.byteOffset = begin;
+  view.byteLength = bytes().size() - begin;
+  view.target = target;
+  model_.bufferViews.push_back(view);
+  tinygltf::Accessor accessor;
+  accessor.bufferView = static_cast<int>(model_.bufferViews.size() - 1);
+  accessor.componentType = componentType;
+  accessor.type = type;
+  accessor.count = count;
+  model_.accessors.push_back(accessor);
+  return static_cast<int>(model_.accessors.size() - 1);
 }
 
 void GlbWriter::addPositions(std::span<const Vec3> positions) {
-  const std::size_t begin = binary_.size();
+  const std::size_t begin = bytes().size();
   Bounds bounds(3);
   for (const Vec3& position : positions) {
     const std::array<double, 3> coordinates{position.x, position.y, position.z};
     for (std::size_t k = 0; k < 3; ++k) {
       const float coordinate = nearestFloat(coordinates[k]);
-      appendFloat(binary_, coordinate);
+      appendFloat(bytes(), coordinate);
       bounds.take(k, coordinate);
     }
   }
-  addAttribute("POSITION",
-               addAccessor(begin, positions.size(), "VEC3", kFloat, kVertices, bounds.json()));
+  primitive_.attributes["POSITION"] = addAccessor(begin, positions.size(), TINYGLTF_TYPE_VEC3,
+                                                  TINYGLTF_COMPONENT_TYPE_FLOAT, kVertices);
+  bounds.write(model_.accessors.back());
 }
 
 void GlbWriter::addValues(const std::string& attribute, std::span<const double> values) {
-  const std::size_t begin = binary_.size();
+  const std::size_t begin = bytes().size();
   Bounds bounds(1);
   for (const double value : values) {
     const float number = std::isnan(value) ? -1 : nearestFloat(value);
-    appendFloat(binary_, number);
+    appendFloat(bytes(), number);
     bounds.take(0, number);
   }
-  addAttribute(attribute,
-               addAccessor(begin, values.size(), "SCALAR", kFloat, kVertices, bounds.json()));
+  primitive_.attributes[attribute] = addAccessor(begin, values.size(), TINYGLTF_TYPE_SCALAR,
+                                                 TINYGLTF_COMPONENT_TYPE_FLOAT, kVertices);
+  bounds.write(model_.accessors.back());
 }
 
 void GlbWriter::addColours(std::span<const std::uint16_t> channels) {
-  const std::size_t begin = binary_.size();
-  for (const std::uint16_t channel : channels) appendBytes(binary_, channel, 2);
-  addAttribute("COLOR_0", addAccessor(begin, channels.size() / 4, "VEC4", kUnsignedShort, kVertices,
-                                      ",\"normalized\":true"));
-  coloured_ = true;
+  const std::size_t begin = bytes().size();
+  for (const std::uint16_t channel : channels) appendBytes(bytes(), channel, 2);
+  primitive_.attributes["COLOR_0"] = addAccessor(begin, channels.size() / 4, TINYGLTF_TYPE_VEC4,
+                                                 TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, kVertices);
+  model_.accessors.back().normalized = true;
+  // Colours show as they are, from both sides.
+  tinygltf::Material material;
+  material.doubleSided = true;
+  material.pbrMetallicRoughness.metallicFactor = 0;
+  model_.materials.assign(1, material);
+  primitive_.material = 0;
 }
 
 void GlbWriter::addTriangles(const SurfaceMesh& mesh) {
-  const std::size_t begin = binary_.size();
+  const std::size_t begin = bytes().size();
   for (Index f = 0; f < mesh.faceCount(); ++f) {
-    for (const Index v : mesh.faceVertices(f)) appendBytes(binary_, v, 4);
+    for (const Index v : mesh.faceVertices(f)) appendBytes(bytes(), v, 4);
   }
-  indices_ = ",\"indices\":" + std::to_string(addAccessor(begin, mesh.halfedgeCount(), "SCALAR",
-                                                          kUnsignedInt, kIndices, ""));
+  primitive_.indices = addAccessor(begin, mesh.halfedgeCount(), TINYGLTF_TYPE_SCALAR,
+                                   TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, kIndices);
 }
 
-Result<std::string> GlbWriter::file(int mode, std::string_view unit,
-                                    const std::string& extras) const {
+Result<std::string> GlbWriter::file(int mode, std::string_view unit, const std::string& extras) {
+  primitive_.mode = mode;
+  tinygltf::Mesh mesh;
+  mesh.primitives.push_back(primitive_);
+  mesh.extras = valueOf(extras);
+  model_.meshes.push_back(std::move(mesh));
+  tinygltf::Node node;
+  node.mesh = 0;
   const LengthUnit* known = findLengthUnit(unit);
-  const double metres = known == nullptr ? 1 : known->metres;
-  // Colours show as they are, from both sides.
-  const std::string material =
-      coloured_ ? ",\"materials\":[{\"doubleSided\":true,\"pbrMetallicRoughness\":"
-                  "{\"metallicFactor\":0,\"roughnessFactor\":1}}]"
-                : "";
-  std::string json =
-      "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Girth\"},\"scene\":0,"
-      "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0" +
-      (metres == 1 ? std::string()
-                   : ",\"scale\":[" + formatNumber(metres) + "," + formatNumber(metres) + "," +
-                         formatNumber(metres) + "]") +
-      "}],\"meshes\":[{\"primitives\":[{\"attributes\":{" + attributes_ + "}" + indices_ +
-      ",\"mode\":" + std::to_string(mode) + (coloured_ ? ",\"material\":0" : "") + "}]" +
-      (extras.empty() ? "" : ",\"extras\":" + extras) + "}]" + material + ",\"accessors\":[" +
-      accessors_ + "],\"bufferViews\":[" + views_ +
-      "],\"buffers\":[{\"byteLength\":" + std::to_string(binary_.size()) + "}]}";
-  // Chunks end on multiples of four bytes; all views do already.
-  while (json.size() % 4 != 0) json += ' ';
-  const std::uint64_t length = 12 + 8 + std::uint64_t{json.size()} + 8 + binary_.size();
-  if (length > std::numeric_limits<std::uint32_t>::max()) {
-    return makeError(ErrorCode::LimitExceeded, -1, "a GLB file holds at most 4 GB");
-  }
-  std::string content;
-  content.reserve(static_cast<std::size_t>(length));
-  content += "glTF";
-  appendBytes(content, 2, 4);
-  appendBytes(content, length, 4);
-  appendBytes(content, json.size(), 4);
-  content += "JSON" + json;
-  appendBytes(content, binary_.size(), 4);
-  content += std::string("BIN\0", 4) + binary_;
-  return content;
+  if (known != nullptr && known->metres != 1) node.scale.assign(3, known->metres);
+  model_.nodes.push_back(std::move(node));
+  model_.scenes.resize(1);
+  model_.scenes[0].nodes.push_back(0);
+  model_.defaultScene = 0;
+  model_.asset.generator = "Girth";
+  return glbOf(model_);
 }
 
 }  // namespace girth::io

@@ -15,7 +15,6 @@ namespace girth::io {
 namespace {
 
 constexpr std::uint8_t kNoValue = 255;
-constexpr std::size_t kGlbTriangles = 4;
 
 /// Whether a vertex of the file, by its vertex on the surface, has a value.
 bool hasValue(const VertexField& field, Index vertex) {
@@ -206,7 +205,7 @@ Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexFie
     writer.addValues("_KIND", kinds);
   }
   writer.addTriangles(mesh);
-  return writer.file(kGlbTriangles, loaded.unit,
+  return writer.file(TINYGLTF_MODE_TRIANGLES, loaded.unit,
                      "{\"unit\":" + jsonString(loaded.unit) + ",\"fields\":{" + about + "}}");
 }
 

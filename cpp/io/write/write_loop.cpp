@@ -52,9 +52,8 @@ Result<std::string> loopGlb(const LoadedMesh& loaded, const GirthLoop& loop) {
   if (points.empty()) return makeError(ErrorCode::EmptyMesh, -1, "the loop has no points");
   GlbWriter writer;
   writer.addPositions(points);
-  constexpr int kLineStrip = 3;
   return writer.file(
-      kLineStrip, loaded.unit,
+      TINYGLTF_MODE_LINE_STRIP, loaded.unit,
       "{\"length\":" + formatNumber(loop.length) + ",\"kind\":" + jsonString(toString(loop.kind)) +
           ",\"angle\":" + formatNumber(loop.angle) + ",\"unit\":" + jsonString(loaded.unit) + "}");
 }

@@ -103,8 +103,7 @@ Result<std::string> glbFile(const SurfaceMesh& mesh, std::string_view unit) {
   for (Index v = 0; v < mesh.vertexCount(); ++v) positions.push_back(mesh.position(v));
   writer.addPositions(positions);
   writer.addTriangles(mesh);
-  constexpr int kTriangles = 4;
-  return writer.file(kTriangles, unit, "{\"unit\":" + jsonString(unit) + "}");
+  return writer.file(TINYGLTF_MODE_TRIANGLES, unit, "{\"unit\":" + jsonString(unit) + "}");
 }
 
 }  // namespace

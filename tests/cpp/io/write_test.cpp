@@ -128,7 +128,7 @@ Json jsonOf(const std::string& file) {
 std::size_t offsetOf(const std::string& file, const Json& accessor) {
   const Json document = jsonOf(file);
   const Json& view = document["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-  const std::size_t offset = view["byteOffset"].get<std::size_t>();
+  const std::size_t offset = view.value("byteOffset", std::size_t{0});
   EXPECT_EQ(offset % 4, 0u);
   return file.size() - document["buffers"][0]["byteLength"].get<std::size_t>() + offset;
 }

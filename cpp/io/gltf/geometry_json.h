@@ -1,0 +1,46 @@
+// Checks a glTF document and reduces it to its geometry.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "girth/error.h"
+
+namespace girth::io {
+
+/// Where a buffer's bytes come from.
+struct GltfBufferSource {
+  /// A data: URI or a relative name; empty: the GLB's binary chunk.
+  std::string uri;
+  /// How many bytes the document promises.
+  std::uint64_t byteLength{0};
+};
+
+/// The geometry of a document as JSON that tinygltf reads as it is meant.
+struct GeometryJson {
+  std::string text;
+  /// The buffers, which are left out of the text, except the GLB's binary chunk.
+  std::vector<GltfBufferSource> buffers;
+  /// How many bytes of the binary chunk buffer 0 holds; 0 where it is not in the chunk.
+  std::size_t embeddedBytes{0};
+};
+
+/// Parses JSON text that begins at byte `firstByte` of the file and checks the type and the range
+/// of every member that matters for the surface; no number is checked against another. The result
+/// holds these members alone, whole numbers as integers. `binaryBytes`: the size of the GLB's
+/// binary chunk, 0 where there is none.
+///
+/// What tinygltf does not take as it is, travels in "extras": `byteStride` of a buffer view and
+/// `indices` of a primitive (see tinygltf_model.h). An instancing attribute that is not given is
+/// -1, because tinygltf drops empty objects.
+///
+/// Errors name the place as a JSON pointer, or the byte where the text is not JSON: UNKNOWN_FORMAT
+/// (JSON, but not glTF), MALFORMED_FILE, UNSUPPORTED_FEATURE (glTF 1.0, or an extension without
+/// which the geometry cannot be read), LIMIT_EXCEEDED.
+Result<GeometryJson> geometryJson(std::string_view text, std::size_t firstByte,
+                                  std::size_t binaryBytes);
+
+}  // namespace girth::io
