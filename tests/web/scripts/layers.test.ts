@@ -48,6 +48,12 @@ test.each(['cpp/src', 'cpp/study', 'cpp/bind'])('%s touches no files', (folder) 
   expect(includes(folder, files)).toEqual([]);
 });
 
+test('reading touches no files; tinygltf names a header of files, without which it does not compile', () => {
+  expect(includes('cpp/io', files)).toEqual(['cpp/io/gltf/tinygltf_model.cpp: fstream']);
+  const users = includes('cpp/io', /^(tiny_gltf\.h|gltf\/tinygltf)/);
+  expect(users.filter((line) => !/^cpp\/io\/(gltf|write)\//.test(line))).toEqual([]);
+});
+
 test('public headers include public headers and the standard library only', () => {
   expect(includes('cpp/include', /^(?!girth\/)(.*\/|.*\.h)/)).toEqual([]);
   const core = includes('cpp/include/girth', /^girth\/(io|study)\//);
