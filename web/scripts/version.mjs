@@ -1,13 +1,30 @@
-// `npm version ...` runs this: writes the version of package.json where the package exports it.
+// `npm version ...` runs this: writes the version of package.json where the package exports it, into the
+// citation, and over what the change log has as unreleased.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { repository, script } from './run.mjs';
 
-const path = join(repository, 'web/src/kernel/version.ts');
+const date = new Date().toISOString().slice(0, 10);
+
+/**
+ * @param {string} path
+ * @param {(text: string) => string} change
+ */
+function rewrite(path, change) {
+  const full = join(repository, path);
+  writeFileSync(full, change(readFileSync(full, 'utf8')));
+}
 
 await script(() => {
   const { version } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8'));
-  const text = readFileSync(path, 'utf8');
-  writeFileSync(path, text.replace(/'\d[^']*'/g, `'${version}'`));
+  rewrite('web/src/kernel/version.ts', (text) => text.replace(/'\d[^']*'/g, `'${version}'`));
+  rewrite('CITATION.cff', (text) =>
+    text
+      .replace(/^version: .*$/m, `version: ${version}`)
+      .replace(/^date-released: .*$/m, `date-released: '${date}'`),
+  );
+  rewrite('CHANGELOG.md', (text) =>
+    text.replace(/^## \[Unreleased\]$/m, `$&\n\n## [${version}] - ${date}`),
+  );
 });
