@@ -1,7 +1,7 @@
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { bestDirection, eased, viewBetween } from '../../../web/src/view/camera-flight.js';
-import type { CameraView } from '../../../web/src/view/stage.js';
+import type { CameraView } from '../../../web/src/view/camera-view.js';
 
 const from: CameraView = { polar: 1, azimuth: 3, distance: 8, target: [0, 0, 0] };
 const to: CameraView = { polar: 2, azimuth: -3, distance: 2, target: [1, -1, 2] };

@@ -1,7 +1,7 @@
 // From one view of a surface to another, and from where a place of it is best seen.
 
 import { Vector3 } from 'three';
-import type { CameraView } from './stage.js';
+import type { CameraView } from './camera-view.js';
 
 /** Slow at both ends. */
 export function eased(time: number): number {
@@ -34,7 +34,7 @@ function* directions(count: number): Generator<Vector3> {
 
 /**
  * The direction from a place towards an eye that sees most of it and is, of those that see as much, the
- * nearest to the present one. `seen` tells what share of the place can be seen from a direction.
+ * nearest to the present one. `seen` is the share of the place, in [0, 1], that can be seen from a direction.
  */
 export function bestDirection(
   present: Vector3,

@@ -3,6 +3,7 @@
 export { type Adjacency, buildAdjacency } from './adjacency.js';
 export { type Category, girthKinds, partKinds } from './categories.js';
 export { type ColormapName, colormapNames, colourAt, isColormapName } from './colormaps.js';
+export type { CameraView } from './camera-view.js';
 export { splitCreases } from './creases.js';
 export {
   type ShownName,
@@ -27,9 +28,11 @@ export {
   lengthFormat,
   roundTicks,
 } from './numbers.js';
+export type { ScreenPoint } from './picker.js';
+export type { Place } from './place-view.js';
 export { PointMarks } from './point-marks.js';
 export { quantile } from './plots/distribution.js';
-export { type CameraView, type Place, type ScreenPoint, Stage } from './stage.js';
+export { Stage } from './stage.js';
 export { Surface, borrowedWeight, computedWeight } from './surface.js';
 export { TimeLeft, formatSeconds } from './time-left.js';
 export { inSlices } from './time-slices.js';

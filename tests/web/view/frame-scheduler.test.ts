@@ -1,0 +1,104 @@
+// Frames are drawn only after something has changed, and while something moves.
+
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { FrameScheduler, type Motion } from '../../../web/src/view/frame-scheduler.js';
+
+/** What was asked of the browser: at most one frame at a time. */
+let requested: ((now: number) => void)[] = [];
+let now = 0;
+let drawn = 0;
+let motion: Motion = 'none';
+let isTurning = false;
+let again = false;
+let scheduler: FrameScheduler;
+
+/** Lets frames come until none is asked for, at most so many; returns how many came. */
+function frames(most: number, interval = 16): number {
+  for (let count = 0; count < most; ++count) {
+    const [frame] = requested.splice(0);
+    if (!frame) return count;
+    now += interval;
+    frame(now);
+  }
+  return most;
+}
+
+beforeEach(() => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
+  [requested, now, drawn, motion, isTurning, again] = [[], 1000, 0, 'none', false, false];
+  vi.stubGlobal('requestAnimationFrame', (frame: (now: number) => void) => requested.push(frame));
+  vi.stubGlobal('cancelAnimationFrame', () => (requested = []));
+  scheduler = new FrameScheduler({
+    begin: () => again,
+    isUnhurried: () => isTurning,
+    advance: () => motion,
+    draw: () => ++drawn,
+  });
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+test('it rests until it is in view, and then draws once', () => {
+  scheduler.invalidate();
+  expect(frames(9)).toBe(0);
+  scheduler.rest(false);
+  expect(frames(9)).toBe(1);
+  expect(drawn).toBe(1);
+  scheduler.invalidate();
+  scheduler.invalidate();
+  expect(frames(9)).toBe(1);
+  expect(drawn).toBe(2);
+  scheduler.rest(true);
+  scheduler.invalidate();
+  expect(frames(9)).toBe(0);
+});
+
+test('a frame that is only looked at draws nothing unless something moves', () => {
+  scheduler.rest(false);
+  frames(9);
+  scheduler.look();
+  expect(frames(9)).toBe(1);
+  expect(drawn).toBe(1);
+  motion = 'more';
+  scheduler.look();
+  expect(frames(5)).toBe(5);
+  expect(drawn).toBe(6);
+  motion = 'last';
+  expect(frames(9)).toBe(1);
+  expect(drawn).toBe(7);
+});
+
+test('a slow turning is drawn at every other frame', () => {
+  scheduler.rest(false);
+  frames(9);
+  [isTurning, motion] = [true, 'more'];
+  scheduler.look();
+  frames(20);
+  expect(drawn).toBe(1 + 10);
+});
+
+test('what is still to come asks for the next frame', () => {
+  scheduler.rest(false);
+  again = true;
+  expect(frames(3)).toBe(3);
+  again = false;
+  expect(frames(9)).toBe(1);
+  expect(drawn).toBe(4);
+});
+
+test('requests that are not urgent share one frame; none comes after the end', () => {
+  scheduler.rest(false);
+  frames(9);
+  for (let i = 0; i < 5; ++i) scheduler.invalidateSoon();
+  expect(frames(9)).toBe(0);
+  vi.advanceTimersByTime(100);
+  expect(frames(9)).toBe(1);
+  expect(drawn).toBe(2);
+  scheduler.invalidateSoon();
+  scheduler.stop();
+  vi.advanceTimersByTime(5000);
+  scheduler.invalidate();
+  expect(frames(9)).toBe(0);
+});

@@ -1,0 +1,258 @@
+// The camera and what moves it: a hand, a key, a flight to a place, the slow turning.
+
+import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { eased, viewBetween } from './camera-flight.js';
+import {
+  type CameraView,
+  anglesOf,
+  fovFor,
+  homeView,
+  keptFromPoles,
+  viewingAngle,
+  wholeDistance,
+} from './camera-view.js';
+import type { Motion } from './frame-scheduler.js';
+
+/** Motion since the last frame that nobody sees, as a share of the camera's distance: under 0.05 pixels. */
+const unseenPace = 2e-5;
+/** Motion that is none but rounding. */
+const roundingPace = 1e-12;
+/** Milliseconds of a flight of the camera. */
+const flightTime = 700;
+/** The camera looks at nothing farther from the middle of the surface, in radii of the surface. */
+const farthestTarget = 4;
+
+export interface RigEvents {
+  /** The camera stands elsewhere: a frame is to be drawn. */
+  changed(): void;
+  /** A hand may have moved it: a frame is to be looked at. */
+  stirred(): void;
+  /** The surface was touched: it is moved by hand, or pointed at. */
+  touched(): void;
+  /** The camera was moved and has come to rest. */
+  rested(): void;
+}
+
+export class CameraRig {
+  readonly camera = new PerspectiveCamera(viewingAngle, 1, 0.01, 100);
+  readonly #controls: OrbitControls;
+  readonly #events: RigEvents;
+  #turnsByItself = false;
+  /** Whether the camera was moved since it last came to rest. */
+  #moved = false;
+  /** Whether a hand holds the surface. */
+  #held = false;
+  /** Whether a hand's motion, or the turning's, may still fade away. */
+  #drifting = false;
+  #flight: { from: CameraView; to: CameraView; begun: number } | undefined;
+  /** Where the camera was for the last frame. */
+  readonly #drawnFrom = {
+    position: new Vector3(),
+    quaternion: new Quaternion(),
+    target: new Vector3(),
+  };
+
+  constructor(canvas: HTMLCanvasElement, events: RigEvents) {
+    this.#events = events;
+    this.#controls = new OrbitControls(this.camera, canvas);
+    this.#controls.enableDamping = true;
+    this.#controls.dampingFactor = 0.14;
+    this.#controls.rotateSpeed = 0.9;
+    this.#controls.autoRotateSpeed = 1.1;
+    this.#controls.minDistance = 0.15;
+    this.#controls.maxDistance = 4 * wholeDistance;
+    this.#controls.addEventListener('start', () => {
+      this.#flight = undefined;
+      this.#held = this.#drifting = true;
+      this.touch();
+    });
+    this.#controls.addEventListener('end', () => {
+      this.#held = false;
+      events.stirred();
+    });
+    // The controls report no motion that is small to them, though it may be seen where the surface is near.
+    canvas.addEventListener('pointermove', () => {
+      if (this.#held) events.stirred();
+    });
+    this.#controls.addEventListener('change', () => {
+      this.#moved ||= !this.#turnsByItself;
+      events.changed();
+    });
+  }
+
+  /** Whether motion goes on after the hand has stopped. */
+  set damping(damping: boolean) {
+    this.#controls.enableDamping = damping;
+  }
+
+  /** Turns slowly until touched. */
+  set turning(turning: boolean) {
+    this.#drifting ||= this.#turnsByItself;
+    this.#turnsByItself = turning;
+    this.#controls.autoRotate = turning;
+    this.#events.changed();
+  }
+
+  get turning(): boolean {
+    return this.#turnsByItself;
+  }
+
+  /** Ends the turning. */
+  touch(): void {
+    if (this.#turnsByItself) this.turning = false;
+    this.#events.touched();
+  }
+
+  /** The canvas's size in CSS pixels, and the height at its bottom to keep free of the surface. */
+  fit(width: number, height: number, bottom: number): void {
+    // The standard angle fits into the width and into the height that is left.
+    const room = Math.max(0.4 * height, height - bottom);
+    this.camera.aspect = width / height;
+    this.camera.fov = fovFor(Math.min(width, room), height);
+    this.camera.setViewOffset(width, height, 0, (height - room) / 2, width, height);
+  }
+
+  /** From where it looks now. */
+  get view(): CameraView {
+    const { target } = this.#controls;
+    const arm = this.#arm();
+    return { ...anglesOf(arm), distance: arm.length(), target: target.toArray() };
+  }
+
+  /** The direction from what it looks at to the camera, of length 1. */
+  get direction(): Vector3 {
+    return this.#arm().normalize();
+  }
+
+  /** Back to the standard direction and distance. */
+  reset(): void {
+    this.#flight = undefined;
+    this.#setView(homeView);
+  }
+
+  /** Looks from there at once; what lies beyond the limits of moving by hand is brought within. */
+  lookFrom(view: CameraView): void {
+    this.#flight = undefined;
+    this.touch();
+    this.#setView(view);
+  }
+
+  /** Moves there: smoothly, or at once. */
+  flyTo(to: CameraView, atOnce: boolean): void {
+    const from = this.view;
+    this.touch();
+    this.#flight = atOnce ? undefined : { from, to, begun: performance.now() };
+    if (atOnce) this.#setView(to);
+    this.#events.changed();
+  }
+
+  /** Turns the camera about the surface, to the right and up, in radians. */
+  orbit(right: number, up: number): void {
+    const arm = this.#arm();
+    const { polar, azimuth } = anglesOf(arm);
+    this.#take(
+      arm.setFromSphericalCoords(arm.length(), keptFromPoles(polar - up), azimuth + right),
+    );
+  }
+
+  /** Multiplies the distance to the surface. */
+  zoom(factor: number): void {
+    const { minDistance, maxDistance } = this.#controls;
+    this.#take(this.#arm().multiplyScalar(factor).clampLength(minDistance, maxDistance));
+  }
+
+  /** Goes on with a flight; before each frame. */
+  fly(now: number): void {
+    if (!this.#flight) return;
+    const { from, to, begun } = this.#flight;
+    const time = (now - begun) / flightTime;
+    if (time >= 1) this.#flight = undefined;
+    this.#setView(viewBetween(from, to, eased(time)));
+  }
+
+  /** Goes on with what a hand has begun, or with the turning, and reports when the camera is at rest. */
+  advance(seconds: number): Motion {
+    const motion = this.#steer(seconds);
+    if (this.#moved && motion !== 'more' && !this.#flight) {
+      this.#moved = false;
+      this.#events.rested();
+    }
+    return motion;
+  }
+
+  /** A frame was drawn from where the camera is. */
+  drawn(): void {
+    this.#drawnFrom.position.copy(this.camera.position);
+    this.#drawnFrom.quaternion.copy(this.camera.quaternion);
+    this.#drawnFrom.target.copy(this.#controls.target);
+  }
+
+  dispose(): void {
+    this.#controls.dispose();
+  }
+
+  #arm(): Vector3 {
+    return this.camera.position.clone().sub(this.#controls.target);
+  }
+
+  /** A key has moved the camera to the end of this arm. */
+  #take(arm: Vector3): void {
+    this.#flight = undefined;
+    this.touch();
+    this.camera.position.copy(this.#controls.target).add(arm);
+    this.#controls.update();
+    this.#events.changed();
+  }
+
+  #setView({ polar, azimuth, distance, target }: CameraView): void {
+    // Nothing of what moved before may go on from there.
+    this.#finishMotion();
+    this.#controls.target.fromArray(target).clampLength(0, farthestTarget);
+    this.camera.position
+      .setFromSphericalCoords(distance, keptFromPoles(polar), azimuth)
+      .clampLength(this.#controls.minDistance, this.#controls.maxDistance)
+      .add(this.#controls.target);
+    this.#controls.update();
+    this.#events.changed();
+  }
+
+  /** A camera at rest keeps its place to the last bit: what is under a pointer stays under it. */
+  #steer(seconds: number): Motion {
+    if (!this.#drifting && !this.#turnsByItself) return 'none';
+    const [controls, drawnFrom] = [this.#controls, this.#drawnFrom];
+    const { camera } = this;
+    controls.update(seconds);
+    if (this.#turnsByItself) return 'more';
+    const moved =
+      camera.position.distanceTo(drawnFrom.position) + controls.target.distanceTo(drawnFrom.target);
+    const pace = moved / camera.position.distanceTo(controls.target);
+    if (pace > unseenPace) {
+      this.#moved = true;
+      return 'more';
+    }
+    let motion: Motion = 'none';
+    if (pace < roundingPace) {
+      camera.position.copy(drawnFrom.position);
+      camera.quaternion.copy(drawnFrom.quaternion);
+      controls.target.copy(drawnFrom.target);
+      // The controls have made the matrix anew as well, and what is picked next uses it.
+      camera.updateMatrixWorld();
+    } else if (!this.#held) {
+      // Less than a pixel.
+      this.#finishMotion();
+      this.#moved = true;
+      motion = 'last';
+    }
+    this.#drifting = this.#held;
+    return motion;
+  }
+
+  /** What is left of a motion, at once. */
+  #finishMotion(): void {
+    const { enableDamping } = this.#controls;
+    this.#controls.enableDamping = false;
+    this.#controls.update();
+    this.#controls.enableDamping = enableDamping;
+  }
+}

@@ -1,0 +1,62 @@
+// From where a surface is seen: numbers, whatever its size and place. The scene's unit is the surface's
+// radius and its origin the middle of the surface.
+
+import { type PerspectiveCamera, Vector3 } from 'three';
+
+/** From where a surface is seen. */
+export interface CameraView {
+  /** Angle from straight above, and round the vertical axis from the front to the right; radians. */
+  polar: number;
+  azimuth: number;
+  /** From the camera to what it looks at, in radii of the surface. */
+  distance: number;
+  /** What it looks at, from the middle of the surface, in radii of the surface. */
+  target: [number, number, number];
+}
+
+/** Smallest of the two viewing angles, in degrees. */
+export const viewingAngle = 28;
+/** From how far something is seen whole, in its radii. */
+export const wholeDistance = 1.08 / Math.sin((viewingAngle * Math.PI) / 360);
+
+/** The standard direction and distance. */
+export const homeView: CameraView = {
+  polar: (68 * Math.PI) / 180,
+  azimuth: (32 * Math.PI) / 180,
+  distance: wholeDistance,
+  target: [0, 0, 0],
+};
+
+/** The vertical angle, in degrees, with which the standard angle fits into a width and the height. */
+export function fovFor(width: number, height: number): number {
+  const half = Math.tan((viewingAngle * Math.PI) / 360);
+  return (360 / Math.PI) * Math.atan((half * height) / Math.min(width, height));
+}
+
+/** The angles of a direction from a target to the camera; `arm` need not have unit length. */
+export function anglesOf(arm: Vector3): Pick<CameraView, 'polar' | 'azimuth'> {
+  return {
+    polar: Math.acos(Math.min(1, Math.max(-1, arm.y / arm.length()))),
+    azimuth: Math.atan2(arm.x, arm.z),
+  };
+}
+
+/** The angle from straight above, kept away from both poles: there the camera has no upright. */
+export function keptFromPoles(polar: number): number {
+  return Math.min(Math.PI - 0.01, Math.max(0.01, polar));
+}
+
+/** Puts a camera that is in no one's hand where a view says. */
+export function placeCamera(camera: PerspectiveCamera, view: CameraView): void {
+  const target = new Vector3().fromArray(view.target);
+  camera.position.setFromSphericalCoords(view.distance, view.polar, view.azimuth).add(target);
+  camera.lookAt(target);
+}
+
+/** Brings the nearest and the farthest that a camera draws close to the surface, for the sake of depth. */
+export function fitDepth(camera: PerspectiveCamera): void {
+  const distance = camera.position.length();
+  camera.near = Math.max(0.02, distance - 1.2);
+  camera.far = distance + 3;
+  camera.updateProjectionMatrix();
+}
