@@ -11,6 +11,7 @@ import type {
 } from '../kernel/types.js';
 import {
   Legend,
+  type ShownName,
   Stage,
   fieldTitle,
   fieldUnit,
@@ -28,6 +29,7 @@ import type {
 import type { FieldState, FieldsHost } from './fields.js';
 import { groundUnder } from './ground.js';
 import type { PickDetail } from './loops-on-surface.js';
+import { Lifecycle } from './lifecycle.js';
 import { MessageBox } from './message-box.js';
 import { Model } from './model.js';
 import { fieldsOf, nameOf, parseCount, parseRange, parseSpectral, parseVertices } from './parse.js';
@@ -36,13 +38,12 @@ import type { ShadingWishes } from './shading.js';
 import { sharedKernel } from './shared-kernel.js';
 import { StatusBar } from './status-bar.js';
 import { style } from './style.js';
+import { isMotionReduced, watchSurroundings } from './surroundings.js';
 import { Work, type Watched } from './work.js';
 
 /** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
 const narrow = 520;
 const legendHeight = 92;
-/** Shares of the time to show a model: until the kernel has it; the rest is spent on drawing. */
-const kernelShare = 0.7;
 /** More lines of equal value than this are no lines. */
 const mostIsolines = 100;
 
@@ -81,24 +82,36 @@ export abstract class ViewerBase extends HTMLElement {
   readonly #live = make('div', { class: 'quiet-live', 'aria-live': 'polite' });
   readonly #status = new StatusBar({
     cancel: () => this.cancel(),
-    cancelWork: () => this.#work.cancel(),
+    cancelWork: () => this.#lifecycle.cancelLoad(),
     restart: () => void this.#restart(),
   });
-  readonly #work = new Work(this.#status);
+
+  readonly #lifecycle = new Lifecycle<Mesh, Model, Presented, Original, ShownName, FieldName>(
+    new Work(this.#status),
+    {
+      prepare: async (mesh, signal) => {
+        const model = await Model.of(mesh, this.#fieldsHost, signal);
+        await this.stage?.prepare(model.surface.object);
+        return model;
+      },
+      present: (model, origin) => this.#present(model, origin),
+      presented: (presented) => this.#greet(presented),
+      drop: (presented, keepsMesh) => {
+        this.#pointedVertex = undefined;
+        presented.dispose(keepsMesh);
+        this.#status.clear();
+        this.#legend.update(undefined);
+      },
+      failed: (name, error) => this.#fail(name, error),
+    },
+  );
 
   protected stage: Stage | undefined;
-  protected presented: Presented | undefined;
-  protected madeFrom: Original | undefined;
-  /** The field whose computation was cancelled. */
-  #halted: FieldName | undefined;
-  readonly #said = new WeakSet<object>();
-
-  #inView = false;
+  readonly #reported = new WeakSet<object>();
   /** Whether the surface was moved by hand, so that it no longer turns by itself. */
   #touched = false;
   #pointedVertex: number | undefined;
-  #whenInView: (() => void)[] = [];
-  readonly #watchers: (() => void)[] = [];
+  #stopWatching: (() => void) | undefined;
 
   constructor() {
     super();
@@ -141,45 +154,34 @@ export abstract class ViewerBase extends HTMLElement {
       return;
     }
     const { stage } = this;
-    const resized = new ResizeObserver(() => {
-      const { clientWidth, clientHeight } = this;
-      const bottom = clientWidth <= narrow ? legendHeight : 0;
-      stage.resize(clientWidth, clientHeight, bottom, window.devicePixelRatio);
+    this.#lifecycle.attach();
+    this.#stopWatching = watchSurroundings(this, {
+      resized: (width, height) => {
+        const bottom = width <= narrow ? legendHeight : 0;
+        stage.resize(width, height, bottom, window.devicePixelRatio);
+      },
+      sighted: (isInView) => {
+        stage.rest(!isInView);
+        this.#lifecycle.setInView(isInView);
+      },
+      motionChanged: (isReduced) => {
+        stage.setDamping(!isReduced);
+        this.#updateTurning();
+      },
     });
-    resized.observe(this);
-    const seen = new IntersectionObserver((entries) => {
-      this.#inView = entries.at(-1)!.isIntersecting;
-      stage.rest(!this.#inView);
-      if (this.#inView) for (const go of this.#whenInView.splice(0)) go();
-    });
-    seen.observe(this);
-    const motion = window.matchMedia('(prefers-reduced-motion: reduce)');
-    const respectMotion = (): void => {
-      stage.setDamping(!motion.matches);
-      this.#updateTurning();
-    };
-    motion.addEventListener('change', respectMotion);
-    respectMotion();
-    this.#watchers.push(
-      () => resized.disconnect(),
-      () => seen.disconnect(),
-      () => motion.removeEventListener('change', respectMotion),
-    );
     if (this.hasAttribute('src')) void this.#loadSrc();
   }
 
   disconnectedCallback(): void {
-    for (const stop of this.#watchers.splice(0)) stop();
-    this.#work.cancel();
-    this.#dropModel();
+    this.#stopWatching?.();
+    this.#stopWatching = undefined;
+    this.#lifecycle.detach();
     this.stage?.dispose();
     this.stage = undefined;
     // A lost context cannot be had again from the same canvas.
     const fresh = this.#canvas.cloneNode() as HTMLCanvasElement;
     this.#canvas.replaceWith(fresh);
     this.#canvas = fresh;
-    this.#inView = false;
-    this.#whenInView = [];
   }
 
   attributeChangedCallback(name: string, before: string | null, value: string | null): void {
@@ -229,6 +231,15 @@ export abstract class ViewerBase extends HTMLElement {
     this.stage?.invalidate();
   }
 
+  protected get presented(): Presented | undefined {
+    return this.#lifecycle.shown;
+  }
+
+  /** What the shown surface was remeshed from; undefined where it was not. */
+  protected get madeFrom(): Original | undefined {
+    return this.#lifecycle.origin;
+  }
+
   /** The model that is shown; undefined before the first. */
   get info(): MeshInfo | undefined {
     return this.presented?.model.mesh.info;
@@ -257,35 +268,13 @@ export abstract class ViewerBase extends HTMLElement {
   }
 
   /** Makes another mesh ready to draw and shows it, with words and a cross meanwhile. */
-  protected bring(
+  protected async bring(
     words: string,
     name: string,
-    make: (watched: Watched) => Promise<Mesh>,
-    before?: Original,
+    read: (watched: Watched) => Promise<Mesh>,
+    origin?: Original,
   ): Promise<MeshInfo> {
-    return this.#work.run(words, async ({ signal, onProgress }) => {
-      try {
-        const mesh = await make({
-          signal,
-          onProgress: (fraction) => onProgress(kernelShare * fraction),
-        });
-        try {
-          onProgress(kernelShare);
-          signal.throwIfAborted();
-          const model = await Model.of(mesh, this.#fieldsHost, signal);
-          await this.stage?.prepare(model.surface.object);
-          signal.throwIfAborted();
-          this.#show(model, before);
-        } catch (error) {
-          mesh.dispose();
-          throw error;
-        }
-        return mesh.info;
-      } catch (error) {
-        if (!signal.aborted) this.#fail(name, error);
-        throw error;
-      }
-    });
+    return (await this.#lifecycle.load({ words, name, read, origin })).info;
   }
 
   /** Stops computing fields; what there is stays. */
@@ -296,38 +285,33 @@ export abstract class ViewerBase extends HTMLElement {
   // ---- loading and computing
 
   async #loadSrc(): Promise<void> {
-    await this.#untilInView();
+    await this.#lifecycle.inView();
     const src = this.getAttribute('src');
     // What went wrong has been said already.
     if (src) await this.load(src).catch(() => undefined);
   }
 
-  #untilInView(): Promise<void> {
-    return this.#inView
-      ? Promise.resolve()
-      : new Promise((resolve) => this.#whenInView.push(resolve));
-  }
-
-  #show(model: Model, before: Original | undefined): void {
-    this.#dropModel(before);
-    if (!this.stage) throw new Error('the element is no longer on a page');
-    this.madeFrom = before;
+  #present(model: Model, origin: Original | undefined): Presented {
     this.#message.clear();
     const { unreadable, name } = model.mesh.info;
-    if (!before) this.#message.showPassedOver(unreadable, name);
+    if (!origin) this.#message.showPassedOver(unreadable, name);
     model.surface.showEdges(this.hasAttribute('edges'));
     // The unit of what is shown is the model's own, which is not there yet.
     const wishes = { ...this.#wishes, unit: model.mesh.info.unit || this.#wishes.unit };
-    this.presented = new Presented(this.stage, this.#canvas, model, wishes, {
+    const presented = new Presented(this.stage!, this.#canvas, model, wishes, {
       followsPointer: () => this.getAttribute('loop') !== 'none',
       pointed: (vertex) => this.#pointed(vertex),
       picked: (detail) => this.#send<PickDetail>('pick', detail),
       failed: (error) => this.#fail('', error),
       relabelled: (legend) => this.#legend.update(legend),
     });
-    this.#legend.element.after(this.presented.loops.element);
-    this.#send<LoadDetail>('load', { info: model.mesh.info });
-    void this.#afterShowing(this.presented);
+    this.#legend.element.after(presented.loops.element);
+    return presented;
+  }
+
+  #greet(presented: Presented): void {
+    this.#send<LoadDetail>('load', { info: presented.model.mesh.info });
+    void this.#afterShowing(presented);
     void this.#showField();
   }
 
@@ -351,36 +335,18 @@ export abstract class ViewerBase extends HTMLElement {
     }
   }
 
-  /** `kept` is still wanted: what comes next was made of it. */
-  #dropModel(kept?: Original): void {
-    const { presented, madeFrom: before } = this;
-    if (before && before.mesh !== kept?.mesh) before.mesh.dispose();
-    this.madeFrom = undefined;
-    this.#halted = undefined;
-    this.#pointedVertex = undefined;
-    if (!presented) return;
-    this.presented = undefined;
-    presented.dispose(kept?.mesh === presented.model.mesh);
-    this.#status.clear();
-    this.#legend.update(undefined);
-  }
-
   /** Computes what the attributes ask for, and shows it. */
   async #showField(): Promise<void> {
     const { presented } = this;
     if (!presented) return;
-    const { name } = this.#wishes;
-    const isWanted = (): boolean => this.presented === presented && this.#wishes.name === name;
-    await this.#untilInView();
-    if (!isWanted()) return;
-    try {
-      await presented.shading.prepare();
-      if (!isWanted()) return;
-      presented.paint();
-      this.#sendChange();
-    } catch (error) {
-      if (this.presented === presented) this.#fail('', error);
-    }
+    await this.#lifecycle.colour(
+      this.#wishes.name,
+      () => presented.shading.prepare(),
+      () => {
+        presented.paint();
+        this.#sendChange();
+      },
+    );
   }
 
   /** Another number of a signature is wanted: what was computed of it no longer counts. */
@@ -420,7 +386,7 @@ export abstract class ViewerBase extends HTMLElement {
         this.#sendField(name, field.range, 1);
       } else if (fieldsOf(error).code === 'CANCELLED') {
         const share = model.fields.shareOf(name);
-        this.#halted = name;
+        this.#lifecycle.halt(name);
         this.#status.showPartial(fieldTitle(name), share);
         this.#sendField(name, state.preview?.range ?? [NaN, NaN], share);
       } else {
@@ -437,21 +403,16 @@ export abstract class ViewerBase extends HTMLElement {
 
   /** Goes on with what was cancelled. */
   async #restart(): Promise<void> {
-    const halted = this.#halted;
-    this.#halted = undefined;
-    if (halted === undefined || !this.presented) return;
-    // What goes wrong is said where the field ends; cancelled once more, it stays so.
-    const computed = this.presented.model.fields.compute(halted).then(
-      () => true,
-      () => false,
+    const isComputed = await this.#lifecycle.resume(({ model }, name) =>
+      model.fields.compute(name),
     );
-    if (await computed) await this.#showField();
+    if (isComputed) await this.#showField();
   }
 
   /** Turns where it is asked for, but not while it computes: the work goes first. */
   #updateTurning(): void {
     if (!this.stage) return;
-    const still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+    const still = isMotionReduced();
     const isBusy = this.presented?.model.fields.computing !== undefined;
     const turning = this.hasAttribute('turn') && !this.#touched && !still && !isBusy;
     if (this.stage.turning !== turning) this.stage.turning = turning;
@@ -516,8 +477,8 @@ export abstract class ViewerBase extends HTMLElement {
     const fields = fieldsOf(error);
     if (fields.code === 'CANCELLED') return;
     if (error instanceof Error) {
-      if (this.#said.has(error)) return;
-      this.#said.add(error);
+      if (this.#reported.has(error)) return;
+      this.#reported.add(error);
     }
     this.#message.show(name, fields, this.presented !== undefined);
     this.#send<GirthErrorFields>('error', fields);

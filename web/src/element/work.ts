@@ -1,8 +1,6 @@
-// Work on a model that is not there yet, one at a time: said in words, with a cross to end it.
+// Work on a model that is not there yet, one at a time: announced in words, with a cross to end it.
 
-import type { StatusBar } from './status-bar.js';
-
-/** Milliseconds of work before the element says so. */
+/** Milliseconds of work before the element shows that it works. */
 const delay = 150;
 
 export interface Watched {
@@ -11,12 +9,23 @@ export interface Watched {
   onProgress: (share: number) => void;
 }
 
+/** Where work is shown. */
+export interface WorkDisplay {
+  /** What is being done, and the finished share of it. */
+  showWork(words: string, share: number): void;
+  endWork(): void;
+}
+
 export class Work {
   #running: AbortController | undefined;
-  readonly #status: StatusBar;
+  readonly #display: WorkDisplay;
 
-  constructor(status: StatusBar) {
-    this.#status = status;
+  constructor(display: WorkDisplay) {
+    this.#display = display;
+  }
+
+  get isRunning(): boolean {
+    return this.#running !== undefined;
   }
 
   /** Ends what runs. */
@@ -25,7 +34,7 @@ export class Work {
     this.#running = undefined;
   }
 
-  /** Runs something in place of what runs already, and says so where it takes a while. */
+  /** Runs something in place of what runs already, and shows it where it takes a while. */
   async run<Answer>(words: string, act: (watched: Watched) => Promise<Answer>): Promise<Answer> {
     this.cancel();
     const running = new AbortController();
@@ -33,7 +42,7 @@ export class Work {
     let share = 0;
     let isSlow = false;
     const show = (): void => {
-      if (isSlow && this.#running === running) this.#status.showWork(words, share);
+      if (isSlow && this.#running === running) this.#display.showWork(words, share);
     };
     const onProgress = (fraction: number): void => {
       share = fraction;
@@ -47,7 +56,7 @@ export class Work {
       return await act({ signal: running.signal, onProgress });
     } finally {
       clearTimeout(slow);
-      if (this.#running === running || !this.#running) this.#status.endWork();
+      if (this.#running === running || !this.#running) this.#display.endWork();
       if (this.#running === running) this.#running = undefined;
     }
   }
