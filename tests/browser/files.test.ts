@@ -227,7 +227,7 @@ describe('what was done', () => {
     expect(Math.abs(faceCount - 800)).toBeLessThan(40);
     await openDetails();
     expect(await sheet.textContent()).toContain('Remeshed from 384 to about 800 faces');
-    const difference = sheet.getByText(/Its girth differs from that before by/);
+    const difference = sheet.getByText(/The distribution of its girth differs from that before by/);
     await difference.waitFor();
     const written = /by ([\d.e−]+)/.exec((await difference.textContent())!)![1]!;
     expect(Number(written.replace('−', '-'))).toBeLessThan(0.05);

@@ -53,9 +53,9 @@ test('the octopus has eight tips; one is chosen and flown to; noise can be ranke
     async (element: GirthViewer) => (await element.tips()).tips[1]!,
   );
   const words = await rows.nth(1).textContent();
-  expect(words).toContain(`${jump.toFixed(4)}\u202fm`);
-  expect(words).toContain(`${apexDistance.toFixed(4)}\u202fm long`);
-  expect(words).toMatch(/cm²|mm²/);
+  expect(words).toContain(`rises by ${jump.toFixed(4)}\u202fm`);
+  expect(words).toContain(`length ${apexDistance.toFixed(4)}\u202fm`);
+  expect(words).toMatch(/area [\d.]+\u202f(cm²|mm²)/);
   const camera = () => viewer.evaluate((element: GirthViewer) => JSON.stringify(element.camera));
   const before = await camera();
   await rows.nth(1).click();
@@ -68,10 +68,12 @@ test('the octopus has eight tips; one is chosen and flown to; noise can be ranke
   const listed = panel.getByRole('list', { name: 'Other lines' }).getByRole('button');
   expect(await listed.count()).toBe(Math.min(100, arcs));
 
-  await panel.getByLabel('Hide what rises less than').focus();
+  await panel.getByLabel('Show tips that rise by at least').focus();
   await page.keyboard.press('End');
   await expect.poll(() => rows.count()).toBe(1);
-  expect(await panel.locator('#tips-words').textContent()).toBe('7 hidden.');
+  expect(await panel.locator('#tips-words').textContent()).toBe(
+    '7 tips rise by less and are hidden.',
+  );
 });
 
 test('a box has no tips, and says so', async () => {
@@ -143,7 +145,9 @@ test('the print check finds the command’s places, pictured and reported', asyn
   await fieldComplete(viewer);
   const panel = await openPanel(page, 'print');
   await page.locator('#check').click();
-  await expect.poll(() => panel.locator('.answer').textContent()).toContain('Say how thin');
+  await expect
+    .poll(() => panel.locator('.answer').textContent())
+    .toContain('Type a least tube diameter');
   await page.locator('#min-tube').fill('0.04');
   await page.locator('#min-wall').fill('0.02');
   await page.locator('#check').click();
@@ -206,7 +210,7 @@ test('a file without a unit that is open: the print check says both', async () =
   const panel = await openPanel(page, 'print');
   const cautions = panel.locator('.cautions li');
   expect(await cautions.allTextContents()).toEqual([
-    expect.stringContaining('does not say its unit'),
+    expect.stringContaining('does not state its unit'),
     expect.stringContaining('The surface is open'),
   ]);
   await page.locator('#print-unit').selectOption('mm');

@@ -24,12 +24,12 @@ async function ranking(page: Page, count: number): Promise<{ name: string; words
     words: await rows.locator('.words span').allTextContents(),
   });
   await expect
-    .poll(async () => (await read()).words.filter((one) => /^\d/.test(one)).length, {
+    .poll(async () => (await read()).words.filter((one) => /^distance \d/.test(one)).length, {
       timeout: 90_000,
     })
     .toBe(count - 1);
   const { names, words } = await read();
-  return names.map((name, i) => ({ name, words: words[i]! }));
+  return names.map((name, i) => ({ name, words: words[i]!.replace('distance ', '') }));
 }
 
 test('models dropped together are compared: the same shape is nearest, whatever its size', async () => {
@@ -79,7 +79,7 @@ test('a model is kept once; what cannot be read says so, the rest goes on', asyn
     .poll(() => rows.allTextContents(), { timeout: 60_000 })
     .toEqual([
       expect.stringContaining('bell.obj'),
-      expect.stringMatching(/a-ring\.obj ?\d\.\d{4}$/),
+      expect.stringMatching(/a-ring\.obj ?distance \d\.\d{4}$/),
       expect.stringMatching(/broken\.obj.*(vertex|face)/),
     ]);
   await panel.getByRole('button', { name: 'Remove all' }).click();
@@ -114,8 +114,8 @@ test('of several files the first cannot be read: it is named, and the others ope
   await expect
     .poll(() => rows.allTextContents(), { timeout: 60_000 })
     .toEqual([
-      expect.stringMatching(/c-ring\.obj ?asked about/),
-      expect.stringMatching(/d-bell\.obj ?\d\.\d{4}$/),
+      expect.stringMatching(/c-ring\.obj ?compared with the others/),
+      expect.stringMatching(/d-bell\.obj ?distance \d\.\d{4}$/),
       expect.stringMatching(/a-broken\.obj.*(vertex|face)/),
       expect.stringMatching(/b-empty\.ply.*[a-z]{3}/),
     ]);
@@ -171,7 +171,9 @@ test('by every descriptor the same shape is nearest, and is at no distance', asy
     const cells = await panel
       .locator('.matrix td button')
       .evaluateAll((buttons) =>
-        buttons.map((button) => Number(/: ([\d.]+)$/.exec(button.getAttribute('aria-label')!)![1])),
+        buttons.map((button) =>
+          Number(/: distance ([\d.]+)$/.exec(button.getAttribute('aria-label')!)![1]),
+        ),
       );
     expect(cells.length).toBe(16);
     // Symmetric, and nothing on the diagonal.
@@ -245,8 +247,8 @@ test('cancelled in mid-run: what is computed stays, and it can be gone on with',
   await cancel.waitFor({ state: 'hidden' });
   const words = await rows.allTextContents();
   expect(words).toEqual([
-    expect.stringMatching(/a-bell\.obj ?asked about/),
-    expect.stringMatching(/b-ring\.obj ?0\.\d{4}/),
+    expect.stringMatching(/a-bell\.obj ?compared with the others/),
+    expect.stringMatching(/b-ring\.obj ?distance 0\.\d{4}/),
     expect.stringMatching(/c-endless\.obj ?not computed/),
     expect.stringMatching(/d-tube\.obj ?not computed/),
   ]);

@@ -26,7 +26,7 @@ const descriptors: Record<string, string> = {
   sihks: 'Scale-invariant heat kernel (SIHKS)',
   wks: 'Wave kernel (WKS)',
 };
-/** Told apart by colour and dashes; the first is the one that is asked about. */
+/** Models are distinguished by colour and dashes; the first colour is that of the model compared with the others. */
 const colours = ['#c2410c', '#0072b2', '#009e73', '#8a6d00', '#56b4e9', '#a0529c', '#6b7280'];
 const dashes = [undefined, [6, 3], [2, 2], [9, 3, 2, 3]];
 
@@ -113,7 +113,7 @@ export class ComparePanel {
       make(
         'p',
         { class: 'hint' },
-        'Keep models here, or drop several, to see which are alike, by the ',
+        'Keep models here, or drop several, to see which are similar, by the ',
         term('emd', 'EMD'),
         ' of their fields.',
       ),
@@ -357,7 +357,7 @@ export class ComparePanel {
     rows.sort((a, b) =>
       a.model === query ? -1 : b.model === query ? 1 : far(a.distance) - far(b.distance),
     );
-    this.#rankingTitle.textContent = `Most like ${query.name}`;
+    this.#rankingTitle.textContent = `Most similar to ${query.name}`;
     this.#ranking.show(
       rows.map(({ model, distance }) => ({
         lead: String(models.indexOf(model) + 1),
@@ -378,9 +378,9 @@ export class ComparePanel {
     if (model.failure) return model.failure;
     if (!model.fieldOf(this.#name)) {
       if (model.share > 0) return `computing, ${Math.floor(100 * model.share)}\u202f%`;
-      return this.#isRunning ? 'waiting' : 'not computed';
+      return this.#isRunning ? 'pending' : 'not computed';
     }
-    return model === query ? 'asked about' : distanceWords(distance);
+    return model === query ? 'compared with the others' : `distance ${distanceWords(distance)}`;
   }
 
   #pictureOf(model: ComparedModel, name: FieldName): HTMLCanvasElement | undefined {

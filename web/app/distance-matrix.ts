@@ -32,7 +32,7 @@ export class DistanceMatrix {
       row.classList.toggle('query', i === query);
       buttons.forEach((button, j) => {
         const distance = distances[i]?.[j];
-        const words = `${names[i]} and ${names[j]}: ${distanceWords(distance)}`;
+        const words = `${names[i]} and ${names[j]}: distance ${distanceWords(distance)}`;
         button.title = words;
         button.setAttribute('aria-label', words);
         const isKnown = distance !== undefined && Number.isFinite(distance);
@@ -55,7 +55,7 @@ export class DistanceMatrix {
     });
     const head = names.map((name, i) => make('th', { scope: 'col', title: name }, String(i + 1)));
     this.element.replaceChildren(
-      make('caption', {}, 'Distances, dark: alike'),
+      make('caption', {}, 'Distances between models; dark: similar'),
       make('thead', {}, make('tr', {}, make('td'), ...head)),
       make('tbody', {}, ...this.#rows.map(({ row }) => row)),
     );

@@ -444,7 +444,7 @@ export class FieldPanel {
     const share = 100 * shareWithin(values, this.#areas, range);
     const percent = share > 0 && share < 0.1 ? '<\u202f0.1' : share.toFixed(1);
     this.#writeInCaption(
-      `${formatNumber(low, this.#format)} to ${format(high)}: ${percent}\u202f%`,
+      `${formatNumber(low, this.#format)} to ${format(high)}: ${percent}\u202f% of the area`,
       true,
     );
   }

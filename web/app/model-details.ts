@@ -67,7 +67,7 @@ export class ModelDetails {
     const difference = await this.#viewer.differenceToOriginal().catch(() => undefined);
     if (difference === undefined || shown !== this.#shown) return;
     const words = difference.toPrecision(2).replace('-', '−');
-    this.#comparison.textContent = `Its girth differs from that before by ${words} (the paper’s equation 1).`;
+    this.#comparison.textContent = `The distribution of its girth differs from that before by ${words} (equation 1 of the paper; no unit).`;
   }
 
   /** Another model, or the same one prepared otherwise: whatever was being changed is no longer meant. */
@@ -100,7 +100,7 @@ export class ModelDetails {
     const rows: [string, (Node | string)[]][] = [
       ['File', [info.format]],
       ['Size', [this.#size]],
-      ['Unit', [info.unit ? `${info.unit}, as the file says` : this.#unitChooser()]],
+      ['Unit', [info.unit ? `${info.unit}, as stated in the file` : this.#unitChooser()]],
       [
         'Surface',
         [`${formatCount(info.faceCount)} faces, ${formatCount(info.vertexCount)} vertices`],
@@ -120,7 +120,7 @@ export class ModelDetails {
     const select = make(
       'select',
       { id: 'unit', 'aria-label': 'Unit of the file' },
-      make('option', { value: '' }, 'the file does not say'),
+      make('option', { value: '' }, 'not stated in the file'),
       ...units.map((unit) => make('option', { value: unit }, unit)),
     );
     this.#unit = new Draft(select, { committed: (unit) => viewer.setAttribute('unit', unit) });
@@ -134,7 +134,7 @@ export class ModelDetails {
     }
     if (remeshed !== undefined) done.push(remeshed);
     const lines = [...done, ...info.notes].map((line) => make('li', {}, sentence(line)));
-    const nothing = make('p', { class: 'hint' }, 'Nothing: it is a surface as it stands.');
+    const nothing = make('p', { class: 'hint' }, 'Nothing: the file is a surface already.');
     return [
       make('h3', {}, 'What was done to the file'),
       lines.length > 0 ? make('ul', { class: 'done' }, ...lines) : nothing,

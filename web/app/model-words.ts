@@ -60,7 +60,7 @@ export function repairs(report: PreparationReport, format: LengthFormat): string
   }
   for (const { edges, perimeter } of report.holes.slice(0, 6)) {
     const round = formatLength(perimeter, format);
-    lines.push(`a hole of ${formatCount(edges)} edges closed, ${round} round`);
+    lines.push(`a hole of ${formatCount(edges)} edges closed, length of its boundary ${round}`);
   }
   const others = report.closedHoles - Math.min(6, report.holes.length);
   say(others, 'other hole', 'other holes', 'closed');

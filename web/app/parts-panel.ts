@@ -78,8 +78,8 @@ export class PartsPanel {
         () => (this.#words.textContent = noLength),
       );
     this.#inputs = {
-      girth: input('girth', 'Tube: girth below'),
-      diameter: input('diameter', 'Thin: below'),
+      girth: input('girth', 'Tubes: girth below'),
+      diameter: input('diameter', 'Thin: thickness below'),
     };
     const slider = (name: keyof PartThresholds, label: string): ThresholdSlider =>
       new ThresholdSlider(label, (length, settled) => {
@@ -124,7 +124,7 @@ export class PartsPanel {
         term('plate', 'plates'),
         ' are thin by the ',
         term('sdf', 'SDF'),
-        ' and told apart by their girth.',
+        ' and distinguished by their girth.',
       ),
       this.#words,
       this.#controls,
@@ -191,7 +191,7 @@ export class PartsPanel {
     const viewer = this.#viewer;
     const { info } = viewer;
     if (!info || this.#fields) return;
-    this.#words.textContent = 'As soon as girth and thickness are computed …';
+    this.#words.textContent = 'Parts follow as soon as girth and thickness are computed …';
     try {
       const [igf, sdf, areas] = await Promise.all([
         viewer.fieldOf('igf'),
@@ -326,16 +326,16 @@ export class PartsPanel {
     this.#tubes.show(
       tubes.map((part) => ({
         colour: partKinds[1]!.colour,
-        main: `r ${formatLength(part.equivalentRadius, format)}`,
-        detail: `girth ${formatLength(part.medianGirth, format)}, ${formatArea(part.area, format)}`,
+        main: `radius ${formatLength(part.equivalentRadius, format)}`,
+        detail: `girth ${formatLength(part.medianGirth, format)} · area ${formatArea(part.area, format)}`,
         choose: () => fly(part),
       })),
     );
     this.#plates.show(
       plates.map((part) => ({
         colour: partKinds[2]!.colour,
-        main: formatLength(part.medianDiameter, format),
-        detail: `thick, girth ${formatLength(part.medianGirth, format)}, ${formatArea(part.area, format)}`,
+        main: `thickness ${formatLength(part.medianDiameter, format)}`,
+        detail: `girth ${formatLength(part.medianGirth, format)} · area ${formatArea(part.area, format)}`,
         choose: () => fly(part),
       })),
     );

@@ -13,6 +13,7 @@ import {
   type PrintReport,
   type ReportedPlace,
   answerWords,
+  measureName,
   placeName,
   printReportHtml,
 } from './print-report.js';
@@ -38,8 +39,8 @@ export class PrintPanel {
   readonly #unit = make('select', { id: 'print-unit' });
   readonly #unitDraft: Draft;
   readonly #unitWords = make('span', { class: 'said' });
-  readonly #tube = new LengthInput('min-tube', 'Smallest tube');
-  readonly #wall = new LengthInput('min-wall', 'Smallest wall');
+  readonly #tube = new LengthInput('min-tube', 'Least tube diameter');
+  readonly #wall = new LengthInput('min-wall', 'Least wall thickness');
   readonly #answer = make('p', { class: 'answer', role: 'status' });
   readonly #cautions = make('ul', { class: 'cautions' });
   readonly #list = new PlaceList('Places that are too thin');
@@ -140,7 +141,9 @@ export class PrintPanel {
     if (!info) return [];
     const words: string[] = [];
     if (!unit) {
-      words.push('The file does not say its unit. Choose it, or give lengths in the file’s own.');
+      words.push(
+        'The file does not state its unit. Choose it, or type lengths in the file’s own unit.',
+      );
     }
     const holes = info.boundaries.reduce((sum, count) => sum + count, 0);
     if (holes > 0) {
@@ -160,7 +163,9 @@ export class PrintPanel {
     const wrong = [tube, wall].filter((input) => !input.commit())[0];
     if (wrong || (!tube.length && !wall.length)) {
       this.#answer.className = 'answer';
-      this.#answer.textContent = wrong ? noLength : 'Say how thin a tube or a wall may be.';
+      this.#answer.textContent = wrong
+        ? noLength
+        : 'Type a least tube diameter, a least wall thickness, or both.';
       (wrong ?? tube).input.focus();
       return;
     }
@@ -201,10 +206,10 @@ export class PrintPanel {
     this.#list.show(
       places.map((place) => {
         const made = pictures.get(place);
-        const loop = made?.loop === undefined ? '' : `loop ${formatLength(made.loop, format)}, `;
+        const loop = made?.loop === undefined ? '' : ` · loop ${formatLength(made.loop, format)}`;
         return {
-          main: formatLength(place.least, format),
-          detail: `${placeName(place)}, ${loop}${formatArea(place.area, format)}`,
+          main: `${measureName(place)} ${formatLength(place.least, format)}`,
+          detail: `${placeName(place)}${loop} · area ${formatArea(place.area, format)}`,
           picture:
             made?.picture === undefined ? undefined : this.#image(check, place, made.picture),
           choose: () => this.#choose(place),

@@ -69,18 +69,23 @@ function image(address: string | undefined, name: string, alt: string): string {
   return `<img class="${name}" src="${address}" alt="${escaped(alt)}">`;
 }
 
+/** What the least length of a place is. */
+export function measureName({ kind }: Pick<WeakPlace, 'kind'>): string {
+  return kind === 'tube' ? 'diameter' : 'thickness';
+}
+
 /** 'Tube' or 'wall', as printers call it. */
 export function placeName({ kind }: Pick<WeakPlace, 'kind'>): string {
   return kind === 'tube' ? 'tube' : 'wall';
 }
 
-/** 'Tubes from 3.00 mm, walls from 1.00 mm'. */
+/** 'tubes from a diameter of 3.00 mm, walls from a thickness of 1.00 mm'. */
 export function limitWords(limits: PrintLimits, format: LengthFormat): string {
   const words: string[] = [];
   if (limits.tubeDiameter > 0)
-    words.push(`tubes from ${formatLength(limits.tubeDiameter, format)}`);
+    words.push(`tubes from a diameter of ${formatLength(limits.tubeDiameter, format)}`);
   if (limits.wallThickness > 0)
-    words.push(`walls from ${formatLength(limits.wallThickness, format)}`);
+    words.push(`walls from a thickness of ${formatLength(limits.wallThickness, format)}`);
   return words.join(', ');
 }
 
@@ -99,7 +104,7 @@ export function printReportHtml(report: PrintReport): string {
     const least = formatLength(place.least, format);
     const cells = [
       `<td class="number">${i + 1}</td>`,
-      `<td>${image(picture, 'place', `Place ${i + 1}: a ${name} of ${least}`)}</td>`,
+      `<td>${image(picture, 'place', `Place ${i + 1}: a ${name}, ${measureName(place)} ${least}`)}</td>`,
       `<td>${name}</td>`,
       `<td class="number">${escaped(least)}</td>`,
       `<td class="number">${loop === undefined ? '–' : escaped(formatLength(loop, format))}</td>`,
@@ -113,7 +118,7 @@ export function printReportHtml(report: PrintReport): string {
     <h2>Places that are too thin</h2>
     <table>
       <thead><tr><th class="number">No.</th><th>Picture</th><th>What</th>
-        <th class="number">Thickness</th><th class="number">Loop round it</th>
+        <th class="number">Diameter or thickness</th><th class="number">Length of the loop round it</th>
         <th class="number">Area</th><th class="number">Vertex</th></tr></thead>
       <tbody>${rows.join('\n')}</tbody>
     </table>

@@ -18,7 +18,9 @@ export function offerLink(link: () => string, fileName: () => string | undefined
     address.select();
     navigator.clipboard.writeText(shown.text).then(
       () => (said.textContent = 'Copied.'),
-      () => (said.textContent = 'Copy it from the line above: this browser keeps pages from it.'),
+      () =>
+        (said.textContent =
+          'This browser does not let pages copy: copy the link from the line above.'),
     );
   });
   sheet.addEventListener('beforetoggle', (event) => {

@@ -35,7 +35,7 @@ function counted(attribute: 'energy' | 'component', label: string, last: number,
 const signatures: Record<SpectralFieldName, Signature> = {
   hks: {
     attribute: 'time',
-    label: 'Time, as a share of the area',
+    label: 'Time (share of the area)',
     steps: 4 * perPower,
     usual: 2e-3,
     at: (step) => Number((shortest * 10 ** (step / perPower)).toPrecision(2)),

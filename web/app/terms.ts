@@ -45,8 +45,8 @@ const terms = {
   plate: {
     title: 'Plate',
     lines: [
-      'Thin, but its girth is large: seats, walls, blades.',
-      'How thin it is, the thickness (SDF) says.',
+      'Thin, but its girth is large: seats, panels, blades.',
+      'Its thickness is the shape diameter (SDF).',
     ],
     picture: new URL('./terms/plate.webp', import.meta.url),
   },

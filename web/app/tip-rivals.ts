@@ -61,11 +61,11 @@ export class TipRivals {
     this.#countLine = make(
       'p',
       { class: 'length' },
-      make('label', { for: 'rival-count' }, 'The most persistent'),
+      make('label', { for: 'rival-count' }, 'Points shown, most persistent first'),
       count,
     );
     this.element.append(
-      make('div', { class: 'row' }, make('label', { for: 'rival' }, 'Beside them'), choice),
+      make('div', { class: 'row' }, make('label', { for: 'rival' }, 'Compare with'), choice),
       this.#words,
       this.#countLine,
       this.#list.element,
@@ -104,7 +104,7 @@ export class TipRivals {
     this.#draw();
     this.#colour(rival === 'sdf');
     if (rival === '' || rival === 'sdf') return;
-    this.#words.textContent = 'Computing …';
+    this.#words.textContent = 'Computing the points …';
     try {
       const extrema =
         rival === 'heat'
@@ -136,7 +136,7 @@ export class TipRivals {
         : persistence.toPrecision(3);
     this.#list.show(
       shown.map((maximum) => ({
-        main: words(maximum),
+        main: `persistence ${words(maximum)}`,
         detail: `${maximum.isMinimum ? 'minimum' : 'maximum'} at vertex ${maximum.vertex}`,
         choose: () => viewer.flyTo({ vertex: maximum.vertex }),
       })),

@@ -6,6 +6,7 @@ import type { PageState } from './address-state.js';
 import { formatArea } from './area-words.js';
 import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
+import { plural } from './model-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
 import { term } from './terms.js';
@@ -68,7 +69,7 @@ export class TipsPanel {
       make(
         'div',
         { class: 'slide' },
-        make('label', { for: 'tips-jump' }, 'Hide what rises less than'),
+        make('label', { for: 'tips-jump' }, 'Show tips that rise by at least'),
         this.#jumpText,
         this.#jump,
       ),
@@ -130,7 +131,7 @@ export class TipsPanel {
     const viewer = this.#viewer;
     const { info } = viewer;
     if (!info || this.#tips) return;
-    this.#words.textContent = 'As soon as the girth is computed …';
+    this.#words.textContent = 'Tips follow as soon as the girth is computed …';
     try {
       const tips = await viewer.tips();
       if (viewer.info !== info) return;
@@ -191,13 +192,13 @@ export class TipsPanel {
     const hidden = tips.length - kept.length;
     panel.summary = made ? String(kept.length) : '';
     this.#jump.disabled = !made || this.#highest === 0;
-    this.#jumpText.textContent = leastJump > 0 ? formatLength(leastJump, format) : 'nothing';
+    this.#jumpText.textContent = made ? formatLength(leastJump, format) : '';
     this.#jump.setAttribute('aria-valuetext', this.#jumpText.textContent);
     this.#list.show(
       kept.map(({ tip, number }) => ({
         lead: String(number + 1),
-        main: formatLength(tip.jump, format),
-        detail: `rise, ${formatLength(tip.apexDistance, format)} long, ${formatArea(tip.area, format)}`,
+        main: `rises by ${formatLength(tip.jump, format)}`,
+        detail: `length ${formatLength(tip.apexDistance, format)} · area ${formatArea(tip.area, format)}`,
         choose: () => this.#choose(number),
       })),
     );
@@ -209,8 +210,8 @@ export class TipsPanel {
     for (const part of openPart) part.hidden = arcs.length === 0;
     this.#arcs.show(
       arcs.map(({ line, length, jump }) => ({
-        main: formatLength(jump, format),
-        detail: `rise, ${line.closed ? 'closed' : 'open'}, ${length > 0 ? `${formatLength(length, format)} long` : 'across one edge'}`,
+        main: `rises by ${formatLength(jump, format)}`,
+        detail: `${line.closed ? 'closed' : 'open'} line · ${length > 0 ? `length ${formatLength(length, format)}` : 'across one edge'}`,
         choose: () => viewer.flyTo({ polyline: line.polyline }),
       })),
     );
@@ -220,7 +221,10 @@ export class TipsPanel {
     }
     const words =
       tips.length === 0 ? 'The girth jumps nowhere so that a part is cut off: no tips.' : '';
-    this.#words.textContent = hidden > 0 ? `${hidden} hidden.` : words;
+    this.#words.textContent =
+      hidden > 0
+        ? `${plural(hidden, 'tip rises', 'tips rise')} by less and ${hidden === 1 ? 'is' : 'are'} hidden.`
+        : words;
   }
 
   /** Lines and tints on the surface, while the panel is open. */

@@ -29,7 +29,7 @@ test('every place with kind, thickness, loop, area and picture', () => {
   const html = printReportHtml(report);
   for (const words of [
     'Fails: 2 places are too thin.',
-    'tubes from 3.00\u202fmm, walls from 1.00\u202fmm',
+    'tubes from a diameter of 3.00\u202fmm, walls from a thickness of 1.00\u202fmm',
     '<td>tube</td><td class="number">2.13\u202fmm</td><td class="number">6.68\u202fmm</td>',
     '<td class="number">20.5\u202fmm²</td><td class="number">2</td>',
     '<td>wall</td><td class="number">0.50\u202fmm</td><td class="number">–</td>',
