@@ -55,6 +55,7 @@ export interface Original {
 
 /** See `GirthViewer`, which adds what can be asked of the element. */
 export abstract class ViewerBase extends HTMLElement {
+  /** The attributes that the element follows; see `GirthViewer`. */
   static readonly observedAttributes = [
     'src',
     'unit',
@@ -128,6 +129,7 @@ export abstract class ViewerBase extends HTMLElement {
     );
   }
 
+  /** Called by the browser when the element comes onto a page: it can draw from now on. */
   connectedCallback(): void {
     try {
       this.stage = new Stage(this.#canvas, {
@@ -172,6 +174,7 @@ export abstract class ViewerBase extends HTMLElement {
     if (this.hasAttribute('src')) void this.#loadSrc();
   }
 
+  /** Called by the browser when the element leaves its page: all work ends, and all memory is let go. */
   disconnectedCallback(): void {
     this.#stopWatching?.();
     this.#stopWatching = undefined;
@@ -184,6 +187,7 @@ export abstract class ViewerBase extends HTMLElement {
     this.#canvas = fresh;
   }
 
+  /** Called by the browser when one of `observedAttributes` has changed. */
   attributeChangedCallback(name: string, before: string | null, value: string | null): void {
     if (before === value) return;
     switch (name) {

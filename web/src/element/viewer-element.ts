@@ -249,6 +249,7 @@ export class GirthViewer extends ViewerBase {
     return this.stage?.view;
   }
 
+  /** Looks from there at once; what lies beyond the limits of moving by hand is brought within. */
   set camera(view: CameraView) {
     this.stage?.lookFrom(view);
   }

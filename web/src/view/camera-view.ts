@@ -5,8 +5,9 @@ import { type PerspectiveCamera, Vector3 } from 'three';
 
 /** From where a surface is seen. */
 export interface CameraView {
-  /** Angle from straight above, and round the vertical axis from the front to the right; radians. */
+  /** Angle from straight above, in radians from 0 to π. */
   polar: number;
+  /** Angle round the vertical axis from the front to the right, in radians from −π to π. */
   azimuth: number;
   /** From the camera to what it looks at, in radii of the surface. */
   distance: number;

@@ -8,7 +8,9 @@ import type { SurfaceSpace } from './surface-space.js';
 
 /** A point of the surface on the canvas, in CSS pixels from its top left corner. */
 export interface ScreenPoint {
+  /** To the right. */
   x: number;
+  /** Downwards. */
   y: number;
   /** False where the surface hides the point or it is outside of the canvas. */
   visible: boolean;
