@@ -68,7 +68,7 @@ test('the octopus has eight tips; one is chosen and flown to; noise can be ranke
   const listed = panel.getByRole('list', { name: 'Other lines' }).getByRole('button');
   expect(await listed.count()).toBe(Math.min(100, arcs));
 
-  await panel.getByLabel('Show tips that rise by at least').focus();
+  await panel.getByLabel('Tips that rise by at least').focus();
   await page.keyboard.press('End');
   await expect.poll(() => rows.count()).toBe(1);
   expect(await panel.locator('#tips-words').textContent()).toBe(

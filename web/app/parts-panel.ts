@@ -79,7 +79,7 @@ export class PartsPanel {
       );
     this.#inputs = {
       girth: input('girth', 'Tubes: girth below'),
-      diameter: input('diameter', 'Thin: thickness below'),
+      diameter: input('diameter', 'Thickness below'),
     };
     const slider = (name: keyof PartThresholds, label: string): ThresholdSlider =>
       new ThresholdSlider(label, (length, settled) => {

@@ -39,8 +39,8 @@ export class PrintPanel {
   readonly #unit = make('select', { id: 'print-unit' });
   readonly #unitDraft: Draft;
   readonly #unitWords = make('span', { class: 'said' });
-  readonly #tube = new LengthInput('min-tube', 'Least tube diameter');
-  readonly #wall = new LengthInput('min-wall', 'Least wall thickness');
+  readonly #tube = new LengthInput('min-tube', 'Tube diameter ≥');
+  readonly #wall = new LengthInput('min-wall', 'Wall thickness ≥');
   readonly #answer = make('p', { class: 'answer', role: 'status' });
   readonly #cautions = make('ul', { class: 'cautions' });
   readonly #list = new PlaceList('Places that are too thin');

@@ -69,7 +69,7 @@ export class TipsPanel {
       make(
         'div',
         { class: 'slide' },
-        make('label', { for: 'tips-jump' }, 'Show tips that rise by at least'),
+        make('label', { for: 'tips-jump' }, 'Tips that rise by at least'),
         this.#jumpText,
         this.#jump,
       ),
