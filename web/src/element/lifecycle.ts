@@ -37,7 +37,7 @@ export interface Wanted<Mesh, Origin> {
   words: string;
   /** Of the model, for messages; '' for none. */
   name: string;
-  read(watched: Watched): Promise<Mesh>;
+  read: (watched: Watched) => Promise<Mesh>;
   /** What the mesh is made of, where that is to be kept. */
   origin?: Origin | undefined;
 }
