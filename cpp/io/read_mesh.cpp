@@ -33,7 +33,7 @@ bool beginsWith(std::string_view text, std::string_view prefix) {
   return text.substr(0, prefix.size()) == prefix;
 }
 
-/// Whether the first line that says anything could be OBJ.
+/// Whether the first line that is not blank or a comment could be OBJ.
 bool beginsAsObj(std::string_view text) {
   const std::string_view word = Words(text, '#').next();
   return !word.empty() && isObjLine(word);

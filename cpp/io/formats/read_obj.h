@@ -14,7 +14,7 @@ namespace girth::io {
 /// of such a line joins the next one on. Of a vertex the first three numbers are its position:
 /// colours behind them mean nothing here, nor does a fourth number, w: it is the weight of a
 /// control point of a rational curve or surface and never divides the position of a polygon's
-/// corner. Where some w is not 1, and it is no colour, a note says that it was passed over.
+/// corner. Where some w is not 1, and it is not a colour, a note reports that it was ignored.
 ///
 /// Coordinates are rounded correctly, errors name the line (also as their element). See readModel.
 Result<ReadModel> readObj(std::span<const std::byte> bytes);

@@ -17,7 +17,7 @@ bool hasBinaryStlSize(std::span<const std::byte> bytes);
 bool hasStlMark(std::string_view text);
 
 /// Reads ASCII (several solids, keywords in any case, any white space, polygons cut into triangles)
-/// and binary, told apart by size and content: binary files may begin with "solid", too. Every
+/// and binary, distinguished by size and content: binary files may begin with "solid", too. Every
 /// corner of a triangle is a vertex of its own, in the file's order: 3 f + k is corner k of
 /// triangle f. Normals, colours and names are passed over; the sides are what the corners' order
 /// says.

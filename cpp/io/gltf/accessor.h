@@ -15,7 +15,7 @@
 namespace girth::io {
 
 /// Reads accessors of any component type, normalised or not, sparse or not. What has no bytes
-/// behind it is zero, as glTF says.
+/// behind it is zero, as glTF prescribes.
 class GltfAccessors {
  public:
   /// All must outlive the object.

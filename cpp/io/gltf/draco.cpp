@@ -29,7 +29,7 @@ draco::DecoderBuffer bufferOf(std::span<const std::byte> bytes) {
   return buffer;
 }
 
-/// What a stream says of itself before the first number that Draco takes memory for.
+/// What a stream claims before the first number that Draco takes memory for.
 struct Claims {
   bool isEdgebreaker{false};
   std::uint64_t faces{0};
@@ -77,7 +77,7 @@ std::optional<Claims> claimsOf(std::span<const std::byte> bytes, bool& isOtherVe
 }
 
 /// A decoder that stops after the last attribute that is wanted, and that asks the budget before it
-/// makes room for attributes, whose number and size a stream tells only after its faces.
+/// makes room for attributes, whose number and size a stream gives only after its faces.
 template <class Decoder>
 class Bounded : public Decoder {
  public:

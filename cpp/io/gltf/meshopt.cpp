@@ -52,7 +52,7 @@ std::uint64_t leastBytes(const GltfMeshopt& packed, std::span<const std::byte> b
 }
 
 /// Undoes the colour filter, which Debian's meshoptimizer does not know: appendix B of
-/// KHR_meshopt_compression. Y, Co, Cg and alpha, of as many bits as alpha tells, become red, green,
+/// KHR_meshopt_compression. Y, Co, Cg and alpha, of as many bits as alpha has, become red, green,
 /// blue and alpha of the full range.
 template <class Unsigned>
 void undoColorFilter(std::vector<std::byte>& bytes) {

@@ -102,8 +102,8 @@ bool decodeByte(Front& front, unsigned control, std::size_t vertices, Deltas& de
 /// A number whose lowest bit is its sign.
 std::uint32_t unzigzag(std::uint32_t value) { return (value >> 1) ^ (0u - (value & 1u)); }
 
-/// Adds the differences of four bytes to those of the vertex before. `channel` tells how the four
-/// are coupled: as bytes, as two numbers of 16 bits, or as one of 32 that is turned and XORed.
+/// Adds the differences of four bytes to those of the vertex before. `channel` determines how the
+/// four are coupled: as bytes, as two numbers of 16 bits, or as one of 32 that is turned and XORed.
 void addDeltas(unsigned channel, const std::array<std::uint8_t, 4>& deltas, std::uint8_t* last) {
   const auto pair = [](const std::uint8_t* at) {
     return static_cast<std::uint32_t>(at[0] | at[1] << 8);

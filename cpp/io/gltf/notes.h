@@ -1,4 +1,4 @@
-// What a glTF reader has to tell about what it did and what it left out.
+// What the glTF reader reports: what it did and what it left out.
 #pragma once
 
 #include <cstddef>

@@ -190,7 +190,7 @@ std::optional<tinygltf::Buffer> bufferOfData(std::string_view uri) {
     auto digits = plainDigits(body);
     constexpr std::size_t kMostDigits = std::numeric_limits<int>::max();
     if (!digits || digits->size() > kMostDigits) return std::nullopt;
-    // It takes less than a byte for a fault.
+    // It takes data of less than a byte for a fault.
     if (digits->size() < 2) return buffer;
     std::string mediaType;
     const std::string known = "data:application/octet-stream;base64," + *digits;

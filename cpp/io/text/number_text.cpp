@@ -37,7 +37,7 @@ constexpr std::array<std::uint64_t, 28> kPowersOfFive = [] {
 }();
 
 /// `mantissa` / 10^`power`, rounded correctly; mantissa > 0, power at most 27. The quotient by
-/// 5^power is taken to 63 bits or more by whole numbers; one bit says whether anything is left
+/// 5^power is taken to 63 bits or more by whole numbers; one bit records whether anything is left
 /// behind them.
 double dividedByPowerOfTen(std::uint64_t mantissa, int power) {
   const std::uint64_t divisor = kPowersOfFive[static_cast<std::size_t>(power)];

@@ -35,7 +35,7 @@ std::string particulars(const VertexField& field) {
   return text.empty() ? text : " (" + text + ")";
 }
 
-/// What JSON says about a field.
+/// A field's name, method, unit and completeness as JSON.
 std::string aboutJson(const VertexField& field) {
   return "{\"name\":" + jsonString(field.name) + ",\"method\":" + jsonString(field.method) +
          ",\"unit\":" + jsonString(field.unit) +
