@@ -34,6 +34,7 @@ import type {
   FieldOptions,
   Loop,
   LoopFormat,
+  MaximaOptions,
   Maximum,
   Mesh,
   NamedField,
@@ -158,7 +159,7 @@ export class MeshOfWorkers implements Mesh {
 
   async maxima(
     { values }: NamedField,
-    { signal, minima = false }: CallOptions & { minima?: boolean } = {},
+    { signal, minima = false }: MaximaOptions = {},
   ): Promise<Maximum[]> {
     this.#checkCount(values);
     const { maxima } = await this.#ask('maxima', { values, minima }, signal);
