@@ -2,7 +2,7 @@
 // from the sources. Linking and the linter check the same; here it is also found where nothing is linked.
 
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join, normalize } from 'node:path';
 import { expect, test } from 'vitest';
 import { repository } from '../../../web/scripts/run.mjs';
 
@@ -59,4 +59,26 @@ test('public headers include public headers and the standard library only', () =
   const core = includes('cpp/include/girth', /^girth\/(io|study)\//);
   expect(core.filter((line) => !/^cpp\/include\/girth\/(io|study)\//.test(line))).toEqual([]);
   expect(includes('cpp/include/girth/io', /^girth\/study\//)).toEqual([]);
+});
+
+/** The modules of our own that a module imports, types included. */
+function importsOf(path: string): string[] {
+  return [...text(path).matchAll(/(?:^|\n)\s*(?:import|export)\s[^;'"]*?from\s*'(\.[^']+)'/g)]
+    .map(([, name]) => normalize(join(dirname(path), name!)).replace(/\.js$/, '.ts'))
+    .filter((name) => existsSync(join(repository, name)));
+}
+
+test('modules do not import each other in circles', () => {
+  const modules = [...filesBelow('web/src', /\.ts$/), ...filesBelow('web/app', /\.ts$/)];
+  const circles: string[] = [];
+  const done = new Set<string>();
+  const visit = (path: string, trail: string[]) => {
+    const at = trail.indexOf(path);
+    if (at >= 0) circles.push([...trail.slice(at), path].join(' → '));
+    if (at >= 0 || done.has(path)) return;
+    for (const next of importsOf(path)) visit(next, [...trail, path]);
+    done.add(path);
+  };
+  for (const path of modules) visit(path, []);
+  expect(circles).toEqual([]);
 });
