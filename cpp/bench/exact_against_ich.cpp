@@ -34,7 +34,7 @@ constexpr double kSame = 1e-9;
 /// computed. The methods change after each turn, so that what else the machine does touches all.
 std::vector<std::vector<Index>> turnsOf(const girth::SurfaceMesh& mesh, std::size_t count) {
   constexpr std::size_t kTurn = 32;
-  const std::vector<Index> order = girth::coarseToFineOrder(mesh);
+  const std::vector<girth::Vertex> order = girth::coarseToFineOrder(mesh);
   const std::size_t turns = (order.size() + kTurn - 1) / kTurn;
   const std::size_t wanted = std::min(turns, (count + kTurn - 1) / kTurn);
   std::vector<std::vector<Index>> result;
@@ -103,7 +103,7 @@ void compare(const girth::bench::Model& model, std::size_t wanted) {
   };
   for (const std::vector<Index>& turn : turns) {
     take(
-        exact, turn, [&](Index v) { return solver.value(v).value(); },
+        exact, turn, [&](Index v) { return solver.value(girth::Vertex(v)).value(); },
         [&] { return solver.statistics().windowsCrossed; });
     takeIch(creation, turn, atCreation);
     takeIch(propagation, turn, atPropagation);

@@ -22,12 +22,12 @@ void measure(const girth::bench::Model& model, std::size_t count) {
   const std::vector<girth::Index> vertices = girth::bench::spreadVertices(model.mesh, count);
   // Warm: the memory has grown to what these vertices need.
   for (const girth::Index v : girth::bench::spreadVertices(model.mesh, 50)) {
-    static_cast<void>(solver.loop(v));
+    static_cast<void>(solver.loop(girth::Vertex(v)));
   }
   std::vector<double> milliseconds;
   for (const girth::Index v : vertices) {
     milliseconds.push_back(1e3 * girth::bench::secondsOf([&] {
-                             if (!solver.loop(v)) std::exit(1);
+                             if (!solver.loop(girth::Vertex(v))) std::exit(1);
                            }));
   }
   const auto at = [&](double share) { return girth::bench::quantile(milliseconds, share); };

@@ -49,7 +49,7 @@ void printNaive(const girth::SurfaceMesh& mesh, double limit) {
       const std::size_t before = girth::bench::heapBytes();
       girth::bench::resetHeapPeak();
       seconds += girth::bench::secondsOf([&] {
-        if (!girth::study::naiveGirth(mesh, v)) std::exit(1);
+        if (!girth::study::naiveGirth(mesh, girth::Vertex(v))) std::exit(1);
       });
       bytes = std::max(bytes, girth::bench::heapPeakBytes() - before);
     }

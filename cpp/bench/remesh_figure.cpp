@@ -40,9 +40,9 @@ std::vector<double> valuesOf(const std::string& path) {
 double thinShare(const girth::SurfaceMesh& mesh) {
   constexpr double kThin = 0.3490658503988659;
   std::size_t thin = 0;
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const girth::Face f : mesh.faces()) {
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      if (mesh.cornerAngle(h) >= kThin) continue;
+      if (mesh.cornerAngle(girth::Halfedge(h)) >= kThin) continue;
       ++thin;
       break;
     }

@@ -49,11 +49,11 @@ Theirs byCgal(const SurfaceMesh& mesh, double cone) {
   using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
   Surface surface;
   std::vector<Surface::Vertex_index> vertices;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const girth::Vertex v : mesh.vertices()) {
     const girth::Vec3& p = mesh.position(v);
     vertices.push_back(surface.add_vertex({p.x, p.y, p.z}));
   }
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const girth::Face f : mesh.faces()) {
     const auto [a, b, c] = mesh.faceVertices(f);
     surface.add_face(vertices[a], vertices[b], vertices[c]);
   }
@@ -67,7 +67,7 @@ Theirs byCgal(const SurfaceMesh& mesh, double cone) {
 
 /// The mean over a face's vertices, to compare with a value at its middle.
 double ofFace(const SurfaceMesh& mesh, Index face, const std::vector<double>& values) {
-  const auto [a, b, c] = mesh.faceVertices(face);
+  const auto [a, b, c] = mesh.faceVertices(girth::Face(face));
   return (values[a] + values[b] + values[c]) / 3;
 }
 
@@ -97,7 +97,7 @@ void compare(const std::string& name, const SurfaceMesh& mesh) {
 #ifdef GIRTH_WITH_CGAL
   const double theirRays = static_cast<double>(kRays) * mesh.faceCount();
   std::vector<double> off;
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const girth::Face f : mesh.faces()) {
     off.push_back(std::fabs(ofFace(mesh, f, field.values) / theirs.ofFaces[f] - 1));
   }
   const double perRay = (theirs.seconds / theirRays) / (ours / rays);

@@ -91,11 +91,11 @@ Method peer(const std::string& name, const std::string& program, const std::stri
 void writeObj(const girth::SurfaceMesh& mesh, const std::filesystem::path& path) {
   std::FILE* file = std::fopen(path.string().c_str(), "w");
   if (file == nullptr) fail(path.string() + ": cannot be written");
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const girth::Vertex v : mesh.vertices()) {
     const girth::Vec3& p = mesh.position(v);
     std::fprintf(file, "v %.17g %.17g %.17g\n", p.x, p.y, p.z);
   }
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const girth::Face f : mesh.faces()) {
     const auto corners = mesh.faceVertices(f);
     std::fprintf(file, "f %u %u %u\n", corners[0] + 1, corners[1] + 1, corners[2] + 1);
   }
@@ -126,7 +126,7 @@ void compare(const girth::bench::Model& model, std::size_t sourceCount, const Pe
   std::vector<Method> methods = {
       own("girth",
           [&](Index source) {
-            return solver.distances(girth::SurfacePoint::atVertex(source)).value();
+            return solver.distances(girth::SurfacePoint::atVertex(girth::Vertex(source))).value();
           }),
       own("ICH", [&](Index source) {
         const auto distances = ich.distances(source);

@@ -34,24 +34,24 @@ val tipOf(const JobSurface& surface, const Tip& tip) {
   val contour = val::array();
   for (const ContourLine& line : tip.contour) contour.call<void>("push", lineOf(surface, line));
   val result = val::object();
-  result.set("vertices", copyOut<Index>("Uint32Array", tip.vertices));
+  result.set("vertices", copyOut<Index>("Uint32Array", numbersOf(tip.vertices)));
   result.set("contour", contour);
   result.set("area", tip.area);
   result.set("boundaryLength", tip.boundaryLength);
-  result.set("apex", tip.apex);
+  result.set("apex", Index{tip.apex});
   result.set("apexDistance", tip.apexDistance);
   result.set("jump", tip.jump);
   return result;
 }
 
 /// A vertex, or -1.
-double vertexOf(Index vertex) { return vertex == kNoIndex ? -1 : static_cast<double>(vertex); }
+double vertexOf(Vertex vertex) { return vertex == Vertex::none ? -1 : static_cast<double>(vertex); }
 
 /// `Part` of types.ts.
 val partOf(const Part& part) {
   val result = val::object();
   result.set("kind", std::string(toString(part.kind)));
-  result.set("vertices", copyOut<Index>("Uint32Array", part.vertices));
+  result.set("vertices", copyOut<Index>("Uint32Array", numbersOf(part.vertices)));
   result.set("area", part.area);
   result.set("medianGirth", part.medianGirth);
   result.set("medianDiameter", part.medianDiameter);
@@ -147,7 +147,7 @@ val weakPlaces(const JobSurface& surface, const val& fields, const val& limits) 
     for (const WeakPlace& place : found.value()) {
       val entry = val::object();
       entry.set("kind", std::string(toString(place.kind)));
-      entry.set("vertices", copyOut<Index>("Uint32Array", place.vertices));
+      entry.set("vertices", copyOut<Index>("Uint32Array", numbersOf(place.vertices)));
       entry.set("area", place.area);
       entry.set("least", place.least);
       entry.set("thinnest", vertexOf(place.thinnest));

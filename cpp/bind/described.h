@@ -22,7 +22,7 @@ inline Vec3 drawingOrigin(const SurfaceMesh& mesh) {
   constexpr double kFar = 64;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vec3 low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
@@ -67,7 +67,7 @@ inline emscripten::val describe(const SurfaceMesh& mesh) {
   {
     std::vector<double> positions;
     positions.reserve(3 * std::size_t{mesh.vertexCount()});
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       const Vec3& p = mesh.position(v);
       positions.insert(positions.end(), {p.x, p.y, p.z});
     }
@@ -75,7 +75,7 @@ inline emscripten::val describe(const SurfaceMesh& mesh) {
   }
   std::vector<Index> indices, boundary;
   indices.reserve(mesh.halfedgeCount());
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+  for (const Halfedge h : mesh.halfedges()) {
     indices.push_back(mesh.from(h));
     if (mesh.twin(h) == kNoIndex) boundary.insert(boundary.end(), {mesh.from(h), mesh.to(h)});
   }

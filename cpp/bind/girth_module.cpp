@@ -63,7 +63,7 @@ class Surface {
           [&](const auto& evaluate) {
             ValueArrays arrays;
             for (const Index vertex : wanted) {
-              const auto found = evaluate(vertex);
+              const auto found = evaluate(Vertex(vertex));
               if (!found) return toJs(found.error());
               arrays.add(found.value());
             }
@@ -87,16 +87,17 @@ class Surface {
   }
 
   /// The loop at a vertex, as `FoundLoop` of wasm-modules.d.ts, or an error.
-  val loopAtVertex(Index vertex) { return loop(SurfacePoint::atVertex(vertex)); }
+  val loopAtVertex(Index vertex) { return loop(SurfacePoint::atVertex(Vertex(vertex))); }
 
   /// The loop at a point of a face, given by the weights of the face's vertices.
   val loopInFace(Index face, double a, double b, double c) {
-    return loop(SurfacePoint::inFace(face, {a, b, c}));
+    return loop(SurfacePoint::inFace(Face(face), {a, b, c}));
   }
 
   /// All vertices, coarse to fine, as Uint32Array.
   val order() const {
-    return guarded([&] { return copyOut<Index>("Uint32Array", coarseToFineOrder(mesh_)); });
+    return guarded(
+        [&] { return copyOut<Index>("Uint32Array", numbersOf(coarseToFineOrder(mesh_))); });
   }
 
  private:

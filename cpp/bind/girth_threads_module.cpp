@@ -45,7 +45,7 @@ class Surface {
               ValueArrays arrays;
               for (const auto& value : partial.values) arrays.add(value);
               val report = val::object();
-              report.set("vertices", copyOut<Index>("Uint32Array", partial.vertices));
+              report.set("vertices", copyOut<Index>("Uint32Array", numbersOf(partial.vertices)));
               arrays.setIn(report);
               onPartial(report);
             });

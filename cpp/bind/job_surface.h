@@ -13,8 +13,14 @@ namespace girth::bind {
 class JobSurface {
  public:
   /// `vertexOfInput` and `inputOfVertex` are those of `PreparedSurface`.
-  JobSurface(SurfaceMesh mesh, std::vector<Index> vertexOfInput, std::vector<Index> inputOfVertex)
-      : loaded_{{std::move(mesh), std::move(vertexOfInput), std::move(inputOfVertex), {}, {}, {}},
+  JobSurface(SurfaceMesh mesh, const std::vector<Index>& vertexOfInput,
+             std::vector<Index> inputOfVertex)
+      : loaded_{{std::move(mesh),
+                 std::vector<Vertex>(vertexOfInput.begin(), vertexOfInput.end()),
+                 std::move(inputOfVertex),
+                 {},
+                 {},
+                 {}},
                 io::Format::Obj,
                 {},
                 {}},

@@ -15,7 +15,7 @@ inline emscripten::val describe(std::span<const PersistentMaximum> maxima) {
   emscripten::val list = emscripten::val::array();
   for (const PersistentMaximum& maximum : maxima) {
     emscripten::val entry = emscripten::val::object();
-    entry.set("vertex", maximum.vertex);
+    entry.set("vertex", Index{maximum.vertex});
     entry.set("value", maximum.value);
     entry.set("persistence", maximum.persistence);
     entry.set("saddle", maximum.saddle == kNoIndex ? -1 : static_cast<double>(maximum.saddle));

@@ -67,7 +67,7 @@ val describePrepared(const PreparedSurface& prepared) {
     parts.call<void>("push", entry);
   }
   val result = describe(prepared.mesh);
-  result.set("vertexOfInput", copyOut<Index>("Uint32Array", prepared.vertexOfInput));
+  result.set("vertexOfInput", copyOut<Index>("Uint32Array", numbersOf(prepared.vertexOfInput)));
   result.set("inputOfVertex", copyOut<Index>("Uint32Array", prepared.inputOfVertex));
   result.set("parts", parts);
   result.set("report", accountOf(prepared.report));

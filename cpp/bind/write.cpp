@@ -89,8 +89,8 @@ val writeLoops(JobSurface& surface, const val& model, const val& points,
       const val point = points[i];
       const val weights = point["weights"];
       const Result<GirthLoop> loop = solver.loop(
-          point.isNumber() ? SurfacePoint::atVertex(point.as<Index>())
-                           : SurfacePoint::inFace(point["face"].as<Index>(),
+          point.isNumber() ? SurfacePoint::atVertex(Vertex(point.as<Index>()))
+                           : SurfacePoint::inFace(Face(point["face"].as<Index>()),
                                                   {weights[0].as<double>(), weights[1].as<double>(),
                                                    weights[2].as<double>()}));
       if (!loop) return toJs(loop.error());

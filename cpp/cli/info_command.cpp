@@ -22,7 +22,7 @@ struct Box {
 Box boundingBox(const SurfaceMesh& mesh) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     const std::array<double, 3> position{p.x, p.y, p.z};
     for (std::size_t k = 0; k < 3; ++k) {

@@ -72,7 +72,7 @@ Result<std::array<double, 3>> sharesOnSurface(const io::LoadedMesh& loaded, Inde
   if (!bytes) return bytes.error();
   const auto model = io::readModel(bytes.value(), options.model, resourcesBeside(options.model));
   if (!model) return model.error();
-  const auto corners = loaded.mesh.faceVertices(face);
+  const auto corners = loaded.mesh.faceVertices(Face(face));
   std::array<double, 3> shares{};
   for (std::size_t k = 0; k < 3; ++k) {
     const Index input =
@@ -95,7 +95,7 @@ Result<SurfacePoint> basePoint(const io::LoadedMesh& loaded, const LoopOptions& 
   if (options.vertex) {
     const Result<Index> vertex = surfaceVertex(loaded, *options.vertex);
     if (!vertex) return vertex.error();
-    return SurfacePoint::atVertex(vertex.value());
+    return SurfacePoint::atVertex(Vertex(vertex.value()));
   }
   const Index count = loaded.report.inputFaces;
   if (*options.face < 0 || *options.face >= std::int64_t{count}) {
@@ -115,7 +115,7 @@ Result<SurfacePoint> basePoint(const io::LoadedMesh& loaded, const LoopOptions& 
   const auto face = static_cast<Index>(found - loaded.inputOfFace.begin());
   const auto shares = sharesOnSurface(loaded, face, options);
   if (!shares) return shares.error();
-  return SurfacePoint::inFace(face, shares.value());
+  return SurfacePoint::inFace(Face(face), shares.value());
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ std::string vertexText(const io::LoadedMesh& loaded, Index vertex) {
 
 std::string placeText(const io::LoadedMesh& loaded, Index vertex) {
   if (vertex == kNoIndex) return "-";
-  const Vec3& p = loaded.mesh.position(vertex);
+  const Vec3& p = loaded.mesh.position(Vertex(vertex));
   return readable(p.x) + " " + readable(p.y) + " " + readable(p.z);
 }
 

@@ -73,7 +73,7 @@ Result<std::vector<ComputedField>> computeSpectralField(const std::string& field
     one.method = field == "hks" ? pairs + ", time " + io::formatNumber(times[d]) : pairs;
     // Of areas, there are only powers of the model's unit.
     if (field != "sihks" && !unit.empty()) one.unit = unit + "^-2";
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       one.values.push_back(signature.value().values[v * dimensions + d]);
     }
     fields.push_back(std::move(one));

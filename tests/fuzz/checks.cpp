@@ -71,7 +71,7 @@ int check(const Result<io::LoadedMesh>& loaded) {
   for (const Index vertex : mesh.inputOfVertex) {
     demand(vertex == kNoIndex || vertex < mesh.vertexOfInput.size(), "vertices of the file");
   }
-  for (Index h = 0; h < mesh.mesh.halfedgeCount(); ++h) {
+  for (const Halfedge h : mesh.mesh.halfedges()) {
     demand(mesh.mesh.length(h) > 0 && std::isfinite(mesh.mesh.length(h)), "edges have a length");
   }
   checkNotes(mesh.notes);

@@ -72,19 +72,19 @@ struct IchGirth::State {
         arrival(mesh.vertexCount(), 0.0),
         angles(mesh.halfedgeCount()),
         listed(mesh.halfedgeCount(), kNoIndex) {
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+    for (const Halfedge h : mesh.halfedges()) {
       const double side = mesh.length(SurfaceMesh::previous(h)), angle = mesh.cornerAngle(h);
       apex[h] = {side * std::cos(angle), side * std::sin(angle)};
     }
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
-      const Index t = mesh.twin(h);
+    for (const Halfedge h : mesh.halfedges()) {
+      const Halfedge t = mesh.twin(h);
       reach[h] =
           2 * std::max({mesh.length(SurfaceMesh::next(h)), mesh.length(SurfaceMesh::previous(h)),
                         mesh.length(SurfaceMesh::next(t)), mesh.length(SurfaceMesh::previous(t))});
     }
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       double angle = 0;
-      Index h = mesh.outgoing(v);
+      Halfedge h = mesh.outgoing(v);
       do {
         direction[h] = angle;
         angle += mesh.cornerAngle(h);
@@ -93,8 +93,10 @@ struct IchGirth::State {
     }
   }
 
-  Index apexVertex(Index h) const { return mesh.from(SurfaceMesh::previous(h)); }
-  bool isPseudosource(Index v) const { return mesh.totalAngle(v) >= 2 * kPi - kAngleTolerance; }
+  Index apexVertex(Index h) const { return mesh.from(SurfaceMesh::previous(Halfedge(h))); }
+  bool isPseudosource(Index v) const {
+    return mesh.totalAngle(Vertex(v)) >= 2 * kPi - kAngleTolerance;
+  }
 
   void start(Index source, bool loops) {
     withLoops = loops;
@@ -112,7 +114,7 @@ struct IchGirth::State {
     processed = 0;
     distance[source] = 0;
     touchedVertices.push_back(source);
-    leaveVertex(source, 0, mesh.totalAngle(source));
+    leaveVertex(source, 0, mesh.totalAngle(Vertex(source)));
   }
 
   // --- Algorithm 2
@@ -129,7 +131,7 @@ struct IchGirth::State {
         ++processed;
         if (withLoops) testEdges(event.vertex);
         leaveVertex(event.vertex, arrival[event.vertex] + kPi - kAngleTolerance,
-                    mesh.totalAngle(event.vertex) - 2 * kPi + 2 * kAngleTolerance);
+                    mesh.totalAngle(Vertex(event.vertex)) - 2 * kPi + 2 * kAngleTolerance);
         continue;
       }
       const Window window = windows[event.window];
@@ -143,25 +145,25 @@ struct IchGirth::State {
 
   /// Lemma 4.1: loops along an edge between the pseudosource v and a neighbour not farther away.
   void testEdges(Index v) {
-    const Index first = mesh.outgoing(v);
+    const Halfedge first = mesh.outgoing(Vertex(v));
     Index h = first;
     do {
-      const Index other = mesh.to(h);
+      const Vertex other = mesh.to(Halfedge(h));
       if (distance[other] <= distance[v]) {
-        const double length = distance[v] + mesh.length(h) + distance[other];
+        const double length = distance[v] + mesh.length(Halfedge(h)) + distance[other];
         if (length < best && isStraight(v, direction[h]) &&
-            isStraight(other, direction[mesh.twin(h)])) {
+            isStraight(other, direction[mesh.twin(Halfedge(h))])) {
           best = length;
         }
       }
-      h = mesh.twin(SurfaceMesh::previous(h));
+      h = mesh.twin(SurfaceMesh::previous(Halfedge(h)));
     } while (h != first);
   }
 
   /// Whether the shortest path to v and a continuation leave an angle of π on both sides.
   bool isStraight(Index v, double outgoing) const {
     if (distance[v] == 0) return true;  // the source: the loop may turn there
-    const double total = mesh.totalAngle(v);
+    const double total = mesh.totalAngle(Vertex(v));
     double turn = std::fmod(std::abs(outgoing - arrival[v]), total);
     turn = std::min(turn, total - turn);
     return turn >= kPi - kAngleTolerance;
@@ -170,8 +172,8 @@ struct IchGirth::State {
   /// Lemma 4.2: the popped window against those on the reverse halfedge. `nearest` is its least
   /// distance.
   void testPairs(const Window& w, double nearest) {
-    const Index reverse = mesh.twin(w.halfedge);
-    const double length = mesh.length(w.halfedge);
+    const Halfedge reverse = mesh.twin(Halfedge(w.halfedge));
+    const double length = mesh.length(Halfedge(w.halfedge));
     std::uint32_t* link = &listed[reverse];
     while (*link != kNoIndex) {
       const std::uint32_t other = *link;
@@ -203,13 +205,14 @@ struct IchGirth::State {
   /// face left behind is shorter everywhere (Xin and Wang 2009, section 3.2).
   bool isUseless(const Window& w) const {
     if (isOutdated(w)) return true;
-    const double length = mesh.length(w.halfedge);
+    const double length = mesh.length(Halfedge(w.halfedge));
     const double d0 = w.sigma + lengthOf(Point{w.b0, 0} - w.root);
     const double d1 = w.sigma + lengthOf(Point{w.b1, 0} - w.root);
-    if (distance[mesh.from(w.halfedge)] + w.b1 < d1 * (1 - kLengthTolerance)) return true;
-    if (distance[mesh.to(w.halfedge)] + (length - w.b0) < d0 * (1 - kLengthTolerance)) return true;
+    if (distance[mesh.from(Halfedge(w.halfedge))] + w.b1 < d1 * (1 - kLengthTolerance)) return true;
+    if (distance[mesh.to(Halfedge(w.halfedge))] + (length - w.b0) < d0 * (1 - kLengthTolerance))
+      return true;
     if (w.passed == kNoIndex) return false;
-    const Index t = mesh.twin(w.halfedge);
+    const Halfedge t = mesh.twin(Halfedge(w.halfedge));
     const Point corner{length - apex[t].x, -apex[t].y};
     const double far = w.passedOnLeft ? w.b1 : w.b0;
     return distance[w.passed] + lengthOf(Point{far, 0} - corner) <
@@ -217,7 +220,7 @@ struct IchGirth::State {
   }
 
   void push(Window w) {
-    const double length = mesh.length(w.halfedge);
+    const double length = mesh.length(Halfedge(w.halfedge));
     w.b0 = std::max(w.b0, 0.0);
     w.b1 = std::min(w.b1, length);
     if (!(w.b1 - w.b0 > kLengthTolerance * length)) return;
@@ -263,10 +266,11 @@ struct IchGirth::State {
 
   /// The children of a window on the two other sides of the face that it enters.
   void propagate(const Window& w) {
-    const Index h = w.halfedge, left = SurfaceMesh::previous(h), right = SurfaceMesh::next(h);
+    const Index h = w.halfedge, left = SurfaceMesh::previous(Halfedge(h)),
+                right = SurfaceMesh::next(Halfedge(h));
     const Point o = apex[h], toApex = o - w.root;
     const Point rayLeft = Point{w.b0, 0} - w.root, rayRight = Point{w.b1, 0} - w.root;
-    const double slack = kLengthTolerance * mesh.length(h) * lengthOf(toApex);
+    const double slack = kLengthTolerance * mesh.length(Halfedge(h)) * lengthOf(toApex);
     const bool apexIsLeft = crossOf(rayLeft, toApex) > slack;
     const bool apexIsRight = crossOf(rayRight, toApex) < -slack;
     bool goesLeft = !apexIsLeft, goesRight = !apexIsRight;
@@ -288,7 +292,7 @@ struct IchGirth::State {
       }
     }
     if (goesLeft) {
-      const double length = mesh.length(left);
+      const double length = mesh.length(Halfedge(left));
       const Point u = (1 / length) * o;
       const auto hit = [&](Point ray) { return crossOf(w.root, ray) / crossOf(u, ray); };
       push({{dotOf(w.root, u), crossOf(u, w.root)},
@@ -296,24 +300,24 @@ struct IchGirth::State {
             hit(rayLeft),
             apexIsRight ? hit(rayRight) : length,
             0,
-            mesh.twin(left),
+            mesh.twin(Halfedge(left)),
             w.rootVertex,
-            mesh.to(h),
+            mesh.to(Halfedge(h)),
             false,
             kNoIndex});
     }
     if (goesRight) {
-      const double length = mesh.length(right);
-      const Point u = (1 / length) * (Point{mesh.length(h), 0} - o), r = w.root - o;
+      const double length = mesh.length(Halfedge(right));
+      const Point u = (1 / length) * (Point{mesh.length(Halfedge(h)), 0} - o), r = w.root - o;
       const auto hit = [&](Point ray) { return crossOf(r, ray) / crossOf(u, ray); };
       push({{dotOf(r, u), crossOf(u, r)},
             w.sigma,
             apexIsLeft ? hit(rayLeft) : 0,
             hit(rayRight),
             0,
-            mesh.twin(right),
+            mesh.twin(Halfedge(right)),
             w.rootVertex,
-            mesh.from(h),
+            mesh.from(Halfedge(h)),
             true,
             kNoIndex});
     }
@@ -321,28 +325,29 @@ struct IchGirth::State {
 
   /// The fan of a source or pseudosource: windows into the directions [start, start + width].
   void leaveVertex(Index v, double begin, double width) {
-    const double total = mesh.totalAngle(v);
-    const Index first = mesh.outgoing(v);
+    const double total = mesh.totalAngle(Vertex(v));
+    const Halfedge first = mesh.outgoing(Vertex(v));
     Index h = first;
     do {
-      const double opening = mesh.cornerAngle(h), corner = direction[h];
+      const double opening = mesh.cornerAngle(Halfedge(h)), corner = direction[h];
       for (const double turn : {0.0, total, -total}) {
         const double low = std::max(begin + turn - corner, 0.0);
         const double high = std::min(begin + width + turn - corner, opening);
         if (low > high) continue;
         if (low <= 0) {
-          reachVertex(mesh.to(h), distance[v] + mesh.length(h),
-                      [&] { return direction[mesh.twin(h)]; });
+          reachVertex(mesh.to(Halfedge(h)), distance[v] + mesh.length(Halfedge(h)),
+                      [&] { return direction[mesh.twin(Halfedge(h))]; });
         }
         // From the end of h along the opposite side, by the law of sines.
-        const Index across = SurfaceMesh::next(h);
+        const Halfedge across = SurfaceMesh::next(Halfedge(h));
         const double length = mesh.length(across), beta = mesh.cornerAngle(across);
         const auto hit = [&](double angle) {
           if (angle <= 0) return 0.0;
           if (angle >= opening) return length;
-          return mesh.length(h) * std::sin(angle) / std::sin(angle + beta);
+          return mesh.length(Halfedge(h)) * std::sin(angle) / std::sin(angle + beta);
         };
-        push({{length - mesh.length(h) * std::cos(beta), -mesh.length(h) * std::sin(beta)},
+        push({{length - mesh.length(Halfedge(h)) * std::cos(beta),
+               -mesh.length(Halfedge(h)) * std::sin(beta)},
               distance[v],
               length - hit(high),
               length - hit(low),
@@ -353,7 +358,7 @@ struct IchGirth::State {
               false,
               kNoIndex});
       }
-      h = mesh.twin(SurfaceMesh::previous(h));
+      h = mesh.twin(SurfaceMesh::previous(Halfedge(h)));
     } while (h != first);
   }
 

@@ -36,9 +36,12 @@ SurfaceMesh surfaceOf(std::span<const double> positions, std::span<const Index> 
 class Refinement {
  public:
   explicit Refinement(const SurfaceMesh& mesh) {
-    for (Index v = 0; v < mesh.vertexCount(); ++v) positions_.push_back(mesh.position(v));
-    for (Index f = 0; f < mesh.faceCount(); ++f) addFace(mesh.faceVertices(f));
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h) addEdge(mesh.from(h), mesh.to(h));
+    for (const Vertex v : mesh.vertices()) positions_.push_back(mesh.position(v));
+    for (const Face f : mesh.faces()) {
+      const auto [a, b, c] = mesh.faceVertices(f);
+      addFace({a, b, c});
+    };
+    for (const Halfedge h : mesh.halfedges()) addEdge(mesh.from(h), mesh.to(h));
   }
 
   SurfaceMesh to(Index faces) {

@@ -28,9 +28,9 @@ struct GeodesicExtent {
   bool complete{false};
 };
 
-/// GeoAverage and GeoFarthest at all vertices (DEFINITIONS section 4), by one distance field for
-/// each. The same bits for any number of threads. Time as of so many fields: O(n² log n) by fast
-/// marching, about O(n^2.5) exactly.
+/// GeoAverage and GeoFarthest at all vertices (web/docs/definitions.md, section 4), by one distance
+/// field for each. The same bits for any number of threads. Time as of so many fields: O(n² log n)
+/// by fast marching, about O(n^2.5) exactly.
 GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
                               const ExecutionContext& context = {});
 

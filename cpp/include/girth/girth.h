@@ -3,6 +3,7 @@
 #pragma once
 
 #include "girth/distribution.h"
+#include "girth/elements.h"
 #include "girth/error.h"
 #include "girth/execution.h"
 #include "girth/field_difference.h"

@@ -12,7 +12,7 @@
 
 namespace girth {
 
-/// The ways to compute the function (DEFINITIONS section 3).
+/// The ways to compute the function (web/docs/definitions.md, section 3).
 enum class GirthMethod : std::uint8_t {
   /// GirthSolver: early termination, windows near the frontier only. The default.
   Exact,

@@ -30,6 +30,7 @@ std::string_view toString(LoopKind kind);
 struct GirthValue {
   /// I(p), in model units.
   double length{0};
+  /// How it came about.
   LoopKind kind{LoopKind::Loop};
 };
 
@@ -37,6 +38,7 @@ struct GirthValue {
 struct GirthLoop {
   /// I(p), in model units.
   double length{0};
+  /// How it came about.
   LoopKind kind{LoopKind::Loop};
   /// The point p where the loop starts and ends.
   SurfacePoint base;
@@ -68,17 +70,22 @@ std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop);
 /// of it.
 class GirthSolver {
  public:
+  /// Prepares the faces of a surface. O(n log n).
   explicit GirthSolver(const SurfaceMesh& mesh);
   ~GirthSolver();
+  /// Moves the scratch memory along.
   GirthSolver(GirthSolver&&) noexcept;
+  /// Moves the scratch memory along.
   GirthSolver& operator=(GirthSolver&&) noexcept;
 
-  /// I(p) for vertex p, or any point p. Of the context, only `cancel` matters. Errors:
+  /// I(p) for vertex p. Of the context, only `cancel` matters. Errors:
   /// VERTEX_OUT_OF_RANGE, INVALID_POINT, CANCELLED.
-  Result<GirthValue> value(Index vertex, const ExecutionContext& context = {});
+  Result<GirthValue> value(Vertex vertex, const ExecutionContext& context = {});
+  /// I(p) for any point p. The same context and errors.
   Result<GirthValue> value(const SurfacePoint& point, const ExecutionContext& context = {});
-  /// I(p) with its loop. The same context and errors.
-  Result<GirthLoop> loop(Index vertex, const ExecutionContext& context = {});
+  /// I(p) for vertex p with its loop. The same context and errors.
+  Result<GirthLoop> loop(Vertex vertex, const ExecutionContext& context = {});
+  /// I(p) for any point p with its loop. The same context and errors.
   Result<GirthLoop> loop(const SurfacePoint& point, const ExecutionContext& context = {});
 
   /// Calls give up after so many windows, with LoopKind::Unresolved. Default: 2^26.
@@ -94,6 +101,6 @@ class GirthSolver {
 };
 
 /// One loop, for a single use.
-Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Index vertex);
+Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Vertex vertex);
 
 }  // namespace girth

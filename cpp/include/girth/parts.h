@@ -26,7 +26,9 @@ std::string_view toString(PartKind kind);
 /// The paper's τ1 and τ2, in model units: plate = {I > girth, SDF < diameter}, tube = {I < girth,
 /// SDF < diameter}, body the rest.
 struct PartThresholds {
+  /// τ1: tubes have a smaller girth.
   double girth{0};
+  /// τ2: tubes and plates are thinner.
   double diameter{0};
 };
 
@@ -42,7 +44,9 @@ struct PartThresholds {
 PartThresholds suggestedThresholds(const SurfaceMesh& mesh, std::span<const double> girth,
                                    std::span<const double> diameter);
 
+/// How vertices are divided among parts.
 struct PartOptions {
+  /// What is thin, and round what a short loop goes.
   PartThresholds thresholds;
   /// 0: plain thresholds, as in the paper. Above: a vertex becomes what most of its neighbourhood
   /// is, where the kind by thresholds counts 1 and all neighbours together count this much;
@@ -52,19 +56,22 @@ struct PartOptions {
 
 /// A connected region of one kind.
 struct Part {
-  PartKind kind{PartKind::Body};
-  std::vector<Index> vertices;  ///< in rising order
-  double area{0};               ///< sum of the vertices' areas
-  /// Medians over the region; NaN where it is unknown.
-  double medianGirth{0}, medianDiameter{0};
-  /// Its thinnest place: the vertex with the least girth (tube), else the least SDF; kNoIndex where
-  /// it is unknown. The loop there is GirthSolver::loop's.
-  Index thinnest{kNoIndex};
+  PartKind kind{PartKind::Body};  ///< the same of all its vertices
+  std::vector<Vertex> vertices;   ///< in rising order
+  double area{0};                 ///< sum of the vertices' areas
+  /// Median of the girth over the region, in model units; NaN where it is unknown.
+  double medianGirth{0};
+  /// Median of the thickness over the region, in model units; NaN where it is unknown.
+  double medianDiameter{0};
+  /// Its thinnest place: the vertex with the least girth (tube), otherwise the least SDF; none
+  /// where it is unknown. The loop there is GirthSolver::loop's.
+  Vertex thinnest;
 
   /// Radius of the round tube with the same girth, I / 2π.
   double equivalentRadius() const;
 };
 
+/// A surface divided into parts.
 struct Parts {
   std::vector<PartKind> kinds;  ///< of the vertices
   std::vector<Index> partOf;    ///< of the vertices, a number in `parts`
@@ -79,18 +86,22 @@ Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
 
 /// What a printer can still make, in model units; 0: any.
 struct PrintLimits {
+  /// The least diameter of a tube.
   double tubeDiameter{0};
+  /// The least thickness of a wall.
   double wallThickness{0};
 };
 
 /// A connected place that is too thin.
 struct WeakPlace {
   PartKind kind{PartKind::Tube};  ///< Tube, or Plate for a wall
-  std::vector<Index> vertices;    ///< in rising order
+  std::vector<Vertex> vertices;   ///< in rising order
+  /// Sum of the vertices' areas, in squared model units.
   double area{0};
-  /// The least diameter I / π of the tube, or thickness SDF of the wall, there; and the vertex.
+  /// The least diameter I / π of the tube, or thickness SDF of the wall, there, in model units.
   double least{0};
-  Index thinnest{kNoIndex};
+  /// The vertex that has it.
+  Vertex thinnest;
 };
 
 /// Why a surface must not pass a check, though no place may be found too thin: walls are limited,

@@ -9,14 +9,17 @@
 
 namespace girth {
 
+/// A maximum of a field.
 struct PersistentMaximum {
-  Index vertex{0};
+  /// Where it is.
+  Vertex vertex;
+  /// The field there.
   double value{0};
   /// How far one must go down from it, at least, to reach a higher maximum: 0 or more, in the
   /// field's unit. Of the highest of a component: how far down to its least value.
   double persistence{0};
-  /// The vertex where its surroundings meet those of a higher maximum; kNoIndex for the highest.
-  Index saddle{kNoIndex};
+  /// The vertex where its surroundings meet those of a higher maximum; none for the highest.
+  Vertex saddle;
 };
 
 /// All maxima of `values` along the surface's edges, most persistent first: the topological

@@ -11,6 +11,7 @@
 
 namespace girth {
 
+/// What is done to triangles beyond what a surface needs.
 struct PrepareOptions {
   /// 0: vertices at exactly equal positions become one (0 and −0 are equal). Above: also vertices
   /// no farther apart than this, in model units.
@@ -28,8 +29,10 @@ struct PrepareOptions {
 struct ClosedHole {
   /// Its number of edges.
   Index edges{0};
-  /// Its length, and the area of the faces that fill it.
-  double perimeter{0}, area{0};
+  /// Its length, in model units.
+  double perimeter{0};
+  /// Area of the faces that fill it, in squared model units.
+  double area{0};
   /// A vertex of the input on it.
   Index vertex{kNoIndex};
 };
@@ -41,7 +44,9 @@ struct ClosedHole {
 ///   inputFaces − degenerateFaces − duplicateFaces: the faces, before components are chosen and
 ///   holes are closed.
 struct PreparationReport {
+  /// Vertices of the input.
   Index inputVertices{0};
+  /// Triangles of the input.
   Index inputFaces{0};
   /// Vertices that became one with an earlier one: at the same position, within the distance asked
   /// for, or so near that a face between them has no area (1e-12 of its longest side).
@@ -71,20 +76,24 @@ struct PreparationReport {
   Index nonManifoldVertices{0};
   /// Copies of vertices made by all cutting.
   Index addedVertices{0};
-  /// Connected components of what came out, and how many of them are kept.
+  /// Connected components of what came out.
   Index components{0};
+  /// How many of them are kept.
   Index keptComponents{0};
-  /// Boundary curves of the kept components, and their edges (web/docs/definitions.md, section 2).
-  /// Counted after holes were closed.
+  /// Boundary curves of the kept components (web/docs/definitions.md, section 2), counted after
+  /// holes were closed.
   Index boundaryCurves{0};
+  /// The edges of these curves.
   Index boundaryEdges{0};
-  /// Boundary curves that were filled, and which.
+  /// Boundary curves that were filled.
   Index closedHoles{0};
+  /// Each of these.
   std::vector<ClosedHole> holes;
 };
 
 /// A connected component, before any is left out.
 struct SurfacePart {
+  /// How many faces it has.
   Index faces{0};
   /// In squared model units.
   double area{0};
@@ -92,11 +101,13 @@ struct SurfacePart {
   Index firstFace{kNoIndex};
 };
 
+/// A surface made of triangles, and how both correspond.
 struct PreparedSurface {
+  /// The surface.
   SurfaceMesh mesh;
   /// For each vertex of the input, its vertex on the surface: of several copies that with the most
-  /// faces, of equals the first; kNoIndex where the vertex was dropped.
-  std::vector<Index> vertexOfInput;
+  /// faces, of equals the first; none where the vertex was dropped.
+  std::vector<Vertex> vertexOfInput;
   /// For each vertex of the surface, the first vertex of the input that it comes from; kNoIndex for
   /// those made here.
   std::vector<Index> inputOfVertex;
@@ -105,6 +116,7 @@ struct PreparedSurface {
   std::vector<Index> inputOfFace;
   /// All components, numbered by their first face of the input.
   std::vector<SurfacePart> parts;
+  /// What was done.
   PreparationReport report;
 };
 

@@ -33,11 +33,12 @@ struct ShapeDiameterField {
 };
 
 /// The shape diameter of every vertex (Shapira, Shamir and Cohen-Or 2008; Gal, Shamir and Cohen-Or
-/// 2007; DEFINITIONS section 4). Rays go from the vertex into the inside, within a cone around the
-/// inward normal (the mean of the faces' normals, weighted by their angles at the vertex), to the
-/// first wall. A ray that escapes, or that meets the wall from outside, does not count. Lengths
-/// more than one standard deviation away from their median are dropped; the value is the mean of
-/// the others, each weighted by the inverse of its ray's angle with the axis of the cone.
+/// 2007; web/docs/definitions.md, section 4). Rays go from the vertex into the inside, within a
+/// cone around the inward normal (the mean of the faces' normals, weighted by their angles at the
+/// vertex), to the first wall. A ray that escapes, or that meets the wall from outside, does not
+/// count. Lengths more than one standard deviation away from their median are dropped; the value is
+/// the mean of the others, each weighted by the inverse of its ray's angle with the axis of the
+/// cone.
 ///
 /// The rays are the same for every vertex and every run: number i of n leaves the axis by
 /// (i + ½)/n of half the cone's angle, and is turned by i golden angles around it from a fixed

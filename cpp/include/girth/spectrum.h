@@ -31,8 +31,8 @@ struct Spectrum {
 };
 
 /// The lowest eigenpairs of L φ = λ M φ: L the cotangent Laplacian (Pinkall and Polthier 1993), M
-/// the mixed Voronoi areas (Meyer, Desbrun, Schröder and Barr 2003). DEFINITIONS section 4. At
-/// the boundary the normal derivative is 0 (Neumann).
+/// the mixed Voronoi areas (Meyer, Desbrun, Schröder and Barr 2003). web/docs/definitions.md,
+/// section 4. At the boundary the normal derivative is 0 (Neumann).
 ///
 /// Both matrices are made of the surface's intrinsic Delaunay triangulation (Bobenko and Springborn
 /// 2007), found by flipping edges: the surface is the same, the triangles are as good as its

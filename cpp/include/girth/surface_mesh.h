@@ -7,26 +7,26 @@
 #include <span>
 #include <vector>
 
+#include "girth/elements.h"
 #include "girth/error.h"
 
 namespace girth {
 
-/// Numbers of vertices, faces and halfedges; all count from 0.
-using Index = std::uint32_t;
-inline constexpr Index kNoIndex = 0xFFFFFFFFu;
-
 /// A point or direction in space, in model units.
 struct Vec3 {
-  double x{0}, y{0}, z{0};
+  double x{0};  ///< along the first axis
+  double y{0};  ///< along the second axis
+  double z{0};  ///< along the third axis
 };
 
 /// What to do with edges that have a face on one side only.
 enum class OpenEdges : std::uint8_t {
   Refuse,    ///< OPEN_EDGE: only closed surfaces are wanted
-  Boundary,  ///< paths may run along them but not across (DEFINITIONS section 2)
+  Boundary,  ///< paths may run along them but not across (web/docs/definitions.md, section 2)
 };
 
-/// The surface: flat triangles, curved only at its vertices (DEFINITIONS: a polyhedral surface).
+/// The surface: flat triangles, curved only at its vertices (web/docs/definitions.md,
+/// section 1: a polyhedral surface).
 ///
 /// Halfedge h = 3 f + k runs along side k of face f, from corner k to corner k+1, with the face on
 /// its left. Immutable once made, and so safe to share between threads.
@@ -44,53 +44,79 @@ class SurfaceMesh {
                                         std::span<const Index> triangles,
                                         OpenEdges openEdges = OpenEdges::Refuse);
 
+  /// How many vertices there are.
   Index vertexCount() const { return static_cast<Index>(positions_.size()); }
+  /// How many faces there are.
   Index faceCount() const { return static_cast<Index>(from_.size() / 3); }
+  /// How many halfedges there are: three for each face.
   Index halfedgeCount() const { return static_cast<Index>(from_.size()); }
+  /// How many edges there are; one along a boundary has one halfedge, all others have two.
   Index edgeCount() const { return edgeCount_; }
 
-  const Vec3& position(Index vertex) const { return positions_[vertex]; }
-  std::array<Index, 3> faceVertices(Index face) const {
-    return {from_[3 * face], from_[3 * face + 1], from_[3 * face + 2]};
+  /// All vertices, to go through: `for (const Vertex v : mesh.vertices())`.
+  ElementRange<VertexKind> vertices() const { return ElementRange<VertexKind>(vertexCount()); }
+  /// All faces, to go through.
+  ElementRange<FaceKind> faces() const { return ElementRange<FaceKind>(faceCount()); }
+  /// All halfedges, to go through.
+  ElementRange<HalfedgeKind> halfedges() const {
+    return ElementRange<HalfedgeKind>(halfedgeCount());
   }
 
-  static Index faceOf(Index halfedge) { return halfedge / 3; }
-  /// The other two of a face. (Whether 3 divides a number is told without a division.)
-  static Index next(Index halfedge) {
-    return (halfedge + 1) % 3 == 0 ? halfedge - 2 : halfedge + 1;
+  /// Where a vertex is, in model units.
+  const Vec3& position(Vertex vertex) const { return positions_[vertex]; }
+  /// The corners of a face, counter-clockwise seen from outside.
+  std::array<Vertex, 3> faceVertices(Face face) const {
+    return {Vertex(from_[3 * face]), Vertex(from_[3 * face + 1]), Vertex(from_[3 * face + 2])};
   }
-  static Index previous(Index halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
-  /// The vertex that a halfedge starts from, and the one it runs to.
-  Index from(Index halfedge) const { return from_[halfedge]; }
-  Index to(Index halfedge) const { return from_[next(halfedge)]; }
-  /// The other halfedge of the same edge, in the neighbouring face, running the other way; kNoIndex
-  /// at a boundary.
-  Index twin(Index halfedge) const { return twin_[halfedge]; }
+
+  /// Side k (0, 1 or 2) of a face: the halfedge from corner k to the next one.
+  static Halfedge side(Face face, Index k) { return Halfedge(3 * face + k); }
+  /// The face that a halfedge is a side of.
+  static Face faceOf(Halfedge halfedge) { return Face(halfedge / 3); }
+  /// The next side of the same face. (Whether 3 divides a number is found without a division.)
+  static Halfedge next(Halfedge halfedge) {
+    return Halfedge((halfedge + 1) % 3 == 0 ? halfedge - 2 : halfedge + 1);
+  }
+  /// The side before, of the same face.
+  static Halfedge previous(Halfedge halfedge) {
+    return Halfedge(halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1);
+  }
+  /// The vertex that a halfedge starts from.
+  Vertex from(Halfedge halfedge) const { return Vertex(from_[halfedge]); }
+  /// The vertex that a halfedge runs to.
+  Vertex to(Halfedge halfedge) const { return Vertex(from_[next(halfedge)]); }
+  /// The other halfedge of the same edge, in the neighbouring face, running the other way;
+  /// Halfedge::none at a boundary.
+  Halfedge twin(Halfedge halfedge) const { return Halfedge(twin_[halfedge]); }
   /// One halfedge that starts from a vertex; `twin(previous(h))` is the next one counter-clockwise.
   /// At a boundary vertex it is the first: the one along the boundary.
-  Index outgoing(Index vertex) const { return outgoing_[vertex]; }
+  Halfedge outgoing(Vertex vertex) const { return Halfedge(outgoing_[vertex]); }
   /// Whether a vertex lies on a boundary.
-  bool isBoundary(Index vertex) const { return twin_[outgoing_[vertex]] == kNoIndex; }
+  bool isBoundary(Vertex vertex) const { return twin_[outgoing_[vertex]] == kNoIndex; }
 
   /// Length of an edge, in model units.
-  double length(Index halfedge) const { return length_[halfedge]; }
+  double length(Halfedge halfedge) const { return length_[halfedge]; }
   /// Inner angle of a face at the corner that a halfedge starts from, in radians, in (0, π).
-  double cornerAngle(Index halfedge) const { return cornerAngle_[halfedge]; }
-  /// Total angle Θ of a vertex: below 2π convex, 2π flat, above 2π saddle (DEFINITIONS section 1).
-  /// At a boundary, the angle inside the surface, and π in the place of 2π.
-  double totalAngle(Index vertex) const { return totalAngle_[vertex]; }
+  double cornerAngle(Halfedge halfedge) const { return cornerAngle_[halfedge]; }
+  /// Total angle Θ of a vertex, in radians: below 2π convex, 2π flat, above 2π saddle
+  /// (web/docs/definitions.md, section 1). At a boundary, the angle inside the surface, and π in
+  /// the place of 2π.
+  double totalAngle(Vertex vertex) const { return totalAngle_[vertex]; }
 
-  /// Area of a face, and of the whole surface, in squared model units.
-  double area(Index face) const;
+  /// Area of a face, in squared model units.
+  double area(Face face) const;
+  /// Area of the whole surface, in squared model units.
   double area() const { return area_; }
-  /// Mean length of the edges.
+  /// Mean length of the edges, in model units.
   double meanEdgeLength() const { return meanEdgeLength_; }
 
   /// Connected components, numbered in the order of their first vertex.
   Index componentCount() const { return static_cast<Index>(componentGenus_.size()); }
-  Index componentOf(Index vertex) const { return component_[vertex]; }
-  /// Genus of a component: the number of its handles; and of its boundary curves.
+  /// The number of the component that a vertex belongs to.
+  Index componentOf(Vertex vertex) const { return component_[vertex]; }
+  /// Genus of a component: the number of its handles.
   Index genus(Index component) const { return componentGenus_[component]; }
+  /// How many boundary curves a component has.
   Index boundaryCount(Index component) const { return componentBoundaries_[component]; }
 
  private:

@@ -13,6 +13,7 @@ namespace girth {
 
 /// A line across edges of the surface: a point in the middle of each, in order.
 struct ContourLine {
+  /// The middles of the edges that it crosses.
   std::vector<SurfacePoint> points;
   /// It comes back to its first point, which is not repeated. Otherwise it ends at the boundary,
   /// or, an arc, inside faces.
@@ -22,13 +23,16 @@ struct ContourLine {
 /// A region that the discontinuity contour cuts off.
 struct Tip {
   /// Its vertices, in rising order.
-  std::vector<Index> vertices;
+  std::vector<Vertex> vertices;
   /// What cuts it off: usually one closed line.
   std::vector<ContourLine> contour;
-  /// Area inside the contour, and the contour's length, in model units.
-  double area{0}, boundaryLength{0};
-  /// The vertex of the region that is farthest from the contour, along the surface, and how far.
-  Index apex{kNoIndex};
+  /// Area inside the contour, in squared model units.
+  double area{0};
+  /// Length of the contour, in model units.
+  double boundaryLength{0};
+  /// The vertex of the region that is farthest from the contour, along the surface.
+  Vertex apex;
+  /// How far, in model units.
   double apexDistance{0};
   /// How far the girth rises from outside to inside: the median over the edges that the contour
   /// crosses. Tips that noise makes rise little.
@@ -38,11 +42,12 @@ struct Tip {
 /// A part of the discontinuity contour that is no tip's: it ends somewhere, or where it meets the
 /// contour of a tip, which it follows closely.
 struct OpenArc {
-  ContourLine line;
+  ContourLine line;  ///< never closed
   double length{0};  ///< in model units
   double jump{0};    ///< as of a tip
 };
 
+/// The tips of a surface, and what else the girth jumps along.
 struct Tips {
   /// Largest jump first.
   std::vector<Tip> tips;
@@ -52,9 +57,9 @@ struct Tips {
   Index crossedEdges{0};
 };
 
-/// The tips of a surface by the criterion of the paper (section 6.2; DEFINITIONS section 5), which
-/// has no parameter: the discontinuity contour crosses every edge ab with |I(a) − I(b)| > 2 |ab|,
-/// since across any other edge the girth cannot change so fast.
+/// The tips of a surface by the criterion of the paper (section 6.2; web/docs/definitions.md,
+/// section 5), which has no parameter: the discontinuity contour crosses every edge ab with |I(a) −
+/// I(b)| > 2 |ab|, since across any other edge the girth cannot change so fast.
 ///
 /// Without these edges the vertices fall apart into pieces. Where two pieces meet, the one with the
 /// larger girth is a tip, together with everything that only it connects to the other (pieces

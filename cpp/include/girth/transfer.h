@@ -23,7 +23,7 @@ std::vector<double> interpolated(const SurfaceMesh& surface, std::span<const dou
                                  double steepest = std::numeric_limits<double>::infinity());
 
 /// For each point the nearest corner of its face: the vertex to take kinds from.
-std::vector<Index> nearestVertices(const SurfaceMesh& surface,
-                                   std::span<const SurfacePoint> points);
+std::vector<Vertex> nearestVertices(const SurfaceMesh& surface,
+                                    std::span<const SurfacePoint> points);
 
 }  // namespace girth

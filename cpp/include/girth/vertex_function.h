@@ -18,7 +18,7 @@ namespace girth {
 /// Computes a function at single vertices. Keeps scratch memory between calls; one for each thread.
 /// Errors: VERTEX_OUT_OF_RANGE; CANCELLED.
 template <class Value>
-using VertexEvaluator = std::function<Result<Value>(Index vertex)>;
+using VertexEvaluator = std::function<Result<Value>(Vertex vertex)>;
 
 /// A function of a surface's vertices, with what all threads share of the work already done. The
 /// surface must outlive it; evaluators may outlive it. Made by girthFunction, loopAngleFunction,
@@ -54,7 +54,7 @@ struct VertexValues {
 template <class Value>
 struct VertexPartial {
   /// The vertices, each of them in one report only.
-  std::span<const Index> vertices;
+  std::span<const Vertex> vertices;
   /// As many values.
   std::span<const Value> values;
 };
@@ -67,8 +67,8 @@ struct VertexPartial {
 /// last time; so early reports are spread over the whole surface. Returns how many vertices were
 /// finished: all, unless cancelled. Exceptions are thrown again on the calling thread.
 std::size_t forEachVertex(const SurfaceMesh& mesh, const ExecutionContext& context,
-                          const std::function<std::function<bool(Index vertex)>()>& startThread,
-                          const std::function<void(std::span<const Index> vertices)>& onFinished);
+                          const std::function<std::function<bool(Vertex vertex)>()>& startThread,
+                          const std::function<void(std::span<const Vertex> vertices)>& onFinished);
 
 /// The function at all vertices, by `forEachVertex`. `onPartial`, where given, has what is new.
 /// The same bits for any number of threads.
@@ -81,8 +81,8 @@ VertexValues<Value> evaluateAll(
   VertexValues<Value> result{{}, 0};
   std::vector<Value>& values = result.values;
   values.assign(mesh.vertexCount(), kNotComputed<Value>);
-  const auto startThread = [&]() -> std::function<bool(Index)> {
-    return [&values, evaluate = function.evaluator(context)](Index vertex) {
+  const auto startThread = [&]() -> std::function<bool(Vertex)> {
+    return [&values, evaluate = function.evaluator(context)](Vertex vertex) {
       auto value = evaluate(vertex);
       if (!value) return false;  // cancelled: the vertices are in range
       values[vertex] = std::move(value).value();
@@ -90,9 +90,9 @@ VertexValues<Value> evaluateAll(
     };
   };
   std::vector<Value> finished;
-  const auto report = [&](std::span<const Index> vertices) {
+  const auto report = [&](std::span<const Vertex> vertices) {
     finished.clear();
-    for (const Index vertex : vertices) finished.push_back(values[vertex]);
+    for (const Vertex vertex : vertices) finished.push_back(values[vertex]);
     onPartial({vertices, finished});
   };
   if (onPartial) {
@@ -110,6 +110,6 @@ std::string budgetNote(Index withoutValue, Index vertices);
 /// All vertices, ordered so that every prefix is spread evenly over the surface: first one of each
 /// `run` neighbours (1 or more), then, run by run, the others. Work on neighbours, one after the
 /// other, finds the surface around them still in the processor's cache. O(n log n).
-std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh, std::size_t run = 32);
+std::vector<Vertex> coarseToFineOrder(const SurfaceMesh& mesh, std::size_t run = 32);
 
 }  // namespace girth

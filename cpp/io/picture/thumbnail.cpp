@@ -53,7 +53,7 @@ std::vector<Vector> projected(const SurfaceMesh& mesh) {
   high.fill(-std::numeric_limits<double>::infinity());
   std::vector<Vector> points(n);
   for (Index v = 0; v < n; ++v) {
-    const Vec3& p = mesh.position(v);
+    const Vec3& p = mesh.position(Vertex(v));
     points[v] = {p.x, p.y, p.z};
     for (std::size_t k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], points[v][k]);
@@ -109,7 +109,7 @@ std::string thumbnailPng(const SurfaceMesh& mesh, std::uint32_t size) {
   const std::vector<Vector> points = projected(mesh);
   std::vector<float> depth(std::size_t{side} * side, -std::numeric_limits<float>::infinity());
   std::vector<std::uint8_t> shade(depth.size(), 0);
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     const auto [i, j, k] = mesh.faceVertices(f);
     const Vector &a = points[i], &b = points[j], &c = points[k];
     const Vector u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};

@@ -101,8 +101,8 @@ void GlbWriter::addColours(std::span<const std::uint16_t> channels) {
 
 void GlbWriter::addTriangles(const SurfaceMesh& mesh) {
   const std::size_t begin = bytes().size();
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
-    for (const Index v : mesh.faceVertices(f)) appendBytes(bytes(), v, 4);
+  for (const Face f : mesh.faces()) {
+    for (const Vertex v : mesh.faceVertices(f)) appendBytes(bytes(), v, 4);
   }
   primitive_.indices = addAccessor(begin, mesh.halfedgeCount(), TINYGLTF_TYPE_SCALAR,
                                    TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, kIndices);

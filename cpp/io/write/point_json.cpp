@@ -12,14 +12,14 @@ std::string pointText(const Vec3& point, char separator) {
          formatNumber(point.z);
 }
 
-std::string inputText(const LoadedMesh& loaded, Index vertex) {
+std::string inputText(const LoadedMesh& loaded, Vertex vertex) {
   const Index input = loaded.inputOfVertex[vertex];
   return input == kNoIndex ? "null" : std::to_string(input);
 }
 
-std::string inputsJson(const LoadedMesh& loaded, const std::vector<Index>& vertices) {
+std::string inputsJson(const LoadedMesh& loaded, const std::vector<Vertex>& vertices) {
   std::string text;
-  for (const Index v : vertices) {
+  for (const Vertex v : vertices) {
     if (loaded.inputOfVertex[v] == kNoIndex) continue;
     text += (text.empty() ? "" : ",") + std::to_string(loaded.inputOfVertex[v]);
   }
@@ -28,19 +28,19 @@ std::string inputsJson(const LoadedMesh& loaded, const std::vector<Index>& verti
 
 std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point) {
   const SurfaceMesh& mesh = loaded.mesh;
-  std::array<Index, 3> vertices{};
+  std::array<Vertex, 3> vertices{};
   std::size_t count = 0;
   switch (point.kind) {
-    case SurfacePoint::Kind::Vertex:
-      vertices[0] = point.element;
+    case SurfacePoint::Kind::AtVertex:
+      vertices[0] = point.vertex();
       count = 1;
       break;
-    case SurfacePoint::Kind::Edge:
-      vertices = {mesh.from(point.element), mesh.to(point.element), 0};
+    case SurfacePoint::Kind::OnEdge:
+      vertices = {mesh.from(point.halfedge()), mesh.to(point.halfedge())};
       count = 2;
       break;
-    case SurfacePoint::Kind::Face:
-      vertices = mesh.faceVertices(point.element);
+    case SurfacePoint::Kind::InFace:
+      vertices = mesh.faceVertices(point.face());
       count = 3;
       break;
   }

@@ -13,10 +13,10 @@ namespace girth::io {
 std::string pointText(const Vec3& point, char separator);
 
 /// The vertex of the file that a vertex of the surface comes from; "null" where it was made here.
-std::string inputText(const LoadedMesh& loaded, Index vertex);
+std::string inputText(const LoadedMesh& loaded, Vertex vertex);
 
 /// Vertices of the surface as a JSON array of the file's; those made here are left out.
-std::string inputsJson(const LoadedMesh& loaded, const std::vector<Index>& vertices);
+std::string inputsJson(const LoadedMesh& loaded, const std::vector<Vertex>& vertices);
 
 /// `position`, and the `vertices` of the file (one, the two of an edge, or the three of a face)
 /// that the point lies between, with their `weights`.

@@ -17,8 +17,8 @@ namespace {
 constexpr std::uint8_t kNoValue = 255;
 
 /// Whether a vertex of the file, by its vertex on the surface, has a value.
-bool hasValue(const VertexField& field, Index vertex) {
-  return vertex != kNoIndex && field.has(vertex);
+bool hasValue(const VertexField& field, Vertex vertex) {
+  return vertex != Vertex::none && field.has(vertex);
 }
 
 std::string capitals(std::string text) {
@@ -79,7 +79,7 @@ std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fiel
   }
   text += "\n";
   for (std::size_t input = 0; input < loaded.vertexOfInput.size(); ++input) {
-    const Index vertex = loaded.vertexOfInput[input];
+    const Vertex vertex = loaded.vertexOfInput[input];
     text += std::to_string(input);
     for (const VertexField& field : fields) {
       const bool has = hasValue(field, vertex);
@@ -100,7 +100,7 @@ std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fie
   const auto column = [&](const std::string& name, const auto& textAt) {
     columns += ",\n" + jsonString(name) + ":[";
     const char* separator = "";
-    for (const Index vertex : loaded.vertexOfInput) {
+    for (const Vertex vertex : loaded.vertexOfInput) {
       columns += separator;
       columns += textAt(vertex);
       separator = ",";
@@ -110,13 +110,13 @@ std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fie
   for (const VertexField& field : fields) {
     about += (about.empty() ? "" : ",") + aboutJson(field);
     complete = complete && field.complete();
-    column(field.name, [&](Index vertex) {
+    column(field.name, [&](Vertex vertex) {
       return hasValue(field, vertex) && std::isfinite(field.values[vertex])
                  ? formatNumber(field.values[vertex])
                  : std::string("null");
     });
     if (field.kinds.empty()) continue;
-    column("kind", [&](Index vertex) {
+    column("kind", [&](Vertex vertex) {
       return hasValue(field, vertex) ? jsonString(girth::toString(field.kinds[vertex]))
                                      : std::string("null");
     });
@@ -138,7 +138,7 @@ std::string fieldNpy(const LoadedMesh& loaded, const VertexField& field) {
   appendBytes(content, header.size(), 2);
   content += header;
   content.reserve(content.size() + 8 * loaded.vertexOfInput.size());
-  for (const Index vertex : loaded.vertexOfInput) {
+  for (const Vertex vertex : loaded.vertexOfInput) {
     appendDouble(content, vertex == kNoIndex ? std::numeric_limits<double>::quiet_NaN()
                                              : field.values[vertex]);
   }
@@ -165,7 +165,7 @@ std::string fieldPly(const LoadedMesh& loaded, std::span<const VertexField> fiel
              "\nproperty list uchar int vertex_indices\nend_header\n";
   content.reserve(content.size() + vertexSize * mesh.vertexCount() +
                   13 * std::size_t{mesh.faceCount()});
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& position = mesh.position(v);
     appendDouble(content, position.x);
     appendDouble(content, position.y);
@@ -176,9 +176,9 @@ std::string fieldPly(const LoadedMesh& loaded, std::span<const VertexField> fiel
       appendBytes(content, field.has(v) ? static_cast<std::uint8_t>(field.kinds[v]) : kNoValue, 1);
     }
   }
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     appendBytes(content, 3, 1);
-    for (const Index v : mesh.faceVertices(f)) appendBytes(content, v, 4);
+    for (const Vertex v : mesh.faceVertices(f)) appendBytes(content, v, 4);
   }
   return content;
 }
@@ -189,7 +189,7 @@ Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexFie
   GlbWriter writer;
   std::vector<Vec3> positions;
   positions.reserve(mesh.vertexCount());
-  for (Index v = 0; v < mesh.vertexCount(); ++v) positions.push_back(mesh.position(v));
+  for (const Vertex v : mesh.vertices()) positions.push_back(mesh.position(v));
   writer.addPositions(positions);
   if (!fields.empty()) writer.addColours(coloursOf(fields[0], range ? *range : rangeOf(fields[0])));
   std::string about;
@@ -199,7 +199,7 @@ Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexFie
     writer.addValues(attribute, field.values);
     if (field.kinds.empty()) continue;
     std::vector<double> kinds(field.values.size(), -1);
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       if (field.has(v)) kinds[v] = static_cast<double>(field.kinds[v]);
     }
     writer.addValues("_KIND", kinds);

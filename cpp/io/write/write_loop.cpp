@@ -11,8 +11,9 @@ namespace girth::io {
 
 std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::string_view file,
                      bool withPoints) {
-  const std::string vertex =
-      loop.base.kind == SurfacePoint::Kind::Vertex ? inputText(loaded, loop.base.element) : "null";
+  const std::string vertex = loop.base.kind == SurfacePoint::Kind::AtVertex
+                                 ? inputText(loaded, loop.base.vertex())
+                                 : "null";
   std::string text =
       "{\"file\":" + jsonString(file) + ",\"vertex\":" + vertex +
       ",\"base\":" + pointJson(loaded, loop.base) + ",\"length\":" + formatNumber(loop.length) +

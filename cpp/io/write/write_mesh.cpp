@@ -23,10 +23,10 @@ std::string positionText(const Vec3& position) {
 
 std::string objFile(const SurfaceMesh& mesh, std::string_view unit) {
   std::string text = unitComment("# ", unit);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) text += "v " + positionText(mesh.position(v));
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Vertex v : mesh.vertices()) text += "v " + positionText(mesh.position(v));
+  for (const Face f : mesh.faces()) {
     text += "f";
-    for (const Index v : mesh.faceVertices(f)) text += " " + std::to_string(std::uint64_t{v} + 1);
+    for (const Vertex v : mesh.faceVertices(f)) text += " " + std::to_string(std::uint64_t{v} + 1);
     text += "\n";
   }
   return text;
@@ -36,10 +36,10 @@ std::string offFile(const SurfaceMesh& mesh, std::string_view unit) {
   std::string text = "OFF\n" + unitComment("# ", unit) + std::to_string(mesh.vertexCount()) + " " +
                      std::to_string(mesh.faceCount()) + " " + std::to_string(mesh.edgeCount()) +
                      "\n";
-  for (Index v = 0; v < mesh.vertexCount(); ++v) text += positionText(mesh.position(v));
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Vertex v : mesh.vertices()) text += positionText(mesh.position(v));
+  for (const Face f : mesh.faces()) {
     text += "3";
-    for (const Index v : mesh.faceVertices(f)) text += " " + std::to_string(v);
+    for (const Vertex v : mesh.faceVertices(f)) text += " " + std::to_string(v);
     text += "\n";
   }
   return text;
@@ -52,14 +52,14 @@ std::string plyFile(const SurfaceMesh& mesh, std::string_view unit) {
                         "element face " +
                         std::to_string(mesh.faceCount()) +
                         "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     appendDouble(content, mesh.position(v).x);
     appendDouble(content, mesh.position(v).y);
     appendDouble(content, mesh.position(v).z);
   }
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     appendBytes(content, 3, 1);
-    for (const Index v : mesh.faceVertices(f)) appendBytes(content, v, 4);
+    for (const Vertex v : mesh.faceVertices(f)) appendBytes(content, v, 4);
   }
   return content;
 }
@@ -71,8 +71,9 @@ void appendVector(std::string& content, const Vec3& vector) {
 }
 
 Vec3 unitNormal(const SurfaceMesh& mesh, Index face) {
-  const auto [i, j, k] = mesh.faceVertices(face);
-  const Vec3 &a = mesh.position(i), &b = mesh.position(j), &c = mesh.position(k);
+  const auto [i, j, k] = mesh.faceVertices(Face(face));
+  const Vec3 &a = mesh.position(Vertex(i)), &b = mesh.position(Vertex(j)),
+             &c = mesh.position(Vertex(k));
   const Vec3 u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
   const Vec3 normal{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
   const double length = std::hypot(normal.x, normal.y, normal.z);
@@ -88,9 +89,9 @@ std::string stlFile(const SurfaceMesh& mesh, std::string_view unit) {
   content.resize(kHeader, ' ');
   content.reserve(kHeader + 4 + 50 * std::size_t{mesh.faceCount()});
   appendBytes(content, mesh.faceCount(), 4);
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     appendVector(content, unitNormal(mesh, f));
-    for (const Index v : mesh.faceVertices(f)) appendVector(content, mesh.position(v));
+    for (const Vertex v : mesh.faceVertices(f)) appendVector(content, mesh.position(v));
     appendBytes(content, 0, 2);
   }
   return content;
@@ -100,7 +101,7 @@ Result<std::string> glbFile(const SurfaceMesh& mesh, std::string_view unit) {
   GlbWriter writer;
   std::vector<Vec3> positions;
   positions.reserve(mesh.vertexCount());
-  for (Index v = 0; v < mesh.vertexCount(); ++v) positions.push_back(mesh.position(v));
+  for (const Vertex v : mesh.vertices()) positions.push_back(mesh.position(v));
   writer.addPositions(positions);
   writer.addTriangles(mesh);
   return writer.file(TINYGLTF_MODE_TRIANGLES, unit, "{\"unit\":" + jsonString(unit) + "}");

@@ -15,7 +15,7 @@ std::string numberJson(double value) {
 }
 
 std::string vertexJson(const LoadedMesh& loaded, Index vertex) {
-  return vertex == kNoIndex ? "null" : pointJson(loaded, SurfacePoint::atVertex(vertex));
+  return vertex == kNoIndex ? "null" : pointJson(loaded, SurfacePoint::atVertex(Vertex(vertex)));
 }
 
 std::string partJson(const LoadedMesh& loaded, const Part& part) {

@@ -9,27 +9,28 @@ namespace girth {
 namespace {
 
 /// Goes on from an edge through the face of `halfedge`, one of its two: the halfedge of the next
-/// crossed edge that lies in this face; kNoIndex where the line ends.
-Index acrossFace(const std::vector<bool>& crossed, Index halfedge) {
-  const Index next = SurfaceMesh::next(halfedge), previous = SurfaceMesh::previous(halfedge);
-  if (crossed[next] == crossed[previous]) return kNoIndex;
+/// crossed edge that lies in this face; none where the line ends.
+Halfedge acrossFace(const std::vector<bool>& crossed, Halfedge halfedge) {
+  const Halfedge next = SurfaceMesh::next(halfedge), previous = SurfaceMesh::previous(halfedge);
+  if (crossed[next] == crossed[previous]) return Halfedge::none;
   return crossed[next] ? next : previous;
 }
 
 }  // namespace
 
-std::vector<ContourLine> contourLines(const SurfaceMesh& mesh, const std::vector<Index>& edges,
+std::vector<ContourLine> contourLines(const SurfaceMesh& mesh, const std::vector<Halfedge>& edges,
                                       const std::vector<bool>& crossed) {
   std::vector<bool> drawn(mesh.halfedgeCount(), false);
-  const auto markDrawn = [&](Index halfedge) {
+  const auto markDrawn = [&](Halfedge halfedge) {
     drawn[halfedge] = true;
-    if (mesh.twin(halfedge) != kNoIndex) drawn[mesh.twin(halfedge)] = true;
+    const Halfedge twin = mesh.twin(halfedge);
+    if (twin != Halfedge::none) drawn[twin] = true;
   };
   // From `halfedge` on through its face; true when it comes back to where `points` began.
-  const auto follow = [&](Index halfedge, std::vector<SurfacePoint>& points) {
-    while (halfedge != kNoIndex) {
-      const Index reached = acrossFace(crossed, halfedge);
-      if (reached == kNoIndex) return false;
+  const auto follow = [&](Halfedge halfedge, std::vector<SurfacePoint>& points) {
+    while (halfedge != Halfedge::none) {
+      const Halfedge reached = acrossFace(crossed, halfedge);
+      if (reached == Halfedge::none) return false;
       if (drawn[reached]) return true;
       markDrawn(reached);
       points.push_back(SurfacePoint::onHalfedge(reached, 0.5));
@@ -39,7 +40,7 @@ std::vector<ContourLine> contourLines(const SurfaceMesh& mesh, const std::vector
   };
 
   std::vector<ContourLine> lines;
-  for (const Index edge : edges) {
+  for (const Halfedge edge : edges) {
     if (drawn[edge]) continue;
     markDrawn(edge);
     ContourLine line;

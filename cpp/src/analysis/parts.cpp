@@ -43,9 +43,9 @@ std::optional<Error> checkLength(double value, const char* name) {
 }
 
 /// Median of a field over some vertices; NaN where none has a value.
-double medianOver(const std::vector<Index>& vertices, std::span<const double> field) {
+double medianOver(const std::vector<Vertex>& vertices, std::span<const double> field) {
   std::vector<double> values;
-  for (const Index v : vertices) {
+  for (const Vertex v : vertices) {
     if (!std::isnan(field[v])) values.push_back(field[v]);
   }
   if (values.empty()) return kNone;
@@ -55,10 +55,10 @@ double medianOver(const std::vector<Index>& vertices, std::span<const double> fi
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-/// The vertex with the least value; kNoIndex where none has one.
-Index leastOver(const std::vector<Index>& vertices, std::span<const double> field) {
-  Index least = kNoIndex;
-  for (const Index v : vertices) {
+/// The vertex with the least value; none where none has one.
+Vertex leastOver(const std::vector<Vertex>& vertices, std::span<const double> field) {
+  Vertex least;
+  for (const Vertex v : vertices) {
     if (!std::isnan(field[v]) && (least == kNoIndex || field[v] < field[least])) least = v;
   }
   return least;
@@ -75,7 +75,7 @@ void smooth(const SurfaceMesh& mesh, const std::vector<PartKind>& plain, double 
             std::vector<PartKind>& kinds) {
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     bool changed = false;
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       if (plain[v] == PartKind::Unknown) continue;
       std::array<double, 4> votes{};
       int neighbours = 0;
@@ -99,9 +99,9 @@ void smooth(const SurfaceMesh& mesh, const std::vector<PartKind>& plain, double 
   }
 }
 
-double areaOver(const std::vector<Index>& vertices, const std::vector<double>& areas) {
+double areaOver(const std::vector<Vertex>& vertices, const std::vector<double>& areas) {
   double area = 0;
-  for (const Index v : vertices) area += areas[v];
+  for (const Vertex v : vertices) area += areas[v];
   return area;
 }
 
@@ -129,7 +129,7 @@ PartThresholds suggestedThresholds(const SurfaceMesh& mesh, std::span<const doub
   const std::vector<double> areas = vertexAreas(mesh);
   std::vector<Index> known;
   std::vector<WeightedValue> values;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     if (!(girth[v] > 0 && diameter[v] > 0)) continue;
     known.push_back(v);
     values.push_back({std::log(diameter[v]), areas[v]});
@@ -169,7 +169,7 @@ Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
   if (auto error = checkLength(options.smoothing, "the smoothing")) return *error;
 
   Parts result;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     result.kinds.push_back(kindOf(girth[v], diameter[v], options.thresholds));
   }
   if (options.smoothing > 0) {
@@ -177,8 +177,8 @@ Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
     smooth(mesh, plain, options.smoothing, result.kinds);
   }
   const std::vector<double> areas = vertexAreas(mesh);
-  for (std::vector<Index>& region :
-       connectedRegions(mesh, [&](Index v) { return static_cast<Index>(result.kinds[v]); })) {
+  for (std::vector<Vertex>& region :
+       connectedRegions(mesh, [&](Vertex v) { return static_cast<Index>(result.kinds[v]); })) {
     Part part;
     part.kind = result.kinds[region.front()];
     part.area = areaOver(region, areas);
@@ -219,13 +219,13 @@ Result<std::vector<WeakPlace>> findWeakPlaces(const SurfaceMesh& mesh,
   if (auto error = checkLength(limits.wallThickness, "the least wall thickness")) return *error;
 
   constexpr Index tube = 0, wall = 1;
-  const auto weakness = [&](Index v) {
+  const auto weakness = [&](Vertex v) {
     if (girth[v] / kPi < limits.tubeDiameter) return tube;
     return diameter[v] < limits.wallThickness ? wall : kNoIndex;
   };
   const std::vector<double> areas = vertexAreas(mesh);
   std::vector<WeakPlace> places;
-  for (std::vector<Index>& region : connectedRegions(mesh, weakness)) {
+  for (std::vector<Vertex>& region : connectedRegions(mesh, weakness)) {
     const bool isTube = weakness(region.front()) == tube;
     WeakPlace place;
     place.kind = isTube ? PartKind::Tube : PartKind::Plate;

@@ -37,7 +37,7 @@ Result<std::vector<PersistentMaximum>> persistentMaxima(const SurfaceMesh& mesh,
   std::vector<PersistentMaximum> maxima;
   for (const Index v : order) {
     parent[v] = v;
-    forEachNeighbour(mesh, v, [&](Index neighbour) {
+    forEachNeighbour(mesh, Vertex(v), [&](Vertex neighbour) {
       if (rank[neighbour] == kNoIndex || rank[neighbour] > rank[v]) return;
       Index higher = regionOf(v), lower = regionOf(neighbour);
       if (higher == lower) return;
@@ -45,14 +45,15 @@ Result<std::vector<PersistentMaximum>> persistentMaxima(const SurfaceMesh& mesh,
       parent[lower] = higher;
       // The vertex itself has no region of its own.
       if (lower == v || !(values[lower] > values[v])) return;
-      maxima.push_back({lower, values[lower], values[lower] - values[v], v});
+      maxima.push_back({Vertex(lower), values[lower], values[lower] - values[v], Vertex(v)});
     });
   }
   // What nothing higher was met by: the highest of each component, down to its lowest.
   std::vector<double> least(n);
   for (const Index v : order) least[regionOf(v)] = values[v];
   for (const Index v : order) {
-    if (parent[v] == v) maxima.push_back({v, values[v], values[v] - least[v], kNoIndex});
+    if (parent[v] != v) continue;
+    maxima.push_back({Vertex(v), values[v], values[v] - least[v], Vertex::none});
   }
   std::stable_sort(maxima.begin(), maxima.end(),
                    [](const PersistentMaximum& a, const PersistentMaximum& b) {

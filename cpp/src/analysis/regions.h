@@ -14,16 +14,16 @@ namespace girth {
 /// in the order of their first vertex, each in rising order. Vertices for which `labelOf` gives
 /// kNoIndex are left out. O(n log n).
 template <class LabelOf>
-std::vector<std::vector<Index>> connectedRegions(const SurfaceMesh& mesh, LabelOf labelOf) {
-  std::vector<std::vector<Index>> regions;
+std::vector<std::vector<Vertex>> connectedRegions(const SurfaceMesh& mesh, LabelOf labelOf) {
+  std::vector<std::vector<Vertex>> regions;
   std::vector<bool> taken(mesh.vertexCount(), false);
-  for (Index seed = 0; seed < mesh.vertexCount(); ++seed) {
+  for (const Vertex seed : mesh.vertices()) {
     const Index label = labelOf(seed);
     if (taken[seed] || label == kNoIndex) continue;
-    std::vector<Index> region{seed};
+    std::vector<Vertex> region{seed};
     taken[seed] = true;
     for (std::size_t i = 0; i < region.size(); ++i) {
-      forEachNeighbour(mesh, region[i], [&](Index neighbour) {
+      forEachNeighbour(mesh, region[i], [&](Vertex neighbour) {
         if (taken[neighbour] || labelOf(neighbour) != label) return;
         taken[neighbour] = true;
         region.push_back(neighbour);

@@ -37,15 +37,15 @@ class Pieces {
         girth_(girth),
         crossed_(mesh.halfedgeCount(), false),
         pieceOf_(mesh.vertexCount(), kNoIndex) {
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+    for (const Halfedge h : mesh.halfedges()) {
       const double jump = std::fabs(girth[mesh.from(h)] - girth[mesh.to(h)]);
       crossed_[h] = jump > 2 * mesh.length(h);  // not where a value is NaN
-      const Index twin = mesh.twin(h);
+      const Halfedge twin = mesh.twin(h);
       if (crossed_[h] && (twin == kNoIndex || h < twin)) edges_.push_back(h);
     }
     flood();
-    for (const Index h : edges_) {
-      Index a = pieceOf_[mesh.from(h)], b = pieceOf_[mesh.to(h)];
+    for (const Halfedge h : edges_) {
+      const Index a = pieceOf_[mesh.from(h)], b = pieceOf_[mesh.to(h)];
       if (a == b) continue;
       const double rise = girth[mesh.from(h)] - girth[mesh.to(h)];
       between_[std::minmax(a, b)].push_back(a < b ? rise : -rise);
@@ -57,9 +57,9 @@ class Pieces {
     }
   }
 
-  const std::vector<Index>& edges() const { return edges_; }
-  Index pieceOf(Index vertex) const { return pieceOf_[vertex]; }
-  const std::vector<Index>& vertices(Index piece) const { return vertices_[piece]; }
+  const std::vector<Halfedge>& edges() const { return edges_; }
+  Index pieceOf(Vertex vertex) const { return pieceOf_[vertex]; }
+  const std::vector<Vertex>& vertices(Index piece) const { return vertices_[piece]; }
 
   /// Regions that some contour may cut off, as sets of pieces. Nothing where the work is too much.
   std::optional<std::set<std::vector<Index>>> regions() const {
@@ -95,23 +95,23 @@ class Pieces {
 
  private:
   void flood() {
-    for (Index seed = 0; seed < mesh_.vertexCount(); ++seed) {
+    for (const Vertex seed : mesh_.vertices()) {
       if (pieceOf_[seed] != kNoIndex) continue;
       const auto piece = static_cast<Index>(vertices_.size());
-      std::vector<Index> members{seed};
+      std::vector<Vertex> members{seed};
       pieceOf_[seed] = piece;
-      const auto reach = [&](Index vertex) {
+      const auto reach = [&](Vertex vertex) {
         if (pieceOf_[vertex] != kNoIndex) return;
         pieceOf_[vertex] = piece;
         members.push_back(vertex);
       };
       for (std::size_t i = 0; i < members.size(); ++i) {
-        forEachEdge(mesh_, members[i], [&](Index h, Index neighbour) {
+        forEachEdge(mesh_, members[i], [&](Halfedge h, Vertex neighbour) {
           if (!crossed_[h]) reach(neighbour);
         });
       }
       std::vector<double> values;
-      for (const Index v : members) {
+      for (const Vertex v : members) {
         if (!std::isnan(girth_[v])) values.push_back(girth_[v]);
       }
       level_.push_back(values.empty() ? 0 : medianOf(std::move(values)));
@@ -122,8 +122,9 @@ class Pieces {
   const SurfaceMesh& mesh_;
   std::span<const double> girth_;
   std::vector<bool> crossed_;
-  std::vector<Index> edges_, pieceOf_;
-  std::vector<std::vector<Index>> vertices_;
+  std::vector<Halfedge> edges_;
+  std::vector<Index> pieceOf_;  // of the vertices
+  std::vector<std::vector<Vertex>> vertices_;
   std::vector<double> level_;  // the median girth of a piece
   /// For two pieces that meet, by how much the girth of the first is larger, edge by edge.
   std::map<std::pair<Index, Index>, std::vector<double>> between_;
@@ -132,7 +133,7 @@ class Pieces {
 
 /// The edges with one end in a region, one halfedge of each, and how far the girth rises there.
 struct Rim {
-  std::vector<Index> edges;
+  std::vector<Halfedge> edges;
   double jump{0};  ///< the median
 };
 
@@ -147,11 +148,11 @@ class TipMaker {
         crossed_(mesh.halfedgeCount(), false) {}
 
   Rim rimOf(const Pieces& pieces, const std::vector<Index>& region) {
-    const std::vector<Index> vertices = enter(pieces, region);
+    const std::vector<Vertex> vertices = enter(pieces, region);
     Rim rim;
     std::vector<double> rises;
-    for (const Index v : vertices) {
-      forEachEdge(mesh_, v, [&](Index h, Index neighbour) {
+    for (const Vertex v : vertices) {
+      forEachEdge(mesh_, v, [&](Halfedge h, Vertex neighbour) {
         if (inside_[neighbour]) return;
         rim.edges.push_back(edgeOf(h));
         rises.push_back(girth_[v] - girth_[neighbour]);
@@ -166,8 +167,8 @@ class TipMaker {
                    const ExecutionContext& context) {
     Tip tip;
     tip.vertices = enter(pieces, region);
-    for (const Index v : tip.vertices) {
-      forEachEdge(mesh_, v, [&](Index h, Index) {
+    for (const Vertex v : tip.vertices) {
+      forEachEdge(mesh_, v, [&](Halfedge h, Vertex) {
         if (mesh_.from(h) == v) tip.area += share(h) * mesh_.area(SurfaceMesh::faceOf(h));
       });
     }
@@ -181,11 +182,12 @@ class TipMaker {
   }
 
   /// Joins edges to lines.
-  std::vector<ContourLine> lines(const std::vector<Index>& edges) {
+  std::vector<ContourLine> lines(const std::vector<Halfedge>& edges) {
     const auto mark = [&](bool crossed) {
-      for (const Index h : edges) {
+      for (const Halfedge h : edges) {
         crossed_[h] = crossed;
-        if (mesh_.twin(h) != kNoIndex) crossed_[mesh_.twin(h)] = crossed;
+        const Halfedge twin = mesh_.twin(h);
+        if (twin != Halfedge::none) crossed_[twin] = crossed;
       }
     };
     mark(true);
@@ -197,39 +199,41 @@ class TipMaker {
  private:
   /// The share of a face inside the contour through the middles of its sides, divided among its
   /// corners inside.
-  double share(Index halfedge) const {
+  double share(Halfedge halfedge) const {
     int count = 0;
-    for (const Index v : mesh_.faceVertices(SurfaceMesh::faceOf(halfedge))) count += inside_[v];
+    for (const Vertex v : mesh_.faceVertices(SurfaceMesh::faceOf(halfedge))) {
+      count += inside_[v];
+    }
     return count == 1 ? 1.0 / 4 : count == 2 ? 3.0 / 8 : 1.0 / 3;
   }
 
   /// Marks the vertices of a region as inside; gives them, in rising order.
-  std::vector<Index> enter(const Pieces& pieces, const std::vector<Index>& region) {
-    std::vector<Index> vertices;
+  std::vector<Vertex> enter(const Pieces& pieces, const std::vector<Index>& region) {
+    std::vector<Vertex> vertices;
     for (const Index piece : region) {
       const auto& members = pieces.vertices(piece);
       vertices.insert(vertices.end(), members.begin(), members.end());
     }
     std::sort(vertices.begin(), vertices.end());
-    for (const Index v : vertices) inside_[v] = true;
+    for (const Vertex v : vertices) inside_[v] = true;
     return vertices;
   }
-  void leave(const std::vector<Index>& vertices) {
-    for (const Index v : vertices) inside_[v] = false;
+  void leave(const std::vector<Vertex>& vertices) {
+    for (const Vertex v : vertices) inside_[v] = false;
   }
 
   /// The same halfedge for both of an edge: as in Pieces::edges.
-  Index edgeOf(Index halfedge) const { return std::min(halfedge, mesh_.twin(halfedge)); }
+  Halfedge edgeOf(Halfedge halfedge) const { return std::min(halfedge, mesh_.twin(halfedge)); }
 
   /// The vertex farthest from the contour. Ways along edges inside tell how far that can be, and so
   /// how far the exact distances are needed.
-  std::optional<Error> findApex(const std::vector<Index>& rim, const ExecutionContext& context,
+  std::optional<Error> findApex(const std::vector<Halfedge>& rim, const ExecutionContext& context,
                                 Tip& tip) {
-    std::map<Index, double> reached;
-    using Entry = std::pair<double, Index>;
+    std::map<Vertex, double> reached;
+    using Entry = std::pair<double, Vertex>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     std::vector<SurfacePoint> sources;
-    for (const Index h : rim) {
+    for (const Halfedge h : rim) {
       sources.push_back(SurfacePoint::onHalfedge(h, 0.5));
       queue.push({mesh_.length(h) / 2, inside_[mesh_.from(h)] ? mesh_.from(h) : mesh_.to(h)});
     }
@@ -239,7 +243,7 @@ class TipMaker {
       queue.pop();
       if (!reached.emplace(v, distance).second) continue;
       radius = std::max(radius, distance);
-      forEachEdge(mesh_, v, [&, from = distance](Index h, Index neighbour) {
+      forEachEdge(mesh_, v, [&, from = distance](Halfedge h, Vertex neighbour) {
         if (inside_[neighbour] && !reached.contains(neighbour)) {
           queue.push({from + mesh_.length(h), neighbour});
         }
@@ -247,9 +251,9 @@ class TipMaker {
     }
     const auto distances = solver_.distances(sources, radius * (1 + 1e-9), context);
     if (!distances) return distances.error();
-    for (const Index v : tip.vertices) {
+    for (const Vertex v : tip.vertices) {
       const double distance = distances.value()[v];
-      if (std::isinf(distance) || (tip.apex != kNoIndex && !(distance > tip.apexDistance)))
+      if (std::isinf(distance) || (tip.apex != Vertex::none && !(distance > tip.apexDistance)))
         continue;
       tip.apex = v;
       tip.apexDistance = distance;
@@ -267,9 +271,9 @@ class TipMaker {
 /// Whether `rim` and one that is kept have more than half of their edges, of either, in common.
 /// `keptAt`: numbers of the kept rims at an edge.
 bool isMostlyKept(const Rim& rim, const std::vector<Rim>& kept,
-                  const std::map<Index, std::vector<std::size_t>>& keptAt) {
+                  const std::map<Halfedge, std::vector<std::size_t>>& keptAt) {
   std::map<std::size_t, std::size_t> shared;
-  for (const Index edge : rim.edges) {
+  for (const Halfedge edge : rim.edges) {
     const auto found = keptAt.find(edge);
     if (found == keptAt.end()) continue;
     for (const std::size_t other : found->second) ++shared[other];
@@ -311,26 +315,27 @@ Result<Tips> findTips(const SurfaceMesh& mesh, std::span<const double> girth,
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.rim.jump > b.rim.jump; });
   std::vector<Rim> kept;
-  std::map<Index, std::vector<std::size_t>> keptAt;
+  std::map<Halfedge, std::vector<std::size_t>> keptAt;
   for (Candidate& candidate : candidates) {
     if (context.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
     if (isMostlyKept(candidate.rim, kept, keptAt)) continue;
     auto tip = maker.make(pieces, *candidate.region, candidate.rim, context);
     if (!tip) return tip.error();
     result.tips.push_back(std::move(tip).value());
-    for (const Index edge : candidate.rim.edges) keptAt[edge].push_back(kept.size());
+    for (const Halfedge edge : candidate.rim.edges) keptAt[edge].push_back(kept.size());
     kept.push_back(std::move(candidate.rim));
   }
 
-  std::vector<Index> loose;
+  std::vector<Halfedge> loose;
   std::copy_if(pieces.edges().begin(), pieces.edges().end(), std::back_inserter(loose),
-               [&](Index edge) { return !keptAt.contains(edge); });
+               [&](Halfedge edge) { return !keptAt.contains(edge); });
   for (ContourLine& line : maker.lines(loose)) {
     OpenArc arc;
     arc.length = lengthOf(mesh, line);
     std::vector<double> jumps;
     for (const SurfacePoint& point : line.points) {
-      jumps.push_back(std::fabs(girth[mesh.from(point.element)] - girth[mesh.to(point.element)]));
+      const Halfedge edge = point.halfedge();
+      jumps.push_back(std::fabs(girth[mesh.from(edge)] - girth[mesh.to(edge)]));
     }
     arc.jump = medianOf(std::move(jumps));
     arc.line = std::move(line);

@@ -68,7 +68,7 @@ class ExtentSolver {
   }
 
   /// Without a value where cancelled.
-  Extent at(Index vertex, const ExecutionContext& context) {
+  Extent at(Vertex vertex, const ExecutionContext& context) {
     Sum sum;
     double unit = 1;
     if (march_) {
@@ -108,7 +108,7 @@ GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
   extent.complete =
       parallelFor(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
         ExtentSolver solver(distances);
-        for (auto v = static_cast<Index>(begin); v < end && !context.cancelled(); ++v) {
+        for (Vertex v(static_cast<Index>(begin)); v < end && !context.cancelled(); ++v) {
           const Extent found = solver.at(v, context);
           extent.average[v] = found.average;
           extent.farthest[v] = found.farthest;
@@ -123,8 +123,8 @@ VertexFunction<double> geodesicExtentFunction(const SurfaceMesh& mesh, ExtentMea
   return {[distances, measure](const ExecutionContext& context) -> VertexEvaluator<double> {
     const auto solver = std::make_shared<ExtentSolver>(*distances);
     // The distances are held as long as the solver reads them.
-    return [distances, solver, measure, &context](Index v) -> Result<double> {
-      if (auto error = checkVertex(distances->mesh, v)) return *std::move(error);
+    return [distances, solver, measure, &context](Vertex v) -> Result<double> {
+      if (auto error = checkVertex(distances->mesh, Vertex(v))) return *std::move(error);
       const Extent extent = solver->at(v, context);
       if (context.cancelled()) return makeError(ErrorCode::Cancelled, v, "cancelled");
       return measure == ExtentMeasure::Average ? extent.average : extent.farthest;

@@ -57,9 +57,9 @@ std::vector<Vec3> inwardAxes(const SurfaceMesh& mesh) {
 
 /// Sum of the signed volumes between the faces and a point of the surface.
 double enclosedVolume(const SurfaceMesh& mesh) {
-  const Vec3 apex = mesh.position(mesh.from(0));
+  const Vec3 apex = mesh.position(mesh.from(Halfedge(0)));
   double volume = 0;
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     const auto [a, b, c] = mesh.faceVertices(f);
     volume +=
         dot(mesh.position(a) - apex, cross(mesh.position(b) - apex, mesh.position(c) - apex)) / 6;
@@ -112,7 +112,7 @@ struct Cones {
       : mesh(surface), tree(surface), rays(coneRays(options)), axes(inwardAxes(surface)) {}
 
   /// The value at a vertex; `lengths` is scratch memory.
-  double at(Index vertex, std::vector<Length>& lengths) const {
+  double at(Vertex vertex, std::vector<Length>& lengths) const {
     const Vec3 axis = axes[vertex];
     if (dot(axis, axis) == 0) return kNone;
     // Two directions across the axis (Duff et al. 2017).
@@ -158,7 +158,7 @@ Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
   field.complete =
       parallelFor(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
         std::vector<Length> lengths;
-        for (auto v = static_cast<Index>(begin); v < end; ++v) {
+        for (Vertex v(static_cast<Index>(begin)); v < end; ++v) {
           field.values[v] = cones.at(v, lengths);
         }
       });
@@ -172,8 +172,8 @@ Result<VertexFunction<double>> shapeDiameterFunction(const SurfaceMesh& mesh,
   if (auto error = check(options)) return *std::move(error);
   const auto cones = std::make_shared<const Cones>(mesh, options);
   return VertexFunction<double>{[cones](const ExecutionContext&) -> VertexEvaluator<double> {
-    return [cones, lengths = std::vector<Length>()](Index v) mutable -> Result<double> {
-      if (auto error = checkVertex(cones->mesh, v)) return *std::move(error);
+    return [cones, lengths = std::vector<Length>()](Vertex v) mutable -> Result<double> {
+      if (auto error = checkVertex(cones->mesh, Vertex(v))) return *std::move(error);
       return cones->at(v, lengths);
     };
   }};

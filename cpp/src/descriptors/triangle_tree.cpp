@@ -166,7 +166,7 @@ struct TriangleTree::Build {
     TriangleBlock& made = tree.blocks_.emplace_back();
     for (std::size_t i = 0; i < range.size(); ++i) {
       const Index face = items[range.begin + i].face;
-      const auto vertices = mesh.faceVertices(face);
+      const auto vertices = mesh.faceVertices(Face(face));
       const Vec3& corner = mesh.position(vertices[0]);
       const Vec3 edgeA = mesh.position(vertices[1]) - corner;
       const Vec3 edgeB = mesh.position(vertices[2]) - corner;
@@ -188,9 +188,9 @@ TriangleTree::TriangleTree(const SurfaceMesh& mesh) {
   Build build{*this, mesh, {}};
   build.items.reserve(mesh.faceCount());
   Box whole;
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     Box box;
-    for (const Index v : mesh.faceVertices(f)) box.add(mesh.position(v));
+    for (const Vertex v : mesh.faceVertices(f)) box.add(mesh.position(v));
     whole.add(box);
     build.items.push_back({box, f});
   }

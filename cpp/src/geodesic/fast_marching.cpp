@@ -48,13 +48,13 @@ double acrossTriangle(double distanceA, double distanceB, double lengthA, double
 
 MarchingStencils::MarchingStencils(const SurfaceMesh& mesh) : mesh_(&mesh) {
   stencils_.reserve(mesh.halfedgeCount());
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) addCorner(h);
+  for (const Halfedge h : mesh.halfedges()) addCorner(h);
   usersBegin_.assign(mesh.vertexCount() + 1, 0);
   for (const Stencil& s : stencils_) {
     ++usersBegin_[s.a + 1];
     ++usersBegin_[s.b + 1];
   }
-  for (Index v = 0; v < mesh.vertexCount(); ++v) usersBegin_[v + 1] += usersBegin_[v];
+  for (const Vertex v : mesh.vertices()) usersBegin_[v + 1] += usersBegin_[v];
   users_.resize(2 * stencils_.size());
   std::vector<Index> next(usersBegin_.begin(), usersBegin_.end() - 1);
   for (Index i = 0; i < stencils_.size(); ++i) {
@@ -63,12 +63,13 @@ MarchingStencils::MarchingStencils(const SurfaceMesh& mesh) : mesh_(&mesh) {
   }
 }
 
-void MarchingStencils::addCorner(Index h) {
+void MarchingStencils::addCorner(Halfedge h) {
   const SurfaceMesh& mesh = *mesh_;
-  const Index vertex = mesh.from(h), a = mesh.to(h), b = mesh.from(SurfaceMesh::previous(h));
-  const double lengthA = mesh.length(h), lengthB = mesh.length(SurfaceMesh::previous(h));
+  const Halfedge after = SurfaceMesh::next(h), before = SurfaceMesh::previous(h);
+  const Vertex vertex = mesh.from(h), a = mesh.to(h), b = mesh.from(before);
+  const double lengthA = mesh.length(h), lengthB = mesh.length(before);
   const Vec2 placeA{lengthA, 0};
-  const Vec2 placeB = cornerOver({0, 0}, placeA, lengthB, mesh.length(SurfaceMesh::next(h)));
+  const Vec2 placeB = cornerOver({0, 0}, placeA, lengthB, mesh.length(after));
   const auto add = [&](Index first, Vec2 toFirst, Index second, Vec2 toSecond) {
     const double one = norm(toFirst), two = norm(toSecond);
     stencils_.push_back({first, second, one, two, dot(toFirst, toSecond) / (one * two)});
@@ -80,10 +81,10 @@ void MarchingStencils::addCorner(Index h) {
     const auto splits = [&](Vec2 p) { return p.x >= 0 && dot(p, placeB) >= 0; };
     const Vec2 middle = (1 / lengthB) * Vec2{placeB.y, -placeB.x} + Vec2{0, 1};
     Vec2 left = placeB, right = placeA;  // the ends of `side`, which runs from left to right
-    Index side = mesh.twin(SurfaceMesh::next(h));
-    for (int step = 0; step < kMostUnfolded && side != kNoIndex; ++step) {
-      const Index ofRight = SurfaceMesh::next(side), ofLeft = SurfaceMesh::previous(side);
-      const Index beyond = mesh.from(ofLeft);
+    Halfedge side = mesh.twin(after);
+    for (int step = 0; step < kMostUnfolded && side != Halfedge::none; ++step) {
+      const Halfedge ofRight = SurfaceMesh::next(side), ofLeft = SurfaceMesh::previous(side);
+      const Vertex beyond = mesh.from(ofLeft);
       const Vec2 place = cornerOver(left, right, mesh.length(ofLeft), mesh.length(ofRight));
       if (beyond != vertex && splits(place)) {
         add(a, placeA, beyond, place);
@@ -117,7 +118,7 @@ void FastMarching::offer(Index vertex, double distance) {
 
 void FastMarching::spread(Index vertex) {
   const double here = distance_[vertex];
-  forEachEdge(stencils_->mesh(), vertex, [&](Index edge, Index neighbour) {
+  forEachEdge(stencils_->mesh(), Vertex(vertex), [&](Halfedge edge, Vertex neighbour) {
     if (!accepted_[neighbour]) offer(neighbour, here + stencils_->mesh().length(edge));
   });
   for (const Index number : stencils_->usersOf(vertex)) {

@@ -35,7 +35,7 @@ class MarchingStencils {
   Index vertexOf(Index number) const { return vertexOf_[number]; }
 
  private:
-  void addCorner(Index halfedge);
+  void addCorner(Halfedge halfedge);
 
   const SurfaceMesh* mesh_;
   std::vector<Stencil> stencils_;

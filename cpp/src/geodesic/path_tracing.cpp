@@ -12,11 +12,11 @@ namespace {
 /// A point of a halfedge at distance t from its start; a vertex where it lies within kTouch of one.
 SurfacePoint pointOfEdge(const Unfolding& unfolding, Index halfedge, double t) {
   const Crossing c = unfolding.crossing(halfedge);
-  if (t <= kTouch * c.length()) return SurfacePoint::atVertex(c.from());
-  if (t >= c.length() * (1 - kTouch)) return SurfacePoint::atVertex(c.to());
+  if (t <= kTouch * c.length()) return SurfacePoint::atVertex(Vertex(c.from()));
+  if (t >= c.length() * (1 - kTouch)) return SurfacePoint::atVertex(Vertex(c.to()));
   const Index twin = unfolding.twin(halfedge);
-  if (twin < halfedge) return SurfacePoint::onHalfedge(twin, 1 - t / c.length());
-  return SurfacePoint::onHalfedge(halfedge, t / c.length());
+  if (twin < halfedge) return SurfacePoint::onHalfedge(Halfedge(twin), 1 - t / c.length());
+  return SurfacePoint::onHalfedge(Halfedge(halfedge), t / c.length());
 }
 
 /// Appends a point unless the path stands there already.
@@ -93,7 +93,7 @@ Passage passageBefore(const Propagation& propagation, const Bundle& bundle, doub
 }  // namespace
 
 SurfacePoint endOfPath(const Unfolding& unfolding, const SurfacePoint& point) {
-  if (point.kind != SurfacePoint::Kind::Edge) return point;
+  if (point.kind != SurfacePoint::Kind::OnEdge) return point;
   return pointOfEdge(unfolding, point.element,
                      point.weights[1] * unfolding.crossing(point.element).length());
 }
@@ -125,7 +125,7 @@ void traceBundle(const Propagation& propagation, Bundle bundle, Vec2 point,
     }
     const Vec2 root = unfolding.toTwin(bundle.halfedge, bundle.root);
     for (const Propagation::Origin& origin : propagation.origins()) {
-      if (bundle.sigma != 0 || origin.face != SurfaceMesh::faceOf(behind)) continue;
+      if (bundle.sigma != 0 || origin.face != faceOfSide(behind)) continue;
       const Vec2 place = unfolding.toFrame(3 * origin.face, behind, origin.place);
       if (norm(place - root) > kTouch * length) continue;
       append(path, sourcePoint(propagation, origin.source));
@@ -138,7 +138,7 @@ void traceBundle(const Propagation& propagation, Bundle bundle, Vec2 point,
 
 void traceVertex(const Propagation& propagation, Index vertex, std::vector<SurfacePoint>& path) {
   for (;;) {
-    append(path, SurfacePoint::atVertex(vertex));
+    append(path, SurfacePoint::atVertex(Vertex(vertex)));
     const Arrival& arrival = propagation.arrival(vertex);
     switch (arrival.way) {
       case Arrival::Way::None:
@@ -172,7 +172,7 @@ void tracePath(const Propagation& propagation, const PathEnd& end, Index halfedg
 }
 
 SurfacePoint surfacePointAt(const Unfolding& unfolding, Index halfedge, Vec2 point) {
-  const Index face = SurfaceMesh::faceOf(halfedge);
+  const Index face = faceOfSide(halfedge);
   std::array<double, 3> weights{};
   double sum = 0;
   for (Index k = 0; k < 3; ++k) {
@@ -185,7 +185,7 @@ SurfacePoint surfacePointAt(const Unfolding& unfolding, Index halfedge, Vec2 poi
     sum += weights[(k + 2) % 3];
   }
   for (double& weight : weights) weight /= sum;
-  return SurfacePoint::inFace(face, weights);
+  return SurfacePoint::inFace(Face(face), weights);
 }
 
 }  // namespace girth::geodesic

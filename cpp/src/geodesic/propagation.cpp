@@ -88,19 +88,19 @@ void Propagation::lookAhead() const {
 void Propagation::startFrom(Index source) {
   const SurfacePoint& point = sources_[source];
   switch (point.kind) {
-    case SurfacePoint::Kind::Vertex: {
+    case SurfacePoint::Kind::AtVertex: {
       Arrival* arrival = reach(point.element, 0);
       if (arrival == nullptr) return;  // a second source at the same vertex
       arrival->way = Arrival::Way::Source;
       arrival->before = source;
       break;
     }
-    case SurfacePoint::Kind::Edge:
+    case SurfacePoint::Kind::OnEdge:
       startWithinFace(source, point.element);
       if (const Index t = unfolding_->twin(point.element); t != kNoIndex)
         startWithinFace(source, t);
       break;
-    case SurfacePoint::Kind::Face:
+    case SurfacePoint::Kind::InFace:
       startWithinFace(source, unfolding_->home(point));
       break;
   }
@@ -108,7 +108,7 @@ void Propagation::startFrom(Index source) {
 
 void Propagation::startWithinFace(Index source, Index halfedge) {
   const Vec2 place = *unfolding_->placeIn(halfedge, sources_[source]);
-  const Index face = SurfaceMesh::faceOf(halfedge);
+  const Index face = faceOfSide(halfedge);
   origins_.push_back({face, unfolding_->toFrame(halfedge, 3 * face, place), source});
   for (const Index side : {halfedge, Unfolding::next(halfedge), Unfolding::previous(halfedge)}) {
     const Vec2 p = unfolding_->toFrame(halfedge, side, place);
@@ -384,7 +384,7 @@ void Propagation::entered(Index halfedge, std::vector<Window>& windows) const {
 
 PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {
   PathEnd best;
-  const Index face = SurfaceMesh::faceOf(halfedge);
+  const Index face = faceOfSide(halfedge);
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Crossing c = unfolding_->crossing(h);
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
@@ -428,7 +428,7 @@ bool Propagation::isNearer(Index halfedge, Vec2 point, double length, WindowNumb
 }
 
 bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNumber& by) const {
-  const Index face = SurfaceMesh::faceOf(halfedge);
+  const Index face = faceOfSide(halfedge);
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
     if (distance_[unfolding_->crossing(h).from()] + norm(p) < length) return true;

@@ -211,7 +211,7 @@ class Propagation {
     sources_.assign(sources.begin(), sources.end());
     for (Index i = 0; i < sources_.size(); ++i) startFrom(i);
     for (Index i = 0; i < sources_.size(); ++i) {
-      if (sources_[i].kind == SurfacePoint::Kind::Vertex) {
+      if (sources_[i].kind == SurfacePoint::Kind::AtVertex) {
         settle(sources_[i].element);
         onVertex(sources_[i].element);
       }

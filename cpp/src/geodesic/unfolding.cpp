@@ -26,11 +26,11 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
 
   // Coordinates are divided before they are added, so that the largest do not overflow.
   std::vector<Vec3> points(mesh.vertexCount());
-  for (Index v = 0; v < mesh.vertexCount(); ++v) points[v] = (1 / unit_) * mesh.position(v);
+  for (const Vertex v : mesh.vertices()) points[v] = (1 / unit_) * mesh.position(v);
   meshVertex_ = alongCurve(points);
   vertexOfMesh_ = inverse(meshVertex_);
   std::vector<Vec3> centres(mesh.faceCount());
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     const auto [a, b, c] = mesh.faceVertices(f);
     centres[f] = (1.0 / 3) * (points[a] + points[b] + points[c]);
   }
@@ -43,10 +43,10 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
   };
   halfedges_.resize(halfedges);
   for (Index h = 0; h < halfedges; ++h) {
-    const Index m = 3 * meshFace_[h / 3] + h % 3;
+    const Halfedge m(3 * meshFace_[h / 3] + h % 3);
     const Vec3& from = mesh.position(mesh.from(m));
     const Vec3 along = (1 / unit_) * (mesh.position(mesh.to(m)) - from);
-    const Vec3 toApex = (1 / unit_) * (mesh.position(mesh.from(previous(m))) - from);
+    const Vec3 toApex = (1 / unit_) * (mesh.position(mesh.from(SurfaceMesh::previous(m))) - from);
     const double length = girth::norm(along);
     const Vec2 apex{girth::dot(along, toApex) / length,
                     girth::norm(girth::cross(along, toApex)) / length};
@@ -59,15 +59,15 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
   passable_.resize(mesh.vertexCount());
   fans_.reserve(halfedges);
   firstOfFan_.reserve(mesh.vertexCount() + std::size_t{1});
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     firstOfFan_.push_back(static_cast<Index>(fans_.size()));
-    const Index first = fromMeshHalfedge(mesh.outgoing(meshVertex_[v]));
+    const Index first = fromMeshHalfedge(mesh.outgoing(Vertex(meshVertex_[v])));
     double angle = 0;
     Index h = first;
     do {
       direction_[h] = angle;
       fans_.push_back(h);
-      angle += mesh.cornerAngle(3 * meshFace_[h / 3] + h % 3);
+      angle += mesh.cornerAngle(Halfedge(3 * meshFace_[h / 3] + h % 3));
       h = turnLeft(h);
     } while (h != kNoIndex && h != first);
     totalAngle_[v] = angle;
@@ -79,30 +79,30 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
 
 Index Unfolding::home(const SurfacePoint& point) const {
   switch (point.kind) {
-    case SurfacePoint::Kind::Vertex:
+    case SurfacePoint::Kind::AtVertex:
       return outgoing(point.element);
-    case SurfacePoint::Kind::Edge:
+    case SurfacePoint::Kind::OnEdge:
       return point.element;
-    case SurfacePoint::Kind::Face:
+    case SurfacePoint::Kind::InFace:
       break;
   }
   return 3 * point.element;
 }
 
 std::optional<Vec2> Unfolding::placeIn(Index halfedge, const SurfacePoint& point) const {
-  const Index face = SurfaceMesh::faceOf(halfedge);
+  const Index face = faceOfSide(halfedge);
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Crossing c = crossing(h);
     std::optional<Vec2> place;
     switch (point.kind) {
-      case SurfacePoint::Kind::Vertex:
+      case SurfacePoint::Kind::AtVertex:
         if (point.element == c.from()) place = Vec2{0, 0};
         break;
-      case SurfacePoint::Kind::Edge:
+      case SurfacePoint::Kind::OnEdge:
         if (point.element == h) place = Vec2{point.weights[1] * c.length(), 0};
         if (point.element == twin(h)) place = Vec2{point.weights[0] * c.length(), 0};
         break;
-      case SurfacePoint::Kind::Face:
+      case SurfacePoint::Kind::InFace:
         if (point.element == face && h == 3 * face) {
           place = point.weights[1] * Vec2{c.length(), 0} + point.weights[2] * c.apex();
         }
@@ -116,18 +116,18 @@ std::optional<Vec2> Unfolding::placeIn(Index halfedge, const SurfacePoint& point
 SurfacePoint Unfolding::toMesh(const SurfacePoint& point) const {
   SurfacePoint result = point;
   switch (point.kind) {
-    case SurfacePoint::Kind::Vertex:
+    case SurfacePoint::Kind::AtVertex:
       result.element = meshVertex_[point.element];
       break;
-    case SurfacePoint::Kind::Edge: {
+    case SurfacePoint::Kind::OnEdge: {
       // Points on edges are told by the smaller of the mesh's two halfedges.
       const Index h = 3 * meshFace_[point.element / 3] + point.element % 3;
-      const Index t = mesh_->twin(h);
+      const Halfedge t = mesh_->twin(Halfedge(h));
       result.element = h;
       if (t < h) result = SurfacePoint::onHalfedge(t, point.weights[0]);
       break;
     }
-    case SurfacePoint::Kind::Face:
+    case SurfacePoint::Kind::InFace:
       result.element = meshFace_[point.element];
       break;
   }
@@ -137,13 +137,13 @@ SurfacePoint Unfolding::toMesh(const SurfacePoint& point) const {
 SurfacePoint Unfolding::fromMesh(const SurfacePoint& point) const {
   SurfacePoint result = point;
   switch (point.kind) {
-    case SurfacePoint::Kind::Vertex:
+    case SurfacePoint::Kind::AtVertex:
       result.element = vertexOfMesh_[point.element];
       break;
-    case SurfacePoint::Kind::Edge:
+    case SurfacePoint::Kind::OnEdge:
       result.element = 3 * faceOfMesh_[point.element / 3] + point.element % 3;
       break;
-    case SurfacePoint::Kind::Face:
+    case SurfacePoint::Kind::InFace:
       result.element = faceOfMesh_[point.element];
       break;
   }

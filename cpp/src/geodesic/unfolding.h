@@ -19,6 +19,7 @@
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
 #include "mesh/angles.h"
+#include "mesh/sides.h"
 
 namespace girth::geodesic {
 
@@ -36,8 +37,8 @@ class Crossing {
  public:
   Crossing(const FlatHalfedge* halfedges, Index halfedge)
       : side_(halfedges + halfedge),
-        next_(halfedges + SurfaceMesh::next(halfedge)),
-        previous_(halfedges + SurfaceMesh::previous(halfedge)) {}
+        next_(halfedges + nextSide(halfedge)),
+        previous_(halfedges + previousSide(halfedge)) {}
 
   /// Of the halfedge, and of the sides from `from` and from `to` up to the apex.
   double length() const { return side_->length; }
@@ -76,8 +77,8 @@ class Unfolding {
   Crossing crossing(Index halfedge) const { return {halfedges_.data(), halfedge}; }
   /// The halfedge on the other side; kNoIndex at a boundary.
   Index twin(Index halfedge) const { return halfedges_[halfedge].twin; }
-  static Index next(Index halfedge) { return SurfaceMesh::next(halfedge); }
-  static Index previous(Index halfedge) { return SurfaceMesh::previous(halfedge); }
+  static Index next(Index halfedge) { return nextSide(halfedge); }
+  static Index previous(Index halfedge) { return previousSide(halfedge); }
   /// A halfedge that starts from a vertex; at a boundary, the one with the boundary on its right.
   Index outgoing(Index vertex) const { return fans_[firstOfFan_[vertex]]; }
   /// The next halfedge from the same vertex, counter-clockwise; kNoIndex where the boundary is
@@ -99,7 +100,7 @@ class Unfolding {
 
   /// Asks for what crossing the face of a halfedge needs.
   void prefetchCrossing(Index halfedge) const {
-    prefetch(&halfedges_[3 * SurfaceMesh::faceOf(halfedge)], 3);
+    prefetch(&halfedges_[3 * faceOfSide(halfedge)], 3);
   }
   /// Asks for what is known of a vertex; and then, for its fan.
   void prefetchVertex(Index vertex) const {
@@ -123,8 +124,8 @@ class Unfolding {
   bool saddle(Index vertex) const { return passable_[vertex] == 2; }
 
   /// Whether a path that arrives at a vertex from one direction and leaves in another is locally
-  /// shortest there: every side within the surface has an angle of at least π (DEFINITIONS,
-  /// section 1).
+  /// shortest there: every side within the surface has an angle of at least π
+  /// (web/docs/definitions.md, section 1).
   bool straight(Index vertex, double directionA, double directionB) const {
     const double between = std::fabs(directionA - directionB);
     return between >= kPi - kStraight &&

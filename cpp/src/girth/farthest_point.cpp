@@ -258,7 +258,7 @@ FarthestPoint farthestPoint(const Propagation& propagation) {
   for (const Index v : propagation.reachedVertices()) {
     const Index start = unfolding.outgoing(v);
     for (Index out = start; out != kNoIndex;) {
-      const Index face = SurfaceMesh::faceOf(out);
+      const Index face = faceOfSide(out);
       if (out == 3 * face && propagation.farthestWithin(face) > best.distance) faces.search(face);
       out = unfolding.turnLeft(out);
       if (out == start) break;

@@ -40,7 +40,7 @@ class CountedSolver {
     if (costs_) costs_->add(statistics_);
   }
 
-  Result<GirthValue> value(Index vertex, const ExecutionContext& context) {
+  Result<GirthValue> value(Vertex vertex, const ExecutionContext& context) {
     auto value = solver_.value(vertex, context);
     if (value) statistics_ += solver_.statistics();
     return value;
@@ -58,15 +58,15 @@ VertexFunction<GirthValue> countedFunction(const SurfaceMesh& mesh, GirthMethod 
     const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
     return {[unfolding, costs](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
       const auto solver = std::make_shared<CountedSolver>(unfolding, costs);
-      return [solver, &context](Index v) { return solver->value(v, context); };
+      return [solver, &context](Vertex v) { return solver->value(v, context); };
     }};
   }
   const auto stencils = std::make_shared<const geodesic::MarchingStencils>(mesh);
   return {[&mesh, stencils](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
     const auto march = std::make_shared<geodesic::FastMarching>(*stencils);
     // The stencils are held as long as the march reads them.
-    return [&mesh, stencils, march, &context](Index v) -> Result<GirthValue> {
-      if (auto error = checkVertex(mesh, v)) return *std::move(error);
+    return [&mesh, stencils, march, &context](Vertex v) -> Result<GirthValue> {
+      if (auto error = checkVertex(mesh, Vertex(v))) return *std::move(error);
       const GirthValue girth = marchedGirth(*march, mesh, v, context);
       if (context.cancelled()) return makeError(ErrorCode::Cancelled, v, "cancelled");
       return girth;
@@ -84,7 +84,7 @@ VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh) {
   const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
   return {[unfolding](const ExecutionContext& context) -> VertexEvaluator<double> {
     const auto solver = std::make_shared<GirthSolver>(SolverFactory::onUnfolding(unfolding));
-    return [solver, &context](Index v) -> Result<double> {
+    return [solver, &context](Vertex v) -> Result<double> {
       const auto loop = solver->loop(v, context);
       if (!loop) return loop.error();
       const bool isResolved = loop.value().kind != LoopKind::Unresolved;

@@ -122,7 +122,7 @@ struct GirthSolver::State {
 
   /// Direction at the base, counter-clockwise, in which a neighbouring point of the loop lies.
   double directionTo(const SurfacePoint& base, const SurfacePoint& point) const {
-    if (base.kind == SurfacePoint::Kind::Vertex) {
+    if (base.kind == SurfacePoint::Kind::AtVertex) {
       const Index start = unfolding->outgoing(base.element);
       for (Index h = start; h != kNoIndex;) {
         if (const auto place = unfolding->placeIn(h, point))
@@ -149,10 +149,10 @@ struct GirthSolver::State {
     const SurfacePoint& base = loop.base;
     const double between = std::fabs(directionTo(base, loop.points[1]) -
                                      directionTo(base, loop.points[loop.points.size() - 2]));
-    const bool vertex = base.kind == SurfacePoint::Kind::Vertex;
-    const bool boundary =
-        vertex ? unfolding->boundary(base.element)
-               : base.kind == SurfacePoint::Kind::Edge && unfolding->twin(base.element) == kNoIndex;
+    const bool vertex = base.kind == SurfacePoint::Kind::AtVertex;
+    const bool boundary = vertex ? unfolding->boundary(base.element)
+                                 : base.kind == SurfacePoint::Kind::OnEdge &&
+                                       unfolding->twin(base.element) == kNoIndex;
     const double total = vertex ? unfolding->totalAngle(base.element) : 2 * kPi;
     return boundary ? between : std::min(between, total - between);
   }
@@ -165,7 +165,7 @@ GirthSolver::~GirthSolver() = default;
 GirthSolver::GirthSolver(GirthSolver&&) noexcept = default;
 GirthSolver& GirthSolver::operator=(GirthSolver&&) noexcept = default;
 
-Result<GirthValue> GirthSolver::value(Index vertex, const ExecutionContext& context) {
+Result<GirthValue> GirthSolver::value(Vertex vertex, const ExecutionContext& context) {
   return value(SurfacePoint::atVertex(vertex), context);
 }
 Result<GirthValue> GirthSolver::value(const SurfacePoint& point, const ExecutionContext& context) {
@@ -173,7 +173,7 @@ Result<GirthValue> GirthSolver::value(const SurfacePoint& point, const Execution
   return state_->value();
 }
 
-Result<GirthLoop> GirthSolver::loop(Index vertex, const ExecutionContext& context) {
+Result<GirthLoop> GirthSolver::loop(Vertex vertex, const ExecutionContext& context) {
   return loop(SurfacePoint::atVertex(vertex), context);
 }
 Result<GirthLoop> GirthSolver::loop(const SurfacePoint& point, const ExecutionContext& context) {
@@ -193,7 +193,7 @@ GirthSolver SolverFactory::onUnfolding(std::shared_ptr<const Unfolding> unfoldin
   return GirthSolver(std::make_unique<GirthSolver::State>(std::move(unfolding)));
 }
 
-Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Index vertex) {
+Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Vertex vertex) {
   return GirthSolver(mesh).loop(vertex);
 }
 

@@ -82,7 +82,7 @@ void LoopSearch::onCrossing(Index halfedge, std::uint32_t first, const CrossingR
     }
   }
   for (const Propagation::Origin& origin : propagation_->origins()) {
-    if (origin.face != SurfaceMesh::faceOf(halfedge)) continue;
+    if (origin.face != faceOfSide(halfedge)) continue;
     for (std::uint32_t i = first; i < propagation_->enteredCount(halfedge); ++i) {
       tryOrigin(halfedge, propagation_->window(halfedge, i), origin);
     }
@@ -271,10 +271,11 @@ void LoopSearch::propose(const LoopCandidate& candidate) {
 }
 
 bool LoopSearch::proven(const LoopCandidate& candidate) {
-  if (propagation_->forgotten(SurfaceMesh::faceOf(candidate.halfedge))) return false;
+  if (propagation_->forgotten(SurfaceMesh::faceOf(Halfedge(candidate.halfedge)))) return false;
   const double half = candidate.length / 2 * (1 - kTie);
   // On round shapes thousands of candidates fall one after the other to the same window.
-  if (SurfaceMesh::faceOf(nearer_.halfedge) == SurfaceMesh::faceOf(candidate.halfedge) &&
+  if (SurfaceMesh::faceOf(Halfedge(nearer_.halfedge)) ==
+          SurfaceMesh::faceOf(Halfedge(candidate.halfedge)) &&
       propagation_->isNearer(candidate.halfedge, candidate.midpoint, half, nearer_)) {
     return false;
   }
@@ -287,7 +288,7 @@ bool LoopSearch::proven(const LoopCandidate& candidate) {
 bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
   const Unfolding& unfolding = propagation_->unfolding();
   const double reach = candidate.length / 2 * (1 + kTogether);
-  const Index face = SurfaceMesh::faceOf(candidate.halfedge);
+  const Face face = SurfaceMesh::faceOf(Halfedge(candidate.halfedge));
   directions_.clear();
 
   // At a vertex: the arrivals in all of its faces and along its edges.

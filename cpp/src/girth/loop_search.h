@@ -13,12 +13,10 @@
 //   A loop whose q is a vertex is the limit of case 2. Whichever of the two comes later makes the
 //   pair.
 // - A pair is only a candidate. When the frontier has passed half its length, the exact distance of
-// q
-//   is known; the candidate stands if that is half its length, and otherwise it is no loop at all.
-//   A face that has been forgotten was passed before, so q was nearer.
-// - Where the paths that arrive at q leave no gap of π, the frontier does not touch itself there
-// but
-//   vanishes: a farthest point, at least locally, and no loop (paper, figure 1b).
+//   q is known; the candidate stands if that is half its length, and otherwise it is no loop at
+//   all. A face that has been forgotten was passed before, so q was nearer.
+// - Where the paths that arrive at q leave no gap of π, the frontier does not touch itself there,
+//   but vanishes: a farthest point, at least locally, and no loop (paper, figure 1b).
 // - Candidates are judged in the order of their lengths, so the first that stands is the shortest.
 #pragma once
 
@@ -35,8 +33,8 @@ namespace girth {
 struct LoopCandidate {
   /// What a half of it ends with.
   struct Half {
-    geodesic::Bundle bundle;  ///< a bundle of the face of q; else
-    Index vertex{kNoIndex};   ///< the path to a corner of it; else p itself lies in the face
+    geodesic::Bundle bundle;  ///< a bundle of the face of q; otherwise
+    Index vertex{kNoIndex};   ///< the path to a corner of it; otherwise p itself lies in the face
   };
   double length{0};
   Half there, back;
@@ -45,7 +43,7 @@ struct LoopCandidate {
   geodesic::Vec2 midpoint;
 };
 
-/// A visitor of Propagation::run; afterwards `found` tells.
+/// A visitor of Propagation::run; `found` is its answer.
 class LoopSearch {
  public:
   explicit LoopSearch(const geodesic::Propagation& propagation) : propagation_(&propagation) {}
@@ -58,7 +56,7 @@ class LoopSearch {
 
   bool found() const { return found_; }
   bool cancelled() const { return cancelled_; }
-  /// Pairs of windows tried, told in the windows that could have crossed a face in that time.
+  /// The pairs of windows tried, as a number of windows that could have crossed a face meanwhile.
   std::size_t effort() const { return pairs_ / kPairsPerWindow; }
   /// The shortest loop; only where found.
   const LoopCandidate& best() const { return best_; }

@@ -10,7 +10,7 @@ namespace {
 int groupsAround(const geodesic::FastMarching& march, const SurfaceMesh& mesh, Index vertex) {
   int groups = 0;
   bool first = false, before = false, started = false;
-  forEachNeighbour(mesh, vertex, [&](Index neighbour) {
+  forEachNeighbour(mesh, Vertex(vertex), [&](Index neighbour) {
     const bool accepted = march.accepted(neighbour);
     if (!started) first = accepted;
     if (accepted && !(started && before)) ++groups;
@@ -18,7 +18,7 @@ int groupsAround(const geodesic::FastMarching& march, const SurfaceMesh& mesh, I
     before = accepted;
   });
   // Round an inner vertex, the last neighbour stands beside the first.
-  if (groups > 1 && first && before && !mesh.isBoundary(vertex)) --groups;
+  if (groups > 1 && first && before && !mesh.isBoundary(Vertex(vertex))) --groups;
   return groups;
 }
 

@@ -18,12 +18,13 @@ constexpr auto kReportInterval = std::chrono::milliseconds(40);
 
 /// What the threads share: they take vertices from `order` one by one and mark them finished.
 struct Work {
-  std::vector<Index> order;
+  std::vector<Vertex> order;
   std::atomic<std::size_t> taken{0};
   std::atomic<std::size_t> done{0};
   std::vector<std::atomic<bool>> finished;  // by place in `order`
 
-  explicit Work(std::vector<Index> vertices) : order(std::move(vertices)), finished(order.size()) {}
+  explicit Work(std::vector<Vertex> vertices)
+      : order(std::move(vertices)), finished(order.size()) {}
 };
 
 /// Reports what was finished since the last time, in order; a vertex still in work does not hold up
@@ -31,7 +32,7 @@ struct Work {
 class Reporter {
  public:
   Reporter(const Work& work, const ExecutionContext& context,
-           const std::function<void(std::span<const Index>)>& onFinished)
+           const std::function<void(std::span<const Vertex>)>& onFinished)
       : work_(work),
         context_(context),
         onFinished_(onFinished),
@@ -58,18 +59,18 @@ class Reporter {
  private:
   const Work& work_;
   const ExecutionContext& context_;
-  const std::function<void(std::span<const Index>)>& onFinished_;
+  const std::function<void(std::span<const Vertex>)>& onFinished_;
   std::vector<bool> reported_;
   std::size_t begin_{0};  // everything before has been reported
   double fraction_{0};
-  std::vector<Index> vertices_;
+  std::vector<Vertex> vertices_;
 };
 
 }  // namespace
 
 std::size_t forEachVertex(const SurfaceMesh& mesh, const ExecutionContext& context,
-                          const std::function<std::function<bool(Index vertex)>()>& startThread,
-                          const std::function<void(std::span<const Index> vertices)>& onFinished) {
+                          const std::function<std::function<bool(Vertex vertex)>()>& startThread,
+                          const std::function<void(std::span<const Vertex> vertices)>& onFinished) {
   Work work(coarseToFineOrder(mesh));
   // The calling thread computes too, and reports between two vertices: so callbacks come from it
   // alone, and where there are no threads it needs none. One that only waited would be woken a
@@ -78,7 +79,7 @@ std::size_t forEachVertex(const SurfaceMesh& mesh, const ExecutionContext& conte
   auto last = std::chrono::steady_clock::now();
   const unsigned threads = std::min(threadCount(context), mesh.vertexCount());
   onThreads(threads, [&](bool calling, const std::atomic<bool>& failed) {
-    const std::function<bool(Index)> compute = startThread();
+    const std::function<bool(Vertex)> compute = startThread();
     while (!context.cancelled() && !failed) {
       const std::size_t place = work.taken.fetch_add(1, std::memory_order_relaxed);
       if (place >= work.order.size() || !compute(work.order[place])) break;
@@ -101,11 +102,11 @@ std::string budgetNote(Index withoutValue, Index vertices) {
          " vertices have no value: they would take more than 67 million windows";
 }
 
-std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh, std::size_t run) {
+std::vector<Vertex> coarseToFineOrder(const SurfaceMesh& mesh, std::size_t run) {
   // Neighbours on a space-filling curve are neighbours in space: the curve is cut into runs, and
   // the runs taken in bit-reversed order, which spreads every prefix evenly over the curve.
   std::vector<Vec3> points(mesh.vertexCount());
-  for (Index v = 0; v < mesh.vertexCount(); ++v) points[v] = mesh.position(v);
+  for (const Vertex v : mesh.vertices()) points[v] = mesh.position(v);
   const std::vector<Index> curve = alongCurve(points);
   const std::size_t runs = (curve.size() + run - 1) / run;
 
@@ -117,12 +118,12 @@ std::vector<Index> coarseToFineOrder(const SurfaceMesh& mesh, std::size_t run) {
     for (unsigned b = 0; b < bits; ++b) reversed |= (i >> b & 1) << (bits - 1 - b);
     if (reversed < runs) starts.push_back(reversed * run);
   }
-  std::vector<Index> order;
+  std::vector<Vertex> order;
   order.reserve(curve.size());
-  for (const std::size_t start : starts) order.push_back(curve[start]);
+  for (const std::size_t start : starts) order.emplace_back(curve[start]);
   for (const std::size_t start : starts) {
     for (std::size_t i = start + 1; i < std::min(start + run, curve.size()); ++i) {
-      order.push_back(curve[i]);
+      order.emplace_back(curve[i]);
     }
   }
   return order;

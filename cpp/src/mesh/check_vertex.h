@@ -10,7 +10,7 @@
 namespace girth {
 
 /// VERTEX_OUT_OF_RANGE where the surface has no such vertex.
-inline std::optional<Error> checkVertex(const SurfaceMesh& mesh, Index vertex) {
+inline std::optional<Error> checkVertex(const SurfaceMesh& mesh, Vertex vertex) {
   if (vertex < mesh.vertexCount()) return std::nullopt;
   return makeError(ErrorCode::VertexOutOfRange, vertex,
                    "vertex " + std::to_string(vertex) + " of " +

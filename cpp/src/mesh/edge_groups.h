@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "girth/surface_mesh.h"
+#include "mesh/sides.h"
 
 namespace girth {
 
@@ -29,7 +30,7 @@ class EdgeGroups {
  public:
   EdgeGroups(std::span<const Index> triangles, std::size_t vertices) : begin_(vertices + 1, 0) {
     const auto count = static_cast<Index>(triangles.size());
-    const auto to = [&](Index h) { return triangles[SurfaceMesh::next(h)]; };
+    const auto to = [&](Index h) { return triangles[nextSide(h)]; };
     for (Index h = 0; h < count; ++h) ++begin_[std::min(triangles[h], to(h))];
     Index sum = 0;
     for (Index& entry : begin_) {

@@ -8,13 +8,13 @@ namespace girth {
 /// Calls `visit(halfedge, neighbour)` for each edge of a vertex, counter-clockwise: its halfedge
 /// that starts at the vertex, or, for the last edge before a boundary, the one that ends there.
 template <class Visit>
-void forEachEdge(const SurfaceMesh& mesh, Index vertex, Visit visit) {
-  const Index start = mesh.outgoing(vertex);
-  for (Index h = start;;) {
+void forEachEdge(const SurfaceMesh& mesh, Vertex vertex, Visit visit) {
+  const Halfedge start = mesh.outgoing(vertex);
+  for (Halfedge h = start;;) {
     visit(h, mesh.to(h));
-    const Index back = SurfaceMesh::previous(h);
+    const Halfedge back = SurfaceMesh::previous(h);
     h = mesh.twin(back);
-    if (h == kNoIndex) {
+    if (h == Halfedge::none) {
       visit(back, mesh.from(back));
       return;
     }
@@ -24,8 +24,8 @@ void forEachEdge(const SurfaceMesh& mesh, Index vertex, Visit visit) {
 
 /// Calls `visit(neighbour)` for each neighbour of a vertex, once.
 template <class Visit>
-void forEachNeighbour(const SurfaceMesh& mesh, Index vertex, Visit visit) {
-  forEachEdge(mesh, vertex, [&](Index, Index neighbour) { visit(neighbour); });
+void forEachNeighbour(const SurfaceMesh& mesh, Vertex vertex, Visit visit) {
+  forEachEdge(mesh, vertex, [&](Halfedge, Vertex neighbour) { visit(neighbour); });
 }
 
 }  // namespace girth

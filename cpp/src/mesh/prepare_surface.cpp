@@ -192,7 +192,7 @@ class Preparation {
     std::vector<Index> facesOfVertex(copies, 0);
     for (const Index v : faces_.triangles) ++facesOfVertex[v];
     std::vector<Index> number(copies, kNoIndex);
-    vertexOfInput_.assign(first_.size(), kNoIndex);
+    vertexOfInput_.assign(first_.size(), Vertex::none);
     std::vector<Index> kept;
     Index mostFaces = 0;  // of the copies of one vertex
     for (Index v = 0; v < copies; ++v) {
@@ -203,7 +203,7 @@ class Preparation {
       kept.push_back(input);
       if (facesOfVertex[v] > mostFaces) {
         mostFaces = facesOfVertex[v];
-        vertexOfInput_[input] = number[v];
+        vertexOfInput_[input] = Vertex(number[v]);
       }
     }
     for (Index& v : faces_.triangles) v = number[v];
@@ -230,7 +230,7 @@ class Preparation {
       report_.boundaryCurves += mesh_->boundaryCount(c);
     }
     for (Index h = 0; h < mesh_->halfedgeCount(); ++h) {
-      if (mesh_->twin(h) == kNoIndex) ++report_.boundaryEdges;
+      if (mesh_->twin(Halfedge(h)) == kNoIndex) ++report_.boundaryEdges;
     }
     return std::nullopt;
   }
@@ -282,7 +282,7 @@ class Preparation {
   prepare::SplitVertices split_;
   std::vector<Index> partOfFace_;
   std::vector<SurfacePart> parts_;
-  std::vector<Index> vertexOfInput_;
+  std::vector<Vertex> vertexOfInput_;
   std::optional<SurfaceMesh> mesh_;
 };
 

@@ -21,7 +21,7 @@ constexpr double kLargest = 1e60;
 
 double extentOf(const SurfaceMesh& mesh) {
   double extent = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     extent = std::max({extent, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
@@ -32,11 +32,11 @@ double extentOf(const SurfaceMesh& mesh) {
 Result<SurfaceMesh> scaled(const SurfaceMesh& mesh, double scale) {
   std::vector<double> positions;
   std::vector<Index> triangles;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3 p = scale * mesh.position(v);
     positions.insert(positions.end(), {p.x, p.y, p.z});
   }
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) triangles.push_back(mesh.from(h));
+  for (const Halfedge h : mesh.halfedges()) triangles.push_back(mesh.from(h));
   return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Boundary);
 }
 

@@ -10,6 +10,7 @@
 #include "mesh/angles.h"
 #include "mesh/edge_groups.h"
 #include "mesh/face_shape.h"
+#include "mesh/sides.h"
 #include "mesh/vector.h"
 
 namespace girth {
@@ -62,7 +63,7 @@ std::optional<Error> findBadElement(std::span<const double> positions,
 std::optional<Error> pairHalfedges(const std::vector<Index>& from, Index vertices,
                                    OpenEdges openEdges, std::vector<Index>& twin) {
   const auto count = static_cast<Index>(from.size());
-  const auto to = [&](Index h) { return from[SurfaceMesh::next(h)]; };
+  const auto to = [&](Index h) { return from[nextSide(h)]; };
   twin.assign(count, kNoIndex);
   Index worst = kNoIndex;  // the first halfedge, by number, with anything wrong
   ErrorCode code{};
@@ -99,7 +100,7 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
   SurfaceMesh mesh;
   mesh.from_.assign(triangles.begin(), triangles.end());
   mesh.positions_.resize(positions.size() / 3);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     mesh.positions_[v] = {positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]};
   }
   const Index vertices = mesh.vertexCount(), halfedges = mesh.halfedgeCount();
@@ -113,7 +114,7 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
   mesh.cornerAngle_.resize(halfedges);
   mesh.totalAngle_.assign(vertices, 0.0);
   double scaledArea = 0, scaledLength = 0;
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     std::array<Vec3, 3> corner;
     for (Index k = 0; k < 3; ++k) corner[k] = shrink * mesh.positions_[mesh.from_[3 * f + k]];
     const FaceShape shape(corner);
@@ -161,7 +162,7 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
     Index h = mesh.outgoing_[v];
     do {
       ++fan;
-      h = mesh.twin_[previous(h)];
+      h = mesh.twin_[previousSide(h)];
     } while (h != kNoIndex && h != mesh.outgoing_[v]);
     if (fan != degree[v]) {
       return makeError(ErrorCode::NonManifoldVertex, v,
@@ -192,16 +193,17 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
       Index h = mesh.outgoing_[v];
       if (mesh.twin_[h] == kNoIndex && !walked[h]) {
         ++boundaries;
-        for (Index boundary = h; !walked[boundary]; boundary = mesh.outgoing_[mesh.to(boundary)]) {
+        for (Index boundary = h; !walked[boundary];
+             boundary = mesh.outgoing_[mesh.to(Halfedge(boundary))]) {
           walked[boundary] = true;
           ++boundaryTotal;
         }
       }
       do {
         ++halfedgeTotal;
-        meet(mesh.to(h));
-        meet(mesh.from_[previous(h)]);
-        h = mesh.twin_[previous(h)];
+        meet(mesh.to(Halfedge(h)));
+        meet(mesh.from_[previousSide(h)]);
+        h = mesh.twin_[previousSide(h)];
       } while (h != kNoIndex && h != mesh.outgoing_[v]);
     }
     const std::int64_t edges = (halfedgeTotal + boundaryTotal) / 2;
@@ -212,7 +214,7 @@ Result<SurfaceMesh> SurfaceMesh::fromArrays(std::span<const double> positions,
   return mesh;
 }
 
-double SurfaceMesh::area(Index face) const {
+double SurfaceMesh::area(Face face) const {
   const auto [a, b, c] = faceVertices(face);
   return norm(cross(positions_[b] - positions_[a], positions_[c] - positions_[a])) / 2;
 }

@@ -7,15 +7,15 @@ namespace girth {
 Vec3 positionOf(const SurfaceMesh& mesh, const SurfacePoint& point) {
   const auto& w = point.weights;
   switch (point.kind) {
-    case SurfacePoint::Kind::Vertex:
-      return mesh.position(point.element);
-    case SurfacePoint::Kind::Edge:
-      return w[0] * mesh.position(mesh.from(point.element)) +
-             w[1] * mesh.position(mesh.to(point.element));
-    case SurfacePoint::Kind::Face:
+    case SurfacePoint::Kind::AtVertex:
+      return mesh.position(point.vertex());
+    case SurfacePoint::Kind::OnEdge:
+      return w[0] * mesh.position(mesh.from(point.halfedge())) +
+             w[1] * mesh.position(mesh.to(point.halfedge()));
+    case SurfacePoint::Kind::InFace:
       break;
   }
-  const auto corners = mesh.faceVertices(point.element);
+  const auto corners = mesh.faceVertices(point.face());
   return w[0] * mesh.position(corners[0]) + w[1] * mesh.position(corners[1]) +
          w[2] * mesh.position(corners[2]);
 }

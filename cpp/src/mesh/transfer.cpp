@@ -14,7 +14,7 @@ namespace {
 
 /// The vertices that a point lies between, with its shares of them.
 struct Shares {
-  std::array<Index, 3> vertex;
+  std::array<Vertex, 3> vertex;
   std::array<double, 3> weight;
   std::size_t count;
 
@@ -29,14 +29,14 @@ struct Shares {
 
 Shares sharesOf(const SurfaceMesh& mesh, const SurfacePoint& point) {
   switch (point.kind) {
-    case SurfacePoint::Kind::Vertex:
-      return {{point.element, 0, 0}, {1, 0, 0}, 1};
-    case SurfacePoint::Kind::Edge:
-      return {{mesh.from(point.element), mesh.to(point.element), 0}, point.weights, 2};
-    case SurfacePoint::Kind::Face:
+    case SurfacePoint::Kind::AtVertex:
+      return {{point.vertex()}, {1, 0, 0}, 1};
+    case SurfacePoint::Kind::OnEdge:
+      return {{mesh.from(point.halfedge()), mesh.to(point.halfedge())}, point.weights, 2};
+    case SurfacePoint::Kind::InFace:
       break;
   }
-  return {mesh.faceVertices(point.element), point.weights, 3};
+  return {mesh.faceVertices(point.face()), point.weights, 3};
 }
 
 }  // namespace
@@ -47,13 +47,13 @@ std::vector<SurfacePoint> nearestPoints(const SurfaceMesh& surface, const Surfac
   const std::vector<Vec3> normals = normalsOfVertices(points);
   std::vector<SurfacePoint> result(points.vertexCount());
   Index hint = kNoIndex;
-  for (Index v = 0; v < points.vertexCount(); ++v) {
+  for (const Vertex v : points.vertices()) {
     const Vec3& p = points.position(v);
     auto found = search.nearest(
         p, [&](Index f) { return dot(faceNormals[f], normals[v]) >= 0; }, hint);
     if (found.triangle == kNoIndex) found = search.nearest(p);
     hint = found.triangle;
-    result[v] = SurfacePoint::inFace(found.triangle, found.weights);
+    result[v] = SurfacePoint::inFace(Face(found.triangle), found.weights);
   }
   return result;
 }
@@ -66,7 +66,7 @@ std::vector<double> interpolated(const SurfaceMesh& surface, std::span<const dou
     bool smooth = true;
     double sum = 0;
     for (std::size_t k = 0; k < shares.count; ++k) {
-      const Index a = shares.vertex[k], b = shares.vertex[(k + 1) % shares.count];
+      const Vertex a = shares.vertex[k], b = shares.vertex[(k + 1) % shares.count];
       const double difference = std::fabs(values[a] - values[b]);
       const double distance = norm(surface.position(a) - surface.position(b));
       if (std::isnan(difference) || difference > steepest * distance) smooth = false;
@@ -77,9 +77,9 @@ std::vector<double> interpolated(const SurfaceMesh& surface, std::span<const dou
   return result;
 }
 
-std::vector<Index> nearestVertices(const SurfaceMesh& surface,
-                                   std::span<const SurfacePoint> points) {
-  std::vector<Index> result(points.size());
+std::vector<Vertex> nearestVertices(const SurfaceMesh& surface,
+                                    std::span<const SurfacePoint> points) {
+  std::vector<Vertex> result(points.size());
   std::transform(points.begin(), points.end(), result.begin(), [&](const SurfacePoint& point) {
     const Shares shares = sharesOf(surface, point);
     return shares.vertex[shares.largest()];

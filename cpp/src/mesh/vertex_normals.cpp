@@ -7,7 +7,7 @@ namespace girth {
 
 namespace {
 
-std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, Index face) {
+std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, Face face) {
   const auto [a, b, c] = mesh.faceVertices(face);
   return {mesh.position(a), mesh.position(b), mesh.position(c)};
 }
@@ -16,10 +16,11 @@ std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, Index face) {
 
 std::vector<Vec3> normalsOfFaces(const SurfaceMesh& mesh) {
   std::vector<Vec3> normals(mesh.faceCount());
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     const auto [a, b, c] = cornersOf(mesh, f);
     // From unit sides: their product neither overflows nor vanishes.
-    const Vec3 u = 1 / mesh.length(3 * f) * (b - a), v = 1 / mesh.length(3 * f + 2) * (c - a);
+    const Vec3 u = 1 / mesh.length(SurfaceMesh::side(f, 0)) * (b - a),
+               v = 1 / mesh.length(SurfaceMesh::side(f, 2)) * (c - a);
     const Vec3 n = cross(u, v);
     normals[f] = 1 / norm(n) * n;
   }
@@ -29,7 +30,7 @@ std::vector<Vec3> normalsOfFaces(const SurfaceMesh& mesh) {
 std::vector<Vec3> normalsOfVertices(const SurfaceMesh& mesh) {
   const std::vector<Vec3> ofFaces = normalsOfFaces(mesh);
   std::vector<Vec3> normals(mesh.vertexCount());
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+  for (const Halfedge h : mesh.halfedges()) {
     Vec3& normal = normals[mesh.from(h)];
     normal = normal + mesh.cornerAngle(h) * ofFaces[h / 3];
   }
@@ -38,7 +39,7 @@ std::vector<Vec3> normalsOfVertices(const SurfaceMesh& mesh) {
 
 NearestSearch searchOf(const SurfaceMesh& mesh) {
   std::vector<std::array<Vec3, 3>> triangles(mesh.faceCount());
-  for (Index f = 0; f < mesh.faceCount(); ++f) triangles[f] = cornersOf(mesh, f);
+  for (const Face f : mesh.faces()) triangles[f] = cornersOf(mesh, f);
   return NearestSearch(std::move(triangles));
 }
 

@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "mesh/face_shape.h"
+#include "mesh/sides.h"
 
 namespace girth::spectral {
 
@@ -36,10 +37,10 @@ IntrinsicTriangulation::IntrinsicTriangulation(const SurfaceMesh& mesh) {
   length_.reserve(count);
   double longest = 0;
   for (Index h = 0; h < count; ++h) {
-    from_.push_back(mesh.from(h));
-    twin_.push_back(mesh.twin(h));
-    length_.push_back(mesh.length(h));
-    longest = std::max(longest, mesh.length(h));
+    from_.push_back(mesh.from(Halfedge(h)));
+    twin_.push_back(mesh.twin(Halfedge(h)));
+    length_.push_back(mesh.length(Halfedge(h)));
+    longest = std::max(longest, mesh.length(Halfedge(h)));
   }
   unit_ = scaleFor(longest);
   for (double& length : length_) length *= unit_;
@@ -64,10 +65,10 @@ double IntrinsicTriangulation::area(Index face) const {
 }
 
 double IntrinsicTriangulation::oppositeCotangent(Index halfedge) const {
-  const double a = length_[halfedge], b = length_[SurfaceMesh::next(halfedge)],
-               c = length_[SurfaceMesh::previous(halfedge)];
+  const double a = length_[halfedge], b = length_[nextSide(halfedge)],
+               c = length_[previousSide(halfedge)];
   // The law of cosines, with the difference of squares in factors.
-  return ((b - a) * (b + a) + c * c) / (4 * area(SurfaceMesh::faceOf(halfedge)));
+  return ((b - a) * (b + a) + c * c) / (4 * area(faceOfSide(halfedge)));
 }
 
 bool IntrinsicTriangulation::isDelaunay(Index halfedge) const {
@@ -79,10 +80,9 @@ bool IntrinsicTriangulation::isDelaunay(Index halfedge) const {
 bool IntrinsicTriangulation::flip(Index halfedge) {
   // The faces abc and bad become dbc and cad.
   const Index h = halfedge, t = twin_[halfedge];
-  const Index f = SurfaceMesh::faceOf(h), g = SurfaceMesh::faceOf(t);
+  const Index f = faceOfSide(h), g = faceOfSide(t);
   if (f == g) return false;
-  const std::array<Index, 4> old{SurfaceMesh::next(t), SurfaceMesh::previous(t),
-                                 SurfaceMesh::next(h), SurfaceMesh::previous(h)};
+  const std::array<Index, 4> old{nextSide(t), previousSide(t), nextSide(h), previousSide(h)};
   const std::array<Index, 4> now{3 * g + 1, 3 * f, 3 * f + 1, 3 * g};
   std::array<Index, 4> twins{}, starts{};
   std::array<double, 4> lengths{};
@@ -136,7 +136,7 @@ bool IntrinsicTriangulation::makeDelaunay(const ExecutionContext& context) {
     queue.pop_front();
     queued[h] = false;
     if (isDelaunay(h)) continue;
-    const Index f = SurfaceMesh::faceOf(h), g = SurfaceMesh::faceOf(twin_[h]);
+    const Index f = faceOfSide(h), g = faceOfSide(twin_[h]);
     if (!flip(h)) continue;
     ++flips;
     for (const Index side : {3 * f, 3 * f + 1, 3 * g, 3 * g + 1}) enqueue(side);

@@ -5,6 +5,7 @@
 
 #include "girth/execution.h"
 #include "girth/surface_mesh.h"
+#include "mesh/sides.h"
 
 namespace girth::spectral {
 
@@ -25,7 +26,7 @@ class IntrinsicTriangulation {
   double unit() const { return unit_; }
   Index halfedgeCount() const { return static_cast<Index>(from_.size()); }
   Index from(Index halfedge) const { return from_[halfedge]; }
-  Index to(Index halfedge) const { return from_[SurfaceMesh::next(halfedge)]; }
+  Index to(Index halfedge) const { return from_[nextSide(halfedge)]; }
   Index twin(Index halfedge) const { return twin_[halfedge]; }
   double length(Index halfedge) const { return length_[halfedge]; }
   /// Area of a face.

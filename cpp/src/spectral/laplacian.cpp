@@ -1,5 +1,6 @@
 #include "spectral/laplacian.h"
 
+#include "mesh/sides.h"
 #include "mesh/voronoi_share.h"
 
 namespace girth::spectral {
@@ -15,10 +16,10 @@ Laplacian cotangentLaplacian(const IntrinsicTriangulation& triangles, Index vert
       result.edges.push_back({triangles.from(h), triangles.to(h), sum / 2});
     }
     // The corner where h starts; the side opposite to it is the next one.
-    const double side = triangles.length(h), opposite = triangles.length(SurfaceMesh::next(h)),
-                 other = triangles.length(SurfaceMesh::previous(h));
+    const double side = triangles.length(h), opposite = triangles.length(nextSide(h)),
+                 other = triangles.length(previousSide(h));
     result.areas[triangles.from(h)] += voronoiShare(
-        triangles.area(SurfaceMesh::faceOf(h)), opposite * opposite, side * side, other * other);
+        triangles.area(faceOfSide(h)), opposite * opposite, side * side, other * other);
   }
   return result;
 }
@@ -26,14 +27,14 @@ Laplacian cotangentLaplacian(const IntrinsicTriangulation& triangles, Index vert
 std::vector<ComponentLaplacian> byComponent(Laplacian laplacian, const SurfaceMesh& mesh) {
   std::vector<ComponentLaplacian> parts(mesh.componentCount());
   std::vector<Index> place(mesh.vertexCount());
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     ComponentLaplacian& part = parts[mesh.componentOf(v)];
     place[v] = static_cast<Index>(part.vertices.size());
     part.vertices.push_back(v);
     part.laplacian.areas.push_back(laplacian.areas[v]);
   }
   for (const Laplacian::Edge& edge : laplacian.edges) {
-    parts[mesh.componentOf(edge.i)].laplacian.edges.push_back(
+    parts[mesh.componentOf(Vertex(edge.i))].laplacian.edges.push_back(
         {place[edge.i], place[edge.j], edge.weight});
   }
   return parts;

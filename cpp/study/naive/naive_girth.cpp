@@ -62,7 +62,7 @@ class NaiveGirth {
     const double farthestVertex = *std::max_element(
         distance_.begin(), distance_.end(),
         [](double a, double b) { return (std::isinf(a) ? -1 : a) < (std::isinf(b) ? -1 : b); });
-    const Index component = mesh_.componentOf(source_);
+    const Index component = mesh_.componentOf(Vertex(source_));
     const bool sphere = mesh_.genus(component) == 0 && mesh_.boundaryCount(component) < 2;
     if (best_ < kInfinity && (!sphere || best_ / 2 < farthestVertex * (1 - 1e-9))) {
       return GirthValue{best_, LoopKind::Loop};
@@ -78,13 +78,14 @@ class NaiveGirth {
 
   /// The vertex opposite a halfedge, in the halfedge's plane.
   Point apex(Index h) const {
-    const double side = mesh_.length(SurfaceMesh::previous(h)), angle = mesh_.cornerAngle(h);
+    const double side = mesh_.length(SurfaceMesh::previous(Halfedge(h))),
+                 angle = mesh_.cornerAngle(Halfedge(h));
     return {side * std::cos(angle), side * std::sin(angle)};
   }
-  Index apexVertex(Index h) const { return mesh_.from(SurfaceMesh::previous(h)); }
+  Index apexVertex(Index h) const { return mesh_.from(SurfaceMesh::previous(Halfedge(h))); }
 
   /// The angle on both sides together of a straight line through a vertex: a boundary has one side.
-  double straightAngle(Index v) const { return mesh_.isBoundary(v) ? kPi : 2 * kPi; }
+  double straightAngle(Index v) const { return mesh_.isBoundary(Vertex(v)) ? kPi : 2 * kPi; }
 
   // --- Step 1: the distance field, all windows kept
   // ----------------------------------------------------
@@ -98,7 +99,7 @@ class NaiveGirth {
 
   void propagate() {
     distance_[source_] = 0;
-    leaveVertex(source_, 0, mesh_.totalAngle(source_));
+    leaveVertex(source_, 0, mesh_.totalAngle(Vertex(source_)));
     while (!queue_.empty() && !context_.cancelled()) {
       const Event event = queue_.top();
       queue_.pop();
@@ -107,8 +108,8 @@ class NaiveGirth {
         if (!dominated(window)) advance(window);
       } else if (event.distance == distance_[event.vertex]) {
         const Index v = event.vertex;
-        const double total = mesh_.totalAngle(v), straight = direction_[v] + kPi;
-        if (mesh_.isBoundary(v)) {
+        const double total = mesh_.totalAngle(Vertex(v)), straight = direction_[v] + kPi;
+        if (mesh_.isBoundary(Vertex(v))) {
           leaveVertex(v, straight - kTolerance, total - straight + 2 * kTolerance);
           leaveVertex(v, -kTolerance, straight - 2 * kPi + 2 * kTolerance);
         } else {
@@ -121,16 +122,16 @@ class NaiveGirth {
   /// Whether a path over an end of the edge is shorter than the window everywhere (Xin and Wang
   /// 2009).
   bool dominated(const NaiveWindow& w) const {
-    const double length = mesh_.length(w.halfedge);
+    const double length = mesh_.length(Halfedge(w.halfedge));
     const auto along = [&](double b) { return w.sigma + lengthOf(Point{b, 0} - w.root); };
     const double slack = 1 - 1e-12;
-    return distance_[mesh_.from(w.halfedge)] + w.b1 < along(w.b1) * slack ||
-           distance_[mesh_.to(w.halfedge)] + length - w.b0 < along(w.b0) * slack;
+    return distance_[mesh_.from(Halfedge(w.halfedge))] + w.b1 < along(w.b1) * slack ||
+           distance_[mesh_.to(Halfedge(w.halfedge))] + length - w.b0 < along(w.b0) * slack;
   }
 
   void keep(const NaiveWindow& w) {
     if (w.halfedge == kNoIndex) return;  // a boundary: nothing goes on
-    if (!(w.b1 - w.b0 > 1e-13 * mesh_.length(w.halfedge))) return;
+    if (!(w.b1 - w.b0 > 1e-13 * mesh_.length(Halfedge(w.halfedge)))) return;
     const double x = std::clamp(w.root.x, w.b0, w.b1);
     onHalfedge_[w.halfedge].push_back(windows_.size());
     queue_.push({w.sigma + lengthOf(Point{x, 0} - w.root), kNoIndex, windows_.size()});
@@ -141,41 +142,41 @@ class NaiveGirth {
     if (!(distance < distance_[v])) return;
     distance_[v] = distance;
     direction_[v] = direction;
-    if (mesh_.totalAngle(v) >= straightAngle(v) - 1e-9) queue_.push({distance, v, 0});
+    if (mesh_.totalAngle(Vertex(v)) >= straightAngle(v) - 1e-9) queue_.push({distance, v, 0});
   }
 
   /// Continues a window through its face, onto the two other sides.
   void advance(const NaiveWindow& w) {
     const Index h = w.halfedge;
-    const Point o = apex(h), end{mesh_.length(h), 0};
+    const Point o = apex(h), end{mesh_.length(Halfedge(h)), 0};
     const Point rayLeft = Point{w.b0, 0} - w.root, rayRight = Point{w.b1, 0} - w.root;
     const Point toApex = o - w.root;
-    const double slack = 1e-12 * mesh_.length(h) * lengthOf(toApex);
+    const double slack = 1e-12 * mesh_.length(Halfedge(h)) * lengthOf(toApex);
     const bool apexLeft = crossOf(rayLeft, toApex) > slack;     // the apex lies left of the window
     const bool apexRight = crossOf(rayRight, toApex) < -slack;  // right of it
 
     if (!apexLeft && !apexRight) {
-      const Index out = SurfaceMesh::previous(h);
+      const Halfedge out = SurfaceMesh::previous(Halfedge(h));
       const Point toStart = -1 * o, toRoot = w.root - o;
       const double angle = std::atan2(crossOf(toStart, toRoot), dotOf(toStart, toRoot));
       reach(apexVertex(h), w.sigma + lengthOf(toApex), directionOf(out) + angle);
     }
     if (!apexLeft) {  // something reaches the left side, seen from outside: from the start to the
                       // apex
-      const double length = mesh_.length(SurfaceMesh::previous(h));
+      const double length = mesh_.length(SurfaceMesh::previous(Halfedge(h)));
       const Point u = (1 / length) * o;
       const auto hit = [&](Point ray) { return crossOf(w.root, ray) / crossOf(u, ray); };
-      keep({mesh_.twin(SurfaceMesh::previous(h)),
+      keep({mesh_.twin(SurfaceMesh::previous(Halfedge(h))),
             {dotOf(w.root, u), crossOf(u, w.root)},
             w.sigma,
             std::max(0.0, hit(rayLeft)),
             apexRight ? std::min(length, hit(rayRight)) : length});
     }
     if (!apexRight) {  // and the right side: from the apex to the end
-      const double length = mesh_.length(SurfaceMesh::next(h));
+      const double length = mesh_.length(SurfaceMesh::next(Halfedge(h)));
       const Point u = (1 / length) * (end - o), r = w.root - o;
       const auto hit = [&](Point ray) { return crossOf(r, ray) / crossOf(u, ray); };
-      keep({mesh_.twin(SurfaceMesh::next(h)),
+      keep({mesh_.twin(SurfaceMesh::next(Halfedge(h))),
             {dotOf(r, u), crossOf(u, r)},
             w.sigma,
             apexLeft ? std::max(0.0, hit(rayLeft)) : 0,
@@ -186,7 +187,7 @@ class NaiveGirth {
   /// Angle at its start between a halfedge and the first one of that vertex.
   double directionOf(Index halfedge) const {
     double angle = 0;
-    for (Index h = mesh_.outgoing(mesh_.from(halfedge)); h != halfedge;
+    for (Halfedge h = mesh_.outgoing(mesh_.from(Halfedge(halfedge))); h != halfedge;
          h = mesh_.twin(SurfaceMesh::previous(h))) {
       angle += mesh_.cornerAngle(h);
     }
@@ -195,15 +196,16 @@ class NaiveGirth {
 
   /// The same at its end, where it leads back.
   double directionBack(Index halfedge) const {
-    const Index twin = mesh_.twin(halfedge);
-    return twin == kNoIndex ? mesh_.totalAngle(mesh_.to(halfedge)) : directionOf(twin);
+    const Halfedge twin = mesh_.twin(Halfedge(halfedge));
+    return twin == kNoIndex ? mesh_.totalAngle(mesh_.to(Halfedge(halfedge))) : directionOf(twin);
   }
 
   /// Windows from a vertex into the directions [start, start + width]. Round a vertex inside, but
   /// not at a boundary, the directions come again after the total angle.
   void leaveVertex(Index v, double start, double width) {
-    const double total = mesh_.totalAngle(v), round = mesh_.isBoundary(v) ? kInfinity : total;
-    Index h = mesh_.outgoing(v);
+    const double total = mesh_.totalAngle(Vertex(v)),
+                 round = mesh_.isBoundary(Vertex(v)) ? kInfinity : total;
+    Halfedge h = mesh_.outgoing(Vertex(v));
     double corner = 0;  // direction of h
     do {
       const double opening = mesh_.cornerAngle(h);
@@ -211,11 +213,11 @@ class NaiveGirth {
         const double low = std::max(start + turn - corner, 0.0);
         const double high = std::min(start + width + turn - corner, opening);
         if (low > high) continue;
-        const Index across = SurfaceMesh::next(h);
+        const Halfedge across = SurfaceMesh::next(h);
         if (low <= 0) {
           reach(mesh_.to(h), distance_[v] + mesh_.length(h), directionBack(h));
         }
-        const Index last = SurfaceMesh::previous(h);
+        const Halfedge last = SurfaceMesh::previous(h);
         if (mesh_.twin(last) == kNoIndex &&
             high > opening - kTolerance) {  // along the far boundary
           reach(mesh_.from(last), distance_[v] + mesh_.length(last), directionOf(last));
@@ -236,7 +238,7 @@ class NaiveGirth {
       }
       corner += opening;
       h = mesh_.twin(SurfaceMesh::previous(h));
-    } while (h != kNoIndex && h != mesh_.outgoing(v));
+    } while (h != kNoIndex && h != mesh_.outgoing(Vertex(v)));
   }
 
   /// Exact distance of a point of a face, in the plane of a halfedge of that face.
@@ -244,22 +246,22 @@ class NaiveGirth {
     double best = kInfinity;
     Index h = halfedge;
     for (int side = 0; side < 3; ++side) {
-      best = std::min(best, distance_[mesh_.from(h)] + lengthOf(q));
+      best = std::min(best, distance_[mesh_.from(Halfedge(h))] + lengthOf(q));
       for (const std::size_t i : onHalfedge_[h]) {
         const NaiveWindow& w = windows_[i];
         const Point ray = q - w.root;
         const double d = w.sigma + lengthOf(ray);
         if (d >= best) continue;
         const double x = ray.y > 0 ? w.root.x - w.root.y * ray.x / ray.y : q.x;
-        const double slack = kTolerance * mesh_.length(h);
+        const double slack = kTolerance * mesh_.length(Halfedge(h));
         if (x >= w.b0 - slack && x <= w.b1 + slack) best = d;
       }
       // On to the plane of the next side.
-      const Point o = apex(h), end{mesh_.length(h), 0};
-      const double length = mesh_.length(SurfaceMesh::next(h));
+      const Point o = apex(h), end{mesh_.length(Halfedge(h)), 0};
+      const double length = mesh_.length(SurfaceMesh::next(Halfedge(h)));
       const Point u = (1 / length) * (o - end);
       q = {dotOf(q - end, u), crossOf(u, q - end)};
-      h = SurfaceMesh::next(h);
+      h = SurfaceMesh::next(Halfedge(h));
     }
     return best;
   }
@@ -269,15 +271,15 @@ class NaiveGirth {
 
   bool passesStraight(Index v, double leaving) const {
     if (v == source_) return true;
-    const double total = mesh_.totalAngle(v);
+    const double total = mesh_.totalAngle(Vertex(v));
     const double between = std::fabs(direction_[v] - leaving);
-    if (mesh_.isBoundary(v)) return between >= kPi - kAngleTolerance;
+    if (mesh_.isBoundary(Vertex(v))) return between >= kPi - kAngleTolerance;
     return between >= kPi - kAngleTolerance && total - between >= kPi - kAngleTolerance;
   }
 
   void testEdges() {
-    for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
-      const Index a = mesh_.from(h), b = mesh_.to(h);
+    for (const Halfedge h : mesh_.halfedges()) {
+      const Vertex a = mesh_.from(h), b = mesh_.to(h);
       if ((a > b && mesh_.twin(h) != kNoIndex) || std::isinf(distance_[a])) continue;
       if (!passesStraight(a, directionOf(h)) || !passesStraight(b, directionBack(h))) continue;
       const double along = (mesh_.length(h) + distance_[b] - distance_[a]) / 2;
@@ -289,7 +291,7 @@ class NaiveGirth {
   // --------------------------------------------------------------------
 
   void testWindowPairs() {
-    for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
+    for (const Halfedge h : mesh_.halfedges()) {
       if (mesh_.from(h) > mesh_.to(h) || mesh_.twin(h) == kNoIndex) continue;
       const double length = mesh_.length(h), slack = kTolerance * length;
       for (const std::size_t i : onHalfedge_[h]) {
@@ -322,11 +324,12 @@ class NaiveGirth {
   void accept(Index halfedge, Point midpoint, double length) {
     if (length >= best_ || !inFace(halfedge, midpoint)) return;
     // No geodesic passes a convex vertex, only lines beside it.
-    const Point corners[] = {{0, 0}, {mesh_.length(halfedge), 0}, apex(halfedge)};
-    const Index vertices[] = {mesh_.from(halfedge), mesh_.to(halfedge), apexVertex(halfedge)};
+    const Point corners[] = {{0, 0}, {mesh_.length(Halfedge(halfedge)), 0}, apex(halfedge)};
+    const Index vertices[] = {mesh_.from(Halfedge(halfedge)), mesh_.to(Halfedge(halfedge)),
+                              apexVertex(halfedge)};
     for (int k = 0; k < 3; ++k) {
-      if (mesh_.totalAngle(vertices[k]) < straightAngle(vertices[k]) - kAngleTolerance &&
-          lengthOf(midpoint - corners[k]) < 3 * kTolerance * mesh_.length(halfedge)) {
+      if (mesh_.totalAngle(Vertex(vertices[k])) < straightAngle(vertices[k]) - kAngleTolerance &&
+          lengthOf(midpoint - corners[k]) < 3 * kTolerance * mesh_.length(Halfedge(halfedge))) {
         return;
       }
     }
@@ -334,8 +337,8 @@ class NaiveGirth {
   }
 
   bool inFace(Index h, Point q) const {
-    const Point o = apex(h), end{mesh_.length(h), 0};
-    const double slack = kTolerance * mesh_.length(h);
+    const Point o = apex(h), end{mesh_.length(Halfedge(h)), 0};
+    const double slack = kTolerance * mesh_.length(Halfedge(h));
     return q.y >= -slack && crossOf(o - end, q - end) >= -slack * lengthOf(o - end) &&
            crossOf(-1 * o, q - o) >= -slack * lengthOf(o);
   }
@@ -362,8 +365,8 @@ class NaiveGirth {
       atLeast = std::max(atLeast, d);
       if (d + radius > atLeast * (1 + kBisection)) cells.push({d + radius, h, a, b, c});
     };
-    for (Index f = 0; f < mesh_.faceCount(); ++f) {
-      add(3 * f, {0, 0}, {mesh_.length(3 * f), 0}, apex(3 * f));
+    for (const Face f : mesh_.faces()) {
+      add(3 * f, {0, 0}, {mesh_.length(Halfedge(3 * f)), 0}, apex(3 * f));
     }
     while (!cells.empty() && cells.top().bound > atLeast * (1 + kBisection) &&
            !context_.cancelled()) {
@@ -392,7 +395,7 @@ class NaiveGirth {
 
 }  // namespace
 
-Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
+Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Vertex vertex,
                               const ExecutionContext& context) {
   if (auto error = checkVertex(mesh, vertex)) return *std::move(error);
   return NaiveGirth(mesh, vertex, context).compute();
@@ -400,7 +403,7 @@ Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
 
 VertexFunction<GirthValue> naiveGirthFunction(const SurfaceMesh& mesh) {
   return {[&mesh](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
-    return [&mesh, &context](Index v) { return naiveGirth(mesh, v, context); };
+    return [&mesh, &context](Vertex v) { return naiveGirth(mesh, v, context); };
   }};
 }
 

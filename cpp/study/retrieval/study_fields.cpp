@@ -22,14 +22,14 @@ Error stopped() { return makeError(ErrorCode::Cancelled, -1, "stopped before it 
 Result<SurfaceMesh> scaled(const SurfaceMesh& mesh, double factor) {
   std::vector<double> positions;
   positions.reserve(3 * static_cast<std::size_t>(mesh.vertexCount()));
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     positions.insert(positions.end(), {factor * p.x, factor * p.y, factor * p.z});
   }
   std::vector<Index> triangles;
   triangles.reserve(3 * static_cast<std::size_t>(mesh.faceCount()));
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
-    for (const Index vertex : mesh.faceVertices(f)) triangles.push_back(vertex);
+  for (const Face f : mesh.faces()) {
+    for (const Vertex vertex : mesh.faceVertices(f)) triangles.push_back(vertex);
   }
   return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Boundary);
 }

@@ -54,7 +54,7 @@ Result<SurfaceMesh> bridged(const SurfaceMesh& mesh, std::size_t count,
                      "there are not so many places where parts face each other across a gap");
   }
   // A bridge takes two faces out, so that the numbers of those behind fall.
-  std::vector<std::pair<Index, Index>> left = places.value();
+  std::vector<std::pair<Face, Face>> left = places.value();
   SurfaceMesh result = mesh;
   while (!left.empty()) {
     const auto [one, other] = left.back();
@@ -63,7 +63,9 @@ Result<SurfaceMesh> bridged(const SurfaceMesh& mesh, std::size_t count,
     if (!next) return next;
     result = std::move(next).value();
     for (auto& [a, b] : left) {
-      for (Index* face : {&a, &b}) *face -= (*face > one ? 1u : 0u) + (*face > other ? 1u : 0u);
+      for (Face* face : {&a, &b}) {
+        *face = Face(*face - (*face > one ? 1u : 0u) - (*face > other ? 1u : 0u));
+      }
     }
   }
   return result;

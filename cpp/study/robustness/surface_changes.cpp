@@ -34,14 +34,14 @@ Error optionError(std::string message) {
 std::vector<Vec3> positionsOf(const SurfaceMesh& mesh) {
   std::vector<Vec3> positions;
   positions.reserve(mesh.vertexCount());
-  for (Index v = 0; v < mesh.vertexCount(); ++v) positions.push_back(mesh.position(v));
+  for (const Vertex v : mesh.vertices()) positions.push_back(mesh.position(v));
   return positions;
 }
 
 std::vector<Index> trianglesOf(const SurfaceMesh& mesh) {
   std::vector<Index> triangles;
   triangles.reserve(mesh.halfedgeCount());
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) triangles.push_back(mesh.from(h));
+  for (const Halfedge h : mesh.halfedges()) triangles.push_back(mesh.from(h));
   return triangles;
 }
 
@@ -61,8 +61,8 @@ Result<SurfaceMesh> stretched(const SurfaceMesh& mesh, double Vec3::*axis, doubl
 }
 
 double extentAlong(const SurfaceMesh& mesh, double Vec3::*axis) {
-  double low = mesh.position(0).*axis, high = low;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  double low = mesh.position(Vertex(0)).*axis, high = low;
+  for (const Vertex v : mesh.vertices()) {
     low = std::min(low, mesh.position(v).*axis);
     high = std::max(high, mesh.position(v).*axis);
   }
@@ -111,9 +111,9 @@ Result<SurfaceMesh> withNoise(const SurfaceMesh& mesh, double amount, std::uint6
 
 Result<Subdivision> subdivided(const SurfaceMesh& mesh) {
   std::vector<Vec3> positions = positionsOf(mesh);
-  std::vector<std::array<Index, 2>> between;
+  std::vector<std::array<Vertex, 2>> between;
   std::vector<Index> middle(mesh.halfedgeCount(), kNoIndex);
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+  for (const Halfedge h : mesh.halfedges()) {
     if (middle[h] != kNoIndex) continue;
     middle[h] = static_cast<Index>(positions.size());
     if (mesh.twin(h) != kNoIndex) middle[mesh.twin(h)] = middle[h];
@@ -122,7 +122,7 @@ Result<Subdivision> subdivided(const SurfaceMesh& mesh) {
   }
   std::vector<Index> triangles;
   triangles.reserve(4 * static_cast<std::size_t>(mesh.halfedgeCount()));
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     const Index ab = middle[3 * f], bc = middle[3 * f + 1], ca = middle[3 * f + 2];
     const auto [a, b, c] = mesh.faceVertices(f);
     triangles.insert(triangles.end(), {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca});
@@ -140,14 +140,14 @@ Result<SurfaceMesh> withHumps(const SurfaceMesh& mesh, const HumpOptions& option
     return optionError("humps have a number, a radius and a height above 0");
   }
   std::vector<SurfacePoint> middles;
-  for (const Index v : coarseToFineOrder(mesh, kSpread)) {
+  for (const Vertex v : coarseToFineOrder(mesh, kSpread)) {
     if (middles.size() < options.humps) middles.push_back(SurfacePoint::atVertex(v));
   }
   const auto distances = GeodesicSolver(mesh).distances(middles, radius, context);
   if (!distances) return distances.error();
   const std::vector<Vec3> normals = normalsOfVertices(mesh);
   std::vector<Vec3> positions = positionsOf(mesh);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const double d = distances.value()[v] / radius;
     if (!(d < 1)) continue;
     const double rise = options.height * radius * (1 - d * d) * (1 - d * d);
@@ -156,12 +156,12 @@ Result<SurfaceMesh> withHumps(const SurfaceMesh& mesh, const HumpOptions& option
   return surfaceOf(positions, trianglesOf(mesh));
 }
 
-Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Index face1, Index face2) {
+Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Face face1, Face face2) {
   if (face1 >= mesh.faceCount() || face2 >= mesh.faceCount()) {
     return optionError("faces are numbered from 0 to " + std::to_string(mesh.faceCount() - 1));
   }
-  const std::array<Index, 3> a = mesh.faceVertices(face1), b = mesh.faceVertices(face2);
-  for (const Index v : a) {
+  const std::array<Vertex, 3> a = mesh.faceVertices(face1), b = mesh.faceVertices(face2);
+  for (const Vertex v : a) {
     if (std::find(b.begin(), b.end(), v) != b.end()) {
       return optionError("faces " + std::to_string(face1) + " and " + std::to_string(face2) +
                          " have vertex " + std::to_string(v) + " in common");
@@ -181,9 +181,9 @@ Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Index face1, Index face2
     }
   }
   std::vector<Index> triangles;
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     if (f == face1 || f == face2) continue;
-    for (const Index v : mesh.faceVertices(f)) triangles.push_back(v);
+    for (const Vertex v : mesh.faceVertices(f)) triangles.push_back(v);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const Index a0 = a[i], a1 = a[(i + 1) % 3];
@@ -193,10 +193,9 @@ Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Index face1, Index face2
   return surfaceOf(positionsOf(mesh), triangles);
 }
 
-Result<std::vector<std::pair<Index, Index>>> facingPlaces(const SurfaceMesh& mesh,
-                                                          std::size_t count,
-                                                          const ExecutionContext& context) {
-  std::vector<Index> places = coarseToFineOrder(mesh, kSpread);
+Result<std::vector<std::pair<Face, Face>>> facingPlaces(const SurfaceMesh& mesh, std::size_t count,
+                                                        const ExecutionContext& context) {
+  std::vector<Vertex> places = coarseToFineOrder(mesh, kSpread);
   places.resize(std::min(places.size(), kPlaces));
   const std::size_t n = places.size();
   const std::vector<Vec3> normals = normalsOfVertices(mesh);
@@ -226,7 +225,7 @@ Result<std::vector<std::pair<Index, Index>>> facingPlaces(const SurfaceMesh& mes
                    [](const Pair& one, const Pair& other) { return one.detour > other.detour; });
   const double apart = kApart * std::sqrt(mesh.area());
   std::vector<std::size_t> ends;
-  std::vector<std::pair<Index, Index>> result;
+  std::vector<std::pair<Face, Face>> result;
   for (const Pair& pair : pairs) {
     const bool near = std::any_of(ends.begin(), ends.end(), [&](std::size_t end) {
       return along[end * n + pair.i] < apart || along[end * n + pair.j] < apart;

@@ -11,7 +11,7 @@ namespace girth::study {
 
 namespace {
 
-bool isInside(const Tip& tip, Index vertex) {
+bool isInside(const Tip& tip, Vertex vertex) {
   return std::binary_search(tip.vertices.begin(), tip.vertices.end(), vertex);
 }
 
@@ -36,7 +36,7 @@ void compare(std::span<const Tip> tips, const Tips& changed, Near near, TipTrial
   for (const Tip& tip : tips) {
     trial.found.push_back(
         std::any_of(changed.tips.begin(), changed.tips.end(), [&](const Tip& other) {
-          const std::array<Index, 2> around = near(other.apex);
+          const std::array<Vertex, 2> around = near(other.apex);
           return isInside(other, tip.apex) &&
                  (isInside(tip, around[0]) || isInside(tip, around[1]));
         }));
@@ -63,8 +63,8 @@ Result<std::vector<TipTrial>> tipTrials(const SurfaceMesh& mesh, std::span<const
     if (!found) return found.error();
     compare(
         tips, found.value(),
-        [&](Index v) {
-          return v < mesh.vertexCount() ? std::array<Index, 2>{v, v}
+        [&](Vertex v) {
+          return v < mesh.vertexCount() ? std::array<Vertex, 2>{v, v}
                                         : finer.value().between[v - mesh.vertexCount()];
         },
         cut);
@@ -82,8 +82,8 @@ Result<std::vector<TipTrial>> tipTrials(const SurfaceMesh& mesh, std::span<const
       if (!found) return found.error();
       compare(
           tips, found.value(),
-          [](Index v) {
-            return std::array<Index, 2>{v, v};
+          [](Vertex v) {
+            return std::array<Vertex, 2>{v, v};
           },
           trial);
     } else if (noisy.error().code == ErrorCode::InvalidOption) {

@@ -26,12 +26,12 @@ int main() {
     std::fprintf(stderr, "%s\n", loaded.error().message.c_str());
     return 1;
   }
-  const auto loop = girth::girthLoop(loaded.value().mesh, 0);
+  const auto loop = girth::girthLoop(loaded.value().mesh, girth::Vertex(0));
   if (!loop) {
     std::fprintf(stderr, "%s\n", loop.error().message.c_str());
     return 1;
   }
-  const auto naive = girth::study::naiveGirth(loaded.value().mesh, 0);
+  const auto naive = girth::study::naiveGirth(loaded.value().mesh, girth::Vertex(0));
   if (!naive) return 1;
   std::printf("girth at vertex 0: %.17g\n", loop.value().length);
   const bool agrees = std::fabs(naive.value().length - loop.value().length) < 1e-9;

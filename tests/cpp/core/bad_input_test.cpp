@@ -70,7 +70,7 @@ TEST(BadInput, MeshesAreRefusedWithTheirCode) {
 TEST(BadInput, TheSmallestSurfaces) {
   const SurfaceMesh four = tetrahedron().mesh();
   for (Index v = 0; v < 4; ++v) {
-    EXPECT_NEAR(GirthSolver(four).value(v).value().length, 4 * std::sqrt(8.0 / 3), 1e-12);
+    EXPECT_NEAR(GirthSolver(four).value(Vertex(v)).value().length, 4 * std::sqrt(8.0 / 3), 1e-12);
   }
   Shape triangle;  // one face, boundary all round
   triangle.positions = {0, 0, 0, 3, 0, 0, 0, 4, 0};
@@ -78,11 +78,11 @@ TEST(BadInput, TheSmallestSurfaces) {
   const SurfaceMesh one = triangle.mesh(OpenEdges::Boundary);
   GirthSolver solver(one);
   for (const auto& [vertex, farthest] : {std::pair(0u, 4.0), {1u, 5.0}, {2u, 5.0}}) {
-    const GirthLoop loop = solver.loop(vertex).value();
+    const GirthLoop loop = solver.loop(Vertex(vertex)).value();
     EXPECT_EQ(loop.kind, LoopKind::Antipodal);
     EXPECT_NEAR(loop.length, 2 * farthest, 1e-12);
   }
-  const GirthLoop inside = solver.loop(SurfacePoint::inFace(0, {0.5, 0.25, 0.25})).value();
+  const GirthLoop inside = solver.loop(SurfacePoint::inFace(Face(0), {0.5, 0.25, 0.25})).value();
   EXPECT_EQ(inside.kind, LoopKind::Antipodal);
   EXPECT_NEAR(inside.length, 2 * std::hypot(0.75, 3), 1e-12);  // to (0, 4) from (0.75, 1)
 }
@@ -93,9 +93,10 @@ TEST(BadInput, CoordinatesOfAnySizeScaleTheValues) {
   for (const double scale : {1e-150, 1e150}) {
     const SurfaceMesh scaled = moved(shape, scale, 0, 0).mesh();
     const GirthField field = girthField(mesh), other = girthField(scaled);
-    const auto distances = GeodesicSolver(mesh).distances(SurfacePoint::atVertex(0)).value();
-    const auto others = GeodesicSolver(scaled).distances(SurfacePoint::atVertex(0)).value();
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const auto distances =
+        GeodesicSolver(mesh).distances(SurfacePoint::atVertex(Vertex(0))).value();
+    const auto others = GeodesicSolver(scaled).distances(SurfacePoint::atVertex(Vertex(0))).value();
+    for (const Vertex v : mesh.vertices()) {
       EXPECT_NEAR(other.values[v] / scale / field.values[v], 1, 1e-9);
       EXPECT_NEAR(others[v] / scale, distances[v], 1e-12);
     }
@@ -140,7 +141,7 @@ TEST(BadInput, AMillionTriangles) {
       EXPECT_EQ(field.kinds[v], LoopKind::Antipodal);
     }
     const auto distances =
-        GeodesicSolver(mesh).distances(SurfacePoint::atVertex(3 * (count / 2))).value();
+        GeodesicSolver(mesh).distances(SurfacePoint::atVertex(Vertex(3 * (count / 2)))).value();
     EXPECT_EQ(distances[0], kInfinity);
     EXPECT_NEAR(distances[3 * (count / 2) + 1], 3, 1e-7);
   });
@@ -162,21 +163,24 @@ TEST(BadInput, PointsAndRadiiThatDoNotExist) {
   const SurfaceMesh mesh = box(1, 1, 1, 2, 2, 2).mesh();
   GeodesicSolver solver(mesh);
   GirthSolver girths(mesh);
-  const SurfacePoint vertex = SurfacePoint::atVertex(0);
+  const SurfacePoint vertex = SurfacePoint::atVertex(Vertex(0));
   const Index vertices = mesh.vertexCount();
   for (const Index number : {vertices, kNoIndex}) {
-    const SurfacePoint none = SurfacePoint::atVertex(number);
+    const SurfacePoint none = SurfacePoint::atVertex(Vertex(number));
     EXPECT_EQ(solver.distances(none).error().code, ErrorCode::VertexOutOfRange);
     EXPECT_EQ(solver.path(vertex, none).error().code, ErrorCode::VertexOutOfRange);
     EXPECT_EQ(solver.path(none, vertex).error().code, ErrorCode::VertexOutOfRange);
     EXPECT_EQ(girths.value(none).error().code, ErrorCode::VertexOutOfRange);
-    EXPECT_EQ(girths.loop(number).error().code, ErrorCode::VertexOutOfRange);
+    EXPECT_EQ(girths.loop(Vertex(number)).error().code, ErrorCode::VertexOutOfRange);
   }
   for (const SurfacePoint& none :
-       {SurfacePoint::onHalfedge(mesh.halfedgeCount(), 0.5), SurfacePoint::onHalfedge(0, -0.1),
-        SurfacePoint::onHalfedge(0, kNaN), SurfacePoint::inFace(mesh.faceCount(), {1, 0, 0}),
-        SurfacePoint::inFace(0, {kNaN, 0.5, 0.5}), SurfacePoint::inFace(0, {2, -0.5, -0.5}),
-        SurfacePoint::inFace(0, {0.2, 0.2, 0.2}), SurfacePoint::inFace(0, {kInfinity, 0, 0})}) {
+       {SurfacePoint::onHalfedge(Halfedge(mesh.halfedgeCount()), 0.5),
+        SurfacePoint::onHalfedge(Halfedge(0), -0.1), SurfacePoint::onHalfedge(Halfedge(0), kNaN),
+        SurfacePoint::inFace(Face(mesh.faceCount()), {1, 0, 0}),
+        SurfacePoint::inFace(Face(0), {kNaN, 0.5, 0.5}),
+        SurfacePoint::inFace(Face(0), {2, -0.5, -0.5}),
+        SurfacePoint::inFace(Face(0), {0.2, 0.2, 0.2}),
+        SurfacePoint::inFace(Face(0), {kInfinity, 0, 0})}) {
     EXPECT_EQ(solver.distances(none).error().code, ErrorCode::InvalidPoint);
     EXPECT_EQ(solver.path(none, vertex).error().code, ErrorCode::InvalidPoint);
     EXPECT_EQ(solver.path(vertex, none).error().code, ErrorCode::InvalidPoint);
@@ -199,16 +203,16 @@ TEST(BadInput, PointsAtCornersAndOnSidesAreThoseCornersAndSides) {
   const SurfaceMesh mesh = perturbed(torus(2, 0.7, 10, 6), 0.2, 1).mesh();
   GirthSolver solver(mesh);
   for (Index f = 0; f < mesh.faceCount(); f += 7) {
-    const Index h = 3 * f + 1, corner = mesh.from(h);
-    const double atCorner = solver.value(corner).value().length;
+    const Index h = 3 * f + 1, corner = mesh.from(Halfedge(h));
+    const double atCorner = solver.value(Vertex(corner)).value().length;
     for (const SurfacePoint& same :
-         {SurfacePoint::onHalfedge(h, 0), SurfacePoint::inFace(f, {0, 1, 0}),
-          SurfacePoint::onHalfedge(SurfaceMesh::previous(h), 1)}) {
+         {SurfacePoint::onHalfedge(Halfedge(h), 0), SurfacePoint::inFace(Face(f), {0, 1, 0}),
+          SurfacePoint::onHalfedge(SurfaceMesh::previous(Halfedge(h)), 1)}) {
       EXPECT_NEAR(solver.value(same).value().length / atCorner, 1, 1e-9) << "face " << f;
     }
-    const double onSide = solver.value(SurfacePoint::onHalfedge(h, 0.3)).value().length;
-    for (const SurfacePoint& same :
-         {SurfacePoint::onHalfedge(mesh.twin(h), 0.7), SurfacePoint::inFace(f, {0, 0.7, 0.3})}) {
+    const double onSide = solver.value(SurfacePoint::onHalfedge(Halfedge(h), 0.3)).value().length;
+    for (const SurfacePoint& same : {SurfacePoint::onHalfedge(mesh.twin(Halfedge(h)), 0.7),
+                                     SurfacePoint::inFace(Face(f), {0, 0.7, 0.3})}) {
       EXPECT_NEAR(solver.value(same).value().length / onSide, 1, 1e-9) << "face " << f;
     }
   }
@@ -218,15 +222,16 @@ TEST(BadInput, ABudgetEndsTheWork) {
   const SurfaceMesh mesh = perturbed(octasphere(4), 0.3, 1).mesh();
   GirthSolver girths(mesh);
   girths.setBudget(50);
-  const auto value = girths.value(0);
+  const auto value = girths.value(Vertex(0));
   ASSERT_TRUE(value.ok());
   EXPECT_EQ(value.value().kind, LoopKind::Unresolved);
-  EXPECT_EQ(girths.loop(0).value().kind, LoopKind::Unresolved);
+  EXPECT_EQ(girths.loop(Vertex(0)).value().kind, LoopKind::Unresolved);
   girths.setBudget(1 << 26);
-  EXPECT_NE(girths.value(0).value().kind, LoopKind::Unresolved);
+  EXPECT_NE(girths.value(Vertex(0)).value().kind, LoopKind::Unresolved);
   GeodesicSolver distances(mesh);
   distances.setBudget(50);
-  EXPECT_EQ(distances.distances(SurfacePoint::atVertex(0)).error().code, ErrorCode::LimitExceeded);
+  EXPECT_EQ(distances.distances(SurfacePoint::atVertex(Vertex(0))).error().code,
+            ErrorCode::LimitExceeded);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ std::vector<Shape> triangulations(const Shape& shape) {
 }
 
 Index vertexAt(const SurfaceMesh& mesh, double x, double y) {
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     if (std::fabs(p.x - x) + std::fabs(p.y - y) < 1e-12) return v;
   }
@@ -56,21 +56,23 @@ TEST(Boundaries, PathsGoRoundCorners) {
     GeodesicSolver solver(mesh);
     const Index a = vertexAt(mesh, 3, 0), b = vertexAt(mesh, 3, 6);
     const double length = 2 * std::sqrt(5.0) + 2;
-    textbook.propagate(SurfacePoint::atVertex(a));
-    EXPECT_NEAR(textbook.distanceTo(SurfacePoint::atVertex(b)), length, 1e-13);
-    expectShortestPath(mesh,
-                       solver.path(SurfacePoint::atVertex(a), SurfacePoint::atVertex(b)).value(),
-                       SurfacePoint::atVertex(a), SurfacePoint::atVertex(b), length);
+    textbook.propagate(SurfacePoint::atVertex(Vertex(a)));
+    EXPECT_NEAR(textbook.distanceTo(SurfacePoint::atVertex(Vertex(b))), length, 1e-13);
+    expectShortestPath(
+        mesh,
+        solver.path(SurfacePoint::atVertex(Vertex(a)), SurfacePoint::atVertex(Vertex(b))).value(),
+        SurfacePoint::atVertex(Vertex(a)), SurfacePoint::atVertex(Vertex(b)), length);
   }
   for (const Shape& shape : triangulations(patch(6, quarter))) {
     const SurfaceMesh mesh = shape.mesh(OpenEdges::Boundary);
     TextbookMmp textbook(mesh);
     const Index a = vertexAt(mesh, 6, 1), b = vertexAt(mesh, 1, 6);
-    textbook.propagate(SurfacePoint::atVertex(a));
-    EXPECT_NEAR(textbook.distanceTo(SurfacePoint::atVertex(b)), 2 * std::sqrt(13.0), 1e-13);
-    EXPECT_NEAR(textbook.distanceTo(SurfacePoint::atVertex(vertexAt(mesh, 3, 6))),
+    textbook.propagate(SurfacePoint::atVertex(Vertex(a)));
+    EXPECT_NEAR(textbook.distanceTo(SurfacePoint::atVertex(Vertex(b))), 2 * std::sqrt(13.0), 1e-13);
+    EXPECT_NEAR(textbook.distanceTo(SurfacePoint::atVertex(Vertex(vertexAt(mesh, 3, 6)))),
                 std::sqrt(13.0) + 3, 1e-13);
-    const auto distances = GeodesicSolver(mesh).distances(SurfacePoint::atVertex(a)).value();
+    const auto distances =
+        GeodesicSolver(mesh).distances(SurfacePoint::atVertex(Vertex(a))).value();
     EXPECT_NEAR(distances[b], 2 * std::sqrt(13.0), 1e-12);
     EXPECT_NEAR(distances[vertexAt(mesh, 3, 6)], std::sqrt(13.0) + 3, 1e-12);
   }
@@ -81,7 +83,7 @@ TEST(Boundaries, APatchHasItsFarthestPoint) {
     const SurfaceMesh mesh = shape.mesh(OpenEdges::Boundary);
     GirthSolver solver(mesh);
     TextbookMmp textbook(mesh);
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       SCOPED_TRACE("vertex " + std::to_string(v));
       const Vec3& p = mesh.position(v);
       const GirthLoop loop = solver.loop(v).value();
@@ -102,7 +104,7 @@ TEST(Boundaries, ALoopGoesRoundAHole) {
     GirthSolver solver(mesh);
     TextbookMmp textbook(mesh);
     for (const double y : {0.0, 1.0, 2.0}) {
-      const GirthLoop loop = solver.loop(vertexAt(mesh, 3, y)).value();
+      const GirthLoop loop = solver.loop(Vertex(vertexAt(mesh, 3, y))).value();
       EXPECT_EQ(loop.kind, LoopKind::Loop);
       EXPECT_NEAR(loop.length, 2 * (std::hypot(2 - y, 1) + 3), 1e-12);
       expectProven(mesh, textbook, loop, 0.03);
@@ -121,7 +123,7 @@ TEST(Boundaries, AnOpenTubeHasItsPerimeter) {
     TextbookMmp textbook(mesh);
     for (Index v = 0; v < 13 * corners; v += 3) {  // on its ends as well
       SCOPED_TRACE("vertex " + std::to_string(v));
-      const GirthLoop loop = solver.loop(v).value();
+      const GirthLoop loop = solver.loop(Vertex(v)).value();
       EXPECT_EQ(loop.kind, LoopKind::Loop);
       EXPECT_NEAR(loop.length, 4, 1e-12);
       EXPECT_NEAR(loop.angle, M_PI, 1e-6);
@@ -143,11 +145,12 @@ TEST(Boundaries, TheFarthestPointMayLieOnOne) {
   for (const Shape& shape :
        {open, retriangulated(open, 1), moved(open, 1, 0.3, 2), moved(open, 3.7, 0.4, 5)}) {
     const SurfaceMesh mesh = shape.mesh(OpenEdges::Boundary);
-    const double scale = mesh.length(0) / open.mesh(OpenEdges::Boundary).length(0);
+    const double scale =
+        mesh.length(Halfedge(0)) / open.mesh(OpenEdges::Boundary).length(Halfedge(0));
     GirthSolver solver(mesh);
     TextbookMmp textbook(mesh);
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
-      const Vec3 &p = mesh.position(v), &q = mesh.position(0);
+    for (const Vertex v : mesh.vertices()) {
+      const Vec3 &p = mesh.position(v), &q = mesh.position(Vertex(0));
       const double away = std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) / scale;
       if (std::fabs(away - slant) > 1e-12) continue;
       SCOPED_TRACE("vertex " + std::to_string(v));

@@ -13,7 +13,7 @@ BruteForce::BruteForce(const SurfaceMesh& mesh, Index source, double longest, st
       limit_(limit),
       conesOfFace_(mesh.faceCount()) {
   arrivals_.push_back({source, 0, 0, kNone, kNone});
-  leave(0, 0, mesh.totalAngle(source));
+  leave(0, 0, mesh.totalAngle(Vertex(source)));
   while (!todo_.empty() && complete_) {
     const std::size_t cone = todo_.back();
     todo_.pop_back();
@@ -23,15 +23,15 @@ BruteForce::BruteForce(const SurfaceMesh& mesh, Index source, double longest, st
 
 BruteForce::Point BruteForce::apex(Index h) const {
   // From the three lengths alone.
-  const double c = mesh_.length(h), a = mesh_.length(SurfaceMesh::next(h)),
-               b = mesh_.length(SurfaceMesh::previous(h));
+  const double c = mesh_.length(Halfedge(h)), a = mesh_.length(SurfaceMesh::next(Halfedge(h))),
+               b = mesh_.length(SurfaceMesh::previous(Halfedge(h)));
   const double x = (b * b + c * c - a * a) / (2 * c);
   return {x, std::sqrt(b * b - x * x)};
 }
 
 double BruteForce::directionOf(Index halfedge) const {
   double angle = 0;
-  Index h = mesh_.outgoing(mesh_.from(halfedge));
+  Halfedge h = mesh_.outgoing(mesh_.from(Halfedge(halfedge)));
   for (; h != halfedge; h = mesh_.twin(SurfaceMesh::previous(h))) angle += mesh_.cornerAngle(h);
   return angle;
 }
@@ -40,21 +40,21 @@ double BruteForce::directionOf(Index halfedge) const {
 // edge.
 void BruteForce::leave(std::size_t arrival, double start, double width) {
   const Index v = arrivals_[arrival].vertex;
-  const double sigma = arrivals_[arrival].length, total = mesh_.totalAngle(v);
+  const double sigma = arrivals_[arrival].length, total = mesh_.totalAngle(Vertex(v));
   const bool all = arrival == 0;
-  Index h = mesh_.outgoing(v);
+  Halfedge h = mesh_.outgoing(Vertex(v));
   double corner = 0;
   do {
     const double opening = mesh_.cornerAngle(h);
     for (int turn = -2; turn <= 2; ++turn) {
       const double from = start + turn * total - corner;
-      if ((all || mesh_.isBoundary(v)) && turn != 0) continue;
+      if ((all || mesh_.isBoundary(Vertex(v))) && turn != 0) continue;
       if (all || (from < 0 && from + width > 0)) {
-        const Index twin = mesh_.twin(h);
+        const Halfedge twin = mesh_.twin(h);
         const double back = twin == kNoIndex ? mesh_.totalAngle(mesh_.to(h)) : directionOf(twin);
         arrive(mesh_.to(h), sigma + mesh_.length(h), back, kNone, arrival);
       }
-      const Index last = SurfaceMesh::previous(h);
+      const Halfedge last = SurfaceMesh::previous(h);
       if (mesh_.twin(last) == kNoIndex &&
           (all || (from < opening && from + width > opening))) {  // the boundary on the far side
         arrive(mesh_.from(last), sigma + mesh_.length(last), 0, kNone, arrival);
@@ -62,7 +62,7 @@ void BruteForce::leave(std::size_t arrival, double start, double width) {
       const double low = all ? 0 : std::max(from, 0.0);
       const double high = all ? opening : std::min(from + width, opening);
       if (low >= high) continue;
-      const Index across = SurfaceMesh::next(h);
+      const Halfedge across = SurfaceMesh::next(h);
       if (mesh_.twin(across) == kNoIndex) continue;
       const Point root = apex(across);
       const double length = mesh_.length(across);
@@ -83,16 +83,16 @@ void BruteForce::leave(std::size_t arrival, double start, double width) {
       todo_.push_back(cones_.size() - 1);
     }
     corner += opening;
-    h = mesh_.twin(SurfaceMesh::previous(h));
-  } while (h != kNoIndex && h != mesh_.outgoing(v));
+    h = mesh_.twin(SurfaceMesh::previous(Halfedge(h)));
+  } while (h != kNoIndex && h != mesh_.outgoing(Vertex(v)));
 }
 
 void BruteForce::arrive(Index vertex, double length, double direction, std::size_t cone,
                         std::size_t before) {
   if (length > longest_) return;
   arrivals_.push_back({vertex, length, direction, cone, before});
-  const double total = mesh_.totalAngle(vertex);
-  if (!mesh_.isBoundary(vertex)) {
+  const double total = mesh_.totalAngle(Vertex(vertex));
+  if (!mesh_.isBoundary(Vertex(vertex))) {
     if (total > 2 * M_PI) leave(arrivals_.size() - 1, direction + M_PI, total - 2 * M_PI);
     return;
   }
@@ -111,23 +111,23 @@ void BruteForce::grow(std::size_t number) {
   const double nearest = std::clamp(cone.root.x, cone.b0, cone.b1) - cone.root.x;
   if (cone.sigma + std::hypot(nearest, cone.root.y) > longest_) return;
   const Index h = cone.halfedge;
-  conesOfFace_[SurfaceMesh::faceOf(h)].push_back(number);
+  conesOfFace_[SurfaceMesh::faceOf(Halfedge(h))].push_back(number);
 
   const Point o = apex(h);
-  const double length = mesh_.length(h);
+  const double length = mesh_.length(Halfedge(h));
   // Where the line from the root to the apex crosses the halfedge decides who goes where.
   const double split = cone.root.x - cone.root.y * (o.x - cone.root.x) / (o.y - cone.root.y);
   if (split > cone.b0 && split < cone.b1) {
     const double back = std::atan2(-o.y, -o.x);  // from the apex to the start of h
     const double towards = std::atan2(cone.root.y - o.y, cone.root.x - o.x);
-    arrive(mesh_.from(SurfaceMesh::previous(h)),
+    arrive(mesh_.from(SurfaceMesh::previous(Halfedge(h))),
            cone.sigma + std::hypot(o.x - cone.root.x, o.y - cone.root.y),
-           directionOf(SurfaceMesh::previous(h)) + (towards - back), number, kNone);
+           directionOf(SurfaceMesh::previous(Halfedge(h))) + (towards - back), number, kNone);
   }
   // Child through the side from A to B (in the plane of h), seen from outside: B is its start.
   const auto child = [&](Index side, Point start, double sideLength, Point end, double low,
                          double high) {
-    if (mesh_.twin(side) == kNoIndex) return;
+    if (mesh_.twin(Halfedge(side)) == kNoIndex) return;
     const Point u{(end.x - start.x) / sideLength, (end.y - start.y) / sideLength};
     const auto hit =
         [&](double x) {  // the ray over x on the halfedge, along the side from its start
@@ -138,7 +138,7 @@ void BruteForce::grow(std::size_t number) {
     const double t0 = std::clamp(hit(low), 0.0, sideLength),
                  t1 = std::clamp(hit(high), 0.0, sideLength);
     if (t1 <= t0) return;
-    cones_.push_back({mesh_.twin(side),
+    cones_.push_back({mesh_.twin(Halfedge(side)),
                       {rx * u.x + ry * u.y, u.x * ry - u.y * rx},
                       cone.sigma,
                       t0,
@@ -147,7 +147,7 @@ void BruteForce::grow(std::size_t number) {
                       kNone});
     todo_.push_back(cones_.size() - 1);
   };
-  const Index left = SurfaceMesh::previous(h), right = SurfaceMesh::next(h);
+  const Halfedge left = SurfaceMesh::previous(Halfedge(h)), right = SurfaceMesh::next(Halfedge(h));
   if (cone.b0 < split)
     child(left, {0, 0}, mesh_.length(left), o, cone.b0, std::min(cone.b1, split));
   if (cone.b1 > split) {
@@ -162,14 +162,14 @@ double BruteForce::distanceTo(Index face, double x, double y) const {
   for (Index k = 0; k < 3; ++k) {
     const Index h = 3 * face + k;
     for (const Arrival& arrival : arrivals_) {
-      if (arrival.vertex == mesh_.from(h))
+      if (arrival.vertex == mesh_.from(Halfedge(h)))
         best = std::min(best, arrival.length + std::hypot(q.x, q.y));
     }
     for (const std::size_t i : conesOfFace_[face]) {
       const Cone& cone = cones_[i];
       if (cone.halfedge != h) continue;
       const double at = cone.root.x - cone.root.y * (q.x - cone.root.x) / (q.y - cone.root.y);
-      const double slack = 1e-9 * mesh_.length(h);
+      const double slack = 1e-9 * mesh_.length(Halfedge(h));
       if (at < cone.b0 - slack || at > cone.b1 + slack) continue;
       best = std::min(best, cone.sigma + std::hypot(q.x - cone.root.x, q.y - cone.root.y));
     }
@@ -180,34 +180,37 @@ double BruteForce::distanceTo(Index face, double x, double y) const {
 
 BruteForce::Point BruteForce::inPlaneOfNext(Index h, Point q) const {
   const Point o = apex(h);
-  const double length = mesh_.length(h), next = mesh_.length(SurfaceMesh::next(h));
+  const double length = mesh_.length(Halfedge(h)),
+               next = mesh_.length(SurfaceMesh::next(Halfedge(h)));
   const double ux = (o.x - length) / next, uy = o.y / next;
   return {(q.x - length) * ux + q.y * uy, ux * q.y - uy * (q.x - length)};
 }
 
 double BruteForce::distanceInPlaneOf(Index halfedge, Point q) const {
-  for (; halfedge % 3 != 0; halfedge = SurfaceMesh::next(halfedge)) q = inPlaneOfNext(halfedge, q);
+  for (; halfedge % 3 != 0; halfedge = SurfaceMesh::next(Halfedge(halfedge)))
+    q = inPlaneOfNext(halfedge, q);
   return distanceTo(halfedge / 3, q.x, q.y);
 }
 
 double BruteForce::distanceTo(const SurfacePoint& point) const {
-  if (point.kind == SurfacePoint::Kind::Vertex) {
+  if (point.kind == SurfacePoint::Kind::AtVertex) {
     double best = point.element == source_ ? 0 : std::numeric_limits<double>::infinity();
     for (const Arrival& arrival : arrivals_) {
       if (arrival.vertex == point.element) best = std::min(best, arrival.length);
     }
     return best;
   }
-  const Index face = point.kind == SurfacePoint::Kind::Face ? point.element : point.element / 3;
+  const Index face = point.kind == SurfacePoint::Kind::InFace ? point.element : point.element / 3;
   std::array<double, 3> weights{};
-  if (point.kind == SurfacePoint::Kind::Face) {
+  if (point.kind == SurfacePoint::Kind::InFace) {
     weights = point.weights;
   } else {
     weights[point.element % 3] = point.weights[0];
     weights[(point.element + 1) % 3] = point.weights[1];
   }
   const Point o = apex(3 * face);
-  return distanceTo(face, weights[1] * mesh_.length(3 * face) + weights[2] * o.x, weights[2] * o.y);
+  return distanceTo(face, weights[1] * mesh_.length(Halfedge(3 * face)) + weights[2] * o.x,
+                    weights[2] * o.y);
 }
 
 // The surface distance of the point at a given length along a loop that returns to the source.
@@ -217,10 +220,10 @@ std::optional<double> BruteForce::distanceAlong(const Arrival& loop, double leng
     if (arrival.cone == kNone) {  // along an edge from the vertex before
       const Arrival& before = arrivals_[arrival.before];
       if (length >= before.length) {
-        Index h = mesh_.outgoing(before.vertex);
+        Halfedge h = mesh_.outgoing(Vertex(before.vertex));
         double share = (length - before.length) / (arrival.length - before.length);
         while (mesh_.to(h) != arrival.vertex) {
-          const Index left = SurfaceMesh::previous(h);
+          const Halfedge left = SurfaceMesh::previous(h);
           h = mesh_.twin(left);
           if (h != kNoIndex) continue;
           h = left;  // along the boundary on the far side
@@ -252,7 +255,7 @@ std::optional<double> BruteForce::distanceAlong(const Arrival& loop, double leng
           arrival = start;
           break;
         }
-        const Index twin = mesh_.twin(cone.halfedge);
+        const Halfedge twin = mesh_.twin(Halfedge(cone.halfedge));
         const double share = (length - cone.sigma) / (atCrossing - cone.sigma);
         const double side = mesh_.length(twin);
         const Point from{side - cone.root.x, -cone.root.y}, to{side - crossing, 0};
@@ -261,12 +264,12 @@ std::optional<double> BruteForce::distanceAlong(const Arrival& loop, double leng
       }
       // The crossing in the plane of the parent: the apex side it lies on.
       const Cone& parent = cones_[cone.parent];
-      const Index twin = mesh_.twin(cone.halfedge);
+      const Halfedge twin = mesh_.twin(Halfedge(cone.halfedge));
       const double t = (mesh_.length(twin) - crossing) / mesh_.length(twin);
       const Point o = apex(parent.halfedge);
-      const Point right{mesh_.length(parent.halfedge), 0};
-      const Point a = twin == SurfaceMesh::next(parent.halfedge) ? right : o;
-      const Point b = twin == SurfaceMesh::next(parent.halfedge) ? o : Point{0, 0};
+      const Point right{mesh_.length(Halfedge(parent.halfedge)), 0};
+      const Point a = twin == SurfaceMesh::next(Halfedge(parent.halfedge)) ? right : o;
+      const Point b = twin == SurfaceMesh::next(Halfedge(parent.halfedge)) ? o : Point{0, 0};
       end = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
       number = cone.parent;
     }

@@ -21,15 +21,15 @@ TEST(Corpus, ExactAgreesWithNaiveAndLoopsAreGeodesic) {
     SCOPED_TRACE(name);
     const SurfaceMesh mesh = corpusModel(name);
     GirthSolver solver(mesh);
-    const std::vector<Index> order = coarseToFineOrder(mesh);
+    const std::vector<Vertex> order = coarseToFineOrder(mesh);
     for (std::size_t i = 0; i < 8; ++i) {
-      const GirthLoop loop = solver.loop(order[i]).value();
-      const GirthValue naive = study::naiveGirth(mesh, order[i]).value();
+      const GirthLoop loop = solver.loop(Vertex(order[i])).value();
+      const GirthValue naive = study::naiveGirth(mesh, Vertex(order[i])).value();
       EXPECT_NEAR(loop.length / naive.length, 1, 1e-9) << "vertex " << order[i];
       EXPECT_EQ(loop.kind, naive.kind) << "vertex " << order[i];
     }
     for (std::size_t i = 0; i < 300; ++i) {
-      expectGeodesicLoop(mesh, solver.loop(order[i]).value());
+      expectGeodesicLoop(mesh, solver.loop(Vertex(order[i])).value());
     }
   }
 }
@@ -44,7 +44,7 @@ TEST(Corpus, ValuesAreProven) {
     for (int i = 0; i < 5; ++i) {
       const Index vertex = random.below(mesh.vertexCount());
       SCOPED_TRACE(name + ", vertex " + std::to_string(vertex));
-      expectProven(mesh, textbook, solver.loop(vertex).value(), 0.03);
+      expectProven(mesh, textbook, solver.loop(Vertex(vertex)).value(), 0.03);
     }
   }
 }

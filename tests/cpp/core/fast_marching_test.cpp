@@ -30,7 +30,7 @@ std::vector<double> marchedFrom(const SurfaceMesh& mesh, Index source) {
     return true;
   });
   std::vector<double> distances;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) distances.push_back(march.distance(v));
+  for (const Vertex v : mesh.vertices()) distances.push_back(march.distance(v));
   return distances;
 }
 
@@ -54,10 +54,10 @@ SurfaceMesh patch(Index n, double shear) {
 /// Mean relative error against the exact distances.
 double meanError(const SurfaceMesh& mesh, Index source) {
   const std::vector<double> marched = marchedFrom(mesh, source);
-  const auto exact = GeodesicSolver(mesh).distances(SurfacePoint::atVertex(source));
+  const auto exact = GeodesicSolver(mesh).distances(SurfacePoint::atVertex(Vertex(source)));
   EXPECT_TRUE(exact.ok());
   double sum = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     if (v != source) sum += std::fabs(marched[v] / exact.value()[v] - 1);
   }
   return sum / (mesh.vertexCount() - 1);
@@ -102,7 +102,7 @@ TEST(MarchedGirth, ComesNearTheExactOne) {
   const SurfaceMesh tube = test::prism(test::regularPolygon(24, 2 * kPi / 24), 12, 45).mesh();
   const GirthField marched = girthField(tube, GirthMethod::Marched);
   EXPECT_TRUE(marched.complete());
-  for (Index v = 0; v < tube.vertexCount(); ++v) {
+  for (const Vertex v : tube.vertices()) {
     if (std::fabs(tube.position(v).z - 6) > 1) continue;
     EXPECT_EQ(marched.kinds[v], LoopKind::Loop);
     EXPECT_NEAR(marched.values[v], 2 * kPi, 0.05 * 2 * kPi);
@@ -110,7 +110,7 @@ TEST(MarchedGirth, ComesNearTheExactOne) {
   const SurfaceMesh torus = test::perturbed(test::torus(3, 1, 60, 30), 0.1, 4).mesh();
   const GirthField exact = girthField(torus), approximate = girthField(torus, GirthMethod::Marched);
   std::vector<double> errors;
-  for (Index v = 0; v < torus.vertexCount(); ++v) {
+  for (const Vertex v : torus.vertices()) {
     errors.push_back(std::fabs(approximate.values[v] / exact.values[v] - 1));
   }
   std::sort(errors.begin(), errors.end());
@@ -169,10 +169,10 @@ TEST(GeodesicExtent, SumsTheExactDistances) {
   const std::vector<double> areas = vertexAreas(mesh);
   GeodesicSolver solver(mesh);
   for (const Index v : {0u, 17u, 100u}) {
-    const auto distances = solver.distances(SurfacePoint::atVertex(v));
+    const auto distances = solver.distances(SurfacePoint::atVertex(Vertex(v)));
     ASSERT_TRUE(distances.ok());
     double sum = 0;
-    for (Index u = 0; u < mesh.vertexCount(); ++u) sum += areas[u] * distances.value()[u];
+    for (const Vertex u : mesh.vertices()) sum += areas[u] * distances.value()[u];
     EXPECT_NEAR(extent.average[v], sum / mesh.area(), 1e-12);
     EXPECT_EQ(extent.farthest[v],
               *std::max_element(distances.value().begin(), distances.value().end()));

@@ -24,7 +24,7 @@ TEST(Field, GivesTheSameBitsOnAnyNumberOfThreads) {
     const GirthField field = girthField(mesh, GirthMethod::Exact, context);
     ASSERT_TRUE(field.complete());
     EXPECT_GT(field.statistics.windowsCreated, 0u);
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       const GirthValue alone = solver.value(v).value();
       EXPECT_EQ(field.values[v], alone.length);
       EXPECT_EQ(field.kinds[v], alone.kind);
@@ -35,7 +35,7 @@ TEST(Field, GivesTheSameBitsOnAnyNumberOfThreads) {
 TEST(Field, NaiveAgreesWithExact) {
   const SurfaceMesh mesh = perturbed(torus(2, 0.7, 9, 5), 0.1, 1).mesh();
   const GirthField exact = girthField(mesh), naive = study::naiveGirthField(mesh);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     EXPECT_NEAR(exact.values[v] / naive.values[v], 1, 1e-9);
     EXPECT_EQ(exact.kinds[v], naive.kinds[v]);
   }
@@ -82,21 +82,21 @@ TEST(Field, StopsWhenTold) {
     EXPECT_EQ(numbers, field.computed);
 
     cancel = true;
-    EXPECT_EQ(GirthSolver(mesh).value(0, context).error().code, ErrorCode::Cancelled);
+    EXPECT_EQ(GirthSolver(mesh).value(Vertex(0), context).error().code, ErrorCode::Cancelled);
     EXPECT_EQ(girthField(mesh, GirthMethod::Exact, context).computed, 0u);
   }
 }
 
 TEST(Field, OrderIsCoarseToFine) {
   const SurfaceMesh mesh = octasphere(4).mesh();
-  const std::vector<Index> order = coarseToFineOrder(mesh);
+  const std::vector<Vertex> order = coarseToFineOrder(mesh);
   EXPECT_EQ(std::set<Index>(order.begin(), order.end()).size(), mesh.vertexCount());
   ASSERT_EQ(order.size(), mesh.vertexCount());
   // The first 32 vertices leave no point of the unit sphere farther away than 60°.
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     double nearest = 9;
     for (int i = 0; i < 32; ++i) {
-      nearest = std::min(nearest, norm(mesh.position(v) - mesh.position(order[i])));
+      nearest = std::min(nearest, norm(mesh.position(v) - mesh.position(Vertex(order[i]))));
     }
     EXPECT_LT(nearest, 1);
   }

@@ -33,14 +33,15 @@ class Samples {
   Samples(const SurfaceMesh& mesh, const TextbookMmp& field, double limit, double spacing)
       : field_(field), limit_(limit), spacing_(spacing) {
     distance.resize(mesh.vertexCount());
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       distance[v] = field.distanceTo(SurfacePoint::atVertex(v));
     }
     triangles.reserve(mesh.faceCount());
-    for (Index f = 0; f < mesh.faceCount(); ++f) {
+    for (const Face f : mesh.faces()) {
       bool touched = false;
       for (Index h = 3 * f; h < 3 * f + 3; ++h) touched = touched || field.leastOn(h) < limit;
-      triangles.push_back({mesh.faceVertices(f), field.corners(f), f, touched});
+      const auto [a, b, c] = mesh.faceVertices(f);
+      triangles.push_back({{a, b, c}, field.corners(f), f, touched});
     }
     while (refine()) {
     }

@@ -16,7 +16,7 @@ namespace {
 
 FirstSaddle saddleOf(const SurfaceMesh& mesh, Index vertex, double limit, double spacing) {
   TextbookMmp textbook(mesh);
-  textbook.propagate(SurfacePoint::atVertex(vertex), limit + spacing);
+  textbook.propagate(SurfacePoint::atVertex(Vertex(vertex)), limit + spacing);
   return firstSaddle(mesh, textbook, limit, spacing);
 }
 
@@ -43,7 +43,7 @@ TEST(FirstSaddle, GoesRoundTheTipOfACone) {
 TEST(FirstSaddle, SeesTheCyclesOfHandles) {
   // On a thin torus the disk meets itself behind the tube; that cycle is never filled.
   const SurfaceMesh mesh = torus(8, 0.5, 12, 6).mesh();
-  const double half = GirthSolver(mesh).value(0).value().length / 2;
+  const double half = GirthSolver(mesh).value(Vertex(0)).value().length / 2;
   expectAt(mesh, 0, half, 0.03);
   const FirstSaddle saddle = saddleOf(mesh, 0, 100, half);
   ASSERT_TRUE(saddle.value);
@@ -55,7 +55,8 @@ TEST(FirstSaddle, IsNowhereOnARegularSphere) {
     const SurfaceMesh mesh = shape.mesh();
     const FirstSaddle saddle = saddleOf(mesh, 0, 100, 0.03);
     EXPECT_FALSE(saddle.value);
-    EXPECT_NEAR(saddle.farthest, GirthSolver(mesh).value(0).value().length / 2, saddle.error);
+    EXPECT_NEAR(saddle.farthest, GirthSolver(mesh).value(Vertex(0)).value().length / 2,
+                saddle.error);
   }
 }
 
@@ -69,7 +70,7 @@ TEST(FirstSaddle, ProvesTheValuesOfSmallShapes) {
     TextbookMmp textbook(mesh);
     for (Index v = 0; v < mesh.vertexCount(); v += 11) {
       SCOPED_TRACE("vertex " + std::to_string(v));
-      if (expectProven(mesh, textbook, solver.loop(v).value(), 0.03)) ++seen;
+      if (expectProven(mesh, textbook, solver.loop(Vertex(v)).value(), 0.03)) ++seen;
       ++tested;
     }
   }

@@ -36,7 +36,7 @@ void expectPerimeter(const Shape& shape, Index first, Index last, double perimet
     const SurfaceMesh mesh = s.mesh();
     GirthSolver solver(mesh);
     for (Index v = first; v < last; ++v) {
-      const GirthLoop loop = solver.loop(v).value();
+      const GirthLoop loop = solver.loop(Vertex(v)).value();
       expectClose(loop.length, perimeter, at(v));
       EXPECT_EQ(loop.kind, LoopKind::Loop) << at(v);
       EXPECT_NEAR(loop.angle, M_PI, 1e-6) << at(v);
@@ -65,7 +65,7 @@ TEST(ClosedForm, BoxesHaveTwiceTheSumOfTheirSides) {
     const SurfaceMesh mesh = s.mesh();
     GirthSolver solver(mesh);
     int tested = 0;
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       if (std::fabs(mesh.position(v).z - 3) > 1) continue;
       expectClose(solver.value(v).value().length, 3, at(v));
       ++tested;
@@ -92,9 +92,10 @@ TEST(ClosedForm, ANeckBetweenTwoNotches) {
       GirthSolver solver(mesh);
       for (const Index corner : {kNotch, kOpposite}) {
         Index edge = 0;
-        while (mesh.from(edge) != corner || mesh.to(edge) != corner + kCorners) ++edge;
+        while (mesh.from(Halfedge(edge)) != corner || mesh.to(Halfedge(edge)) != corner + kCorners)
+          ++edge;
         for (const double t : {0.2, 0.5, 0.83}) {
-          const auto loop = solver.loop(SurfacePoint::onHalfedge(edge, t));
+          const auto loop = solver.loop(SurfacePoint::onHalfedge(Halfedge(edge), t));
           expectClose(loop.value().length, 4 * (1 + 0.1 * turn), "turn " + std::to_string(turn));
         }
       }
@@ -113,7 +114,7 @@ TEST(ClosedForm, PyramidsAndConesBelowPi) {
         for (Index ring = 1; ring <= 4; ++ring) {
           // All corners of a ring are alike, and d is a share of the slant edge of length 1.
           const Index v = 1 + (ring - 1) * sides + ring % sides;
-          const GirthValue girth = solver.value(v).value();
+          const GirthValue girth = solver.value(Vertex(v)).value();
           expectClose(girth.length, 2 * (ring * 0.1) * std::sin(theta / 2), at(v));
           EXPECT_EQ(girth.kind, LoopKind::Loop);
         }
@@ -130,7 +131,7 @@ TEST(ClosedForm, ToriHaveTheirMeridian) {
   const Shape shape = torus(R, r, around, across);
   const SurfaceMesh mesh = shape.mesh();
   GirthSolver solver(mesh);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const GirthLoop loop = solver.loop(v).value();
     // The section itself is a polygon of sides 2 r sin(π/6) = r; no loop round the tube is longer
     // than it, and from the inner rim, whose section is a geodesic through saddle vertices, none is
@@ -146,7 +147,7 @@ TEST(ClosedForm, AFlatFoldedTorusHasItsShortestGeodesic) {
   const SurfaceMesh mesh = shape.mesh();
   GirthSolver solver(mesh);
   int tested = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     if (std::fabs(p.x - 1.5) > 0.3 || p.y > 1) continue;  // mid-side: a bar of 1 × 0.5
     expectClose(solver.value(v).value().length, 3, at(v));
@@ -160,13 +161,13 @@ TEST(ClosedForm, RegularSpheresAreAntipodal) {
     const SurfaceMesh mesh = shape.mesh();
     GirthSolver solver(mesh);
     for (Index v = 0; v < mesh.vertexCount(); v += 5) {
-      EXPECT_EQ(solver.value(v).value().kind, LoopKind::Antipodal) << at(v);
+      EXPECT_EQ(solver.value(Vertex(v)).value().kind, LoopKind::Antipodal) << at(v);
     }
   }
   const SurfaceMesh fine = octasphere(4).mesh();
-  EXPECT_NEAR(GirthSolver(fine).value(0).value().length, 2 * M_PI, 0.02);
+  EXPECT_NEAR(GirthSolver(fine).value(Vertex(0)).value().length, 2 * M_PI, 0.02);
   // An octahedron of edge √2: from a corner to the opposite one, over two faces.
-  expectClose(GirthSolver(octasphere(0).mesh()).value(0).value().length, 2 * std::sqrt(6.0),
+  expectClose(GirthSolver(octasphere(0).mesh()).value(Vertex(0)).value().length, 2 * std::sqrt(6.0),
               "corner");
 }
 
@@ -175,7 +176,7 @@ TEST(ClosedForm, ACubeClosesUponTheOppositeCentre) {
   // two they are one.
   const SurfaceMesh mesh = box(1, 1, 1, 2, 2, 2).mesh();
   GirthSolver solver(mesh);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     const int middles = (p.x == 0.5) + (p.y == 0.5) + (p.z == 0.5);
     if (middles != 2) continue;
@@ -188,7 +189,7 @@ TEST(ClosedForm, ACubeClosesUponTheOppositeCentre) {
 TEST(ClosedForm, ARegularTetrahedronClosesUponTheOppositeFace) {
   // Straight lines run into its convex corners and back, but they are no geodesics.
   const SurfaceMesh mesh = tetrahedron().mesh();
-  const GirthLoop loop = GirthSolver(mesh).loop(0).value();
+  const GirthLoop loop = GirthSolver(mesh).loop(Vertex(0)).value();
   expectClose(loop.length, 2 * std::sqrt(8.0) * std::sqrt(3.0) / 2 * 4 / 3, at(0));
   EXPECT_EQ(loop.kind, LoopKind::Antipodal);
 }
@@ -253,12 +254,12 @@ TEST_P(AgainstNaive, AtEveryVertex) {
     if (!made) continue;  // noise may flatten a needle; that is refused elsewhere
     const SurfaceMesh mesh = std::move(made).value();
     GirthSolver solver(mesh);
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       const GirthLoop loop = solver.loop(v).value();
       const GirthValue naive = study::naiveGirth(mesh, v).value();
       expectClose(loop.length, naive.length, at(v));
       EXPECT_EQ(loop.kind, naive.kind) << at(v);
-      EXPECT_EQ(solver.value(v).value().length, loop.length) << at(v);
+      EXPECT_EQ(solver.value(Vertex(v)).value().length, loop.length) << at(v);
       expectGeodesicLoop(mesh, loop);
       if (HasFailure()) return;
     }
@@ -287,7 +288,7 @@ TEST_P(AgainstBruteForce, AtEveryVertex) {
   const SurfaceMesh mesh = perturbed(drawn, noise, 17).mesh();
   ASSERT_LT(mesh.faceCount(), 300u);
   GirthSolver solver(mesh);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const GirthLoop loop = solver.loop(v).value();
     const BruteForce all(mesh, v, loop.length * 1.02);
     ASSERT_TRUE(all.complete()) << at(v);
@@ -301,7 +302,7 @@ TEST_P(AgainstBruteForce, AtEveryVertex) {
     } else {
       EXPECT_GE(shortest.value_or(loop.length), loop.length * (1 - 1e-9)) << at(v);
       // Nothing is farther than the midpoint.
-      for (Index f = 0; f < mesh.faceCount(); ++f) {
+      for (const Face f : mesh.faces()) {
         EXPECT_LE(all.distanceTo(SurfacePoint::inFace(f, {1.0 / 3, 1.0 / 3, 1.0 / 3})),
                   loop.length / 2 * (1 + 1e-9));
       }
@@ -317,7 +318,7 @@ TEST(Invariance, ScaleAndMotion) {
   const Shape shape = perturbed(plate(2), 0.1, 6);
   const SurfaceMesh mesh = shape.mesh(), other = moved(shape, 37.5, 0.7, 100).mesh();
   GirthSolver solver(mesh), otherSolver(other);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const GirthValue a = solver.value(v).value(), b = otherSolver.value(v).value();
     expectClose(b.length, 37.5 * a.length, at(v));
     EXPECT_EQ(a.kind, b.kind);
@@ -328,7 +329,7 @@ TEST(Invariance, PowersOfTwoKeepEveryBit) {
   const Shape shape = perturbed(octasphere(2), 0.2, 6);
   const SurfaceMesh mesh = shape.mesh(), other = moved(shape, 0x1p-300, 0, 0).mesh();
   GirthSolver solver(mesh), otherSolver(other);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     EXPECT_EQ(otherSolver.value(v).value().length, 0x1p-300 * solver.value(v).value().length);
   }
 }
@@ -339,9 +340,9 @@ TEST(Invariance, Numbering) {
   const Shape renumbered = relabelled(shape, 8, newNumber);
   const SurfaceMesh mesh = shape.mesh(), other = renumbered.mesh();
   GirthSolver solver(mesh), otherSolver(other);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    expectClose(otherSolver.value(newNumber[v]).value().length, solver.value(v).value().length,
-                at(v));
+  for (const Vertex v : mesh.vertices()) {
+    expectClose(otherSolver.value(Vertex(newNumber[v])).value().length,
+                solver.value(v).value().length, at(v));
   }
 }
 
@@ -350,7 +351,7 @@ TEST(Invariance, Subdivision) {
                              perturbed(box(1, 1, 3, 2, 2, 6), 0.1, 9), octasphere(1)}) {
     const SurfaceMesh mesh = shape.mesh(), finer = subdivided(shape).mesh();
     GirthSolver solver(mesh), finerSolver(finer);
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       const GirthLoop a = solver.loop(v).value(), b = finerSolver.loop(v).value();
       expectClose(b.length, a.length, at(v));
       expectGeodesicLoop(finer, b);
@@ -362,7 +363,7 @@ TEST(Solver, TakesShapesOfExtremeSize) {
   for (const double scale : {1e-150, 1e150}) {
     const SurfaceMesh mesh = moved(box(1, 0.5, 6, 4, 2, 24), scale, 0, 0).mesh();
     const Index v = 5 * 30;
-    const double length = GirthSolver(mesh).value(v).value().length / scale;
+    const double length = GirthSolver(mesh).value(Vertex(v)).value().length / scale;
     EXPECT_GT(length, 0.5);
     EXPECT_LT(length, 14);
   }
@@ -377,18 +378,19 @@ TEST(Solver, KeepsComponentsApart) {
   const SurfaceMesh mesh = two.mesh(), alone = sphere.mesh();
   GirthSolver solver(mesh), aloneSolver(alone);
   for (Index v = 0; v < alone.vertexCount(); ++v) {
-    expectClose(solver.value(first + v).value().length, aloneSolver.value(v).value().length, at(v));
+    expectClose(solver.value(Vertex(first + v)).value().length,
+                aloneSolver.value(Vertex(v)).value().length, at(v));
   }
-  EXPECT_EQ(solver.value(0).value().kind, LoopKind::Loop);
-  EXPECT_EQ(solver.value(first).value().kind, LoopKind::Antipodal);
+  EXPECT_EQ(solver.value(Vertex(0)).value().kind, LoopKind::Loop);
+  EXPECT_EQ(solver.value(Vertex(first)).value().kind, LoopKind::Antipodal);
 }
 
 TEST(Solver, RefusesVerticesThatDoNotExist) {
   const SurfaceMesh mesh = tetrahedron().mesh();
   GirthSolver solver(mesh);
-  EXPECT_EQ(solver.value(4).error().code, ErrorCode::VertexOutOfRange);
-  EXPECT_EQ(solver.loop(kNoIndex).error().code, ErrorCode::VertexOutOfRange);
-  EXPECT_EQ(study::naiveGirth(mesh, 4).error().code, ErrorCode::VertexOutOfRange);
+  EXPECT_EQ(solver.value(Vertex(4)).error().code, ErrorCode::VertexOutOfRange);
+  EXPECT_EQ(solver.loop(Vertex(kNoIndex)).error().code, ErrorCode::VertexOutOfRange);
+  EXPECT_EQ(study::naiveGirth(mesh, Vertex(4)).error().code, ErrorCode::VertexOutOfRange);
 }
 
 TEST(Solver, NeighboursDifferByNoMoreThanTheyMustOutsideTips) {
@@ -396,8 +398,8 @@ TEST(Solver, NeighboursDifferByNoMoreThanTheyMustOutsideTips) {
   const SurfaceMesh mesh = torus(2, 0.5, 16, 8).mesh();
   GirthSolver solver(mesh);
   std::vector<double> girth(mesh.vertexCount());
-  for (Index v = 0; v < mesh.vertexCount(); ++v) girth[v] = solver.value(v).value().length;
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+  for (const Vertex v : mesh.vertices()) girth[v] = solver.value(v).value().length;
+  for (const Halfedge h : mesh.halfedges()) {
     EXPECT_LE(std::fabs(girth[mesh.from(h)] - girth[mesh.to(h)]), 2 * mesh.length(h) * (1 + 1e-12));
   }
 }

@@ -16,24 +16,25 @@ namespace {
 /// one, unless the faces meet there twice. Said by the elements, since folds lie on one another in
 /// space.
 std::vector<double> directionsTo(const SurfaceMesh& mesh, Index vertex, const SurfacePoint& point) {
-  const Vec3 p = mesh.position(vertex), d = positionOf(mesh, point) - p;
-  const Index twin = point.kind == SurfacePoint::Kind::Edge ? mesh.twin(point.element) : kNoIndex;
+  const Vec3 p = mesh.position(Vertex(vertex)), d = positionOf(mesh, point) - p;
+  const Index twin =
+      point.kind == SurfacePoint::Kind::OnEdge ? mesh.twin(Halfedge(point.element)) : kNoIndex;
   const auto isOn = [&](Index h) {
-    return point.kind == SurfacePoint::Kind::Edge && (point.element == h || twin == h);
+    return point.kind == SurfacePoint::Kind::OnEdge && (point.element == h || twin == h);
   };
   std::vector<double> directions;
   double start = 0;
-  Index h = mesh.outgoing(vertex);
+  Halfedge h = mesh.outgoing(Vertex(vertex));
   do {
-    const Index in = SurfaceMesh::previous(h);
+    const Halfedge in = SurfaceMesh::previous(h);
     const Vec3 a = mesh.position(mesh.to(h)) - p, b = mesh.position(mesh.from(in)) - p;
     const auto angle = [](const Vec3& u, const Vec3& v) {
       return std::atan2(norm(cross(u, v)), dot(u, v));
     };
-    const bool atVertex = point.kind == SurfacePoint::Kind::Vertex;
+    const bool atVertex = point.kind == SurfacePoint::Kind::AtVertex;
     if (isOn(h) || (atVertex && point.element == mesh.to(h))) {
       directions.push_back(start);
-    } else if (isOn(SurfaceMesh::next(h)) || (point.kind == SurfacePoint::Kind::Face &&
+    } else if (isOn(SurfaceMesh::next(h)) || (point.kind == SurfacePoint::Kind::InFace &&
                                               point.element == SurfaceMesh::faceOf(h))) {
       directions.push_back(start + angle(a, d));
     } else if (isOn(in) || (atVertex && point.element == mesh.from(in))) {
@@ -41,7 +42,7 @@ std::vector<double> directionsTo(const SurfaceMesh& mesh, Index vertex, const Su
     }
     start += angle(a, b);
     h = mesh.twin(in);
-  } while (h != kNoIndex && h != mesh.outgoing(vertex));
+  } while (h != kNoIndex && h != mesh.outgoing(Vertex(vertex)));
   return directions;
 }
 
@@ -51,8 +52,8 @@ double straightnessAt(const SurfaceMesh& mesh, Index vertex, const SurfacePoint&
   double best = -1;
   for (const double a : directionsTo(mesh, vertex, before)) {
     for (const double b : directionsTo(mesh, vertex, after)) {
-      const double side = std::fabs(a - b), other = mesh.totalAngle(vertex) - side;
-      best = std::max(best, mesh.isBoundary(vertex) ? side : std::min(side, other));
+      const double side = std::fabs(a - b), other = mesh.totalAngle(Vertex(vertex)) - side;
+      best = std::max(best, mesh.isBoundary(Vertex(vertex)) ? side : std::min(side, other));
     }
   }
   return best;
@@ -99,24 +100,24 @@ void expectGeodesicLoop(const SurfaceMesh& mesh, const GirthLoop& loop) {
     // Rounding turns a short step by more.
     const double slack = 1e-7 + 1e-12 * loop.length / std::min(norm(in), norm(out));
     const SurfacePoint& point = loop.points[i];
-    if (point.kind == SurfacePoint::Kind::Edge) {
-      const Vec3 edge =
-          mesh.position(mesh.to(point.element)) - mesh.position(mesh.from(point.element));
+    if (point.kind == SurfacePoint::Kind::OnEdge) {
+      const Vec3 edge = mesh.position(mesh.to(Halfedge(point.element))) -
+                        mesh.position(mesh.from(Halfedge(point.element)));
       const double cosIn = dot(in, edge) / norm(in) / norm(edge);
       const double cosOut = dot(out, edge) / norm(out) / norm(edge);
       EXPECT_NEAR(cosIn, cosOut, slack) << "point " << i << " of the loop at " << base;
-    } else if (point.kind == SurfacePoint::Kind::Vertex && slack < 1e-3) {
+    } else if (point.kind == SurfacePoint::Kind::AtVertex && slack < 1e-3) {
       EXPECT_GE(straightnessAt(mesh, point.element, loop.points[i - 1], loop.points[i + 1]),
                 M_PI - 1e-6 - slack)
           << "point " << i << " at " << base;
     } else {
-      EXPECT_NE(point.kind, SurfacePoint::Kind::Face) << "point " << i << " at " << base;
+      EXPECT_NE(point.kind, SurfacePoint::Kind::InFace) << "point " << i << " at " << base;
     }
   }
   EXPECT_GE(loop.angle, 0);
   double widest = M_PI;
-  if (loop.base.kind == SurfacePoint::Kind::Vertex) {  // at a boundary there is but one side
-    widest = mesh.totalAngle(base) / (mesh.isBoundary(base) ? 1 : 2);
+  if (loop.base.kind == SurfacePoint::Kind::AtVertex) {  // at a boundary there is but one side
+    widest = mesh.totalAngle(Vertex(base)) / (mesh.isBoundary(Vertex(base)) ? 1 : 2);
   }
   EXPECT_LE(loop.angle, widest + 1e-9);
 }

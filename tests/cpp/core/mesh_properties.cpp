@@ -22,12 +22,13 @@ std::string at(Index vertex) { return "vertex " + std::to_string(vertex); }
 SurfacePoint anyPoint(const SurfaceMesh& mesh, Random& random) {
   switch (random.below(3)) {
     case 0:
-      return SurfacePoint::atVertex(random.below(mesh.vertexCount()));
+      return SurfacePoint::atVertex(Vertex(random.below(mesh.vertexCount())));
     case 1:
-      return SurfacePoint::onHalfedge(random.below(mesh.halfedgeCount()), 0.02 + 0.96 * random());
+      return SurfacePoint::onHalfedge(Halfedge(random.below(mesh.halfedgeCount())),
+                                      0.02 + 0.96 * random());
     default: {
       const double a = 0.02 + 0.9 * random(), b = 0.01 + (0.98 - a) * random();
-      return SurfacePoint::inFace(random.below(mesh.faceCount()), {a, b, 1 - a - b});
+      return SurfacePoint::inFace(Face(random.below(mesh.faceCount())), {a, b, 1 - a - b});
     }
   }
 }
@@ -48,7 +49,7 @@ void expectSame(const GirthField& values, const Shape& other, double scale,
   GirthSolver solver(mesh);
   for (std::size_t v = 0; v < values.values.size(); v += 3) {
     const Index number = newNumber.empty() ? static_cast<Index>(v) : newNumber[v];
-    const GirthValue value = solver.value(number).value();
+    const GirthValue value = solver.value(Vertex(number)).value();
     EXPECT_NEAR(value.length / (scale * values.values[v]), 1, 1e-9) << at(static_cast<Index>(v));
   }
 }
@@ -64,7 +65,7 @@ void expectDistances(const SurfaceMesh& mesh, Random& random) {
     const std::vector<double> distances = solver.distances(source).value();
     const double radius = 3 * random() * mesh.meanEdgeLength();
     const std::vector<double> near = solver.distances(source, radius).value();
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       const double expected = textbook.distanceTo(SurfacePoint::atVertex(v));
       EXPECT_NEAR(distances[v], expected, 1e-9 * expected + rounding) << at(v);
       if (expected < radius * (1 - 1e-9)) {
@@ -85,7 +86,7 @@ void expectLoopsAnywhere(const Shape& shape, const SurfaceMesh& mesh, Random& ra
   TextbookMmp textbook(mesh);
   for (int i = 0; i < 3; ++i) {
     const SurfacePoint point = anyPoint(mesh, random);
-    if (point.kind == SurfacePoint::Kind::Vertex) continue;
+    if (point.kind == SurfacePoint::Kind::AtVertex) continue;
     SCOPED_TRACE("loop at " + textOf(point));
     const GirthLoop loop = solver.loop(point).value();
     EXPECT_EQ(solver.value(point).value().length, loop.length);
@@ -93,7 +94,7 @@ void expectLoopsAnywhere(const Shape& shape, const SurfaceMesh& mesh, Random& ra
     const Shape other = withVertexAt(shape, point);
     if (!isSurface(other)) continue;
     const SurfaceMesh withVertex = other.mesh(OpenEdges::Boundary);
-    const GirthValue value = GirthSolver(withVertex).value(mesh.vertexCount()).value();
+    const GirthValue value = GirthSolver(withVertex).value(Vertex(mesh.vertexCount())).value();
     EXPECT_NEAR(value.length / loop.length, 1, 1e-9);
   }
 }
@@ -115,10 +116,10 @@ void expectProperties(std::uint64_t seed) {
   for (Index v = mesh.vertexCount(); v-- > 0;) {
     EXPECT_EQ(again.values[v], exact.values[v]) << at(v);
     EXPECT_EQ(again.kinds[v], exact.kinds[v]) << at(v);
-    const GirthLoop loop = solver.loop(v).value();
+    const GirthLoop loop = solver.loop(Vertex(v)).value();
     EXPECT_EQ(loop.length, exact.values[v]) << at(v);
     EXPECT_EQ(loop.kind, exact.kinds[v]) << at(v);
-    const GirthValue naive = study::naiveGirth(mesh, v).value();
+    const GirthValue naive = study::naiveGirth(mesh, Vertex(v)).value();
     EXPECT_NEAR(exact.values[v] / naive.length, 1, 1e-9) << at(v) << ", naive " << naive.length;
     if (exact.kinds[v] != naive.kind) {
       // Right only where the loop's midpoint is the farthest point as well.

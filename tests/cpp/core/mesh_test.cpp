@@ -27,8 +27,8 @@ TEST(SurfaceMesh, KnowsATetrahedron) {
   EXPECT_EQ(mesh.genus(0), 0u);
   EXPECT_NEAR(mesh.area(), 8 * std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(mesh.meanEdgeLength(), std::sqrt(8.0), 1e-14);
-  for (Index v = 0; v < 4; ++v) EXPECT_NEAR(mesh.totalAngle(v), kPi, 1e-14);
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+  for (Index v = 0; v < 4; ++v) EXPECT_NEAR(mesh.totalAngle(Vertex(v)), kPi, 1e-14);
+  for (const Halfedge h : mesh.halfedges()) {
     EXPECT_EQ(mesh.twin(mesh.twin(h)), h);
     EXPECT_EQ(mesh.from(mesh.twin(h)), mesh.to(h));
     EXPECT_EQ(mesh.length(mesh.twin(h)), mesh.length(h));
@@ -46,15 +46,15 @@ TEST(SurfaceMesh, CountsHandlesAndComponents) {
   ASSERT_EQ(mesh.componentCount(), 2u);
   EXPECT_EQ(mesh.genus(0), 0u);
   EXPECT_EQ(mesh.genus(1), 1u);
-  EXPECT_EQ(mesh.componentOf(3), 0u);
-  EXPECT_EQ(mesh.componentOf(4), 1u);
+  EXPECT_EQ(mesh.componentOf(Vertex(3)), 0u);
+  EXPECT_EQ(mesh.componentOf(Vertex(4)), 1u);
 }
 
 TEST(SurfaceMesh, SatisfiesGaussBonnet) {
   for (const Shape& shape : {perturbed(octasphere(2), 0.2, 1), perturbed(plate(2), 0.1, 2)}) {
     const SurfaceMesh mesh = shape.mesh();
     double curvature = 0;
-    for (Index v = 0; v < mesh.vertexCount(); ++v) curvature += 2 * kPi - mesh.totalAngle(v);
+    for (const Vertex v : mesh.vertices()) curvature += 2 * kPi - mesh.totalAngle(v);
     EXPECT_NEAR(curvature, 2 * kPi * (2 - 2.0 * mesh.genus(0)), 1e-10);
   }
 }
@@ -118,8 +118,8 @@ TEST(SurfaceMesh, RefusesWithTheElement) {
 TEST(SurfaceMesh, TakesCoordinatesOfAnySize) {
   for (const double scale : {1e-150, 1e150}) {
     const SurfaceMesh mesh = moved(octasphere(1), scale, 0, 0).mesh();
-    EXPECT_NEAR(mesh.length(0) / scale, octasphere(1).mesh().length(0), 1e-12);
-    EXPECT_NEAR(mesh.totalAngle(0), octasphere(1).mesh().totalAngle(0), 1e-12);
+    EXPECT_NEAR(mesh.length(Halfedge(0)) / scale, octasphere(1).mesh().length(Halfedge(0)), 1e-12);
+    EXPECT_NEAR(mesh.totalAngle(Vertex(0)), octasphere(1).mesh().totalAngle(Vertex(0)), 1e-12);
   }
 }
 

@@ -33,7 +33,7 @@ PreparedSurface preparedSoup(const Shape& shape, std::uint64_t seed) {
 }
 
 Index vertexAt(const SurfaceMesh& mesh, double x, double y, double z = 0) {
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     if (std::fabs(p.x - x) + std::fabs(p.y - y) + std::fabs(p.z - z) < 1e-9) return v;
   }
@@ -93,7 +93,7 @@ TEST(OpenSurfaces, AnOpenTube) {
   EXPECT_EQ(tube.report.boundaryCurves, 2u);
   EXPECT_EQ(tube.report.components, 1u);
   GirthSolver solver(tube.mesh);
-  for (Index v = 0; v < tube.mesh.vertexCount(); ++v) {
+  for (const Vertex v : tube.mesh.vertices()) {
     const GirthValue value = solver.value(v).value();
     EXPECT_EQ(value.kind, LoopKind::Loop);
     EXPECT_NEAR(value.length, 4, 1e-12) << "its perimeter, also at its ends";
@@ -108,7 +108,7 @@ TEST(OpenSurfaces, ADisk) {
   const PreparedSurface prepared = preparedSoup(disk, 2);
   EXPECT_EQ(prepared.report.boundaryCurves, 1u);
   GirthSolver solver(prepared.mesh);
-  for (Index v = 0; v < prepared.mesh.vertexCount(); ++v) {
+  for (const Vertex v : prepared.mesh.vertices()) {
     const GirthValue value = solver.value(v).value();
     EXPECT_EQ(value.kind, LoopKind::Antipodal);
     const Vec3& p = prepared.mesh.position(v);
@@ -124,15 +124,15 @@ TEST(OpenSurfaces, APlateWithAHole) {
   // From a corner of the hole: along its boundary. From outside: over two corners of the square.
   for (const double x : {2.0, 3.0}) {
     for (const double y : {2.0, 3.0}) {
-      EXPECT_NEAR(solver.value(vertexAt(plate.mesh, x, y)).value().length, 4, 1e-12);
+      EXPECT_NEAR(solver.value(Vertex(vertexAt(plate.mesh, x, y))).value().length, 4, 1e-12);
     }
   }
-  const GirthValue outside = solver.value(vertexAt(plate.mesh, 0, 2)).value();
+  const GirthValue outside = solver.value(Vertex(vertexAt(plate.mesh, 0, 2))).value();
   EXPECT_EQ(outside.kind, LoopKind::Loop);
   // On the line of a side, both ways: 3 along it, 1 down, and back to (0, 2) over (2, 3).
   EXPECT_NEAR(outside.length, 3 + 1 + 1 + std::sqrt(5.0), 1e-12);
-  EXPECT_NEAR(solver.value(vertexAt(plate.mesh, 0, 0)).value().length, 2 * std::sqrt(13.0) + 2,
-              1e-12);
+  EXPECT_NEAR(solver.value(Vertex(vertexAt(plate.mesh, 0, 0))).value().length,
+              2 * std::sqrt(13.0) + 2, 1e-12);
 }
 
 TEST(OpenSurfaces, APlateWithTwoHoles) {
@@ -146,7 +146,8 @@ TEST(OpenSurfaces, APlateWithTwoHoles) {
                                        {0, 2, 5 + std::sqrt(5.0)},
                                        {0, 0, 2 * std::sqrt(13.0) + 2},
                                        {4, 2, 4 + std::sqrt(2.0)}}) {
-      const GirthValue value = solver.value(vertexAt(plate.mesh, mirror + sign * x, y)).value();
+      const GirthValue value =
+          solver.value(Vertex(vertexAt(plate.mesh, mirror + sign * x, y))).value();
       EXPECT_EQ(value.kind, LoopKind::Loop);
       EXPECT_NEAR(value.length, length, 1e-12) << x << ", " << y;
     }
@@ -159,7 +160,7 @@ TEST(OpenSurfaces, AnAnnulus) {
   const PreparedSurface ring = preparedSoup(annulus(1, 3, around, 4), 5);
   EXPECT_EQ(ring.report.boundaryCurves, 2u);
   GirthSolver solver(ring.mesh);
-  EXPECT_NEAR(solver.value(vertexAt(ring.mesh, 1, 0)).value().length, around * side, 1e-12)
+  EXPECT_NEAR(solver.value(Vertex(vertexAt(ring.mesh, 1, 0))).value().length, around * side, 1e-12)
       << "along the inner rim";
   // From farther out: two tangents to the inner polygon, over its corners.
   for (const double rho : {1.5, 2.0, 2.5, 3.0}) {
@@ -175,7 +176,7 @@ TEST(OpenSurfaces, AnAnnulus) {
     }
     const double angle = 2 * M_PI * k / around;
     const double tangent = std::hypot(rho - std::cos(angle), std::sin(angle));
-    EXPECT_NEAR(solver.value(vertexAt(ring.mesh, rho, 0)).value().length,
+    EXPECT_NEAR(solver.value(Vertex(vertexAt(ring.mesh, rho, 0))).value().length,
                 2 * tangent + (around - 2 * k) * side, 1e-12)
         << rho;
   }
@@ -192,7 +193,7 @@ TEST(OpenSurfaces, AgainstBruteForce) {
     const SurfaceMesh mesh = perturbed(drawn, noise, 23).mesh(OpenEdges::Boundary);
     SCOPED_TRACE(std::to_string(mesh.faceCount()) + " faces");
     GirthSolver solver(mesh);
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       SCOPED_TRACE("vertex " + std::to_string(v));
       const GirthLoop loop = solver.loop(v).value();
       const BruteForce all(mesh, v, loop.length * 1.02);
@@ -205,7 +206,7 @@ TEST(OpenSurfaces, AgainstBruteForce) {
         continue;
       }
       EXPECT_GE(shortest.value_or(loop.length), loop.length * (1 - 1e-9));
-      for (Index f = 0; f < mesh.faceCount(); ++f) {
+      for (const Face f : mesh.faces()) {
         EXPECT_LE(all.distanceTo(SurfacePoint::inFace(f, {1.0 / 3, 1.0 / 3, 1.0 / 3})),
                   loop.length / 2 * (1 + 1e-9));
       }
@@ -239,7 +240,7 @@ TEST(OpenSurfaces, ExactIsNaive) {
     ASSERT_TRUE(prepared.ok()) << prepared.error().message;
     const SurfaceMesh& mesh = prepared.value().mesh;
     GirthSolver solver(mesh);
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       const GirthValue exact = solver.value(v).value(), naive = study::naiveGirth(mesh, v).value();
       EXPECT_NEAR(exact.length / naive.length, 1, 1e-9) << "vertex " << v;
       EXPECT_EQ(exact.kind, naive.kind) << "vertex " << v;

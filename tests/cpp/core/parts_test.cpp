@@ -40,7 +40,7 @@ TEST(VertexAreas, AddUpToTheSurfaceAndFollowVoronoi) {
   // In a flat grid of right triangles each inner vertex owns one square.
   const SurfaceMesh mesh = test::box(4, 4, 4, 4, 4, 4).mesh();
   const std::vector<double> areas = vertexAreas(mesh);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     const auto inner = [](double x) { return x > 0.5 && x < 3.5; };
     if (!inner(p.x) || !inner(p.y)) continue;
@@ -76,7 +76,7 @@ TEST(Parts, ArePlainThresholds) {
   const Parts parts = partsOf(mesh, girth, diameter, {{0.5, 0.7}, 0});
   const std::vector<double> areas = vertexAreas(mesh);
   double total = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const bool known = !std::isnan(girth[v]) && !std::isnan(diameter[v]);
     const PartKind expected = !known                 ? PartKind::Unknown
                               : !(diameter[v] < 0.7) ? PartKind::Body
@@ -93,13 +93,13 @@ TEST(Parts, ArePlainThresholds) {
     vertices += part.vertices.size();
     const std::set<Index> members(part.vertices.begin(), part.vertices.end());
     // No neighbour of the same kind is outside.
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+    for (const Halfedge h : mesh.halfedges()) {
       if (members.contains(mesh.from(h)) && parts.kinds[mesh.to(h)] == part.kind) {
         EXPECT_TRUE(members.contains(mesh.to(h)));
       }
     }
     if (part.kind == PartKind::Tube) {
-      for (const Index v : part.vertices) EXPECT_GE(girth[v], girth[part.thinnest]);
+      for (const Vertex v : part.vertices) EXPECT_GE(girth[v], girth[part.thinnest]);
       EXPECT_NEAR(part.equivalentRadius(), part.medianGirth / (2 * kPi), 1e-15);
     }
     EXPECT_EQ(part.thinnest == kNoIndex, part.kind == PartKind::Unknown);
@@ -134,7 +134,7 @@ TEST(Parts, WhereTheGirthIsNotDividedTheWidthOfABarDecides) {
   // Of one thickness throughout, and girths spread evenly over what rods, bars and plates have.
   const SurfaceMesh mesh = test::icosphere(3).mesh();
   std::vector<double> girth, thickness(mesh.vertexCount(), 0.5);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     girth.push_back(1.5 * std::pow(4, static_cast<double>(v) / mesh.vertexCount()));
   }
   const PartThresholds thresholds = suggestedThresholds(mesh, girth, thickness);

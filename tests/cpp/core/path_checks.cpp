@@ -14,21 +14,21 @@ namespace {
 std::set<Index> facesOf(const SurfaceMesh& mesh, const SurfacePoint& point) {
   std::set<Index> faces;
   switch (point.kind) {
-    case SurfacePoint::Kind::Face:
+    case SurfacePoint::Kind::InFace:
       faces.insert(point.element);
       break;
-    case SurfacePoint::Kind::Edge:
-      faces.insert(SurfaceMesh::faceOf(point.element));
-      if (const Index twin = mesh.twin(point.element); twin != kNoIndex) {
+    case SurfacePoint::Kind::OnEdge:
+      faces.insert(SurfaceMesh::faceOf(Halfedge(point.element)));
+      if (const Halfedge twin = mesh.twin(Halfedge(point.element)); twin != kNoIndex) {
         faces.insert(SurfaceMesh::faceOf(twin));
       }
       break;
-    case SurfacePoint::Kind::Vertex: {
-      const Index start = mesh.outgoing(point.element);
+    case SurfacePoint::Kind::AtVertex: {
+      const Halfedge start = mesh.outgoing(Vertex(point.element));
       Index h = start;
       do {
-        faces.insert(SurfaceMesh::faceOf(h));
-        h = mesh.twin(SurfaceMesh::previous(h));
+        faces.insert(SurfaceMesh::faceOf(Halfedge(h)));
+        h = mesh.twin(SurfaceMesh::previous(Halfedge(h)));
       } while (h != kNoIndex && h != start);
       break;
     }

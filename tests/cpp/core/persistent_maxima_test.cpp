@@ -83,8 +83,10 @@ double highestPass(const SurfaceMesh& mesh, const std::vector<double>& values, I
     if (seen[v]) continue;
     seen[v] = true;
     if (values[v] > values[start]) return pass;
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
-      const Index other = mesh.from(h) == v ? mesh.to(h) : mesh.to(h) == v ? mesh.from(h) : v;
+    for (const Halfedge h : mesh.halfedges()) {
+      const Vertex other = mesh.from(h) == v ? mesh.to(h)
+                           : mesh.to(h) == v ? mesh.from(h)
+                                             : Vertex(v);
       if (!seen[other]) queue.push({std::min(pass, values[other]), other});
     }
   }
@@ -101,7 +103,7 @@ TEST(PersistentMaxima, AreWhatTheDefinitionSays) {
     for (Index v = 0; v < mesh.vertexCount(); ++v) values.push_back(number());
     const double least = *std::min_element(values.begin(), values.end());
     std::set<Index> expected;
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       if (highestPass(mesh, values, v) < values[v]) expected.insert(v);
     }
     double last = std::numeric_limits<double>::infinity();
@@ -126,7 +128,7 @@ TEST(HeatMaxima, OfABoxAreItsCorners) {
   ASSERT_TRUE(maxima.ok());
   ASSERT_GE(maxima.value().size(), 8u);
   for (std::size_t i = 0; i < 8; ++i) {
-    const Vec3& p = mesh.position(maxima.value()[i].vertex);
+    const Vec3& p = mesh.position(Vertex(maxima.value()[i].vertex));
     EXPECT_TRUE((p.x == 0 || p.x == 3) && (p.y == 0 || p.y == 2) && (p.z == 0 || p.z == 1)) << i;
   }
   if (maxima.value().size() > 8) {
@@ -141,8 +143,9 @@ TEST(PersistentMaxima, OfGeoAverageAreTheEndsOfARod) {
   for (const std::vector<double>* field : {&extent.average, &extent.farthest}) {
     const auto maxima = maximaOf(mesh, *field);
     ASSERT_GE(maxima.size(), 2u);
-    EXPECT_NEAR(std::fabs(mesh.position(maxima[0].vertex).x - mesh.position(maxima[1].vertex).x), 6,
-                1e-9);
+    EXPECT_NEAR(std::fabs(mesh.position(Vertex(maxima[0].vertex)).x -
+                          mesh.position(Vertex(maxima[1].vertex)).x),
+                6, 1e-9);
     EXPECT_GT(maxima[1].persistence, 0.9 * maxima[0].persistence);
     const double third = maxima.size() > 2 ? maxima[2].persistence : 0;
     EXPECT_LT(third, 0.2 * maxima[1].persistence);

@@ -65,9 +65,10 @@ Shape apart(const Shape& shape) {
 
 double sixfoldVolume(const SurfaceMesh& mesh) {
   double sum = 0;
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     const auto [i, j, k] = mesh.faceVertices(f);
-    const Vec3 &a = mesh.position(i), &b = mesh.position(j), &c = mesh.position(k);
+    const Vec3 &a = mesh.position(Vertex(i)), &b = mesh.position(Vertex(j)),
+               &c = mesh.position(Vertex(k));
     sum += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
            a.z * (b.x * c.y - b.y * c.x);
   }
@@ -106,7 +107,7 @@ void expectConsistent(const TriangleSoup& input, const PreparedSurface& out) {
     EXPECT_EQ(faces, mesh.faceCount());
     EXPECT_NEAR(area, mesh.area(), 1e-12 * mesh.area());
   }
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Index from = out.inputOfVertex[v];
     if (from == kNoIndex) continue;
     ASSERT_LT(from, report.inputVertices);
@@ -132,13 +133,13 @@ PlacedFace placed(std::array<std::array<double, 3>, 3> corners) {
 
 /// Every face covers the triangle of the input that it names.
 void expectFacesOfTheInput(const TriangleSoup& input, const PreparedSurface& out) {
-  for (Index f = 0; f < out.mesh.faceCount(); ++f) {
+  for (const Face f : out.mesh.faces()) {
     ASSERT_LT(out.inputOfFace[f], out.report.inputFaces);
     PlacedFace there, here;
     for (std::size_t k = 0; k < 3; ++k) {
       const Index v = input.triangles[3 * std::size_t{out.inputOfFace[f]} + k];
       there[k] = {input.positions[3 * v], input.positions[3 * v + 1], input.positions[3 * v + 2]};
-      const Vec3& p = out.mesh.position(out.mesh.faceVertices(f)[k]);
+      const Vec3& p = out.mesh.position(Vertex(out.mesh.faceVertices(f)[k]));
       here[k] = {p.x, p.y, p.z};
     }
     EXPECT_EQ(placed(here), placed(there)) << "face " << f;
@@ -147,11 +148,11 @@ void expectFacesOfTheInput(const TriangleSoup& input, const PreparedSurface& out
 
 TriangleSoup arraysOf(const SurfaceMesh& mesh) {
   TriangleSoup soup;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     soup.positions.insert(soup.positions.end(), {p.x, p.y, p.z});
   }
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) soup.triangles.push_back(mesh.from(h));
+  for (const Halfedge h : mesh.halfedges()) soup.triangles.push_back(mesh.from(h));
   return soup;
 }
 

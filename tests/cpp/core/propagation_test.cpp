@@ -61,7 +61,7 @@ using geodesic::WindowTable;
 
 /// I(p) from the engine's parts.
 double valueBy(Propagation& propagation, LoopSearch& search, Index vertex, Keep keep) {
-  const SurfacePoint source = SurfacePoint::atVertex(vertex);
+  const SurfacePoint source = SurfacePoint::atVertex(Vertex(vertex));
   search.start(nullptr);
   propagation.run(std::span(&source, 1), keep, search);
   return search.found() ? search.best().length : 2 * farthestPoint(propagation).distance;
@@ -79,7 +79,7 @@ TEST(Propagation, TheWidthOfTheBucketsDoesNotShow) {
     const Unfolding unfolding(mesh);
     Propagation fine(unfolding, 0.01), usual(unfolding), coarse(unfolding, 3);
     LoopSearch inFine(fine), inUsual(usual), inCoarse(coarse);
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       const double value = valueBy(usual, inUsual, v, Keep::Front);
       // Equal paths past flat vertices may be found in another order, with another last bit.
       EXPECT_NEAR(valueBy(fine, inFine, v, Keep::Front) / value, 1, 1e-14) << v;
@@ -100,7 +100,7 @@ TEST(Propagation, WhatIsForgottenDoesNotShow) {
     for (Index v = 0; v < mesh.vertexCount(); v += mesh.vertexCount() / 12) {
       EXPECT_EQ(valueBy(front, inFront, v, Keep::Front), valueBy(all, inAll, v, Keep::Everything));
       EXPECT_EQ(front.windowsCrossed(), all.windowsCrossed());
-      for (Index f = 0; f < mesh.faceCount(); ++f) forgotten = forgotten || front.forgotten(f);
+      for (const Face f : mesh.faces()) forgotten = forgotten || front.forgotten(f);
     }
     EXPECT_TRUE(forgotten);
   }

@@ -114,7 +114,7 @@ void divide(Shape& shape, Index side, double s, double r) {
 bool isSurface(const Shape& shape, double narrowest) {
   const auto mesh = SurfaceMesh::fromArrays(shape.positions, shape.triangles, OpenEdges::Boundary);
   if (!mesh) return false;
-  for (Index h = 0; h < mesh.value().halfedgeCount(); ++h) {
+  for (const Halfedge h : mesh.value().halfedges()) {
     if (mesh.value().cornerAngle(h) < narrowest) return false;
   }
   return true;
@@ -175,7 +175,7 @@ Shape divided(const Shape& shape, double closest, Index times, std::uint64_t see
 Shape withVertexAt(const Shape& shape, const SurfacePoint& point) {
   Shape result = shape;
   const auto& w = point.weights;
-  if (point.kind == SurfacePoint::Kind::Edge) {
+  if (point.kind == SurfacePoint::Kind::OnEdge) {
     divide(result, point.element, w[1], 0);
   } else {
     divide(result, 3 * point.element, w[1] / (w[0] + w[1]), w[2]);

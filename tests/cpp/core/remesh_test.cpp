@@ -17,8 +17,8 @@ namespace girth::test {
 namespace {
 
 double leastAngle(const SurfaceMesh& mesh, Index f) {
-  return std::min(
-             {mesh.cornerAngle(3 * f), mesh.cornerAngle(3 * f + 1), mesh.cornerAngle(3 * f + 2)}) *
+  return std::min({mesh.cornerAngle(Halfedge(3 * f)), mesh.cornerAngle(Halfedge(3 * f + 1)),
+                   mesh.cornerAngle(Halfedge(3 * f + 2))}) *
          180 / M_PI;
 }
 
@@ -44,11 +44,11 @@ void expectGood(const SurfaceMesh& original, const RemeshedSurface& out, Index w
   const SurfaceMesh& mesh = out.mesh;
   expectSameTopology(original, mesh, wanted, tolerance);
   Index thin = 0;
-  for (Index f = 0; f < mesh.faceCount(); ++f) thin += leastAngle(mesh, f) < 20 ? 1 : 0;
+  for (const Face f : mesh.faces()) thin += leastAngle(mesh, f) < 20 ? 1 : 0;
   EXPECT_LE(thin, mesh.faceCount() / 50);
   ASSERT_EQ(out.onOriginal.size(), mesh.vertexCount());
   Index off = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3 p = mesh.position(v), q = positionOf(original, out.onOriginal[v]);
     if (std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) > 1e-9 * mesh.meanEdgeLength()) ++off;
   }
@@ -65,7 +65,7 @@ RemeshedSurface remeshed(const SurfaceMesh& mesh, Index faces,
 /// The farthest that a vertex lies from the surface it was made of, in shares of its size.
 double farthestOff(const SurfaceMesh& original, const RemeshedSurface& out) {
   double farthest = 0;
-  for (Index v = 0; v < out.mesh.vertexCount(); ++v) {
+  for (const Vertex v : out.mesh.vertices()) {
     const Vec3 p = out.mesh.position(v), q = positionOf(original, out.onOriginal[v]);
     farthest = std::max(farthest, std::hypot(p.x - q.x, p.y - q.y, p.z - q.z));
   }
@@ -98,7 +98,7 @@ TEST(Remesh, FittingKeepsFlatSidesAndCornersExactly) {
   EXPECT_NEAR(out.mesh.area(), 22, 0.02);
   for (int corner = 0; corner < 8; ++corner) {
     double nearest = 1;
-    for (Index v = 0; v < out.mesh.vertexCount(); ++v) {
+    for (const Vertex v : out.mesh.vertices()) {
       const Vec3& p = out.mesh.position(v);
       nearest = std::min(nearest, std::hypot(p.x - (corner & 1), p.y - 2 * (corner >> 1 & 1),
                                              p.z - 3 * (corner >> 2)));
@@ -118,7 +118,7 @@ TEST(Remesh, FittingAnyRandomSurface) {
     EXPECT_EQ(out.value().mesh.genus(0), mesh.genus(0));
     EXPECT_EQ(out.value().mesh.boundaryCount(0), mesh.boundaryCount(0));
     EXPECT_LE(out.value().mesh.faceCount(), mesh.faceCount());
-    for (Index v = 0; v < out.value().mesh.vertexCount(); ++v) {
+    for (const Vertex v : out.value().mesh.vertices()) {
       ASSERT_TRUE(std::isfinite(out.value().mesh.position(v).x));
     }
   }
@@ -128,20 +128,20 @@ TEST(Remesh, FittingKeepsSharpPointsThatLoopsHangOn) {
   // A ball with a fine spike: the loops of its half all go round the spike, small as it is.
   Shape shape = icosphere(5);
   const SurfaceMesh smooth = shape.mesh();
-  const Index tip = 5000;
+  const Vertex tip(5000);
   const Vec3 p = smooth.position(tip);
   for (Index k = 0; k < 3; ++k) shape.positions[3 * tip + k] *= 1.2;
   const SurfaceMesh mesh = shape.mesh();
-  ASSERT_LT(mesh.totalAngle(tip), M_PI);
+  ASSERT_LT(mesh.totalAngle(Vertex(tip)), M_PI);
   const RemeshedSurface out = remeshed(mesh, 600, RemeshMethod::Fitting);
   double sharpest = 2 * M_PI;
-  for (Index v = 0; v < out.mesh.vertexCount(); ++v) {
+  for (const Vertex v : out.mesh.vertices()) {
     const Vec3& q = out.mesh.position(v);
     if (q.x * p.x + q.y * p.y + q.z * p.z > 1.1) {
       sharpest = std::min(sharpest, out.mesh.totalAngle(v));
     }
   }
-  EXPECT_NEAR(sharpest, mesh.totalAngle(tip), 0.2);
+  EXPECT_NEAR(sharpest, mesh.totalAngle(Vertex(tip)), 0.2);
 }
 
 TEST(Remesh, FittingToTheFewestFaces) {
@@ -178,7 +178,7 @@ TEST(Remesh, SharpEdgesAndCornersStay) {
   EXPECT_NEAR(out.mesh.area(), 22, 1e-9);
   for (int corner = 0; corner < 8; ++corner) {
     bool found = false;
-    for (Index v = 0; v < out.mesh.vertexCount(); ++v) {
+    for (const Vertex v : out.mesh.vertices()) {
       const Vec3& p = out.mesh.position(v);
       found = found ||
               (p.x == (corner & 1) && p.y == 2 * (corner >> 1 & 1) && p.z == 3 * (corner >> 2));
@@ -233,7 +233,7 @@ TEST(Remesh, BoundariesStay) {
     const RemeshedSurface out = remeshed(mesh, faces);
     expectGood(mesh, out, faces, 0.1);
     double rim = 0;
-    for (Index h = 0; h < out.mesh.halfedgeCount(); ++h) {
+    for (const Halfedge h : out.mesh.halfedges()) {
       if (out.mesh.twin(h) == kNoIndex) rim += out.mesh.length(h);
     }
     EXPECT_NEAR(rim, 64, 1e-9) << "its corners stay";
@@ -242,7 +242,7 @@ TEST(Remesh, BoundariesStay) {
   const RemeshedSurface fitted = remeshed(mesh, 40, RemeshMethod::Fitting);
   expectSameTopology(mesh, fitted.mesh, 40, 0.1);
   double rim = 0;
-  for (Index h = 0; h < fitted.mesh.halfedgeCount(); ++h) {
+  for (const Halfedge h : fitted.mesh.halfedges()) {
     if (fitted.mesh.twin(h) == kNoIndex) rim += fitted.mesh.length(h);
   }
   EXPECT_NEAR(rim, 64, 1e-2);
@@ -284,7 +284,7 @@ TEST(Remesh, TheSameEveryTime) {
   const SurfaceMesh mesh = perturbed(torus(3, 1, 20, 10), 0.2, 4).mesh();
   const RemeshedSurface one = remeshed(mesh, 700), two = remeshed(mesh, 700);
   ASSERT_EQ(one.mesh.vertexCount(), two.mesh.vertexCount());
-  for (Index v = 0; v < one.mesh.vertexCount(); ++v) {
+  for (const Vertex v : one.mesh.vertices()) {
     EXPECT_EQ(one.mesh.position(v).x, two.mesh.position(v).x);
   }
   // As far from the origin as coordinates allow.
@@ -319,13 +319,13 @@ TEST(Transfer, LinearValuesComeBack) {
   const SurfaceMesh mesh = box(1, 2, 3, 3, 5, 7).mesh();
   const RemeshedSurface out = remeshed(mesh, 1500);
   std::vector<double> values;
-  for (Index v = 0; v < out.mesh.vertexCount(); ++v) {
+  for (const Vertex v : out.mesh.vertices()) {
     const Vec3& p = out.mesh.position(v);
     values.push_back(p.x + 2 * p.y - p.z);
   }
   const auto places = nearestPoints(out.mesh, mesh);
   const auto back = interpolated(out.mesh, values, places);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     EXPECT_NEAR(back[v], p.x + 2 * p.y - p.z, 1e-9);
   }
@@ -339,12 +339,12 @@ TEST(Transfer, LinearValuesComeBack) {
 TEST(Transfer, NotThroughThinWalls) {
   const SurfaceMesh mesh = box(10, 10, 0.01, 6, 6, 1).mesh();
   std::vector<double> values;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) values.push_back(mesh.position(v).z > 0 ? 1 : 0);
+  for (const Vertex v : mesh.vertices()) values.push_back(mesh.position(v).z > 0 ? 1 : 0);
   Shape shifted = box(10, 10, 0.01, 5, 5, 1);
   for (std::size_t i = 2; i < shifted.positions.size(); i += 3) shifted.positions[i] -= 0.008;
   const SurfaceMesh other = shifted.mesh();
   const auto back = interpolated(mesh, values, nearestPoints(mesh, other));
-  for (Index v = 0; v < other.vertexCount(); ++v) {
+  for (const Vertex v : other.vertices()) {
     const Vec3& p = other.position(v);
     if (p.x < 1 || p.x > 9 || p.y < 1 || p.y > 9) continue;  // inside the two sides
     EXPECT_NEAR(back[v], p.z > -0.005 ? 1 : 0, 1e-9);

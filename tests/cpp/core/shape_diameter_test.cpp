@@ -22,10 +22,11 @@ using test::Shape;
 std::optional<RayHit> firstHitByTrying(const SurfaceMesh& mesh, const Vec3& origin,
                                        const Vec3& direction, Index vertex) {
   std::optional<RayHit> best;
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     const auto [a, b, c] = mesh.faceVertices(f);
     if (a == vertex || b == vertex || c == vertex) continue;
-    const Vec3 p[3] = {mesh.position(a), mesh.position(b), mesh.position(c)};
+    const Vec3 p[3] = {mesh.position(Vertex(a)), mesh.position(Vertex(b)),
+                       mesh.position(Vertex(c))};
     const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
     const double along = dot(direction, normal);
     const double distance = dot(p[0] - origin, normal) / along;
@@ -57,8 +58,8 @@ void expectSameHits(const SurfaceMesh& mesh, std::uint64_t seed) {
     const bool fromVertex = i % 2 == 0;
     const Index v = random.below(mesh.vertexCount());
     const Vec3 origin =
-        fromVertex ? mesh.position(v)
-                   : mesh.position(v) + 2 * mesh.meanEdgeLength() * randomDirection(random);
+        fromVertex ? mesh.position(Vertex(v))
+                   : mesh.position(Vertex(v)) + 2 * mesh.meanEdgeLength() * randomDirection(random);
     const Vec3 direction = randomDirection(random);
     const Index skipped = fromVertex ? v : kNoIndex;
     const auto expected = firstHitByTrying(mesh, origin, direction, skipped);
@@ -155,7 +156,7 @@ TEST(ShapeDiameter, OfASlab) {
   EXPECT_NEAR(expected, 0.52, 0.005);
   const ShapeDiameterField field = fieldOf(mesh);
   Index inner = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     if (p.x < 1.5 || p.x > 18.5 || p.y < 1.5 || p.y > 18.5) continue;
     EXPECT_NEAR(field.values[v], expected, 1e-9);
@@ -169,7 +170,7 @@ TEST(ShapeDiameter, OfACylinder) {
   const SurfaceMesh mesh = test::prism(test::regularPolygon(64, 2 * kPi / 64), 20, 40).mesh();
   const ShapeDiameterField field = fieldOf(mesh);
   Index inner = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     if (std::fabs(mesh.position(v).z - 10) > 5) continue;
     EXPECT_NEAR(field.values[v], 2, 0.1);
     ++inner;
@@ -207,7 +208,7 @@ TEST(ShapeDiameter, OfATubeIsThatOfItsWall) {
   const SurfaceMesh mesh = tube.mesh();
   const ShapeDiameterField field = fieldOf(mesh);
   EXPECT_FALSE(field.insideOut);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     if (std::fabs(mesh.position(v).z - 5) > 3) continue;
     EXPECT_NEAR(field.values[v], 0.21, 0.02);
   }

@@ -68,7 +68,7 @@ double residual(const SurfaceMesh& mesh, const Spectrum& spectrum, std::size_t k
   const std::size_t n = mesh.vertexCount();
   const double* phi = &spectrum.vectors[k * n];
   std::vector<double> rest(n, 0);
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+  for (const Halfedge h : mesh.halfedges()) {
     const double weight = 0.5 / std::tan(mesh.cornerAngle(SurfaceMesh::previous(h)));
     const double flow = weight * (phi[mesh.from(h)] - phi[mesh.to(h)]);
     rest[mesh.from(h)] += flow;
@@ -304,7 +304,7 @@ TEST(Spectrum, EveryComponentHasItsOwn) {
 TEST(Spectrum, OfTheSmallestSurfaces) {
   // A regular tetrahedron of side s: three copies of 4 w / m, w = cot 60°, m = a quarter of √3 s².
   const SurfaceMesh mesh = test::tetrahedron().mesh();
-  const double s = mesh.length(0);
+  const double s = mesh.length(Halfedge(0));
   const Spectrum spectrum = spectrumOf(mesh, 300);
   ASSERT_EQ(spectrum.values.size(), 4u);
   EXPECT_EQ(spectrum.values[0], 0);

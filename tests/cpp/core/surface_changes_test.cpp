@@ -27,7 +27,7 @@ TEST(SurfaceChanges, UnevenTrianglesLieOnTheSurface) {
   EXPECT_NEAR(mesh.area(), box.area(), 1e-6 * box.area());
   // Shorter along the box than across it.
   double along = 0, across = 0;
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+  for (const Halfedge h : mesh.halfedges()) {
     const Vec3 side = mesh.position(mesh.to(h)) - mesh.position(mesh.from(h));
     along += side.x * side.x;
     across += side.y * side.y + side.z * side.z;
@@ -47,7 +47,7 @@ TEST(SurfaceChanges, NoiseIsAsStrongAsItSays) {
   ASSERT_TRUE(noisy.ok());
   const double most = 0.25 * mesh.meanEdgeLength();
   double greatest = 0, sum = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const double distance = norm(noisy.value().position(v) - mesh.position(v));
     greatest = std::max(greatest, distance);
     sum += distance;
@@ -57,8 +57,8 @@ TEST(SurfaceChanges, NoiseIsAsStrongAsItSays) {
   EXPECT_NEAR(sum / mesh.vertexCount(), most / 2, 0.02 * most);
   const auto again = withNoise(mesh, 0.25, 7), other = withNoise(mesh, 0.25, 8);
   ASSERT_TRUE(again.ok() && other.ok());
-  EXPECT_EQ(again.value().position(5).x, noisy.value().position(5).x);
-  EXPECT_NE(other.value().position(5).x, noisy.value().position(5).x);
+  EXPECT_EQ(again.value().position(Vertex(5)).x, noisy.value().position(Vertex(5)).x);
+  EXPECT_NE(other.value().position(Vertex(5)).x, noisy.value().position(Vertex(5)).x);
   EXPECT_EQ(codeOf(withNoise(mesh, -0.1, 1)), ErrorCode::InvalidOption);
   EXPECT_EQ(codeOf(withNoise(mesh, std::numeric_limits<double>::quiet_NaN(), 1)),
             ErrorCode::InvalidOption);
@@ -73,7 +73,7 @@ TEST(SurfaceChanges, HumpsRiseOutwards) {
   const double radius = 0.1 * std::sqrt(mesh.area());
   double highest = 0;
   Index raised = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const double rise = norm(humped.value().position(v)) - norm(mesh.position(v));
     EXPECT_GE(rise, -1e-12);
     highest = std::max(highest, rise);
@@ -89,14 +89,14 @@ TEST(SurfaceChanges, HumpsRiseOutwards) {
 
 TEST(SurfaceChanges, ABridgeIsAHandle) {
   const SurfaceMesh mesh = test::icosphere(2).mesh();
-  const auto bridged = withBridge(mesh, 0, mesh.faceCount() - 1);
+  const auto bridged = withBridge(mesh, Face(0), Face(mesh.faceCount() - 1));
   ASSERT_TRUE(bridged.ok()) << bridged.error().message;
   EXPECT_EQ(bridged.value().componentCount(), 1u);
   EXPECT_EQ(bridged.value().genus(0), 1u);
   EXPECT_EQ(bridged.value().boundaryCount(0), 0u);
   EXPECT_EQ(bridged.value().faceCount(), mesh.faceCount() + 4);
-  EXPECT_EQ(codeOf(withBridge(mesh, 3, 3)), ErrorCode::InvalidOption);
-  EXPECT_EQ(codeOf(withBridge(mesh, 0, mesh.faceCount())), ErrorCode::InvalidOption);
+  EXPECT_EQ(codeOf(withBridge(mesh, Face(3), Face(3))), ErrorCode::InvalidOption);
+  EXPECT_EQ(codeOf(withBridge(mesh, Face(0), Face(mesh.faceCount()))), ErrorCode::InvalidOption);
 }
 
 TEST(SurfaceChanges, PartsFaceEachOtherAcrossGaps) {
@@ -108,8 +108,8 @@ TEST(SurfaceChanges, PartsFaceEachOtherAcrossGaps) {
   const auto bridged = withBridge(mesh, one, other);
   ASSERT_TRUE(bridged.ok());
   EXPECT_EQ(bridged.value().genus(0), 1u);
-  const double gap =
-      norm(mesh.position(mesh.faceVertices(one)[0]) - mesh.position(mesh.faceVertices(other)[0]));
+  const double gap = norm(mesh.position(Vertex(mesh.faceVertices(Face(one))[0])) -
+                          mesh.position(Vertex(mesh.faceVertices(Face(other))[0])));
   EXPECT_LT(gap, 4);
 
   const auto none = facingPlaces(test::icosphere(3).mesh(), 2);
@@ -127,15 +127,17 @@ TEST(SurfaceChanges, SubdividedIsTheSameSurfaceInSmallerTriangles) {
     ASSERT_EQ(fine.vertexCount(), mesh.vertexCount() + finer.value().between.size());
     EXPECT_EQ(fine.componentCount(), mesh.componentCount());
     EXPECT_EQ(fine.boundaryCount(0), mesh.boundaryCount(0));
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       EXPECT_EQ(norm(fine.position(v) - mesh.position(v)), 0);
     }
     for (Index v = mesh.vertexCount(); v < fine.vertexCount(); ++v) {
       const auto [a, b] = finer.value().between[v - mesh.vertexCount()];
-      EXPECT_EQ(norm(fine.position(v) - 0.5 * (mesh.position(a) + mesh.position(b))), 0);
+      EXPECT_EQ(norm(fine.position(Vertex(v)) -
+                     0.5 * (mesh.position(Vertex(a)) + mesh.position(Vertex(b)))),
+                0);
     }
-    for (Index f = 0; f < fine.faceCount(); ++f) {
-      EXPECT_NEAR(fine.area(f), mesh.area(f / 4) / 4, 1e-12);
+    for (const Face f : fine.faces()) {
+      EXPECT_NEAR(fine.area(f), mesh.area(Face(f / 4)) / 4, 1e-12);
     }
   }
   // Boundaries stay boundaries.

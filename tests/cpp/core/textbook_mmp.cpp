@@ -40,8 +40,8 @@ TextbookMmp::TextbookMmp(const SurfaceMesh& mesh)
   std::vector<Real> angle(mesh.vertexCount(), 0);
   std::vector<bool> onBoundary(mesh.vertexCount(), false);
   for (Index h = 0; h < halfedges; ++h) {
-    const Vec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h)),
-               &c = mesh.position(mesh.from(SurfaceMesh::previous(h)));
+    const Vec3 &a = mesh.position(mesh.from(Halfedge(h))), &b = mesh.position(mesh.to(Halfedge(h))),
+               &c = mesh.position(mesh.from(SurfaceMesh::previous(Halfedge(h))));
     const auto to = [&](const Vec3& p) {
       return std::array<Real, 3>{static_cast<Real>(p.x) - a.x, static_cast<Real>(p.y) - a.y,
                                  static_cast<Real>(p.z) - a.z};
@@ -52,23 +52,24 @@ TextbookMmp::TextbookMmp(const SurfaceMesh& mesh)
     const Real dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     length_[h] = std::hypot(u[0], u[1], u[2]);
     apex_[h] = {dot / length_[h], cross / length_[h]};
-    angle[mesh.from(h)] += std::atan2(cross, dot);
-    const Index twin = mesh.twin(h);
-    if (twin == kNoIndex) onBoundary[mesh.from(h)] = onBoundary[mesh.to(h)] = true;
+    angle[mesh.from(Halfedge(h))] += std::atan2(cross, dot);
+    const Halfedge twin = mesh.twin(Halfedge(h));
+    if (twin == kNoIndex)
+      onBoundary[mesh.from(Halfedge(h))] = onBoundary[mesh.to(Halfedge(h))] = true;
     if (twin == kNoIndex || h < twin) {
       edgeOf_[h] = static_cast<Index>(halfedgeOf_.size());
       halfedgeOf_.push_back(h);
     } else {
       edgeOf_[h] = edgeOf_[twin];
     }
-    ++firstOutgoing_[mesh.from(h) + 1];
+    ++firstOutgoing_[mesh.from(Halfedge(h)) + 1];
   }
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     firstOutgoing_[v + 1] += firstOutgoing_[v];
     sendsOn_[v] = onBoundary[v] || angle[v] > 2 * std::acos(Real(-1)) - kConvex;
   }
   std::vector<Index> next(firstOutgoing_.begin(), firstOutgoing_.end() - 1);
-  for (Index h = 0; h < halfedges; ++h) outgoing_[next[mesh.from(h)]++] = h;
+  for (Index h = 0; h < halfedges; ++h) outgoing_[next[mesh.from(Halfedge(h))]++] = h;
   onEdge_.resize(halfedgeOf_.size());
 }
 
@@ -83,27 +84,27 @@ void TextbookMmp::propagate(const SurfacePoint& source, double radius) {
 
   const auto& weights = source.weights;
   switch (source.kind) {
-    case SurfacePoint::Kind::Vertex:
+    case SurfacePoint::Kind::AtVertex:
       lower(source.element, 0);
       break;
-    case SurfacePoint::Kind::Edge: {
-      const Index h = source.element, twin = mesh_.twin(h);
+    case SurfacePoint::Kind::OnEdge: {
+      const Index h = source.element, twin = mesh_.twin(Halfedge(h));
       const Real x = static_cast<Real>(weights[1]) * length_[h];
       insertAlong(h, x, 0);
-      leaveInside(SurfaceMesh::faceOf(h), inPlaneOfFirst(h, {x, 0}));
+      leaveInside(SurfaceMesh::faceOf(Halfedge(h)), inPlaneOfFirst(h, {x, 0}));
       if (twin != kNoIndex) {
-        leaveInside(SurfaceMesh::faceOf(twin), inPlaneOfFirst(twin, {length_[h] - x, 0}));
+        leaveInside(SurfaceMesh::faceOf(Halfedge(twin)), inPlaneOfFirst(twin, {length_[h] - x, 0}));
       }
       break;
     }
-    case SurfacePoint::Kind::Face: {
+    case SurfacePoint::Kind::InFace: {
       const Index h = 3 * source.element;
       const Real w1 = weights[1], w2 = weights[2];
       leaveInside(source.element, {w1 * length_[h] + w2 * apex(h).x, w2 * apex(h).y});
       break;
     }
   }
-  bool first = source.kind == SurfacePoint::Kind::Vertex;
+  bool first = source.kind == SurfacePoint::Kind::AtVertex;
   while (!queue_.empty() && queue_.top().distance <= radius) {
     const Event event = queue_.top();
     queue_.pop();
@@ -133,10 +134,10 @@ void TextbookMmp::lower(Index vertex, Real distance) {
 void TextbookMmp::leaveVertex(Index vertex) {
   const Real distance = distance_[vertex];
   for (Index i = firstOutgoing_[vertex]; i < firstOutgoing_[vertex + 1]; ++i) {
-    const Index out = outgoing_[i], in = SurfaceMesh::previous(out);
+    const Index out = outgoing_[i], in = SurfaceMesh::previous(Halfedge(out));
     insertAlong(out, 0, distance);
-    if (mesh_.twin(in) == kNoIndex) insertAlong(in, length_[in], distance);
-    const Index opposite = SurfaceMesh::next(out);
+    if (mesh_.twin(Halfedge(in)) == kNoIndex) insertAlong(in, length_[in], distance);
+    const Halfedge opposite = SurfaceMesh::next(Halfedge(out));
     if (sendsOn_[vertex]) {
       insertThrough(opposite, 0, length_[opposite], apex(opposite), distance);
     }
@@ -156,19 +157,19 @@ void TextbookMmp::leaveInside(Index face, Point point) {
 void TextbookMmp::handOn(WindowId id) {
   const Window w = windows_[id];
   if (w.through == kNoIndex) return;
-  const Index h = mesh_.twin(w.through);
+  const Halfedge h = mesh_.twin(Halfedge(w.through));
   if (h == kNoIndex) return;
   // In the plane of h, the root below.
   const bool forward = h == halfedgeOf_[w.edge];
   const Real length = length_[h];
   const Real from = forward ? w.from : length - w.to, to = forward ? w.to : length - w.from;
   const Point root{forward ? w.x : length - w.x, -w.y}, o = apex(h);
-  lower(mesh_.from(SurfaceMesh::previous(h)), beyond(w, root, from, to, o));
+  lower(mesh_.from(SurfaceMesh::previous(Halfedge(h))), beyond(w, root, from, to, o));
   if (!(w.y > 0)) return;  // the rays run along the edge
 
   // The ray to the apex parts those that meet the left side from those that meet the right one.
   const Real split = root.x + (o.x - root.x) * w.y / (w.y + o.y);
-  const Index left = SurfaceMesh::previous(h), right = SurfaceMesh::next(h);
+  const Halfedge left = SurfaceMesh::previous(Halfedge(h)), right = SurfaceMesh::next(Halfedge(h));
   // Where a ray over x on the edge meets the left side, measured from the start of h; and the right
   // one, measured from the end of h, which is the same with left and right exchanged.
   const auto meets = [&](Real x, Real rootX, Real apexX, Real side) {
@@ -271,8 +272,8 @@ void TextbookMmp::insert(const Window& w) {
   const Index h = halfedgeOf_[w.edge];
   const Real length = length_[h];
   if (!(w.to >= w.from)) return;
-  lower(mesh_.from(h), along(w, w.from) + w.from);
-  lower(mesh_.to(h), along(w, w.to) + length - w.to);
+  lower(mesh_.from(Halfedge(h)), along(w, w.from) + w.from);
+  lower(mesh_.to(Halfedge(h)), along(w, w.to) + length - w.to);
   const Real narrow = kNarrow * length;
   if (!(w.to - w.from > narrow)) return;
 
@@ -339,22 +340,22 @@ void TextbookMmp::insert(const Window& w) {
 
 TextbookMmp::Point TextbookMmp::inPlaneOfNext(Index h, Point q) const {
   const Point o = apex(h);
-  const Real next = length_[SurfaceMesh::next(h)];
+  const Real next = length_[SurfaceMesh::next(Halfedge(h))];
   const Real ux = (o.x - length_[h]) / next, uy = o.y / next;
   return {(q.x - length_[h]) * ux + q.y * uy, ux * q.y - uy * (q.x - length_[h])};
 }
 
 TextbookMmp::Point TextbookMmp::inPlaneOfFirst(Index h, Point q) const {
-  for (; h % 3 != 0; h = SurfaceMesh::next(h)) q = inPlaneOfNext(h, q);
+  for (; h % 3 != 0; h = SurfaceMesh::next(Halfedge(h))) q = inPlaneOfNext(h, q);
   return q;
 }
 
 double TextbookMmp::distanceTo(const SurfacePoint& point) const {
   const auto& weights = point.weights;
-  if (point.kind == SurfacePoint::Kind::Vertex) {
+  if (point.kind == SurfacePoint::Kind::AtVertex) {
     return static_cast<double>(distance_[point.element]);
   }
-  if (point.kind == SurfacePoint::Kind::Face) {
+  if (point.kind == SurfacePoint::Kind::InFace) {
     const Index h = 3 * point.element;
     const Real w1 = weights[1], w2 = weights[2];
     return static_cast<double>(
@@ -363,7 +364,8 @@ double TextbookMmp::distanceTo(const SurfacePoint& point) const {
   const Index h = point.element, edge = edgeOf_[h];
   const Real length = length_[h], t = static_cast<Real>(weights[1]) * length;
   const Real x = h == halfedgeOf_[edge] ? t : length - t;
-  Real best = std::min(distance_[mesh_.from(h)] + t, distance_[mesh_.to(h)] + length - t);
+  Real best = std::min(distance_[mesh_.from(Halfedge(h))] + t,
+                       distance_[mesh_.to(Halfedge(h))] + length - t);
   for (const WindowId id : onEdge_[edge]) {
     const Window& w = windows_[id];
     const Real inside = std::clamp(x, w.from, w.to);
@@ -377,7 +379,7 @@ double TextbookMmp::distanceTo(Index face, double x, double y) const {
 }
 
 double TextbookMmp::leastOn(Index h) const {
-  Real least = std::min(distance_[mesh_.from(h)], distance_[mesh_.to(h)]);
+  Real least = std::min(distance_[mesh_.from(Halfedge(h))], distance_[mesh_.to(Halfedge(h))]);
   for (const WindowId id : onEdge_[edgeOf_[h]]) {
     const Window& w = windows_[id];
     least = std::min(least, along(w, std::clamp(w.x, w.from, w.to)));
@@ -398,7 +400,7 @@ Real TextbookMmp::distanceInPlane(Index face, Point q) const {
     if (sourceFace == face) best = std::min(best, norm(q.x - source.x, q.y - source.y));
   }
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    best = std::min(best, distance_[mesh_.from(h)] + norm(q.x, q.y));
+    best = std::min(best, distance_[mesh_.from(Halfedge(h))] + norm(q.x, q.y));
     const bool forward = h == halfedgeOf_[edgeOf_[h]];
     const Real length = length_[h];
     for (const WindowId id : onEdge_[edgeOf_[h]]) {

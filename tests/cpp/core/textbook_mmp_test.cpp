@@ -22,7 +22,7 @@ std::vector<Shape> triangulations(const Shape& shape) {
 
 /// The vertex at a place, which there must be.
 Index vertexAt(const SurfaceMesh& mesh, double x, double y, double z) {
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     if (std::fabs(p.x - x) + std::fabs(p.y - y) + std::fabs(p.z - z) < 1e-12) return v;
   }
@@ -36,19 +36,19 @@ TEST(TextbookMmp, MeasuresStraightLinesOnAFlatFace) {
     const SurfaceMesh mesh = shape.mesh();
     TextbookMmp mmp(mesh);
     for (const auto& [x, y] : {std::pair(0.5, 0.5), {0.0, 0.0}, {0.25, 0.75}}) {
-      mmp.propagate(SurfacePoint::atVertex(vertexAt(mesh, x, y, 0)));
-      for (Index v = 0; v < mesh.vertexCount(); ++v) {
+      mmp.propagate(SurfacePoint::atVertex(Vertex(vertexAt(mesh, x, y, 0))));
+      for (const Vertex v : mesh.vertices()) {
         const Vec3& p = mesh.position(v);
         if (p.z > 0) continue;
         EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(v)), std::hypot(p.x - x, p.y - y),
                     kExact);
       }
-      for (Index f = 0; f < mesh.faceCount(); ++f) {
+      for (const Face f : mesh.faces()) {
         const auto point = SurfacePoint::inFace(f, {0.2, 0.3, 0.5});
         const Vec3 p = positionOf(mesh, point);
         if (p.z > 0) continue;
         EXPECT_NEAR(mmp.distanceTo(point), std::hypot(p.x - x, p.y - y), kExact);
-        const auto onSide = SurfacePoint::onHalfedge(3 * f + 1, 0.3);
+        const auto onSide = SurfacePoint::onHalfedge(Halfedge(3 * f + 1), 0.3);
         const Vec3 e = positionOf(mesh, onSide);
         if (e.z == 0) {
           EXPECT_NEAR(mmp.distanceTo(onSide), std::hypot(e.x - x, e.y - y), kExact);
@@ -62,32 +62,32 @@ TEST(TextbookMmp, UnfoldsBoxesTetrahedraAndOctahedra) {
   for (const Shape& shape : triangulations(box(1, 2, 4, 2, 4, 8))) {
     const SurfaceMesh mesh = shape.mesh();
     TextbookMmp mmp(mesh);
-    mmp.propagate(SurfacePoint::atVertex(vertexAt(mesh, 0, 0, 0)));
+    mmp.propagate(SurfacePoint::atVertex(Vertex(vertexAt(mesh, 0, 0, 0))));
     // To the opposite corner: over the two smaller sides unrolled, (a + b)² + c².
-    EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(vertexAt(mesh, 1, 2, 4))), 5, kExact);
+    EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(Vertex(vertexAt(mesh, 1, 2, 4)))), 5, kExact);
   }
   // Kotani's point: on a 1 × 1 × 2 box the farthest point from a corner is not the opposite one.
   const SurfaceMesh kotani = box(1, 1, 2, 4, 4, 8).mesh();
   TextbookMmp mmp(kotani);
-  mmp.propagate(SurfacePoint::atVertex(vertexAt(kotani, 0, 0, 0)));
-  EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(vertexAt(kotani, 1, 1, 2))), std::sqrt(8.0),
-              kExact);
-  EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(vertexAt(kotani, 0.75, 0.75, 2))),
+  mmp.propagate(SurfacePoint::atVertex(Vertex(vertexAt(kotani, 0, 0, 0))));
+  EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(Vertex(vertexAt(kotani, 1, 1, 2)))),
+              std::sqrt(8.0), kExact);
+  EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(Vertex(vertexAt(kotani, 0.75, 0.75, 2)))),
               std::sqrt(130.0) / 4, kExact);
 
   const SurfaceMesh four = tetrahedron().mesh();
   TextbookMmp onFour(four);
-  onFour.propagate(SurfacePoint::atVertex(0));
+  onFour.propagate(SurfacePoint::atVertex(Vertex(0)));
   const double side = std::sqrt(8.0);
   for (Index v = 1; v < 4; ++v) {
-    EXPECT_NEAR(onFour.distanceTo(SurfacePoint::atVertex(v)), side, kExact);
+    EXPECT_NEAR(onFour.distanceTo(SurfacePoint::atVertex(Vertex(v))), side, kExact);
   }
-  EXPECT_NEAR(onFour.distanceTo(SurfacePoint::inFace(3, {1.0 / 3, 1.0 / 3, 1.0 / 3})),
+  EXPECT_NEAR(onFour.distanceTo(SurfacePoint::inFace(Face(3), {1.0 / 3, 1.0 / 3, 1.0 / 3})),
               2 * side / std::sqrt(3.0), kExact);
   const SurfaceMesh eight = octasphere(0).mesh();
   TextbookMmp onEight(eight);
-  onEight.propagate(SurfacePoint::atVertex(0));
-  EXPECT_NEAR(onEight.distanceTo(SurfacePoint::atVertex(3)), std::sqrt(6.0), kExact);
+  onEight.propagate(SurfacePoint::atVertex(Vertex(0)));
+  EXPECT_NEAR(onEight.distanceTo(SurfacePoint::atVertex(Vertex(3))), std::sqrt(6.0), kExact);
 }
 
 TEST(TextbookMmp, UnrollsPrismsAndCones) {
@@ -96,11 +96,11 @@ TEST(TextbookMmp, UnrollsPrismsAndCones) {
     const SurfaceMesh mesh = shape.mesh();
     TextbookMmp mmp(mesh);
     const Index source = 6 * corners + 1;  // mid-height, in the middle of a side
-    mmp.propagate(SurfacePoint::atVertex(source));
+    mmp.propagate(SurfacePoint::atVertex(Vertex(source)));
     for (Index ring = 5; ring <= 7; ++ring) {
       for (Index i = 0; i < corners; ++i) {
         const Index steps = std::min((i + corners - 1) % corners, (corners + 1 - i) % corners);
-        EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(ring * corners + i)),
+        EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(Vertex(ring * corners + i))),
                     std::hypot(2 * (static_cast<double>(ring) - 6), 0.5 * steps), kExact);
       }
     }
@@ -110,11 +110,11 @@ TEST(TextbookMmp, UnrollsPrismsAndCones) {
   for (const Shape& shape : triangulations(pyramid(5, theta, 10))) {
     const SurfaceMesh mesh = shape.mesh();
     TextbookMmp mmp(mesh);
-    mmp.propagate(SurfacePoint::atVertex(1 + 2 * 5));  // slant distance 0.3
+    mmp.propagate(SurfacePoint::atVertex(Vertex(1 + 2 * 5)));  // slant distance 0.3
     for (Index ring = 1; ring <= 4; ++ring) {
       for (Index i = 0; i < 5; ++i) {
         const double d = 0.1 * ring, turn = theta / 5 * std::min(i, 5 - i);
-        EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(1 + (ring - 1) * 5 + i)),
+        EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(Vertex(1 + (ring - 1) * 5 + i))),
                     std::sqrt(0.09 + d * d - 0.6 * d * std::cos(turn)), kExact);
       }
     }
@@ -133,7 +133,7 @@ TEST(TextbookMmp, AgreesWithBruteForce) {
     Random random(i);
     for (int round = 0; round < 5; ++round) {
       const Index source = random.below(mesh.vertexCount());
-      mmp.propagate(SurfacePoint::atVertex(source));
+      mmp.propagate(SurfacePoint::atVertex(Vertex(source)));
       const double reach = 4 * mesh.meanEdgeLength();
       const BruteForce all(mesh, source, reach);
       ASSERT_TRUE(all.complete());
@@ -143,13 +143,13 @@ TEST(TextbookMmp, AgreesWithBruteForce) {
           EXPECT_NEAR(distance / brute, 1, 1e-12) << "vertex " << source;
         }
       };
-      for (Index v = 0; v < mesh.vertexCount(); ++v) {
+      for (const Vertex v : mesh.vertices()) {
         if (v != source) compare(SurfacePoint::atVertex(v));
       }
-      for (Index f = 0; f < mesh.faceCount(); ++f) {
+      for (const Face f : mesh.faces()) {
         const double a = random(), b = random() * (1 - a);
         compare(SurfacePoint::inFace(f, {a, b, 1 - a - b}));
-        compare(SurfacePoint::onHalfedge(3 * f + random.below(3), random()));
+        compare(SurfacePoint::onHalfedge(Halfedge(3 * f + random.below(3)), random()));
       }
     }
   }
@@ -164,12 +164,12 @@ TEST(TextbookMmp, IsSymmetricBetweenPointsOfAnyKind) {
     const auto anyPoint = [&]() {
       switch (random.below(3)) {
         case 0:
-          return SurfacePoint::atVertex(random.below(mesh.vertexCount()));
+          return SurfacePoint::atVertex(Vertex(random.below(mesh.vertexCount())));
         case 1:
-          return SurfacePoint::onHalfedge(random.below(mesh.halfedgeCount()), random());
+          return SurfacePoint::onHalfedge(Halfedge(random.below(mesh.halfedgeCount())), random());
         default: {
           const double a = random(), b = random() * (1 - a);
-          return SurfacePoint::inFace(random.below(mesh.faceCount()), {a, b, 1 - a - b});
+          return SurfacePoint::inFace(Face(random.below(mesh.faceCount())), {a, b, 1 - a - b});
         }
       }
     };
@@ -191,13 +191,13 @@ TEST(TextbookMmp, DoesNotDependOnTheTriangulationOrTheRadius) {
     const SurfaceMesh other = retriangulated(subdivided(shape), 7).mesh();
     TextbookMmp mmp(mesh), onFine(fine), onOther(other), near(mesh);
     for (Index source = 0; source < mesh.vertexCount(); source += 9) {
-      const SurfacePoint from = SurfacePoint::atVertex(source);
+      const SurfacePoint from = SurfacePoint::atVertex(Vertex(source));
       mmp.propagate(from);
       onFine.propagate(from);
       onOther.propagate(from);
       const double radius = 3 * mesh.meanEdgeLength();
       near.propagate(from, radius);
-      for (Index v = 0; v < mesh.vertexCount(); ++v) {
+      for (const Vertex v : mesh.vertices()) {
         const SurfacePoint to = SurfacePoint::atVertex(v);
         const double distance = mmp.distanceTo(to);
         EXPECT_NEAR(onFine.distanceTo(to), distance, kExact);
@@ -216,17 +216,17 @@ TEST(TextbookMmp, KeepsItsDigitsOnNeedlesAndAtAnySize) {
   // A wire of needles, and a cube of 1e±150.
   const SurfaceMesh wire = box(1, 1e-4, 1e-4, 20, 1, 1).mesh();
   TextbookMmp mmp(wire);
-  mmp.propagate(SurfacePoint::atVertex(vertexAt(wire, 0, 0, 0)));
-  EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(vertexAt(wire, 1, 1e-4, 1e-4))),
+  mmp.propagate(SurfacePoint::atVertex(Vertex(vertexAt(wire, 0, 0, 0))));
+  EXPECT_NEAR(mmp.distanceTo(SurfacePoint::atVertex(Vertex(vertexAt(wire, 1, 1e-4, 1e-4)))),
               std::hypot(1, 2e-4), 1e-12);
   const Shape cube = box(1, 1, 1, 3, 3, 3);
   const Index corner = vertexAt(cube.mesh(), 0, 0, 0);
   for (const double scale : {1e-150, 1e150}) {
     const SurfaceMesh mesh = moved(cube, scale, 0, 0).mesh();
     TextbookMmp scaled(mesh);
-    scaled.propagate(SurfacePoint::atVertex(corner));
+    scaled.propagate(SurfacePoint::atVertex(Vertex(corner)));
     double farthest = 0;
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       farthest = std::max(farthest, scaled.distanceTo(SurfacePoint::atVertex(v)) / scale);
     }
     EXPECT_NEAR(farthest, std::sqrt(5.0), kExact);
@@ -239,10 +239,10 @@ TEST(TextbookMmp, LeavesOtherComponentsAlone) {
   for (const Index v : tetrahedron().triangles) two.triangles.push_back(v + 4);
   const SurfaceMesh mesh = two.mesh();
   TextbookMmp mmp(mesh);
-  mmp.propagate(SurfacePoint::atVertex(1));
-  EXPECT_TRUE(std::isfinite(mmp.distanceTo(SurfacePoint::inFace(2, {0.2, 0.2, 0.6}))));
-  EXPECT_TRUE(std::isinf(mmp.distanceTo(SurfacePoint::inFace(5, {0.2, 0.2, 0.6}))));
-  EXPECT_TRUE(std::isinf(mmp.distanceTo(SurfacePoint::atVertex(6))));
+  mmp.propagate(SurfacePoint::atVertex(Vertex(1)));
+  EXPECT_TRUE(std::isfinite(mmp.distanceTo(SurfacePoint::inFace(Face(2), {0.2, 0.2, 0.6}))));
+  EXPECT_TRUE(std::isinf(mmp.distanceTo(SurfacePoint::inFace(Face(5), {0.2, 0.2, 0.6}))));
+  EXPECT_TRUE(std::isinf(mmp.distanceTo(SurfacePoint::atVertex(Vertex(6)))));
 }
 
 }  // namespace

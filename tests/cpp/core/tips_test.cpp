@@ -29,7 +29,8 @@ Tips tipsOf(const SurfaceMesh& mesh, const std::vector<double>& values) {
 Tips tipsOf(const SurfaceMesh& mesh) { return tipsOf(mesh, girthField(mesh).values); }
 
 bool isCrossed(const SurfaceMesh& mesh, const std::vector<double>& values, Index h) {
-  return std::fabs(values[mesh.from(h)] - values[mesh.to(h)]) > 2 * mesh.length(h);
+  return std::fabs(values[mesh.from(Halfedge(h))] - values[mesh.to(Halfedge(h))]) >
+         2 * mesh.length(Halfedge(h));
 }
 
 /// The rim of a region is the contour, neighbours on a line share a face, and every crossed edge
@@ -37,15 +38,15 @@ bool isCrossed(const SurfaceMesh& mesh, const std::vector<double>& values, Index
 void expectConsistent(const SurfaceMesh& mesh, const std::vector<double>& values,
                       const Tips& tips) {
   std::set<Index> seen;  // one halfedge of each crossed edge that is drawn
-  const auto edgeOf = [&](Index h) { return std::min(h, mesh.twin(h)); };
+  const auto edgeOf = [&](Halfedge h) { return std::min(h, mesh.twin(h)); };
   const auto checkLine = [&](const ContourLine& line) {
     for (std::size_t i = 0; i < line.points.size(); ++i) {
-      const Index h = line.points[i].element;
+      const Halfedge h = line.points[i].halfedge();
       EXPECT_TRUE(isCrossed(mesh, values, h));
       seen.insert(edgeOf(h));
       if (i == 0 && !line.closed) continue;
-      const Index before = (i == 0 ? line.points.back() : line.points[i - 1]).element;
-      const auto faces = [&](Index g) {
+      const Halfedge before = (i == 0 ? line.points.back() : line.points[i - 1]).halfedge();
+      const auto faces = [&](Halfedge g) {
         return std::set<Index>{SurfaceMesh::faceOf(g), mesh.twin(g) == kNoIndex
                                                            ? kNoIndex - 1 - g
                                                            : SurfaceMesh::faceOf(mesh.twin(g))};
@@ -68,7 +69,7 @@ void expectConsistent(const SurfaceMesh& mesh, const std::vector<double>& values
     for (const ContourLine& line : tip.contour) {
       checkLine(line);
       points += line.points.size();
-      for (const SurfacePoint& point : line.points) edges.insert(edgeOf(point.element));
+      for (const SurfacePoint& point : line.points) edges.insert(edgeOf(point.halfedge()));
     }
     for (const std::set<Index>& other : rims) {
       const auto shared = std::count_if(edges.begin(), edges.end(),
@@ -76,7 +77,7 @@ void expectConsistent(const SurfaceMesh& mesh, const std::vector<double>& values
       EXPECT_LE(2 * static_cast<std::size_t>(shared), std::max(edges.size(), other.size()));
     }
     rims.push_back(std::move(edges));
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+    for (const Halfedge h : mesh.halfedges()) {
       if (mesh.twin(h) != kNoIndex && mesh.twin(h) < h) continue;
       rim += inside.contains(mesh.from(h)) != inside.contains(mesh.to(h));
     }
@@ -84,7 +85,7 @@ void expectConsistent(const SurfaceMesh& mesh, const std::vector<double>& values
   }
   for (const OpenArc& arc : tips.arcs) checkLine(arc.line);
   std::size_t crossed = 0;
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+  for (const Halfedge h : mesh.halfedges()) {
     if (mesh.twin(h) != kNoIndex && mesh.twin(h) < h) continue;
     crossed += isCrossed(mesh, values, h);
   }
@@ -112,7 +113,7 @@ TEST(Tips, APyramidHasOneWhereItsAngleIsBelowPi) {
     const auto sharp = std::find_if(tips.tips.begin(), tips.tips.end(),
                                     [](const Tip& tip) { return tip.apex == 0; });
     ASSERT_NE(sharp, tips.tips.end());
-    EXPECT_EQ(sharp->vertices, std::vector<Index>{0});
+    EXPECT_EQ(sharp->vertices, std::vector<Vertex>{Vertex(0)});
     ASSERT_EQ(sharp->contour.size(), 1u);
     EXPECT_TRUE(sharp->contour[0].closed);
     EXPECT_EQ(sharp->contour[0].points.size(), 12u);
@@ -157,7 +158,7 @@ TEST(Tips, EveryCornerBelowPiIsOne) {
   for (const Shape& shape : {spindle, sheets}) {
     const SurfaceMesh mesh = shape.mesh();
     std::set<Index> sharp, apexes;
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       if (mesh.totalAngle(v) < kPi - 1e-9) sharp.insert(v);
     }
     const Tips tips = tipsOf(mesh);
@@ -178,7 +179,7 @@ TEST(Tips, ATetrahedronHasNoneAndABoxNeither) {
 template <class Inside>
 std::vector<double> steps(const SurfaceMesh& mesh, double high, Inside inside) {
   std::vector<double> values;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     values.push_back(inside(mesh.position(v)) ? high : 0);
   }
   return values;
@@ -187,7 +188,7 @@ std::vector<double> steps(const SurfaceMesh& mesh, double high, Inside inside) {
 TEST(Tips, NestedContoursGiveNestedTips) {
   const SurfaceMesh mesh = test::icosphere(4).mesh();
   std::vector<double> values = steps(mesh, 5, [](const Vec3& p) { return p.z > 0.4; });
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     if (mesh.position(v).z > 0.8) values[v] = 20;
   }
   const Tips tips = tipsOf(mesh, values);
@@ -197,7 +198,7 @@ TEST(Tips, NestedContoursGiveNestedTips) {
   EXPECT_EQ(tips.tips[1].jump, 5);
   EXPECT_NEAR(tips.tips[0].area, 2 * kPi * 0.2, 0.15);
   EXPECT_NEAR(tips.tips[1].area, 2 * kPi * 0.6, 0.15);
-  EXPECT_GT(mesh.position(tips.tips[0].apex).z, 0.99);
+  EXPECT_GT(mesh.position(Vertex(tips.tips[0].apex)).z, 0.99);
   EXPECT_NEAR(tips.tips[1].apexDistance, std::acos(0.4), 0.1);
 }
 
@@ -206,7 +207,7 @@ TEST(Tips, APieceOnTheContourMakesNoSecondTip) {
   // is cut off is the same tip.
   const SurfaceMesh mesh = test::icosphere(4).mesh();
   std::vector<double> values = steps(mesh, 20, [](const Vec3& p) { return p.z > 0.4; });
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     if (values[v] > 0 && p.z < 0.55 && p.x > 0 && std::fabs(p.y) < 0.3) values[v] = 10;
   }
@@ -232,7 +233,7 @@ TEST(Tips, ALineThatCutsNothingOffIsAnArc) {
   // A jump that fades: from 10 at the rim of a cut to nothing on both ends.
   const SurfaceMesh mesh = test::box(10, 10, 1, 20, 20, 2).mesh();
   std::vector<double> values;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     const Vec3& p = mesh.position(v);
     const double fade = std::max(0.0, 3 - std::fabs(p.x - 5));
     values.push_back(p.y > 5.1 ? fade * std::max(0.0, 1 - (p.y - 5.1) / 4) : 0);

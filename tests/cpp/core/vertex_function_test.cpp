@@ -40,7 +40,7 @@ struct Named {
 VertexFunction<double> lengths(const VertexFunction<GirthValue>& girth) {
   return {[girth](const ExecutionContext& context) -> VertexEvaluator<double> {
     return [evaluate = girth.evaluator(context)](Index v) -> Result<double> {
-      const auto value = evaluate(v);
+      const auto value = evaluate(Vertex(v));
       if (!value) return value.error();
       return value.value().length;
     };
@@ -79,7 +79,7 @@ TEST(VertexFunction, OneByOneAsAllTogether) {
     const VertexEvaluator<double> evaluate = named.function.evaluator(context);
     std::vector<double> values(mesh.vertexCount());
     // Backwards: what was computed before must not matter.
-    for (Index v = mesh.vertexCount(); v-- > 0;) values[v] = evaluate(v).value();
+    for (Index v = mesh.vertexCount(); v-- > 0;) values[v] = evaluate(Vertex(v)).value();
     EXPECT_TRUE(same(values, named.all));
     for (const unsigned threads : {1u, 3u}) {
       ExecutionContext several;
@@ -88,9 +88,9 @@ TEST(VertexFunction, OneByOneAsAllTogether) {
       EXPECT_TRUE(all.complete());
       EXPECT_TRUE(same(all.values, named.all));
     }
-    EXPECT_EQ(evaluate(mesh.vertexCount()).error().code, ErrorCode::VertexOutOfRange);
-    EXPECT_EQ(evaluate(kNoIndex).error().code, ErrorCode::VertexOutOfRange);
-    EXPECT_EQ(evaluate(0).value(), named.all[0]);
+    EXPECT_EQ(evaluate(Vertex(mesh.vertexCount())).error().code, ErrorCode::VertexOutOfRange);
+    EXPECT_EQ(evaluate(Vertex(kNoIndex)).error().code, ErrorCode::VertexOutOfRange);
+    EXPECT_EQ(evaluate(Vertex(0)).value(), named.all[0]);
   }
 }
 
@@ -101,14 +101,14 @@ TEST(VertexFunction, EvaluatorsOutliveTheirFunction) {
   for (const Named& named : functionsOf(mesh)) {
     evaluators.emplace_back(named.function.evaluator(context), named.all[5]);
   }
-  for (const auto& [evaluate, value] : evaluators) EXPECT_EQ(evaluate(5).value(), value);
+  for (const auto& [evaluate, value] : evaluators) EXPECT_EQ(evaluate(Vertex(5)).value(), value);
 }
 
 TEST(VertexFunction, AngleIsThatOfTheLoop) {
   const SurfaceMesh mesh = perturbed(octasphere(2), 0.2, 1).mesh();
   const VertexValues<double> angles = evaluateAll(mesh, loopAngleFunction(mesh));
   GirthSolver solver(mesh);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     EXPECT_EQ(angles.values[v], solver.loop(v).value().angle) << v;
   }
 }

@@ -9,9 +9,10 @@ namespace {
 /// Six times the enclosed volume; positive where the faces look outwards.
 double sixfoldVolume(const SurfaceMesh& mesh) {
   double sum = 0;
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (const Face f : mesh.faces()) {
     const auto [a, b, c] = mesh.faceVertices(f);
-    const Vec3 p = mesh.position(a), q = mesh.position(b), r = mesh.position(c);
+    const Vec3 p = mesh.position(Vertex(a)), q = mesh.position(Vertex(b)),
+               r = mesh.position(Vertex(c));
     sum += p.x * (q.y * r.z - q.z * r.y) - p.y * (q.x * r.z - q.z * r.x) +
            p.z * (q.x * r.y - q.y * r.x);
   }
@@ -161,9 +162,9 @@ TEST(Gltf, worldTransforms) {
   ASSERT_TRUE(loaded.ok()) << messageOf(loaded);
   const SurfaceMesh& mesh = loaded.value().mesh;
   EXPECT_NEAR(sixfoldVolume(mesh), 2.0, 1e-12);
-  EXPECT_NEAR(mesh.position(0).x, 10, 1e-12);
-  EXPECT_NEAR(mesh.position(0).z, 5, 1e-12);
-  EXPECT_NEAR(mesh.position(1).y, -2, 1e-12);
+  EXPECT_NEAR(mesh.position(Vertex(0)).x, 10, 1e-12);
+  EXPECT_NEAR(mesh.position(Vertex(0)).z, 5, 1e-12);
+  EXPECT_NEAR(mesh.position(Vertex(1)).y, -2, 1e-12);
 }
 
 TEST(Gltf, mergesMeshesDepthFirst) {
@@ -174,18 +175,18 @@ TEST(Gltf, mergesMeshesDepthFirst) {
   ASSERT_TRUE(loaded.ok()) << messageOf(loaded);
   const SurfaceMesh& mesh = loaded.value().mesh;
   EXPECT_EQ(mesh.componentCount(), 4u);
-  EXPECT_EQ(mesh.position(4).x, 5);
-  EXPECT_EQ(mesh.position(8).x, 10);
-  EXPECT_EQ(mesh.position(12).y, 5);
+  EXPECT_EQ(mesh.position(Vertex(4)).x, 5);
+  EXPECT_EQ(mesh.position(Vertex(8)).x, 10);
+  EXPECT_EQ(mesh.position(Vertex(12)).y, 5);
 }
 
 TEST(Gltf, choosesTheScene) {
   TinyGltf tiny;
   tiny.nodes = R"({"mesh":0},{"mesh":0,"translation":[7,0,0]})";
   tiny.scenes = R"("scene":1,"scenes":[{"nodes":[0]},{"nodes":[1]}])";
-  EXPECT_EQ(read(tiny.file(), "t.glb").value().mesh.position(0).x, 7);
+  EXPECT_EQ(read(tiny.file(), "t.glb").value().mesh.position(Vertex(0)).x, 7);
   tiny.scenes = R"("scenes":[{"nodes":[1]},{"nodes":[0]}])";
-  EXPECT_EQ(read(tiny.file(), "t.glb").value().mesh.position(0).x, 7);
+  EXPECT_EQ(read(tiny.file(), "t.glb").value().mesh.position(Vertex(0)).x, 7);
   tiny.scenes = "";
   EXPECT_EQ(read(tiny.file(), "t.glb").value().mesh.componentCount(), 2u);
 }

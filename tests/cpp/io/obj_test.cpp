@@ -12,7 +12,7 @@ TEST(Obj, readsTriangles) {
   EXPECT_EQ(loaded.value().mesh.faceCount(), 4u);
   EXPECT_EQ(loaded.value().format, Format::Obj);
   EXPECT_EQ(loaded.value().unit, "");
-  EXPECT_EQ(loaded.value().mesh.position(1).x, 1);
+  EXPECT_EQ(loaded.value().mesh.position(Vertex(1)).x, 1);
 }
 
 TEST(Obj, readsAllWaysToWriteAFace) {

@@ -326,7 +326,7 @@ TEST(WriteField, plyKeepsEveryBit) {
   const auto again = read(ply, "wild.ply");
   ASSERT_TRUE(again.ok()) << messageOf(again);
   ASSERT_EQ(again.value().mesh.vertexCount(), w.loaded.mesh.vertexCount());
-  for (Index v = 0; v < w.loaded.mesh.vertexCount(); ++v) {
+  for (const Vertex v : w.loaded.mesh.vertices()) {
     ASSERT_EQ(again.value().mesh.position(v).x, w.loaded.mesh.position(v).x);
     ASSERT_EQ(again.value().mesh.position(v).y, w.loaded.mesh.position(v).y);
   }
@@ -415,7 +415,7 @@ TEST(WriteField, glb) {
   const auto again = read(file, "field.glb");
   ASSERT_TRUE(again.ok()) << messageOf(again);
   EXPECT_EQ(again.value().mesh.vertexCount(), 4u);
-  EXPECT_EQ(again.value().mesh.faceVertices(2), loaded.mesh.faceVertices(2));
+  EXPECT_EQ(again.value().mesh.faceVertices(Face(2)), loaded.mesh.faceVertices(Face(2)));
 }
 
 TEST(WriteField, glbInOtherUnits) {
@@ -427,7 +427,7 @@ TEST(WriteField, glbInOtherUnits) {
   EXPECT_EQ(jsonOf(glb.value())["nodes"][0]["scale"], Json::parse("[0.001,0.001,0.001]"));
   const auto again = read(glb.value(), "field.glb");
   ASSERT_TRUE(again.ok()) << messageOf(again);
-  EXPECT_EQ(again.value().mesh.position(1).x, 0.001);
+  EXPECT_EQ(again.value().mesh.position(Vertex(1)).x, 0.001);
 }
 
 TEST(WriteField, glbOfNumbersThatFloatsDoNotHold) {
@@ -455,13 +455,13 @@ TEST(WriteMesh, everyFormatIsReadAgain) {
     const TriangleSoup& soup = again.value().soup;
     ASSERT_EQ(soup.triangles.size(), 3u * mesh.faceCount());
     const bool doubles = format != Format::Glb && format != Format::Stl;
-    for (Index f = 0; f < mesh.faceCount(); ++f) {
+    for (const Face f : mesh.faces()) {
       for (std::size_t k = 0; k < 3; ++k) {
         const Index vertex = soup.triangles[3 * f + k];
         if (format != Format::Stl) {
           ASSERT_EQ(vertex, mesh.faceVertices(f)[k]);
         }
-        const Vec3& position = mesh.position(mesh.faceVertices(f)[k]);
+        const Vec3& position = mesh.position(Vertex(mesh.faceVertices(f)[k]));
         const double x = doubles ? position.x : static_cast<double>(static_cast<float>(position.x));
         ASSERT_EQ(soup.positions[3 * vertex], x) << toString(format);
       }
@@ -488,9 +488,9 @@ TEST(WriteLoop, allFormats) {
   GirthLoop loop;
   loop.length = 2.5;
   loop.angle = 1;
-  loop.base = SurfacePoint::atVertex(1);
-  const SurfacePoint middle = SurfacePoint::onHalfedge(loaded.mesh.outgoing(0), 0.25);
-  loop.points = {SurfacePoint::atVertex(1), middle, SurfacePoint::atVertex(1)};
+  loop.base = SurfacePoint::atVertex(Vertex(1));
+  const SurfacePoint middle = SurfacePoint::onHalfedge(loaded.mesh.outgoing(Vertex(0)), 0.25);
+  loop.points = {SurfacePoint::atVertex(Vertex(1)), middle, SurfacePoint::atVertex(Vertex(1))};
   loop.midpoint = middle;
   const std::string json = loopJson(loaded, loop, "sample.obj", true);
   EXPECT_TRUE(contains(

@@ -28,7 +28,7 @@ TEST(LongCorpus, ValuesAreProvenAtThousandsOfVertices) {
     for (int i = 0; i < count; ++i) {
       const Index vertex = random.below(mesh.vertexCount());
       SCOPED_TRACE(name + ", vertex " + std::to_string(vertex));
-      if (expectProven(mesh, textbook, solver.loop(vertex).value(), 0.03)) ++seenHere;
+      if (expectProven(mesh, textbook, solver.loop(Vertex(vertex)).value(), 0.03)) ++seenHere;
     }
     std::printf("%s: %d proven, %d of the saddles seen at their place\n", name.c_str(), count,
                 seenHere);

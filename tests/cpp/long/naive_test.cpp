@@ -21,7 +21,7 @@ void expectNaive(const SurfaceMesh& mesh, Index genus) {
   EXPECT_GE(mesh.faceCount(), 1000u);
   EXPECT_LE(mesh.faceCount(), 4000u);
   const GirthField exact = girthField(mesh), naive = study::naiveGirthField(mesh);
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     EXPECT_NEAR(exact.values[v] / naive.values[v], 1, 1e-9) << "vertex " << v;
     EXPECT_EQ(exact.kinds[v], naive.kinds[v]) << "vertex " << v;
   }

@@ -27,7 +27,7 @@ TEST(Needles, GetAValueInTime) {
     TextbookMmp textbook(mesh);
     const auto start = std::chrono::steady_clock::now();
     for (Index v = 0; v < mesh.vertexCount(); v += 3) {
-      const auto result = solver.loop(v);
+      const auto result = solver.loop(Vertex(v));
       ASSERT_TRUE(result.ok());
       const GirthLoop& loop = result.value();
       ASSERT_GT(loop.length, 0) << "vertex " << v;
@@ -37,7 +37,7 @@ TEST(Needles, GetAValueInTime) {
         ++wrong;
         continue;
       }
-      textbook.propagate(SurfacePoint::atVertex(v));
+      textbook.propagate(SurfacePoint::atVertex(Vertex(v)));
       const double midpoint = textbook.distanceTo(loop.midpoint);
       EXPECT_LE(midpoint, loop.length / 2 * (1 + 1e-6)) << "vertex " << v;
       if (std::fabs(midpoint / loop.length - 0.5) > 1e-9) ++wrong;

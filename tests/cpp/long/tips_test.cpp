@@ -60,7 +60,7 @@ struct Extremities {
 
   explicit Extremities(const SurfaceMesh& mesh) {
     double middle[2] = {0, 0};
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       middle[0] += mesh.position(v).x / mesh.vertexCount();
       middle[1] += mesh.position(v).y / mesh.vertexCount();
     }
@@ -71,7 +71,7 @@ struct Extremities {
         heights_[name] = height;
       }
     };
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       const Vec3& p = mesh.position(v);
       const std::string side = p.x < middle[0] ? "left" : "right";
       reach((p.y < middle[1] ? "fore foot " : "hind foot ") + side, v, -p.z);
@@ -97,7 +97,8 @@ TEST(CorpusTips, FourLeggedAnimalsHaveLegsEarsAndATail) {
       // area is less than the height of a cat's ear.
       const auto tip = std::find_if(found.begin(), found.end(), [&, v = vertex](const Tip& t) {
         return std::binary_search(t.vertices.begin(), t.vertices.end(), v) ||
-               norm(mesh.position(t.apex) - mesh.position(v)) < 0.05 * std::sqrt(mesh.area());
+               norm(mesh.position(Vertex(t.apex)) - mesh.position(Vertex(v))) <
+                   0.05 * std::sqrt(mesh.area());
       });
       ASSERT_NE(tip, found.end()) << animal << ": " << name;
       // Legs and tail stand out: the five largest jumps.

@@ -28,7 +28,7 @@ struct VertexField {
   std::span<const LoopKind> kinds;
 
   /// Whether a vertex has a value.
-  bool has(Index vertex) const { return values[vertex] == values[vertex]; }
+  bool has(Vertex vertex) const { return values[vertex] == values[vertex]; }
   /// Whether all vertices have a value.
   bool complete() const;
 };

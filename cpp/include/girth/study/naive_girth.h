@@ -15,7 +15,7 @@ namespace girth::study {
 /// I(p) by computing the whole exact distance field of p, keeping every window, and testing every
 /// mesh edge and every pair of windows that meet from opposite sides. O(n^3 log n) time and O(n^2)
 /// memory at worst. Errors: VERTEX_OUT_OF_RANGE, CANCELLED.
-Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Index vertex,
+Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Vertex vertex,
                               const ExecutionContext& context = {});
 
 /// I(v) with its kind, vertex by vertex, by the naive algorithm.

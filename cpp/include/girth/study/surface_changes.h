@@ -30,9 +30,10 @@ Result<SurfaceMesh> withNoise(const SurfaceMesh& mesh, double amount, std::uint6
 
 /// A surface whose triangles are cut into four each.
 struct Subdivision {
+  /// The surface.
   SurfaceMesh mesh;
   /// For each new vertex the two between which it lies; new ones are numbered after the others.
-  std::vector<std::array<Index, 2>> between;
+  std::vector<std::array<Vertex, 2>> between;
 };
 
 /// Cuts each triangle into four by the middles of its sides: the same surface, other triangles.
@@ -40,6 +41,7 @@ struct Subdivision {
 /// DEGENERATE_FACE where a face is so thin that a quarter of it has no area.
 Result<Subdivision> subdivided(const SurfaceMesh& mesh);
 
+/// How many humps are raised, and how large.
 struct HumpOptions {
   /// Spread evenly over the surface.
   Index humps{8};
@@ -58,14 +60,13 @@ Result<SurfaceMesh> withHumps(const SurfaceMesh& mesh, const HumpOptions& option
 /// A tube with three sides between two faces, in whose place it comes: one handle more where both
 /// are of the same component. Vertices keep their numbers. Errors: INVALID_OPTION where the faces
 /// do not exist or have a vertex in common; NON_MANIFOLD_EDGE where an edge joins them already.
-Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Index face1, Index face2);
+Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Face face1, Face face2);
 
 /// Up to `count` pairs of faces that face each other across a gap and are far apart along the
 /// surface: where parts grow together in a poor scan. Those first whose way along the surface is
 /// longest against the gap (at least twice as long); ends of different pairs are not near each
 /// other. Looks at 300 places spread evenly. Errors: CANCELLED.
-Result<std::vector<std::pair<Index, Index>>> facingPlaces(const SurfaceMesh& mesh,
-                                                          std::size_t count,
-                                                          const ExecutionContext& context = {});
+Result<std::vector<std::pair<Face, Face>>> facingPlaces(const SurfaceMesh& mesh, std::size_t count,
+                                                        const ExecutionContext& context = {});
 
 }  // namespace girth::study

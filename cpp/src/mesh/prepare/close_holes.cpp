@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesh/face_shape.h"
+#include "mesh/sides.h"
 
 namespace girth::prepare {
 
@@ -18,7 +19,7 @@ class HoleFiller {
  public:
   HoleFiller(const SurfaceMesh& mesh, bool fansOnly) : mesh_(mesh), fansOnly_(fansOnly) {
     double extent = 0;
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (const Vertex v : mesh.vertices()) {
       const Vec3& p = mesh.position(v);
       extent = std::max({extent, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
     }
@@ -27,10 +28,11 @@ class HoleFiller {
 
   HoleFillings run() {
     std::vector<bool> walked(mesh_.halfedgeCount(), false);
-    for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
+    for (const Halfedge h : mesh_.halfedges()) {
       if (mesh_.twin(h) != kNoIndex || walked[h]) continue;
       std::vector<Index> curve;
-      for (Index boundary = h; !walked[boundary]; boundary = mesh_.outgoing(mesh_.to(boundary))) {
+      for (Halfedge boundary = h; !walked[boundary];
+           boundary = mesh_.outgoing(mesh_.to(boundary))) {
         walked[boundary] = true;
         curve.push_back(mesh_.from(boundary));
       }
@@ -42,7 +44,7 @@ class HoleFiller {
   }
 
  private:
-  Vec3 scaled(Index vertex) const { return scale_ * mesh_.position(vertex); }
+  Vec3 scaled(Index vertex) const { return scale_ * mesh_.position(Vertex(vertex)); }
 
   void fill(const std::vector<Index>& curve) {
     std::vector<Index> triangles;
@@ -78,12 +80,12 @@ class HoleFiller {
 
   /// Whether a mesh edge joins two vertices.
   bool areJoined(Index a, Index b) const {
-    for (Index h = mesh_.outgoing(a);;) {
+    for (Halfedge h = mesh_.outgoing(Vertex(a));;) {
       if (mesh_.to(h) == b) return true;
-      const Index back = SurfaceMesh::previous(h);
+      const Halfedge back = SurfaceMesh::previous(h);
       if (mesh_.from(back) == b) return true;
       h = mesh_.twin(back);
-      if (h == kNoIndex || h == mesh_.outgoing(a)) return false;
+      if (h == kNoIndex || h == mesh_.outgoing(Vertex(a))) return false;
     }
   }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/edge_groups.h"
+#include "mesh/sides.h"
 
 namespace girth::prepare {
 
@@ -15,7 +16,7 @@ namespace {
 
 /// The vertex of a halfedge's face that is not on the halfedge.
 Index oppositeOf(const std::vector<Index>& triangles, Index halfedge) {
-  return triangles[SurfaceMesh::previous(halfedge)];
+  return triangles[previousSide(halfedge)];
 }
 
 /// The one that stands for a vertex in the end.
@@ -75,7 +76,7 @@ std::vector<Copies> findCopies(const WorkingFaces& faces, const EdgeGroups& edge
   edges.forEach([&](const EdgeGroup& edge) {
     if (edge.size() < 2) return;
     // Each face is looked at once: at the edge of its two lowest vertices.
-    const Index a = faces.triangles[edge[0]], b = faces.triangles[SurfaceMesh::next(edge[0])];
+    const Index a = faces.triangles[edge[0]], b = faces.triangles[nextSide(edge[0])];
     byThird.clear();
     for (std::size_t i = 0; i < edge.size(); ++i) {
       const Index third = oppositeOf(faces.triangles, edge[i]);
@@ -124,8 +125,7 @@ bool dropCopies(WorkingFaces& faces, bool keepPartitions, PreparationReport& rep
   for (const Copies& copy : copies) {
     for (Index k = 0; k < 3; ++k) {
       const Index h = 3 * copy[0] + k;
-      const EdgeGroup edge =
-          edges.between(faces.triangles[h], faces.triangles[SurfaceMesh::next(h)]);
+      const EdgeGroup edge = edges.between(faces.triangles[h], faces.triangles[nextSide(h)]);
       std::size_t others = 0;
       for (std::size_t i = 0; i < edge.size(); ++i) {
         if (doubledOf[edge[i] / 3] == kNoIndex) ++others;

@@ -7,6 +7,7 @@
 
 #include "mesh/angles.h"
 #include "mesh/edge_groups.h"
+#include "mesh/sides.h"
 
 namespace girth::prepare {
 
@@ -25,7 +26,7 @@ class FaceJoiner {
 
  private:
   Index from(Index h) const { return faces_.triangles[h]; }
-  Index to(Index h) const { return faces_.triangles[SurfaceMesh::next(h)]; }
+  Index to(Index h) const { return faces_.triangles[nextSide(h)]; }
 
   void findNeighbours() {
     joined_.twin.assign(faces_.triangles.size(), kNoIndex);
@@ -49,8 +50,7 @@ class FaceJoiner {
     // Sides stand opposite to vertices: the order of those will do.
     std::array<Index, 3> sides{h, h + 1, h + 2};
     const auto before = [&](Index a, Index b) {
-      return faces_.triangles[SurfaceMesh::previous(a)] <
-             faces_.triangles[SurfaceMesh::previous(b)];
+      return faces_.triangles[previousSide(a)] < faces_.triangles[previousSide(b)];
     };
     if (before(sides[1], sides[0])) std::swap(sides[0], sides[1]);
     if (before(sides[2], sides[1])) std::swap(sides[1], sides[2]);
@@ -194,8 +194,7 @@ class FaceJoiner {
     const Index high = std::max(from(edge[0]), to(edge[0]));
     const Vec3 axis = faces_.scaledPosition(high) - faces_.scaledPosition(low);
     const auto across = [&](Index h) {
-      const Vec3 w =
-          faces_.scaledPosition(from(SurfaceMesh::previous(h))) - faces_.scaledPosition(low);
+      const Vec3 w = faces_.scaledPosition(from(previousSide(h))) - faces_.scaledPosition(low);
       return w - dot(w, axis) / dot(axis, axis) * axis;
     };
     // The first face gives the direction of angle 0.

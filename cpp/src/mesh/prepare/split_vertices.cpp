@@ -1,4 +1,5 @@
 #include "mesh/prepare/split_vertices.h"
+#include "mesh/sides.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -22,8 +23,8 @@ class VertexSplitter {
   }
 
  private:
-  static Index next(Index halfedge) { return SurfaceMesh::next(halfedge); }
-  static Index previous(Index halfedge) { return SurfaceMesh::previous(halfedge); }
+  static Index next(Index halfedge) { return nextSide(halfedge); }
+  static Index previous(Index halfedge) { return previousSide(halfedge); }
 
   /// Numbers the fans of each vertex in the order of their first corners.
   void findFans() {

@@ -9,11 +9,11 @@ ChangingMesh::ChangingMesh(const SurfaceMesh& mesh)
       outgoing_(mesh.vertexCount()),
       line_(mesh.halfedgeCount(), 0),
       faces_(mesh.faceCount()) {
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (const Vertex v : mesh.vertices()) {
     positions_[v] = mesh.position(v);
     outgoing_[v] = mesh.outgoing(v);
   }
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+  for (const Halfedge h : mesh.halfedges()) {
     from_[h] = mesh.from(h);
     twin_[h] = mesh.twin(h);
   }

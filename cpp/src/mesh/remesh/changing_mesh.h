@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "girth/surface_mesh.h"
+#include "mesh/sides.h"
 #include "mesh/vector.h"
 
 namespace girth::remeshing {
@@ -16,8 +17,8 @@ class ChangingMesh {
  public:
   explicit ChangingMesh(const SurfaceMesh& mesh);
 
-  static Index next(Index h) { return SurfaceMesh::next(h); }
-  static Index previous(Index h) { return SurfaceMesh::previous(h); }
+  static Index next(Index h) { return nextSide(h); }
+  static Index previous(Index h) { return previousSide(h); }
   Index from(Index h) const { return from_[h]; }
   Index to(Index h) const { return from_[next(h)]; }
   /// The vertex opposite.

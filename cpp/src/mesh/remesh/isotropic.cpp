@@ -80,8 +80,8 @@ class IsotropicRemesher {
   /// are brought back to.
   void findLines() {
     std::vector<Index> sharp;
-    for (Index h = 0; h < original_.halfedgeCount(); ++h) {
-      const Index twin = original_.twin(h);
+    for (const Halfedge h : original_.halfedges()) {
+      const Halfedge twin = original_.twin(h);
       if (twin == kNoIndex || h > twin) continue;
       if (dot(faceNormals_[h / 3], faceNormals_[twin / 3]) < kSharp) sharp.push_back(h);
     }
@@ -93,24 +93,25 @@ class IsotropicRemesher {
       return v;
     };
     for (const Index h : sharp) {
-      const Index a = rootOf(original_.from(h)), b = rootOf(original_.to(h));
+      const Index a = rootOf(original_.from(Halfedge(h))), b = rootOf(original_.to(Halfedge(h)));
       group[std::max(a, b)] = std::min(a, b);
     }
     std::vector<double> lengthOf(group.size(), 0);
-    for (const Index h : sharp) lengthOf[rootOf(original_.from(h))] += original_.length(h);
+    for (const Index h : sharp)
+      lengthOf[rootOf(original_.from(Halfedge(h)))] += original_.length(Halfedge(h));
     std::vector<std::array<Vec3, 3>> segments;
     const auto addSegment = [&](Index h) {
-      const Vec3 &a = original_.position(original_.from(h)),
-                 &b = original_.position(original_.to(h));
+      const Vec3 &a = original_.position(original_.from(Halfedge(h))),
+                 &b = original_.position(original_.to(Halfedge(h)));
       segments.push_back({a, b, b});
       halfedgeOfSegment_.push_back(h);
     };
     for (const Index h : sharp) {
-      if (lengthOf[rootOf(original_.from(h))] < kShortestLine * length_) continue;
+      if (lengthOf[rootOf(original_.from(Halfedge(h)))] < kShortestLine * length_) continue;
       mesh_.setLine(h, true);
       addSegment(h);
     }
-    for (Index h = 0; h < original_.halfedgeCount(); ++h) {
+    for (const Halfedge h : original_.halfedges()) {
       if (original_.twin(h) == kNoIndex) addSegment(h);
     }
     lines_ = NearestSearch(std::move(segments));
@@ -400,10 +401,11 @@ class IsotropicRemesher {
     const Vec3& p = mesh_.position(v);
     if (mesh_.linesAt(v) > 0 && !lines_.empty()) {
       const auto found = lines_.nearest(p);
-      return SurfacePoint::onHalfedge(halfedgeOfSegment_[found.triangle], 1 - found.weights[0]);
+      return SurfacePoint::onHalfedge(Halfedge(halfedgeOfSegment_[found.triangle]),
+                                      1 - found.weights[0]);
     }
     const auto found = nearestFacing(search_, faceNormals_, mesh_, v, hints_[v]);
-    return SurfacePoint::inFace(found.triangle, found.weights);
+    return SurfacePoint::inFace(Face(found.triangle), found.weights);
   }
 
   const SurfaceMesh& original_;

@@ -34,7 +34,7 @@ class Simplifier {
   Simplifier(const SurfaceMesh& original, Index faces, const ExecutionContext& context)
       : original_(original), wanted_(faces), context_(context), mesh_(original) {
     // Around the middle, so that squares lose no bits.
-    for (Index v = 0; v < original.vertexCount(); ++v) {
+    for (const Vertex v : original.vertices()) {
       middle_ = middle_ + 1.0 / original.vertexCount() * original.position(v);
     }
     collectPlanes();
@@ -54,7 +54,7 @@ class Simplifier {
     const NearestSearch search = searchOf(original_);
     auto result = resultOf(mesh_, [&](Index v) {
       const auto found = nearestFacing(search, faceNormals_, mesh_, v);
-      return SurfacePoint::inFace(found.triangle, found.weights);
+      return SurfacePoint::inFace(Face(found.triangle), found.weights);
     });
     if (context_.onProgress) context_.onProgress(1);
     return result;
@@ -74,8 +74,8 @@ class Simplifier {
 
   /// How much a face counts: more where it holds a sharp point, one whose angles sum to less than
   /// π. Loops of all around hang on such a point, however small it is (paper, section 3.1).
-  double weightOf(Index face) const {
-    for (const Index v : original_.faceVertices(face)) {
+  double weightOf(Face face) const {
+    for (const Vertex v : original_.faceVertices(face)) {
       if (original_.totalAngle(v) < std::numbers::pi) return kPointShare;
     }
     return 1;
@@ -85,10 +85,11 @@ class Simplifier {
     faceNormals_ = normalsOfFaces(original_);
     quadrics_.resize(original_.vertexCount());
     changes_.resize(original_.vertexCount(), 0);
-    for (Index h = 0; h < original_.halfedgeCount(); ++h) {
-      const Index a = original_.from(h), b = original_.to(h);
+    for (const Halfedge h : original_.halfedges()) {
+      const Vertex a = original_.from(h), b = original_.to(h);
       const Vec3 p = original_.position(a) - middle_;
-      const double third = weightOf(h / 3) * original_.area(h / 3) / 3;
+      const double third =
+          weightOf(SurfaceMesh::faceOf(h)) * original_.area(SurfaceMesh::faceOf(h)) / 3;
       quadrics_[a] += Quadric::ofPlane(p, faceNormals_[h / 3], third);
       quadrics_[a] += Quadric::ofPoint(p, kPlaceShare * third);
       if (original_.twin(h) != kNoIndex) continue;
