@@ -6,7 +6,7 @@
 //   paper_figures [--threads N] [--naive-seconds S] MODEL...
 //   paper_figures [--threads N] [--naive-seconds S] --refined FACES MODEL
 //
-// --threads: for the exact solver; 1 if nothing is said. --naive-seconds: run the naive algorithm,
+// --threads: for the exact solver. Default: 1. --naive-seconds: run the naive algorithm,
 // on one thread, for at most about S seconds; where that is too short for all vertices, it runs on
 // a sample spread over the numbers, and "vertices" says how many: "seconds" are then extrapolated.
 // --refined: the model brought to FACES triangles first (support/models.h).

@@ -1,4 +1,4 @@
-// The yardstick of the benchmarks: the paper's own algorithm, as the paper words it.
+// The reference implementation of the benchmarks: the paper's own algorithm, as the paper words it.
 #pragma once
 
 #include <cstddef>

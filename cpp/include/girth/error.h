@@ -27,7 +27,7 @@ int exitCodeOf(ErrorCode code);
 struct Error {
   /// What went wrong.
   ErrorCode code{ErrorCode::Internal};
-  /// The first offending element: a vertex, face, line or byte, as the message says. -1: none.
+  /// The first offending element: a vertex, face, line or byte, as the message states. -1: none.
   std::int64_t element{-1};
   /// What is wrong and where, in words: "edge 3–7 of face 12 has no face on its other side".
   std::string message;

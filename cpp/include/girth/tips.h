@@ -66,7 +66,7 @@ struct Tips {
 /// between the two go with the one whose girth is nearer to theirs), if the girth rises into this
 /// region at the middle one of its rim's edges. Regions that have more than half of their rims in
 /// common are one tip, the one with the larger jump: they differ by a small piece on the contour.
-/// All other edges of the contour form arcs, which are told apart and never closed.
+/// All other edges of the contour form arcs, which are kept apart and never closed.
 ///
 /// `girth`: I(v) for each vertex; where it is NaN (not computed), no edge is crossed. Time
 /// O(n log n) and a propagation of distances for each tip, unless the pieces are many. Errors:

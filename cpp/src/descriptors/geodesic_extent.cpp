@@ -30,7 +30,7 @@ struct Sum {
   }
 };
 
-/// Lets a propagation run to its end, or until told to stop.
+/// Lets a propagation run to its end, or until cancelled.
 struct UntilCancelled {
   const ExecutionContext& context;
   bool enough(double) const { return context.cancelled(); }

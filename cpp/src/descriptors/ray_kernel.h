@@ -28,7 +28,7 @@ struct alignas(32) TriangleBlock {
   Index face[kBlock];
 };
 
-/// Boxes are told in single precision, in units of `1 / scale`, from `centre`.
+/// Boxes are given in single precision, in units of `1 / scale`, from `centre`.
 struct TreeView {
   const TreeNode* nodes;
   const TriangleBlock* blocks;

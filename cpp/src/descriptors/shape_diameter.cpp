@@ -22,7 +22,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kGrain = 64;
 
-/// A ray, told by the axis of the cone (z) and two directions across.
+/// A ray, given by the axis of the cone (z) and two directions across.
 struct ConeRay {
   Vec3 direction;
   double weight;

@@ -30,7 +30,7 @@ class TriangleTree {
  private:
   struct Build;
 
-  Vec3 centre_;      // of the surface; boxes are told from there
+  Vec3 centre_;      // of the surface; boxes are relative to it
   double scale_{1};  // and times this, a power of two: the surface is about as large as 1
   std::vector<TreeNode> nodes_;
   std::vector<TriangleBlock> blocks_;

@@ -1,4 +1,4 @@
-// The arithmetic of crossing a face, for all the waiting windows of a halfedge at once.
+// The arithmetic of crossing a face, for all the pending windows of a halfedge at once.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace girth::geodesic {
 
-/// The waiting windows of a halfedge, and what is known of its face's corners. (All are trimmed by
+/// The pending windows of a halfedge, and what is known of its face's corners. (All are trimmed by
 /// what was known before, so that the number of lanes does not show.)
 struct CrossingBatch {
   Crossing crossing;
@@ -30,7 +30,7 @@ struct CrossingResult {
 };
 
 /// Writes the windows that leave through either side behind the headers of runs with room for all
-/// (WindowPool::room), whose counts it leaves alone. Null: none are wanted.
+/// (WindowPool::reserve), whose counts it leaves alone. Null: none are wanted.
 using CrossingKernel = CrossingResult (*)(const CrossingBatch&, WindowRun* left, WindowRun* right);
 
 /// The kernels that this processor can run, the fastest first, the one that any can last. All give

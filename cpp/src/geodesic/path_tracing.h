@@ -24,11 +24,11 @@ void traceVertex(const Propagation& propagation, Index vertex, std::vector<Surfa
 void tracePath(const Propagation& propagation, const PathEnd& end, Index halfedge, Vec2 point,
                std::vector<SurfacePoint>& path);
 
-/// A point from which or to which a path goes, as the path tells it: itself, not what is left of it
-/// after a way through planar frames; on an edge by the halfedge by which the path tells that.
+/// A point from which or to which a path goes, as the path gives it: itself, not what is left of it
+/// after a way through planar frames; on an edge by the halfedge that the path names.
 SurfacePoint endOfPath(const Unfolding& unfolding, const SurfacePoint& point);
 
-/// Whether two points are one, up to kTouch. Points on edges must be told by the same halfedge.
+/// Whether two points are one, up to kTouch. Points on edges must be given by the same halfedge.
 bool samePoint(const SurfacePoint& a, const SurfacePoint& b);
 
 /// A point of a face, given in the frame of one of its halfedges, as a surface point; snapped to an

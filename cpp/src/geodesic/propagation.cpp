@@ -174,39 +174,39 @@ void Propagation::receive(Index halfedge, WindowRun* run, double nearest) {
   list.newest = run;
   list.count += run->count;
   created_ += run->count;
-  const std::uint32_t turn = queue_.bucketOf(nearest);
-  if (turn < list.turn) {
-    list.turn = turn;
-    queue_.push(turn, halfedge);
+  const std::uint32_t bucket = queue_.bucketOf(nearest);
+  if (bucket < list.bucket) {
+    list.bucket = bucket;
+    queue_.push(bucket, halfedge);
   }
 }
 
 CrossingResult Propagation::crossFace(Index halfedge) {
   const Crossing c = unfolding_->crossing(halfedge);
   WindowList& list = lists_.opened(halfedge);  // valid until windows are delivered
-  const std::uint32_t first = list.entered, waiting = list.count - first;
+  const std::uint32_t first = list.entered, pending = list.count - first;
   list.entered = list.count;
-  list.turn = WindowList::kNotQueued;
-  crossed_ += waiting;
+  list.bucket = WindowList::kNotQueued;
+  crossed_ += pending;
 
   float farthest = 0;
   if (keep_ == Keep::Front) {
     farthest = static_cast<float>(lesser(list.farthest, roundedUp(farthestBehind(c))));
     list.farthest = farthest;
   }
-  std::uint32_t remaining = waiting;
+  std::uint32_t remaining = pending;
   for (const WindowRun* run = list.newest; remaining > 0; run = run->older) {
     remaining -= run->count;
     WindowPool::crossed(run, farthest);
   }
   if (gone(list)) return {0, 0, kInfinity, kInfinity, kInfinity, -1, 0, 0, false, false};
 
-  const auto room = [&](WindowPool::Side side, Index twin) {
-    return takesWindows(twin) ? pool_.room(side, waiting) : nullptr;
+  const auto reserve = [&](WindowPool::Side side, Index twin) {
+    return takesWindows(twin) ? pool_.reserve(side, pending) : nullptr;
   };
-  WindowRun* const left = room(WindowPool::Side::Left, c.leftTwin());
-  WindowRun* const right = room(WindowPool::Side::Right, c.rightTwin());
-  const CrossingResult result = kernel_({c, list.newest, first, waiting, distance_[c.from()],
+  WindowRun* const left = reserve(WindowPool::Side::Left, c.leftTwin());
+  WindowRun* const right = reserve(WindowPool::Side::Right, c.rightTwin());
+  const CrossingResult result = kernel_({c, list.newest, first, pending, distance_[c.from()],
                                          distance_[c.to()], distance_[c.apexVertex()]},
                                         left, right);
   if (result.apexEnd > 0) {
@@ -219,7 +219,7 @@ CrossingResult Propagation::crossFace(Index halfedge) {
   const auto deliver = [&](WindowPool::Side side, WindowRun* run, std::uint32_t windows, Index twin,
                            double nearest) {
     if (windows == 0) return;
-    pool_.keep(side, run, windows, keep_ != Keep::Nothing);
+    pool_.commit(side, run, windows, keep_ != Keep::Nothing);
     receive(twin, run, nearest);
   };
   deliver(WindowPool::Side::Left, left, result.leftCount, c.leftTwin(), result.leftNearest);
@@ -244,10 +244,10 @@ void Propagation::send(Index halfedge, Vec2 root, double sigma, double gapFrom, 
   if (!(gapFrom + gapTo < c.length() * (1 - kSliver))) return;
   const double aside = lesser(larger(root.x, gapFrom), c.length() - gapTo) - root.x;
   const double nearest = sigma + std::sqrt(aside * aside + root.y * root.y);
-  WindowRun* run = pool_.room(WindowPool::Side::Left, 1);
+  WindowRun* run = pool_.reserve(WindowPool::Side::Left, 1);
   const double fields[WindowRun::kFields] = {root.x, root.y, sigma, gapFrom, gapTo};
   for (std::size_t i = 0; i < WindowRun::kFields; ++i) run->fields()[i * run->stride] = fields[i];
-  pool_.keep(WindowPool::Side::Left, run, 1, true);
+  pool_.commit(WindowPool::Side::Left, run, 1, true);
   receive(halfedge, run, nearest);
 }
 
@@ -447,7 +447,7 @@ bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNu
   return false;
 }
 
-/// No point of the face is farther than this, as its corners tell.
+/// No point of the face is farther than this, as its corners show.
 double Propagation::farthestBehind(const Crossing& c) const {
   return lesser(lesser(distance_[c.from()] + larger(c.length(), c.leftLength()),
                        distance_[c.to()] + larger(c.length(), c.rightLength())),

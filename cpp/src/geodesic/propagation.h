@@ -17,7 +17,7 @@
 //   edge are special cases of this trimming. Like them it looks at vertices only, never at other
 //   windows. Xin and Wang's rule about the corner opposite would save 4 to 9% of the windows, and
 //   costs as much as it saves.)
-// - The queue gives halfedges their turn in the order of the nearest point of their waiting
+// - The queue gives halfedges their turn in the order of the nearest point of their pending
 //   windows, give or take one bucket. When the frontier stands at r, every window with a point
 //   nearer than r has entered its face, and every vertex nearer than r that geodesics can pass has
 //   been settled: its distance is final, and where it is a saddle its windows are on their way.
@@ -62,7 +62,8 @@ struct Arrival {
   Index corner{kNoIndex};
   Vec2 towards;
   /// Where it can go on, at a saddle inside the surface: from a face to another, counter-clockwise,
-  /// each told by its halfedge that starts at the vertex. Known once settled; kNoIndex elsewhere.
+  /// each identified by its halfedge that starts at the vertex. Known once settled; kNoIndex
+  /// elsewhere.
   Index onwardsFrom{kNoIndex}, onwardsTo{kNoIndex};
   Index before{kNoIndex};
   Bundle bundle;
@@ -118,7 +119,7 @@ class Propagation {
         if (reach_[vertex].settled) continue;
         settle(vertex);
         visitor.onVertex(vertex);
-      } else if (lists_[item].turn == queue_.current()) {
+      } else if (lists_[item].bucket == queue_.current()) {
         const std::uint32_t first = lists_[item].entered;
         const CrossingResult result = crossFace(item);
         visitor.onCrossing(item, first, result);
@@ -186,7 +187,7 @@ class Propagation {
   /// Whether that of one window of the face is.
   bool isNearer(Index halfedge, Vec2 point, double length, WindowNumber window) const;
 
-  /// No point of a face is farther than this, as its corners tell.
+  /// No point of a face is farther than this, as its corners show.
   double farthestWithin(Index face) const { return farthestBehind(unfolding_->crossing(3 * face)); }
 
   /// Windows made and windows that crossed their face, in this propagation.

@@ -9,7 +9,7 @@ namespace girth::geodesic {
 
 namespace {
 
-/// The numbers `order` gives new places; this tells the new place of each.
+/// The numbers `order` gives new places; this has the new place of each.
 std::vector<Index> inverse(const std::vector<Index>& order) {
   std::vector<Index> place(order.size());
   for (Index i = 0; i < order.size(); ++i) place[order[i]] = i;
@@ -120,7 +120,7 @@ SurfacePoint Unfolding::toMesh(const SurfacePoint& point) const {
       result.element = meshVertex_[point.element];
       break;
     case SurfacePoint::Kind::OnEdge: {
-      // Points on edges are told by the smaller of the mesh's two halfedges.
+      // Points on edges are given by the smaller of the mesh's two halfedges.
       const Index h = 3 * meshFace_[point.element / 3] + point.element % 3;
       const Halfedge t = mesh_->twin(Halfedge(h));
       result.element = h;

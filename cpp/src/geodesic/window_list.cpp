@@ -22,7 +22,7 @@ WindowPool::Block* WindowPool::open(std::size_t bytes) {
   std::swap(blocks_[used_], blocks_[free]);
   Block* block = blocks_[used_++].get();
   block->used = sizeof(Block);
-  block->waiting = 0;
+  block->pending = 0;
   block->farthest = 0;
   grown_ = true;
   return block;
@@ -32,7 +32,7 @@ void WindowPool::forget(float passed) {
   for (std::size_t i = used_; i-- > 0;) {
     const Block* block = blocks_[i].get();
     const bool current = block == current_[0] || block == current_[1];
-    if (!current && block->waiting == 0 && block->farthest < passed) {
+    if (!current && block->pending == 0 && block->farthest < passed) {
       std::swap(blocks_[i], blocks_[--used_]);
     }
   }

@@ -43,7 +43,7 @@ struct WindowRun {
 struct WindowList {
   WindowRun* newest{nullptr};
   std::uint32_t count{0}, entered{0};
-  std::uint32_t turn{kNotQueued};  ///< the bucket in which the halfedge waits for its turn
+  std::uint32_t bucket{kNotQueued};  ///< of the queue, in which the halfedge is pending
   /// The windows that have reached the corner opposite lie among these.
   std::uint32_t apexBegin{0xFFFFFFFFu}, apexEnd{0};
   /// No point of the face is farther; known when the first windows cross it.
@@ -65,8 +65,8 @@ class WindowPool {
   enum class Side : std::uint8_t { Left, Right };
 
   /// A run with room for `count` windows, to be filled in. The next call for this side gives the
-  /// same room again, but for what `keep` keeps.
-  WindowRun* room(Side side, std::uint32_t count) {
+  /// same room again, but for what `commit` keeps.
+  WindowRun* reserve(Side side, std::uint32_t count) {
     Block*& block = current_[static_cast<std::size_t>(side)];
     const std::size_t stride = count + kSpare, bytes = bytesOf(stride, count);
     if (block == nullptr || block->used >= kBlockBytes || block->used + bytes > block->bytes) {
@@ -77,18 +77,18 @@ class WindowPool {
   }
   /// The last run of that side has got so many windows, at least one, which wait. `tight`: it takes
   /// no more memory than they need, where the difference is worth the moving.
-  void keep(Side side, WindowRun* run, std::uint32_t count, bool tight) {
+  void commit(Side side, WindowRun* run, std::uint32_t count, bool tight) {
     Block* block = current_[static_cast<std::size_t>(side)];
     run->count = count;
     if (tight && (count <= kFew || run->stride > count + kLoose)) tighten(run);
     block->used += bytesOf(run->stride, count);
-    ++block->waiting;
+    ++block->pending;
   }
   /// The windows of a run have crossed their face, and are of no use once all that is nearer than
   /// `farthest` is passed.
   static void crossed(const WindowRun* run, float farthest) {
     Block* block = blockOf(run);
-    --block->waiting;
+    --block->pending;
     block->farthest = static_cast<float>(larger(block->farthest, farthest));
   }
   /// All that is nearer than `passed` is passed: blocks without another use are free again.
@@ -110,8 +110,8 @@ class WindowPool {
   static constexpr std::size_t kBlockBytes = std::size_t{1} << 15;
   struct alignas(64) Block {
     std::size_t bytes, used;
-    std::uint32_t waiting;  ///< runs
-    float farthest;         ///< of those that wait no more
+    std::uint32_t pending;  ///< runs
+    float farthest;         ///< of those that have crossed
   };
   struct Delete {
     void operator()(Block* block) const;

@@ -64,7 +64,7 @@ int meetingPoints(const Site& a, const Site& b, const Site& c, std::array<Vec2, 
   return count;
 }
 
-/// The points of a line at which two sites are at one distance, told by their place along it.
+/// The points of a line at which two sites are at one distance, as places along it.
 /// `a`, `b`: the roots in a frame whose x axis is the line.
 int meetingPlaces(Vec2 a, double sigmaA, Vec2 b, double sigmaB, std::array<double, 2>& places) {
   // With u = x − a.x, r = b.x − a.x, s = σ_b − σ_a:  √(u² + a.y²) = √((u − r)² + b.y²) + s.

@@ -137,7 +137,7 @@ class Clustering {
   }
 
  private:
-  /// Progress is told by rounds.
+  /// Progress is reported by rounds.
   static ExecutionContext quietly(const ExecutionContext& context) {
     return {context.threads, context.cancel, {}};
   }

@@ -139,7 +139,7 @@ TEST(WindowPool, RunsStayUntilTheyArePassed) {
     // Seldom larger than a block, and then mostly not filled.
     const std::uint32_t room = 1 + random.below(random() < 0.01 ? 3000 : 30);
     const Side side = random() < 0.5 ? Side::Left : Side::Right;
-    WindowRun* run = pool.room(side, room);
+    WindowRun* run = pool.reserve(side, room);
     if (random() < 0.2) continue;  // nothing came of it
     const std::uint32_t count = 1 + random.below(random() < 0.5 ? room : 1 + room / 8);
     const double mark = random();
@@ -148,7 +148,7 @@ TEST(WindowPool, RunsStayUntilTheyArePassed) {
         run->fields()[field * run->stride + i] = mark + 10.0 * i + field;
       }
     }
-    pool.keep(side, run, count, random() < 0.7);
+    pool.commit(side, run, count, random() < 0.7);
     kept.push_back({run, mark});
     if (kept.size() < 300) continue;
     // Each is passed only after it is looked at.
@@ -229,7 +229,7 @@ TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
     std::uint32_t count = 0;
     for (Index runs = 1 + random.below(3); runs > 0; --runs) {
       const std::uint32_t windows = 1 + random.below(11);
-      WindowRun* run = pool.room(Side::Left, windows + random.below(20));
+      WindowRun* run = pool.reserve(Side::Left, windows + random.below(20));
       run->older = newest;
       run->begin = count;
       run->count = windows;
@@ -245,15 +245,15 @@ TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
         field[3 * stride + i] = c.length() * std::min(a, 1 - b);
         field[4 * stride + i] = c.length() * std::min(b, 1 - a);
       }
-      pool.keep(Side::Left, run, windows, random() < 0.5);
+      pool.commit(Side::Left, run, windows, random() < 0.5);
     }
     const auto corner = [&] { return random() < 0.2 ? INFINITY : 10 + far * random(); };
     const CrossingBatch batch{c, newest, 0, count, corner(), corner(), corner()};
-    WindowRun* left = pool.room(Side::Left, count);
-    WindowRun* right = pool.room(Side::Right, count);
+    WindowRun* left = pool.reserve(Side::Left, count);
+    WindowRun* right = pool.reserve(Side::Right, count);
     const CrossingResult a = geodesic::crossingKernels().back()(batch, left, right);
-    pool.keep(Side::Left, left, std::max(a.leftCount, 1u), false);
-    pool.keep(Side::Right, right, std::max(a.rightCount, 1u), false);
+    pool.commit(Side::Left, left, std::max(a.leftCount, 1u), false);
+    pool.commit(Side::Right, right, std::max(a.rightCount, 1u), false);
     const auto same = [](const WindowRun& p, const WindowRun& q, std::uint32_t windows) {
       for (std::size_t field = 0; field < WindowRun::kFields; ++field) {
         if (std::memcmp(p.fields() + field * p.stride, q.fields() + field * q.stride,
@@ -264,8 +264,8 @@ TEST(CrossingKernel, GivesTheSameBitsOnEveryProcessor) {
       return true;
     };
     for (const geodesic::CrossingKernel kernel : geodesic::crossingKernels()) {
-      WindowRun* otherLeft = pool.room(Side::Left, count);
-      WindowRun* otherRight = pool.room(Side::Right, count);
+      WindowRun* otherLeft = pool.reserve(Side::Left, count);
+      WindowRun* otherRight = pool.reserve(Side::Right, count);
       const CrossingResult b = kernel(batch, otherLeft, otherRight);
       ASSERT_EQ(a.leftCount, b.leftCount);
       ASSERT_EQ(a.rightCount, b.rightCount);

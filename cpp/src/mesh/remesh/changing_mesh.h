@@ -75,7 +75,7 @@ class ChangingMesh {
   Index valence(Index vertex) const;
   bool isBoundary(Index vertex) const { return twin_[firstOutgoing(vertex)] == kNoIndex; }
   bool areNeighbours(Index a, Index b) const;
-  /// How many lines end at a vertex: 0 inside, 2 on a line, else a corner.
+  /// How many lines end at a vertex: 0 inside, 2 on a line, otherwise a corner.
   Index linesAt(Index vertex) const;
 
   /// Puts a vertex onto an edge.

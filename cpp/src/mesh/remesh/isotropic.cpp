@@ -177,7 +177,7 @@ class IsotropicRemesher {
     return at;
   }
 
-  /// 0: a vertex is free; 2: it may move along a line; else it stays.
+  /// 0: a vertex is free; 2: it may move along a line; otherwise it stays.
   Index linesAt(Index vertex) const {
     if (vertex < corner_.size() && corner_[vertex] != 0) return 3;
     return mesh_.linesAt(vertex);
