@@ -7,6 +7,7 @@ import { availableParallelism } from 'node:os';
 import { basename, dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { configureNative } from './build.mjs';
+import { buildReference } from './reference.mjs';
 import { Complaint, outputOf, repository, run, runTool, script } from './run.mjs';
 import { setUp } from './setup.mjs';
 import { filesBelow, hashOf } from './stale.mjs';
@@ -126,13 +127,14 @@ export async function lintNative({ changedOnly }) {
 }
 
 /**
- * Format, rules and types of everything, and whether each mutation still finds its line.
+ * Format, rules, types and public comments of everything, and whether each mutation still finds its line.
  * @param {{ changedOnly: boolean }} which of the C++ sources clang-tidy reads
  */
 export async function lint(which) {
   format(false);
   run('node', ['tests/mutation/run.mjs', '--check']);
   lintWeb(false);
+  await buildReference();
   await lintNative(which);
 }
 
