@@ -1,4 +1,4 @@
-// The page's address says what is shown, so that a link reproduces it and 'back' goes back to it.
+// The page's address holds what is shown, so that a link reproduces it and 'back' goes back to it.
 
 import { type PageState, readState, writeState } from './address-state.js';
 
@@ -13,7 +13,7 @@ function withoutMoves({ camera, range, panel, ...rest }: PageState): PageState {
 
 export class Address {
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** How many are still bringing about what the address says. */
+  /** How many tasks are still applying what the address holds. */
   #holders = 0;
   /** What needs no writing: the state as it came about by itself, or was written last. */
   #known = '';
@@ -27,7 +27,7 @@ export class Address {
     });
   }
 
-  /** What the address says. */
+  /** The state that the address holds. */
   get state(): PageState {
     return readState(location.hash);
   }
@@ -39,7 +39,7 @@ export class Address {
     return link.href;
   }
 
-  /** Nothing is written until some work on bringing about what the address says is over. */
+  /** Writes nothing until this work, which applies what the address holds, is over. */
   async during(work: Promise<unknown>): Promise<void> {
     ++this.#holders;
     clearTimeout(this.#timer);

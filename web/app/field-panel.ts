@@ -37,7 +37,7 @@ import { type TermName, explains } from './terms.js';
 
 /** What can colour the surface. */
 const shownNames: readonly ShownName[] = [...fieldNames, ...derivedNames, 'none'];
-/** Where the list says it otherwise than the legend. */
+/** Names in the list that differ from those in the legend. */
 const listWords: Partial<Record<ShownName, string>> = {
   igf: 'Girth (IGF)',
   sdf: 'Thickness (SDF)',

@@ -59,7 +59,7 @@ const panels: Record<PanelName, Panel> = {
   compare: compare.panel,
 };
 
-// ---- what is shown, and the address that says it
+// ---- what is shown, and the address that holds it
 
 /** What a link asks for, until the model that it is about is there. */
 let wanted: PageState | undefined;

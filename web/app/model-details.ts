@@ -23,7 +23,7 @@ export interface ModelActions {
   back(): void;
 }
 
-/** What the page knows of the model beyond what the viewer says. */
+/** What the page knows of the model and the viewer does not. */
 export interface ModelState {
   prepare: PrepareOptions;
   /** Says what a remeshed surface was before; undefined where it is the file's. */

@@ -138,7 +138,7 @@ export class PartsPanel {
       else page.colour(false);
       page.changed();
     });
-    // Only by hand: a link says itself what colours the surface.
+    // Only by hand: a link states itself what colours the surface.
     this.panel.onChosen(() => page.colour(true));
     viewer.addEventListener('unit', () => this.#refresh());
     this.clear();

@@ -13,7 +13,7 @@
 // ¹ The load before is ended: its promise rejects, and what it still brings is disposed of.
 // ² The model that was shown is dropped; a mesh that the next model was made of stays.
 // ³ It is read, and shown if the element is attached by then; otherwise it fails.
-// ⁴ The host is told why.
+// ⁴ The host is given the reason.
 //
 // While a model is shown, a field may be wanted as its colours: pending until the element is in view, then
 // computing, then done, halted (cancelled; it can be resumed) or failed. Only the newest wish counts.

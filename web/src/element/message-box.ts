@@ -4,7 +4,7 @@ import type { GirthErrorFields, UnreadableModel } from '../kernel/types.js';
 import { make } from './dom.js';
 import { sentence } from './sentence.js';
 
-/** Of more models that cannot be read than these only the number is told. */
+/** Names of models that cannot be read that are written out; of further ones only the number. */
 const mostNamed = 4;
 
 export class MessageBox {
@@ -23,7 +23,7 @@ export class MessageBox {
     this.clear();
   }
 
-  /** `name` is the file's; `kept` says that the model before is still there. */
+  /** `name` is the file's; `kept`: whether the previous model is still shown. */
   show(name: string, error: GirthErrorFields, kept: boolean): void {
     this.element.hidden = false;
     this.element.dataset['code'] = error.code;

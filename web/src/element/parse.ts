@@ -29,7 +29,7 @@ export function parseCount(text: string | null, most: number): number {
   return count > 0 ? Math.min(most, count) : 0;
 }
 
-/** The attribute that says which number of a signature a field is, and as which option. */
+/** The attribute that chooses the number of a signature that a field is, and the option it becomes. */
 const spectralAttributes: Partial<
   Record<FieldName, { attribute: string; option: keyof SpectralOptions }>
 > = {
@@ -38,7 +38,7 @@ const spectralAttributes: Partial<
   sihks: { attribute: 'component', option: 'component' },
 };
 
-/** Any number: the kernel says which ones there are. Undefined for anything else, and for other fields. */
+/** Any number: the kernel decides which ones are valid. Undefined for anything else, and for other fields. */
 export function parseSpectral(
   name: FieldName,
   attributeOf: (attribute: string) => string | null,
@@ -66,7 +66,7 @@ export function fieldsOf(error: unknown): GirthErrorFields {
   return { code: 'INTERNAL', element: -1, message, hint: 'reload the page and try again' };
 }
 
-/** The name of what a source is, as far as it can be told before it is read. */
+/** The name of what a source is, as far as it is known before it is read. */
 export function nameOf(source: MeshSource): string {
   if (typeof source === 'string' || source instanceof URL) {
     return decodeURIComponent(String(source).split(/[?#]/)[0]!.split('/').pop() ?? '');

@@ -1,4 +1,4 @@
-// Messages as sentences: what fails says it in a line without capital and full stop.
+// Messages as sentences: failures state theirs without a capital letter and a full stop.
 
 /** The first letter large, a full stop at the end; '' stays ''. */
 export function sentence(text: string): string {

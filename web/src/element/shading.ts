@@ -294,7 +294,7 @@ export class Shading {
     return this.#shares.ends;
   }
 
-  /** What else there is to know of the values: what the core says of them, and what is grey. */
+  /** What else there is to know of the values: what the core notes about them, and what is grey. */
   #noteOf(name: ShownName): string {
     if (name === 'tips') return this.#tips?.made.tips.length === 0 ? 'no tips' : '';
     const source = name === 'parts' ? 'sdf' : name;

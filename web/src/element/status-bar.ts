@@ -5,7 +5,7 @@ import { make } from './dom.js';
 
 export interface StatusActions {
   cancel(): void;
-  /** Ends what `showWork` tells of. */
+  /** Ends what `showWork` shows. */
   cancelWork(): void;
   /** Computes the whole field after a cancelled run. */
   restart(): void;

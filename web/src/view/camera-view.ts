@@ -47,7 +47,7 @@ export function keptFromPoles(polar: number): number {
   return Math.min(Math.PI - 0.01, Math.max(0.01, polar));
 }
 
-/** Puts a camera that is in no one's hand where a view says. */
+/** Places a camera that has no controls at a view. */
 export function placeCamera(camera: PerspectiveCamera, view: CameraView): void {
   const target = new Vector3().fromArray(view.target);
   camera.position.setFromSphericalCoords(view.distance, view.polar, view.azimuth).add(target);

@@ -10,7 +10,7 @@ export interface Category {
   hatched: boolean;
 }
 
-// Blue, orange, sky blue and vermilion are those of Okabe and Ito's palette, chosen to be told apart in
+// Blue, orange, sky blue and vermilion are those of Okabe and Ito's palette, chosen to be distinguishable in
 // every common kind of colour blindness; they also differ in lightness.
 const blue = '#0072b2';
 const orange = '#e69f00';

@@ -4,7 +4,7 @@
 const patience = 120;
 
 /**
- * Runs at most one request at a time and remembers only the newest one waiting. A request that a
+ * Runs at most one request at a time and remembers only the newest pending one. A request that a
  * newer one waits for is allowed to finish, so that something is shown while the pointer moves,
  * but is aborted when it takes too long.
  */

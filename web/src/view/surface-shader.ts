@@ -121,7 +121,7 @@ const palette = /* glsl */ `
   uniform float hatched[${mostCategories}];
   uniform float pixelRatio;
 
-  // Slanting stripes of the screen, for what is not to be told by its colour alone.
+  // Slanting stripes of the screen, for what must not be distinguished by its colour alone.
   vec3 categoryColour(int number) {
     float across = (gl_FragCoord.x + gl_FragCoord.y) / (7.0 * pixelRatio);
     float stripe = smoothstep(0.0, 0.16, abs(fract(across) - 0.5) - 0.25);

@@ -208,9 +208,9 @@ export class Surface {
   }
 
   /**
-   * Where the two values of `setPair` divide the surface, and the four categories that they make of it:
-   * body where the second value is not below its threshold, else tube where the first is below its own
-   * and plate where it is not; and what has no values.
+   * Where the two values of `setPair` divide the surface, and the four categories, in this order: body,
+   * where the second value is not below its threshold; of the rest tube, where the first value is below its
+   * own threshold, and plate, where it is not; and places without values.
    */
   setThresholds(girth: number, diameter: number, categories: readonly Category[]): void {
     this.#vector2('thresholds').set(Math.min(girth, 1e30), Math.min(diameter, 1e30));

@@ -13,7 +13,7 @@ export class TimeLeft {
     this.#start = now;
   }
 
-  /** Seconds left at a finished share in [0, 1]; undefined while it is too early to tell. */
+  /** Seconds left at a finished share in [0, 1]; undefined while it is too early to estimate. */
   update(fraction: number, now: number): number | undefined {
     const elapsed = (now - this.#start) / 1000;
     if (fraction >= 1) return 0;

@@ -59,7 +59,7 @@ export class PlotFrame {
 
   show(content: PlotContent): void {
     this.#content = content;
-    // Axes that come, go or change their kind need another plot; else only what is drawn changes.
+    // Axes that come, go or change their kind need another plot. Otherwise only what is drawn changes.
     const { x, y, lines } = content;
     const layout = JSON.stringify([
       [x, y].map(({ scale, format, label }) => [scale.log, !!format, label]),
