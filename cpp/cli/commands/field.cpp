@@ -1,0 +1,218 @@
+// girth field: another field than the girth, at every vertex.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "commands/common_options.h"
+#include "commands/table.h"
+#include "girth/geodesic_extent.h"
+#include "girth/io/write_field.h"
+#include "girth/persistent_maxima.h"
+#include "model/computing.h"
+#include "model/loading.h"
+#include "model/spectral_field.h"
+#include "process/files.h"
+#include "process/progress_line.h"
+#include "process/report.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
+
+namespace girth::cli {
+namespace {
+
+struct Options {
+  std::string model;
+  ModelOptions preparing;
+  /// "sdf", "geoaverage", "geofarthest", or a spectral one: "hks", "sihks" or "wks".
+  std::string field;
+  std::string output;
+  unsigned threads{0};
+  bool json{false};
+  /// Of sdf.
+  unsigned rays{30};
+  double coneDegrees{120};
+  /// Of geoaverage and geofarthest: by windows instead of fast marching.
+  bool exactDistances{false};
+  SpectralFieldOptions spectral;
+  /// How many of the most persistent maxima to list.
+  std::uint32_t maxima{0};
+};
+
+Result<std::vector<ComputedField>> compute(const Options& options, const io::LoadedMesh& loaded) {
+  const SurfaceMesh& mesh = loaded.mesh;
+  if (isSpectralField(options.field)) {
+    return computeSpectralField(options.field, options.spectral, options.model, mesh, loaded.unit);
+  }
+  const Error stopped = makeError(ErrorCode::Cancelled, -1, "stopped before it was finished");
+  if (options.field == "sdf") {
+    const ShapeDiameterOptions sdf{options.coneDegrees * std::numbers::pi / 180, options.rays};
+    auto field = computeDiameter(options.model, mesh, sdf, options.threads);
+    if (!field) return field.error();
+    return std::vector<ComputedField>{
+        {"sdf", io::methodText(sdf), loaded.unit, std::move(field.value().values)}};
+  }
+  ProgressLine progress(options.model);
+  const ExecutionContext context = watched(options.threads, progress);
+  const DistanceMethod distances =
+      options.exactDistances ? DistanceMethod::Exact : DistanceMethod::FastMarching;
+  GeodesicExtent extent = geodesicExtent(mesh, distances, context);
+  if (!extent.complete) return stopped;
+  return std::vector<ComputedField>{
+      {options.field, std::string(io::toString(distances)), loaded.unit,
+       options.field == "geoaverage" ? std::move(extent.average) : std::move(extent.farthest)}};
+}
+
+Result<std::string> contentFor(const std::string& extension, const std::string& model,
+                               const io::LoadedMesh& loaded,
+                               const std::vector<ComputedField>& computed) {
+  std::vector<io::VertexField> fields;
+  for (const ComputedField& field : computed) {
+    fields.push_back({field.name, field.values, field.unit, field.method, {}});
+  }
+  if (extension == ".csv") return io::fieldCsv(loaded, fields);
+  if (extension == ".json") return io::fieldJson(loaded, fields, model);
+  if (extension == ".ply") return io::fieldPly(loaded, fields);
+  if (extension == ".glb") return io::fieldGlb(loaded, fields);
+  if (fields.size() == 1) return io::fieldNpy(loaded, fields[0]);
+  return usageError("NPY holds one number for each vertex here",
+                    "choose one with --only, or use .csv, .json, .ply or .glb");
+}
+
+/// The number of a vertex in the file; -1 where it was made here.
+std::int64_t inFile(const io::LoadedMesh& loaded, Index vertex) {
+  const Index input = loaded.inputOfVertex[vertex];
+  return input == kNoIndex ? -1 : static_cast<std::int64_t>(input);
+}
+
+std::string maximaJson(const io::LoadedMesh& loaded, const std::vector<PersistentMaximum>& maxima) {
+  std::string text;
+  for (const PersistentMaximum& maximum : maxima) {
+    text += (text.empty() ? "" : ",");
+    text += "{\"vertex\":" + std::to_string(inFile(loaded, maximum.vertex)) +
+            ",\"value\":" + io::formatNumber(maximum.value) +
+            ",\"persistence\":" + io::formatNumber(maximum.persistence) + "}";
+  }
+  return ",\"maxima\":[" + text + "]";
+}
+
+void printMaxima(const io::LoadedMesh& loaded, const std::vector<PersistentMaximum>& maxima) {
+  std::printf("  %7s %12s %12s  %s\n", "maximum", "value", "persistence", "vertex");
+  for (std::size_t i = 0; i < maxima.size(); ++i) {
+    const std::int64_t vertex = inFile(loaded, maxima[i].vertex);
+    std::printf("  %7zu %12s %12s  %s\n", i + 1, readable(maxima[i].value).c_str(),
+                readable(maxima[i].persistence).c_str(),
+                vertex < 0 ? "(made here)" : std::to_string(vertex).c_str());
+  }
+}
+
+void print(const Options& options, const io::LoadedMesh& loaded,
+           const std::vector<ComputedField>& fields, const std::vector<PersistentMaximum>& maxima) {
+  std::vector<double> values;
+  for (const ComputedField& field : fields) {
+    std::copy_if(field.values.begin(), field.values.end(), std::back_inserter(values),
+                 [](double value) { return !std::isnan(value); });
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  const double median = n == 0 ? 0 : (values[(n - 1) / 2] + values[n / 2]) / 2;
+  const ComputedField& first = fields[0];
+  if (options.json) {
+    const auto number = [&](double value) {
+      return n == 0 ? std::string("null") : io::formatNumber(value);
+    };
+    const std::string text =
+        "{\"file\":" + io::jsonString(options.model) +
+        ",\"field\":" + io::jsonString(options.field) +
+        ",\"method\":" + io::jsonString(first.method) + ",\"unit\":" + io::jsonString(first.unit) +
+        ",\"components\":" + std::to_string(fields.size()) +
+        ",\"vertices\":" + std::to_string(first.values.size()) +
+        ",\"withValue\":" + std::to_string(n / fields.size()) +
+        ",\"min\":" + number(n == 0 ? 0 : values.front()) + ",\"median\":" + number(median) +
+        ",\"max\":" + number(n == 0 ? 0 : values.back()) +
+        (options.maxima > 0 ? maximaJson(loaded, maxima) : "") + "}\n";
+    std::fputs(text.c_str(), stdout);
+    return;
+  }
+  const std::string components =
+      fields.size() == 1 ? "" : std::to_string(fields.size()) + " components ";
+  std::printf("%s: %s (%s) %sat %zu of %zu vertices\n", options.model.c_str(),
+              options.field.c_str(), first.method.c_str(), components.c_str(), n / fields.size(),
+              first.values.size());
+  if (n == 0) return;
+  std::printf("  min %s, median %s, max %s%s\n", readable(values.front()).c_str(),
+              readable(median).c_str(), readable(values.back()).c_str(),
+              isSpectralField(options.field) ? "" : unitSuffix(first.unit).c_str());
+  if (options.maxima > 0) printMaxima(loaded, maxima);
+}
+
+int run(const Options& options) {
+  const std::string extension = extensionOf(options.output);
+  if (!options.output.empty()) {
+    if (auto error = checkOutput(options.output, {".csv", ".json", ".npy", ".ply", ".glb"})) {
+      return reportError(options.output, *error);
+    }
+  }
+  const auto loaded = loadModel(options.model, options.preparing);
+  if (!loaded) return reportError(options.model, loaded.error());
+  const auto fields = compute(options, loaded.value());
+  if (!fields) return reportError(options.model, fields.error());
+  std::vector<PersistentMaximum> maxima;
+  if (options.maxima > 0) {
+    if (fields.value().size() > 1) {
+      return reportError(
+          "", usageError("maxima are those of one number a vertex", "choose one with --only"));
+    }
+    auto found = persistentMaxima(loaded.value().mesh, fields.value()[0].values);
+    if (!found) return reportError(options.model, found.error());
+    maxima = std::move(found).value();
+    maxima.resize(std::min<std::size_t>(maxima.size(), options.maxima));
+  }
+  if (!options.output.empty()) {
+    const auto content = contentFor(extension, options.model, loaded.value(), fields.value());
+    if (!content) return reportError(options.output, content.error());
+    if (auto error = writeFile(options.output, content.value())) {
+      return reportError(options.output, *error);
+    }
+  }
+  print(options, loaded.value(), fields.value(), maxima);
+  return 0;
+}
+
+Run add(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("MODEL", options->model, "The model to read")->required();
+  addModelOptions(app, options->preparing);
+  app.add_option("--field", options->field,
+                 "sdf (shape diameter), geoaverage or geofarthest (mean and greatest distance), "
+                 "hks, sihks or wks (heat and wave kernel signatures)")
+      ->required()
+      ->check(CLI::IsMember({"sdf", "geoaverage", "geofarthest", "hks", "sihks", "wks"}));
+  app.add_option("-o,--output", options->output,
+                 "Write the values: .csv, .json, .npy, .ply or .glb");
+  app.add_option("--rays", options->rays, "sdf: rays from each vertex; 30 by default")
+      ->check(CLI::Range(1u, 10'000u));
+  app.add_option("--cone", options->coneDegrees, "sdf: opening of the cone, 120 degrees by default")
+      ->check(CLI::Range(1e-3, 179.999));
+  app.add_flag("--exact", options->exactDistances,
+               "geoaverage, geofarthest: exact distances, not by fast marching");
+  addSpectralFieldOptions(app, options->spectral);
+  app.add_option("--maxima", options->maxima,
+                 "List so many of the field's maxima, those that rise highest above their "
+                 "surroundings first; with hks: persistent heat maxima")
+      ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{1'000'000}));
+  addThreadsOption(app, options->threads);
+  app.add_flag("--json", options->json, "Print the summary as JSON");
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+const Command kField{"field", "Compute another field: thickness, centricity, ...", add};
+
+}  // namespace girth::cli

@@ -1,0 +1,202 @@
+// girth info: what a model is, and what was done to make a surface of it.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands/table.h"
+#include "girth/io/report_json.h"
+#include "model/loading.h"
+#include "process/report.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
+
+namespace girth::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> models;
+  ModelOptions preparing;
+  bool json{false};
+};
+
+struct Box {
+  std::array<double, 3> low, high;
+};
+
+Box boundingBox(const SurfaceMesh& mesh) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (const Vertex v : mesh.vertices()) {
+    const Vec3& p = mesh.position(v);
+    const std::array<double, 3> position{p.x, p.y, p.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], position[k]);
+      box.high[k] = std::max(box.high[k], position[k]);
+    }
+  }
+  return box;
+}
+
+std::string joinedNumbers(const std::array<double, 3>& numbers) {
+  return "[" + io::formatNumber(numbers[0]) + "," + io::formatNumber(numbers[1]) + "," +
+         io::formatNumber(numbers[2]) + "]";
+}
+
+std::string joinedGenera(const SurfaceMesh& mesh, const char* separator) {
+  std::string text;
+  for (Index c = 0; c < mesh.componentCount(); ++c) {
+    text += (c == 0 ? "" : separator) + std::to_string(mesh.genus(c));
+  }
+  return text;
+}
+
+std::string joinedBoundaries(const SurfaceMesh& mesh) {
+  std::string text;
+  for (Index c = 0; c < mesh.componentCount(); ++c) {
+    text += (c == 0 ? "" : ",") + std::to_string(mesh.boundaryCount(c));
+  }
+  return text;
+}
+
+std::string partsText(const io::LoadedMesh& loaded) {
+  std::string text;
+  for (const SurfacePart& part : loaded.parts) {
+    text += std::string(text.empty() ? "" : ",") + "{\"faces\":" + std::to_string(part.faces) +
+            ",\"area\":" + io::formatNumber(part.area) + "}";
+  }
+  return text;
+}
+
+void printJson(const std::string& file, const io::LoadedMesh& loaded) {
+  const SurfaceMesh& mesh = loaded.mesh;
+  const Box box = boundingBox(mesh);
+  std::string notes;
+  for (const std::string& note : loaded.notes) {
+    notes += (notes.empty() ? "" : ",") + io::jsonString(note);
+  }
+  const std::string text = "{\"file\":" + io::jsonString(file) +
+                           ",\"format\":" + io::jsonString(io::toString(loaded.format)) +
+                           ",\"unit\":" + io::jsonString(loaded.unit) +
+                           ",\"vertices\":" + std::to_string(mesh.vertexCount()) +
+                           ",\"edges\":" + std::to_string(mesh.edgeCount()) +
+                           ",\"faces\":" + std::to_string(mesh.faceCount()) +
+                           ",\"components\":" + std::to_string(mesh.componentCount()) +
+                           ",\"genus\":[" + joinedGenera(mesh, ",") + "],\"boundaries\":[" +
+                           joinedBoundaries(mesh) + "],\"area\":" + io::formatNumber(mesh.area()) +
+                           ",\"meanEdgeLength\":" + io::formatNumber(mesh.meanEdgeLength()) +
+                           ",\"boundingBox\":{\"min\":" + joinedNumbers(box.low) +
+                           ",\"max\":" + joinedNumbers(box.high) + "},\"notes\":[" + notes +
+                           "],\"parts\":[" + partsText(loaded) +
+                           "],\"report\":" + io::reportJson(loaded.report) + "}\n";
+  std::fputs(text.c_str(), stdout);
+}
+
+std::string counted(Index count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+/// What was done to the file, in words, one step a line.
+std::vector<std::string> stepsDone(const PreparationReport& report, const std::string& unit) {
+  std::vector<std::string> steps;
+  const auto step = [&](Index count, const char* one, const char* many, const char* done) {
+    if (count > 0) steps.push_back(counted(count, one, many) + " " + done);
+  };
+  step(report.weldedVertices, "vertex", "vertices", "welded onto another at the same place");
+  step(report.degenerateFaces, "face", "faces", "without area left out");
+  step(report.flippedFaces, "face", "faces", "without area merged into a neighbour");
+  step(report.duplicateFaces, "face", "faces", "that were there already left out");
+  step(report.unreferencedVertices, "vertex", "vertices", "that no face uses left out");
+  step(report.reorientedFaces, "face", "faces", "turned over to agree with their neighbours");
+  step(report.oneSidedEdges, "edge", "edges", "cut, as the surface has one side only");
+  step(report.nonManifoldEdges, "edge", "edges", "with more than two faces cut apart");
+  step(report.nonManifoldVertices, "vertex", "vertices", "where parts only touched cut apart");
+  if (report.keptComponents < report.components) {
+    steps.push_back(std::to_string(report.keptComponents) + " of " +
+                    counted(report.components, "component", "components") + " kept");
+  }
+  for (const ClosedHole& hole : report.holes) {
+    steps.push_back("a hole of " + counted(hole.edges, "edge", "edges") + ", " +
+                    readable(hole.perimeter) + unit + " round, closed" +
+                    (hole.vertex == kNoIndex ? "" : " at vertex " + std::to_string(hole.vertex)));
+  }
+  return steps;
+}
+
+void printText(const std::string& file, const io::LoadedMesh& loaded) {
+  const SurfaceMesh& mesh = loaded.mesh;
+  const PreparationReport& report = loaded.report;
+  const Box box = boundingBox(mesh);
+  const std::string unit = unitSuffix(loaded.unit);
+  const auto row = [](const char* name, const std::string& value) {
+    std::printf("  %-14s %s\n", name, value.c_str());
+  };
+  std::printf("%s: %s surface, %s\n", file.c_str(), report.boundaryCurves == 0 ? "closed" : "open",
+              std::string(io::toString(loaded.format)).c_str());
+  row("vertices", std::to_string(mesh.vertexCount()) +
+                      (mesh.vertexCount() == report.inputVertices
+                           ? ""
+                           : " (of " + std::to_string(report.inputVertices) + " in the file)"));
+  row("edges", std::to_string(mesh.edgeCount()));
+  row("faces", std::to_string(mesh.faceCount()) +
+                   (mesh.faceCount() == report.inputFaces
+                        ? ""
+                        : " (of " + std::to_string(report.inputFaces) + " in the file)"));
+  row("components", std::to_string(mesh.componentCount()));
+  row("genus", joinedGenera(mesh, ", "));
+  if (report.boundaryCurves > 0) {
+    row("boundary", counted(report.boundaryCurves, "curve", "curves") + " of " +
+                        counted(report.boundaryEdges, "edge", "edges"));
+  }
+  row("area", readable(mesh.area()) + (unit.empty() ? "" : unit + "²"));
+  row("mean edge", readable(mesh.meanEdgeLength()) + unit);
+  row("size", readable(box.high[0] - box.low[0]) + " × " + readable(box.high[1] - box.low[1]) +
+                  " × " + readable(box.high[2] - box.low[2]) +
+                  (unit.empty() ? " (unit unknown)" : unit));
+  for (const std::string& note : loaded.notes) row("note", note);
+  for (const std::string& step : stepsDone(report, unit)) row("done", step);
+  constexpr std::size_t kShown = 10;
+  if (loaded.parts.size() > 1) {
+    for (std::size_t i = 0; i < std::min(kShown, loaded.parts.size()); ++i) {
+      row(i == 0 ? "by component" : "", std::to_string(i) + ": " +
+                                            counted(loaded.parts[i].faces, "face", "faces") +
+                                            ", area " + readable(loaded.parts[i].area));
+    }
+    if (loaded.parts.size() > kShown) {
+      row("", "and " + std::to_string(loaded.parts.size() - kShown) + " more");
+    }
+  }
+}
+
+int run(const Options& options) {
+  int exitCode = 0;
+  for (const std::string& model : options.models) {
+    const auto loaded = loadModel(model, options.preparing);
+    if (!loaded) {
+      exitCode = std::max(exitCode, reportError(model, loaded.error()));
+    } else if (options.json) {
+      printJson(model, loaded.value());
+    } else {
+      printText(model, loaded.value());
+    }
+  }
+  return exitCode;
+}
+
+Run add(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("MODEL", options->models, "Models to read")->required();
+  addModelOptions(app, options->preparing);
+  app.add_flag("--json", options->json, "Print one JSON object for each model");
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+const Command kInfo{"info", "Say what a model is", add};
+
+}  // namespace girth::cli

@@ -1,0 +1,214 @@
+// girth loop: the loop at one point.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/table.h"
+#include "girth/girth_field.h"
+#include "girth/io/write_loop.h"
+#include "model/loading.h"
+#include "process/files.h"
+#include "process/report.h"
+#include "text/number_text.h"
+
+namespace girth::cli {
+namespace {
+
+struct Options {
+  std::string model;
+  ModelOptions preparing;
+  /// A vertex in the file's numbering, from 0, or else a point of a face.
+  std::optional<std::int64_t> vertex;
+  /// A triangle in the file's order, from 0; polygons count as the triangles they are cut into.
+  std::optional<std::int64_t> face;
+  /// The point's shares of the face's three vertices.
+  std::array<double, 3> weights{1.0 / 3, 1.0 / 3, 1.0 / 3};
+  std::string output;
+  bool json{false};
+};
+
+std::string placeText(const Options& options) {
+  if (options.vertex) return "vertex " + std::to_string(*options.vertex);
+  std::string text = "face " + std::to_string(*options.face) + " at ";
+  for (std::size_t i = 0; i < 3; ++i) text += (i == 0 ? "" : ",") + readable(options.weights[i]);
+  return text;
+}
+
+void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const Options& options) {
+  constexpr double kDegrees = 57.29577951308232;
+  const std::string unit = unitSuffix(loaded.unit);
+  const Vec3 middle = positionOf(loaded.mesh, loop.midpoint);
+  const auto row = [](const char* name, const std::string& value) {
+    std::printf("  %-10s %s\n", name, value.c_str());
+  };
+  std::printf("%s: loop at %s\n", options.model.c_str(), placeText(options).c_str());
+  row("length", readable(loop.length) + unit);
+  row("kind", loop.kind == LoopKind::Loop ? "loop: around the surface"
+              : loop.kind == LoopKind::Antipodal
+                  ? "antipodal: out to the farthest point and back"
+                  : "unresolved: given up, the length is a lower bound");
+  row("angle", readable(loop.angle * kDegrees) + "°");
+  row("midpoint", readable(middle.x) + " " + readable(middle.y) + " " + readable(middle.z) + unit);
+  row("points", std::to_string(loop.points.size()));
+}
+
+Result<std::string> contentFor(const std::string& extension, const io::LoadedMesh& loaded,
+                               const GirthLoop& loop, const std::string& model) {
+  if (extension == ".json") return io::loopJson(loaded, loop, model, true);
+  if (extension == ".obj") return io::loopObj(loaded, loop);
+  if (extension == ".glb") return io::loopGlb(loaded, loop);
+  return io::loopCsv(loaded, loop);
+}
+
+/// The vertex of the surface that a number of the file means.
+Result<Index> surfaceVertex(const io::LoadedMesh& loaded, std::int64_t vertex) {
+  const std::size_t count = loaded.vertexOfInput.size();
+  if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= count) {
+    Error error = makeError(ErrorCode::VertexOutOfRange, vertex,
+                            "there is no vertex " + std::to_string(vertex));
+    error.hint = "its vertices are numbered from 0 to " + std::to_string(count - 1);
+    return error;
+  }
+  const Index found = loaded.vertexOfInput[static_cast<std::size_t>(vertex)];
+  if (found == kNoIndex) {
+    Error error = makeError(ErrorCode::VertexOutOfRange, vertex,
+                            "no face uses vertex " + std::to_string(vertex));
+    error.hint = "name a vertex of a face";
+    return error;
+  }
+  return found;
+}
+
+/// The shares of a face's corners as they stand on the surface, where it may have been turned over
+/// since it was read.
+Result<std::array<double, 3>> sharesOnSurface(const io::LoadedMesh& loaded, Index face,
+                                              const Options& options) {
+  if (loaded.report.reorientedFaces + loaded.report.flippedFaces == 0) return options.weights;
+  const auto bytes = readFile(options.model);
+  if (!bytes) return bytes.error();
+  const auto model = io::readModel(bytes.value(), options.model, resourcesBeside(options.model));
+  if (!model) return model.error();
+  const auto corners = loaded.mesh.faceVertices(Face(face));
+  std::array<double, 3> shares{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Index input =
+        model.value().soup.triangles[3 * static_cast<std::size_t>(*options.face) + k];
+    const Index first = loaded.inputOfVertex[loaded.vertexOfInput[input]];
+    const auto corner = std::find_if(corners.begin(), corners.end(),
+                                     [&](Index v) { return loaded.inputOfVertex[v] == first; });
+    if (corner == corners.end()) {
+      return makeError(ErrorCode::InvalidPoint, *options.face,
+                       "face " + std::to_string(*options.face) +
+                           " had no area and shares that of its neighbour now");
+    }
+    shares[static_cast<std::size_t>(corner - corners.begin())] = options.weights[k];
+  }
+  return shares;
+}
+
+/// The point of the surface that was asked for.
+Result<SurfacePoint> basePoint(const io::LoadedMesh& loaded, const Options& options) {
+  if (options.vertex) {
+    const Result<Index> vertex = surfaceVertex(loaded, *options.vertex);
+    if (!vertex) return vertex.error();
+    return SurfacePoint::atVertex(Vertex(vertex.value()));
+  }
+  const Index count = loaded.report.inputFaces;
+  if (*options.face < 0 || *options.face >= std::int64_t{count}) {
+    Error error = makeError(ErrorCode::InvalidPoint, *options.face,
+                            "there is no face " + std::to_string(*options.face));
+    error.hint = "its faces are numbered from 0 to " + std::to_string(count - 1);
+    return error;
+  }
+  const auto found = std::find(loaded.inputOfFace.begin(), loaded.inputOfFace.end(),
+                               static_cast<Index>(*options.face));
+  if (found == loaded.inputOfFace.end()) {
+    Error error = makeError(ErrorCode::InvalidPoint, *options.face,
+                            "face " + std::to_string(*options.face) + " was left out");
+    error.hint = "girth info says what was left out and why";
+    return error;
+  }
+  const auto face = static_cast<Index>(found - loaded.inputOfFace.begin());
+  const auto shares = sharesOnSurface(loaded, face, options);
+  if (!shares) return shares.error();
+  return SurfacePoint::inFace(Face(face), shares.value());
+}
+
+int run(const Options& options) {
+  const std::string extension = extensionOf(options.output);
+  if (!options.vertex && !options.face) {
+    return reportError("", usageError("no point is named", "name a vertex, or a face with --face"));
+  }
+  if (!options.output.empty()) {
+    if (auto error = checkOutput(options.output, {".json", ".obj", ".glb", ".csv"})) {
+      return reportError(options.output, *error);
+    }
+  }
+  const auto loaded = loadModel(options.model, options.preparing);
+  if (!loaded) return reportError(options.model, loaded.error());
+  const auto base = basePoint(loaded.value(), options);
+  if (!base) return reportError(options.model, base.error());
+  const auto loop = GirthSolver(loaded.value().mesh).loop(base.value());
+  if (!loop) return reportError(options.model, loop.error());
+  if (!options.output.empty()) {
+    const auto content = contentFor(extension, loaded.value(), loop.value(), options.model);
+    if (!content) return reportError(options.output, content.error());
+    if (auto error = writeFile(options.output, content.value())) {
+      return reportError(options.output, *error);
+    }
+  }
+  if (options.json) {
+    std::fputs(io::loopJson(loaded.value(), loop.value(), options.model, false).c_str(), stdout);
+  } else {
+    printText(loaded.value(), loop.value(), options);
+  }
+  return 0;
+}
+
+/// Not read by CLI11, which rounds twice.
+std::array<double, 3> weightsOf(const std::vector<std::string>& texts) {
+  std::array<double, 3> weights{};
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const std::optional<double> weight = io::parseNumber(texts[i]);
+    if (!weight) throw CLI::ConversionError(texts[i], "--at");
+    weights[i] = *weight;
+  }
+  return weights;
+}
+
+Run add(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("MODEL", options->model, "The model to read")->required();
+  addModelOptions(app, options->preparing);
+  auto* vertex =
+      app.add_option("VERTEX", options->vertex, "A vertex, numbered as in the file from 0");
+  auto* face = app.add_option("--face", options->face,
+                              "A face instead, numbered from 0; polygons count as the triangles "
+                              "they are cut into")
+                   ->excludes(vertex);
+  app.add_option_function<std::vector<std::string>>(
+         "--at",
+         [options](const std::vector<std::string>& texts) { options->weights = weightsOf(texts); },
+         "Where in the face: the shares of its three vertices, A,B,C; its middle by default")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("A,B,C")
+      ->needs(face);
+  app.add_option("-o,--output", options->output,
+                 "Write the loop: .json, .obj or .glb (a polyline) or .csv (x,y,z)");
+  app.add_flag("--json", options->json, "Print the summary as JSON");
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+const Command kLoop{"loop", "Compute the loop at one vertex or at a point of a face", add};
+
+}  // namespace girth::cli

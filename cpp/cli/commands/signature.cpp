@@ -1,0 +1,113 @@
+// girth signature: the histograms that a model is compared by.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands/comparison_options.h"
+#include "commands/table.h"
+#include "girth/distribution.h"
+#include "girth/study/histogram.h"
+#include "process/files.h"
+#include "process/progress_line.h"
+#include "process/report.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
+
+namespace girth::cli {
+namespace {
+
+using study::Descriptor;
+using study::Signatures;
+
+struct Options : ComparisonOptions {
+  std::string model;
+  std::string output;
+};
+
+std::string signatureCsv(const std::string& name, const std::vector<double>& shares,
+                         const study::HistogramRange& range) {
+  std::string text;
+  const double width = (range.high - range.low) / static_cast<double>(shares.size());
+  double sum = 0;
+  for (std::size_t bin = 0; bin < shares.size(); ++bin) {
+    sum += shares[bin];
+    const double low = range.low + width * static_cast<double>(bin);
+    text += name + "," + io::formatNumber(low) + "," + io::formatNumber(low + width) + "," +
+            io::formatNumber(shares[bin]) + "," + io::formatNumber(sum) + "\n";
+  }
+  return text;
+}
+
+std::string signatureJson(const std::string& name, const std::vector<double>& shares,
+                          const study::HistogramRange& range) {
+  std::string text;
+  for (const double share : shares) text += (text.empty() ? "" : ",") + io::formatNumber(share);
+  return "{\"name\":" + io::jsonString(name) + ",\"low\":" + io::formatNumber(range.low) +
+         ",\"high\":" + io::formatNumber(range.high) + ",\"shares\":[" + text + "]}";
+}
+
+int run(const Options& options) {
+  const std::string extension = extensionOf(options.output);
+  if (const auto error = checkOutput(options.output, {".csv", ".json"})) {
+    return reportError(options.output, *error);
+  }
+  const auto descriptors = parseDescriptors(
+      options.descriptors.empty() ? std::vector<std::string>{"igf"} : options.descriptors);
+  if (!descriptors) return reportError("", descriptors.error());
+  ComparisonOptions comparison = options;
+  comparison.signatures.bins = 0;  // the distributions themselves are wanted
+  ProgressLine progress(options.model);
+  const ExecutionContext context = watched(options.threads, progress);
+  const auto fields = comparedFields(options.model, descriptors.value(), comparison, context);
+  if (!fields) return reportError(options.model, fields.error());
+  std::vector<std::string> names;
+  for (const Descriptor& descriptor : descriptors.value()) names.push_back(descriptor.name);
+  Signatures signatures(names, 1, comparison.signatures);
+  signatures.add(0, fields.value());
+  constexpr std::size_t kBins = 512;
+  std::string rows;
+  for (const std::string& name : names) {
+    const Distribution* distribution = signatures.distributionOf(name, 0);
+    if (distribution == nullptr) {
+      return reportError("", usageError(name + " has no histogram of one dimension",
+                                        "name one-dimensional fields, such as igf or sdf"));
+    }
+    if (distribution->empty()) {
+      return reportError(options.model,
+                         makeError(ErrorCode::EmptyMesh, -1, name + " has no value"));
+    }
+    const double low = std::min(0.0, distribution->values.front());
+    const double high = distribution->values.back();
+    const study::HistogramRange range{low, high > low ? high : low + 1};
+    const auto shares = study::histogramOf(
+        *distribution, range, options.signatures.bins == 0 ? kBins : options.signatures.bins);
+    if (extension == ".csv") {
+      rows += signatureCsv(name, shares, range);
+    } else {
+      rows += (rows.empty() ? "\n" : ",\n") + signatureJson(name, shares, range);
+    }
+  }
+  const std::string content = extension == ".csv" ? "descriptor,low,high,share,cumulative\n" + rows
+                                                  : "{\"file\":" + io::jsonString(options.model) +
+                                                        ",\"signatures\":[" + rows + "]}\n";
+  if (const auto error = writeFile(options.output, content)) {
+    return reportError(options.output, *error);
+  }
+  return 0;
+}
+
+Run add(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("MODEL", options->model, "The model to read")->required();
+  app.add_option("-o,--output", options->output, "Write them: .csv or .json")->required();
+  addComparisonOptions(app, *options);
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+const Command kSignature{"signature", "Write the histograms that a model is compared by", add};
+
+}  // namespace girth::cli

@@ -1,0 +1,13 @@
+#include "commands/table.h"
+
+#include <array>
+
+namespace girth::cli {
+
+std::span<const Command* const> allCommands() {
+  static constexpr std::array kAll{&kInfo,  &kIgf,      &kLoop,      &kRemesh,  &kField, &kTips,
+                                   &kParts, &kRetrieve, &kSignature, &kCompare, &kStudy};
+  return kAll;
+}
+
+}  // namespace girth::cli

@@ -1,0 +1,140 @@
+// girth tips: where the shape ends.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands/common_options.h"
+#include "commands/table.h"
+#include "girth/io/write_tips.h"
+#include "girth/study/tip_stability.h"
+#include "girth/study/write_tip_trials.h"
+#include "girth/tips.h"
+#include "model/computing.h"
+#include "model/loading.h"
+#include "process/files.h"
+#include "process/interrupt.h"
+#include "process/progress_line.h"
+#include "process/report.h"
+
+namespace girth::cli {
+namespace {
+
+struct Options {
+  std::string model;
+  ModelOptions preparing;
+  std::string output;
+  unsigned threads{0};
+  bool stability{false};
+  bool json{false};
+};
+
+void printText(const std::string& model, const io::LoadedMesh& loaded, const Tips& tips) {
+  const std::string unit = unitSuffix(loaded.unit);
+  std::printf("%s: %zu tip%s, %zu open arc%s\n", model.c_str(), tips.tips.size(),
+              tips.tips.size() == 1 ? "" : "s", tips.arcs.size(), tips.arcs.size() == 1 ? "" : "s");
+  if (!tips.tips.empty()) {
+    std::printf("  %4s %12s %12s %12s %12s  %s\n", "tip", "jump", "area", "boundary", "to apex",
+                "apex vertex");
+  }
+  for (std::size_t i = 0; i < tips.tips.size(); ++i) {
+    const Tip& tip = tips.tips[i];
+    const Index apex = loaded.inputOfVertex[tip.apex];
+    std::printf("  %4zu %12s %12s %12s %12s  %s\n", i + 1, readable(tip.jump).c_str(),
+                readable(tip.area).c_str(), readable(tip.boundaryLength).c_str(),
+                readable(tip.apexDistance).c_str(),
+                apex == kNoIndex ? "(made here)" : std::to_string(apex).c_str());
+  }
+  if (!unit.empty() && !tips.tips.empty()) std::printf("  lengths in%s\n", unit.c_str());
+  if (!tips.arcs.empty()) {
+    std::printf("  the arcs cut no tip off; the longest is %s%s long\n",
+                readable(tips.arcs[0].length).c_str(), unit.c_str());
+  }
+}
+
+/// Which tips are to be relied on.
+void printTrials(const Tips& tips, const std::vector<study::TipTrial>& trials) {
+  std::printf("  %-34s %5s %6s  %s\n", "after a change of the surface", "tips", "arcs",
+              "not found again");
+  for (const study::TipTrial& trial : trials) {
+    const std::string change = trial.noise
+                                   ? "noise of " + readable(100 * *trial.noise) + "% of an edge"
+                                   : std::string("each triangle cut into four");
+    if (trial.failed) {
+      std::printf("  %-34s %s\n", change.c_str(), trial.failed->message.c_str());
+      continue;
+    }
+    std::string lost;
+    for (std::size_t i = 0; i < trial.found.size(); ++i) {
+      if (!trial.found[i]) lost += (lost.empty() ? "tip " : ", ") + std::to_string(i + 1);
+    }
+    std::printf("  %-34s %5u %6u  %s\n", change.c_str(), trial.tips, trial.arcs,
+                tips.tips.empty() ? "-"
+                : lost.empty()    ? "none"
+                                  : lost.c_str());
+  }
+}
+
+int run(const Options& options) {
+  const std::string extension = extensionOf(options.output);
+  if (!options.output.empty()) {
+    if (auto error = checkOutput(options.output, {".json", ".obj"})) {
+      return reportError(options.output, *error);
+    }
+  }
+  const auto loaded = loadModel(options.model, options.preparing);
+  if (!loaded) return reportError(options.model, loaded.error());
+  const SurfaceMesh& mesh = loaded.value().mesh;
+  const auto girth = computeGirth(options.model, mesh, options.threads);
+  if (!girth) return reportError(options.model, girth.error());
+  const auto tips = findTips(mesh, girth.value().values, {0, &catchInterrupts(), {}});
+  if (!tips) return reportError(options.model, tips.error());
+
+  std::vector<study::TipTrial> trials;
+  if (options.stability) {
+    ProgressLine progress(options.model);
+    auto tried = study::tipTrials(mesh, tips.value().tips, {}, watched(options.threads, progress));
+    if (!tried) return reportError(options.model, tried.error());
+    trials = std::move(tried).value();
+  }
+
+  const auto json = [&] {
+    return io::tipsJson(loaded.value(), tips.value(), options.model, study::tipTrialsJson(trials));
+  };
+  if (!options.output.empty()) {
+    if (auto error =
+            writeFile(options.output,
+                      extension == ".json" ? json() : io::tipsObj(loaded.value(), tips.value()))) {
+      return reportError(options.output, *error);
+    }
+  }
+  if (options.json) {
+    std::fputs(json().c_str(), stdout);
+  } else {
+    printText(options.model, loaded.value(), tips.value());
+    if (options.stability) printTrials(tips.value(), trials);
+  }
+  return 0;
+}
+
+Run add(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("MODEL", options->model, "The model to read")->required();
+  addModelOptions(app, options->preparing);
+  app.add_option("-o,--output", options->output, "Write the tips: .json, or .obj (their contours)");
+  addThreadsOption(app, options->threads);
+  app.add_flag("--stability", options->stability,
+               "Also find the tips with each triangle cut into four, and with noise of 5, 10 "
+               "and 25% of the mean edge length, and say which are found again; takes about "
+               "twelve times as long");
+  app.add_flag("--json", options->json, "Print everything as JSON");
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+const Command kTips{"tips", "Find where the shape ends", add};
+
+}  // namespace girth::cli

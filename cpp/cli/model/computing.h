@@ -1,0 +1,25 @@
+// Fields and surfaces computed for a command, with progress on the terminal and until Ctrl-C.
+#pragma once
+
+#include <string>
+
+#include "girth/girth_field.h"
+#include "girth/remesh.h"
+#include "girth/shape_diameter.h"
+
+namespace girth::cli {
+
+/// The girth at all vertices. `model`: for the progress line. Errors: CANCELLED.
+Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh,
+                                unsigned threads);
+
+/// The shape diameter at all vertices. Errors: those of shapeDiameter, CANCELLED. Says on standard
+/// error where the surface is inside out, or vertices have no value.
+Result<ShapeDiameterField> computeDiameter(const std::string& model, const SurfaceMesh& mesh,
+                                           const ShapeDiameterOptions& options, unsigned threads);
+
+/// The surface with other triangles, on all threads. Errors: those of remesh, CANCELLED.
+Result<RemeshedSurface> remeshModel(const std::string& model, const SurfaceMesh& mesh,
+                                    const RemeshOptions& options);
+
+}  // namespace girth::cli

@@ -1,0 +1,84 @@
+#include "model/spectral_field.h"
+
+#include <CLI/CLI.hpp>
+#include <numeric>
+
+#include "girth/heat_kernel.h"
+#include "girth/heat_maxima.h"
+#include "girth/wave_kernel.h"
+#include "process/progress_line.h"
+#include "text/number_text.h"
+
+namespace girth::cli {
+namespace {
+
+/// The whole signature of one name. `times`: shares of the area.
+Result<VertexSignatures> signatureOf(const std::string& field, const Spectrum& spectrum,
+                                     std::vector<double> times) {
+  if (field == "sihks") return scaleInvariantHeatKernelSignature(spectrum);
+  if (field == "wks") return waveKernelSignature(spectrum);
+  const double area = std::accumulate(spectrum.areas.begin(), spectrum.areas.end(), 0.0);
+  for (double& time : times) time *= area;
+  return heatKernelSignature(spectrum, times);
+}
+
+}  // namespace
+
+bool isSpectralField(const std::string& field) {
+  return field == "hks" || field == "sihks" || field == "wks";
+}
+
+void addSpectralFieldOptions(CLI::App& command, SpectralFieldOptions& options) {
+  command
+      .add_option("--pairs", options.pairs,
+                  "hks, sihks, wks: pairs of eigenvalues and -functions; 300 by default")
+      ->check(CLI::Range(std::uint32_t{2}, std::uint32_t{100'000}));
+  command
+      .add_option("--time", options.times,
+                  "hks: diffusion times as shares of the area, T,T,...; 0.002 by default")
+      ->delimiter(',')
+      ->type_name("T")
+      ->check(CLI::Range(0.0, 1e6));
+  command
+      .add_option("--only", options.component,
+                  "hks, sihks, wks: one number of each vertex's only, counted from 1")
+      ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100'000}));
+}
+
+Result<std::vector<ComputedField>> computeSpectralField(const std::string& field,
+                                                        const SpectralFieldOptions& options,
+                                                        const std::string& model,
+                                                        const SurfaceMesh& mesh,
+                                                        const std::string& unit) {
+  ProgressLine progress(model);
+  const ExecutionContext context = watched(0, progress);
+  const auto spectrum = laplaceSpectrum(mesh, {options.pairs}, context);
+  if (!spectrum) return spectrum.error();
+  const std::vector<double> times =
+      options.times.empty() ? std::vector<double>{kHeatMaximaTime} : options.times;
+  const auto signature = signatureOf(field, spectrum.value(), times);
+  if (!signature) return signature.error();
+
+  const std::size_t dimensions = signature.value().dimensions;
+  if (options.component > dimensions) {
+    return makeError(ErrorCode::InvalidOption, -1,
+                     field + " has " + std::to_string(dimensions) + " components, counted from 1");
+  }
+  const std::string pairs = std::to_string(spectrum.value().values.size()) + " eigenpairs";
+  std::vector<ComputedField> fields;
+  for (std::size_t d = 0; d < dimensions; ++d) {
+    if (options.component != 0 && d + 1 != options.component) continue;
+    ComputedField one;
+    one.name = dimensions == 1 ? field : field + "_" + std::to_string(d + 1);
+    one.method = field == "hks" ? pairs + ", time " + io::formatNumber(times[d]) : pairs;
+    // Of areas, there are only powers of the model's unit.
+    if (field != "sihks" && !unit.empty()) one.unit = unit + "^-2";
+    for (const Vertex v : mesh.vertices()) {
+      one.values.push_back(signature.value().values[v * dimensions + d]);
+    }
+    fields.push_back(std::move(one));
+  }
+  return fields;
+}
+
+}  // namespace girth::cli
