@@ -114,6 +114,6 @@ Run add(CLI::App& app) {
 
 }  // namespace
 
-const Command kCompare{"compare", "Say how far models are apart", add};
+const Command kCompare{"compare", "Print how far models are apart", add};
 
 }  // namespace girth::cli

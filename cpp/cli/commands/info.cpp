@@ -152,7 +152,7 @@ void printText(const std::string& file, const io::LoadedMesh& loaded) {
     row("boundary", counted(report.boundaryCurves, "curve", "curves") + " of " +
                         counted(report.boundaryEdges, "edge", "edges"));
   }
-  row("area", readable(mesh.area()) + (unit.empty() ? "" : unit + "²"));
+  row("area", readable(mesh.area()) + areaSuffix(loaded.unit));
   row("mean edge", readable(mesh.meanEdgeLength()) + unit);
   row("size", readable(box.high[0] - box.low[0]) + " × " + readable(box.high[1] - box.low[1]) +
                   " × " + readable(box.high[2] - box.low[2]) +
@@ -162,9 +162,9 @@ void printText(const std::string& file, const io::LoadedMesh& loaded) {
   constexpr std::size_t kShown = 10;
   if (loaded.parts.size() > 1) {
     for (std::size_t i = 0; i < std::min(kShown, loaded.parts.size()); ++i) {
-      row(i == 0 ? "by component" : "", std::to_string(i) + ": " +
-                                            counted(loaded.parts[i].faces, "face", "faces") +
-                                            ", area " + readable(loaded.parts[i].area));
+      row(i == 0 ? "by component" : "",
+          std::to_string(i) + ": " + counted(loaded.parts[i].faces, "face", "faces") + ", area " +
+              readable(loaded.parts[i].area) + areaSuffix(loaded.unit));
     }
     if (loaded.parts.size() > kShown) {
       row("", "and " + std::to_string(loaded.parts.size() - kShown) + " more");
@@ -197,6 +197,6 @@ Run add(CLI::App& app) {
 
 }  // namespace
 
-const Command kInfo{"info", "Say what a model is", add};
+const Command kInfo{"info", "Print what a model is, and what was repaired", add};
 
 }  // namespace girth::cli

@@ -24,7 +24,7 @@ namespace {
 struct Options {
   std::string model;
   ModelOptions preparing;
-  /// A vertex in the file's numbering, from 0, or else a point of a face.
+  /// A vertex in the file's numbering, from 0; or a point of a face.
   std::optional<std::int64_t> vertex;
   /// A triangle in the file's order, from 0; polygons count as the triangles they are cut into.
   std::optional<std::int64_t> face;
@@ -132,7 +132,7 @@ Result<SurfacePoint> basePoint(const io::LoadedMesh& loaded, const Options& opti
   if (found == loaded.inputOfFace.end()) {
     Error error = makeError(ErrorCode::InvalidPoint, *options.face,
                             "face " + std::to_string(*options.face) + " was left out");
-    error.hint = "girth info says what was left out and why";
+    error.hint = "girth info lists what was left out and why";
     return error;
   }
   const auto face = static_cast<Index>(found - loaded.inputOfFace.begin());

@@ -35,7 +35,7 @@ struct Options {
   double smoothing{0};
 };
 
-/// Where something is too thin to print: so that the command can stand in a build script.
+/// The exit code where something is too thin to print, for build scripts.
 constexpr int kTooThin = 4;
 
 std::string vertexText(const io::LoadedMesh& loaded, Index vertex) {
@@ -55,8 +55,8 @@ void printParts(const std::string& model, const io::LoadedMesh& loaded, const Pa
                 const PartOptions& options) {
   constexpr std::size_t kShown = 20;
   const std::string unit = unitSuffix(loaded.unit);
-  std::printf("%s: %zu part%s, thin below %s%s, tube below %s%s round\n", model.c_str(),
-              parts.parts.size(), parts.parts.size() == 1 ? "" : "s",
+  std::printf("%s: %zu part%s; thin: thickness below %s%s; tubes: girth below %s%s\n",
+              model.c_str(), parts.parts.size(), parts.parts.size() == 1 ? "" : "s",
               readable(options.thresholds.diameter).c_str(), unit.c_str(),
               readable(options.thresholds.girth).c_str(), unit.c_str());
   std::printf("  %-8s %12s %12s %12s %12s  %s\n", "kind", "area", "girth", "thickness", "radius",
@@ -72,6 +72,7 @@ void printParts(const std::string& model, const io::LoadedMesh& loaded, const Pa
   if (parts.parts.size() > kShown) {
     std::printf("  and %zu smaller ones\n", parts.parts.size() - kShown);
   }
+  if (!parts.parts.empty()) printUnits(loaded.unit);
 }
 
 void printPlaces(const std::string& model, const io::LoadedMesh& loaded,
@@ -90,6 +91,7 @@ void printPlaces(const std::string& model, const io::LoadedMesh& loaded,
                 vertexText(loaded, place.thinnest).c_str(),
                 placeText(loaded, place.thinnest).c_str(), unit.c_str());
   }
+  printUnits(loaded.unit);
 }
 
 /// Reads a length where one was given.
@@ -125,7 +127,7 @@ int run(const Options& options) {
   if (!loaded) return reportError(options.model, loaded.error());
   const io::LoadedMesh& model = loaded.value();
 
-  // What was typed is looked at before long work.
+  // The typed lengths are checked before long work.
   PartOptions partOptions;
   partOptions.smoothing = options.smoothing;
   double tau1 = -1, tau2 = -1;

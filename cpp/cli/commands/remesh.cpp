@@ -59,12 +59,14 @@ void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMe
     std::fputs(text.c_str(), stdout);
     return;
   }
-  std::printf("%s: %u faces, were %u, with edges of %s%s\n", options.model.c_str(),
+  std::printf("%s: %u faces (before: %u), mean edge length %s%s\n", options.model.c_str(),
               mesh.faceCount(), loaded.mesh.faceCount(), readable(mesh.meanEdgeLength()).c_str(),
               unitSuffix(loaded.unit).c_str());
-  std::printf("  area %s of what it was\n", readable(mesh.area() / loaded.mesh.area()).c_str());
+  std::printf("  area %s times the area before\n",
+              readable(mesh.area() / loaded.mesh.area()).c_str());
   if (difference) {
-    std::printf("  girth %s away from what it was (equation 1)\n", readable(*difference).c_str());
+    std::printf("  girth: difference %s of the distributions before and after (equation 1)\n",
+                readable(*difference).c_str());
   }
 }
 

@@ -57,7 +57,8 @@ Run add(CLI::App& app) {
   addComparisonOptions(app, *options);
   app.add_option_function<double>(
          "--axis", [options](double percent) { options->signatures.axis = percent / kPercent; },
-         "One-dimensional fields: per cent of the collection's area whose values are told apart, "
+         "One-dimensional fields: per cent of the collection's area whose values are "
+         "distinguished, "
          "the greatest rest counting alike; 95 by default, 100: all")
       ->check(CLI::Range(1.0, kPercent));
   app.add_option("-o,--output", options->output, "The folder to write the report into")->required();

@@ -47,14 +47,14 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Tip
                 readable(tip.apexDistance).c_str(),
                 apex == kNoIndex ? "(made here)" : std::to_string(apex).c_str());
   }
-  if (!unit.empty() && !tips.tips.empty()) std::printf("  lengths in%s\n", unit.c_str());
+  if (!tips.tips.empty()) printUnits(loaded.unit);
   if (!tips.arcs.empty()) {
-    std::printf("  the arcs cut no tip off; the longest is %s%s long\n",
+    std::printf("  the open arcs cut no tip off; the longest has length %s%s\n",
                 readable(tips.arcs[0].length).c_str(), unit.c_str());
   }
 }
 
-/// Which tips are to be relied on.
+/// Which tips are found again after each change.
 void printTrials(const Tips& tips, const std::vector<study::TipTrial>& trials) {
   std::printf("  %-34s %5s %6s  %s\n", "after a change of the surface", "tips", "arcs",
               "not found again");
@@ -127,7 +127,7 @@ Run add(CLI::App& app) {
   addThreadsOption(app, options->threads);
   app.add_flag("--stability", options->stability,
                "Also find the tips with each triangle cut into four, and with noise of 5, 10 "
-               "and 25% of the mean edge length, and say which are found again; takes about "
+               "and 25% of the mean edge length, and print which are found again; takes about "
                "twelve times as long");
   app.add_flag("--json", options->json, "Print everything as JSON");
   return [options] { return run(*options); };

@@ -13,8 +13,8 @@ namespace girth::cli {
 Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh,
                                 unsigned threads);
 
-/// The shape diameter at all vertices. Errors: those of shapeDiameter, CANCELLED. Says on standard
-/// error where the surface is inside out, or vertices have no value.
+/// The shape diameter at all vertices. Errors: those of shapeDiameter, CANCELLED. Prints a note
+/// on standard error where the surface is inside out, or vertices have no value.
 Result<ShapeDiameterField> computeDiameter(const std::string& model, const SurfaceMesh& mesh,
                                            const ShapeDiameterOptions& options, unsigned threads);
 

@@ -33,7 +33,7 @@ Result<double> lengthInModelUnit(const std::string& text, const std::string& mod
   }
   if (model == nullptr) {
     return wrong(text, "has a unit, but the model's unit is not known",
-                 "say what its numbers are with --unit, or leave the unit out");
+                 "give the model's unit with --unit, or leave the unit out");
   }
   return *number * typed->metres / model->metres;
 }

@@ -24,7 +24,7 @@ Result<Index> componentOf(const std::string& text, const std::vector<SurfacePart
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (problem != std::errc() || end != text.data() + text.size()) {
     return usageError("\"" + text + "\" is no component",
-                      "name one by its number in girth info, or say largest");
+                      "name one by its number in girth info, or write largest");
   }
   return number;
 }
@@ -48,7 +48,7 @@ Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& op
     prepare.weldDistance = distance.value();
   }
   if (!options.components.empty()) {
-    // Which there are is known only once the surface has been prepared.
+    // The components are known only once the surface has been prepared.
     const auto all = prepareSurface(read.soup, prepare);
     if (!all) return all.error();
     for (const std::string& text : options.components) {

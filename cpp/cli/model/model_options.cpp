@@ -17,8 +17,9 @@ void addModelOptions(CLI::App& app, ModelOptions& options) {
       ->take_all();
   std::vector<std::string> units;
   for (const io::LengthUnit& unit : io::lengthUnits()) units.emplace_back(unit.symbol);
-  app.add_option("--unit", options.unit,
-                 "What the file's numbers are, where it does not say: um, mm, cm, m, km, in or ft")
+  app.add_option(
+         "--unit", options.unit,
+         "The unit of the file's numbers, where it states none: um, mm, cm, m, km, in or ft")
       ->check(CLI::IsMember(units));
 }
 

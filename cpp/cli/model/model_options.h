@@ -9,12 +9,12 @@
 namespace girth::cli {
 
 struct ModelOptions {
-  /// Also weld vertices no farther apart than this, with or without a unit behind it.
+  /// A length, with or without a unit: vertices no farther apart are also welded. Empty: none.
   std::string weldDistance;
   bool closeHoles{false};
   /// Components to keep, by their numbers in `girth info`, or "largest"; empty: all.
   std::vector<std::string> components;
-  /// What the numbers of the file are; empty: as the file says.
+  /// The unit of the file's numbers, as a symbol such as "mm". Empty: the one the file states.
   std::string unit;
 };
 

@@ -19,15 +19,15 @@ Result<std::vector<std::byte>> readFile(const std::string& path);
 /// Reads the files beside a model; never outside its folder, even by way of a symbolic link.
 io::ResourceReader resourcesBeside(const std::string& modelPath);
 
-/// Puts `content` at `path` as a whole or not at all: what stood there before is replaced only by
-/// the finished file. Error: FILE_UNWRITABLE.
+/// Writes `content` to `path` as a whole or not at all: a file that is there is replaced only by
+/// the finished one. Error: FILE_UNWRITABLE.
 std::optional<Error> writeFile(const std::string& path, std::string_view content);
 
-/// Whether `writeFile` has a chance, asked before long work. Error: FILE_UNWRITABLE.
+/// Checks before long work that `writeFile` can succeed. Error: FILE_UNWRITABLE.
 std::optional<Error> checkWritable(const std::string& path);
 
-/// Whether a command can put its answer there, asked before long work: the name has one of the
-/// endings (".csv") and `checkWritable` has nothing against it. Errors: USAGE, FILE_UNWRITABLE.
+/// Checks before long work that a command can write its result there: the name has one of the
+/// endings (".csv"), and `checkWritable` finds no error. Errors: USAGE, FILE_UNWRITABLE.
 std::optional<Error> checkOutput(const std::string& path,
                                  std::initializer_list<std::string_view> endings);
 

@@ -1,4 +1,4 @@
-// Ctrl-C.
+// Interruption by Ctrl-C.
 #pragma once
 
 #include <atomic>

@@ -9,8 +9,7 @@
 
 namespace girth::cli {
 
-/// Writes to standard error, and only where that is a terminal; the line is gone when it is
-/// finished.
+/// Writes to standard error, and only where that is a terminal. The destructor clears the line.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string label);

@@ -57,4 +57,14 @@ std::string unitSuffix(const std::string& unit) {
   return known == nullptr ? "" : " " + std::string(known->symbol);
 }
 
+std::string areaSuffix(const std::string& unit) {
+  const std::string suffix = unitSuffix(unit);
+  return suffix.empty() ? "" : suffix + "²";
+}
+
+void printUnits(const std::string& unit) {
+  if (unitSuffix(unit).empty()) return;
+  std::printf("  lengths in%s, areas in%s\n", unitSuffix(unit).c_str(), areaSuffix(unit).c_str());
+}
+
 }  // namespace girth::cli

@@ -42,7 +42,7 @@ std::vector<fs::path> modelsBelow(const fs::path& folder) {
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code ignored;
-    // Also links that lead nowhere: they are said to be absent later.
+    // Also broken links: they are reported as absent later.
     if (!entry->is_directory(ignored) && isModelName(entry->path())) {
       models.push_back(entry->path());
     }
@@ -277,7 +277,7 @@ Listing readFolders(const fs::path& folder) {
   return listing;
 }
 
-/// The class file of a folder that is not told one.
+/// The class file of a folder for which none is named; empty where there is none.
 std::string classFileOf(const fs::path& folder) {
   std::error_code ignored;
   if (fs::exists(folder / "classes.csv", ignored)) return (folder / "classes.csv").string();
@@ -328,7 +328,7 @@ Result<Collection> findCollection(const std::vector<CollectionSource>& sources) 
                                               "; only the first counts"));
         continue;
       }
-      // Names from several folders are told apart by the folder.
+      // Names from several folders are distinguished by the folder.
       const std::string name =
           sources.size() == 1 ? model.name
                               : (fs::path(source.folder).lexically_normal().filename() / model.name)
@@ -350,7 +350,7 @@ Result<Collection> findCollection(const std::vector<CollectionSource>& sources) 
   }
   if (collection.models.empty()) {
     Error error = makeError(ErrorCode::FileNotFound, -1, "there is no model in a class");
-    error.hint = "name a folder whose folders are classes, or say --classes FILE";
+    error.hint = "name a folder whose folders are classes, or use --classes FILE";
     return error;
   }
   return collection;

@@ -31,7 +31,7 @@ struct CollectionSource {
   /// A .csv with the columns `file` (relative to the folder) and `class`, or a .cla as the
   /// Princeton Shape Benchmark, SHREC'07, SHREC'11 and SHREC'15 are classified: its numbers are
   /// those that the models' names end with. Empty: the folder's classes.csv, or its only .cla, or
-  /// else every folder in it is a class, as in McGill's benchmark.
+  /// otherwise every folder in it is a class, as in McGill's benchmark.
   std::string classes;
 };
 

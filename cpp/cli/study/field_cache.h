@@ -27,7 +27,7 @@ class FieldCache {
   struct Found {
     /// Nothing where there is no entry, or one that cannot be used.
     std::optional<study::StudyFields> fields;
-    /// There is an entry, but it is not what was written: its checksum says so.
+    /// There is an entry, but its checksum does not match its content.
     bool damaged{false};
   };
   Found find(const Digest& key) const;

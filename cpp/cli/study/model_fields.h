@@ -14,7 +14,7 @@
 
 namespace girth::cli {
 
-/// What a file says, and the files that it refers to. Errors: those of reading.
+/// The digest of a file and of the files that it refers to. Errors: those of reading.
 Result<Digest> contentOf(const std::string& path);
 
 class ModelFields {

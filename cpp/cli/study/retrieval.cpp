@@ -147,7 +147,7 @@ class Retrieval {
     file << '\n';
     ProgressLine progress("measures by " + descriptor.name);
     ExecutionContext running = watched(options_.threads, progress);
-    running.onProgress = {};  // told by rows
+    running.onProgress = {};  // progress is counted in rows
     for (std::size_t query = 0; query < n; ++query) {
       if (catchInterrupts() || !rows.row(query, row, running)) return stopped();
       const RetrievalMeasures measures = mean.add(query, row);

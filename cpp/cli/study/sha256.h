@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4): tells whether two contents are the same, and whether one was damaged.
+// SHA-256 (FIPS 180-4): identifies contents, and detects damaged ones.
 #pragma once
 
 #include <array>

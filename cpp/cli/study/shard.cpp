@@ -18,7 +18,7 @@ Result<Shard> parseShard(const std::string& text) {
   const double number = wholeNumber(text.substr(0, slash));
   const double count = wholeNumber(slash < text.size() ? text.substr(slash + 1) : "");
   if (number < 0 || number >= count) {
-    return usageError("\"" + text + "\" is no share", "say --shard I/N with I from 0 to N - 1");
+    return usageError("\"" + text + "\" is no share", "use --shard I/N with I from 0 to N - 1");
   }
   return Shard{static_cast<std::size_t>(number), static_cast<std::size_t>(count)};
 }

@@ -1,4 +1,4 @@
-// Shares of a study that machines compute side by side.
+// Shares of a study, computed by several machines at once.
 #pragma once
 
 #include <cstddef>

@@ -33,7 +33,7 @@ struct StudyModels {
 
 /// Computes the fields that are not in the cache, and the signatures. Of a share of the work only
 /// the fields are computed: `models`, `classes` and `distances` stay empty. Failures and notes are
-/// also told on standard error. Errors: CANCELLED; the fields computed so far are in the cache.
+/// also printed on standard error. Errors: CANCELLED; the fields computed so far are in the cache.
 Result<StudyModels> loadStudyModels(const Collection& collection,
                                     const std::vector<study::Descriptor>& descriptors,
                                     const ComparisonOptions& options, const FieldCache& cache,
