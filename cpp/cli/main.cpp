@@ -6,6 +6,7 @@
 #include <string>
 
 #include "commands/command.h"
+#include "girth/version.h"
 #include "process/report.h"
 
 namespace {

@@ -15,6 +15,7 @@
 #include "girth/study/measures.h"
 #include "girth/study/signatures.h"
 #include "girth/study/write_study.h"
+#include "girth/version.h"
 #include "model/loading.h"
 #include "picture/thumbnail.h"
 #include "process/files.h"
