@@ -90,7 +90,7 @@ export const parts = {
       await buildPackage();
     },
   },
-  web: { title: 'web', needs: ['compile-wasm'], run: (count) => vitest('web', count) },
+  web: { title: 'web', needs: ['bundle'], run: (count) => vitest('web', count) },
   native: {
     title: 'native tests',
     needs: ['compile-native'],

@@ -12,18 +12,18 @@ import {
 /** Entries of a colour table. */
 export const colormapSize = 256;
 
-const interpolators = {
+/** The name of a colour map. */
+export type ColormapName = 'viridis' | 'cividis' | 'plasma' | 'magma' | 'turbo' | 'rdbu';
+
+const interpolators: Record<ColormapName, (place: number) => string> = {
   viridis: interpolateViridis,
   cividis: interpolateCividis,
   plasma: interpolatePlasma,
   magma: interpolateMagma,
   turbo: interpolateTurbo,
   // Blue below the middle, red above.
-  rdbu: (place: number) => interpolateRdBu(1 - place),
-} as const;
-
-/** The name of a colour map. */
-export type ColormapName = keyof typeof interpolators;
+  rdbu: (place) => interpolateRdBu(1 - place),
+};
 
 /**
  * The names, the default first. All but turbo and the diverging `rdbu`, which is for values on both sides
