@@ -32,7 +32,7 @@ const shownText = {
 };
 
 export default defineConfig(
-  { ignores: ['build*/', 'dist/', 'web/src/kernel/wasm/', 'web/app/public/'] },
+  { ignores: ['build*/', 'dist/', 'web/src/kernel/wasm/', 'web/app/public/', 'web/examples/'] },
   eslint.configs.recommended,
   {
     files: ['**/*.ts'],

@@ -1,0 +1,87 @@
+// The examples for strangers in web/examples, with the npm tarball as users get it.
+
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, cpSync, mkdirSync, mkdtempSync, rmSync, symlinkSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { chromiumForTests, repository, requireBuilt, serve, strictPolicy } from './support.js';
+import { fieldComplete } from './viewer-page.js';
+
+const folder = mkdtempSync(join(tmpdir(), 'girth-examples-'));
+const element = join(folder, 'element');
+const project = join(folder, 'vite');
+const openPage = chromiumForTests();
+
+/** A model for which there are few values: 1,600 or so. */
+const model = join(repository, 'web/app/public/examples/dumbbell.glb');
+
+beforeAll(() => {
+  requireBuilt('dist/girth-viewer.js', 'build:package');
+  const packed = execFileSync(
+    'npm',
+    ['pack', '--json', '--ignore-scripts', '--pack-destination', folder],
+    { cwd: repository, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] },
+  );
+  const [{ filename }] = JSON.parse(packed) as [{ filename: string }];
+  execFileSync('tar', ['-xzf', filename], { cwd: folder });
+  for (const name of ['element', 'vite']) {
+    cpSync(join(repository, 'web/examples', name), join(folder, name), { recursive: true });
+  }
+});
+
+afterAll(() => rmSync(folder, { recursive: true }));
+
+test('a page with the element', async () => {
+  cpSync(join(folder, 'package'), join(element, 'girth'), { recursive: true });
+  copyFileSync(model, join(element, 'chair.glb'));
+  const server = await serve(element);
+  const { page, context, complaints } = await openPage(`${server.url}/index.html`);
+  const viewer = page.locator('girth-viewer');
+  await fieldComplete(viewer);
+  await expect.poll(() => page.locator('#median').textContent()).toMatch(/^0\.\d{3} m$/);
+  expect(complaints).toEqual([]);
+  await context.close();
+  await server.close();
+});
+
+test('a Vite project with the kernel', async () => {
+  // As npm install would leave it, with what the repository has installed already.
+  const modules = join(project, 'node_modules');
+  mkdirSync(modules);
+  cpSync(join(folder, 'package'), join(modules, 'girth'), { recursive: true });
+  for (const name of ['vite', 'fflate']) {
+    symlinkSync(join(repository, 'node_modules', name), join(modules, name));
+  }
+  const tool = (name: string, ...args: string[]) =>
+    execFileSync(join(repository, 'node_modules/.bin', name), args, { cwd: project });
+  tool('tsc', '--project', 'tsconfig.json');
+  tool('vite', 'build', '--logLevel', 'warn');
+
+  const server = await serve(join(project, 'dist'), { isolated: true, policy: strictPolicy });
+  const { page, context, complaints } = await openPage(`${server.url}/index.html`);
+  const status = page.locator('#status');
+  await page.setInputFiles('#file', model);
+  await expect.poll(() => status.textContent()).toBe('Done');
+  const rows = await page.locator('#table tr').allTextContents();
+  expect(rows).toEqual([
+    expect.stringMatching(/^Vertices1[56]\d\d$/),
+    // The neck's middle is a tube of radius 21 mm.
+    expect.stringMatching(/^Least girth0\.1[23]\d* m$/),
+    expect.stringMatching(/^Median girth0\.\d{3,4} m$/),
+    expect.stringMatching(/^Greatest girth0\.\d{3,4} m$/),
+  ]);
+  const counts = (await page.locator('#histogram').textContent())!.match(/\d+$/gm)!.map(Number);
+  expect(counts).toHaveLength(10);
+  expect(`Vertices${String(counts.reduce((a, b) => a + b))}`).toBe(rows[0]);
+
+  // A file that cannot be used, and one that is cancelled.
+  await page.setInputFiles('#file', join(repository, 'package.json'));
+  await expect.poll(() => status.textContent()).toContain(';');
+  await page.setInputFiles('#file', join(repository, 'web/app/public/examples/octopus.glb'));
+  await page.locator('#cancel').click();
+  await expect.poll(() => status.textContent()).toBe('Cancelled');
+  expect(complaints).toEqual([]);
+  await context.close();
+  await server.close();
+});
