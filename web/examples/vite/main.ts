@@ -7,8 +7,8 @@ const progress = byId<HTMLProgressElement>('progress');
 const cancel = byId<HTMLButtonElement>('cancel');
 const status = byId('status');
 
-// One kernel for the page: it keeps its workers.
-const kernel = await createKernel();
+// One kernel for the page: it keeps its workers. Not awaited here: a file may be chosen before it is there.
+const kernel = createKernel();
 
 byId<HTMLInputElement>('file').addEventListener('change', ({ target }) => {
   const file = (target as HTMLInputElement).files?.[0];
@@ -23,7 +23,7 @@ async function show(file: File): Promise<void> {
   status.textContent = `Computing the girth of ${file.name}`;
   let mesh: Mesh | undefined;
   try {
-    mesh = await kernel.load(file, { signal });
+    mesh = await (await kernel).load(file, { signal });
     const onProgress = (share: number) => (progress.value = share);
     const field = await mesh.field('igf', { signal, onProgress });
     showTable(mesh, field);
