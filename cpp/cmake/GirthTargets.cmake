@@ -9,7 +9,7 @@ function(girth_configure target)
     PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
             -Wno-sign-conversion
             # GCC 12 and 13 see overlaps in "literal" + std::string that are not there (GCC bug 105651).
-            $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<BOOL:${GIRTH_WERROR}>:-Werror>)
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow> $<$<BOOL:${GIRTH_WERROR}>:-Werror>)
 endfunction()
 
 # Precompiles the standard library's headers for a target, and others that are named; only while Girth itself is
