@@ -1,7 +1,7 @@
 // Exact distances from one vertex to all vertices, on one core: milliseconds (processor
 // time; the median of several sources, each the fastest of three runs) of the library, of the ICH
-// reference implementation, and of other programs; ratios, and the largest relative difference. All take turns,
-// source by source.
+// reference implementation, and of other programs; ratios, and the largest relative difference. All
+// take turns, source by source.
 //
 //   single_source [--sources N] [--peer NAME=PROGRAM]... [MODEL...]
 //

@@ -60,6 +60,10 @@ function(girth_library name)
       target_compile_options(${target} PUBLIC -fexceptions -msimd128)
       # Built as far as the modules need it: they read files without threads only.
       set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+      # The core is compiled twice, for modules with threads and without: several files at a time.
+      if(name STREQUAL "core")
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+      endif()
     endif()
     if(suffix STREQUAL "_threads")
       target_compile_options(${target} PUBLIC -pthread)

@@ -209,7 +209,9 @@ describe('what was done', () => {
     await fieldComplete(viewer);
     expect(await viewer.locator('.legend-title').textContent()).toBe('Girth, in');
     await openDetails();
-    expect(await sheet.textContent()).toMatch(/A hole of 24 edges closed, 6\.\d+\sin round/);
+    expect(await sheet.textContent()).toMatch(
+      /A hole of 24 edges closed, length of its boundary 6\.\d+\sin/,
+    );
     await sheet.getByRole('button', { name: 'Back to the file' }).click();
     await expect.poll(modelLine).toContain('2 open boundaries');
   });

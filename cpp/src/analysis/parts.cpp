@@ -13,12 +13,12 @@
 #include "girth/vertex_areas.h"
 #include "mesh/angles.h"
 #include "mesh/neighbours.h"
+#include "no_value.h"
 
 namespace girth {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// What share of the variance must lie between two sides that really differ; values that are spread
 /// evenly reach 3/4.
@@ -48,7 +48,7 @@ double medianOver(const std::vector<Vertex>& vertices, std::span<const double> f
   for (const Vertex v : vertices) {
     if (!std::isnan(field[v])) values.push_back(field[v]);
   }
-  if (values.empty()) return kNone;
+  if (values.empty()) return kNoValue;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;

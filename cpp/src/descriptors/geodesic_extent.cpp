@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,13 +11,13 @@
 #include "girth/parallel.h"
 #include "girth/vertex_areas.h"
 #include "mesh/check_vertex.h"
+#include "no_value.h"
 
 namespace girth {
 
 namespace {
 
 constexpr std::size_t kGrain = 16;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Adds up the distances from one vertex.
 struct Sum {
@@ -56,7 +55,7 @@ struct Distances {
 
 /// Mean and greatest distance from a vertex.
 struct Extent {
-  double average{kNone}, farthest{kNone};
+  double average{kNoValue}, farthest{kNoValue};
 };
 
 /// Computes distances from one vertex after the other; one for each thread.
@@ -102,8 +101,8 @@ class ExtentSolver {
 GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
                               const ExecutionContext& context) {
   GeodesicExtent extent;
-  extent.average.assign(mesh.vertexCount(), kNone);
-  extent.farthest.assign(mesh.vertexCount(), kNone);
+  extent.average.assign(mesh.vertexCount(), kNoValue);
+  extent.farthest.assign(mesh.vertexCount(), kNoValue);
   const Distances distances(mesh, method);
   extent.complete =
       parallelFor(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {

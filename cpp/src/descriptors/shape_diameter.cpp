@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,13 +13,13 @@
 #include "mesh/check_vertex.h"
 #include "mesh/vector.h"
 #include "mesh/vertex_normals.h"
+#include "no_value.h"
 
 namespace girth {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kGrain = 64;
+constexpr std::size_t kVerticesAtOnce = 64;
 
 /// A ray, given by the axis of the cone (z) and two directions across.
 struct ConeRay {
@@ -80,7 +79,7 @@ struct Length {
 
 /// The mean of the lengths near their median. NaN where there are none.
 double robustMean(std::vector<Length>& lengths) {
-  if (lengths.empty()) return kNone;
+  if (lengths.empty()) return kNoValue;
   std::sort(lengths.begin(), lengths.end(),
             [](const Length& a, const Length& b) { return a.length < b.length; });
   const std::size_t n = lengths.size();
@@ -114,7 +113,7 @@ struct Cones {
   /// The value at a vertex; `lengths` is scratch memory.
   double at(Vertex vertex, std::vector<Length>& lengths) const {
     const Vec3 axis = axes[vertex];
-    if (dot(axis, axis) == 0) return kNone;
+    if (dot(axis, axis) == 0) return kNoValue;
     // Two directions across the axis (Duff et al. 2017).
     const double sign = axis.z < 0 ? -1 : 1;
     const double a = -1 / (sign + axis.z), b = axis.x * axis.y * a;
@@ -153,15 +152,15 @@ Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
   if (auto error = check(options)) return *std::move(error);
   const Cones cones(mesh, options);
   ShapeDiameterField field;
-  field.values.assign(mesh.vertexCount(), kNone);
+  field.values.assign(mesh.vertexCount(), kNoValue);
   field.insideOut = isInsideOut(mesh);
-  field.complete =
-      parallelFor(mesh.vertexCount(), kGrain, context, [&](std::size_t begin, std::size_t end) {
-        std::vector<Length> lengths;
-        for (Vertex v(static_cast<Index>(begin)); v < end; ++v) {
-          field.values[v] = cones.at(v, lengths);
-        }
-      });
+  field.complete = parallelFor(mesh.vertexCount(), kVerticesAtOnce, context,
+                               [&](std::size_t begin, std::size_t end) {
+                                 std::vector<Length> lengths;
+                                 for (Vertex v(static_cast<Index>(begin)); v < end; ++v) {
+                                   field.values[v] = cones.at(v, lengths);
+                                 }
+                               });
   field.withoutValue = static_cast<Index>(std::count_if(
       field.values.begin(), field.values.end(), [](double value) { return std::isnan(value); }));
   return field;
