@@ -48,6 +48,8 @@ class Element {
   /// Whether both are the same element.
   friend constexpr bool operator==(Element one, Element other) = default;
   /// Compares the numbers.
+  // clang-tidy 14 takes the 0 that the compiler compares with for a pointer.
+  // NOLINTNEXTLINE(modernize-use-nullptr)
   friend constexpr std::strong_ordering operator<=>(Element one, Element other) = default;
   /// Elements of different kinds are not compared.
   template <class Other>
