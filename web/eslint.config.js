@@ -78,7 +78,7 @@ export default defineConfig(
     message: 'The element does not know the page.',
   }),
   {
-    files: ['web/app/*.ts', 'web/src/view/**/*.ts', 'web/src/element/**/*.ts'],
+    files: ['web/app/**/*.ts', 'web/src/**/*.ts'],
     rules: { 'no-restricted-syntax': ['error', ...privateMembers] },
   },
   {

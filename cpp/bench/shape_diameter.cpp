@@ -3,7 +3,7 @@
 //
 //   shape_diameter [MODEL...]   default: a bumpy torus of 10,000 faces
 //
-// Prints for each surface the processor time of both (the fastest of three runs, in turn), the
+// Prints for each surface the processor time of both (the fastest of three alternating runs), the
 // ratio, and how far apart the values are: the median of |ours / theirs − 1|. The two differ by
 // design: CGAL's rays fill the cone's disk evenly, ours are in equal steps of angle
 // (shape_diameter.h). CGAL's own smoothing and normalisation are switched off.

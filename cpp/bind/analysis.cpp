@@ -1,15 +1,18 @@
-// Tips, parts, maxima and weak places of a surface, and the areas of its vertices.
+// Tips, limbs, parts, maxima and weak places of a surface, and the areas of its vertices.
 
 #include "analysis.h"
 
 #include <emscripten/bind.h>
 
+#include <cmath>
 #include <utility>
 
+#include "girth/limbs.h"
 #include "girth/tips.h"
 #include "girth/vertex_areas.h"
 #include "job_surface.h"
 #include "maxima.h"
+#include "surface_point.h"
 
 using emscripten::val;
 
@@ -54,7 +57,7 @@ val partOf(const Part& part) {
   result.set("vertices", copyOut<Index>("Uint32Array", numbersOf(part.vertices)));
   result.set("area", part.area);
   result.set("medianGirth", part.medianGirth);
-  result.set("medianDiameter", part.medianDiameter);
+  result.set("medianThickness", part.medianThickness);
   result.set("thinnest", vertexOf(part.thinnest));
   result.set("equivalentRadius", part.equivalentRadius());
   return result;
@@ -91,14 +94,59 @@ val tips(const JobSurface& surface, const val& girth) {
   });
 }
 
-/// {girth, diameter}, or an error.
+/// `Limb` of types.ts.
+val limbOf(const Limb& limb) {
+  val profile = val::array();
+  for (const GirthStation& station : limb.profile) {
+    val entry = val::object();
+    entry.set("distance", station.distance);
+    entry.set("ring", station.ring);
+    entry.set("median", station.median);
+    entry.set("least", station.least);
+    if (!std::isnan(station.least)) entry.set("place", faceWithWeights(station.place));
+    profile.call<void>("push", entry);
+  }
+  val numbers = val::array();
+  for (const Index tip : limb.tips) numbers.call<void>("push", tip);
+  val result = val::object();
+  result.set("apex", Index{limb.apex});
+  result.set("tips", numbers);
+  result.set("length", limb.length);
+  result.set("end", std::string(toString(limb.end)));
+  result.set("narrowest", limb.narrowest);
+  result.set("narrowestDistance", limb.narrowestDistance);
+  result.set("median", limb.median);
+  result.set("base", limb.base);
+  result.set("vertices", copyOut<Index>("Uint32Array", numbersOf(limb.vertices)));
+  result.set("distances", copyOut<double>("Float64Array", limb.distances));
+  result.set("profile", profile);
+  return result;
+}
+
+/// `Limbs` of types.ts, or an error.
+val limbs(const JobSurface& surface, const val& girth, double stations, const val& onProgress) {
+  return guarded([&] {
+    const Result<Limbs> found =
+        limbsByGirth(surface.mesh(), copyIn<double>(girth), stations, reportingTo(onProgress));
+    if (!found) return toJs(found.error());
+    val list = val::array(), without = val::array();
+    for (const Limb& limb : found.value().limbs) list.call<void>("push", limbOf(limb));
+    for (const Index tip : found.value().tipsWithoutLimb) without.call<void>("push", tip);
+    val result = val::object();
+    result.set("limbs", list);
+    result.set("tipsWithoutLimb", without);
+    return result;
+  });
+}
+
+/// {girth, thickness}, or an error.
 val thresholds(const JobSurface& surface, const val& fields) {
   return guarded([&] {
     const GirthAndDiameter values(fields);
     const PartThresholds found = suggestedThresholds(surface.mesh(), values.girth, values.diameter);
     val result = val::object();
     result.set("girth", found.girth);
-    result.set("diameter", found.diameter);
+    result.set("thickness", found.thickness);
     return result;
   });
 }
@@ -137,11 +185,12 @@ val maxima(const JobSurface& surface, const val& values, bool minima) {
   });
 }
 
-/// {places}, each a `WeakPlace` of types.ts, or an error.
-val weakPlaces(const JobSurface& surface, const val& fields, const val& limits) {
+/// `PrintCheck` of types.ts, or an error.
+val printCheck(const JobSurface& surface, const val& fields, const val& limits) {
   return guarded([&] {
     const GirthAndDiameter values(fields);
-    const auto found = checkedPlaces(surface.mesh(), values, limitsOf(limits));
+    const PrintLimits wanted = limitsOf(limits);
+    const auto found = checkedPlaces(surface.mesh(), values, wanted);
     if (!found) return toJs(found.error());
     val places = val::array();
     for (const WeakPlace& place : found.value()) {
@@ -155,6 +204,8 @@ val weakPlaces(const JobSurface& surface, const val& fields, const val& limits) 
     }
     val result = val::object();
     result.set("places", places);
+    result.set("failingShare", failingShare(surface.mesh(), found.value()));
+    result.set("passingScale", passingScale(values.girth, values.diameter, wanted));
     return result;
   });
 }
@@ -162,10 +213,11 @@ val weakPlaces(const JobSurface& surface, const val& fields, const val& limits) 
 EMSCRIPTEN_BINDINGS(girthAnalysis) {
   emscripten::function("vertexAreas", &areasOfVertices);
   emscripten::function("tips", &tips);
+  emscripten::function("limbs", &limbs);
   emscripten::function("suggestedThresholds", &thresholds);
   emscripten::function("parts", &parts);
   emscripten::function("maxima", &maxima);
-  emscripten::function("weakPlaces", &weakPlaces);
+  emscripten::function("printCheck", &printCheck);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Arguments of the functions that compute and write tips and parts.
+// Arguments of the functions that compute and write tips, limbs and parts.
 #pragma once
 
 #include <emscripten/val.h>
@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "boundary.h"
+#include "girth/limbs.h"
 #include "girth/parts.h"
+#include "girth/tips.h"
 
 namespace girth::bind {
 
@@ -18,9 +20,19 @@ struct GirthAndDiameter {
       : girth(copyIn<double>(fields["girth"])), diameter(copyIn<double>(fields["diameter"])) {}
 };
 
+/// The limbs of all tips by the girth. `stations` as JavaScript gives it.
+inline Result<Limbs> limbsByGirth(const SurfaceMesh& mesh, const std::vector<double>& girth,
+                                  double stations, const ExecutionContext& context) {
+  const Result<Tips> tips = findTips(mesh, girth);
+  if (!tips) return tips.error();
+  const bool isNumber = stations >= 0 && stations <= 4e9;
+  const LimbOptions options{isNumber ? static_cast<Index>(stations) : 0};
+  return findLimbs(mesh, girth, tips.value().tips, options, context);
+}
+
 /// `PartOptions` of types.ts.
 inline PartOptions partOptionsOf(const emscripten::val& options) {
-  return {{options["girth"].as<double>(), options["diameter"].as<double>()},
+  return {{options["girth"].as<double>(), options["thickness"].as<double>()},
           options["smoothing"].as<double>()};
 }
 

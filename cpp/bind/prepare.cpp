@@ -18,6 +18,7 @@ namespace {
 /// `PrepareOptions` of types.ts; `components` is a Uint32Array.
 PrepareOptions optionsOf(const val& options) {
   PrepareOptions prepare;
+  prepare.scale = options["scale"].as<double>();
   prepare.weldDistance = options["weldDistance"].as<double>();
   prepare.closeHoles = options["closeHoles"].as<bool>();
   prepare.components = copyIn<Index>(options["components"]);

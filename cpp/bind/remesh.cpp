@@ -20,11 +20,13 @@ namespace {
 /// (web/docs/definitions.md, section 2).
 constexpr double kSteepestGirth = 2;
 
-/// A surface of about `faces` faces, as `describe` gives it, or an error.
-val remeshSurface(const JobSurface& surface, double faces, const val& onProgress) {
+/// A surface of about `faces` faces, of even size or as fits the shape, as `describe` gives it, or
+/// an error.
+val remeshSurface(const JobSurface& surface, double faces, bool even, const val& onProgress) {
   return guarded([&] {
     const bool isNumber = faces >= 0 && faces <= 4e9;
-    const RemeshOptions options{isNumber ? static_cast<Index>(faces) : 0};
+    const RemeshOptions options{isNumber ? static_cast<Index>(faces) : 0,
+                                even ? RemeshMethod::Even : RemeshMethod::Fitting};
     const Result<RemeshedSurface> remeshed =
         remesh(surface.mesh(), options, reportingTo(onProgress));
     if (!remeshed) return toJs(remeshed.error());

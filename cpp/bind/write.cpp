@@ -1,4 +1,4 @@
-// Files with fields, loops, tips, parts and weak places.
+// Files with fields, loops, tips, limbs, parts and weak places.
 
 #include <emscripten/bind.h>
 
@@ -8,11 +8,13 @@
 #include "boundary.h"
 #include "girth/girth_solver.h"
 #include "girth/io/write_field.h"
+#include "girth/io/write_limbs.h"
 #include "girth/io/write_loop.h"
 #include "girth/io/write_parts.h"
 #include "girth/io/write_tips.h"
 #include "girth/tips.h"
 #include "job_surface.h"
+#include "surface_point.h"
 
 using emscripten::val;
 
@@ -86,13 +88,7 @@ val writeLoops(JobSurface& surface, const val& model, const val& points,
     GirthSolver solver(loaded.mesh);
     val files = val::array();
     for (unsigned i = 0; i < points["length"].as<unsigned>(); ++i) {
-      const val point = points[i];
-      const val weights = point["weights"];
-      const Result<GirthLoop> loop = solver.loop(
-          point.isNumber() ? SurfacePoint::atVertex(Vertex(point.as<Index>()))
-                           : SurfacePoint::inFace(Face(point["face"].as<Index>()),
-                                                  {weights[0].as<double>(), weights[1].as<double>(),
-                                                   weights[2].as<double>()}));
+      const Result<GirthLoop> loop = solver.loop(pointOf(points[i]));
       if (!loop) return toJs(loop.error());
       const Result<std::string> file = loopFile(loaded, loop.value(), format, nameOf(model));
       if (!file) return toJs(file.error());
@@ -113,6 +109,20 @@ val writeTips(JobSurface& surface, const val& model, const val& girth, const std
     if (!tips) return toJs(tips.error());
     return fileOf(format == "json" ? io::tipsJson(loaded, tips.value(), nameOf(model))
                                    : io::tipsObj(loaded, tips.value()));
+  });
+}
+
+/// {bytes} of a file with the limbs by the girth, or an error.
+val writeLimbs(JobSurface& surface, const val& model, const val& girth, double stations,
+               const std::string& format, const val& onProgress) {
+  return guarded([&] {
+    const io::LoadedMesh& loaded = surface.inUnit(unitOf(model));
+    if (format != "json" && format != "csv") return toJs(unknownFormat("limbs", format));
+    const Result<Limbs> limbs =
+        limbsByGirth(loaded.mesh, copyIn<double>(girth), stations, reportingTo(onProgress));
+    if (!limbs) return toJs(limbs.error());
+    return fileOf(format == "json" ? io::limbsJson(loaded, limbs.value(), nameOf(model))
+                                   : io::limbsCsv(loaded, limbs.value()));
   });
 }
 
@@ -140,7 +150,8 @@ val writeWeakPlaces(JobSurface& surface, const val& model, const val& fields, co
     const PrintLimits wanted = limitsOf(limits);
     const auto places = checkedPlaces(loaded.mesh, values, wanted);
     if (!places) return toJs(places.error());
-    return fileOf(io::weakPlacesJson(loaded, places.value(), wanted, nameOf(model)));
+    const double scale = passingScale(values.girth, values.diameter, wanted);
+    return fileOf(io::weakPlacesJson(loaded, places.value(), wanted, scale, nameOf(model)));
   });
 }
 
@@ -148,6 +159,7 @@ EMSCRIPTEN_BINDINGS(girthWrite) {
   emscripten::function("writeFields", &writeFields);
   emscripten::function("writeLoops", &writeLoops);
   emscripten::function("writeTips", &writeTips);
+  emscripten::function("writeLimbs", &writeLimbs);
   emscripten::function("writeParts", &writeParts);
   emscripten::function("writeWeakPlaces", &writeWeakPlaces);
 }

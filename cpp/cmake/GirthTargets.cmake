@@ -31,9 +31,10 @@ endfunction()
 
 # A library of the project: `girth_library(core SOURCES ... [PUBLIC core ...] [PRIVATE target ...])`
 # makes girth_core, alias girth::core; PUBLIC names other libraries of the project. Under Emscripten
-# there is a second one for the module with threads, girth_core_threads, alias girth::core_threads.
+# there is a second one for the module with threads, girth_core_threads, alias girth::core_threads, without
+# the sources that NOT_THREADED (a regular expression) finds.
 function(girth_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "NOT_THREADED" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(suffixes "none")
   if(EMSCRIPTEN)
     list(APPEND suffixes "_threads")
@@ -41,6 +42,9 @@ function(girth_library name)
   foreach(suffix IN LISTS suffixes)
     string(REPLACE "none" "" suffix "${suffix}")
     set(target girth_${name}${suffix})
+    if(suffix STREQUAL "_threads" AND arg_NOT_THREADED)
+      list(FILTER arg_SOURCES EXCLUDE REGEX "${arg_NOT_THREADED}")
+    endif()
     add_library(${target} STATIC ${arg_SOURCES})
     add_library(girth::${name}${suffix} ALIAS ${target})
     girth_configure(${target})

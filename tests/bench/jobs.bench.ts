@@ -65,10 +65,10 @@ async function measure(thousands: number): Promise<Turn[]> {
         areas: (mesh) => mesh.vertexAreas(),
         tips: (mesh) => mesh.tips(igf),
         thresholds: (mesh) => mesh.suggestedThresholds(igf, sdf),
-        parts: (mesh) => mesh.parts(igf, sdf, { girth: 2, diameter: 2 }),
+        parts: (mesh) => mesh.parts(igf, sdf, { girth: 2, thickness: 2 }),
         maxima: (mesh) => mesh.maxima(igf),
         'weak places': (mesh) =>
-          mesh.weakPlaces(igf, sdf, { tubeDiameter: 0.5, wallThickness: 1.5 }),
+          mesh.printCheck(igf, sdf, { tubeDiameter: 0.5, wallThickness: 1.5 }),
         'a file (NPY)': (mesh) => mesh.exportField(igf, 'npy'),
       } satisfies Record<string, (mesh: typeof original) => Promise<unknown>>;
       const timed = async (job: () => Promise<unknown>) => {

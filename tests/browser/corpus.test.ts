@@ -74,7 +74,7 @@ test.runIf(data)('command and page read the same', async () => {
   server = await serve(kernelSite, {
     policy: strictPolicy,
     pages: { '/': kernelHtml },
-    data: data!,
+    folders: { '/data/': data! },
   });
   const files = [
     ...modelsBelow(join(data!, 'gltf')),

@@ -138,7 +138,7 @@ export async function draw(page: Page, drawing: Drawing): Promise<Locator> {
         });
       },
       vertexAreas: () => count('areas', new Float64Array(vertexCount).fill(4 / vertexCount)),
-      suggestedThresholds: () => count('thresholds', { girth: 1, diameter: 1 }),
+      suggestedThresholds: () => count('thresholds', { girth: 1, thickness: 1 }),
       parts: () =>
         count('parts', {
           kinds: Uint8Array.from(drawing.smoothed ?? []),

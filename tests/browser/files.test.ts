@@ -9,7 +9,7 @@ import type { Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { beside, box, gltf, stl, tube } from './meshes.js';
-import { pictures, site } from './page-support.js';
+import { openPanel, pictures, site } from './page-support.js';
 import {
   chromiumForTests,
   requireBuilt,
@@ -176,8 +176,9 @@ describe('what was done', () => {
     const shown = await hover(page, viewer, place.x, place.y);
     expect(shown.kind).toBe('loop');
     expect(shown.length).toBeCloseTo(perimeter, 9);
+    await openPanel(page, 'loops');
     await page.mouse.click(place.x, place.y);
-    await page.locator('#loops li').waitFor();
+    await page.locator('#loops tbody tr').waitFor();
     await page.screenshot({ path: join(pictures, 'page-open-tube.png') });
 
     const sheet = await openDetails();
@@ -186,10 +187,10 @@ describe('what was done', () => {
     await page.screenshot({ path: join(pictures, 'page-details.png') });
     await page.keyboard.press('Escape');
     expect(await viewer.locator('.legend-title').textContent()).toBe('Girth, mm');
-    expect(await page.locator('#loops li b').textContent()).toMatch(/\d\smm$/);
+    expect(await page.locator('#loops thead').textContent()).toContain('Girth, mm');
     expect(await viewer.locator('.tag').textContent()).toMatch(/\d\smm/);
     expect(await page.locator('#field .caption').textContent()).toMatch(/\d\smm$/);
-    expect(await page.locator('#range-high').textContent()).toMatch(/\d\smm$/);
+    expect(await page.locator('#range-high').inputValue()).toMatch(/\d\smm$/);
     expect((await hover(page, viewer, place.x, place.y)).text).toMatch(/\d\smm/);
 
     // Another model has a unit of its own.
@@ -306,19 +307,22 @@ describe('what is written', () => {
     expect(json.file).toBe('tube.stl');
 
     const place = await placeOnSurface(viewer, 0.5, 0.5);
+    await openPanel(page, 'loops');
     await page.mouse.click(place.x, place.y);
-    await page.locator('#loops li').waitFor();
+    await page.locator('#loops tbody tr').waitFor();
     const loop = await exported('loops', 'obj');
     expect(loop.name).toBe('tube-loops.obj');
     expect(loop.bytes.toString()).toMatch(/^v [\s\S]*\nl 1 2 .* 1\n$/);
     await page.keyboard.press('Escape');
     await viewer.evaluate((element: GirthViewer) => element.pin(0));
     const loops = await exported('loops', 'json');
-    expect(loops.name).toBe('tube-loops.zip');
-    const entries = Object.entries(unzipSync(loops.bytes));
-    expect(entries.map(([name]) => name)).toEqual(['tube-loops-1.json', 'tube-loops-2.json']);
-    const second = JSON.parse(new TextDecoder().decode(entries[1]![1])) as { length: number };
-    expect(second.length).toBe(truth.values[0]);
+    expect(loops.name).toBe('tube-loops.json');
+    const { loops: both } = JSON.parse(loops.bytes.toString()) as { loops: { length: number }[] };
+    expect(both[1]!.length).toBe(truth.values[0]);
+    const lines = await exported('loops', 'obj');
+    expect(lines.name).toBe('tube-loops-obj.zip');
+    const entries = Object.keys(unzipSync(lines.bytes));
+    expect(entries).toEqual(['tube-loops-1.obj', 'tube-loops-2.obj']);
 
     const picture = await exported('picture', 'png');
     expect(picture.bytes.subarray(1, 4).toString()).toBe('PNG');

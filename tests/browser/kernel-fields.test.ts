@@ -328,7 +328,7 @@ for (const mode of ['threads', 'pool'] as const) {
         const [igf, sdf] = [await mesh.field('igf'), await mesh.field('sdf')];
         const suggested = await mesh.suggestedThresholds(igf, sdf);
         const json = (bytes: Uint8Array) => JSON.parse(new TextDecoder().decode(bytes)) as Written;
-        const chosen = { girth: 2, diameter: 1 };
+        const chosen = { girth: 2, thickness: 1 };
         const areas = await mesh.vertexAreas();
         const limits = { tubeDiameter: 0.5, wallThickness: 0.1 };
         const result = {
@@ -337,7 +337,7 @@ for (const mode of ['threads', 'pool'] as const) {
           suggested,
           tips: girth.plain(await mesh.tips(igf)),
           parts: girth.plain(await mesh.parts(igf, sdf, suggested)),
-          weak: girth.plain(await mesh.weakPlaces(igf, sdf, limits)),
+          check: girth.plain(await mesh.printCheck(igf, sdf, limits)),
           writtenTips: json(await mesh.exportTips(igf, 'json')),
           writtenParts: json(await mesh.exportParts(igf, sdf, suggested, 'json')),
           writtenChosen: json(await mesh.exportParts(igf, sdf, chosen, 'json')),
@@ -345,10 +345,10 @@ for (const mode of ['threads', 'pool'] as const) {
           contours: new TextDecoder().decode(await mesh.exportTips(igf, 'obj')),
           csv: new TextDecoder().decode(await mesh.exportFields([igf, sdf], 'csv')).split('\n')[0],
           refusals: [
-            await girth.refusal(mesh.parts(igf, sdf, { girth: NaN, diameter: 1 })),
-            await girth.refusal(mesh.parts(igf, sdf, { girth: 1, diameter: -1 })),
-            await girth.refusal(mesh.parts(igf, sdf, { girth: 1, diameter: 1, smoothing: -1 })),
-            await girth.refusal(mesh.weakPlaces(igf, sdf, { tubeDiameter: -1, wallThickness: 0 })),
+            await girth.refusal(mesh.parts(igf, sdf, { girth: NaN, thickness: 1 })),
+            await girth.refusal(mesh.parts(igf, sdf, { girth: 1, thickness: -1 })),
+            await girth.refusal(mesh.parts(igf, sdf, { girth: 1, thickness: 1, smoothing: -1 })),
+            await girth.refusal(mesh.printCheck(igf, sdf, { tubeDiameter: -1, wallThickness: 0 })),
             await girth.refusal(mesh.exportFields([igf, sdf], 'npy')),
             await girth.refusal(mesh.exportFields([igf, igf], 'csv')),
             await girth.refusal(mesh.exportFields([], 'csv')),
@@ -387,7 +387,10 @@ for (const mode of ['threads', 'pool'] as const) {
         }
         if (kind !== 'unknown') expect(vertices).toContain(thinnest);
       });
-      expect(found.writtenWeak['passes']).toBe(found.weak.length === 0);
+      const { places: weak, failingShare, passingScale } = found.check;
+      expect(found.writtenWeak).toMatchObject({ failingShare, passingScale });
+      expect(found.writtenWeak['passes']).toBe(weak.length === 0);
+      expect(passingScale > 1).toBe(weak.length > 0);
       expect(found.csv).toBe('vertex,igf,kind,sdf');
       expect(found.refusals.map(({ code }) => code)).toEqual(Array(9).fill('USAGE'));
       expect(found.refusals[0]!.message).toContain("girth's threshold");

@@ -106,6 +106,57 @@ export function box(nx: number, ny: number, nz: number): string {
   return objOf(points, faces);
 }
 
+/** The surface of a union of unit cubes, each given by its lowest corner; every square has four triangles. */
+function blocks(cubes: readonly Point[]): string {
+  const filled = new Set(cubes.map(String));
+  const points: Point[] = [];
+  const faces: number[][] = [];
+  const numbers = new Map<string, number>();
+  const vertex = (point: Point): number => {
+    const key = String(point);
+    const number = numbers.get(key) ?? points.push(point) - 1;
+    numbers.set(key, number);
+    return number;
+  };
+  for (const cube of cubes) {
+    for (let axis = 0; axis < 3; ++axis) {
+      const [u, v] = [(axis + 1) % 3, (axis + 2) % 3] as const;
+      for (const side of [0, 1]) {
+        const beyond: Point = [...cube];
+        beyond[axis]! += 2 * side - 1;
+        if (filled.has(String(beyond))) continue;
+        const at = (a: number, b: number): number => {
+          const point: Point = [...cube];
+          point[axis]! += side;
+          point[u]! += a;
+          point[v]! += b;
+          return vertex(point);
+        };
+        const rim = [at(0, 0), at(1, 0), at(1, 1), at(0, 1)];
+        if (side === 0) rim.reverse();
+        const middle = at(0.5, 0.5);
+        rim.forEach((corner, i) => faces.push([corner, rim[(i + 1) % 4]!, middle]));
+      }
+    }
+  }
+  return objOf(points, faces);
+}
+
+/** A palm with square fingers of girth 8 and these lengths: two units wide, two apart. */
+export function hand(lengths: readonly number[]): string {
+  const cubes: Point[] = [];
+  const fill = (x: number, y: number, z: number, size: Point): void => {
+    for (let i = 0; i < size[0]; ++i) {
+      for (let j = 0; j < size[1]; ++j) {
+        for (let k = 0; k < size[2]; ++k) cubes.push([x + i, y + j, z + k]);
+      }
+    }
+  };
+  fill(0, 0, 0, [4 * lengths.length, 6, 4]);
+  lengths.forEach((length, i) => fill(1 + 4 * i, 2, 4, [2, 2, length]));
+  return blocks(cubes);
+}
+
 /** A tube about z, open at both ends: a prism of unit radius with `sides` sides. */
 export function tube(rings: number, sides: number, length: number): string {
   const points: Point[] = [];

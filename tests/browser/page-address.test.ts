@@ -24,7 +24,7 @@ test('a link reproduces model, field, colours, camera, loops and thresholds', as
       '&camera=1.2,0.9,3,0.2,0.1,0&loops=120,7:0.25:0.5&tip=2&panel=tips',
   );
   await modelIs(page, 'octopus.glb');
-  await page.locator('#loops li').nth(1).waitFor({ state: 'attached', timeout: 60_000 });
+  await page.locator('#loops tbody tr').nth(1).waitFor({ state: 'attached', timeout: 60_000 });
   const attributes = await viewer.evaluate((element) =>
     ['field', 'colormap', 'range', 'isolines', 'edges'].map((name) => element.getAttribute(name)),
   );
@@ -85,7 +85,7 @@ test('thresholds and their smoothing are in a link only where they were chosen',
   await expect
     .poll(() => page.locator('#parts-girth').inputValue(), { timeout: 60_000 })
     .toBe('0.2');
-  expect(await page.locator('#parts-diameter').inputValue()).toBe('0.05');
+  expect(await page.locator('#parts-thickness').inputValue()).toBe('0.05');
   expect(await page.locator('#smoothing').inputValue()).toBe('1');
   await page.locator('#smoothing').selectOption('0');
   await page.locator('#automatic').click();
@@ -120,11 +120,13 @@ test('a link cannot have a file: it says so, and holds for whoever drops that fi
 
   const other = await page.context().newPage();
   await other.goto(link);
-  await modelIs(other, 'chair.glb');
-  expect(await other.locator('#invitation').textContent()).toContain('Drop prism.obj here');
+  const card = other.getByRole('region', { name: 'prism.obj' });
+  await card.waitFor();
+  expect(await other.locator('#model').textContent()).toBe('prism.obj · not opened yet');
   expect(await other.locator('girth-viewer').getAttribute('colormap')).toBeNull();
   await drop(other, { name: 'prism.obj', bytes });
-  await modelIs(other, 'prism.obj');
+  await other.getByText('prism.obj · 84 faces').waitFor();
+  expect(await card.isVisible()).toBe(false);
   expect(await other.locator('girth-viewer').getAttribute('colormap')).toBe('magma');
 });
 

@@ -7,15 +7,8 @@ import type { Download, Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { box } from './meshes.js';
-import {
-  builtPage,
-  cutWords,
-  drop,
-  examples,
-  modelIs,
-  openPanel,
-  pictures,
-} from './page-support.js';
+import { builtPage, cutWords, drop, modelIs, openPanel, pictures } from './page-support.js';
+import { smallExamples } from './small-examples.js';
 import { command } from './support.js';
 import { fieldComplete } from './viewer-page.js';
 
@@ -98,12 +91,12 @@ test('thresholds by number, by dragging in the plot, by slider; automatic again'
 
   await girth.fill('0.2');
   await girth.press('Enter');
-  await page.locator('#parts-diameter').fill('0.05');
-  await page.locator('#parts-diameter').press('Enter');
+  await page.locator('#parts-thickness').fill('0.05');
+  await page.locator('#parts-thickness').press('Enter');
   const thresholds = () =>
     viewer.evaluate((element: GirthViewer) => [
       element.thresholds!.girth,
-      element.thresholds!.diameter,
+      element.thresholds!.thickness,
     ]);
   expect(await thresholds()).toEqual([0.2, 0.05]);
   const counts = () =>
@@ -153,7 +146,7 @@ test('the print check finds the command’s places, pictured and reported', asyn
   await page.locator('#check').click();
   await panel.locator('.places img').first().waitFor({ timeout: 60_000 });
 
-  const chair = join(examples, 'chair.glb');
+  const chair = join(smallExamples, 'chair.glb');
   const run = (): string => {
     try {
       const limits = ['--min-tube', '0.04m', '--min-wall', '0.02m'];
@@ -199,7 +192,8 @@ test('the print check finds the command’s places, pictured and reported', asyn
   await expect.poll(() => panel.locator('.answer').textContent()).toContain('Passes');
   await page.locator('#min-tube').fill('three');
   await page.locator('#check').click();
-  await expect.poll(() => panel.locator('.answer').textContent()).toContain('That is no length');
+  await expect.poll(() => panel.locator('.answer').textContent()).toContain('is not a length');
+  expect(await panel.locator('.places').isVisible()).toBe(false);
 });
 
 test('a file without a unit that is open: the print check says both', async () => {

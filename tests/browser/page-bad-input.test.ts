@@ -48,7 +48,7 @@ test('thresholds that are no lengths: words, and those before stay', async () =>
     await girth.fill(wrong);
     await girth.press('Enter');
     expect(await partsWords(page).textContent()).toBe(
-      'That is no length: type a number from 0 on, such as 1.5.',
+      `“${wrong}” is not a length: type a number from 0 on, such as 1.5 or 3 mm.`,
     );
     expect(await girth.getAttribute('aria-invalid')).toBe('true');
     expect(await thresholds()).toEqual(before);
@@ -58,7 +58,7 @@ test('thresholds that are no lengths: words, and those before stay', async () =>
   expect(await partsWords(page).textContent()).toBe('');
   expect((await thresholds())?.girth).toBe(4.5);
   expect(await check(page, '', '-3')).toBe(
-    'That is no length: type a number from 0 on, such as 1.5.',
+    '“-3” is not a length: type a number from 0 on, such as 1.5 or 3 mm.',
   );
 });
 
@@ -77,14 +77,14 @@ test('through the element: wrong numbers and fields that are not computed', asyn
     // Nobody has asked for it yet: no values, but no failure either; and asking computes it.
     const thickness = element.values('sdf');
     return {
-      negative: await words(() => element.setThresholds({ girth: -1, diameter: 1 })),
-      nan: await words(() => element.setThresholds({ girth: NaN, diameter: 1 })),
+      negative: await words(() => element.setThresholds({ girth: -1, thickness: 1 })),
+      nan: await words(() => element.setThresholds({ girth: NaN, thickness: 1 })),
       smoothing: await words(() =>
-        element.setThresholds({ girth: 1, diameter: 1, smoothing: -0.5 }),
+        element.setThresholds({ girth: 1, thickness: 1, smoothing: -0.5 }),
       ),
-      infinite: await words(() => element.setThresholds({ girth: Infinity, diameter: Infinity })),
-      parts: await words(() => element.parts({ girth: NaN, diameter: 1 })),
-      weak: await words(() => element.weakPlaces({ tubeDiameter: -1, wallThickness: 1 })),
+      infinite: await words(() => element.setThresholds({ girth: Infinity, thickness: Infinity })),
+      parts: await words(() => element.parts({ girth: NaN, thickness: 1 })),
+      weak: await words(() => element.printCheck({ tubeDiameter: -1, wallThickness: 1 })),
       name: await words(() => element.values('thickness' as 'sdf')),
       compute: await words(() => element.fieldOf('thickness' as 'sdf')),
       maxima: await words(() => element.maxima('thickness' as 'sdf')),

@@ -1,8 +1,11 @@
 // Several models on the page: distributions over each other, distances, and a ranking.
 
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
+import { complaintsOfAxe } from './axe.js';
+import { clicksOn } from './clicks.js';
 import { dumbbell, scaled, torus, tube } from './meshes.js';
 import {
   builtPage,
@@ -57,6 +60,51 @@ test('models dropped together are compared: the same shape is nearest, whatever 
   expect(others[0]!.name).toBe('ring.obj');
   await panel.getByRole('button', { name: 'Remove it' }).click();
   expect(await panel.locator('.count').textContent()).toBe('2');
+});
+
+test('which of four are most alike is said without a click; the distances are a table to take away', async () => {
+  const { page } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  const clicks = await clicksOn(page);
+  await dropFour(page);
+  const panel = page.locator('#compare-panel');
+  await panel.getByText(/^Most alike: bell and large-bell \(0\.00\d\d\)$/).waitFor();
+  expect(await clicks()).toBe(0);
+  expect(await panel.textContent()).toMatch(
+    /0 is the same curve.* goes from 0\.00\d\d to 0\.\d{4}/,
+  );
+  // Curves differ by their strokes, too.
+  const strokes = await panel
+    .locator('.swatch')
+    .evaluateAll((swatches) => swatches.map((one) => getComputedStyle(one).backgroundImage));
+  expect(new Set(strokes.map((stroke) => stroke.replace(/rgb\([^)]*\)/g, ''))).size).toBe(4);
+
+  expect(await complaintsOfAxe(page)).toEqual([]);
+  // One grid: one stop of the tab key, and arrows.
+  const cells = panel.getByRole('grid').getByRole('button');
+  expect(await cells.evaluateAll((all) => all.filter((cell) => cell.tabIndex === 0).length)).toBe(
+    1,
+  );
+  expect(await cells.nth(1).textContent()).toMatch(/^0\.00\d\d$/);
+  await cells.first().focus();
+  for (const key of ['ArrowRight', 'ArrowDown', 'ArrowDown', 'End', 'ArrowRight']) {
+    await page.keyboard.press(key);
+  }
+  const focused = () => page.evaluate(() => document.activeElement?.getAttribute('aria-label'));
+  expect(await focused()).toMatch(/^ring\.obj and tube\.obj: distance 0\.\d{4}$/);
+  await page.keyboard.press('Enter');
+  await panel.getByText('Most similar to ring.obj').waitFor();
+  expect(await focused()).toMatch(/^ring\.obj and tube\.obj/);
+
+  const coming = page.waitForEvent('download');
+  await panel.getByRole('button', { name: 'CSV' }).click();
+  const csv = await coming;
+  expect(csv.suggestedFilename()).toBe('distances-igf.csv');
+  const rows = readFileSync(await csv.path(), 'utf8')
+    .trim()
+    .split('\n');
+  expect(rows[0]).toBe('distance by igf,bell.obj,large-bell.obj,ring.obj,tube.obj');
+  expect(rows[3]).toMatch(/^ring\.obj,0\.\d+,0\.\d+,0,0\.\d+$/);
 });
 
 test('a model is kept once; what cannot be read says so, the rest goes on', async () => {

@@ -132,7 +132,7 @@ test('pointing at the surface marks the value in the plot', async () => {
   for (const [right, down] of [
     [0.5, 0.45],
     [0.45, 0.75],
-    [0.6, 0.2],
+    [0.55, 0.6],
   ] as const) {
     const hovered = viewer.evaluate(
       (element: GirthViewer) =>

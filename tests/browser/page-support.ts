@@ -12,10 +12,10 @@ import {
   serve,
   strictPolicy,
 } from './support.js';
+import { smallExamples } from './small-examples.js';
 
 /** The page as `npm run build:page` puts it. */
 export const site = join(repository, 'build/page');
-export const examples = join(repository, 'web/app/public/examples');
 export const pictures = join(repository, 'build/pictures');
 
 /** The page as a test has it. */
@@ -26,12 +26,19 @@ export interface BuiltPage {
   address: string;
 }
 
+export interface BuiltPageOptions {
+  /** Whether it is cross-origin isolated, so that it may use threads. Default: true. */
+  isolated?: boolean;
+  /** The examples as they are, or with few faces. Default: 'small'. */
+  examples?: 'real' | 'small';
+}
+
 /**
- * The built page for the tests of one file, cross-origin isolated and under a strict content security
- * policy. Opens it anew, where wanted at a state of its address, for the length of a test, which fails
- * if anything went wrong on the page that nobody caught.
+ * The built page for the tests of one file, under a strict content security policy. Opens it anew, where
+ * wanted at a state of its address, for the length of a test, which fails if anything went wrong on the
+ * page that nobody caught.
  */
-export function builtPage(): (
+export function builtPage({ isolated = true, examples = 'small' }: BuiltPageOptions = {}): (
   state?: string,
   options?: BrowserContextOptions,
 ) => Promise<BuiltPage> {
@@ -40,7 +47,11 @@ export function builtPage(): (
   let server: StaticServer;
   beforeAll(async () => {
     requireBuilt('build/page/index.html', 'build:page');
-    server = await serve(site, { isolated: true, policy: strictPolicy });
+    server = await serve(site, {
+      isolated,
+      policy: strictPolicy,
+      folders: examples === 'small' ? { '/examples/': smallExamples } : {},
+    });
   });
   afterAll(() => server?.close());
   afterEach(async () => {

@@ -79,14 +79,14 @@ test('thresholds follow a finger, each by its line and both by their cross', asy
   await panel.locator('.controls').waitFor({ timeout: 60_000 });
   await page.locator('#parts-girth').fill('0.2');
   await page.locator('#parts-girth').press('Enter');
-  await page.locator('#parts-diameter').fill('0.05');
-  await page.locator('#parts-diameter').press('Enter');
+  await page.locator('#parts-thickness').fill('0.05');
+  await page.locator('#parts-thickness').press('Enter');
   const plot = panel.locator('.scatter');
   await plot.evaluate((element) => element.scrollIntoView({ block: 'center' }));
   const thresholds = () =>
     viewer.evaluate((element: GirthViewer): Place => [
       element.thresholds!.girth,
-      element.thresholds!.diameter,
+      element.thresholds!.thickness,
     ]);
   const middle = async (selector: string): Promise<Place> => {
     const box = (await panel.locator(selector).boundingBox())!;

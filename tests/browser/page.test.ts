@@ -1,82 +1,47 @@
 // The page as a user meets it, with cross-origin isolation (threads) and without (a pool of
 // workers), both under a strict content security policy.
 
-import { mkdirSync, readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import type Axe from 'axe-core';
-import type { BrowserContext, Locator, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
+import type { Locator, Page } from 'playwright-core';
+import { beforeEach, describe, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
-import type { SurfacePoint } from '../../web/src/kernel/index.js';
 import { torus } from './meshes.js';
-import { drop, modelIs as modelIsOn, openPanel, pictures, site } from './page-support.js';
-import {
-  chromiumForTests,
-  repository,
-  requireBuilt,
-  serve,
-  strictPolicy,
-  type StaticServer,
-} from './support.js';
+import { builtPage, drop, modelIs as modelIsOn } from './page-support.js';
+import { smallExamples } from './small-examples.js';
+import { repository } from './support.js';
 import { fieldBegun, fieldComplete, hover, loopByCommand, placeOnSurface } from './viewer-page.js';
 
 const data = join(repository, 'tests/data');
 
-const openPage = chromiumForTests();
-
-beforeAll(() => {
-  requireBuilt('build/page/index.html', 'build:page');
-  mkdirSync(pictures, { recursive: true });
-});
+/** How often the next few frames draw something in WebGL. */
+const drawsInFrames = (page: Page): Promise<number> =>
+  page.evaluate(async () => {
+    const { prototype } = WebGL2RenderingContext;
+    const original = Object.getOwnPropertyDescriptor(prototype, 'drawElements')!;
+    const draw = original.value as (...args: unknown[]) => void;
+    let draws = 0;
+    prototype.drawElements = function (...args) {
+      ++draws;
+      draw.apply(this, args);
+    };
+    for (let i = 0; i < 4; ++i) await new Promise((done) => requestAnimationFrame(done));
+    Object.defineProperty(prototype, 'drawElements', original);
+    return draws;
+  });
 
 for (const isolated of [true, false]) {
   describe(isolated ? 'page, isolated' : 'page, not isolated', () => {
-    let server: StaticServer;
-    let context: BrowserContext;
+    const openBuilt = builtPage({ isolated });
     let page: Page;
     let viewer: Locator;
-    let complaints: string[];
-
-    beforeAll(async () => {
-      server = await serve(site, { isolated, policy: strictPolicy });
-    });
-    afterAll(() => server.close());
+    let address: string;
 
     beforeEach(async () => {
-      ({ context, page, complaints } = await openPage(server.url));
-      viewer = page.locator('girth-viewer');
-    });
-    afterEach(async () => {
-      expect(complaints).toEqual([]);
-      await context.close();
+      ({ page, viewer, address } = await openBuilt());
     });
 
     const modelIs = (name: string) => modelIsOn(page, name);
-
-    test('opens on an example that is computed without a word', async () => {
-      await modelIs('chair.glb');
-      expect(await page.locator('#model').textContent()).toMatch(
-        /chair\.glb · [\d,]+ faces · genus/,
-      );
-      await fieldComplete(viewer);
-      const seconds = (await page.evaluate(() => performance.now())) / 1000;
-      console.log(
-        `isolated ${isolated}: the first example is computed ${seconds.toFixed(1)} s after opening`,
-      );
-      expect(await page.evaluate(() => crossOriginIsolated)).toBe(isolated);
-      expect(
-        await page.getByText('Drop a mesh anywhere. It stays on your machine.').isVisible(),
-      ).toBe(true);
-      expect(await page.locator('#examples [aria-pressed=true]').textContent()).toBe('Chair');
-      const ticks = await viewer.locator('.legend-tick').allTextContents();
-      expect(ticks.length).toBeGreaterThanOrEqual(2);
-      for (const tick of ticks) expect(tick).toMatch(/^\d+\.\d+$/);
-      expect(await viewer.locator('.legend-title').textContent()).toMatch(/Girth, (m|mm)$/);
-      // Progress has gone, its place is empty.
-      expect(await viewer.locator('[role=progressbar]').isVisible()).toBe(false);
-      await page.screenshot({ path: join(pictures, `page-${isolated ? 'threads' : 'pool'}.png`) });
-    });
 
     test('a dropped OBJ: the length under the pointer is the command’s', async () => {
       await modelIs('chair.glb');
@@ -120,18 +85,18 @@ for (const isolated of [true, false]) {
     test('hover, pin, list, remove; the keyboard does the same', async () => {
       await modelIs('chair.glb');
       await fieldComplete(viewer);
-      const file = join(repository, 'web/app/public/examples/chair.glb');
+      const file = join(smallExamples, 'chair.glb');
       const place = await placeOnSurface(viewer, 0.5, 0.45);
       const shown = await hover(page, viewer, place.x, place.y);
       expect(shown.length).toBe(loopByCommand(file, shown.base).length);
       await page.mouse.click(place.x, place.y);
-      await page.locator('#loops li').waitFor();
+      await page.locator('#loops tbody tr').waitFor();
       await page.mouse.move(1, 1);
       const pinned = await viewer.evaluate((element: GirthViewer) => element.pinned[0]!.loop);
       expect(pinned.base).toEqual(shown.base);
       expect(pinned.length).toBe(shown.length);
       const written = shown.text.match(/^[\d.]+/)![0];
-      expect(await page.locator('#loops li b').textContent()).toContain(written);
+      expect(await page.locator('#loops tbody .number').textContent()).toContain(written);
       expect(await viewer.locator('.tag').count()).toBe(1);
 
       await viewer.locator('canvas').focus();
@@ -139,10 +104,10 @@ for (const isolated of [true, false]) {
       await viewer.locator('.readout').waitFor({ state: 'visible' });
       await page.keyboard.press('Shift+ArrowUp');
       await page.keyboard.press('Enter');
-      await page.locator('#loops li').nth(1).waitFor();
+      await page.locator('#loops tbody tr').nth(1).waitFor();
       await page.keyboard.press('Delete');
-      await expect.poll(() => page.locator('#loops li').count()).toBe(1);
-      await page.locator('#loops li button').click();
+      await expect.poll(() => page.locator('#loops tbody tr').count()).toBe(1);
+      await page.locator('#loops tbody button').click();
       expect(await page.locator('#no-loops').isVisible()).toBe(true);
       expect(await viewer.locator('.tag').count()).toBe(0);
     });
@@ -168,6 +133,8 @@ for (const isolated of [true, false]) {
         expect(computed.every((value) => value > 0)).toBe(true);
         const percent = Number(/\d+/.exec((await words.textContent())!)![0]);
         expect(Math.abs(percent - (100 * computed.length) / values.length)).toBeLessThan(1.01);
+        // Once the colours are spread, nothing is drawn until something changes.
+        await expect.poll(() => drawsInFrames(page)).toBe(0);
         return values;
       };
       const first = await cancel();
@@ -218,10 +185,11 @@ for (const isolated of [true, false]) {
       for (let i = 0; i < 3; ++i) await page.keyboard.press('PageDown');
       expect(await top.textContent()).toMatch(/^≥/);
       expect(await page.locator('#range').inputValue()).toBe('own');
-      await page.locator('#range').selectOption('full range');
+      await page.locator('#range').selectOption('auto');
       expect(await top.textContent()).toBe(before);
       await page.locator('#range').selectOption('5 to 95 %');
       await expect.poll(() => top.textContent()).toMatch(/^≥/);
+      await page.getByLabel('How the surface is drawn').click();
       await page.getByLabel('Edges').check();
       expect(await viewer.getAttribute('edges')).toBe('');
     });
@@ -229,7 +197,7 @@ for (const isolated of [true, false]) {
     // Whatever computes is WebAssembly, so none of it may be started by the page itself. (How long the
     // page's own tasks are depends on what else the machine does: `npm run bench:page` measures it.)
     test('nothing computes on the page’s own thread', async () => {
-      const watched = await context.newPage();
+      const watched = await page.context().newPage();
       await watched.addInitScript(() => {
         const started: string[] = [];
         Object.assign(globalThis, { started });
@@ -249,7 +217,7 @@ for (const isolated of [true, false]) {
           },
         });
       });
-      await watched.goto(server.url);
+      await watched.goto(address);
       await watched.locator('#model b', { hasText: 'chair.glb' }).waitFor({ timeout: 30_000 });
       await watched.getByRole('button', { name: 'Octopus' }).click();
       await watched.locator('#model b', { hasText: 'octopus.glb' }).waitFor({ timeout: 30_000 });
@@ -260,83 +228,3 @@ for (const isolated of [true, false]) {
     });
   });
 }
-
-describe.each(['light', 'dark'] as const)('page, %s', (colorScheme) => {
-  let server: StaticServer;
-
-  beforeAll(async () => {
-    server = await serve(site, { isolated: true });
-  });
-  afterAll(() => server.close());
-
-  test.each([
-    [1440, 900],
-    [1024, 768],
-    [390, 844],
-  ])('no complaint of axe at %d by %d, and a picture', async (width, height) => {
-    const { context, page } = await openPage(server.url, {
-      colorScheme,
-      viewport: { width, height },
-      hasTouch: width < 500,
-      reducedMotion: 'reduce',
-    });
-    const viewer = page.locator('girth-viewer');
-    await page.locator('#model b').waitFor();
-    await fieldComplete(viewer);
-    const place = await placeOnSurface(viewer, 0.5, 0.45);
-    if (width < 500) {
-      await page.touchscreen.tap(place.x, place.y);
-      await viewer.locator('.readout').waitFor({ state: 'visible' });
-      const base = (await viewer.locator('.readout').getAttribute('data-base'))!;
-      const { x, y } = await viewer.evaluate(
-        (element: GirthViewer, base) => element.screenPosition(JSON.parse(base) as SurfacePoint),
-        base,
-      );
-      const box = (await viewer.boundingBox())!;
-      await page.touchscreen.tap(box.x + x, box.y + y);
-    } else await page.mouse.click(place.x, place.y);
-    await page.locator('#loops li').waitFor();
-    await page.screenshot({ path: join(pictures, `page-${width}x${height}-${colorScheme}.png`) });
-    await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core'), 'utf8'));
-    const violations = () =>
-      page.evaluate(async () => {
-        const { axe } = globalThis as unknown as { axe: typeof Axe };
-        const { violations } = await axe.run(document, {
-          runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'],
-        });
-        return violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes[0]!.html}`);
-      });
-    expect(await violations()).toEqual([]);
-    for (const [sheet, button] of [
-      ['export', page.getByRole('button', { name: 'Export' })],
-      ['share', page.getByRole('button', { name: 'Share' })],
-      ['details', page.locator('#details-open')],
-    ] as const) {
-      await button.click();
-      await page.locator(`#${sheet}`).waitFor();
-      expect(await violations()).toEqual([]);
-      await page.screenshot({
-        path: join(pictures, `${sheet}-${width}x${height}-${colorScheme}.png`),
-      });
-      await page.keyboard.press('Escape');
-    }
-    for (const name of ['tips', 'parts', 'print', 'compare']) {
-      const panel = await openPanel(page, name);
-      if (name === 'parts') await panel.locator('.controls').waitFor();
-      if (name === 'compare') {
-        await panel.getByRole('button', { name: 'Add this model' }).click();
-        await panel.locator('.places canvas').waitFor();
-      }
-      await panel.locator('summary').scrollIntoViewIfNeeded();
-      expect(await violations()).toEqual([]);
-      await page.screenshot({
-        path: join(pictures, `${name}-${width}x${height}-${colorScheme}.png`),
-      });
-    }
-    const overflow = await page.evaluate(
-      () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
-    );
-    expect(overflow).toBe(0);
-    await context.close();
-  });
-});

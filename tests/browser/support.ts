@@ -33,8 +33,8 @@ export interface ServeOptions {
   policy?: string;
   /** Pages and scripts that need no file: path, for example '/test.html', to content. */
   pages?: Record<string, string>;
-  /** Another folder, served below '/data/'. */
-  data?: string;
+  /** Other folders, by the path that each is served below, for example '/data/'. */
+  folders?: Record<string, string>;
 }
 
 export interface StaticServer {
@@ -62,8 +62,9 @@ const mediaTypes: Record<string, string> = {
 
 /** Serves a folder like a plain static host: no special headers unless asked for. */
 export async function serve(folder: string, options: ServeOptions = {}): Promise<StaticServer> {
-  const roots: [string, string][] = [['/', resolve(folder)]];
-  if (options.data) roots.unshift(['/data/', resolve(options.data)]);
+  const roots = Object.entries({ ...options.folders, '/': folder }).map(
+    ([mount, root]) => [mount, resolve(root)] as const,
+  );
   const requests: string[] = [];
   const headers: Record<string, string> = { 'Cache-Control': 'no-store' };
   if (options.isolated) {
@@ -136,21 +137,26 @@ export interface OpenPage {
   complaints: string[];
 }
 
-/** Chromium for the tests of one file: gives them pages, each in a context of its own. */
+/**
+ * Chromium for the tests of one file: gives them pages, each in a context of its own. `prepare`: what is
+ * done to a page before it goes to the address.
+ */
 export function chromiumForTests(): (
   address: string,
   options?: BrowserContextOptions,
+  prepare?: (page: Page) => Promise<unknown>,
 ) => Promise<OpenPage> {
   let browser: Browser;
   beforeAll(async () => {
     browser = await launchChromium();
   });
   afterAll(() => browser?.close());
-  return async (address, options = {}) => {
+  return async (address, options = {}, prepare = () => Promise.resolve()) => {
     const viewport = { width: 1024, height: 768 };
     const context = await browser.newContext({ viewport, ...options });
     const page = await context.newPage();
     const complaints = complaintsOf(page);
+    await prepare(page);
     await page.goto(address);
     return { browser, context, page, complaints };
   };

@@ -54,6 +54,12 @@ export async function framesPass(page: Page): Promise<void> {
   });
 }
 
+/** Lets the time pass in which a second click or tap would make a pair with the last one: so do people. */
+export async function pairIsOver(page: Page): Promise<void> {
+  const last = await page.evaluate(() => performance.now());
+  await page.waitForFunction((last) => performance.now() - last > 300, last);
+}
+
 /**
  * A point of the page where the surface is, beside the visible vertex nearest to a place given in
  * shares of the element's size. Waits until the surface rests and can be picked.

@@ -2,9 +2,9 @@
 // understood there is left out without a word: the rest still holds.
 
 import type { CameraView } from '../src/element/index.js';
-import type { SurfacePoint } from '../src/kernel/index.js';
+import type { PrepareOptions, SurfacePoint } from '../src/kernel/index.js';
 
-export const panelNames = ['loops', 'tips', 'parts', 'print', 'compare'] as const;
+export const panelNames = ['loops', 'tips', 'limbs', 'parts', 'print', 'compare'] as const;
 export type PanelName = (typeof panelNames)[number];
 
 export interface PageState {
@@ -18,6 +18,10 @@ export interface PageState {
   faces?: number;
   /** Of lengths, where the file does not say it. */
   unit?: string;
+  /** What lengths are written in, where that is another unit. */
+  shown?: string;
+  /** How many times as large as its file the model is. */
+  scale?: number;
   field?: string;
   /** Which number of a signature is shown: see the element's attributes of these names. */
   time?: number;
@@ -28,9 +32,18 @@ export interface PageState {
   range?: string;
   isolines?: number;
   edges?: boolean;
+  /** Of the colour map. */
+  log?: boolean;
+  /** As the element's attributes: how the surface is drawn, and which way is up where that was chosen. */
+  shading?: string;
+  up?: string;
   camera?: CameraView;
   /** Where loops are pinned. */
   loops?: SurfacePoint[];
+  /** What they are called, in their order; '' for no name. */
+  names?: string[];
+  /** Their lengths as they were shown: for a reader who does not have the file. */
+  values?: string[];
   /** The thresholds of parts, in model units, and their smoothing. */
   girth?: number;
   diameter?: number;
@@ -44,6 +57,8 @@ export interface PageState {
 /** More loops than these are not pinned from a link: each costs a computation. */
 const mostLoops = 50;
 const mostComponents = 1000;
+/** Letters of a loop's name. */
+export const longestName = 60;
 
 /** Angles and shares to what can be seen. */
 function short(value: number): string {
@@ -79,6 +94,11 @@ function readThreshold(text: string): number | undefined {
   if (text === 'inf') return Infinity;
   const number = readNumber(text);
   return number !== undefined && number >= 0 ? number : undefined;
+}
+
+function readScale(text: string): number | undefined {
+  const scale = readNumber(text);
+  return scale !== undefined && scale >= 1e-12 && scale <= 1e12 ? scale : undefined;
 }
 
 function readCount(text: string): number | undefined {
@@ -136,6 +156,29 @@ function readFile(text: string): string | undefined {
   return text.length <= 200 ? text : undefined;
 }
 
+/** Names are escaped by themselves, so that one may have a comma in it. */
+function readNames(text: string): string[] | undefined {
+  const names = text
+    .split(',')
+    .slice(0, mostLoops)
+    .map((name) => {
+      try {
+        return decodeURIComponent(name)
+          .replace(/\p{Cc}/gu, '')
+          .slice(0, longestName);
+      } catch {
+        return '';
+      }
+    });
+  return names.some((name) => name !== '') ? names : undefined;
+}
+
+/** Numbers with or without a unit: '83.5 mm'. */
+function readValue(text: string): string | undefined {
+  return /^[\d.]{1,20}( [a-zµ]{1,3})?$/.test(text) ? text : undefined;
+}
+
+const readUp = (text: string): string | undefined => (/^-?[xyz]$/.test(text) ? text : undefined);
 const readFlag = (text: string): boolean | undefined => (text === '1' ? true : undefined);
 const readPanel = (text: string): PanelName | undefined => panelNames.find((name) => name === text);
 
@@ -152,6 +195,8 @@ const parts: {
   components: [(text) => readAll(text, mostComponents, readCount), (numbers) => numbers.join(',')],
   faces: [readCount, String],
   unit: [readWord, (unit) => unit],
+  shown: [readWord, (unit) => unit],
+  scale: [readScale, String],
   field: [readWord, (field) => field],
   time: [readThreshold, String],
   energy: [readCount, String],
@@ -160,6 +205,9 @@ const parts: {
   range: [readRange, (range) => range],
   isolines: [readCount, String],
   edges: [readFlag, () => '1'],
+  log: [readFlag, () => '1'],
+  shading: [readWord, (look) => look],
+  up: [readUp, (up) => up],
   camera: [
     readCamera,
     ({ polar, azimuth, distance, target }) =>
@@ -169,6 +217,8 @@ const parts: {
     (text) => readAll(text, mostLoops, readPoint),
     (loops) => loops.map(writePoint).join(','),
   ],
+  names: [readNames, (names) => names.map(encodeURIComponent).join(',')],
+  values: [(text) => readAll(text, mostLoops, readValue), (values) => values.join(',')],
   girth: [readThreshold, (girth) => (girth === Infinity ? 'inf' : String(girth))],
   diameter: [readThreshold, (diameter) => (diameter === Infinity ? 'inf' : String(diameter))],
   smoothing: [readThreshold, String],
@@ -176,6 +226,27 @@ const parts: {
   jump: [readThreshold, (jump) => String(Number(jump.toPrecision(6)))],
   panel: [readPanel, (panel) => panel],
 };
+
+/** What was done to a model before it was shown, as the kernel has it. */
+export function preparationOf({ closed, components, scale }: PageState): PrepareOptions {
+  return {
+    ...(closed ? { closeHoles: true } : {}),
+    ...(components ? { components } : {}),
+    ...(scale === undefined ? {} : { scale }),
+  };
+}
+
+/** The same state of a model that is `ratio` times as large: its lengths grow with it. */
+export function resized(state: PageState, ratio: number): PageState {
+  const grown = { ...state };
+  for (const key of ['girth', 'diameter', 'jump'] as const) {
+    const length = state[key];
+    if (length !== undefined) grown[key] = length * ratio;
+  }
+  // Of a field of lengths or not, and in which unit: shares of the surface hold for any size.
+  if (state.range !== undefined && !state.range.includes('%')) delete grown.range;
+  return grown;
+}
 
 /** Without the '#' in front. */
 export function writeState(state: PageState): string {

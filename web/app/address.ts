@@ -6,8 +6,8 @@ import { type PageState, readState, writeState } from './address-state.js';
 const delay = 250;
 
 /** What a hand moves all the time makes no step to go back to. */
-function withoutMoves({ camera, range, panel, ...rest }: PageState): PageState {
-  void [camera, range, panel];
+function withoutMoves({ camera, range, panel, values, ...rest }: PageState): PageState {
+  void [camera, range, panel, values];
   return rest;
 }
 

@@ -10,7 +10,10 @@ import { failureWords } from './failure-words.js';
 import { kernel } from './kernel.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
+import { stemOf } from './save-file.js';
 import type { Opened } from './session.js';
+import { TableActions } from './table-actions.js';
+import { type Table, plainNumber } from './table-text.js';
 import { term } from './terms.js';
 import { thumbnail } from './thumbnail.js';
 
@@ -26,9 +29,9 @@ const descriptors: Record<string, string> = {
   sihks: 'Scale-invariant heat kernel (SIHKS)',
   wks: 'Wave kernel (WKS)',
 };
-/** Models are distinguished by colour and dashes; the first colour is that of the model compared with the others. */
+/** Models are distinguished by colour and by dashes: 35 pairs of both. */
 const colours = ['#c2410c', '#0072b2', '#009e73', '#8a6d00', '#56b4e9', '#a0529c', '#6b7280'];
-const dashes = [undefined, [6, 3], [2, 2], [9, 3, 2, 3]];
+const dashes = [[], [8, 3], [2, 2], [9, 3, 2, 3], [14, 4]] as const;
 
 type Button = 'keep' | 'gallery' | 'cancel' | 'resume' | 'show' | 'remove' | 'clear';
 
@@ -51,6 +54,12 @@ export class ComparePanel {
   readonly #ranking = new PlaceList('Ranking');
   readonly #rankingTitle = make('h3');
   readonly #words = make('span', { class: 'hint', role: 'status' });
+  readonly #alike = make('p', { class: 'answer', role: 'status' });
+  readonly #meaning = make('p', { class: 'hint' });
+  readonly #actions = new TableActions({
+    table: () => this.#table,
+    fileName: () => `distances-${this.#descriptor}.csv`,
+  });
   readonly #results: HTMLElement;
   readonly #buttons: Record<Button, HTMLButtonElement>;
   #models: ComparedModel[] = [];
@@ -96,8 +105,12 @@ export class ComparePanel {
     this.#results = make(
       'div',
       {},
+      this.#alike,
       make('div', { class: 'row' }, this.#field),
       this.#plot.element,
+      this.#matrix.element,
+      this.#meaning,
+      this.#actions.element,
       this.#rankingTitle,
       this.#ranking.element,
       make(
@@ -107,9 +120,10 @@ export class ComparePanel {
         this.#buttons.remove,
         this.#buttons.clear,
       ),
-      this.#matrix.element,
     );
     this.panel.body.append(
+      make('p', { class: 'working' }, this.#words, this.#buttons.cancel, this.#buttons.resume),
+      this.#results,
       make(
         'p',
         { class: 'hint' },
@@ -118,8 +132,6 @@ export class ComparePanel {
         ' of their fields.',
       ),
       make('p', { class: 'buttons' }, this.#buttons.keep, this.#buttons.gallery),
-      make('p', { class: 'working' }, this.#words, this.#buttons.cancel, this.#buttons.resume),
-      this.#results,
     );
     this.panel.onToggle(() => {
       this.#refresh();
@@ -308,6 +320,8 @@ export class ComparePanel {
     if (!this.panel.isOpen || !query) return;
     this.#showPlot();
     this.#showRanking(query);
+    this.#showAlike();
+    this.#actions.element.hidden = models.length < 2;
     this.#matrix.element.hidden = models.length < 3;
     this.#matrix.show(
       models.map(({ name }) => name),
@@ -316,8 +330,56 @@ export class ComparePanel {
     );
   }
 
+  /** The pair that is nearest, once all distances are there, and what such a number means. */
+  #showAlike(): void {
+    const models = this.#models.filter(({ failure }) => !failure);
+    const pairs = models.flatMap((a, i) =>
+      models.slice(i + 1).map((b) => ({ a, b, distance: this.#distance(a, b) })),
+    );
+    const known = pairs.filter(
+      (pair): pair is typeof pair & { distance: number } =>
+        pair.distance !== undefined && Number.isFinite(pair.distance),
+    );
+    const isReady = known.length > 0 && pairs.every(({ distance }) => distance !== undefined);
+    known.sort((one, other) => one.distance - other.distance);
+    const [first, last] = [known[0], known.at(-1)];
+    const words =
+      isReady && first
+        ? `Most alike: ${stemOf(first.a.name)} and ${stemOf(first.b.name)} (${distanceWords(first.distance)})`
+        : '';
+    // Said once: a live region speaks whenever it changes.
+    if (this.#alike.textContent !== words) this.#alike.textContent = words;
+    this.#meaning.hidden = words === '';
+    if (!last) return;
+    const range =
+      known.length > 1
+        ? ` Here it goes from ${distanceWords(first!.distance)} to ${distanceWords(last.distance)}.`
+        : '';
+    this.#meaning.textContent =
+      this.#name === this.#descriptor
+        ? 'The number is how far values must move, on average, to turn one curve into the other, as a ' +
+          `share of the square root of the surface’s area: 0.01 is 1%, 0 is the same curve.${range}`
+        : `The number has no unit: 0 is the same, and only numbers of one descriptor can be compared.${range}`;
+  }
+
+  /** The distances as files and spreadsheets have them. */
+  get #table(): Table {
+    const models = this.#models;
+    return [
+      [`distance by ${this.#descriptor}`, ...models.map(({ name }) => name)],
+      ...models.map((a) => [
+        a.name,
+        ...models.map((b) => (a === b ? 0 : (this.#distance(a, b) ?? NaN))),
+      ]),
+    ];
+  }
+
   #colourOf(model: ComparedModel): string {
     return colours[this.#models.indexOf(model) % colours.length]!;
+  }
+
+  #dashOf(model: ComparedModel): readonly number[] {
+    return dashes[this.#models.indexOf(model) % dashes.length]!;
   }
 
   #showPlot(): void {
@@ -336,11 +398,11 @@ export class ComparePanel {
         values,
         weights: model.weights,
         colour: this.#colourOf(model),
-        dash: dashes[Math.floor(this.#models.indexOf(model) / colours.length) % dashes.length],
+        dash: this.#dashOf(model).length > 0 ? [...this.#dashOf(model)] : undefined,
       })),
       range: [low, high > low ? high : low + 1e-9],
       colourOf: () => ({ colour: 'transparent', faint: true }),
-      format: (value) => String(Number(value.toPrecision(3))),
+      format: (value) => plainNumber(value, 3),
       axes: { label: `${fieldTitle(this.#name)} / √area` },
     });
     this.#plot.element.setAttribute(
@@ -362,6 +424,7 @@ export class ComparePanel {
       rows.map(({ model, distance }) => ({
         lead: String(models.indexOf(model) + 1),
         colour: this.#colourOf(model),
+        dash: this.#dashOf(model),
         main: model.name,
         detail: this.#detail(model, query, distance),
         picture: this.#pictureOf(model, name),

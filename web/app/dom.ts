@@ -6,3 +6,9 @@ export function byId<Type extends HTMLElement = HTMLElement>(id: string): Type {
   if (!element) throw new Error(`the page has no element #${id}`);
   return element as Type;
 }
+
+/** Sets an attribute, or removes it where there is nothing to set. */
+export function setAttribute(element: Element, name: string, value: string | undefined): void {
+  if (value === undefined || value === '') element.removeAttribute(name);
+  else element.setAttribute(name, value);
+}

@@ -1,6 +1,7 @@
 // The built-in examples, one button each.
 
 import { make } from '../src/element/index.js';
+import { failureWords } from './failure-words.js';
 
 /** An entry of `examples/index.json`. */
 export interface Example {
@@ -24,10 +25,13 @@ export class ExamplesStrip {
     this.#chosen = chosen;
   }
 
-  /** Fetches the list. */
+  /** Fetches the list; where it cannot be had, the strip says so, and there are no examples. */
   async prepare(): Promise<void> {
-    const response = await fetch(new URL('index.json', this.#folder));
-    const examples = (await response.json()) as Example[];
+    const examples = await this.#list().catch((error: unknown) => {
+      const words = `The examples could not be fetched: ${failureWords(error)}. Open a model of your own.`;
+      this.#strip.append(make('p', { class: 'failure', role: 'status' }, words));
+      return [];
+    });
     for (const example of examples) {
       const button = make('button', { type: 'button', title: example.about }, example.title);
       button.dataset['example'] = example.name;
@@ -35,6 +39,12 @@ export class ExamplesStrip {
       this.#buttons.set(example, button);
     }
     this.#strip.append(...this.#buttons.values(), this.#about);
+  }
+
+  async #list(): Promise<Example[]> {
+    const response = await fetch(new URL('index.json', this.#folder));
+    if (!response.ok) throw new Error(`the server answered ${response.status}`);
+    return (await response.json()) as Example[];
   }
 
   get all(): Example[] {

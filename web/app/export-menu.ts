@@ -1,4 +1,4 @@
-// What is on the page as files: fields, tips, parts, the pinned loops, the picture.
+// What is on the page as files: fields, tips, limbs, parts, the pinned loops, the picture.
 
 import type { FieldFormat, FieldName, LoopFormat } from '../src/kernel/index.js';
 import { type GirthViewer, fieldNames, fieldTitle, make } from '../src/element/index.js';
@@ -6,8 +6,12 @@ import type { ComputedFields } from './computed-fields.js';
 import { byId } from './dom.js';
 import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
+import { FigureChoice } from './figure-choice.js';
+import type { LimbsPanel } from './limbs-panel.js';
 import type { PartsPanel } from './parts-panel.js';
+import type { PinnedList } from './pinned-list.js';
 import { saveFile, stemOf } from './save-file.js';
+import { csvOf } from './table-text.js';
 
 const fieldFormats: Record<FieldFormat, string> = {
   csv: 'a row for each vertex',
@@ -16,35 +20,61 @@ const fieldFormats: Record<FieldFormat, string> = {
   ply: 'surface and values',
   glb: 'surface, values, colours',
 };
-const loopFormats: Record<LoopFormat, string> = {
+/** A file for each loop. */
+const loopFormats: Record<Exclude<LoopFormat, 'json'>, string> = {
   obj: 'as lines',
   glb: 'as line strips',
-  json: 'lengths and points',
 };
 
 type Content = Blob | Uint8Array;
 
-async function zipped(files: Content[], stem: string, format: string): Promise<Uint8Array> {
+/** One of several files, and what its name says of it. */
+interface Piece {
+  content: Content;
+  word?: string;
+}
+
+async function zipped(files: Piece[], stem: string, format: string): Promise<Uint8Array> {
   const { zipSync } = await import('fflate');
-  const entries = files.map((bytes, i) => [`${stem}-${i + 1}.${format}`, bytes] as const);
+  const entries = files.map(({ content, word = '' }, i) => {
+    const name = [stem, i + 1, ...(word === '' ? [] : [fileWord(word)])].join('-');
+    return [`${name}.${format}`, content] as const;
+  });
   return zipSync(Object.fromEntries(entries) as Record<string, Uint8Array>);
 }
 
-export function offerExports(viewer: GirthViewer, known: ComputedFields, parts: PartsPanel): void {
+/** A name as part of a file's name. */
+function fileWord(name: string): string {
+  return name.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '');
+}
+
+/** Panels that have what is exported. */
+interface ExportedPanels {
+  parts: PartsPanel;
+  loops: PinnedList;
+  limbs: LimbsPanel;
+}
+
+export function offerExports(
+  viewer: GirthViewer,
+  known: ComputedFields,
+  { parts, loops: pinned, limbs: limbsPanel }: ExportedPanels,
+): void {
   const menu = byId('export');
   const failure = byId('export-failure');
   const allFields = 'all';
   const field = make('select', { id: 'export-name', 'aria-label': 'Field' });
   const choice = new Draft(field);
 
-  /** Writes files and hands them to the browser; several as a zip. */
-  const save = async (kind: string, format: string, write: () => Promise<Content[]>) => {
+  /** Writes files and hands them to the browser; several as a zip. Each format has a file name of its own. */
+  const save = async (kind: string, format: string, write: () => Promise<Piece[]>) => {
     failure.textContent = '';
     const stem = stemOf(viewer.info?.name ?? 'model');
     try {
       const files = await write();
-      if (files.length === 1) saveFile(files[0]!, `${stem}${kind}.${format}`);
-      else saveFile(await zipped(files, `${stem}${kind}`, format), `${stem}${kind}.zip`);
+      const [first] = files;
+      if (first && files.length === 1) saveFile(first.content, `${stem}${kind}.${format}`);
+      else saveFile(await zipped(files, `${stem}${kind}`, format), `${stem}${kind}-${format}.zip`);
       menu.hidePopover();
     } catch (error) {
       failure.textContent = `That could not be written: ${failureWords(error)}.`;
@@ -67,49 +97,93 @@ export function offerExports(viewer: GirthViewer, known: ComputedFields, parts: 
   const saveField = (format: FieldFormat): Promise<void> => {
     const name = choice.text as FieldName | typeof allFields;
     if (name !== allFields) {
-      return save(`-${name}`, format, async () => [await viewer.exportField(format, name)]);
+      return save(`-${name}`, format, async () => [
+        { content: await viewer.exportField(format, name) },
+      ]);
     }
     // NumPy's format has one array a file.
     return save('-fields', format, async () =>
       format === 'npy'
-        ? Promise.all(computed().map((one) => viewer.exportField(format, one)))
-        : [await viewer.exportFields(computed(), format)],
+        ? Promise.all(
+            computed().map(async (one) => ({
+              content: await viewer.exportField(format, one),
+              word: one,
+            })),
+          )
+        : [{ content: await viewer.exportFields(computed(), format) }],
     );
   };
   const fields = Object.entries(fieldFormats).map(([format, about]) =>
     entry(format, about, () => saveField(format as FieldFormat)),
   );
-  const loops = Object.entries(loopFormats).map(([format, about]) =>
-    entry(format, about, () =>
-      save('-loops', format, () => viewer.exportLoops(format as LoopFormat)),
+  const loopLines = async (format: LoopFormat): Promise<Piece[]> => {
+    const { pinned } = viewer;
+    const files = await viewer.exportLoops(format);
+    return files.map((content, i) => ({ content, word: pinned[i]?.name ?? '' }));
+  };
+  /** All loops in one file, each with its name. */
+  const loopsJson = async (): Promise<Piece[]> => {
+    const pieces = await loopLines('json');
+    const all = pieces.map(({ content, word }) => ({
+      name: word,
+      ...(JSON.parse(new TextDecoder().decode(content as Uint8Array)) as object),
+    }));
+    return [{ content: new TextEncoder().encode(`${JSON.stringify({ loops: all })}\n`) }];
+  };
+  const loops = [
+    entry('csv', 'names and lengths', () =>
+      save('-loops', 'csv', () =>
+        Promise.resolve([{ content: new TextEncoder().encode(csvOf(pinned.table)) }]),
+      ),
     ),
-  );
+    ...Object.entries(loopFormats).map(([format, about]) =>
+      entry(format, about, () => save('-loops', format, () => loopLines(format as LoopFormat))),
+    ),
+    entry('json', 'names, lengths and points', () => save('-loops', 'json', loopsJson)),
+  ];
   const tips = [
     entry('json', 'regions, contours, apexes', () =>
-      save('-tips', 'json', async () => [await viewer.exportTips('json')]),
+      save('-tips', 'json', async () => [{ content: await viewer.exportTips('json') }]),
     ),
     entry('obj', 'contours as lines', () =>
-      save('-tips', 'obj', async () => [await viewer.exportTips('obj')]),
+      save('-tips', 'obj', async () => [{ content: await viewer.exportTips('obj') }]),
+    ),
+  ];
+  const limbs = [
+    entry('json', 'measures, profiles, vertices', () =>
+      save('-limbs', 'json', async () => [{ content: await viewer.exportLimbs('json') }]),
+    ),
+    entry('csv', 'profiles: a row for each station', () =>
+      save('-limb-profiles', 'csv', async () => [
+        { content: new TextEncoder().encode(csvOf(await limbsPanel.profiles())) },
+      ]),
     ),
   ];
   const tubes = [
     entry('json', 'tubes, plates, body', () =>
       save('-parts', 'json', async () => [
-        await viewer.exportParts(parts.choice ?? (await viewer.suggestedThresholds()), 'json'),
+        {
+          content: await viewer.exportParts(
+            parts.choice ?? (await viewer.suggestedThresholds()),
+            'json',
+          ),
+        },
       ]),
     ),
   ];
+  const figure = new FigureChoice();
   const picture = [
-    entry('png', 'as it is now, with the legend', () =>
-      save('', 'png', async () => [await viewer.snapshot({ legend: true })]),
+    entry('png', 'as it is now', () =>
+      save('', 'png', async () => [{ content: await viewer.snapshot(figure.options) }]),
     ),
   ];
   failure.before(
     group('Values at every vertex', 'export-field', field, ...fields),
     group('Tips', 'export-tips', ...tips),
+    group('Limbs', 'export-limbs', ...limbs),
     group('Tubes and plates', 'export-parts', ...tubes),
     group('Pinned loops', 'export-loops', ...loops),
-    group('Picture', 'export-picture', ...picture),
+    group('Picture', 'export-picture', figure.element, ...picture),
   );
 
   menu.addEventListener('beforetoggle', () => {
@@ -125,7 +199,7 @@ export function offerExports(viewer: GirthViewer, known: ComputedFields, parts: 
     if (wished) choice.show(wished);
     field.disabled = names.length === 0;
     for (const button of fields) button.disabled = names.length === 0;
-    for (const button of [...tips, ...tubes]) button.disabled = !names.includes('igf');
+    for (const button of [...tips, ...limbs, ...tubes]) button.disabled = !names.includes('igf');
     for (const button of loops) button.disabled = viewer.pinned.length === 0;
     for (const button of picture) button.disabled = !viewer.info;
   });

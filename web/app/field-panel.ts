@@ -1,6 +1,7 @@
 // Which field colours the surface, its distribution, and how it is coloured.
 
 import {
+  type ColormapName,
   type GirthViewer,
   type ShownName,
   colormapNames,
@@ -14,9 +15,11 @@ import {
   girthKinds,
   isColormapName,
   isFieldName,
+  isForAllEyes,
   isShownName,
   make,
   partKinds,
+  placeIn,
 } from '../src/element/index.js';
 import {
   type DistributionKind,
@@ -29,9 +32,10 @@ import {
 import type { PageState } from './address-state.js';
 import { CategoryShares } from './category-shares.js';
 import type { ComputedFields } from './computed-fields.js';
-import { byId } from './dom.js';
+import { byId, setAttribute } from './dom.js';
 import { Draft } from './draft.js';
 import { RangeSliders } from './range-sliders.js';
+import { readValue } from './length-input.js';
 import { SignatureChoice } from './signature-choice.js';
 import { type TermName, explains } from './terms.js';
 
@@ -60,7 +64,8 @@ const fieldTerms: Partial<Record<ShownName, TermName>> = {
 };
 const wordsFor = (name: ShownName): string => listWords[name] ?? fieldTitle(name);
 const ranges: [string, string][] = [
-  ['', 'full range'],
+  ['', 'auto'],
+  ['0% 100%', 'full range'],
   ['1% 99%', '1 to 99 %'],
   ['5% 95%', '5 to 95 %'],
 ];
@@ -87,17 +92,25 @@ export class FieldPanel {
   });
   readonly #categories = new CategoryShares();
   readonly #signature: SignatureChoice;
-  readonly #sliders = new RangeSliders((low, high) => this.#setRange(`${low} ${high}`));
+  readonly #log = make('input', { id: 'log', type: 'checkbox' });
+  #fault = '';
+  readonly #sliders = new RangeSliders({
+    moved: (low, high) => this.#setRange(`${low} ${high}`),
+    read: (text) => readValue(text, this.#format),
+    wrong: (why) => {
+      this.#fault = why;
+      this.refresh();
+    },
+  });
   readonly #rangeChoice = make('select', {
     id: 'range',
     'aria-label': 'Range of the colours',
   });
-  readonly #caption = make('p', { class: 'caption', role: 'status' });
+  readonly #caption = make('p', { class: 'caption' });
   readonly #captionWords = make('span');
   readonly #clearBrush = make('button', { type: 'button', 'aria-label': 'Mark nothing' }, '✕');
   readonly #colormap = make('select', { id: 'colormap', 'aria-label': 'Colours' });
   readonly #isolines = make('select', { id: 'isolines' });
-  readonly #edges = make('input', { id: 'edges', type: 'checkbox' });
   readonly #fieldDraft: Draft;
   readonly #rangeDraft: Draft;
   readonly #colormapDraft: Draft;
@@ -141,7 +154,15 @@ export class FieldPanel {
     this.#rangeDraft = new Draft(this.#rangeChoice, {
       committed: (range) => this.#setRange(range),
     });
-    this.#colormap.append(...colormapNames.map((name) => make('option', { value: name }, name)));
+    const option = (name: ColormapName) => make('option', { value: name }, name);
+    const some = make('optgroup', { label: 'Not for colour-blind eyes' });
+    some.append(...colormapNames.filter((name) => !isForAllEyes(name)).map(option));
+    this.#colormap.append(...colormapNames.filter(isForAllEyes).map(option), some);
+    this.#log.addEventListener('change', () => {
+      viewer.toggleAttribute('log', this.#log.checked);
+      this.#paint();
+      page.changed();
+    });
     this.#colormapDraft = new Draft(this.#colormap, {
       committed: (name) => {
         viewer.setAttribute('colormap', name);
@@ -159,10 +180,6 @@ export class FieldPanel {
         setAttribute(viewer, 'isolines', count === '0' ? '' : count);
         page.changed();
       },
-    });
-    this.#edges.addEventListener('change', () => {
-      viewer.toggleAttribute('edges', this.#edges.checked);
-      page.changed();
     });
     const kinds = make(
       'div',
@@ -182,7 +199,7 @@ export class FieldPanel {
         { class: 'row' },
         this.#colormap,
         this.#isolines,
-        make('label', { class: 'check' }, this.#edges, ' Edges'),
+        make('label', { class: 'check' }, this.#log, ' log'),
       ),
     );
     this.#caption.append(this.#captionWords);
@@ -195,6 +212,7 @@ export class FieldPanel {
     viewer.addEventListener('field', () => this.refresh());
     viewer.addEventListener('fieldchange', () => this.refresh());
     viewer.addEventListener('unit', () => this.refresh());
+    viewer.addEventListener('view', () => this.refresh());
     viewer.addEventListener('hover', (event) => {
       const { vertex } = (event as CustomEvent<{ vertex: number | undefined }>).detail;
       const name = this.name;
@@ -259,6 +277,7 @@ export class FieldPanel {
     const isolines = Number(viewer.getAttribute('isolines') ?? 0);
     if (isolines > 0) state.isolines = isolines;
     if (viewer.hasAttribute('edges')) state.edges = true;
+    if (viewer.hasAttribute('log')) state.log = true;
     return state;
   }
 
@@ -271,7 +290,8 @@ export class FieldPanel {
     setAttribute(viewer, 'range', range ?? '');
     setAttribute(viewer, 'isolines', isolines ? String(isolines) : '');
     viewer.toggleAttribute('edges', edges ?? false);
-    this.#edges.checked = edges ?? false;
+    viewer.toggleAttribute('log', state.log ?? false);
+    this.#log.checked = state.log ?? false;
     const count = String(isolines ?? 0);
     if (![...this.#isolines.options].some(({ value }) => value === count)) {
       this.#isolines.append(make('option', { value: count }, `${count} lines`));
@@ -380,9 +400,10 @@ export class FieldPanel {
   }
 
   #colourOf(value: number): { colour: string; faint: boolean } {
+    const { colormap = 'viridis', log = false } = this.#viewer.shown ?? {};
     const [low, high] = this.#ends ?? [0, 1];
     return {
-      colour: colourAt(this.#viewer.shown?.colormap ?? 'viridis', (value - low) / (high - low)),
+      colour: colourAt(colormap, placeIn([low, high], log, value)),
       faint: value < low || value > high,
     };
   }
@@ -427,6 +448,10 @@ export class FieldPanel {
   }
 
   #writeCaption(values: Float64Array, reach: readonly [number, number]): void {
+    if (this.#fault) {
+      this.#writeInCaption(`${this.#fault}.`, false);
+      return;
+    }
     const range = this.#plot.brush;
     const format = (value: number): string => formatLength(value, this.#format);
     if (!range) {
@@ -469,10 +494,4 @@ function icon(kind: DistributionKind): SVGElement {
   );
   picture.append(path);
   return picture;
-}
-
-/** An attribute that is absent rather than empty. */
-function setAttribute(element: HTMLElement, name: string, value: string): void {
-  if (value === '') element.removeAttribute(name);
-  else element.setAttribute(name, value);
 }

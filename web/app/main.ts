@@ -2,15 +2,25 @@
 
 import type { FileWithPath } from '../src/kernel/index.js';
 import { type FieldDetail, type GirthViewer, type LoadDetail } from '../src/element/index.js';
-import { type PageState, type PanelName, panelNames, writeState } from './address-state.js';
+import {
+  type PageState,
+  type PanelName,
+  panelNames,
+  preparationOf,
+  resized,
+} from './address-state.js';
 import { Address } from './address.js';
 import { ComparePanel } from './compare-panel.js';
 import { ComputedFields } from './computed-fields.js';
-import { byId } from './dom.js';
+import { byId, setAttribute } from './dom.js';
 import { acceptDrops } from './drop.js';
 import { type Example, ExamplesStrip } from './examples-strip.js';
 import { offerExports } from './export-menu.js';
 import { FieldPanel } from './field-panel.js';
+import { LimbsPanel } from './limbs-panel.js';
+import { explainColours, slideUntilTouched } from './meaning.js';
+import { MissingModel } from './missing-model.js';
+import { forwardKeys } from './keys.js';
 import { ModelDetails } from './model-details.js';
 import type { Panel } from './panel.js';
 import { PartsPanel } from './parts-panel.js';
@@ -18,8 +28,11 @@ import { PinnedList } from './pinned-list.js';
 import { PrintPanel } from './print-panel.js';
 import { type Opened, Session } from './session.js';
 import { offerLink } from './share-sheet.js';
+import { closeLeftSheets } from './sheets.js';
+import type { ModelScale } from './size-choice.js';
 import { explainTerms } from './terms.js';
 import { TipsPanel } from './tips-panel.js';
+import { Tour } from './tour.js';
 
 const viewer = byId<GirthViewer>('viewer');
 const invitation = byId('invitation');
@@ -38,12 +51,25 @@ const tips = new TipsPanel(viewer, {
   found: () => field.refresh(),
   colour: (bySdf) => field.colourForPanel('sdf', bySdf),
 });
+const limbs = new LimbsPanel(viewer, changed);
 const parts = new PartsPanel(viewer, {
   changed,
   found: () => field.refresh(),
   colour: (wanted) => field.colourForPanel('parts', wanted),
 });
-const print = new PrintPanel(viewer, changed);
+const size: ModelScale = {
+  get scale() {
+    return session.scale;
+  },
+  rescale: (scale) => {
+    if (!session.opened) return;
+    // What is shown of it is the same in the other size.
+    wanted = { ...resized(read(), scale / session.scale), scale };
+    isByHand = true;
+    session.reopen({ scale });
+  },
+};
+const print = new PrintPanel(viewer, size, changed);
 const compare = new ComparePanel({
   present: () => session.opened && { opened: session.opened, name: viewer.info?.name ?? '' },
   gallery: () =>
@@ -54,6 +80,7 @@ const compare = new ComparePanel({
 const panels: Record<PanelName, Panel> = {
   loops: loops.panel,
   tips: tips.panel,
+  limbs: limbs.panel,
   parts: parts.panel,
   print: print.panel,
   compare: compare.panel,
@@ -63,10 +90,10 @@ const panels: Record<PanelName, Panel> = {
 
 /** What a link asks for, until the model that it is about is there. */
 let wanted: PageState | undefined;
-/** From where the model was seen at first: only another view is worth being in a link. */
-let home = '';
 
 function read(): PageState {
+  // As long as the model of a link is missing, the link is all there is.
+  if (wanted && !viewer.info) return wanted;
   const state: PageState = {
     ...session.read(),
     ...field.read(),
@@ -75,22 +102,35 @@ function read(): PageState {
     ...loops.read(),
   };
   if (!viewer.info?.unit && viewer.unit) state.unit = viewer.unit;
+  if (state.file !== undefined && state.loops) state.values = loops.values;
+  if (viewer.shownUnit) state.shown = viewer.shownUnit;
   const { camera } = viewer;
-  if (camera && writeState({ camera }) !== home) state.camera = camera;
+  // The first view of a model needs no words.
+  if (camera && !viewer.isAtHome) state.camera = camera;
+  const up = viewer.getAttribute('up');
+  if (up) state.up = up;
+  const shading = viewer.getAttribute('shading');
+  if (shading) state.shading = shading;
   const open = panelNames.find((name) => panels[name].isOpen);
   if (open && open !== 'loops') state.panel = open;
   return state;
 }
 
+/** Whether what is wanted was asked for by hand: then the address does not have it yet. */
+let isByHand = false;
+
 /** Brings about what a link asks for, on the model that is shown. */
 function apply(state: PageState): void {
   if (!viewer.info?.unit && state.unit) viewer.setAttribute('unit', state.unit);
+  if (state.shown) viewer.setAttribute('shown-unit', state.shown);
+  for (const name of ['up', 'shading'] as const) setAttribute(viewer, name, state[name]);
   field.apply(state);
   tips.apply(state);
   parts.apply(state);
   panels[state.panel ?? 'loops'].open();
   if (state.camera) viewer.camera = state.camera;
-  address.settle();
+  if (!isByHand) address.settle();
+  isByHand = false;
   void address.during(loops.apply(state));
 }
 
@@ -103,17 +143,14 @@ async function go(state: PageState): Promise<void> {
   const example = examples.all.find(({ name }) => name === state.model) ?? examples.all[0];
   const isAddress = state.model?.includes(':') ?? false;
   if (state.file !== undefined && state.model === undefined) {
-    // A link cannot have a file in it: wait for it, with an example meanwhile.
-    invitation.textContent = `Drop ${state.file} here to see it as in the link.`;
-    if (!viewer.info && example) await openExample(example);
+    // A link cannot have a file in it: wait for it.
     wanted = state;
+    invitation.hidden = true;
+    missing.show(state, !viewer.info);
     return;
   }
   wanted = state;
-  const prepare = {
-    ...(state.closed ? { closeHoles: true } : {}),
-    ...(state.components ? { components: state.components } : {}),
-  };
+  const prepare = preparationOf(state);
   if (isAddress)
     await session.open({ source: state.model!, link: { model: state.model! }, prepare });
   else if (example) await openExample(example, prepare);
@@ -125,10 +162,13 @@ const address = new Address(read, (state) => void address.during(go(state)));
 
 const details = new ModelDetails(viewer, {
   choose: (model) => session.choose(model),
+  size,
   prepare: (change) => session.reopen(change),
   remesh: (faces) => void session.remesh(faces),
   back: () => session.back(),
 });
+
+const missing = new MissingModel(() => byId<HTMLInputElement>('file').click());
 
 const examples = new ExamplesStrip(byId('examples'), (example) => {
   wanted = undefined;
@@ -149,7 +189,8 @@ async function openFiles(files: readonly (File | FileWithPath)[]): Promise<void>
   const names = files.map((file) => (file instanceof File ? file.name : file.path));
   if (!names.some((name) => name === wanted?.file)) wanted = undefined;
   const file = wanted?.file ?? names[0]!;
-  if (!(await session.open({ source, link: { file }, prepare: {} }))) return;
+  const prepare = preparationOf(wanted ?? {});
+  if (!(await session.open({ source, link: { file }, prepare }))) return;
   invitation.hidden = true;
   viewer.removeAttribute('turn');
   const { models, unreadable } = viewer.info!;
@@ -162,18 +203,22 @@ async function openFiles(files: readonly (File | FileWithPath)[]): Promise<void>
         name: model,
       })),
     );
+    compare.panel.reveal();
   }
 }
 
 viewer.addEventListener('load', (event) => {
   const { info } = (event as CustomEvent<LoadDetail>).detail;
-  // A unit that was chosen stays with its model, however that is prepared.
-  if (session.arrived()) viewer.removeAttribute('unit');
+  // Units and a way up that were chosen stay with their model, however that is prepared.
+  const isAnother = session.arrived();
+  missing.hide();
+  if (isAnother) for (const name of ['unit', 'shown-unit', 'up']) viewer.removeAttribute(name);
   const { prepare = {}, remeshed, link } = session.opened ?? {};
   examples.mark(examples.all.find(({ name }) => name === link?.model));
   details.show(info, remeshed === undefined ? { prepare } : { prepare, remeshed: remeshed.words });
-  home = viewer.camera ? writeState({ camera: viewer.camera }) : '';
-  for (const panel of [field, tips, parts, print]) panel.clear();
+  for (const panel of [field, tips, limbs, parts]) panel.clear();
+  print.clear(isAnother);
+  document.title = `${info.name} – Girth`;
   delete document.documentElement.dataset['field'];
   if (wanted?.faces !== undefined && remeshed?.faces !== wanted.faces) {
     void session.remesh(wanted.faces);
@@ -193,11 +238,18 @@ viewer.addEventListener('field', (event) => {
   if (share < 1) return;
   void details.compare();
   void tips.compute();
+  limbs.girthIsThere();
+  if (isUntouched && !matchMedia('(prefers-reduced-motion: reduce)').matches)
+    void slideUntilTouched(viewer);
 });
-for (const event of ['camera', 'unit']) viewer.addEventListener(event, changed);
+// Until somebody does something the page shows by itself what it is about.
+let isUntouched = true;
+viewer.addEventListener('touch', () => (isUntouched = false));
+explainColours(viewer);
+for (const event of ['camera', 'unit', 'view']) viewer.addEventListener(event, changed);
 
 acceptDrops(byId('drop'), (files) => void openFiles(files));
-offerExports(viewer, computed, parts);
+offerExports(viewer, computed, { parts, loops, limbs });
 offerLink(
   () => address.link,
   () => session.opened?.link.file,
@@ -220,11 +272,27 @@ choosesFiles('open-folder', 'folder');
 
 const explanation = byId<HTMLDialogElement>('explanation');
 byId('help').addEventListener('click', () => explanation.showModal());
+const tour = new Tour(viewer, {
+  begin: async () => {
+    const octopus = examples.all.find(({ name }) => name === 'octopus');
+    if (octopus && session.opened?.link.model !== octopus.name) await openExample(octopus);
+  },
+  open: (name) => panels[name].open(),
+});
+byId('tour').addEventListener('click', () => {
+  explanation.close();
+  void tour.start();
+});
 byId('folder').addEventListener('change', () => explanation.close());
 explanation.addEventListener('click', (event) => {
   if (event.target === explanation) explanation.close();
 });
 
 explainTerms();
+closeLeftSheets();
+// Files that are dropped before the examples are there are not lost to them.
+const first = address.state;
+if (first.file !== undefined && first.model === undefined) wanted = first;
+forwardKeys(viewer);
 await examples.prepare();
-void address.during(go(address.state));
+if (!session.isAsked) void address.during(go(first));

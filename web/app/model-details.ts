@@ -6,14 +6,15 @@ import { type GirthViewer, formatCount, make, sentence } from '../src/element/in
 import { byId } from './dom.js';
 import { Draft } from './draft.js';
 import { modelFacts, plural, repairs, sizeWords } from './model-words.js';
+import { type ModelScale, SizeChoice } from './size-choice.js';
+import { plainNumber } from './table-text.js';
 
-/** Units that a file may be in that does not say. */
-const units = ['mm', 'cm', 'm', 'in', 'ft'];
 /** Of very many components the largest are offered. */
 const mostParts = 100;
 
 /** What can be asked of the model that is shown. */
 export interface ModelActions {
+  size: ModelScale;
   /** Opens another of the files that came together. */
   choose(model: string): void;
   /** Reads the file once more and prepares it otherwise. */
@@ -37,7 +38,7 @@ export class ModelDetails {
   readonly #comparison = make('p', { class: 'hint', role: 'status' });
   readonly #size = make('span');
   readonly #done = make('div');
-  #unit: Draft | undefined;
+  readonly #choice: SizeChoice;
   #shown: { info: MeshInfo; state: ModelState } | undefined;
   readonly #viewer: GirthViewer;
   readonly #actions: ModelActions;
@@ -45,6 +46,7 @@ export class ModelDetails {
   constructor(viewer: GirthViewer, actions: ModelActions) {
     this.#viewer = viewer;
     this.#actions = actions;
+    this.#choice = new SizeChoice('', viewer, actions.size);
     viewer.addEventListener('unit', () => this.#refresh());
   }
 
@@ -66,16 +68,17 @@ export class ModelDetails {
     const shown = this.#shown;
     const difference = await this.#viewer.differenceToOriginal().catch(() => undefined);
     if (difference === undefined || shown !== this.#shown) return;
-    const words = difference.toPrecision(2).replace('-', '−');
+    const words = plainNumber(difference, 2);
     this.#comparison.textContent = `The distribution of its girth differs from that before by ${words} (equation 1 of the paper; no unit).`;
   }
 
   /** Another model, or the same one prepared otherwise: whatever was being changed is no longer meant. */
   #build(info: MeshInfo, state: ModelState): void {
-    this.#unit = undefined;
+    this.#choice.clear();
     this.#sheet.replaceChildren(
       make('h2', { id: 'details-title' }, info.name),
       this.#facts(info),
+      this.#choice.element,
       this.#done,
       ...this.#models(info),
       ...this.#components(info, state),
@@ -88,7 +91,6 @@ export class ModelDetails {
     if (!this.#shown) return;
     const { info, state } = this.#shown;
     this.#size.textContent = sizeWords(info, this.#viewer.lengthFormat);
-    this.#unit?.show(this.#viewer.unit);
     this.#done.replaceChildren(...this.#whatWasDone(info, state));
   }
 
@@ -100,7 +102,6 @@ export class ModelDetails {
     const rows: [string, (Node | string)[]][] = [
       ['File', [info.format]],
       ['Size', [this.#size]],
-      ['Unit', [info.unit ? `${info.unit}, as stated in the file` : this.#unitChooser()]],
       [
         'Surface',
         [`${formatCount(info.faceCount)} faces, ${formatCount(info.vertexCount)} vertices`],
@@ -113,18 +114,6 @@ export class ModelDetails {
         make('div', {}, make('dt', {}, term), make('dd', {}, ...words)),
       ),
     );
-  }
-
-  #unitChooser(): HTMLElement {
-    const viewer = this.#viewer;
-    const select = make(
-      'select',
-      { id: 'unit', 'aria-label': 'Unit of the file' },
-      make('option', { value: '' }, 'not stated in the file'),
-      ...units.map((unit) => make('option', { value: unit }, unit)),
-    );
-    this.#unit = new Draft(select, { committed: (unit) => viewer.setAttribute('unit', unit) });
-    return select;
   }
 
   #whatWasDone(info: MeshInfo, { remeshed }: ModelState): HTMLElement[] {
@@ -224,7 +213,11 @@ export class ModelDetails {
         this.#actions.prepare({ closeHoles: true }),
       );
     }
-    const isChanged = remeshed !== undefined || prepare.closeHoles || prepare.components?.length;
+    const isChanged =
+      remeshed !== undefined ||
+      prepare.closeHoles ||
+      prepare.components?.length ||
+      this.#actions.size.scale !== 1;
     if (isChanged) button('Back to the file', () => this.#actions.back());
     return [
       make('h3', {}, 'Change the surface'),

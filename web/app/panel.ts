@@ -23,6 +23,12 @@ export class Panel {
     this.element.open = true;
   }
 
+  /** Opens it where it is seen. */
+  reveal(): void {
+    this.open();
+    this.element.scrollIntoView({ block: 'start' });
+  }
+
   /**
    * Calls back when it is opened or closed: before anything else that people do can come, unlike the `toggle`
    * event, which may be late by many frames.

@@ -7,10 +7,11 @@ import type { PageState } from './address-state.js';
 import { formatArea } from './area-words.js';
 import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
-import { LengthInput, noLength } from './length-input.js';
+import { LengthInput } from './length-input.js';
 import { plural } from './model-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
+import { plainNumber } from './table-text.js';
 import { explains, term } from './terms.js';
 import { ThresholdSlider } from './threshold-slider.js';
 
@@ -67,19 +68,17 @@ export class PartsPanel {
     log.checked = true;
     log.addEventListener('change', () => this.#drawPlot());
     const input = (name: keyof PartThresholds, words: string): LengthInput =>
-      new LengthInput(
-        `parts-${name}`,
-        words,
-        (length) => {
+      new LengthInput(`parts-${name}`, words, {
+        changed: (length) => {
           this.#writeNote();
           if (length === undefined || !this.#thresholds) return this.#write();
           this.#setThresholds({ ...this.#thresholds, [name]: length }, true);
         },
-        () => (this.#words.textContent = noLength),
-      );
+        wrong: (why) => (this.#words.textContent = `${why}.`),
+      });
     this.#inputs = {
       girth: input('girth', 'Tubes: girth below'),
-      diameter: input('diameter', 'Thickness below'),
+      thickness: input('thickness', 'Thickness below'),
     };
     const slider = (name: keyof PartThresholds, label: string): ThresholdSlider =>
       new ThresholdSlider(label, (length, settled) => {
@@ -88,7 +87,7 @@ export class PartsPanel {
       });
     this.#sliders = {
       girth: slider('girth', 'Girth below which thin parts are tubes'),
-      diameter: slider('diameter', 'Thickness below which parts are thin'),
+      thickness: slider('thickness', 'Thickness below which parts are thin'),
     };
     for (const [weight, words] of smoothings) {
       this.#smoothing.append(make('option', { value: String(weight) }, words));
@@ -107,14 +106,14 @@ export class PartsPanel {
       make('label', { class: 'check' }, log, ' Logarithmic'),
       this.#inputs.girth.label,
       this.#sliders.girth.element,
-      this.#inputs.diameter.label,
-      this.#sliders.diameter.element,
+      this.#inputs.thickness.label,
+      this.#sliders.thickness.element,
       make('div', { class: 'row' }, this.#smoothing, automatic),
     );
     explains(this.#titles.tube, 'tube');
     explains(this.#titles.plate, 'plate');
     explains(this.#inputs.girth.label, 'girth');
-    explains(this.#inputs.diameter.label, 'sdf');
+    explains(this.#inputs.thickness.label, 'sdf');
     this.panel.body.append(
       make(
         'p',
@@ -126,12 +125,16 @@ export class PartsPanel {
         term('sdf', 'SDF'),
         ' and distinguished by their girth.',
       ),
-      this.#words,
+      make(
+        'div',
+        { class: 'results' },
+        this.#words,
+        this.#titles.tube,
+        this.#tubes.element,
+        this.#titles.plate,
+        this.#plates.element,
+      ),
       this.#controls,
-      this.#titles.tube,
-      this.#tubes.element,
-      this.#titles.plate,
-      this.#plates.element,
     );
     this.panel.onToggle((isOpen) => {
       if (isOpen) void this.compute();
@@ -170,9 +173,9 @@ export class PartsPanel {
   read(): PageState {
     const { choice } = this;
     if (!choice) return this.#pending;
-    const { girth, diameter, smoothing } = choice;
+    const { girth, thickness, smoothing } = choice;
     return {
-      ...(this.#isSuggested ? {} : { girth, diameter }),
+      ...(this.#isSuggested ? {} : { girth, diameter: thickness }),
       ...(smoothing > 0 ? { smoothing } : {}),
     };
   }
@@ -224,7 +227,7 @@ export class PartsPanel {
       this.#smoothing.append(make('option', { value: weight }, `smoothed, weight ${weight}`));
     }
     this.#smoothingDraft.show(weight);
-    const chosen = { girth: girth ?? suggested.girth, diameter: diameter ?? suggested.diameter };
+    const chosen = { girth: girth ?? suggested.girth, thickness: diameter ?? suggested.thickness };
     this.#setThresholds(chosen, true, girth === undefined && diameter === undefined);
   }
 
@@ -238,7 +241,7 @@ export class PartsPanel {
 
   /** Somebody has set a threshold in another way: what was typed for it is no longer meant. */
   #discardDrafts(...names: (keyof PartThresholds)[]): void {
-    const all = names.length > 0 ? names : (['girth', 'diameter'] as const);
+    const all = names.length > 0 ? names : (['girth', 'thickness'] as const);
     for (const name of all) this.#inputs[name].discard();
     this.#writeNote();
   }
@@ -256,12 +259,13 @@ export class PartsPanel {
     const unit = format.unit ? `, ${format.unit}` : '';
     const isShown = this.#plot.show({
       girth: igf.values,
-      diameter: sdf.values,
+      thickness: sdf.values,
       weights: areas,
       log: this.#log.checked,
       colours: { body: darker(body!), tube: tube!, plate: plate! },
-      format: (length) => String(Number((length * format.scale).toPrecision(2))),
-      labels: { girth: `Girth${unit}`, diameter: `Thickness${unit}` },
+      format: (length) => plainNumber(length * format.scale, 2),
+      unit: format.unit,
+      labels: { girth: `Girth${unit}`, thickness: `Thickness${unit}` },
     });
     if (this.#thresholds) this.#plot.setThresholds(this.#thresholds);
     return isShown;
@@ -300,7 +304,7 @@ export class PartsPanel {
   #write(): void {
     const [thresholds, fields] = [this.#thresholds, this.#fields];
     const format = this.#viewer.lengthFormat;
-    for (const name of ['girth', 'diameter'] as const) {
+    for (const name of ['girth', 'thickness'] as const) {
       this.#inputs[name].show(thresholds?.[name], format);
       const field = name === 'girth' ? fields?.igf : fields?.sdf;
       this.#sliders[name].show(field?.range, thresholds?.[name], (length) =>
@@ -334,7 +338,7 @@ export class PartsPanel {
     this.#plates.show(
       plates.map((part) => ({
         colour: partKinds[2]!.colour,
-        main: `thickness ${formatLength(part.medianDiameter, format)}`,
+        main: `thickness ${formatLength(part.medianThickness, format)}`,
         detail: `girth ${formatLength(part.medianGirth, format)} · area ${formatArea(part.area, format)}`,
         choose: () => fly(part),
       })),

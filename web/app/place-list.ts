@@ -1,5 +1,6 @@
 // A list of places on the surface; choosing one takes the camera there.
 
+import { announce } from './announcer.js';
 import { formatCount, make } from '../src/element/index.js';
 
 export interface PlaceRow {
@@ -7,6 +8,8 @@ export interface PlaceRow {
   lead?: string;
   /** The colour of a small square in front, where rows are of several kinds. */
   colour?: string;
+  /** Where rows stand for lines: the lengths of strokes and gaps, by turns; empty: one stroke. */
+  dash?: readonly number[];
   /** What matters most, with its unit. */
   main: string;
   detail: string;
@@ -74,6 +77,7 @@ class Line {
     this.#button.addEventListener('click', () => {
       chosen();
       this.#row?.choose();
+      announce(`Shown: ${this.#main.textContent}, ${this.#detail.textContent}`);
     });
   }
 
@@ -84,7 +88,8 @@ class Line {
     this.#detail.textContent = row.detail;
     if (row.colour === undefined) this.#swatch.remove();
     else {
-      this.#swatch.style.background = row.colour;
+      this.#swatch.classList.toggle('line', row.dash !== undefined);
+      this.#swatch.style.background = row.dash ? dashed(row.colour, row.dash) : row.colour;
       this.#button.prepend(this.#swatch);
     }
     if (row.picture === this.#picture) return;
@@ -96,4 +101,16 @@ class Line {
   select(isChosen: boolean): void {
     this.#button.setAttribute('aria-pressed', String(isChosen));
   }
+}
+
+/** A line of strokes as a background. */
+function dashed(colour: string, dash: readonly number[]): string {
+  if (dash.length === 0) return colour;
+  let at = 0;
+  const stops = dash.map((length, i) => {
+    const from = at;
+    at += length;
+    return `${i % 2 === 0 ? colour : 'transparent'} ${from}px ${at}px`;
+  });
+  return `repeating-linear-gradient(90deg, ${stops.join(', ')})`;
 }

@@ -1,14 +1,22 @@
 // The print check: what is too thin for a printer, listed, pictured and reported.
 
-import { type GirthViewer, formatLength, make, sentence } from '../src/element/index.js';
-import type { MeshInfo, PrintLimits, WeakPlace } from '../src/kernel/index.js';
+import {
+  type Category,
+  type GirthViewer,
+  formatLength,
+  make,
+  sentence,
+} from '../src/element/index.js';
+import type { MeshInfo, PrintCheck, PrintLimits, WeakPlace } from '../src/kernel/index.js';
 import { formatArea } from './area-words.js';
 import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
-import { LengthInput, noLength } from './length-input.js';
+import { LengthInput } from './length-input.js';
+import { namedScale, scaleWords, tallWords } from './model-size.js';
 import { modelFacts, plural } from './model-words.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
+import { printPresets } from './print-presets.js';
 import {
   type PrintReport,
   type ReportedPlace,
@@ -18,17 +26,22 @@ import {
   printReportHtml,
 } from './print-report.js';
 import { saveFile, stemOf } from './save-file.js';
+import { type ModelScale, SizeChoice } from './size-choice.js';
 import { explains } from './terms.js';
 
-/** Units that a printed thing may be given in. */
-const units = ['mm', 'cm', 'm', 'in'];
 /** Places that get a picture in the list, and in the report. */
 const picturedPlaces = 12;
 const reportedPlaces = 60;
+/** What the surface is coloured by once it is checked. */
+const kinds: readonly Category[] = [
+  { name: 'thick enough', colour: '#cfd0d3', hatched: false },
+  { name: 'thin tube', colour: '#d55e00', hatched: true },
+  { name: 'thin wall', colour: '#0072b2', hatched: true },
+];
 
-interface Check {
+interface Checked {
   limits: PrintLimits;
-  places: WeakPlace[];
+  check: PrintCheck;
   pictures: Map<WeakPlace, ReportedPlace>;
   /** The pictures as the list has them. */
   images: Map<WeakPlace, HTMLImageElement>;
@@ -36,44 +49,55 @@ interface Check {
 
 export class PrintPanel {
   readonly panel = new Panel('print-panel');
-  readonly #unit = make('select', { id: 'print-unit' });
-  readonly #unitDraft: Draft;
-  readonly #unitWords = make('span', { class: 'said' });
-  readonly #tube = new LengthInput('min-tube', 'Tube diameter ≥');
-  readonly #wall = new LengthInput('min-wall', 'Wall thickness ≥');
+  readonly #size: SizeChoice;
+  readonly #preset = make('select', { id: 'print-preset' });
+  readonly #presetDraft: Draft;
+  readonly #source = make('p', { class: 'hint', id: 'print-source' });
+  readonly #tube: LengthInput;
+  readonly #wall: LengthInput;
   readonly #answer = make('p', { class: 'answer', role: 'status' });
+  readonly #grow = make('button', { type: 'button', class: 'plain' });
+  readonly #remedy = make('p', { class: 'buttons' }, this.#grow);
   readonly #cautions = make('ul', { class: 'cautions' });
   readonly #list = new PlaceList('Places that are too thin');
   readonly #reports: HTMLElement;
-  #check: Check | undefined;
+  #checked: Checked | undefined;
   /** What is to be known of the thickness. */
   #note = '';
   #asked = 0;
+  /** The model that is coloured by its places. */
+  #coloured: MeshInfo | undefined;
+  /** Checks again when the model is there in its other size. */
+  #isToBeChecked = false;
   readonly #viewer: GirthViewer;
 
-  constructor(viewer: GirthViewer, changed: () => void) {
+  constructor(viewer: GirthViewer, model: ModelScale, changed: () => void) {
     this.#viewer = viewer;
-    const unit = this.#unit;
-    unit.append(
-      make('option', { value: '' }, 'choose'),
-      ...units.map((name) => make('option', { value: name }, name)),
-    );
-    this.#unitDraft = new Draft(unit, { committed: (name) => viewer.setAttribute('unit', name) });
+    this.#size = new SizeChoice('print-', viewer, model);
+    const ownNumbers = { changed: () => this.#showSource('') };
+    this.#tube = new LengthInput('min-tube', 'Tube diameter ≥', ownNumbers);
+    this.#wall = new LengthInput('min-wall', 'Wall thickness ≥', ownNumbers);
     explains(this.#tube.label, 'tube');
     explains(this.#wall.label, 'plate');
+    this.#preset.append(
+      make('option', { value: '' }, 'own numbers'),
+      ...printPresets.map(({ name }) => make('option', { value: name }, name)),
+    );
+    this.#presetDraft = new Draft(this.#preset, { committed: (name) => this.#choosePreset(name) });
     const submit = make('button', { class: 'plain', id: 'check' }, 'Check');
     const form = make(
       'form',
       {},
+      this.#size.element,
       make(
         'p',
         { class: 'length' },
-        make('label', { for: 'print-unit' }, 'Unit of the file'),
-        unit,
-        this.#unitWords,
+        make('label', { for: 'print-preset' }, 'Printer'),
+        this.#preset,
       ),
       this.#tube.label,
       this.#wall.label,
+      this.#source,
       make('p', {}, submit),
     );
     form.noValidate = true;
@@ -81,58 +105,141 @@ export class PrintPanel {
       event.preventDefault();
       void this.#run();
     });
+    this.#grow.addEventListener('click', () => {
+      const { passingScale = 1 } = this.#checked?.check ?? {};
+      this.#isToBeChecked = true;
+      model.rescale(model.scale * namedScale(passingScale));
+    });
     const html = make('button', { type: 'button', class: 'plain' }, 'Report (HTML)');
     html.addEventListener('click', () => void this.#save('html'));
     const json = make('button', { type: 'button', class: 'plain' }, 'JSON');
     json.addEventListener('click', () => void this.#save('json'));
     this.#reports = make('p', { class: 'buttons' }, html, json);
-    this.panel.body.append(form, this.#answer, this.#cautions, this.#reports, this.#list.element);
+    this.panel.body.append(
+      this.#answer,
+      this.#remedy,
+      this.#cautions,
+      form,
+      this.#reports,
+      this.#list.element,
+    );
     this.panel.onToggle((isOpen) => {
       if (isOpen) this.#refresh();
-      else if (viewer.info) viewer.mark(undefined);
+      this.#colour();
       changed();
     });
-    viewer.addEventListener('unit', () => {
-      // The numbers stay as they were typed, and count in the unit that is now beside them.
-      for (const input of [this.#tube, this.#wall]) input.setUnit(viewer.lengthFormat);
-      this.#forget();
-    });
-    this.clear();
+    viewer.addEventListener('unit', () => this.#changeUnit());
+    this.clear(true);
   }
 
-  clear(): void {
-    for (const input of [this.#tube, this.#wall]) {
-      input.discard();
-      input.show(undefined, this.#viewer.lengthFormat);
+  /** Another model, or the same one in another size, which keeps what can be printed. */
+  clear(isAnother: boolean): void {
+    if (isAnother) {
+      for (const input of [this.#tube, this.#wall]) {
+        input.discard();
+        input.show(undefined, this.#viewer.lengthFormat);
+      }
+      this.#showSource('');
+      this.#isToBeChecked = false;
     }
+    this.#unit = this.#viewer.unit;
+    this.#size.clear();
     this.#forget();
+    if (!this.#isToBeChecked) return;
+    this.#isToBeChecked = false;
+    void this.#run();
+  }
+
+  /** Numbers stay as they were typed, and count in the unit that is now beside them. */
+  #changeUnit(): void {
+    const { lengthFormat } = this.#viewer;
+    const isSame = this.#unit === this.#viewer.unit;
+    this.#unit = this.#viewer.unit;
+    for (const input of [this.#tube, this.#wall]) {
+      // Only shown in another unit, a length remains what it is.
+      if (isSame) input.show(input.length, lengthFormat);
+      else input.setUnit(lengthFormat);
+    }
+    if (isSame) this.#show();
+    else this.#forget();
+  }
+
+  /** Of the model, as the limits have it. */
+  #unit = '';
+
+  #choosePreset(name: string): boolean | void {
+    const preset = printPresets.find((one) => one.name === name);
+    if (!preset) return this.#showSource('');
+    const { tubeDiameter, wallThickness } = preset;
+    const isTaken = this.#tube.type(tubeDiameter) && this.#wall.type(wallThickness);
+    if (!isTaken) {
+      this.#forget();
+      this.#answer.textContent = 'First choose the unit of the file, above: these are millimetres.';
+      for (const input of [this.#tube, this.#wall]) {
+        input.discard();
+        input.show(undefined, this.#viewer.lengthFormat);
+      }
+    }
+    this.#showSource(isTaken ? name : '');
+  }
+
+  /** Whose numbers the limits are. */
+  #showSource(name: string): void {
+    const preset = printPresets.find((one) => one.name === name);
+    this.#presetDraft.show(name);
+    if (!preset) {
+      // In the room of the source, so that the button below stays where somebody is about to press.
+      this.#source.textContent = 'With or without a unit: 3, 3 mm, 0.1in.';
+      return;
+    }
+    const { tubeDiameter, wallThickness, source } = preset;
+    const link = make(
+      'a',
+      { href: source.address, target: '_blank', rel: 'noopener noreferrer' },
+      source.title,
+    );
+    this.#source.replaceChildren(`${tubeDiameter} and ${wallThickness}: `, link);
   }
 
   #forget(): void {
     ++this.#asked;
-    this.#check = undefined;
+    this.#checked = undefined;
     this.#note = '';
     this.#answer.textContent = '';
     this.#answer.className = 'answer';
     this.panel.summary = '';
+    this.#colour();
     this.#refresh();
+  }
+
+  /** All places that fail at once, with a legend, as long as the panel is open. */
+  #colour(): void {
+    const viewer = this.#viewer;
+    const { info } = viewer;
+    if (!info) return;
+    if (!this.#checked || !this.panel.isOpen) {
+      if (this.#coloured === info) viewer.showPlaces(undefined);
+      this.#coloured = undefined;
+      return;
+    }
+    this.#coloured = info;
+    const kindOf = new Uint8Array(info.vertexCount);
+    for (const { kind, vertices } of this.#checked.check.places) {
+      for (const vertex of vertices) kindOf[vertex] = kind === 'tube' ? 1 : 2;
+    }
+    viewer.showPlaces({ title: 'Print check', kinds: kindOf, categories: kinds });
   }
 
   #refresh(): void {
     const viewer = this.#viewer;
-    const { info } = viewer;
-    const said = info?.unit ?? '';
-    this.#unit.hidden = said !== '';
-    this.#unitWords.textContent = said === '' ? '' : said;
-    const isListed = [...this.#unit.options].some(({ value }) => value === viewer.unit);
-    if (!isListed && said === '') {
-      this.#unit.append(make('option', { value: viewer.unit }, viewer.unit));
-    }
-    this.#unitDraft.show(said === '' ? viewer.unit : '');
     for (const input of [this.#tube, this.#wall]) input.show(input.length, viewer.lengthFormat);
+    this.#size.refresh();
     this.#cautions.replaceChildren(...this.#words().map((line) => make('li', {}, line)));
-    this.#reports.hidden = !this.#check;
-    this.#list.element.hidden = !this.#check?.places.length;
+    this.#reports.hidden = !this.#checked;
+    const { places = [], passingScale = 0 } = this.#checked?.check ?? {};
+    this.#list.element.hidden = places.length === 0;
+    this.#remedy.hidden = places.length === 0 || !Number.isFinite(passingScale);
+    this.#grow.textContent = `Make it ${scaleWords(passingScale)}${passingScale < 10 ? '' : ' as large'}`;
   }
 
   /** What stands in the way of trusting the answer. */
@@ -161,30 +268,30 @@ export class PrintPanel {
     const { info } = viewer;
     // What was typed counts, whether or not the field has been left.
     const wrong = [tube, wall].filter((input) => !input.commit())[0];
+    // An older answer is none to what is asked now.
+    this.#forget();
     if (wrong || (!tube.length && !wall.length)) {
-      this.#answer.className = 'answer';
       this.#answer.textContent = wrong
-        ? noLength
-        : 'Type a least tube diameter, a least wall thickness, or both.';
+        ? `${wrong.fault}.`
+        : 'Type a least tube diameter, a least wall thickness, or both, or choose a printer.';
       (wrong ?? tube).input.focus();
       return;
     }
     if (!info) return;
     const limits = { tubeDiameter: tube.length ?? 0, wallThickness: wall.length ?? 0 };
     const asked = ++this.#asked;
-    this.#answer.className = 'answer';
     this.#answer.textContent = 'Checking …';
     try {
       const sdf = await viewer.fieldOf('sdf');
       if (asked !== this.#asked || viewer.info !== info) return;
       this.#note = sentence(sdf.note);
       this.#refresh();
-      const places = await viewer.weakPlaces(limits);
+      const check = await viewer.printCheck(limits);
       if (asked !== this.#asked || viewer.info !== info) return;
-      this.#check = { limits, places, pictures: new Map(), images: new Map() };
+      this.#checked = { limits, check, pictures: new Map(), images: new Map() };
       this.#show();
-      for (const place of places.slice(0, picturedPlaces)) {
-        await this.#picture(this.#check, place);
+      for (const place of check.places.slice(0, picturedPlaces)) {
+        await this.#picture(this.#checked, place);
         if (asked !== this.#asked || viewer.info !== info) return;
         this.#show();
       }
@@ -195,13 +302,17 @@ export class PrintPanel {
   }
 
   #show(): void {
-    const [check, viewer] = [this.#check, this.#viewer];
-    if (!check) return;
-    const { places, pictures } = check;
+    const [checked, viewer] = [this.#checked, this.#viewer];
+    if (!checked) return;
+    const { check, pictures } = checked;
+    const { places } = check;
     const format = viewer.lengthFormat;
     this.#answer.className = `answer ${places.length > 0 ? 'fails' : 'passes'}`;
-    this.#answer.textContent = answerWords(places.length);
+    const words = answerWords(check);
+    // Said once: a live region speaks whenever it changes.
+    if (this.#answer.textContent !== words) this.#answer.textContent = words;
     this.panel.summary = places.length > 0 ? `${places.length} ✕` : '✓';
+    if (pictures.size === 0) this.#colour();
     this.#refresh();
     this.#list.show(
       places.map((place) => {
@@ -211,26 +322,21 @@ export class PrintPanel {
           main: `${measureName(place)} ${formatLength(place.least, format)}`,
           detail: `${placeName(place)}${loop} · area ${formatArea(place.area, format)}`,
           picture:
-            made?.picture === undefined ? undefined : this.#image(check, place, made.picture),
-          choose: () => this.#choose(place),
+            made?.picture === undefined ? undefined : this.#image(checked, place, made.picture),
+          choose: () => viewer.flyTo({ vertices: place.vertices }),
         };
       }),
     );
   }
 
-  #image({ images }: Check, place: WeakPlace, src: string): HTMLImageElement {
+  #image({ images }: Checked, place: WeakPlace, src: string): HTMLImageElement {
     const image = images.get(place) ?? make('img', { src, alt: '' });
     images.set(place, image);
     return image;
   }
 
-  #choose(place: WeakPlace): void {
-    this.#viewer.mark(place.vertices);
-    this.#viewer.flyTo({ vertices: place.vertices });
-  }
-
   /** The loop at a place, where it is a tube, and a picture of both. */
-  async #picture({ pictures }: Check, place: WeakPlace): Promise<ReportedPlace> {
+  async #picture({ pictures }: Checked, place: WeakPlace): Promise<ReportedPlace> {
     const viewer = this.#viewer;
     const known = pictures.get(place);
     if (known) return known;
@@ -252,28 +358,30 @@ export class PrintPanel {
   }
 
   async #save(ending: 'html' | 'json'): Promise<void> {
-    const [check, viewer] = [this.#check, this.#viewer];
+    const [checked, viewer] = [this.#checked, this.#viewer];
     const { info } = viewer;
-    if (!check || !info) return;
+    if (!checked || !info) return;
+    const { check, limits } = checked;
     const name = `${stemOf(info.name)}-print-check.${ending}`;
     try {
       if (ending === 'json') {
-        saveFile(await viewer.exportWeakPlaces(check.limits, 'json'), name);
+        saveFile(await viewer.exportWeakPlaces(limits, 'json'), name);
         return;
       }
       const places: ReportedPlace[] = [];
       for (const place of check.places.slice(0, reportedPlaces)) {
-        places.push(await this.#picture(check, place));
+        places.push(await this.#picture(checked, place));
       }
       const [, ...facts] = modelFacts(info);
       const report: PrintReport = {
         model: info.name,
-        facts: facts.join(' · '),
+        facts: [tallWords(viewer.height, viewer.lengthFormat), ...facts].join(' · '),
         cautions: this.#words(),
-        limits: check.limits,
+        limits,
+        source: this.#presetDraft.text && (this.#source.textContent ?? ''),
+        check,
         format: viewer.lengthFormat,
         places,
-        more: check.places.length - places.length,
         overview: await this.#overview(info),
         date: new Date().toISOString().slice(0, 10),
       };

@@ -1,8 +1,9 @@
 // The print check as one HTML file: no network, no scripts, pictures inside; good on paper too.
 
-import type { PrintLimits, WeakPlace } from '../src/kernel/index.js';
+import type { PrintCheck, PrintLimits, WeakPlace } from '../src/kernel/index.js';
 import { type LengthFormat, formatCount, formatLength } from '../src/element/plots.js';
 import { formatArea } from './area-words.js';
+import { ofSize } from './model-size.js';
 
 export interface ReportedPlace {
   place: WeakPlace;
@@ -19,10 +20,12 @@ export interface PrintReport {
   /** What stands in the way of trusting the answer, a sentence each. */
   cautions: readonly string[];
   limits: PrintLimits;
+  /** Whose numbers the limits are; '' for the reader's own. */
+  source: string;
+  check: PrintCheck;
   format: LengthFormat;
+  /** Those of the check that are listed. */
   places: readonly ReportedPlace[];
-  /** Places beyond those that are listed. */
-  more: number;
   /** The whole shape, a PNG as a data: address. */
   overview?: string | undefined;
   date: string;
@@ -89,16 +92,29 @@ export function limitWords(limits: PrintLimits, format: LengthFormat): string {
   return words.join(', ');
 }
 
-/** 'Fails: 3 places are too thin.' */
-export function answerWords(count: number): string {
-  if (count === 0) return 'Passes: nothing is too thin.';
-  return count === 1
-    ? 'Fails: one place is too thin.'
-    : `Fails: ${formatCount(count)} places are too thin.`;
+/** A share in words: '<1%', '12%'. */
+function shareWords(share: number): string {
+  const percent = Math.round(100 * share);
+  return percent < 1 ? '<1%' : `${percent}%`;
+}
+
+/**
+ * 'Fails: 3 places are too thin, 12% of the surface. Passes from 112% of this size.', 'Passes: nothing is
+ * too thin, down to 62% of this size.'
+ */
+export function answerWords({ places, failingShare, passingScale }: PrintCheck): string {
+  if (places.length === 0) {
+    return `Passes: nothing is too thin, down to ${ofSize(passingScale, 'this size')}.`;
+  }
+  const count = places.length === 1 ? 'one place is' : `${formatCount(places.length)} places are`;
+  const remedy = Number.isFinite(passingScale)
+    ? `Passes from ${ofSize(passingScale, 'this size')}.`
+    : 'It passes at no size: somewhere it has no thickness.';
+  return `Fails: ${count} too thin, ${shareWords(failingShare)} of the surface. ${remedy}`;
 }
 
 export function printReportHtml(report: PrintReport): string {
-  const { model, facts, cautions, limits, format, places, more, overview, date } = report;
+  const { model, facts, cautions, limits, source, check, format, places, overview, date } = report;
   const rows = places.map(({ place, loop, picture }, i) => {
     const name = placeName(place);
     const least = formatLength(place.least, format);
@@ -113,7 +129,8 @@ export function printReportHtml(report: PrintReport): string {
     ];
     return `<tr>${cells.join('')}</tr>`;
   });
-  const count = places.length + more;
+  const count = check.places.length;
+  const more = count - places.length;
   const table = `
     <h2>Places that are too thin</h2>
     <table>
@@ -134,8 +151,8 @@ export function printReportHtml(report: PrintReport): string {
 <body>
 <h1>Print check: ${escaped(model)}</h1>
 <p class="quiet">${escaped(facts)}</p>
-<p>What can be printed: ${escaped(limitWords(limits, format))}.</p>
-<p class="answer ${count > 0 ? 'fails' : 'passes'}">${answerWords(count)}</p>
+<p>What can be printed: ${escaped(limitWords(limits, format))}${source && ` (${escaped(source)})`}.</p>
+<p class="answer ${count > 0 ? 'fails' : 'passes'}">${escaped(answerWords(check))}</p>
 ${cautions.map((caution) => `<p>${escaped(caution)}</p>`).join('\n')}
 ${image(overview, 'overview', `The whole of ${model}`)}
 ${count > 0 ? table : ''}

@@ -1,4 +1,4 @@
-// The two ends of a range on one line, each a slider.
+// The two ends of a range on one line, each a slider and a field.
 
 import { make } from '../src/element/index.js';
 import { Draft } from './draft.js';
@@ -7,19 +7,39 @@ const steps = 1000;
 /** The ends come no nearer to each other. */
 const gap = steps / 50;
 
+export interface RangeEvents {
+  /** Another range was chosen. */
+  moved(low: number, high: number): void;
+  /** A value from what was typed, or why it is none. */
+  read(text: string): { value: number } | { fault: string };
+  /** What was typed is no end, for this reason, and nothing was changed; '' once that is over. */
+  wrong(why: string): void;
+}
+
 export class RangeSliders {
   readonly element = make('div', { class: 'sliders' });
-  readonly low = make('output', { id: 'range-low' });
-  readonly high = make('output', { id: 'range-high' });
+  readonly low = field('range-low', 'Colours from');
+  readonly high = field('range-high', 'Colours up to');
+  readonly #typed: Record<'low' | 'high', Draft>;
   readonly #lowSlider = slider('Lower end of the colours', 0);
   readonly #highSlider = slider('Upper end of the colours', steps);
   readonly #lowDraft: Draft;
   readonly #highDraft: Draft;
-  readonly #moved: (low: number, high: number) => void;
+  readonly #events: RangeEvents;
+  #ends: readonly [number, number] | undefined;
   #reach: readonly [number, number] | undefined;
 
-  constructor(moved: (low: number, high: number) => void) {
-    this.#moved = moved;
+  constructor(events: RangeEvents) {
+    this.#events = events;
+    const typed = (end: 'low' | 'high', input: HTMLInputElement): Draft =>
+      new Draft(input, {
+        committed: (text) => this.#type(end, text, input),
+        ended: () => {
+          input.setAttribute('aria-invalid', 'false');
+          events.wrong('');
+        },
+      });
+    this.#typed = { low: typed('low', this.low), high: typed('high', this.high) };
     this.element.append(this.#lowSlider, this.#highSlider);
     this.#lowDraft = new Draft(this.#lowSlider, {
       edited: (text) =>
@@ -32,7 +52,9 @@ export class RangeSliders {
   }
 
   set disabled(disabled: boolean) {
-    this.#lowSlider.disabled = this.#highSlider.disabled = disabled;
+    for (const input of [this.#lowSlider, this.#highSlider, this.low, this.high]) {
+      input.disabled = disabled;
+    }
   }
 
   /** The field's own range, and that of the colours within it. */
@@ -42,6 +64,7 @@ export class RangeSliders {
     format: (value: number) => string,
   ): void {
     this.#reach = reach;
+    this.#ends = ends;
     const stepOf = (value: number): number => {
       if (!reach || reach[1] <= reach[0]) return value <= (reach?.[0] ?? 0) ? 0 : steps;
       return Math.min(steps, Math.max(0, (steps * (value - reach[0])) / (reach[1] - reach[0])));
@@ -52,10 +75,27 @@ export class RangeSliders {
     this.#highDraft.show(String(at[1]));
     this.element.style.setProperty('--low', String(at[0]! / steps));
     this.element.style.setProperty('--high', String(at[1]! / steps));
-    const words = ends && reach ? ends.map(format) : ['–', '–'];
-    [this.low.textContent, this.high.textContent] = [words[0]!, words[1]!];
-    this.#lowSlider.setAttribute('aria-valuetext', words[0]!);
-    this.#highSlider.setAttribute('aria-valuetext', words[1]!);
+    const words = ends && reach ? ends.map(format) : ['', ''];
+    this.#typed.low.show(words[0]!);
+    this.#typed.high.show(words[1]!);
+    this.#lowSlider.setAttribute('aria-valuetext', words[0]! || 'no values yet');
+    this.#highSlider.setAttribute('aria-valuetext', words[1]! || 'no values yet');
+  }
+
+  /** Takes what was typed for one end; false where it cannot be. */
+  #type(end: 'low' | 'high', text: string, input: HTMLInputElement): boolean {
+    const [read, ends] = [this.#events.read(text), this.#ends];
+    if (!ends) return false;
+    const wrong = (why: string): boolean => {
+      input.setAttribute('aria-invalid', 'true');
+      this.#events.wrong(why);
+      return false;
+    };
+    if ('fault' in read) return wrong(read.fault);
+    const [low, high] = end === 'low' ? [read.value, ends[1]] : [ends[0], read.value];
+    if (!(low < high)) return wrong('The lower end must be below the upper one');
+    this.#events.moved(low, high);
+    return true;
   }
 
   /** Moves one end; returns where it comes to rest. */
@@ -66,10 +106,14 @@ export class RangeSliders {
     const valueAt = (step: number): number =>
       step >= steps ? most : least + ((most - least) * step) / steps;
     const [low, high] = [this.#lowDraft, this.#highDraft].map(({ text }) => valueAt(Number(text)));
-    if (end === 'low') this.#moved(valueAt(at), high!);
-    else this.#moved(low!, valueAt(at));
+    if (end === 'low') this.#events.moved(valueAt(at), high!);
+    else this.#events.moved(low!, valueAt(at));
     return String(at);
   }
+}
+
+function field(id: string, label: string): HTMLInputElement {
+  return make('input', { id, type: 'text', autocomplete: 'off', 'aria-label': label });
 }
 
 function slider(label: string, value: number): HTMLInputElement {

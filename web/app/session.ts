@@ -27,6 +27,11 @@ export class Session {
     this.#viewer = viewer;
   }
 
+  /** Whether any model was asked for. */
+  get isAsked(): boolean {
+    return this.#next !== undefined;
+  }
+
   /** Shows a model; what goes wrong is written on the surface by the element itself. */
   async open(wanted: Opened): Promise<boolean> {
     this.#next = wanted;
@@ -61,6 +66,11 @@ export class Session {
     void this.open({ ...opened, prepare, remeshed: undefined });
   }
 
+  /** How many times as large as its file the model is. */
+  get scale(): number {
+    return this.opened?.prepare.scale ?? 1;
+  }
+
   /** The model as its file has it. */
   back(): void {
     if (this.opened) void this.open({ ...this.opened, prepare: {}, remeshed: undefined });
@@ -92,6 +102,7 @@ export class Session {
     const { prepare, remeshed, link } = opened;
     const state: PageState = { ...link };
     if (prepare.closeHoles) state.closed = true;
+    if (this.scale !== 1) state.scale = this.scale;
     if (prepare.components?.length) state.components = [...prepare.components];
     if (remeshed) state.faces = remeshed.faces;
     return state;
@@ -99,7 +110,7 @@ export class Session {
 
   /** Whether what is shown is what a link names, prepared in the same way. */
   isOf(state: PageState): boolean {
-    const keys = ['model', 'file', 'closed', 'components', 'faces'] as const;
+    const keys = ['model', 'file', 'closed', 'components', 'scale', 'faces'] as const;
     const now = this.read();
     return keys.every((key) => JSON.stringify(now[key]) === JSON.stringify(state[key]));
   }

@@ -166,8 +166,7 @@ class Explanation {
     });
     document.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape' || !this.#anchor) return;
-      // The same key closes a sheet: first what lies above it.
-      event.preventDefault();
+      // The same key closes the sheet that the word is on.
       this.#hide();
     });
     for (const moved of ['scroll', 'resize']) {

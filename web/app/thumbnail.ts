@@ -1,7 +1,13 @@
 // A small picture of a surface that is not on the stage, coloured by a field.
 
 import type { Field, Mesh } from '../src/kernel/index.js';
-import { type ColormapName, colourAt } from '../src/element/index.js';
+import {
+  type ColormapName,
+  colourAt,
+  rotationUp,
+  upAxisOf,
+  uprightPositions,
+} from '../src/element/index.js';
 
 const width = 72;
 const height = 54;
@@ -23,10 +29,13 @@ function seen(x: number, y: number, z: number): [number, number, number] {
 
 /** Draws the faces from back to front. */
 export function thumbnail(
-  { geometry: { positions, indices } }: Pick<Mesh, 'geometry'>,
+  { geometry, info }: Pick<Mesh, 'geometry' | 'info'>,
   field: Pick<Field, 'values' | 'range'> | undefined,
   colormap: ColormapName,
 ): HTMLCanvasElement {
+  const { indices } = geometry;
+  const { direction } = upAxisOf(null, info.format, geometry.positions, indices);
+  const positions = uprightPositions(geometry.positions, rotationUp(direction));
   const canvas = document.createElement('canvas');
   const ratio = Math.min(2, devicePixelRatio);
   canvas.width = ratio * width;

@@ -6,6 +6,7 @@ import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
 import { plural } from './model-words.js';
 import { PlaceList } from './place-list.js';
+import { plainNumber } from './table-text.js';
 
 /** `sdf` colours the surface; the others are points. */
 const rivals = [
@@ -133,7 +134,7 @@ export class TipRivals {
     const words = ({ persistence }: Maximum): string =>
       found?.rival === 'geoaverage'
         ? formatLength(persistence, viewer.formatOf('geoaverage'))
-        : persistence.toPrecision(3);
+        : plainNumber(persistence, 3);
     this.#list.show(
       shown.map((maximum) => ({
         main: `persistence ${words(maximum)}`,

@@ -64,7 +64,15 @@ export class TipsPanel {
         term('girth', 'girth'),
         ' cuts off.',
       ),
-      this.#words,
+      make(
+        'div',
+        { class: 'results' },
+        this.#words,
+        this.#list.element,
+        this.#arcsTitle,
+        make('p', { class: 'hint' }, 'Here the girth jumps, but nothing is cut off.'),
+        this.#arcs.element,
+      ),
       make('label', { class: 'check' }, this.#shown, ' Show them on the surface'),
       make(
         'div',
@@ -73,10 +81,6 @@ export class TipsPanel {
         this.#jumpText,
         this.#jump,
       ),
-      this.#list.element,
-      this.#arcsTitle,
-      make('p', { class: 'hint' }, 'Here the girth jumps, but nothing is cut off.'),
-      this.#arcs.element,
       this.#rivals.element,
     );
     this.#shown.addEventListener('change', () => this.#draw());
@@ -170,7 +174,8 @@ export class TipsPanel {
   }
 
   get #leastJump(): number {
-    return (this.#highest * Number(this.#jumpDraft.text)) / steps;
+    // In this order, so that the end of the slider is the highest jump to the last bit.
+    return this.#highest * (Number(this.#jumpDraft.text) / steps);
   }
 
   #choose(number: number): void {

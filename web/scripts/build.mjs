@@ -71,11 +71,12 @@ export function buildWasm() {
   copyDecoders();
 }
 
-/** The built-in example models. */
+/** The built-in example models, by the core's remeshing. */
 export async function buildExamples() {
+  buildWasm();
   await refresh({
     name: 'examples',
-    inputs: [...configuration, 'web/app/examples'],
+    inputs: [...configuration, 'web/app/examples', 'cpp/src/mesh/remesh'],
     outputs: ['web/app/public/examples/index.json'],
     make: () => {
       runTool('vite', [
@@ -90,7 +91,6 @@ export async function buildExamples() {
 
 /** The page, with the modules and the examples that it needs. */
 export async function buildPage() {
-  buildWasm();
   await buildExamples();
   await refresh({
     name: 'page',

@@ -25,7 +25,7 @@ const elsewhere = [
   ['Draco', ['draco/compression/decode.h']],
   ['meshoptimizer', ['meshoptimizer.h']],
   ['nlohmann-json', ['nlohmann/json.hpp']],
-  ['CLI11', ['CLI/CLI.hpp']],
+  ['zlib', ['zlib.h']],
   ['GoogleTest', ['gtest/gtest.h']],
   ['google-benchmark', ['benchmark/benchmark.h']],
 ];

@@ -29,6 +29,16 @@ export const reports = join(repository, 'build/reports');
  */
 
 /**
+ * What vitest is told to run a project of vitest.config.ts and to write a report as JSON.
+ * @param {string} project
+ * @param {{ report: string, workers: number }} options workers: processes that the files are shared out between
+ */
+export const vitestArguments = (project, { report, workers }) => [
+  ...['run', '--config', 'web/vitest.config.ts', '--project', project],
+  ...['--reporter', 'json', '--outputFile', report, `--maxWorkers=${workers}`],
+];
+
+/**
  * Runs a project of vitest.config.ts, its files shared out between the cores.
  * @param {string} project
  * @param {Count} count
@@ -38,9 +48,8 @@ function vitest(project, count) {
   rmSync(report, { force: true });
   try {
     runTool('vitest', [
-      ...['run', '--config', 'web/vitest.config.ts', '--project', project],
-      `--maxWorkers=${availableParallelism()}`,
-      ...['--reporter', 'default', '--reporter', 'json', '--outputFile', report],
+      ...vitestArguments(project, { report, workers: availableParallelism() }),
+      ...['--reporter', 'default'],
     ]);
   } finally {
     if (existsSync(report)) {

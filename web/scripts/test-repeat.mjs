@@ -9,7 +9,7 @@ import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { Complaint, outputOf, repository, script } from './run.mjs';
-import { reports } from './test-parts.mjs';
+import { reports, vitestArguments } from './test-parts.mjs';
 
 /** @type {Map<string, number>} */
 const failures = new Map();
@@ -27,8 +27,7 @@ function runOnce(files, { label, before = [], workers }) {
   const [program = '', ...args] = [
     ...before,
     join(repository, 'node_modules/.bin/vitest'),
-    ...['run', '--config', 'web/vitest.config.ts', '--project', 'browser'],
-    ...['--reporter', 'json', '--outputFile', report, `--maxWorkers=${workers}`],
+    ...vitestArguments('browser', { report, workers }),
     ...files,
   ];
   const { stderr } = spawnSync(program, args, { cwd: repository, encoding: 'utf8' });

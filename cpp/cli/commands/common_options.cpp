@@ -1,12 +1,35 @@
 #include "commands/common_options.h"
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "girth/parallel.h"
 
 namespace girth::cli {
 
-void addThreadsOption(CLI::App& app, unsigned& threads) {
-  app.add_option("--threads", threads, "Threads; as many as there are cores by default")
-      ->check(CLI::Range(1u, 1024u));
+void addThreadsOption(OptionTable& table, unsigned& threads) {
+  table.add("--threads N", threads, "Threads; as many as there are cores by default")
+      .range(1, 1024);
+}
+
+void addJobsOption(OptionTable& table, unsigned& jobs) {
+  table.add("--jobs N", jobs, "Models at a time; 1 by default. Threads are divided among them")
+      .range(1, 1024);
+}
+
+unsigned threadsOfJob(unsigned threads, unsigned jobs) {
+  if (threads > 0 || jobs <= 1) return threads;
+  return std::max(1u, threadCount({}) / jobs);
+}
+
+void addPositionsOption(OptionTable& table, bool& positions) {
+  table
+      .add("--positions", positions,
+           "CSV and JSON: also x, y and z of every vertex; CSV: units in the header")
+      .needs("--output");
+}
+
+io::Columns columnsOf(bool positions) {
+  return positions ? io::Columns::Positions : io::Columns::Fields;
 }
 
 }  // namespace girth::cli

@@ -1,16 +1,25 @@
 // Options that several commands have.
 #pragma once
 
-#include <cstdint>
-
-#include "cli_app.h"
+#include "girth/io/write_field.h"
+#include "options/option_table.h"
 
 namespace girth::cli {
 
-/// The most faces that can be asked for.
-constexpr std::uint32_t kMostFaces = 100'000'000;
-
 /// Adds `--threads`. 0, the default: as many as there are cores.
-void addThreadsOption(CLI::App& app, unsigned& threads);
+void addThreadsOption(OptionTable& table, unsigned& threads);
+
+/// Adds `--jobs`, for commands that take many models.
+void addJobsOption(OptionTable& table, unsigned& jobs);
+
+/// Threads for each of several jobs, where none were asked for: together as many as there are
+/// cores.
+unsigned threadsOfJob(unsigned threads, unsigned jobs);
+
+/// Adds `--positions`: x, y, z, and units in the header.
+void addPositionsOption(OptionTable& table, bool& positions);
+
+/// What the option asks of writers.
+io::Columns columnsOf(bool positions);
 
 }  // namespace girth::cli

@@ -1,5 +1,4 @@
 // girth compare: how far a few models are apart.
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -9,9 +8,11 @@
 
 #include "commands/comparison_options.h"
 #include "commands/table.h"
+#include "model/loading.h"
 #include "process/interrupt.h"
 #include "process/progress_line.h"
 #include "process/report.h"
+#include "study/typical_distance.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
 
@@ -27,12 +28,19 @@ struct Options : ComparisonOptions {
   /// would be equally far apart.
   Options() { signatures.words = study::WordChoice::Soft; }
   std::vector<std::string> models;
+  ModelOptions preparing;
   bool json{false};
 };
 
 /// The models' distances to each other, row by row.
 std::string matrixJson(const Signatures& signatures, const Descriptor& descriptor,
-                       std::size_t models) {
+                       const Options& options) {
+  const std::size_t models = options.models.size();
+  const auto typical = typicalDistance(descriptor.name, options);
+  const std::string typicalText =
+      typical ? "{\"poses\":" + io::formatNumber(typical->poses) +
+                    ",\"classes\":" + io::formatNumber(typical->classes) + "}"
+              : "null";
   std::string rows;
   for (std::size_t i = 0; i < models; ++i) {
     std::string row;
@@ -43,7 +51,33 @@ std::string matrixJson(const Signatures& signatures, const Descriptor& descripto
     }
     rows += (i == 0 ? "[" : ",[") + row + "]";
   }
-  return "{\"name\":" + io::jsonString(descriptor.name) + ",\"distances\":[" + rows + "]}";
+  return "{\"name\":" + io::jsonString(descriptor.name) + ",\"distances\":[" + rows +
+         "],\"typical\":" + typicalText + "}";
+}
+
+/// The distances of every pair, each beside what is usual.
+void printText(const Signatures& signatures, const std::vector<std::string>& names,
+               const Options& options) {
+  bool isAnyTypical = false;
+  for (std::size_t i = 0; i < options.models.size(); ++i) {
+    for (std::size_t j = i + 1; j < options.models.size(); ++j) {
+      std::printf("%s - %s\n", options.models[i].c_str(), options.models[j].c_str());
+      std::printf("  %-14s %12s %8s %8s\n", "", "distance", "poses", "classes");
+      for (const std::string& name : names) {
+        const auto typical = typicalDistance(name, options);
+        isAnyTypical = isAnyTypical || typical;
+        std::printf("  %-14s %12s %8s %8s\n", name.c_str(),
+                    readable(signatures.distance(name, i, j)).c_str(),
+                    typical ? readable(typical->poses).c_str() : "-",
+                    typical ? readable(typical->classes).c_str() : "-");
+      }
+    }
+  }
+  if (isAnyTypical) {
+    std::printf(
+        "poses, classes: the usual distance of two poses of one shape, and of two shapes "
+        "of different classes\n");
+  }
 }
 
 int run(const Options& options) {
@@ -67,10 +101,16 @@ int run(const Options& options) {
   }
   Signatures signatures(names, options.models.size(), options.signatures);
   std::vector<StudyFields> fields;
+  // Models scaled to area 1 have no unit, and different ones have none in common.
+  std::string unit;
   for (std::size_t m = 0; m < options.models.size(); ++m) {
+    const auto loaded = loadModel(options.models[m], options.preparing);
+    if (!loaded) return reportError(options.models[m], loaded.error());
+    if (m == 0 && !options.fields.unitArea) unit = loaded.value().unit;
+    if (loaded.value().unit != unit) unit.clear();
     ProgressLine progress(options.models[m]);
     const ExecutionContext context = watched(options.threads, progress);
-    auto computed = comparedFields(options.models[m], descriptors.value(), options, context);
+    auto computed = comparedFields(loaded.value().mesh, descriptors.value(), options, context);
     if (!computed) return reportError(options.models[m], computed.error());
     signatures.add(m, computed.value());
     fields.push_back(std::move(computed).value());
@@ -86,29 +126,32 @@ int run(const Options& options) {
       models += (models.empty() ? "" : ",") + io::jsonString(model);
     }
     for (const Descriptor& descriptor : descriptors.value()) {
-      tables +=
-          (tables.empty() ? "" : ",") + matrixJson(signatures, descriptor, options.models.size());
+      tables += (tables.empty() ? "" : ",") + matrixJson(signatures, descriptor, options);
     }
-    std::printf("{\"models\":[%s],\"descriptors\":[%s]}\n", models.c_str(), tables.c_str());
+    std::printf("{\"models\":[%s],\"unit\":%s,\"descriptors\":[%s]}\n", models.c_str(),
+                io::jsonString(unit).c_str(), tables.c_str());
     return 0;
   }
-  for (std::size_t i = 0; i < options.models.size(); ++i) {
-    for (std::size_t j = i + 1; j < options.models.size(); ++j) {
-      std::printf("%s - %s\n", options.models[i].c_str(), options.models[j].c_str());
-      for (const std::string& name : names) {
-        std::printf("  %-14s %s\n", name.c_str(),
-                    readable(signatures.distance(name, i, j)).c_str());
-      }
-    }
-  }
+  if (hasSummary()) printText(signatures, names, options);
   return 0;
 }
 
-Run add(CLI::App& app) {
+Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MODEL", options->models, "Two models or more")->required();
-  addComparisonOptions(app, *options);
-  app.add_flag("--json", options->json, "Print the distances as JSON");
+  table.add("MODEL", options->models, "Two models or more").required();
+  addComparisonOptions(table, *options);
+  addRefineOption(table, options->preparing);
+  addModelOptions(table, options->preparing);
+  table.add("--json", options->json, "Print the distances as JSON");
+  table.note(
+      "How far is far",
+      "Beside each distance stands the median distance of two poses of one shape, and that of "
+      "two shapes of different classes, over the 600 models of SHREC'11. By igf, 95 of 100 pairs "
+      "of poses are nearer than 0.065, and 95 of 100 pairs of different classes farther than "
+      "0.043.");
+  table.example("girth compare a.obj b.obj", "How far two shapes are apart, by four descriptors.");
+  table.example("girth compare *.off --descriptors igf --json",
+                "Every pair of many, by the girth alone.");
   return [options] { return run(*options); };
 }
 

@@ -1,5 +1,4 @@
 // girth field: another field than the girth, at every vertex.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,12 +11,13 @@
 #include "commands/common_options.h"
 #include "commands/table.h"
 #include "girth/geodesic_extent.h"
+#include "girth/girth_field.h"
 #include "girth/io/write_field.h"
 #include "girth/persistent_maxima.h"
 #include "model/computing.h"
 #include "model/loading.h"
 #include "model/spectral_field.h"
-#include "process/files.h"
+#include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 #include "text/json_text.h"
@@ -29,9 +29,9 @@ namespace {
 struct Options {
   std::string model;
   ModelOptions preparing;
-  /// "sdf", "geoaverage", "geofarthest", or a spectral one: "hks", "sihks" or "wks".
+  /// "sdf", "geoaverage", "geofarthest", "angle", or a spectral one: "hks", "sihks" or "wks".
   std::string field;
-  std::string output;
+  Output output;
   unsigned threads{0};
   bool json{false};
   /// Of sdf.
@@ -42,6 +42,7 @@ struct Options {
   SpectralFieldOptions spectral;
   /// How many of the most persistent maxima to list.
   std::uint32_t maxima{0};
+  bool positions{false};
 };
 
 Result<std::vector<ComputedField>> compute(const Options& options, const io::LoadedMesh& loaded) {
@@ -59,6 +60,11 @@ Result<std::vector<ComputedField>> compute(const Options& options, const io::Loa
   }
   ProgressLine progress(options.model);
   const ExecutionContext context = watched(options.threads, progress);
+  if (options.field == "angle") {
+    auto angles = evaluateAll(mesh, loopAngleFunction(mesh), context);
+    if (!angles.complete()) return stopped;
+    return std::vector<ComputedField>{{"angle", "exact", "radian", std::move(angles.values)}};
+  }
   const DistanceMethod distances =
       options.exactDistances ? DistanceMethod::Exact : DistanceMethod::FastMarching;
   GeodesicExtent extent = geodesicExtent(mesh, distances, context);
@@ -68,15 +74,16 @@ Result<std::vector<ComputedField>> compute(const Options& options, const io::Loa
        options.field == "geoaverage" ? std::move(extent.average) : std::move(extent.farthest)}};
 }
 
-Result<std::string> contentFor(const std::string& extension, const std::string& model,
-                               const io::LoadedMesh& loaded,
+Result<std::string> contentFor(const Options& options, const io::LoadedMesh& loaded,
                                const std::vector<ComputedField>& computed) {
+  const std::string extension = options.output.ending();
+  const io::Columns columns = columnsOf(options.positions);
   std::vector<io::VertexField> fields;
   for (const ComputedField& field : computed) {
     fields.push_back({field.name, field.values, field.unit, field.method, {}});
   }
-  if (extension == ".csv") return io::fieldCsv(loaded, fields);
-  if (extension == ".json") return io::fieldJson(loaded, fields, model);
+  if (extension == ".csv") return io::fieldCsv(loaded, fields, columns);
+  if (extension == ".json") return io::fieldJson(loaded, fields, options.model, columns);
   if (extension == ".ply") return io::fieldPly(loaded, fields);
   if (extension == ".glb") return io::fieldGlb(loaded, fields);
   if (fields.size() == 1) return io::fieldNpy(loaded, fields[0]);
@@ -111,6 +118,12 @@ void printMaxima(const io::LoadedMesh& loaded, const std::vector<PersistentMaxim
   }
 }
 
+/// What stands behind a value in the summary.
+std::string unitOf(const std::string& field, const std::string& unit) {
+  if (field == "angle") return " rad";
+  return isSpectralField(field) ? "" : unitSuffix(unit);
+}
+
 void print(const Options& options, const io::LoadedMesh& loaded,
            const std::vector<ComputedField>& fields, const std::vector<PersistentMaximum>& maxima) {
   std::vector<double> values;
@@ -139,6 +152,7 @@ void print(const Options& options, const io::LoadedMesh& loaded,
     std::fputs(text.c_str(), stdout);
     return;
   }
+  if (!hasSummary()) return;
   const std::string components =
       fields.size() == 1 ? "" : std::to_string(fields.size()) + " components ";
   std::printf("%s: %s (%s) %sat %zu of %zu vertices\n", options.model.c_str(),
@@ -147,16 +161,13 @@ void print(const Options& options, const io::LoadedMesh& loaded,
   if (n == 0) return;
   std::printf("  min %s, median %s, max %s%s\n", readable(values.front()).c_str(),
               readable(median).c_str(), readable(values.back()).c_str(),
-              isSpectralField(options.field) ? "" : unitSuffix(first.unit).c_str());
+              unitOf(options.field, first.unit).c_str());
   if (options.maxima > 0) printMaxima(loaded, maxima);
 }
 
 int run(const Options& options) {
-  const std::string extension = extensionOf(options.output);
-  if (!options.output.empty()) {
-    if (auto error = checkOutput(options.output, {".csv", ".json", ".npy", ".ply", ".glb"})) {
-      return reportError(options.output, *error);
-    }
+  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
+    return reportError(options.output.path, *error);
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
@@ -173,41 +184,60 @@ int run(const Options& options) {
     maxima = std::move(found).value();
     maxima.resize(std::min<std::size_t>(maxima.size(), options.maxima));
   }
-  if (!options.output.empty()) {
-    const auto content = contentFor(extension, options.model, loaded.value(), fields.value());
-    if (!content) return reportError(options.output, content.error());
-    if (auto error = writeFile(options.output, content.value())) {
-      return reportError(options.output, *error);
+  if (options.output.isWanted()) {
+    const auto content = contentFor(options, loaded.value(), fields.value());
+    if (!content) return reportError(options.output.path, content.error());
+    if (auto error = writeOutput(options.output, content.value())) {
+      return reportError(options.output.path, *error);
     }
   }
   print(options, loaded.value(), fields.value(), maxima);
   return 0;
 }
 
-Run add(CLI::App& app) {
+Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MODEL", options->model, "The model to read")->required();
-  addModelOptions(app, options->preparing);
-  app.add_option("--field", options->field,
-                 "sdf (shape diameter), geoaverage or geofarthest (mean and greatest distance), "
-                 "hks, sihks or wks (heat and wave kernel signatures)")
-      ->required()
-      ->check(CLI::IsMember({"sdf", "geoaverage", "geofarthest", "hks", "sihks", "wks"}));
-  app.add_option("-o,--output", options->output,
-                 "Write the values: .csv, .json, .npy, .ply or .glb");
-  app.add_option("--rays", options->rays, "sdf: rays from each vertex; 30 by default")
-      ->check(CLI::Range(1u, 10'000u));
-  app.add_option("--cone", options->coneDegrees, "sdf: opening of the cone, 120 degrees by default")
-      ->check(CLI::Range(1e-3, 179.999));
-  app.add_flag("--exact", options->exactDistances,
-               "geoaverage, geofarthest: exact distances, not by fast marching");
-  addSpectralFieldOptions(app, options->spectral);
-  app.add_option("--maxima", options->maxima,
-                 "List so many of the field's maxima, those that rise highest above their "
-                 "surroundings first; with hks: persistent heat maxima")
-      ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{1'000'000}));
-  addThreadsOption(app, options->threads);
-  app.add_flag("--json", options->json, "Print the summary as JSON");
+  table.add("MODEL", options->model, "The model to read").required();
+  table
+      .add("--field NAME", options->field,
+           "sdf (shape diameter: thickness), geoaverage or geofarthest (mean and greatest "
+           "distance), "
+           "angle (between the two ends of the loop), hks, sihks or wks (heat and wave kernel "
+           "signatures)")
+      .required()
+      .oneOf({"sdf", "geoaverage", "geofarthest", "angle", "hks", "sihks", "wks"});
+  addOutputOptions(table, options->output, {".csv", ".json", ".npy", ".ply", ".glb"},
+                   "Write the values: .csv, .json, .npy, .ply or .glb");
+  table.add("--rays N", options->rays, "sdf: rays from each vertex; 30 by default")
+      .range(1, 10'000);
+  table
+      .add("--cone DEGREES", options->coneDegrees,
+           "sdf: opening of the cone; 120 degrees by default")
+      .range(1e-3, 179.999);
+  table.add("--exact", options->exactDistances,
+            "geoaverage, geofarthest: exact distances, not by fast marching");
+  addSpectralFieldOptions(table, options->spectral);
+  table
+      .add("--maxima N", options->maxima,
+           "List so many of the field's maxima, those that rise highest above their surroundings "
+           "first; with hks: persistent heat maxima")
+      .range(1, 1'000'000);
+  addPositionsOption(table, options->positions);
+  addRefineOption(table, options->preparing);
+  addModelOptions(table, options->preparing);
+  addThreadsOption(table, options->threads);
+  table.add("--json", options->json, "Print the summary as JSON");
+  table.note(
+      "Which field",
+      "sdf for walls and plates, which the girth does not see. geoaverage for how central a "
+      "place is, geofarthest for how far away anything can be. angle for how tight the loop is "
+      "drawn: pi on a closed geodesic. hks, sihks and wks for comparing shapes however they are "
+      "bent. Of 9,000 triangles, with one processor, sdf took 0.05 s, angle 1.4 s, the "
+      "signatures 2.3 s, geoaverage and geofarthest 7.7 s.");
+  table.example("girth field model.glb --field sdf -o thickness.csv",
+                "How thick the body is behind every vertex.");
+  table.example("girth field model.glb --field hks --maxima 10",
+                "The ten most persistent maxima of the heat kernel signature.");
   return [options] { return run(*options); };
 }
 

@@ -1,5 +1,4 @@
 // girth info: what a model is, and what was done to make a surface of it.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -8,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "commands/common_options.h"
 #include "commands/table.h"
 #include "girth/io/report_json.h"
 #include "model/loading.h"
+#include "process/jobs.h"
 #include "process/report.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
@@ -21,6 +22,7 @@ namespace {
 struct Options {
   std::vector<std::string> models;
   ModelOptions preparing;
+  unsigned jobs{1};
   bool json{false};
 };
 
@@ -63,7 +65,7 @@ std::string joinedBoundaries(const SurfaceMesh& mesh) {
   return text;
 }
 
-std::string partsText(const io::LoadedMesh& loaded) {
+std::string componentsText(const io::LoadedMesh& loaded) {
   std::string text;
   for (const SurfacePart& part : loaded.parts) {
     text += std::string(text.empty() ? "" : ",") + "{\"faces\":" + std::to_string(part.faces) +
@@ -91,7 +93,7 @@ void printJson(const std::string& file, const io::LoadedMesh& loaded) {
                            ",\"meanEdgeLength\":" + io::formatNumber(mesh.meanEdgeLength()) +
                            ",\"boundingBox\":{\"min\":" + joinedNumbers(box.low) +
                            ",\"max\":" + joinedNumbers(box.high) + "},\"notes\":[" + notes +
-                           "],\"parts\":[" + partsText(loaded) +
+                           "],\"byComponent\":[" + componentsText(loaded) +
                            "],\"report\":" + io::reportJson(loaded.report) + "}\n";
   std::fputs(text.c_str(), stdout);
 }
@@ -173,25 +175,27 @@ void printText(const std::string& file, const io::LoadedMesh& loaded) {
 }
 
 int run(const Options& options) {
-  int exitCode = 0;
-  for (const std::string& model : options.models) {
+  return forEachJob(options.models, options.jobs, [&](std::size_t i) {
+    const std::string& model = options.models[i];
     const auto loaded = loadModel(model, options.preparing);
-    if (!loaded) {
-      exitCode = std::max(exitCode, reportError(model, loaded.error()));
-    } else if (options.json) {
+    if (!loaded) return reportError(model, loaded.error());
+    if (options.json) {
       printJson(model, loaded.value());
-    } else {
+    } else if (hasSummary()) {
       printText(model, loaded.value());
     }
-  }
-  return exitCode;
+    return 0;
+  });
 }
 
-Run add(CLI::App& app) {
+Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MODEL", options->models, "Models to read")->required();
-  addModelOptions(app, options->preparing);
-  app.add_flag("--json", options->json, "Print one JSON object for each model");
+  table.add("MODEL", options->models, "Models to read").required();
+  addModelOptions(table, options->preparing);
+  addJobsOption(table, options->jobs);
+  table.add("--json", options->json, "Print one JSON object for each model");
+  table.example("girth info model.glb", "Size, unit, components, holes, and what was repaired.");
+  table.example("girth info scans/*.ply --json", "The same of many models, one JSON object each.");
   return [options] { return run(*options); };
 }
 

@@ -1,5 +1,4 @@
 // girth loop: the loop at one point.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +13,7 @@
 #include "girth/girth_field.h"
 #include "girth/io/write_loop.h"
 #include "model/loading.h"
-#include "process/files.h"
+#include "process/output.h"
 #include "process/report.h"
 #include "text/number_text.h"
 
@@ -30,7 +29,7 @@ struct Options {
   std::optional<std::int64_t> face;
   /// The point's shares of the face's three vertices.
   std::array<double, 3> weights{1.0 / 3, 1.0 / 3, 1.0 / 3};
-  std::string output;
+  Output output;
   bool json{false};
 };
 
@@ -91,9 +90,7 @@ Result<Index> surfaceVertex(const io::LoadedMesh& loaded, std::int64_t vertex) {
 Result<std::array<double, 3>> sharesOnSurface(const io::LoadedMesh& loaded, Index face,
                                               const Options& options) {
   if (loaded.report.reorientedFaces + loaded.report.flippedFaces == 0) return options.weights;
-  const auto bytes = readFile(options.model);
-  if (!bytes) return bytes.error();
-  const auto model = io::readModel(bytes.value(), options.model, resourcesBeside(options.model));
+  const auto model = readModelFile(options.model, options.preparing.entry);
   if (!model) return model.error();
   const auto corners = loaded.mesh.faceVertices(Face(face));
   std::array<double, 3> shares{};
@@ -142,14 +139,12 @@ Result<SurfacePoint> basePoint(const io::LoadedMesh& loaded, const Options& opti
 }
 
 int run(const Options& options) {
-  const std::string extension = extensionOf(options.output);
+  const std::string extension = options.output.ending();
   if (!options.vertex && !options.face) {
     return reportError("", usageError("no point is named", "name a vertex, or a face with --face"));
   }
-  if (!options.output.empty()) {
-    if (auto error = checkOutput(options.output, {".json", ".obj", ".glb", ".csv"})) {
-      return reportError(options.output, *error);
-    }
+  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
+    return reportError(options.output.path, *error);
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
@@ -157,53 +152,56 @@ int run(const Options& options) {
   if (!base) return reportError(options.model, base.error());
   const auto loop = GirthSolver(loaded.value().mesh).loop(base.value());
   if (!loop) return reportError(options.model, loop.error());
-  if (!options.output.empty()) {
+  if (options.output.isWanted()) {
     const auto content = contentFor(extension, loaded.value(), loop.value(), options.model);
-    if (!content) return reportError(options.output, content.error());
-    if (auto error = writeFile(options.output, content.value())) {
-      return reportError(options.output, *error);
+    if (!content) return reportError(options.output.path, content.error());
+    if (auto error = writeOutput(options.output, content.value())) {
+      return reportError(options.output.path, *error);
     }
   }
   if (options.json) {
     std::fputs(io::loopJson(loaded.value(), loop.value(), options.model, false).c_str(), stdout);
-  } else {
+  } else if (hasSummary()) {
     printText(loaded.value(), loop.value(), options);
   }
   return 0;
 }
 
-/// Not read by CLI11, which rounds twice.
-std::array<double, 3> weightsOf(const std::vector<std::string>& texts) {
-  std::array<double, 3> weights{};
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    const std::optional<double> weight = io::parseNumber(texts[i]);
-    if (!weight) throw CLI::ConversionError(texts[i], "--at");
-    weights[i] = *weight;
+/// "A,B,C": the shares of a face's three vertices.
+std::string readWeights(const std::string& text, std::array<double, 3>& weights) {
+  std::string rest = text + ",";
+  for (double& weight : weights) {
+    const std::size_t comma = rest.find(',');
+    const std::optional<double> number =
+        comma == std::string::npos ? std::nullopt : io::parseNumber(rest.substr(0, comma));
+    if (!number) return "\"" + text + "\" is not three numbers with commas between";
+    weight = *number;
+    rest.erase(0, comma + 1);
   }
-  return weights;
+  return rest.empty() ? "" : "\"" + text + "\" is more than three numbers";
 }
 
-Run add(CLI::App& app) {
+Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MODEL", options->model, "The model to read")->required();
-  addModelOptions(app, options->preparing);
-  auto* vertex =
-      app.add_option("VERTEX", options->vertex, "A vertex, numbered as in the file from 0");
-  auto* face = app.add_option("--face", options->face,
-                              "A face instead, numbered from 0; polygons count as the triangles "
-                              "they are cut into")
-                   ->excludes(vertex);
-  app.add_option_function<std::vector<std::string>>(
-         "--at",
-         [options](const std::vector<std::string>& texts) { options->weights = weightsOf(texts); },
-         "Where in the face: the shares of its three vertices, A,B,C; its middle by default")
-      ->delimiter(',')
-      ->expected(3)
-      ->type_name("A,B,C")
-      ->needs(face);
-  app.add_option("-o,--output", options->output,
-                 "Write the loop: .json, .obj or .glb (a polyline) or .csv (x,y,z)");
-  app.add_flag("--json", options->json, "Print the summary as JSON");
+  table.add("MODEL", options->model, "The model to read").required();
+  table.add("VERTEX", options->vertex, "A vertex, numbered as in the file from 0");
+  table
+      .add("--face N", options->face,
+           "A face instead, numbered from 0; polygons count as the triangles they are cut into")
+      .excludes("VERTEX");
+  table
+      .onValue(
+          "--at A,B,C",
+          [options](const std::string& text) { return readWeights(text, options->weights); },
+          "Where in the face: the shares of its three vertices; its middle by default")
+      .needs("--face");
+  addOutputOptions(table, options->output, {".json", ".obj", ".glb", ".csv"},
+                   "Write the loop: .json, .obj or .glb (a polyline) or .csv (x,y,z)");
+  addModelOptions(table, options->preparing);
+  table.add("--json", options->json, "Print the summary as JSON");
+  table.example("girth loop model.glb 120 -o loop.obj", "The loop at vertex 120, as a polyline.");
+  table.example("girth loop model.glb --face 7 --at 0.2,0.3,0.5",
+                "At a point of a face, by the shares of its vertices.");
   return [options] { return run(*options); };
 }
 

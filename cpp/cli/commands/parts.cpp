@@ -1,5 +1,4 @@
 // girth parts: tubes and plates, and what is too thin to print.
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -15,10 +14,11 @@
 #include "girth/io/write_parts.h"
 #include "girth/parts.h"
 #include "model/computing.h"
-#include "model/length_text.h"
 #include "model/loading.h"
-#include "process/files.h"
+#include "process/exit_codes.h"
+#include "process/output.h"
 #include "process/report.h"
+#include "text/length_text.h"
 
 namespace girth::cli {
 namespace {
@@ -26,17 +26,15 @@ namespace {
 struct Options {
   std::string model;
   ModelOptions preparing;
-  std::string output;
+  Output output;
   unsigned threads{0};
   bool json{false};
   /// Lengths as typed, with or without a unit. Empty: found from the fields (thresholds), or not
   /// checked (limits).
   std::string girth, diameter, minTube, minWall;
   double smoothing{0};
+  bool positions{false};
 };
-
-/// The exit code where something is too thin to print, for build scripts.
-constexpr int kTooThin = 4;
 
 std::string vertexText(const io::LoadedMesh& loaded, Index vertex) {
   if (vertex == kNoIndex || loaded.inputOfVertex[vertex] == kNoIndex) return "-";
@@ -49,23 +47,22 @@ std::string placeText(const io::LoadedMesh& loaded, Index vertex) {
   return readable(p.x) + " " + readable(p.y) + " " + readable(p.z);
 }
 
-std::string orDash(double value) { return std::isnan(value) ? "-" : readable(value); }
-
 void printParts(const std::string& model, const io::LoadedMesh& loaded, const Parts& parts,
                 const PartOptions& options) {
   constexpr std::size_t kShown = 20;
   const std::string unit = unitSuffix(loaded.unit);
   std::printf("%s: %zu part%s; thin: thickness below %s%s; tubes: girth below %s%s\n",
               model.c_str(), parts.parts.size(), parts.parts.size() == 1 ? "" : "s",
-              readable(options.thresholds.diameter).c_str(), unit.c_str(),
+              readable(options.thresholds.thickness).c_str(), unit.c_str(),
               readable(options.thresholds.girth).c_str(), unit.c_str());
-  std::printf("  %-8s %12s %12s %12s %12s  %s\n", "kind", "area", "girth", "thickness", "radius",
-              "thinnest at vertex");
+  std::printf("  %4s %-8s %12s %12s %12s %12s  %s\n", "part", "kind", "area", "girth", "thickness",
+              "radius", "thinnest at vertex");
   for (std::size_t i = 0; i < parts.parts.size() && i < kShown; ++i) {
     const Part& part = parts.parts[i];
-    std::printf("  %-8s %12s %12s %12s %12s  %s\n", std::string(toString(part.kind)).c_str(),
-                readable(part.area).c_str(), orDash(part.medianGirth).c_str(),
-                orDash(part.medianDiameter).c_str(),
+    std::printf("  %4zu %-8s %12s %12s %12s %12s  %s\n", i,
+                std::string(toString(part.kind)).c_str(), readable(part.area).c_str(),
+                readableOrDash(part.medianGirth).c_str(),
+                readableOrDash(part.medianThickness).c_str(),
                 part.kind == PartKind::Tube ? readable(part.equivalentRadius()).c_str() : "-",
                 vertexText(loaded, part.thinnest).c_str());
   }
@@ -75,20 +72,35 @@ void printParts(const std::string& model, const io::LoadedMesh& loaded, const Pa
   if (!parts.parts.empty()) printUnits(loaded.unit);
 }
 
+/// "12%", "<1%": a share of something.
+std::string percent(double share) {
+  const double hundredths = 100 * share;
+  return hundredths < 1 ? "<1%" : readable(std::round(hundredths)) + "%";
+}
+
+/// "112%": a scale from which something holds, never rounded down.
+std::string percentFrom(double scale) {
+  return std::isfinite(scale) ? readable(std::ceil(100 * scale)) + "%" : "no scale";
+}
+
 void printPlaces(const std::string& model, const io::LoadedMesh& loaded,
-                 const std::vector<WeakPlace>& places) {
+                 const std::vector<WeakPlace>& places, double scale) {
   const std::string unit = unitSuffix(loaded.unit);
   if (places.empty()) {
-    std::printf("%s: passes: nothing is too thin\n", model.c_str());
+    std::printf("%s: passes: nothing is too thin, down to %s of this size\n", model.c_str(),
+                percentFrom(scale).c_str());
     return;
   }
-  std::printf("%s: fails: %zu place%s too thin\n", model.c_str(), places.size(),
-              places.size() == 1 ? "" : "s");
-  std::printf("  %-5s %12s %12s %10s  %s\n", "kind", "thickness", "area", "vertex", "at");
+  std::printf("%s: fails: %zu place%s too thin, %s of the surface; passes from %s of this size\n",
+              model.c_str(), places.size(), places.size() == 1 ? "" : "s",
+              percent(failingShare(loaded.mesh, places)).c_str(), percentFrom(scale).c_str());
+  std::printf("  %-5s %-9s %12s %12s %10s  %s\n", "kind", "measure", "least", "area", "vertex",
+              "at");
   for (const WeakPlace& place : places) {
-    std::printf("  %-5s %12s %12s %10s  %s%s\n", place.kind == PartKind::Tube ? "tube" : "wall",
-                readable(place.least).c_str(), readable(place.area).c_str(),
-                vertexText(loaded, place.thinnest).c_str(),
+    const bool isTube = place.kind == PartKind::Tube;
+    std::printf("  %-5s %-9s %12s %12s %10s  %s%s\n", isTube ? "tube" : "wall",
+                isTube ? "diameter" : "thickness", readable(place.least).c_str(),
+                readable(place.area).c_str(), vertexText(loaded, place.thinnest).c_str(),
                 placeText(loaded, place.thinnest).c_str(), unit.c_str());
   }
   printUnits(loaded.unit);
@@ -97,31 +109,36 @@ void printPlaces(const std::string& model, const io::LoadedMesh& loaded,
 /// Reads a length where one was given.
 std::optional<Error> readLength(const std::string& text, const std::string& unit, double& length) {
   if (text.empty()) return std::nullopt;
-  const auto read = lengthInModelUnit(text, unit);
+  const auto read = io::lengthInUnit(text, unit);
   if (!read) return read.error();
   length = read.value();
   return std::nullopt;
 }
 
-std::string contentFor(const std::string& extension, const io::LoadedMesh& loaded,
+std::string contentFor(const Options& options, const io::LoadedMesh& loaded,
                        const std::string& json, const GirthField& girth,
-                       const ShapeDiameterField& diameter, const std::vector<PartKind>& kinds) {
-  if (extension == ".json") return json;
-  std::vector<double> numbers;
-  for (const PartKind kind : kinds) numbers.push_back(static_cast<double>(kind));
-  const std::array<io::VertexField, 3> fields{
-      io::girthVertexField(girth, GirthMethod::Exact, loaded.unit),
-      io::VertexField{"sdf", diameter.values, loaded.unit, "", {}},
-      io::VertexField{"part", numbers, "", "", {}}};
-  return extension == ".csv" ? io::fieldCsv(loaded, fields) : io::fieldPly(loaded, fields);
+                       const ShapeDiameterField& diameter, const Parts& parts) {
+  static constexpr std::array kKinds{PartKind::Body, PartKind::Tube, PartKind::Plate,
+                                     PartKind::Unknown};
+  const std::string ending = options.output.ending();
+  if (ending == ".json") return json;
+  std::vector<std::string_view> words;
+  for (const PartKind kind : kKinds) words.push_back(toString(kind));
+  std::vector<double> numbers(parts.partOf.begin(), parts.partOf.end()), kinds;
+  for (const PartKind kind : parts.kinds) kinds.push_back(static_cast<double>(kind));
+  io::VertexField igf = io::girthVertexField(girth, GirthMethod::Exact, loaded.unit);
+  igf.kindName = "loop_kind";
+  const std::array<io::VertexField, 4> fields{
+      igf, io::VertexField{"sdf", diameter.values, loaded.unit, "", {}},
+      io::VertexField{"part", numbers, "", "", {}},
+      io::VertexField{"part_kind", kinds, "", "", {}, "", words}};
+  return ending == ".csv" ? io::fieldCsv(loaded, fields, columnsOf(options.positions))
+                          : io::fieldPly(loaded, fields);
 }
 
 int run(const Options& options) {
-  const std::string extension = extensionOf(options.output);
-  if (!options.output.empty()) {
-    if (auto error = checkOutput(options.output, {".json", ".csv", ".ply"})) {
-      return reportError(options.output, *error);
-    }
+  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
+    return reportError(options.output.path, *error);
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
@@ -150,59 +167,70 @@ int run(const Options& options) {
   const std::vector<double>&i = girth.value().values, &sdf = diameter.value().values;
   partOptions.thresholds = suggestedThresholds(model.mesh, i, sdf);
   if (tau1 >= 0) partOptions.thresholds.girth = tau1;
-  if (tau2 >= 0) partOptions.thresholds.diameter = tau2;
+  if (tau2 >= 0) partOptions.thresholds.thickness = tau2;
   const auto parts = findParts(model.mesh, i, sdf, partOptions);
   if (!parts) return reportError(options.model, parts.error());
   const auto places = findWeakPlaces(model.mesh, i, sdf, limits);
   if (!places) return reportError(options.model, places.error());
 
   const bool checks = !options.minTube.empty() || !options.minWall.empty();
-  const std::string json = checks ? io::weakPlacesJson(model, places.value(), limits, options.model)
-                                  : io::partsJson(model, parts.value(), partOptions, options.model);
-  if (!options.output.empty()) {
-    if (auto error = writeFile(options.output, contentFor(extension, model, json, girth.value(),
-                                                          diameter.value(), parts.value().kinds))) {
-      return reportError(options.output, *error);
+  const double scale = passingScale(i, sdf, limits);
+  const std::string json =
+      checks ? io::weakPlacesJson(model, places.value(), limits, scale, options.model)
+             : io::partsJson(model, parts.value(), partOptions, options.model);
+  if (options.output.isWanted()) {
+    if (auto error = writeOutput(options.output, contentFor(options, model, json, girth.value(),
+                                                            diameter.value(), parts.value()))) {
+      return reportError(options.output.path, *error);
     }
   }
   if (options.json) {
     std::fputs(json.c_str(), stdout);
+  } else if (!hasSummary()) {
+    // The exit code says it.
   } else if (checks) {
-    printPlaces(options.model, model, places.value());
+    printPlaces(options.model, model, places.value(), scale);
   } else {
     printParts(options.model, model, parts.value(), partOptions);
   }
-  return checks && !places.value().empty() ? kTooThin : 0;
+  return checks && !places.value().empty() ? kCheckFails : 0;
 }
 
-/// Checks that a length was typed. An empty one is a slip, such as a variable of a script that is
-/// not set: not the same as none.
-std::string isGiven(const std::string& length) {
-  return length.empty() ? "the length is missing" : "";
-}
-
-Run add(CLI::App& app) {
+Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MODEL", options->model, "The model to read")->required();
-  addModelOptions(app, options->preparing);
-  app.add_option("--girth", options->girth, "Tubes have a girth below this length (tau 1)")
-      ->check(isGiven);
-  app.add_option("--thickness", options->diameter,
-                 "Tubes and plates are thinner than this length (tau 2)")
-      ->check(isGiven);
-  app.add_option("--smooth", options->smoothing,
-                 "What all neighbours of a vertex count against its own kind; 0 by default")
-      ->check(CLI::Range(0.0, 1e6));
-  app.add_option("--min-tube", options->minTube,
-                 "List tubes thinner than this diameter, as in 3mm; ends with 4")
-      ->check(isGiven);
-  app.add_option("--min-wall", options->minWall,
-                 "List walls thinner than this, as in 1mm; ends with 4")
-      ->check(isGiven);
-  app.add_option("-o,--output", options->output,
-                 "Write the answer: .json, or every vertex with its part: .csv, .ply");
-  addThreadsOption(app, options->threads);
-  app.add_flag("--json", options->json, "Print everything as JSON");
+  table.add("MODEL", options->model, "The model to read").required();
+  const auto length = [&table](const char* declaration, std::string& target, const char* text) {
+    // An empty one is a slip, such as a variable of a script that is not set: not the same as none.
+    table.onValue(
+        declaration,
+        [&target](const std::string& typed) {
+          target = typed;
+          return std::string(typed.empty() ? "the length is missing" : "");
+        },
+        text);
+  };
+  length("--girth LENGTH", options->girth, "Tubes have a girth below this length (tau 1)");
+  length("--thickness LENGTH", options->diameter,
+         "Tubes and plates are thinner than this length (tau 2)");
+  table
+      .add("--smooth WEIGHT", options->smoothing,
+           "What all neighbours of a vertex count against its own kind; 0 by default")
+      .range(0, 1e6);
+  length("--min-tube LENGTH", options->minTube,
+         "List tubes thinner than this diameter, as in 3mm; ends with 4 if there are any");
+  length("--min-wall LENGTH", options->minWall,
+         "List walls thinner than this, as in 1mm; ends with 4 if there are any");
+  addOutputOptions(table, options->output, {".json", ".csv", ".ply"},
+                   "Write the answer: .json, or every vertex with its part: .csv, .ply");
+  addPositionsOption(table, options->positions);
+  addRefineOption(table, options->preparing);
+  addModelOptions(table, options->preparing);
+  addThreadsOption(table, options->threads);
+  table.add("--json", options->json, "Print everything as JSON");
+  table.example("girth parts chair.glb -o parts.json",
+                "Tubes, plates and body, by thresholds that the model's own values suggest.");
+  table.example("girth parts part.stl --unit mm --min-tube 3mm --min-wall 1mm",
+                "What is too thin to print; ends with 4 if anything is.");
   return [options] { return run(*options); };
 }
 

@@ -1,5 +1,5 @@
 // girth remesh: the surface with other triangles.
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -13,7 +13,7 @@
 #include "girth/remesh.h"
 #include "model/computing.h"
 #include "model/loading.h"
-#include "process/files.h"
+#include "process/output.h"
 #include "process/report.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
@@ -24,10 +24,11 @@ namespace {
 struct Options {
   std::string model;
   ModelOptions preparing;
-  std::uint32_t faces{10'000};
+  /// 0: by default.
+  std::uint32_t faces{0};
   /// Even triangles, rather than those that keep the shape best.
   bool even{false};
-  std::string output;
+  Output output;
   /// Also compute the girth before and after, and print how far apart the two are.
   bool difference{false};
   unsigned threads{0};
@@ -47,20 +48,21 @@ void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMe
   if (options.json) {
     const std::string text =
         "{\"file\":" + io::jsonString(options.model) +
-        ",\"facesBefore\":" + std::to_string(loaded.mesh.faceCount()) +
+        ",\"facesBefore\":" + std::to_string(loaded.report.inputFaces) +
         ",\"faces\":" + std::to_string(mesh.faceCount()) +
         ",\"vertices\":" + std::to_string(mesh.vertexCount()) +
         ",\"areaBefore\":" + io::formatNumber(loaded.mesh.area()) +
         ",\"area\":" + io::formatNumber(mesh.area()) +
         ",\"meanEdgeLength\":" + io::formatNumber(mesh.meanEdgeLength()) +
         ",\"unit\":" + io::jsonString(loaded.unit) +
-        ",\"output\":" + io::jsonString(options.output) +
+        ",\"output\":" + io::jsonString(options.output.path) +
         (difference ? ",\"difference\":" + io::formatNumber(*difference) : "") + "}\n";
     std::fputs(text.c_str(), stdout);
     return;
   }
+  if (!hasSummary()) return;
   std::printf("%s: %u faces (before: %u), mean edge length %s%s\n", options.model.c_str(),
-              mesh.faceCount(), loaded.mesh.faceCount(), readable(mesh.meanEdgeLength()).c_str(),
+              mesh.faceCount(), loaded.report.inputFaces, readable(mesh.meanEdgeLength()).c_str(),
               unitSuffix(loaded.unit).c_str());
   std::printf("  area %s times the area before\n",
               readable(mesh.area() / loaded.mesh.area()).c_str());
@@ -80,54 +82,68 @@ Result<double> differenceOf(const Options& options, const SurfaceMesh& before,
   return fieldDifference(before, old.value().values, after, made.value().values);
 }
 
+/// Who asks for finer triangles does not ask for fewer.
+Index mostFaces(const Options& options) {
+  constexpr Index kDefault = 10'000;
+  return options.faces > 0 ? options.faces : std::max(kDefault, options.preparing.refine);
+}
+
 int run(const Options& options) {
-  if (auto error = checkOutput(options.output, {".obj", ".ply", ".stl", ".off", ".glb"})) {
-    return reportError(options.output, *error);
+  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
+    return reportError(options.output.path, *error);
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
 
   const auto remeshed =
       remeshModel(options.model, loaded.value().mesh,
-                  {options.faces, options.even ? RemeshMethod::Even : RemeshMethod::Fitting});
+                  {mostFaces(options), options.even ? RemeshMethod::Even : RemeshMethod::Fitting});
   if (!remeshed) return reportError(options.model, remeshed.error());
-  const auto content = io::meshFile(remeshed.value().mesh, formatOf(extensionOf(options.output)),
-                                    loaded.value().unit);
-  if (!content) return reportError(options.output, content.error());
-  if (auto error = writeFile(options.output, content.value())) {
-    return reportError(options.output, *error);
+  const SurfaceMesh& mesh = remeshed.value() ? remeshed.value()->mesh : loaded.value().mesh;
+  const auto content = io::meshFile(mesh, formatOf(options.output.ending()), loaded.value().unit);
+  if (!content) return reportError(options.output.path, content.error());
+  if (auto error = writeOutput(options.output, content.value())) {
+    return reportError(options.output.path, *error);
   }
   std::optional<double> difference;
   if (options.difference) {
-    const auto found = differenceOf(options, loaded.value().mesh, remeshed.value().mesh);
+    const auto found = differenceOf(options, loaded.value().mesh, mesh);
     if (!found) return reportError(options.model, found.error());
     difference = found.value();
   }
-  print(options, loaded.value(), remeshed.value().mesh, difference);
+  print(options, loaded.value(), mesh, difference);
   return 0;
 }
 
-Run add(CLI::App& app) {
+Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MODEL", options->model, "The model to read")->required();
-  app.add_option("--faces", options->faces, "Triangles wanted; 10000 by default")
-      ->check(CLI::Range(std::uint32_t{4}, kMostFaces));
-  app.add_flag("--even", options->even,
-               "Triangles of even size and shape, instead of those that keep the "
-               "surface's shape best");
-  app.add_option("-o,--output", options->output, "Write it: .obj, .ply, .stl, .off or .glb")
-      ->required();
-  addModelOptions(app, options->preparing);
-  app.add_flag("--difference", options->difference,
-               "Compute the girth before and after, and print how far apart their "
-               "distributions are (equation 1 of the paper)");
-  addThreadsOption(app, options->threads);
-  app.add_flag("--json", options->json, "Print the summary as JSON");
+  table.add("MODEL", options->model, "The model to read").required();
+  table.add("--faces N", options->faces, "At most so many triangles; 10000 by default")
+      .range(4, kMostFaces);
+  table.add("--even", options->even,
+            "Triangles of even size and shape, instead of those that keep the surface's shape "
+            "best");
+  addRefineOption(table, options->preparing);
+  addOutputOptions(table, options->output, {".obj", ".ply", ".stl", ".off", ".glb"},
+                   "Write it: .obj, .ply, .stl, .off or .glb")
+      .required();
+  addModelOptions(table, options->preparing);
+  table.add("--difference", options->difference,
+            "Compute the girth before and after, and print how far apart their distributions are "
+            "(equation 1 of the paper)");
+  addThreadsOption(table, options->threads);
+  table.add("--json", options->json, "Print the summary as JSON");
+  table.example("girth remesh model.glb --faces 10000 -o fewer.obj",
+                "10,000 triangles that keep the shape.");
+  table.example("girth remesh model.glb --refine 50000 -o finer.obj",
+                "50,000 triangles of the same surface, where it has fewer.");
+  table.example("girth remesh model.glb --even -o even.ply --difference",
+                "Even triangles, and how much the girth changes with them.");
   return [options] { return run(*options); };
 }
 
 }  // namespace
 
-const Command kRemesh{"remesh", "Write the surface with other triangles, as many as wanted", add};
+const Command kRemesh{"remesh", "Write the surface with fewer, more or even triangles", add};
 
 }  // namespace girth::cli

@@ -1,6 +1,6 @@
 // girth retrieve: how well descriptors find shapes of the same class in a collection.
-#include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +9,7 @@
 #include "commands/table.h"
 #include "process/report.h"
 #include "study/retrieval.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 namespace {
@@ -44,31 +45,38 @@ int run(const RetrievalOptions& options) {
   return runRetrieval(options, std::move(descriptors).value(), shard.value());
 }
 
-Run add(CLI::App& app) {
+Run add(OptionTable& table) {
   constexpr double kPercent = 100;
   const auto options = std::make_shared<RetrievalOptions>();
-  app.add_option("DIR", options->folders, "Folders of models")->required();
-  app.add_option("--classes", options->classes,
-                 "A .csv with the columns file and class, or a .cla, for each folder; by default "
-                 "its classes.csv, its only .cla, or else its folders are the classes")
-      ->take_all()
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  addComparisonOptions(app, *options);
-  app.add_option_function<double>(
-         "--axis", [options](double percent) { options->signatures.axis = percent / kPercent; },
-         "One-dimensional fields: per cent of the collection's area whose values are "
-         "distinguished, "
-         "the greatest rest counting alike; 95 by default, 100: all")
-      ->check(CLI::Range(1.0, kPercent));
-  app.add_option("-o,--output", options->output, "The folder to write the report into")->required();
-  app.add_option("--cache", options->cache,
-                 "The folder in which computed fields are kept; cache in the report's folder by "
-                 "default. Several processes may share it");
-  app.add_option("--shard", options->shard,
-                 "I/N: only compute the fields of share I of N, from 0, into the cache; run "
-                 "without it when all are done");
-  app.add_option("--title", options->title, "What the report is called");
+  table.add("DIR", options->folders, "Folders of models").required();
+  table.add("-o,--output DIR", options->output, "The folder to write the report into").required();
+  table.add("--classes FILE", options->classes,
+            "A .csv with the columns file and class, or a .cla, for each folder; by default its "
+            "classes.csv, its only .cla, or else its folders are the classes");
+  addComparisonOptions(table, *options);
+  table
+      .onValue(
+          "--axis PERCENT",
+          [options](const std::string& text) {
+            const std::optional<double> percent = io::parseNumber(text);
+            if (!percent) return "\"" + text + "\" is no number";
+            options->signatures.axis = *percent / kPercent;
+            return std::string();
+          },
+          "One-dimensional fields: per cent of the collection's area whose values are "
+          "distinguished, the greatest rest counting alike; 95 by default, 100: all")
+      .range(1, kPercent);
+  table.add("--cache DIR", options->cache,
+            "The folder in which computed fields are kept; cache in the report's folder by "
+            "default. Several processes may share it");
+  table.add("--shard I/N", options->shard,
+            "Only compute the fields of share I of N, from 0, into the cache; run without it when "
+            "all are done");
+  table.add("--title TEXT", options->title, "What the report is called");
+  table.example("girth retrieve shapes/ -o report/",
+                "A report on a collection whose folders are its classes.");
+  table.example("girth retrieve shapes/ -o report/ --shard 0/2",
+                "One of two machines computes its half of the fields.");
   return [options] { return run(*options); };
 }
 

@@ -1,5 +1,4 @@
 // girth signature: the histograms that a model is compared by.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -9,7 +8,8 @@
 #include "commands/table.h"
 #include "girth/distribution.h"
 #include "girth/study/histogram.h"
-#include "process/files.h"
+#include "model/loading.h"
+#include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 #include "text/json_text.h"
@@ -23,7 +23,8 @@ using study::Signatures;
 
 struct Options : ComparisonOptions {
   std::string model;
-  std::string output;
+  ModelOptions preparing;
+  Output output;
 };
 
 std::string signatureCsv(const std::string& name, const std::vector<double>& shares,
@@ -49,24 +50,28 @@ std::string signatureJson(const std::string& name, const std::vector<double>& sh
 }
 
 int run(const Options& options) {
-  const std::string extension = extensionOf(options.output);
-  if (const auto error = checkOutput(options.output, {".csv", ".json"})) {
-    return reportError(options.output, *error);
+  const std::string extension = options.output.ending();
+  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), false)) {
+    return reportError(options.output.path, *error);
   }
   const auto descriptors = parseDescriptors(
       options.descriptors.empty() ? std::vector<std::string>{"igf"} : options.descriptors);
   if (!descriptors) return reportError("", descriptors.error());
   ComparisonOptions comparison = options;
   comparison.signatures.bins = 0;  // the distributions themselves are wanted
+  const auto loaded = loadModel(options.model, options.preparing);
+  if (!loaded) return reportError(options.model, loaded.error());
   ProgressLine progress(options.model);
   const ExecutionContext context = watched(options.threads, progress);
-  const auto fields = comparedFields(options.model, descriptors.value(), comparison, context);
+  const auto fields = comparedFields(loaded.value().mesh, descriptors.value(), comparison, context);
   if (!fields) return reportError(options.model, fields.error());
   std::vector<std::string> names;
   for (const Descriptor& descriptor : descriptors.value()) names.push_back(descriptor.name);
   Signatures signatures(names, 1, comparison.signatures);
   signatures.add(0, fields.value());
   constexpr std::size_t kBins = 512;
+  // Of a model that is scaled to area 1, lengths have no unit.
+  const std::string unit = options.fields.unitArea ? "" : loaded.value().unit;
   std::string rows;
   for (const std::string& name : names) {
     const Distribution* distribution = signatures.distributionOf(name, 0);
@@ -91,18 +96,26 @@ int run(const Options& options) {
   }
   const std::string content = extension == ".csv" ? "descriptor,low,high,share,cumulative\n" + rows
                                                   : "{\"file\":" + io::jsonString(options.model) +
+                                                        ",\"unit\":" + io::jsonString(unit) +
                                                         ",\"signatures\":[" + rows + "]}\n";
-  if (const auto error = writeFile(options.output, content)) {
-    return reportError(options.output, *error);
+  if (const auto error = writeOutput(options.output, content)) {
+    return reportError(options.output.path, *error);
   }
   return 0;
 }
 
-Run add(CLI::App& app) {
+Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MODEL", options->model, "The model to read")->required();
-  app.add_option("-o,--output", options->output, "Write them: .csv or .json")->required();
-  addComparisonOptions(app, *options);
+  table.add("MODEL", options->model, "The model to read").required();
+  addOutputOptions(table, options->output, {".csv", ".json"}, "Write them: .csv or .json")
+      .required();
+  addComparisonOptions(table, *options);
+  addRefineOption(table, options->preparing);
+  addModelOptions(table, options->preparing);
+  table.example("girth signature a.obj -o a.csv",
+                "The histogram of the girth: descriptor, low, high, share, cumulative.");
+  table.example("girth signature a.obj --descriptors igf,sdf --bins 64 -o a.json",
+                "Girth and thickness, in 64 bins each.");
   return [options] { return run(*options); };
 }
 

@@ -6,13 +6,10 @@
 namespace girth::cli {
 namespace {
 
-Run add(CLI::App& app) {
-  static constexpr std::array kStudies{&kStudyAccuracy, &kStudyRobustness};
-  return addCommands(app, kStudies);
-}
+constexpr std::array kStudies{&kStudyAccuracy, &kStudyRobustness};
 
 }  // namespace
 
-const Command kStudy{"study", "Repeat one of the paper's studies", add};
+const Command kStudy{"study", "Repeat one of the paper's studies", nullptr, kStudies};
 
 }  // namespace girth::cli

@@ -1,5 +1,4 @@
 // girth study robustness: the paper's Figures 7, 8 and 9.
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -12,7 +11,7 @@
 #include "girth/study/robustness.h"
 #include "girth/study/write_robustness.h"
 #include "model/loading.h"
-#include "process/files.h"
+#include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
@@ -21,10 +20,11 @@ namespace {
 
 struct Options {
   std::string model;
+  /// Of the model and its poses.
+  ModelOptions preparing;
   std::vector<std::string> poses;
   study::RobustnessOptions study;
-  /// Empty: only the table on standard output.
-  std::string output;
+  Output output;
   unsigned threads{0};
   bool json{false};
 };
@@ -52,61 +52,68 @@ void print(const std::string& model, const std::vector<study::RobustnessRow>& ro
 }
 
 int run(const Options& options) {
-  const std::string extension = extensionOf(options.output);
-  if (!options.output.empty()) {
-    if (auto error = checkOutput(options.output, {".csv", ".json"})) {
-      return reportError(options.output, *error);
-    }
+  const std::string extension = options.output.ending();
+  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
+    return reportError(options.output.path, *error);
   }
-  const auto model = readSurface(options.model);
+  const auto model = loadModel(options.model, options.preparing);
   if (!model) return reportError(options.model, model.error());
   std::vector<study::NamedSurface> poses;
   for (const std::string& path : options.poses) {
-    auto pose = readSurface(path);
+    auto pose = loadModel(path, options.preparing);
     if (!pose) return reportError(path, pose.error());
-    poses.push_back({std::filesystem::path(path).filename().string(), std::move(pose).value()});
+    poses.push_back(
+        {std::filesystem::path(path).filename().string(), std::move(pose).value().mesh});
   }
   std::optional<Result<std::vector<study::RobustnessRow>>> rows;
   {
     ProgressLine progress(options.model);
     const ExecutionContext context = watched(options.threads, progress);
-    rows = study::robustnessStudy(model.value(), poses, options.study, context);
+    rows = study::robustnessStudy(model.value().mesh, poses, options.study, context);
   }
   if (!*rows) return reportError(options.model, rows->error());
   const auto json = [&] { return study::robustnessJson(rows->value(), options.model); };
-  if (!options.output.empty()) {
+  if (options.output.isWanted()) {
     const std::string content = extension == ".csv" ? study::robustnessCsv(rows->value()) : json();
-    if (auto error = writeFile(options.output, content)) {
-      return reportError(options.output, *error);
+    if (auto error = writeOutput(options.output, content)) {
+      return reportError(options.output.path, *error);
     }
   }
   if (options.json) {
     std::fputs(json().c_str(), stdout);
-  } else {
+  } else if (hasSummary()) {
     print(options.model, rows->value());
   }
   return 0;
 }
 
-Run add(CLI::App& app) {
+Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  const auto range = CLI::Range(std::uint32_t{4}, kMostFaces);
-  app.add_option("MODEL", options->model, "The model to change")->required();
-  app.add_option("--poses", options->poses, "The same thing in other poses");
-  app.add_option("--faces", options->study.faces,
-                 "Triangles of the even mesh that is changed; 10000 by default")
-      ->check(range);
-  app.add_option("--sizes", options->study.sizes,
-                 "Triangles to remesh the model to, N,N,...; 2000 to 50000 by default")
-      ->delimiter(',')
-      ->check(range);
-  app.add_option("--stretch", options->study.stretch,
-                 "How much longer uneven triangles are in one direction; 4 by default")
-      ->check(CLI::Range(1.0, 100.0));
-  app.add_option("--seed", options->study.seed, "Of the noise; 1 by default");
-  app.add_option("-o,--output", options->output, "Write the table: .csv or .json");
-  addThreadsOption(app, options->threads);
-  app.add_flag("--json", options->json, "Print the table as JSON");
+  table.add("MODEL", options->model, "The model to change").required();
+  table.add("--poses MODEL", options->poses, "The same thing in other poses; several may follow")
+      .greedy();
+  table
+      .add("--size N", options->study.faces,
+           "Triangles of the even mesh that is changed; 10000 by default")
+      .range(4, kMostFaces);
+  table
+      .add("--sizes N,N,...", options->study.sizes,
+           "Triangles to remesh the model to; 2000 to 50000 by default")
+      .separated()
+      .range(4, kMostFaces);
+  table
+      .add("--stretch FACTOR", options->study.stretch,
+           "How much longer uneven triangles are in one direction; 4 by default")
+      .range(1, 100);
+  table.add("--seed N", options->study.seed, "Of the noise; 1 by default");
+  addOutputOptions(table, options->output, {".csv", ".json"}, "Write the table: .csv or .json");
+  addModelOptions(table, options->preparing);
+  addThreadsOption(table, options->threads);
+  table.add("--json", options->json, "Print the table as JSON");
+  table.example("girth study robustness model.off --size 8000 --sizes 2000,5000",
+                "Other triangles, noise, humps and topology.");
+  table.example("girth study robustness horse0.off --poses horse5.off horse6.off",
+                "And other poses of the same thing.");
   return [options] { return run(*options); };
 }
 

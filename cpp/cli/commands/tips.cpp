@@ -1,5 +1,4 @@
 // girth tips: where the shape ends.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -14,8 +13,8 @@
 #include "girth/tips.h"
 #include "model/computing.h"
 #include "model/loading.h"
-#include "process/files.h"
 #include "process/interrupt.h"
+#include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
@@ -25,7 +24,7 @@ namespace {
 struct Options {
   std::string model;
   ModelOptions preparing;
-  std::string output;
+  Output output;
   unsigned threads{0};
   bool stability{false};
   bool json{false};
@@ -78,11 +77,9 @@ void printTrials(const Tips& tips, const std::vector<study::TipTrial>& trials) {
 }
 
 int run(const Options& options) {
-  const std::string extension = extensionOf(options.output);
-  if (!options.output.empty()) {
-    if (auto error = checkOutput(options.output, {".json", ".obj"})) {
-      return reportError(options.output, *error);
-    }
+  const std::string extension = options.output.ending();
+  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
+    return reportError(options.output.path, *error);
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
@@ -103,33 +100,38 @@ int run(const Options& options) {
   const auto json = [&] {
     return io::tipsJson(loaded.value(), tips.value(), options.model, study::tipTrialsJson(trials));
   };
-  if (!options.output.empty()) {
-    if (auto error =
-            writeFile(options.output,
-                      extension == ".json" ? json() : io::tipsObj(loaded.value(), tips.value()))) {
-      return reportError(options.output, *error);
+  if (options.output.isWanted()) {
+    if (auto error = writeOutput(options.output, extension == ".json"
+                                                     ? json()
+                                                     : io::tipsObj(loaded.value(), tips.value()))) {
+      return reportError(options.output.path, *error);
     }
   }
   if (options.json) {
     std::fputs(json().c_str(), stdout);
-  } else {
+  } else if (hasSummary()) {
     printText(options.model, loaded.value(), tips.value());
     if (options.stability) printTrials(tips.value(), trials);
   }
   return 0;
 }
 
-Run add(CLI::App& app) {
+Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MODEL", options->model, "The model to read")->required();
-  addModelOptions(app, options->preparing);
-  app.add_option("-o,--output", options->output, "Write the tips: .json, or .obj (their contours)");
-  addThreadsOption(app, options->threads);
-  app.add_flag("--stability", options->stability,
-               "Also find the tips with each triangle cut into four, and with noise of 5, 10 "
-               "and 25% of the mean edge length, and print which are found again; takes about "
-               "twelve times as long");
-  app.add_flag("--json", options->json, "Print everything as JSON");
+  table.add("MODEL", options->model, "The model to read").required();
+  addOutputOptions(table, options->output, {".json", ".obj"},
+                   "Write the tips: .json, or .obj (their contours)");
+  table.add("--stability", options->stability,
+            "Also find the tips with each triangle cut into four, and with noise of 5, 10 and 25% "
+            "of the mean edge length, and print which are found again; takes about twelve times as "
+            "long");
+  addRefineOption(table, options->preparing);
+  addModelOptions(table, options->preparing);
+  addThreadsOption(table, options->threads);
+  table.add("--json", options->json, "Print everything as JSON");
+  table.example("girth tips hand.glb -o tips.json", "Where the shape ends, each with its contour.");
+  table.example("girth tips hand.glb --stability",
+                "And which are found again in finer triangles and under noise.");
   return [options] { return run(*options); };
 }
 

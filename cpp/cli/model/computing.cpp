@@ -1,8 +1,11 @@
 #include "model/computing.h"
 
-#include <cstdio>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "process/progress_line.h"
+#include "process/report.h"
 
 namespace girth::cli {
 namespace {
@@ -29,15 +32,40 @@ Result<ShapeDiameterField> computeDiameter(const std::string& model, const Surfa
   if (!field.value().complete) return cancelled();
   const std::string note =
       shapeDiameterNote(field.value().insideOut, field.value().withoutValue, mesh.vertexCount());
-  if (!note.empty()) std::fprintf(stderr, "girth: %s: note: %s\n", model.c_str(), note.c_str());
+  if (!note.empty()) printNote(model, note);
   return field;
 }
 
-Result<RemeshedSurface> remeshModel(const std::string& model, const SurfaceMesh& mesh,
-                                    const RemeshOptions& options) {
+Result<std::optional<RemeshedSurface>> remeshModel(const std::string& model,
+                                                   const SurfaceMesh& mesh,
+                                                   const RemeshOptions& options) {
+  // The number is met to within 2 %, so a second attempt is near enough.
+  constexpr int kAttempts = 3;
+  constexpr Index kFewest = 4;
+  const bool isEven = options.method == RemeshMethod::Even;
+  if (mesh.faceCount() <= options.faces && !isEven) return std::optional<RemeshedSurface>();
+  const Index most = std::min(options.faces, mesh.faceCount());
   ProgressLine progress(model);
   const ExecutionContext context = watched(0, progress);
-  return remesh(mesh, options, context);
+  RemeshOptions attempt = options;
+  attempt.faces = std::max(most, kFewest);
+  for (int i = 1;; ++i) {
+    auto remeshed = remesh(mesh, attempt, context);
+    if (!remeshed) return remeshed.error();
+    const Index faces = remeshed.value().mesh.faceCount();
+    const bool isWithin = faces <= most;
+    if (!isWithin && i < kAttempts) {
+      const double factor = 0.995 * static_cast<double>(most) / static_cast<double>(faces);
+      attempt.faces = std::max(
+          kFewest, static_cast<Index>(std::floor(factor * static_cast<double>(attempt.faces))));
+      continue;
+    }
+    if (!isWithin) {
+      printNote(model, "its shape needs " + std::to_string(faces) + " triangles, more than " +
+                           std::to_string(most));
+    }
+    return std::optional<RemeshedSurface>(std::move(remeshed).value());
+  }
 }
 
 }  // namespace girth::cli

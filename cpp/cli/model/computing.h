@@ -1,6 +1,7 @@
 // Fields and surfaces computed for a command, with progress on the terminal and until Ctrl-C.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "girth/girth_field.h"
@@ -18,8 +19,11 @@ Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mes
 Result<ShapeDiameterField> computeDiameter(const std::string& model, const SurfaceMesh& mesh,
                                            const ShapeDiameterOptions& options, unsigned threads);
 
-/// The surface with other triangles, on all threads. Errors: those of remesh, CANCELLED.
-Result<RemeshedSurface> remeshModel(const std::string& model, const SurfaceMesh& mesh,
-                                    const RemeshOptions& options);
+/// The surface with at most so many other triangles, on all threads; nothing where it has no more
+/// already, unless they are to be even: then it gets at most as many as it has. A note is printed
+/// where the shape needs more. Errors: those of remesh, CANCELLED.
+Result<std::optional<RemeshedSurface>> remeshModel(const std::string& model,
+                                                   const SurfaceMesh& mesh,
+                                                   const RemeshOptions& options);
 
 }  // namespace girth::cli

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <utility>
 
 #include "girth/io/length_unit.h"
-#include "model/length_text.h"
-#include "process/files.h"
+#include "girth/refine_surface.h"
+#include "model/model_file.h"
+#include "process/interrupt.h"
 #include "process/report.h"
+#include "text/length_text.h"
 
 namespace girth::cli {
 namespace {
@@ -29,21 +32,103 @@ Result<Index> componentOf(const std::string& text, const std::vector<SurfacePart
   return number;
 }
 
+/// 0, 1 or 2: the axis that is upwards. glTF states it, exporters of OBJ keep to it, and for
+/// printers (STL) the bed is x and y.
+Result<std::size_t> upAxis(const std::string& wished, io::Format format) {
+  if (!wished.empty()) return static_cast<std::size_t>(wished.front() - 'x');
+  switch (format) {
+    case io::Format::Glb:
+    case io::Format::Gltf:
+    case io::Format::Obj:
+      return std::size_t{1};
+    case io::Format::Stl:
+      return std::size_t{2};
+    case io::Format::Ply:
+    case io::Format::Off:
+      break;
+  }
+  return usageError(std::string(io::toString(format)) + " does not say which axis is up",
+                    "give it with --up x, y or z");
+}
+
+double extentAlong(const SurfaceMesh& mesh, std::size_t axis) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Vertex v : mesh.vertices()) {
+    const Vec3& p = mesh.position(v);
+    const double at = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+    low = std::min(low, at);
+    high = std::max(high, at);
+  }
+  return high - low;
+}
+
+/// The unit that is typed takes the place of the one that is stated, and says so.
+void stateUnit(const std::string& path, const std::string& typed, std::string& unit) {
+  const io::LengthUnit* known = io::findLengthUnit(typed);
+  if (known == nullptr) return;
+  if (!unit.empty() && unit != known->name) {
+    printNote(path, "the file states " + unit + "; --unit takes its numbers as " +
+                        std::string(known->name) +
+                        " instead; to have them in another unit, use --in");
+  }
+  unit = known->name;
+}
+
+/// What makes the whole model as high as wished; `unit` becomes that of the wish where it is not
+/// known.
+Result<double> scaleToHeight(const ModelOptions& options, const io::ReadModel& read,
+                             std::string& unit) {
+  const auto typed = io::parseLength(options.height);
+  if (!typed) return typed.error();
+  if (unit.empty() && typed.value().unit != nullptr) unit = typed.value().unit->name;
+  const auto height = io::lengthInUnit(options.height, unit);
+  if (!height) return height.error();
+  const auto axis = upAxis(options.up, read.format);
+  if (!axis) return axis.error();
+  const auto whole = prepareSurface(read.soup);
+  if (!whole) return whole.error();
+  const double present = extentAlong(whole.value().mesh, axis.value());
+  if (!(present > 0) || !(height.value() > 0)) {
+    return usageError("\"" + options.height + "\" is no height that this model can have",
+                      "name another axis with --up, or give a scale with --scale");
+  }
+  return height.value() / present;
+}
+
 }  // namespace
 
+Result<io::ReadModel> readModelFile(const std::string& path, const std::string& entry) {
+  const auto file = openModel(path, entry);
+  if (!file) return file.error();
+  return io::readModel(file.value().bytes, file.value().name, file.value().resources);
+}
+
 Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options) {
-  auto bytes = readFile(path);
-  if (!bytes) return bytes.error();
-  auto model = io::readModel(bytes.value(), path, resourcesBeside(path));
+  auto model = readModelFile(path, options.entry);
   if (!model) return model.error();
-  bytes.value() = {};
   io::ReadModel& read = model.value();
-  if (const io::LengthUnit* unit = io::findLengthUnit(options.unit)) read.unit = unit->name;
+  stateUnit(path, options.unit, read.unit);
 
   PrepareOptions prepare;
   prepare.closeHoles = options.closeHoles;
+  prepare.scale = options.scale;
+  if (!options.height.empty()) {
+    const auto scale = scaleToHeight(options, read, read.unit);
+    if (!scale) return scale.error();
+    prepare.scale = scale.value();
+  }
+  if (const io::LengthUnit* shown = io::findLengthUnit(options.shownUnit)) {
+    const io::LengthUnit* own = io::findLengthUnit(read.unit);
+    if (own == nullptr) {
+      return usageError("the unit of the file's numbers is not known, so they cannot be had in " +
+                            options.shownUnit,
+                        "give it with --unit");
+    }
+    prepare.scale *= own->metres / shown->metres;
+    read.unit = shown->name;
+  }
   if (!options.weldDistance.empty()) {
-    const auto distance = lengthInModelUnit(options.weldDistance, read.unit);
+    const auto distance = io::lengthInUnit(options.weldDistance, read.unit);
     if (!distance) return distance.error();
     prepare.weldDistance = distance.value();
   }
@@ -59,14 +144,19 @@ Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& op
   }
   auto prepared = prepareSurface(std::move(read.soup), prepare);
   if (!prepared) return prepared.error();
+  if (options.refine > 0) {
+    prepared =
+        refineSurface(std::move(prepared).value(), options.refine, {0, &catchInterrupts(), {}});
+    if (!prepared) return prepared.error();
+  }
   return io::LoadedMesh{std::move(prepared).value(), read.format, std::move(read.unit),
                         std::move(read.notes)};
 }
 
 Result<SurfaceMesh> readSurface(const std::string& path) {
-  const auto bytes = readFile(path);
-  if (!bytes) return bytes.error();
-  auto loaded = io::readMesh(bytes.value(), path, resourcesBeside(path));
+  const auto file = openModel(path);
+  if (!file) return file.error();
+  auto loaded = io::readMesh(file.value().bytes, file.value().name, file.value().resources);
   if (!loaded) return loaded.error();
   return std::move(loaded.value().mesh);
 }

@@ -8,11 +8,14 @@
 
 namespace girth::cli {
 
-/// Reads and prepares a model. Errors: those of readFile and io::readMesh, USAGE.
+/// Reads a model as it is in its file. Errors: those of openModel and io::readModel.
+Result<io::ReadModel> readModelFile(const std::string& path, const std::string& entry);
+
+/// Reads and prepares a model. Errors: those of openModel and io::readMesh, USAGE.
 Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options);
 
 /// A surface read for a study: all its components, open edges as boundaries. Errors: those of
-/// readFile and io::readMesh.
+/// openModel and io::readMesh.
 Result<SurfaceMesh> readSurface(const std::string& path);
 
 }  // namespace girth::cli

@@ -1,26 +1,46 @@
 #include "model/model_options.h"
 
-#include <CLI/CLI.hpp>
-
 #include "girth/io/length_unit.h"
 
 namespace girth::cli {
 
-void addModelOptions(CLI::App& app, ModelOptions& options) {
-  app.add_option("--weld", options.weldDistance,
-                 "Also join vertices no farther apart than this length, as in 0.01 or 0.1mm");
-  app.add_flag("--close-holes", options.closeHoles, "Fill every hole with faces");
-  app.add_option("--component", options.components,
-                 "Keep this component only: its number in girth info, or largest; may be given "
-                 "several times")
-      ->type_name("N|largest")
-      ->take_all();
+void addModelOptions(OptionTable& table, ModelOptions& options) {
+  table.add("--weld LENGTH", options.weldDistance,
+            "Also join vertices no farther apart than this, as in 0.01 or 0.1mm");
+  table.add("--close-holes", options.closeHoles, "Fill every hole with faces");
+  table.add("--component N", options.components,
+            "Keep this component only: its number in girth info, or largest; may be given several "
+            "times");
   std::vector<std::string> units;
   for (const io::LengthUnit& unit : io::lengthUnits()) units.emplace_back(unit.symbol);
-  app.add_option(
-         "--unit", options.unit,
-         "The unit of the file's numbers, where it states none: um, mm, cm, m, km, in or ft")
-      ->check(CLI::IsMember(units));
+  table
+      .add("--unit UNIT", options.unit,
+           "The unit of the file's numbers: um, mm, cm, m, km, in or ft; by default what the file "
+           "states")
+      .oneOf(units);
+  table
+      .add("--in UNIT", options.shownUnit,
+           "The unit that lengths are typed and come out in; by default that of the file")
+      .oneOf(units);
+  table.add("--scale N", options.scale, "Make the model so many times as large").range(1e-12, 1e12);
+  table
+      .add("--height LENGTH", options.height,
+           "Make the model so high, as in 900mm; a unit here states the model's")
+      .excludes("--scale");
+  table
+      .add("--up AXIS", options.up,
+           "The axis of --height: x, y or z; by default y for glTF and OBJ, z for STL")
+      .oneOf({"x", "y", "z"})
+      .needs("--height");
+  table.add("--entry NAME", options.entry,
+            "The model in a zip, by its path in it; by default the first");
+}
+
+void addRefineOption(OptionTable& table, ModelOptions& options) {
+  table
+      .add("--refine N", options.refine,
+           "Cut triangles until there are N, if there are fewer; the surface stays as it is")
+      .range(4, kMostFaces);
 }
 
 }  // namespace girth::cli

@@ -1,6 +1,5 @@
 #include "model/spectral_field.h"
 
-#include <CLI/CLI.hpp>
 #include <numeric>
 
 #include "girth/heat_kernel.h"
@@ -28,21 +27,20 @@ bool isSpectralField(const std::string& field) {
   return field == "hks" || field == "sihks" || field == "wks";
 }
 
-void addSpectralFieldOptions(CLI::App& command, SpectralFieldOptions& options) {
-  command
-      .add_option("--pairs", options.pairs,
-                  "hks, sihks, wks: pairs of eigenvalues and -functions; 300 by default")
-      ->check(CLI::Range(std::uint32_t{2}, std::uint32_t{100'000}));
-  command
-      .add_option("--time", options.times,
-                  "hks: diffusion times as shares of the area, T,T,...; 0.002 by default")
-      ->delimiter(',')
-      ->type_name("T")
-      ->check(CLI::Range(0.0, 1e6));
-  command
-      .add_option("--only", options.component,
-                  "hks, sihks, wks: one number of each vertex's only, counted from 1")
-      ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100'000}));
+void addSpectralFieldOptions(OptionTable& table, SpectralFieldOptions& options) {
+  table
+      .add("--pairs N", options.pairs,
+           "hks, sihks, wks: pairs of eigenvalues and -functions; 300 by default")
+      .range(2, 100'000);
+  table
+      .add("--time T,T,...", options.times,
+           "hks: diffusion times as shares of the area; 0.002 by default")
+      .separated()
+      .range(0, 1e6);
+  table
+      .add("--only N", options.component,
+           "hks, sihks, wks: one number of each vertex's only, counted from 1")
+      .range(1, 100'000);
 }
 
 Result<std::vector<ComputedField>> computeSpectralField(const std::string& field,

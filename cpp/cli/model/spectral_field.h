@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "cli_app.h"
 #include "girth/error.h"
 #include "girth/surface_mesh.h"
 #include "model/computed_field.h"
+#include "options/option_table.h"
 
 namespace girth::cli {
 
@@ -22,7 +22,7 @@ struct SpectralFieldOptions {
 
 bool isSpectralField(const std::string& field);
 
-void addSpectralFieldOptions(CLI::App& command, SpectralFieldOptions& options);
+void addSpectralFieldOptions(OptionTable& table, SpectralFieldOptions& options);
 
 /// One field for each number of the signature that is wanted: "wks_1", "wks_2", ...; "hks" where
 /// there is one time only. `unit`: the model's. Errors: those of spectrum.h, heat_kernel.h and

@@ -13,7 +13,7 @@ namespace girth::cli {
 
 ProgressLine::ProgressLine(std::string label)
     : label_(std::move(label)),
-      onTerminal_(isatty(STDERR_FILENO) != 0),
+      onTerminal_(!isQuiet() && isatty(STDERR_FILENO) != 0),
       started_(Clock::now()),
       shown_(started_) {}
 

@@ -1,11 +1,13 @@
 #include "process/report.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <string_view>
 
 #include "girth/io/length_unit.h"
+#include "text/json_text.h"
 
 namespace girth::cli {
 namespace {
@@ -19,10 +21,22 @@ std::string onOneLine(std::string_view text) {
   return line;
 }
 
+bool quiet = false;
+bool summary = true;
+bool errorsAsJson = false;
+
 std::string formatted(const char* format, double value) {
   std::array<char, 64> buffer;
   std::snprintf(buffer.data(), buffer.size(), format, value);
   return buffer.data();
+}
+
+std::string errorJson(const std::string& file, const Error& error) {
+  return "{" + (file.empty() ? "" : "\"file\":" + io::jsonString(file) + ",") +
+         "\"error\":{\"code\":" + io::jsonString(toString(error.code)) +
+         ",\"element\":" + (error.element < 0 ? "null" : std::to_string(error.element)) +
+         ",\"message\":" + io::jsonString(error.message) +
+         ",\"hint\":" + io::jsonString(error.hint) + "}}\n";
 }
 
 }  // namespace
@@ -40,10 +54,42 @@ int reportError(const std::string& file, const Error& error) {
   if (!error.hint.empty()) line += "; " + error.hint;
   line = onOneLine(line) + "\n";
   std::fputs(line.c_str(), stderr);
+  if (errorsAsJson) std::fputs(errorJson(file, error).c_str(), stdout);
   return exitCodeOf(error.code);
 }
 
-std::string readable(double value) { return formatted("%.6g", value); }
+void printErrorsAsJson() { errorsAsJson = true; }
+
+void beQuiet() { quiet = true; }
+
+bool isQuiet() { return quiet; }
+
+void leaveOutSummary() { summary = false; }
+
+bool hasSummary() { return summary && !quiet; }
+
+void printNote(const std::string& file, const std::string& text) {
+  if (!quiet)
+    std::fputs(
+        (onOneLine("girth: " + (file.empty() ? "" : file + ": ") + "note: " + text) + "\n").c_str(),
+        stderr);
+}
+
+std::string readable(double value) {
+  constexpr int kDigits = 6, kMostDecimals = 40;
+  if (value == 0 || !std::isfinite(value)) return formatted("%g", value);
+  const int power = static_cast<int>(std::floor(std::log10(std::fabs(value))));
+  const int decimals = std::clamp(kDigits - 1 - power, 0, kMostDecimals);
+  std::array<char, 400> buffer;
+  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
+  std::string text = buffer.data();
+  if (decimals == 0) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string readableOrDash(double value) { return std::isnan(value) ? "-" : readable(value); }
 
 std::string readableTime(double seconds) {
   if (seconds < 10) return formatted("%.2f s", seconds);

@@ -10,11 +10,29 @@ namespace girth::cli {
 /// An error of usage: what is wrong, and what to write instead.
 Error usageError(const std::string& what, const std::string& hint);
 
+/// From now on errors are also objects on standard output, for readers of `--json`:
+/// {"file": ..., "error": {"code", "element", "message", "hint"}}.
+void printErrorsAsJson();
+
 /// Prints `girth: FILE: CODE: what, where; hint` and returns the exit code. `file` may be empty.
 int reportError(const std::string& file, const Error& error);
 
-/// A number with six significant digits, for reading.
+/// From now on there is no progress, no note and no summary in words.
+void beQuiet();
+bool isQuiet();
+
+/// From now on there is no summary in words, because standard output has something else.
+void leaveOutSummary();
+bool hasSummary();
+
+/// Prints `girth: FILE: note: TEXT` on standard error, unless quiet.
+void printNote(const std::string& file, const std::string& text);
+
+/// A number with six significant digits and no exponent, for reading.
 std::string readable(double value);
+
+/// The same; "-" where there is no value.
+std::string readableOrDash(double value);
 
 /// Seconds as "0.42 s" or "3 min 5 s".
 std::string readableTime(double seconds);

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "model/loading.h"
-
 namespace girth::cli {
 
 using study::Descriptor;
@@ -19,13 +17,11 @@ Result<std::vector<Descriptor>> parseDescriptors(const std::vector<std::string>&
   return descriptors;
 }
 
-Result<StudyFields> comparedFields(const std::string& model,
+Result<StudyFields> comparedFields(const SurfaceMesh& mesh,
                                    const std::vector<Descriptor>& descriptors,
                                    const ComparisonOptions& options,
                                    const ExecutionContext& context) {
-  const auto mesh = readSurface(model);
-  if (!mesh) return mesh.error();
-  const auto surface = study::studySurface(mesh.value(), options.fields, context);
+  const auto surface = study::studySurface(mesh, options.fields, context);
   if (!surface) return surface.error();
   StudyFields all;
   for (const study::FieldGroup group : study::groupsOf(descriptors)) {

@@ -21,9 +21,9 @@ struct ComparisonOptions {
 /// Errors: those of study::parseDescriptor.
 Result<std::vector<study::Descriptor>> parseDescriptors(const std::vector<std::string>& names);
 
-/// The fields of one model that the descriptors are made of. Errors: those of readSurface and
+/// The fields of one surface that the descriptors are made of. Errors: those of
 /// study::studyFields.
-Result<study::StudyFields> comparedFields(const std::string& model,
+Result<study::StudyFields> comparedFields(const SurfaceMesh& mesh,
                                           const std::vector<study::Descriptor>& descriptors,
                                           const ComparisonOptions& options,
                                           const ExecutionContext& context);

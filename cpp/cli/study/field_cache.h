@@ -7,7 +7,7 @@
 
 #include "girth/error.h"
 #include "girth/study/study_fields.h"
-#include "study/sha256.h"
+#include "process/sha256.h"
 
 namespace girth::cli {
 

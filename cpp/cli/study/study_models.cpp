@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <set>
 
 #include "girth/study/descriptor_rows.h"
 #include "process/progress_line.h"
+#include "process/report.h"
 #include "study/model_fields.h"
 
 namespace girth::cli {
@@ -18,8 +18,6 @@ using study::FieldGroup;
 using study::PairDistances;
 using study::Signatures;
 using study::StudyFields;
-
-void say(const std::string& text) { std::fprintf(stderr, "girth: note: %s\n", text.c_str()); }
 
 std::string reasonOf(const Error& error) {
   return std::string(toString(error.code)) + ": " + error.message;
@@ -49,8 +47,8 @@ class StudyLoader {
     const bool whole = shard.count == 1;
     if (!computeFields(contents, whole)) return stopped();
     std::sort(study_.failed.begin(), study_.failed.end());
-    for (const std::string& note : study_.notes) say(note);
-    for (const auto& [name, reason] : study_.failed) say(name + ": left out: " + reason);
+    for (const std::string& note : study_.notes) printNote("", note);
+    for (const auto& [name, reason] : study_.failed) printNote("", name + ": left out: " + reason);
     if (!whole) return std::move(study_);
     if (!finishSignatures(contents)) return stopped();
     keepUsable();
@@ -168,7 +166,7 @@ class StudyLoader {
   void noteClasses(const std::map<std::uint32_t, std::uint32_t>& numbers) {
     const auto noteAndSay = [&](const std::string& note) {
       study_.notes.push_back(note);
-      say(note);
+      printNote("", note);
     };
     for (std::size_t c = 0; c < collection_.classes.size(); ++c) {
       if (numbers.count(static_cast<std::uint32_t>(c)) > 0) continue;

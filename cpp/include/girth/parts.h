@@ -23,13 +23,13 @@ enum class PartKind : std::uint8_t {
 /// "body", "tube", "plate" or "unknown".
 std::string_view toString(PartKind kind);
 
-/// The paper's τ1 and τ2, in model units: plate = {I > girth, SDF < diameter}, tube = {I < girth,
-/// SDF < diameter}, body the rest.
+/// The paper's τ1 and τ2, in model units: plate = {I > girth, SDF < thickness}, tube = {I < girth,
+/// SDF < thickness}, body the rest.
 struct PartThresholds {
   /// τ1: tubes have a smaller girth.
   double girth{0};
   /// τ2: tubes and plates are thinner.
-  double diameter{0};
+  double thickness{0};
 };
 
 /// A place to start from, by the joint distribution of the two fields over the surface's area.
@@ -62,7 +62,7 @@ struct Part {
   /// Median of the girth over the region, in model units; NaN where it is unknown.
   double medianGirth{0};
   /// Median of the thickness over the region, in model units; NaN where it is unknown.
-  double medianDiameter{0};
+  double medianThickness{0};
   /// Its thinnest place: the vertex with the least girth (tube), otherwise the least SDF; none
   /// where it is unknown. The loop there is GirthSolver::loop's.
   Vertex thinnest;
@@ -117,5 +117,16 @@ Result<std::vector<WeakPlace>> findWeakPlaces(const SurfaceMesh& mesh,
                                               std::span<const double> girth,
                                               std::span<const double> diameter,
                                               const PrintLimits& limits);
+
+/// The scale of the shape from which on `findWeakPlaces` finds nothing: girth and thickness grow
+/// with the shape, so it is the greatest of the limits divided by the least diameter and by the
+/// least thickness. 1.12: it passes at 112% of its size; below 1 it passes as it is, and so far it
+/// could shrink. 0 where nothing is limited; infinite where something has no thickness at all.
+/// O(n).
+double passingScale(std::span<const double> girth, std::span<const double> diameter,
+                    const PrintLimits& limits);
+
+/// The share of the surface's area, in [0, 1], that is in places that are too thin.
+double failingShare(const SurfaceMesh& mesh, std::span<const WeakPlace> places);
 
 }  // namespace girth

@@ -13,6 +13,9 @@ namespace girth {
 
 /// What is done to triangles beyond what a surface needs.
 struct PrepareOptions {
+  /// Multiplies every position before anything else: lengths below, and all that come out, are
+  /// those of the larger or smaller model. Positive.
+  double scale{1};
   /// 0: vertices at exactly equal positions become one (0 and −0 are equal). Above: also vertices
   /// no farther apart than this, in model units.
   double weldDistance{0};

@@ -1,4 +1,4 @@
-// Strings as JSON writes them.
+// Strings and numbers as JSON writes them.
 #pragma once
 
 #include <string>
@@ -8,5 +8,8 @@ namespace girth::io {
 
 /// The text in quotes, escaped; bytes that are not UTF-8 are replaced.
 std::string jsonString(std::string_view text);
+
+/// The number as `formatNumber` writes it; null where it is not finite.
+std::string numberJson(double value);
 
 }  // namespace girth::io

@@ -63,6 +63,9 @@ std::optional<Error> checkFields(const LoadedMesh& loaded, std::span<const Verte
     }
     if (hasKinds && !field.kinds.empty()) return fault("several fields have kinds");
     hasKinds = hasKinds || !field.kinds.empty();
+    if (!field.kinds.empty() && field.kindName != "kind" && !names.insert(field.kindName).second) {
+      return fault("the name '" + field.kindName + "' is taken by another column");
+    }
   }
   return std::nullopt;
 }

@@ -1,11 +1,13 @@
 #include "girth/io/write_field.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "bytes/append.h"
+#include "girth/io/length_unit.h"
 #include "picture/viridis.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
@@ -19,6 +21,36 @@ constexpr std::uint8_t kNoValue = 255;
 /// Whether a vertex of the file, by its vertex on the surface, has a value.
 bool hasValue(const VertexField& field, Vertex vertex) {
   return vertex != Vertex::none && field.has(vertex);
+}
+
+constexpr std::array kAxes{"x", "y", "z"};
+
+double coordinate(const SurfaceMesh& mesh, Vertex vertex, std::size_t axis) {
+  const Vec3& p = mesh.position(vertex);
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/// " (mm)"; nothing where the unit is not known.
+std::string unitInHeader(const std::string& unit) {
+  if (unit.empty()) return "";
+  const LengthUnit* known = findLengthUnit(unit);
+  return " (" + (known == nullptr ? unit : std::string(known->symbol)) + ")";
+}
+
+/// A value as text has it: a number, or the word for a code.
+std::string valueText(const VertexField& field, Vertex vertex) {
+  const double value = field.values[vertex];
+  if (field.words.empty()) return formatNumber(value);
+  return std::string(field.words[static_cast<std::size_t>(value)]);
+}
+
+/// What codes mean: "0 body, 1 tube".
+std::string meaningOfCodes(std::span<const std::string_view> words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + std::to_string(i) + " " + std::string(words[i]);
+  }
+  return text;
 }
 
 std::string capitals(std::string text) {
@@ -39,6 +71,7 @@ std::string particulars(const VertexField& field) {
 std::string aboutJson(const VertexField& field) {
   return "{\"name\":" + jsonString(field.name) + ",\"method\":" + jsonString(field.method) +
          ",\"unit\":" + jsonString(field.unit) +
+         (field.words.empty() ? "" : ",\"codes\":" + jsonString(meaningOfCodes(field.words))) +
          ",\"complete\":" + (field.complete() ? "true" : "false") + "}";
 }
 
@@ -72,19 +105,29 @@ std::vector<std::uint16_t> coloursOf(const VertexField& field, const ColourRange
 
 }  // namespace
 
-std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fields) {
+std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fields,
+                     Columns columns) {
+  const bool hasPositions = columns == Columns::Positions;
   std::string text = "vertex";
+  for (std::size_t axis = 0; hasPositions && axis < kAxes.size(); ++axis) {
+    text += std::string(",") + kAxes[axis] + unitInHeader(loaded.unit);
+  }
   for (const VertexField& field : fields) {
-    text += "," + field.name + (field.kinds.empty() ? "" : ",kind");
+    text += "," + field.name + (hasPositions ? unitInHeader(field.unit) : "");
+    if (!field.kinds.empty()) text += "," + field.kindName;
   }
   text += "\n";
   for (std::size_t input = 0; input < loaded.vertexOfInput.size(); ++input) {
     const Vertex vertex = loaded.vertexOfInput[input];
     text += std::to_string(input);
+    for (std::size_t axis = 0; hasPositions && axis < kAxes.size(); ++axis) {
+      text += ",";
+      if (vertex != Vertex::none) text += formatNumber(coordinate(loaded.mesh, vertex, axis));
+    }
     for (const VertexField& field : fields) {
       const bool has = hasValue(field, vertex);
       text += ",";
-      if (has) text += formatNumber(field.values[vertex]);
+      if (has) text += valueText(field, vertex);
       if (!field.kinds.empty()) text += ",";
       if (!field.kinds.empty() && has) text += girth::toString(field.kinds[vertex]);
     }
@@ -94,7 +137,7 @@ std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fiel
 }
 
 std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fields,
-                      std::string_view file) {
+                      std::string_view file, Columns wanted) {
   std::string about, columns;
   bool complete = true;
   const auto column = [&](const std::string& name, const auto& textAt) {
@@ -107,16 +150,24 @@ std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fie
     }
     columns += "]";
   };
+  for (std::size_t axis = 0; wanted == Columns::Positions && axis < kAxes.size(); ++axis) {
+    column(kAxes[axis], [&](Vertex vertex) {
+      return vertex == Vertex::none ? std::string("null")
+                                    : formatNumber(coordinate(loaded.mesh, vertex, axis));
+    });
+  }
   for (const VertexField& field : fields) {
     about += (about.empty() ? "" : ",") + aboutJson(field);
     complete = complete && field.complete();
     column(field.name, [&](Vertex vertex) {
-      return hasValue(field, vertex) && std::isfinite(field.values[vertex])
-                 ? formatNumber(field.values[vertex])
-                 : std::string("null");
+      if (!hasValue(field, vertex) || !std::isfinite(field.values[vertex])) {
+        return std::string("null");
+      }
+      const std::string text = valueText(field, vertex);
+      return field.words.empty() ? text : jsonString(text);
     });
     if (field.kinds.empty()) continue;
-    column("kind", [&](Vertex vertex) {
+    column(field.kindName, [&](Vertex vertex) {
       return hasValue(field, vertex) ? jsonString(girth::toString(field.kinds[vertex]))
                                      : std::string("null");
     });
@@ -151,12 +202,13 @@ std::string fieldPly(const LoadedMesh& loaded, std::span<const VertexField> fiel
   std::string properties;
   std::size_t vertexSize = 24;
   for (const VertexField& field : fields) {
-    content += "comment " + field.name + particulars(field) + "\n";
+    content += "comment " + field.name + particulars(field) +
+               (field.words.empty() ? "" : ": " + meaningOfCodes(field.words)) + "\n";
     properties += "property double " + field.name + "\n";
     vertexSize += 8;
     if (field.kinds.empty()) continue;
-    content += "comment kind: 0 loop, 1 antipodal, 2 unresolved, 255 no value\n";
-    properties += "property uchar kind\n";
+    content += "comment " + field.kindName + ": 0 loop, 1 antipodal, 2 unresolved, 255 no value\n";
+    properties += "property uchar " + field.kindName + "\n";
     vertexSize += 1;
   }
   content += "element vertex " + std::to_string(mesh.vertexCount()) +
@@ -202,7 +254,7 @@ Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexFie
     for (const Vertex v : mesh.vertices()) {
       if (field.has(v)) kinds[v] = static_cast<double>(field.kinds[v]);
     }
-    writer.addValues("_KIND", kinds);
+    writer.addValues("_" + capitals(field.kindName), kinds);
   }
   writer.addTriangles(mesh);
   return writer.file(TINYGLTF_MODE_TRIANGLES, loaded.unit,

@@ -1,6 +1,5 @@
 #include "girth/io/write_parts.h"
 
-#include <cmath>
 #include <cstddef>
 
 #include "text/json_text.h"
@@ -10,10 +9,6 @@
 namespace girth::io {
 namespace {
 
-std::string numberJson(double value) {
-  return std::isfinite(value) ? formatNumber(value) : std::string("null");
-}
-
 std::string vertexJson(const LoadedMesh& loaded, Index vertex) {
   return vertex == kNoIndex ? "null" : pointJson(loaded, SurfacePoint::atVertex(Vertex(vertex)));
 }
@@ -22,7 +17,7 @@ std::string partJson(const LoadedMesh& loaded, const Part& part) {
   std::string text = "{\"kind\":" + jsonString(toString(part.kind)) +
                      ",\"area\":" + formatNumber(part.area) +
                      ",\"medianGirth\":" + numberJson(part.medianGirth) +
-                     ",\"medianDiameter\":" + numberJson(part.medianDiameter);
+                     ",\"medianThickness\":" + numberJson(part.medianThickness);
   if (part.kind == PartKind::Tube) {
     text += ",\"equivalentRadius\":" + numberJson(part.equivalentRadius());
   }
@@ -31,7 +26,9 @@ std::string partJson(const LoadedMesh& loaded, const Part& part) {
 }
 
 std::string placeJson(const LoadedMesh& loaded, const WeakPlace& place) {
-  return std::string("{\"kind\":") + (place.kind == PartKind::Tube ? "\"tube\"" : "\"wall\"") +
+  return std::string("{\"kind\":") +
+         (place.kind == PartKind::Tube ? "\"tube\",\"measure\":\"diameter\""
+                                       : "\"wall\",\"measure\":\"thickness\"") +
          ",\"least\":" + formatNumber(place.least) + ",\"area\":" + formatNumber(place.area) +
          ",\"thinnest\":" + vertexJson(loaded, place.thinnest) +
          ",\"vertices\":" + inputsJson(loaded, place.vertices) + "}";
@@ -43,7 +40,7 @@ std::string partsJson(const LoadedMesh& loaded, const Parts& parts, const PartOp
                       std::string_view file) {
   std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
                      ",\"thresholds\":{\"girth\":" + numberJson(options.thresholds.girth) +
-                     ",\"diameter\":" + numberJson(options.thresholds.diameter) +
+                     ",\"thickness\":" + numberJson(options.thresholds.thickness) +
                      "},\"smoothing\":" + formatNumber(options.smoothing) + ",\"parts\":[";
   for (std::size_t i = 0; i < parts.parts.size(); ++i) {
     text += (i == 0 ? "\n" : ",\n") + partJson(loaded, parts.parts[i]);
@@ -52,11 +49,13 @@ std::string partsJson(const LoadedMesh& loaded, const Parts& parts, const PartOp
 }
 
 std::string weakPlacesJson(const LoadedMesh& loaded, std::span<const WeakPlace> places,
-                           const PrintLimits& limits, std::string_view file) {
+                           const PrintLimits& limits, double passingScale, std::string_view file) {
   std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
                      ",\"limits\":{\"tubeDiameter\":" + formatNumber(limits.tubeDiameter) +
                      ",\"wallThickness\":" + formatNumber(limits.wallThickness) +
-                     "},\"passes\":" + (places.empty() ? "true" : "false") + ",\"places\":[";
+                     "},\"passes\":" + (places.empty() ? "true" : "false") +
+                     ",\"failingShare\":" + formatNumber(failingShare(loaded.mesh, places)) +
+                     ",\"passingScale\":" + numberJson(passingScale) + ",\"places\":[";
   for (std::size_t i = 0; i < places.size(); ++i) {
     text += (i == 0 ? "\n" : ",\n") + placeJson(loaded, places[i]);
   }

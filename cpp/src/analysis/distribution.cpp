@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "no_value.h"
 
 namespace girth {
 
@@ -28,7 +29,7 @@ Distribution distributionOf(std::span<const double> values, std::span<const doub
 }
 
 double earthMoversDistance(const Distribution& one, const Distribution& two) {
-  if (one.empty() || two.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (one.empty() || two.empty()) return kNoValue;
   // Both distributions are stairs: their difference changes only at values.
   double difference = 0, integral = 0, last = std::min(one.values[0], two.values[0]);
   for (std::size_t i = 0, j = 0; i < one.values.size() || j < two.values.size();) {

@@ -66,7 +66,7 @@ Vertex leastOver(const std::vector<Vertex>& vertices, std::span<const double> fi
 
 PartKind kindOf(double girth, double diameter, const PartThresholds& thresholds) {
   if (std::isnan(girth) || std::isnan(diameter)) return PartKind::Unknown;
-  if (!(diameter < thresholds.diameter) || girth == thresholds.girth) return PartKind::Body;
+  if (!(diameter < thresholds.thickness) || girth == thresholds.girth) return PartKind::Body;
   return girth < thresholds.girth ? PartKind::Tube : PartKind::Plate;
 }
 
@@ -138,17 +138,17 @@ PartThresholds suggestedThresholds(const SurfaceMesh& mesh, std::span<const doub
 
   PartThresholds thresholds;
   const auto byDiameter = bestDivision(values, kClearDivision);
-  thresholds.diameter = byDiameter ? std::exp(*byDiameter) : kInfinity;
+  thresholds.thickness = byDiameter ? std::exp(*byDiameter) : kInfinity;
   double thickest = 0;
   std::vector<WeightedValue> thin;
   std::vector<double> thicknesses;
   for (const Index v : known) {
     thickest = std::max(thickest, diameter[v]);
-    if (!(diameter[v] < thresholds.diameter)) continue;
+    if (!(diameter[v] < thresholds.thickness)) continue;
     thin.push_back({std::log(girth[v]), areas[v]});
     thicknesses.push_back(diameter[v]);
   }
-  if (!byDiameter) thresholds.diameter = 1.01 * thickest;
+  if (!byDiameter) thresholds.thickness = 1.01 * thickest;
   if (const auto byGirth = bestDivision(std::move(thin), kClearDivision)) {
     thresholds.girth = std::exp(*byGirth);
     return thresholds;
@@ -163,7 +163,7 @@ Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
                         std::span<const double> diameter, const PartOptions& options) {
   if (auto error = checkSizes(mesh, girth, diameter)) return *std::move(error);
   if (auto error = checkLength(options.thresholds.girth, "the girth's threshold")) return *error;
-  if (auto error = checkLength(options.thresholds.diameter, "the diameter's threshold")) {
+  if (auto error = checkLength(options.thresholds.thickness, "the threshold of the thickness")) {
     return *error;
   }
   if (auto error = checkLength(options.smoothing, "the smoothing")) return *error;
@@ -183,7 +183,7 @@ Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
     part.kind = result.kinds[region.front()];
     part.area = areaOver(region, areas);
     part.medianGirth = medianOver(region, girth);
-    part.medianDiameter = medianOver(region, diameter);
+    part.medianThickness = medianOver(region, diameter);
     if (part.kind != PartKind::Unknown) {
       part.thinnest = leastOver(region, part.kind == PartKind::Tube ? girth : diameter);
     }
@@ -242,6 +242,26 @@ Result<std::vector<WeakPlace>> findWeakPlaces(const SurfaceMesh& mesh,
   std::stable_sort(places.begin(), places.end(),
                    [&](const WeakPlace& a, const WeakPlace& b) { return share(a) < share(b); });
   return places;
+}
+
+double passingScale(std::span<const double> girth, std::span<const double> diameter,
+                    const PrintLimits& limits) {
+  double scale = 0;
+  const auto grow = [&](std::span<const double> measures, double divisor, double limit) {
+    if (!(limit > 0)) return;
+    for (const double measure : measures) {
+      if (!std::isnan(measure)) scale = std::max(scale, limit / (measure / divisor));
+    }
+  };
+  grow(girth, kPi, limits.tubeDiameter);
+  grow(diameter, 1, limits.wallThickness);
+  return scale;
+}
+
+double failingShare(const SurfaceMesh& mesh, std::span<const WeakPlace> places) {
+  double area = 0;
+  for (const WeakPlace& place : places) area += place.area;
+  return std::min(1.0, area / mesh.area());
 }
 
 }  // namespace girth

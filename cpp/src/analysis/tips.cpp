@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "analysis/contour.h"
+#include "analysis/median.h"
 #include "girth/geodesic_solver.h"
 #include "mesh/neighbours.h"
 
@@ -22,12 +23,6 @@ namespace {
 /// Steps from piece to piece in all, and vertices in all regions, beyond which the values cannot be
 /// those of a girth: they jump at nearly every edge.
 constexpr std::size_t kMostWork = 100'000'000;
-
-double medianOf(std::vector<double> values) {
-  const std::size_t n = values.size();
-  std::sort(values.begin(), values.end());
-  return (values[(n - 1) / 2] + values[n / 2]) / 2;
-}
 
 /// What is left of the surface without the edges that the contour crosses.
 class Pieces {
@@ -299,7 +294,7 @@ Result<Tips> findTips(const SurfaceMesh& mesh, std::span<const double> girth,
   const auto regions = pieces.regions();
   if (!regions) {
     return makeError(ErrorCode::LimitExceeded, -1,
-                     "the values jump at so many edges that their pieces cannot be told apart");
+                     "the values jump at so many edges that their pieces cannot be distinguished");
   }
   TipMaker maker(mesh, girth);
   struct Candidate {

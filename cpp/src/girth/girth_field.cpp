@@ -1,6 +1,5 @@
 #include "girth/girth_field.h"
 
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "girth/marched_girth.h"
 #include "girth/solver_factory.h"
 #include "mesh/check_vertex.h"
+#include "no_value.h"
 
 namespace girth {
 
@@ -88,7 +88,7 @@ VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh) {
       const auto loop = solver->loop(v, context);
       if (!loop) return loop.error();
       const bool isResolved = loop.value().kind != LoopKind::Unresolved;
-      return isResolved ? loop.value().angle : std::numeric_limits<double>::quiet_NaN();
+      return isResolved ? loop.value().angle : kNoValue;
     };
   }};
 }

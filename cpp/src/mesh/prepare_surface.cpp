@@ -26,6 +26,9 @@ std::string countText(std::size_t count, const char* one, const char* many) {
 /// What can be wrong with the arrays and the options alone.
 std::optional<Error> findBadElement(const TriangleSoup& soup, const PrepareOptions& options) {
   const std::size_t vertices = soup.positions.size() / 3;
+  if (!(options.scale > 0) || std::isinf(options.scale)) {
+    return makeError(ErrorCode::InvalidOption, -1, "the scale is no number above 0");
+  }
   if (!(options.weldDistance >= 0) || std::isinf(options.weldDistance)) {
     return makeError(ErrorCode::InvalidOption, -1,
                      "the distance to weld within is no number of at least 0");
@@ -45,6 +48,9 @@ std::optional<Error> findBadElement(const TriangleSoup& soup, const PrepareOptio
       return makeError(
           ErrorCode::NonFinitePosition, static_cast<std::int64_t>(i / 3),
           "vertex " + std::to_string(i / 3) + " has a coordinate that is not a finite number");
+    }
+    if (!std::isfinite(options.scale * soup.positions[i])) {
+      return makeError(ErrorCode::InvalidOption, -1, "the scale makes the model too large");
     }
   }
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
@@ -92,6 +98,7 @@ class Preparation {
 
  private:
   std::optional<Error> weld() {
+    for (double& coordinate : soup_.positions) coordinate *= options_.scale;
     first_ = prepare::firstAtSamePlace(soup_.positions, soup_.triangles);
     if (options_.weldDistance > 0) {
       prepare::joinWithin(options_.weldDistance, soup_.positions, first_);

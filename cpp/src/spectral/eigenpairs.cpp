@@ -30,7 +30,7 @@ constexpr Index kExtraPairs = 12;
 /// Relative accuracy of the eigenvalues of the inverse.
 constexpr double kTolerance = 1e-11;
 constexpr Eigen::Index kMostRestarts = 300;
-/// Values nearer to each other than this share of the greater are not told apart by counting.
+/// Values nearer to each other than this share of the greater are not distinguished by counting.
 constexpr double kGap = 1e-8;
 /// How often what is missing is looked for.
 constexpr int kRounds = 6;

@@ -6,12 +6,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace girth::test {
@@ -71,6 +75,22 @@ class Command : public ::testing::Test {
     pointers.push_back(nullptr);
     execv(pointers[0], pointers.data());
     _exit(127);
+  }
+
+  /// Waits until the command catches interrupts; where /proc does not show that, for half a second.
+  static void waitUntilInterruptible(pid_t child) {
+    using namespace std::chrono_literals;
+    constexpr std::uint64_t kInterrupt = std::uint64_t{1} << (SIGINT - 1);
+    for (int i = 0; i < 3000; ++i) {
+      std::ifstream status("/proc/" + std::to_string(child) + "/status");
+      if (!status) break;
+      for (std::string line; std::getline(status, line);) {
+        if (line.rfind("SigCgt:", 0) != 0) continue;
+        if ((std::stoull(line.substr(7), nullptr, 16) & kInterrupt) != 0) return;
+      }
+      std::this_thread::sleep_for(10ms);
+    }
+    std::this_thread::sleep_for(500ms);
   }
 
   Outcome wait(pid_t child) const {

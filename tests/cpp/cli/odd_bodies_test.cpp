@@ -153,7 +153,7 @@ TEST_F(Command, lengthsThatAreNoneAreRefusedBeforeTheWork) {
   const std::string prism = kData + "/prism.obj";
   for (const char* option : {"--girth", "--thickness", "--min-tube", "--min-wall"}) {
     for (const char* value :
-         {"nan", "-1", "-0.5mm", "inf", "", "3 parsecs", "mm", "1e400", "1,5"}) {
+         {"nan", "-1", "-0.5mm", "inf", "", "3 parsecs", "mm", "1e400", "1,5,0"}) {
       const Outcome outcome = run({"parts", prism, "--unit", "mm", option, value});
       EXPECT_EQ(outcome.exitCode, 1) << option << " '" << value << "' " << outcome.errors;
       EXPECT_EQ(linesOf(outcome.errors).size(), 1u) << outcome.errors;

@@ -10,7 +10,7 @@ using Json = nlohmann::json;
 
 TEST_F(Command, studyOfRobustness) {
   const std::string model = kData + "/prism.obj";
-  const std::vector<std::string> study{"study", "robustness", model, "--faces", "200"};
+  const std::vector<std::string> study{"study", "robustness", model, "--size", "200"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), study.begin(), study.end());
     return more;

@@ -21,8 +21,9 @@ struct FirstSaddle {
   std::optional<double> value;
   /// How far the interpolated field may be from the true one: a distance changes by no more than
   /// the way walked, so its interpolation in a triangle with sides up to s is off by s/√3 at most.
-  /// Only cycles that last for more than twice this are told from those that interpolation makes
-  /// (stability of persistence, Cohen-Steiner et al. 2007); those are what `value` leaves out.
+  /// Only cycles that last for more than twice this are distinguished from those that interpolation
+  /// makes (stability of persistence, Cohen-Steiner et al. 2007); those are what `value` leaves
+  /// out.
   double error{0};
   /// The greatest distance met at any sample below the limit.
   double farthest{0};

@@ -125,7 +125,7 @@ TEST(Parts, OfARodAndASlab) {
     if (mesh == &rod) {
       EXPECT_NEAR(parts.parts[0].equivalentRadius(), 1, 0.01);
     } else {
-      EXPECT_NEAR(parts.parts[0].medianDiameter, 0.52, 0.01);
+      EXPECT_NEAR(parts.parts[0].medianThickness, 0.52, 0.01);
     }
   }
 }
@@ -139,7 +139,7 @@ TEST(Parts, WhereTheGirthIsNotDividedTheWidthOfABarDecides) {
   }
   const PartThresholds thresholds = suggestedThresholds(mesh, girth, thickness);
   EXPECT_NEAR(thresholds.girth, kPi, 1e-12) << "2 pi times the thickness";
-  EXPECT_GT(thresholds.diameter, 0.5);
+  EXPECT_GT(thresholds.thickness, 0.5);
 }
 
 TEST(Parts, SmoothingTakesSpecksAway) {
@@ -180,6 +180,33 @@ TEST(Parts, WeakPlacesAreWhereTheLimitsAreNotMet) {
   ASSERT_GE(walls.value().size(), 1u);
   EXPECT_EQ(walls.value()[0].kind, PartKind::Plate);
   EXPECT_NEAR(walls.value()[0].least, 0.5, 0.05);
+}
+
+TEST(Parts, FromThePassingScaleOnNothingIsTooThin) {
+  const test::Shape shape = test::box(3, 2, 0.5, 6, 4, 1);
+  const PrintLimits limits{1.7, 0.8};
+  const auto check = [&](double scale) {
+    test::Shape scaled = shape;
+    for (double& coordinate : scaled.positions) coordinate *= scale;
+    const SurfaceMesh mesh = scaled.mesh();
+    const std::vector<double> girth = girthField(mesh).values;
+    const auto diameter = shapeDiameter(mesh);
+    const auto places = findWeakPlaces(mesh, girth, diameter.value().values, limits);
+    return std::pair{passingScale(girth, diameter.value().values, limits),
+                     failingShare(mesh, places.value())};
+  };
+  const auto [scale, share] = check(1);
+  ASSERT_GT(scale, 1);
+  EXPECT_GT(share, 0);
+  EXPECT_LE(share, 1);
+  EXPECT_EQ(check(1.001 * scale).second, 0);
+  EXPECT_GT(check(0.999 * scale).second, 0);
+  EXPECT_NEAR(check(2).first, scale / 2, 1e-9);
+  // Bound by the numbers themselves, of each limit its own.
+  EXPECT_EQ(passingScale(std::vector{2 * kPi, kNone}, std::vector{kNone, 4.0}, {3, 2}), 1.5);
+  EXPECT_EQ(passingScale(std::vector{2 * kPi}, std::vector{4.0}, {0, 2}), 0.5);
+  EXPECT_EQ(passingScale(std::vector{2 * kPi}, std::vector{4.0}, {}), 0);
+  EXPECT_TRUE(std::isinf(passingScale(std::vector{1.0}, std::vector{0.0}, {0, 2})));
 }
 
 TEST(Parts, NoWallIsToldWhereItIsATube) {
@@ -232,7 +259,7 @@ TEST(Parts, WallsPassOnlyWhereTheyWereMeasured) {
     const auto error = whyNotChecked(*mesh, *diameter, {0, 1});
     ASSERT_TRUE(error);
     EXPECT_EQ(error->code, ErrorCode::NoThickness);
-    // Tubes are told by the girth alone.
+    // Tubes are identified by the girth alone.
     EXPECT_FALSE(whyNotChecked(*mesh, *diameter, {1, 0}));
   }
 }

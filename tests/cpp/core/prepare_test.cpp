@@ -227,6 +227,27 @@ TEST(Prepare, WeldsEqualPositions) {
   EXPECT_EQ(codeOf(prepareSurface(soupOf(shape))), "EMPTY_MESH") << "0 and -0 are one place";
 }
 
+TEST(Prepare, MakesAModelLargerOrSmallerFirst) {
+  const Shape ball = icosphere(1);
+  PrepareOptions options;
+  const SurfaceMesh once = prepared(ball).mesh;
+  options.scale = 4;
+  const SurfaceMesh large = prepared(ball, options).mesh;
+  EXPECT_EQ(large.area(), 16 * once.area()) << "powers of two are exact";
+  EXPECT_EQ(large.meanEdgeLength(), 4 * once.meanEdgeLength());
+  // Lengths to weld within count in the scaled model.
+  options.weldDistance = 1.5 * once.meanEdgeLength();
+  EXPECT_EQ(prepared(ball, options).mesh.vertexCount(), once.vertexCount());
+  options.weldDistance = 0;
+  for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::max()}) {
+    options.scale = bad;
+    Shape giant = ball;
+    for (double& coordinate : giant.positions) coordinate *= 4;
+    EXPECT_EQ(codeOf(prepareSurface(soupOf(giant), options)), "INVALID_OPTION") << bad;
+  }
+}
+
 TEST(Prepare, WeldsWithinADistance) {
   const Shape ball = icosphere(2);
   Shape soup = apart(ball);

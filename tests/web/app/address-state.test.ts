@@ -1,5 +1,11 @@
 import { expect, test } from 'vitest';
-import { type PageState, readState, writeState } from '../../../web/app/address-state.js';
+import {
+  type PageState,
+  preparationOf,
+  readState,
+  resized,
+  writeState,
+} from '../../../web/app/address-state.js';
 
 const whole: PageState = {
   model: 'octopus',
@@ -7,6 +13,8 @@ const whole: PageState = {
   components: [0, 4],
   faces: 5000,
   unit: 'mm',
+  shown: 'in',
+  scale: 1.125,
   field: 'sdf',
   time: 0.01,
   energy: 40,
@@ -17,6 +25,8 @@ const whole: PageState = {
   edges: true,
   camera: { polar: 1.1868, azimuth: -0.5, distance: 4.5, target: [0, 0.25, -1] },
   loops: [17, { face: 3, weights: [0.125, 0.25, 0.625] }],
+  names: ['neck', 'left, leg & 50%'],
+  values: ['83.5 mm', '0.1'],
   girth: 0.75,
   diameter: Infinity,
   smoothing: 1,
@@ -38,6 +48,26 @@ test('the address of a model and a file’s name survive, whatever letters they 
     expect(read.model && new URL(read.model).href).toBe(state.model && new URL(state.model).href);
     expect(read.file).toBe(state.file);
   }
+});
+
+test('in another size the lengths of a link grow, and what holds for every size stays', () => {
+  const { girth, diameter, jump, range } = resized(whole, 2);
+  expect([girth, diameter, jump, range]).toEqual([1.5, Infinity, 0.02, '5% 95%']);
+  expect(resized({ range: '1 2' }, 2)).toEqual({});
+  expect(readState('scale=0').scale).toBeUndefined();
+  expect(preparationOf({ closed: true, scale: 2 })).toEqual({ closeHoles: true, scale: 2 });
+});
+
+test('names of loops keep their order, and whatever cannot be read is no name', () => {
+  expect(readState(writeState({ loops: [1, 2, 3], names: ['', 'a,b', ''] })).names).toEqual([
+    '',
+    'a,b',
+    '',
+  ]);
+  expect(readState('names=a,%25E0%25A4,b%0Ac').names).toEqual(['a', '', 'bc']);
+  expect(readState(`names=${'x'.repeat(100)}`).names![0]).toHaveLength(60);
+  expect(readState('values=1 mm,<b>,2').values).toEqual(['1 mm', '2']);
+  expect(readState('names=,,').names).toBeUndefined();
 });
 
 test('written, it can be read by people', () => {

@@ -1,34 +1,40 @@
 import { expect, test } from 'vitest';
-import { type PrintReport, printReportHtml } from '../../../web/app/print-report.js';
+import { type PrintReport, answerWords, printReportHtml } from '../../../web/app/print-report.js';
+import type { WeakPlace } from '../../../web/src/kernel/index.js';
 
+const tube: WeakPlace = {
+  kind: 'tube',
+  vertices: new Uint32Array([1, 2]),
+  area: 20.5,
+  least: 2.125,
+  thinnest: 2,
+};
+const wall: WeakPlace = {
+  kind: 'plate',
+  vertices: new Uint32Array([9]),
+  area: 4,
+  least: 0.5,
+  thinnest: -1,
+};
+const check = { places: [tube, wall], failingShare: 0.1249, passingScale: 1.412 };
+const passed = { places: [], failingShare: 0, passingScale: 0.6149 };
 const report: PrintReport = {
   model: 'bracket.stl',
   facts: '9,872 faces · genus 3',
   cautions: [],
   limits: { tubeDiameter: 3, wallThickness: 1 },
+  source: 'Some shop',
+  check,
   format: { unit: 'mm', scale: 1, decimals: 2 },
-  places: [
-    {
-      place: {
-        kind: 'tube',
-        vertices: new Uint32Array([1, 2]),
-        area: 20.5,
-        least: 2.125,
-        thinnest: 2,
-      },
-      loop: 6.676,
-      picture: 'data:image/png;base64,AAAA',
-    },
-    { place: { kind: 'plate', vertices: new Uint32Array([9]), area: 4, least: 0.5, thinnest: -1 } },
-  ],
-  more: 0,
+  places: [{ place: tube, loop: 6.676, picture: 'data:image/png;base64,AAAA' }, { place: wall }],
   date: '2026-01-31',
 };
 
 test('every place with kind, thickness, loop, area and picture', () => {
   const html = printReportHtml(report);
   for (const words of [
-    'Fails: 2 places are too thin.',
+    'Fails: 2 places are too thin, 12% of the surface. Passes from 142% of this size.',
+    '(Some shop)',
     'tubes from a diameter of 3.00\u202fmm, walls from a thickness of 1.00\u202fmm',
     '<td>tube</td><td class="number">2.13\u202fmm</td><td class="number">6.68\u202fmm</td>',
     '<td class="number">20.5\u202fmm²</td><td class="number">2</td>',
@@ -56,12 +62,21 @@ test('a name is text, whatever it has in it', () => {
 });
 
 test('what passes says so, and has no table', () => {
-  const html = printReportHtml({ ...report, places: [] });
-  expect(html).toContain('Passes: nothing is too thin.');
+  const html = printReportHtml({ ...report, check: passed, places: [] });
+  expect(html).toContain('Passes: nothing is too thin, down to 62% of this size.');
   expect(html).not.toContain('<table');
 });
 
 test('cautions stand under the answer', () => {
   const cautions = ['The surface has 2 holes.'];
   expect(printReportHtml({ ...report, cautions })).toContain('<p>The surface has 2 holes.</p>');
+});
+
+test('the answer says of how much, and what would help', () => {
+  const one = { places: [wall], failingShare: 0.001, passingScale: 12.345 };
+  expect(answerWords(one)).toBe(
+    'Fails: one place is too thin, <1% of the surface. Passes from 12.4 times this size.',
+  );
+  expect(answerWords({ ...one, passingScale: Infinity })).toContain('passes at no size');
+  expect(answerWords(passed)).toContain('Passes');
 });

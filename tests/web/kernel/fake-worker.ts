@@ -97,8 +97,10 @@ export function fakeSurface(count: number): Behaviour {
         return { maxima: [{ vertex: 1, value: 2, persistence: 2, saddle: -1 }] };
       case 'parts':
         return { kinds: new Uint8Array(count), partOf: new Uint32Array(count), parts: [] };
-      case 'weakPlaces':
-        return { places: [] };
+      case 'path':
+        return { length: 1, straight: 1, polyline: new Float32Array(6) };
+      case 'printCheck':
+        return { places: [], failingShare: 0, passingScale: 0 };
       case 'writeFields':
       case 'writeTips':
       case 'writeParts':

@@ -244,14 +244,15 @@ describe('the jobs of a mesh', () => {
   /** Every kind of job on one surface. */
   async function everyJob(mesh: Mesh) {
     const [igf, sdf] = [fieldOf('igf'), fieldOf('sdf')];
-    const thresholds = { girth: 1, diameter: 1 };
+    const thresholds = { girth: 1, thickness: 1 };
     const limits = { tubeDiameter: 1, wallThickness: 1 };
     await mesh.vertexAreas();
     await mesh.tips(igf);
     await mesh.suggestedThresholds(igf, sdf);
     await mesh.parts(igf, sdf, thresholds);
     await mesh.maxima(igf);
-    await mesh.weakPlaces(igf, sdf, limits);
+    await mesh.printCheck(igf, sdf, limits);
+    await mesh.path(0, 1);
     await mesh.exportField(igf, 'csv');
     await mesh.exportTips(igf, 'json');
     await mesh.exportParts(igf, sdf, thresholds, 'json');

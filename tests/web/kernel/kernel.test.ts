@@ -277,7 +277,7 @@ describe('fields', () => {
     const mesh = await kernel.load(anyArrays);
     const [igf, sdf] = [await mesh.field('igf'), await mesh.field('sdf')];
     const short = { ...igf, values: igf.values.slice(1) };
-    const thresholds = { girth: 1, diameter: 1 };
+    const thresholds = { girth: 1, thickness: 1 };
     const limits = { tubeDiameter: 1, wallThickness: 1 };
     const before = readers[0]!.operations.length;
     for (const refused of [
@@ -286,7 +286,7 @@ describe('fields', () => {
       mesh.suggestedThresholds(igf, igf),
       mesh.parts(sdf, igf, thresholds),
       mesh.parts(short, sdf, thresholds),
-      mesh.weakPlaces(igf, { ...sdf, values: new Float64Array(0) }, limits),
+      mesh.printCheck(igf, { ...sdf, values: new Float64Array(0) }, limits),
       mesh.exportField(short, 'csv'),
       mesh.exportFields([igf, { ...sdf, kinds: new Uint8Array(3) }], 'csv'),
       mesh.exportTips(sdf, 'json'),

@@ -112,3 +112,14 @@ test('a vertex without a value lends none, and is none of the range', () => {
   preview.spread(() => undefined);
   expect([...preview.shown]).toEqual([NaN, 5, 5, 5]);
 });
+
+test('it knows whether a value is left to spread', () => {
+  const preview = new FieldPreview(adjacency);
+  expect(preview.isSpread).toBe(true);
+  preview.receive(partial([3]), () => undefined);
+  expect(preview.isSpread).toBe(false);
+  preview.spread(() => undefined);
+  expect(preview.isSpread).toBe(true);
+  preview.receive({ ...partial([4]), values: Float64Array.of(NaN) }, () => undefined);
+  expect(preview.isSpread).toBe(true);
+});

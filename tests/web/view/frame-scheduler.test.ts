@@ -79,6 +79,24 @@ test('a slow turning is drawn at every other frame', () => {
   expect(drawn).toBe(1 + 10);
 });
 
+test('what begins a frame may change what is drawn, without asking for another frame', () => {
+  const changing = new FrameScheduler({
+    begin: () => {
+      changing.invalidate();
+      return false;
+    },
+    isUnhurried: () => false,
+    advance: () => 'none',
+    draw: () => ++drawn,
+  });
+  changing.rest(false);
+  expect(frames(9)).toBe(1);
+  expect(drawn).toBe(1);
+  changing.invalidate();
+  expect(frames(9)).toBe(1);
+  expect(drawn).toBe(2);
+});
+
 test('what is still to come asks for the next frame', () => {
   scheduler.rest(false);
   again = true;

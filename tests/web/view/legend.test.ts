@@ -18,8 +18,10 @@ const content: ScaleContent = {
   range: [0, 4],
   extent: [0, 4],
   format: lengthFormat(4, 'mm'),
+  log: false,
   isolines: 3,
   note: '',
+  beyond: undefined,
 };
 
 test('a scale has its ends and round numbers between, the highest first', () => {
@@ -34,6 +36,20 @@ test('an end says where there is more beyond it', () => {
   const [high, low] = [ticksOf({ ...content, extent: [-1, 9] })].flatMap((t) => [t[0]!, t.at(-1)!]);
   expect(high!.text).toBe('≥\u20094.000');
   expect(low!.text).toBe('≤\u20090.000');
+});
+
+test('angles are ticked where they mean something, factors evenly in a logarithmic map', () => {
+  const angle = {
+    ...content,
+    range: [0, Math.PI],
+    extent: [0, Math.PI],
+    format: lengthFormat(3, 'rad'),
+  } as const;
+  expect(ticksOf(angle).map(({ text }) => text)).toEqual(['180.0', '120.0', '60.0', '0.0']);
+  expect(ticksOf(angle)[1]!.place).toBeCloseTo(2 / 3, 12);
+  const log = { ...content, range: [1, 100], log: true } as const;
+  const ten = ticksOf(log).find(({ text }) => text.startsWith('10.'));
+  expect(ten!.place).toBeCloseTo(0.5, 12);
 });
 
 test('lines of equal value lie evenly between the ends', () => {
@@ -55,7 +71,7 @@ test('every field has a name in words and a unit', () => {
   for (const wrong of ['toString', '', null]) expect(isShownName(wrong)).toBe(false);
 });
 
-test('categories are told apart by lightness or by stripes, and by their names', () => {
+test('categories are distinguished by lightness or by stripes, and by their names', () => {
   const lightness = (colour: string): number => {
     const [r, g, b] = [1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16) / 255);
     return 0.2126 * r! ** 2.2 + 0.7152 * g! ** 2.2 + 0.0722 * b! ** 2.2;

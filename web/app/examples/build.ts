@@ -3,6 +3,7 @@
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { loadCore } from './core.ts';
 import { generate } from './generate.ts';
 import { models } from './models/index.ts';
 
@@ -10,9 +11,10 @@ const folder = process.argv[2];
 if (folder === undefined) throw new Error('the folder to write to is missing');
 mkdirSync(folder, { recursive: true });
 
+const core = await loadCore();
 const index = models.map((model) => {
   const started = performance.now();
-  const { glb, measures } = generate(model);
+  const { glb, measures } = generate(model, core);
   const seconds = (performance.now() - started) / 1000;
   const { name, title, about } = model;
   const { faces, vertices, genus } = measures;

@@ -1,10 +1,11 @@
 // From the description of an example to its file.
 
+import type { Core } from './core.ts';
 import { writeGlb } from './glb.ts';
 import { measure, type Measures } from './measure.ts';
 import type { Model } from './models/model.ts';
 import { polygonise, type Triangles } from './polygonise.ts';
-import { remesh } from './remesh.ts';
+import { project } from './project.ts';
 
 export interface Example {
   mesh: Triangles;
@@ -12,11 +13,21 @@ export interface Example {
   glb: Uint8Array;
 }
 
+/** Points may move this share of a cell onto the surface; farther ones are between two parts. */
+const reach = 0.3;
+/** The triangles of the grid are uneven: made even first with so many times the faces, then with those. */
+const first = 5;
+
 /** Throws where the result is not a closed manifold in one piece, of the genus that the model states. */
-export function generate(model: Model): Example {
-  const rough = polygonise(model.solid, model.box, model.cell);
-  const { positions, indices } = remesh(rough, model.solid, model.faces, model.sizing);
-  const mesh = { positions: Float32Array.from(positions), indices: Uint32Array.from(indices) };
+export function generate(model: Model, core: Core): Example {
+  const { solid, cell, faces } = model;
+  const rough = polygonise(solid, model.box, cell);
+  const points = Float64Array.from(rough.positions);
+  project(points, solid, reach * cell);
+  const fine = core.remeshEvenly({ ...rough, positions: points }, first * faces);
+  const { positions, indices } = core.remeshEvenly(fine, faces);
+  project(positions, solid, reach * cell);
+  const mesh = { positions: Float32Array.from(positions), indices };
   const measures = measure(mesh);
   const { closedManifold, components, genus, volume } = measures;
   if (!closedManifold || components !== 1 || genus !== model.genus || !(volume > 0)) {

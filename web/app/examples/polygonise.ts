@@ -1,6 +1,6 @@
 // The surface of a solid as triangles: marching tetrahedra. Each cube of a grid is cut into the six
 // tetrahedra around its diagonal, so that neighbours agree on every face and the result is closed and
-// manifold whatever the solid is. The triangles are uneven; `remesh.ts` makes them even.
+// manifold whatever the solid is. The triangles are uneven; the core's remeshing makes them even.
 
 import type { Implicit, Point } from './implicit.ts';
 

@@ -3,6 +3,7 @@
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { loadCore } from './core.ts';
 import { generate } from './generate.ts';
 import { models } from './models/index.ts';
 
@@ -13,12 +14,13 @@ const [folder, ...sizes] = process.argv.slice(2);
 if (folder === undefined) throw new Error('the folder to write to is missing');
 mkdirSync(folder, { recursive: true });
 
+const core = await loadCore();
 for (const model of models) {
   for (const faces of sizes.map(Number)) {
     if (faces < (fewestFaces[model.name] ?? 0)) continue;
     // More faces start from a finer grid; fewer do not start from a coarser one, which would lose thin parts.
     const cell = model.cell * Math.min(1, Math.sqrt(model.faces / faces));
-    const { glb } = generate({ ...model, faces, cell });
+    const { glb } = generate({ ...model, faces, cell }, core);
     writeFileSync(join(folder, `${model.name}_${String(faces)}.glb`), glb);
   }
 }

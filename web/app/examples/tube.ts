@@ -18,16 +18,16 @@ export const nearby = 0.05;
  */
 export class Tube {
   /** x, y, z, radius per point of the polyline. */
-  private readonly points: Float64Array;
+  readonly #points: Float64Array;
   /**
    * Centre and radius of a ball around each part of the tube: a binary tree with the whole at place 1,
    * the halves of part i at 2i and 2i + 1, and single segments at the end.
    */
-  private readonly balls: Float64Array;
+  readonly #balls: Float64Array;
 
   constructor(stations: readonly Station[]) {
-    this.points = spline(stations);
-    this.balls = boundingBalls(this.points);
+    this.#points = spline(stations);
+    this.#balls = boundingBalls(this.#points);
   }
 
   /**
@@ -35,41 +35,34 @@ export class Tube {
    * where it is above `nearby`.
    */
   distance(x: number, y: number, z: number): number {
-    return this.smallest(1, this.leastDistance(1, x, y, z), x, y, z, Infinity);
+    return this.#smallest(1, this.#leastDistance(1, x, y, z), x, y, z, Infinity);
   }
 
   /** The smaller of `best` and the distance to part i, which is known to be at least `least`. */
-  private smallest(
-    i: number,
-    least: number,
-    x: number,
-    y: number,
-    z: number,
-    best: number,
-  ): number {
+  #smallest(i: number, least: number, x: number, y: number, z: number, best: number): number {
     if (least >= best) return best;
     if (least > nearby) return least;
-    if (i >= segments) return Math.min(best, this.segmentDistance(i - segments, x, y, z));
-    const first = this.leastDistance(2 * i, x, y, z);
-    const second = this.leastDistance(2 * i + 1, x, y, z);
+    if (i >= segments) return Math.min(best, this.#segmentDistance(i - segments, x, y, z));
+    const first = this.#leastDistance(2 * i, x, y, z);
+    const second = this.#leastDistance(2 * i + 1, x, y, z);
     if (first < second) {
-      const value = this.smallest(2 * i, first, x, y, z, best);
-      return this.smallest(2 * i + 1, second, x, y, z, value);
+      const value = this.#smallest(2 * i, first, x, y, z, best);
+      return this.#smallest(2 * i + 1, second, x, y, z, value);
     }
-    const value = this.smallest(2 * i + 1, second, x, y, z, best);
-    return this.smallest(2 * i, first, x, y, z, value);
+    const value = this.#smallest(2 * i + 1, second, x, y, z, best);
+    return this.#smallest(2 * i, first, x, y, z, value);
   }
 
-  private leastDistance(i: number, x: number, y: number, z: number): number {
-    const { balls } = this;
+  #leastDistance(i: number, x: number, y: number, z: number): number {
+    const balls = this.#balls;
     const dx = x - balls[4 * i]!;
     const dy = y - balls[4 * i + 1]!;
     const dz = z - balls[4 * i + 2]!;
     return Math.sqrt(dx * dx + dy * dy + dz * dz) - balls[4 * i + 3]!;
   }
 
-  private segmentDistance(segment: number, x: number, y: number, z: number): number {
-    const { points } = this;
+  #segmentDistance(segment: number, x: number, y: number, z: number): number {
+    const points = this.#points;
     const i = 4 * segment;
     const ux = points[i + 4]! - points[i]!;
     const uy = points[i + 5]! - points[i + 1]!;

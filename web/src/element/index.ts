@@ -23,7 +23,8 @@ export type {
 } from './events.js';
 export type { PickDetail, PinnedLoop } from './loops-on-surface.js';
 export type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
-export type { ShownField } from './shading.js';
+export type { ShownField, ShownPlaces } from './shading.js';
+export type { FigureOptions } from './snapshot.js';
 export type { TipsChoice } from './tips-on-surface.js';
 export { make } from './dom.js';
 export { sentence } from './sentence.js';
@@ -33,20 +34,37 @@ export {
   type Category,
   type ColormapName,
   type LengthFormat,
+  type LengthUnit,
+  type ReadLength,
   type ScreenPoint,
+  type Look,
   type ShownName,
+  type UpAxis,
+  type UpName,
   colormapNames,
   colourAt,
   derivedNames,
   fieldNames,
   fieldTitle,
+  findLengthUnit,
   formatCount,
   formatLength,
   formatNumber,
   girthKinds,
   isColormapName,
   isFieldName,
+  isForAllEyes,
   isShownName,
+  isUpName,
   lengthFormat,
+  lengthUnits,
+  lookNames,
   partKinds,
+  placeIn,
+  readLength,
+  rotationUp,
+  typedUnit,
+  upAxisOf,
+  upNames,
+  uprightPositions,
 } from '../view/index.js';

@@ -12,11 +12,16 @@ import {
 import { make } from './dom.js';
 import type { Model } from './model.js';
 import { PinTag, Readout, kindWords } from './readout.js';
+import { isMotionReduced } from './surroundings.js';
 
 /** The pointer may move this far, in CSS pixels, between press and release of a click. */
 const clickSlack = 5;
+/** Milliseconds between the two clicks or taps of a pair; a single click counts once they are over. */
+const pairTime = 280;
 /** A second tap within this many CSS pixels of the first one means the first one's loop. */
 const fingerWidth = 24;
+/** So many points of a loop tell where it is on the canvas. */
+const outlinePoints = 24;
 /** CSS pixels that one key press moves the probe. */
 const probeStep = 14;
 
@@ -27,6 +32,8 @@ const pinnedStyle = { colour: '#ff7a45', weight: 0.9 };
 export interface PinnedLoop {
   /** Counts up from 1 for each model; also written on the surface. */
   id: number;
+  /** What it was called, also written on the surface; '' for nothing. */
+  name: string;
   /** `loop.base` is the point that it is the loop of. */
   loop: Loop;
 }
@@ -39,10 +46,14 @@ export interface PickDetail {
   loop: Loop;
 }
 
+type Point = Surface['bounds']['center'];
+
 interface Pin extends PinnedLoop {
   band: LoopBand;
   tag: PinTag;
-  midpoint: Surface['bounds']['center'];
+  midpoint: Point;
+  /** Some points of the loop. */
+  outline: Point[];
 }
 
 export interface LoopsHost {
@@ -70,11 +81,17 @@ export class LoopsOnSurface {
   readonly #request: Latest<SurfacePoint, Loop>;
   #pins: Pin[] = [];
   #nextPin = 1;
+  #isQuiet = false;
   #hover: { loop: Loop; band: LoopBand } | undefined;
   /** The point whose loop is shown or asked for. */
   #hovered: SurfacePoint | undefined;
   #pointer: { x: number; y: number; isTouch: boolean } | undefined;
   #pressed: { x: number; y: number } | undefined;
+  /** The last click, until another one cannot make a pair with it. */
+  #clicked: { x: number; y: number; time: number } | undefined;
+  /** What a single click will pin. */
+  #awaited: SurfacePoint | undefined;
+  #pinning: ReturnType<typeof setTimeout> | undefined;
   #pickRequested = 0;
   readonly #stage: Stage;
   readonly #canvas: HTMLCanvasElement;
@@ -104,7 +121,12 @@ export class LoopsOnSurface {
   }
 
   get pinned(): PinnedLoop[] {
-    return this.#pins.map(({ id, loop }) => ({ id, loop }));
+    return this.#pins.map(({ id, name, loop }) => ({ id, name, loop }));
+  }
+
+  /** The tags of pinned loops, for a picture. */
+  get labels(): { words: string; x: number; y: number }[] {
+    return this.#pins.map(({ tag }) => tag.label);
   }
 
   setFormat(format: LengthFormat): void {
@@ -120,22 +142,48 @@ export class LoopsOnSurface {
       shown && isSame(shown.base, point) ? shown : await this.#model.mesh.loop(point, { signal });
     signal.throwIfAborted();
     const already = this.#pins.find((pin) => isSame(pin.loop.base, loop.base));
-    if (already) return { id: already.id, loop };
+    if (already) return { id: already.id, name: already.name, loop };
     const id = this.#nextPin++;
     const pin: Pin = {
       id,
+      name: '',
       loop,
       band: new LoopBand(loop, pinnedStyle),
       tag: new PinTag(id, loop, () => this.unpin(id)),
-      midpoint: this.#model.surface.bounds.center.clone().fromArray(loop.midpoint),
+      midpoint: this.#pointOf(loop.midpoint),
+      outline: this.#outlineOf(loop),
     };
     pin.tag.setFormat(this.#format);
     this.#pins.push(pin);
     this.element.prepend(pin.tag.element);
     this.#stage.add(pin.band);
     this.clear();
+    this.#live.textContent = `Loop ${id} pinned: ${formatLength(loop.length, this.#format)}`;
     this.#host.picked({ action: 'pin', loop });
-    return { id, loop };
+    return { id, name: pin.name, loop };
+  }
+
+  /** Calls a pinned loop by a name; nothing happens where there is none of that id. */
+  rename(id: number, name: string): void {
+    const pin = this.#pins.find((one) => one.id === id);
+    if (!pin) return;
+    pin.name = name;
+    pin.tag.setName(name);
+    this.#stage.invalidate();
+  }
+
+  #pointOf(numbers: ArrayLike<number>): Point {
+    return this.#model.surface.bounds.center.clone().fromArray(Array.from(numbers));
+  }
+
+  #outlineOf({ polyline, midpoint }: Loop): Point[] {
+    const count = polyline.length / 3;
+    const step = Math.max(1, Math.floor(count / outlinePoints));
+    const points = [this.#pointOf(midpoint)];
+    for (let i = 0; i < count; i += step) {
+      points.push(this.#pointOf(polyline.subarray(3 * i, 3 * i + 3)));
+    }
+    return points;
   }
 
   unpin(id: number): void {
@@ -144,16 +192,32 @@ export class LoopsOnSurface {
     this.#pins = this.#pins.filter((one) => one !== pin);
     this.#stage.remove(pin.band);
     pin.tag.element.remove();
+    this.#live.textContent = `Loop ${id} removed`;
     this.#host.picked({ action: 'unpin', loop: pin.loop });
   }
 
-  /** Hides the loop under the pointer. */
-  clear(): void {
+  /** Shows the loop at a point that nothing on the surface points at; undefined: none. `isQuiet`: it is not said. */
+  lookAt(point: SurfacePoint | undefined, isQuiet = false): void {
+    this.#isQuiet = isQuiet;
+    this.#pointer = undefined;
+    if (point === undefined) {
+      this.clear();
+      return;
+    }
+    // What shows itself stops nothing.
+    if (!isQuiet) this.#stage.touch();
+    this.#hoverOn(point);
+  }
+
+  /** Hides the loop under the pointer; false where there is none. */
+  clear(): boolean {
+    const wasShown = this.#hovered !== undefined;
     this.#hovered = undefined;
     this.#request.clear();
     this.#readout.clear();
     if (this.#hover) this.#stage.remove(this.#hover.band);
     this.#hover = undefined;
+    return wasShown;
   }
 
   /** Compiles what loops are drawn with, so that the first one appears at once. */
@@ -173,7 +237,12 @@ export class LoopsOnSurface {
     if (this.#pins.length > 0) {
       const { clientWidth, clientHeight } = this.#canvas;
       for (const pin of this.#pins) {
-        pin.tag.place(this.#stage.project(pin.midpoint), clientWidth, clientHeight);
+        pin.tag.place(
+          this.#stage.project(pin.midpoint),
+          this.#stage.spanOf(pin.outline),
+          clientWidth,
+          clientHeight,
+        );
       }
     }
     if (!this.#pointer || this.#pointer.isTouch) this.#placeReadout();
@@ -181,6 +250,7 @@ export class LoopsOnSurface {
 
   dispose(): void {
     this.#ending.abort();
+    clearTimeout(this.#pinning);
     cancelAnimationFrame(this.#pickRequested);
     this.clear();
     for (const pin of this.#pins) this.#stage.remove(pin.band);
@@ -210,7 +280,6 @@ export class LoopsOnSurface {
       { signal },
     );
     canvas.addEventListener('wheel', () => this.#stage.touch(), { signal, passive: true });
-    canvas.addEventListener('keydown', (event) => this.#key(event), { signal });
   }
 
   // ---- pointer and finger
@@ -245,20 +314,54 @@ export class LoopsOnSurface {
   #released(event: PointerEvent): void {
     const pressed = this.#pressed;
     this.#pressed = undefined;
-    if (!pressed || event.button !== 0 || !this.#host.followsPointer()) return;
+    if (!pressed || event.button !== 0) return;
     if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > clickSlack) return;
-    this.#remember(event);
+    const isTouch = event.pointerType === 'touch';
     const point = this.#stage.pick(event.clientX, event.clientY);
-    if (event.pointerType === 'touch') {
-      this.#host.pointed(point && this.#model.surface.nearestVertex(point));
+    if (this.#isSecond(event, isTouch ? fingerWidth : clickSlack)) {
+      // The second of a pair: what the first one would have done is not done.
+      this.#clicked = undefined;
+      clearTimeout(this.#pinning);
+      if (point !== undefined) this.#turnAbout(point);
+      return;
     }
+    this.#pinNow();
+    this.#clicked = { x: event.clientX, y: event.clientY, time: event.timeStamp };
+    if (!this.#host.followsPointer()) return;
+    this.#remember(event);
+    if (isTouch) this.#host.pointed(point && this.#model.surface.nearestVertex(point));
     if (point === undefined) this.clear();
     // What is seen is what is pinned, even if the surface has just moved a little further.
-    else if (event.pointerType !== 'touch') this.#pinHere(this.#hovered ?? point);
-    // A finger cannot hover: its first tap shows the loop, a second tap near by pins it.
+    else if (!isTouch) this.#pinSoon(this.#hovered ?? point);
+    // A finger cannot hover: its first tap shows the loop, a later tap near by pins it.
     else if (this.#hover && this.#isNear(point, this.#hover.loop.base)) {
-      this.#pinHere(this.#hover.loop.base);
+      this.#pinSoon(this.#hover.loop.base);
     } else this.#hoverOn(point);
+  }
+
+  /** Whether a click follows another one at the same place at once. */
+  #isSecond({ clientX, clientY, timeStamp }: PointerEvent, slack: number): boolean {
+    const first = this.#clicked;
+    if (!first || timeStamp - first.time > pairTime) return false;
+    return Math.hypot(clientX - first.x, clientY - first.y) <= slack;
+  }
+
+  /** Pins a loop unless a second click follows. */
+  #pinSoon(point: SurfacePoint): void {
+    this.#awaited = point;
+    this.#pinning = setTimeout(() => this.#pinNow(), pairTime);
+  }
+
+  #pinNow(): void {
+    clearTimeout(this.#pinning);
+    const point = this.#awaited;
+    this.#awaited = undefined;
+    if (point !== undefined) this.#pinHere(point);
+  }
+
+  #turnAbout(point: SurfacePoint): void {
+    this.#awaited = undefined;
+    this.#stage.turnAbout(this.#model.surface.positionOf(point), isMotionReduced());
   }
 
   #isNear(a: SurfacePoint, b: SurfacePoint): boolean {
@@ -288,7 +391,7 @@ export class LoopsOnSurface {
     this.#stage.add(this.#hover.band);
     this.#readout.show(loop, this.#format);
     this.#placeReadout();
-    if (!this.#pointer) {
+    if (!this.#pointer && !this.#isQuiet) {
       const words = kindWords[loop.kind].sentence || 'Loop';
       this.#live.textContent = `${words} ${formatLength(loop.length, this.#format)}`;
     }
@@ -308,36 +411,31 @@ export class LoopsOnSurface {
 
   // ---- keyboard
 
-  #key(event: KeyboardEvent): void {
-    const stage = this.#stage;
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const arrows: Record<string, [number, number]> = {
-      ArrowLeft: [-1, 0],
-      ArrowRight: [1, 0],
-      ArrowUp: [0, 1],
-      ArrowDown: [0, -1],
-    };
-    const arrow = arrows[event.key];
-    if (arrow && event.shiftKey) this.#moveProbe(...arrow);
-    else if (arrow) stage.orbit(0.12 * arrow[0], 0.12 * arrow[1]);
-    else if (event.key === '+' || event.key === '=') stage.zoom(0.88);
-    else if (event.key === '-' || event.key === '_') stage.zoom(1 / 0.88);
-    else if (event.key === '0' || event.key === 'Home') stage.resetView();
-    // The point that was asked for last, even if its loop is still to come.
-    else if (event.key === 'Enter' && this.#hovered !== undefined) this.#pinHere(this.#hovered);
-    else if (event.key === 'Escape') this.clear();
-    else if (event.key === 'Delete' || event.key === 'Backspace') {
-      const last = this.#pins.at(-1);
-      if (last) this.unpin(last.id);
-    } else return;
-    event.preventDefault();
+  /** Keeps the loop that was asked for last, even if it is still to come; false where there is none. */
+  pinProbe(): boolean {
+    if (this.#hovered === undefined) return false;
+    this.#pinHere(this.#hovered);
+    return true;
+  }
+
+  /** Turns the surface about the point whose loop is shown; false where there is none. */
+  turnAboutProbe(): boolean {
+    if (this.#hovered === undefined) return false;
+    this.#turnAbout(this.#hovered);
+    return true;
+  }
+
+  unpinLast(): void {
+    const last = this.#pins.at(-1);
+    if (last) this.unpin(last.id);
   }
 
   /** Moves the loop from vertex to vertex along edges, to the right and up on the screen. */
-  #moveProbe(right: number, up: number): void {
+  moveProbe(right: number, up: number): void {
     if (!this.#host.followsPointer()) return;
     const [stage, model] = [this.#stage, this.#model];
     this.#pointer = undefined;
+    this.#isQuiet = false;
     stage.touch();
     if (this.#hovered === undefined) {
       const vertex = this.#vertexInMiddle();

@@ -1,17 +1,20 @@
 // One model on the stage: its surface, and what is computed of it.
 
+import { linked } from '../kernel/abort.js';
 import { failure } from '../kernel/errors.js';
 import type {
   FieldName,
+  Limbs,
   Maximum,
   Mesh,
   PartOptions,
   Parts,
   PartThresholds,
+  PrintCheck,
   PrintLimits,
   SpectralOptions,
   Tips,
-  WeakPlace,
+  WatchedOptions,
 } from '../kernel/types.js';
 import { Surface, buildAdjacency, inSlices, splitCreases } from '../view/index.js';
 import { Fields, type FieldsHost } from './fields.js';
@@ -60,6 +63,22 @@ export class Model {
     );
   }
 
+  /** The limbs that the tips end; of several calls at a time, the first one has the progress and can stop it. */
+  limbs({ signal, onProgress }: WatchedOptions = {}): Promise<Limbs> {
+    return this.#once('limbs', async () => {
+      const igf = await this.fields.compute('igf');
+      const either = linked([this.life.signal, signal]);
+      try {
+        return await this.mesh.limbs(igf, {
+          signal: either.signal,
+          ...(onProgress ? { onProgress } : {}),
+        });
+      } finally {
+        either.release();
+      }
+    });
+  }
+
   /** The maxima of a field, or its minima, most persistent first. */
   maxima(name: FieldName, minima: boolean): Promise<Maximum[]> {
     const which = JSON.stringify(this.fields.spectralOf(name) ?? {});
@@ -88,9 +107,9 @@ export class Model {
     return this.mesh.parts(igf, sdf, options, this.#watched);
   }
 
-  async weakPlaces(limits: PrintLimits): Promise<WeakPlace[]> {
+  async printCheck(limits: PrintLimits): Promise<PrintCheck> {
     const { igf, sdf } = await this.girthAndDiameter();
-    return this.mesh.weakPlaces(igf, sdf, limits, this.#watched);
+    return this.mesh.printCheck(igf, sdf, limits, this.#watched);
   }
 
   async girthAndDiameter() {

@@ -14,7 +14,8 @@ import {
 import type { FieldState } from './fields.js';
 import { LoopsOnSurface, type LoopsHost } from './loops-on-surface.js';
 import type { Model } from './model.js';
-import { Shading, type ShadingWishes } from './shading.js';
+import { Shading, type ShadingWishes, type ShownPlaces } from './shading.js';
+import { Standing } from './standing.js';
 import { TipsOnSurface } from './tips-on-surface.js';
 
 /** A place of the surface to look at: a vertex, a region, a line, or some of these together. */
@@ -47,6 +48,7 @@ export interface PartsWish extends PartThresholds {
 
 /** Points of a region that suffice to find where it is. */
 const enoughPoints = 300;
+const pathStyle = { colour: '#3fd0ff', weight: 0.9 };
 const pictureStyle = { colour: '#ff7a45', weight: 1.1 };
 
 export interface PresentedHost extends LoopsHost {
@@ -58,8 +60,10 @@ export class Presented {
   readonly shading: Shading;
   readonly loops: LoopsOnSurface;
   readonly tips: TipsOnSurface;
+  readonly standing: Standing;
   readonly #smoother: Latest<PartsWish, Parts>;
   #points: PointMarks | undefined;
+  #path: LoopBand | undefined;
   #marked: ArrayLike<number> | undefined;
   #wished: PartsWish | undefined;
   #format: LengthFormat;
@@ -72,6 +76,7 @@ export class Presented {
     canvas: HTMLCanvasElement,
     model: Model,
     wishes: ShadingWishes,
+    up: string | null,
     host: PresentedHost,
   ) {
     this.#stage = stage;
@@ -79,8 +84,9 @@ export class Presented {
     this.#host = host;
     const { surface } = model;
     this.shading = new Shading(model, wishes);
-    this.#format = lengthFormat(2 * surface.bounds.radius, wishes.unit);
+    this.#format = lengthFormat(2 * surface.bounds.radius, wishes.unit, wishes.shownUnit);
     stage.show(surface);
+    this.standing = new Standing(stage, model, up);
     this.loops = new LoopsOnSurface(stage, canvas, model, this.#format, host);
     this.tips = new TipsOnSurface(stage, model);
     this.#smoother = new Latest(
@@ -123,7 +129,8 @@ export class Presented {
     const { model, shading } = this;
     const state = model.fields.get('igf');
     const largest = (state?.field?.range ?? state?.preview?.range)?.[1];
-    const format = lengthFormat(largest ?? 2 * model.surface.bounds.radius, shading.wishes.unit);
+    const { unit, shownUnit } = shading.wishes;
+    const format = lengthFormat(largest ?? 2 * model.surface.bounds.radius, unit, shownUnit);
     if (JSON.stringify(format) !== JSON.stringify(this.#format)) {
       this.#format = format;
       this.loops.setFormat(format);
@@ -144,14 +151,14 @@ export class Presented {
   get thresholds(): Required<PartsWish> | undefined {
     const { parts } = this.shading;
     if (!parts) return undefined;
-    const { girth, diameter } = parts;
-    return { girth, diameter, smoothing: this.#wished?.smoothing ?? 0 };
+    const { girth, thickness } = parts;
+    return { girth, thickness, smoothing: this.#wished?.smoothing ?? 0 };
   }
 
   /** Plain thresholds at once; smoothed parts as soon as they are computed. */
   setThresholds(wish: PartsWish): void {
-    const { girth, diameter, smoothing = 0 } = wish;
-    for (const number of [girth, diameter, smoothing]) {
+    const { girth, thickness, smoothing = 0 } = wish;
+    for (const number of [girth, thickness, smoothing]) {
       if (!(number >= 0)) {
         throw new RangeError('thresholds and smoothing are numbers from 0 on, in model units');
       }
@@ -162,9 +169,14 @@ export class Presented {
     if (smoothing > 0) this.#smoother.request(wish);
   }
 
-  #showParts({ girth, diameter }: PartsWish, smoothed: Parts | undefined): void {
-    this.shading.parts = { girth, diameter, smoothed };
+  #showParts({ girth, thickness }: PartsWish, smoothed: Parts | undefined): void {
+    this.shading.parts = { girth, thickness, smoothed };
     if (this.shading.wishes.name === 'parts') this.paint();
+  }
+
+  showPlaces(places: ShownPlaces | undefined): void {
+    this.shading.places = places;
+    this.paint();
   }
 
   mark(vertices: ArrayLike<number> | undefined): void {
@@ -179,6 +191,19 @@ export class Presented {
     const places = Array.from(vertices, (vertex) => surface.positionOf(vertex).toArray());
     this.#points = places.length > 0 ? new PointMarks(places) : undefined;
     if (this.#points) this.#stage.add(this.#points);
+  }
+
+  showPath(polyline: Float32Array | undefined): void {
+    if (this.#path) this.#stage.remove(this.#path);
+    const midpoint = polyline && [...polyline.slice(-3)];
+    this.#path =
+      midpoint?.length === 3
+        ? new LoopBand(
+            { kind: 'loop', polyline: polyline!, midpoint: midpoint as [number, number, number] },
+            pathStyle,
+          )
+        : undefined;
+    if (this.#path) this.#stage.add(this.#path);
   }
 
   flyTo(place: PlaceOnSurface, atOnce: boolean): void {
@@ -216,9 +241,11 @@ export class Presented {
 
   dispose(keepsMesh: boolean): void {
     this.#smoother.clear();
+    this.standing.dispose();
     this.loops.dispose();
     this.tips.clear();
     this.showPoints([]);
+    this.showPath(undefined);
     this.model.dispose(keepsMesh);
     this.#stage.show(undefined);
   }

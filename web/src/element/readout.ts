@@ -6,6 +6,8 @@ import { make } from './dom.js';
 
 /** CSS pixels between the pointer and the length. */
 const gap = 18;
+/** CSS pixels between a tag and the loop that it is about. */
+const tagGap = 14;
 
 /** What the kind of a loop means, in a word and in a sentence; a plain loop needs none. */
 export const kindWords = {
@@ -60,8 +62,10 @@ export class Readout {
 
 export class PinTag {
   readonly element = make('div', { class: 'tag' });
+  readonly #name = make('b');
   readonly #length = make('span');
   #size: { width: number; height: number } | undefined;
+  #spot = { x: 0, y: 0 };
   readonly number: number;
   readonly #loop: Loop;
 
@@ -71,7 +75,12 @@ export class PinTag {
     const cross = make('button', { class: 'cross', type: 'button' }, '✕');
     cross.setAttribute('aria-label', `Remove pinned loop ${number}`);
     cross.addEventListener('click', remove);
-    this.element.append(make('i', {}, String(number)), this.#length, cross);
+    this.element.append(make('i', {}, String(number)), this.#name, this.#length, cross);
+  }
+
+  setName(name: string): void {
+    this.#name.textContent = name;
+    this.#size = undefined;
   }
 
   setFormat(format: LengthFormat): void {
@@ -79,12 +88,29 @@ export class PinTag {
     this.#size = undefined;
   }
 
-  /** Beside a point of the canvas of the given size, never cut off by its edge. */
-  place(point: ScreenPoint, width: number, height: number): void {
+  /**
+   * Beside what is measured, on the outer side of a canvas of the given size, never cut off by its edge;
+   * `point` is half way round.
+   */
+  place(
+    point: ScreenPoint,
+    { left, right, middle }: { left: number; right: number; middle: number },
+    width: number,
+    height: number,
+  ): void {
     this.#size ??= { width: this.element.offsetWidth, height: this.element.offsetHeight };
-    const left = Math.max(4, Math.min(width - this.#size.width - 4, point.x + 12));
-    const top = Math.max(4, Math.min(height - this.#size.height - 4, point.y - 14));
+    const isLeft = left + right < width && left - tagGap - this.#size.width > 4;
+    const beside = isLeft ? left - tagGap - this.#size.width : right + tagGap;
+    const x = Math.max(4, Math.min(width - this.#size.width - 4, beside));
+    const y = Math.max(4, Math.min(height - this.#size.height - 4, middle - 14));
     this.element.classList.toggle('behind', !point.visible);
-    this.element.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
+    this.element.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
+    this.#spot = { x, y };
+  }
+
+  /** What is written on it, and where it is, for a picture. */
+  get label(): { words: string; x: number; y: number } {
+    const words = [String(this.number), this.#name.textContent, this.#length.textContent];
+    return { words: words.filter(Boolean).join(' '), ...this.#spot };
   }
 }

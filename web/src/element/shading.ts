@@ -2,6 +2,7 @@
 
 import type { FieldName, Parts, PartThresholds, PartialField, Tips } from '../kernel/types.js';
 import {
+  type Category,
   type ColormapName,
   type LegendContent,
   type LengthFormat,
@@ -11,12 +12,14 @@ import {
   fieldTitle,
   fieldUnit,
   formatCount,
+  formatLength,
   girthKinds,
   isFieldName,
   lengthFormat,
   partKinds,
-  quantile,
+  shareWithin,
 } from '../view/index.js';
+import { ColourRange, type Ends } from './colour-range.js';
 import type { FieldState } from './fields.js';
 import type { Model } from './model.js';
 import type { RangeChoice } from './parse.js';
@@ -34,11 +37,15 @@ export interface ShadingWishes {
   name: ShownName;
   /** Undefined: as fits the field. */
   colormap: ColormapName | undefined;
-  /** Undefined: the whole of the field. */
+  /** Undefined: the body of the values. */
   range: RangeChoice | undefined;
+  /** Whether equal factors, rather than equal differences, are equally far apart in the colour map. */
+  log: boolean;
   isolines: number;
   /** Of lengths; '' where it is not known. */
   unit: string;
+  /** What lengths are written in; '' for that unit. */
+  shownUnit: string;
 }
 
 /** What is shown, once there is something to show. */
@@ -51,8 +58,20 @@ export interface ShownField {
   extent: readonly [number, number] | undefined;
   /** The colours. */
   colormap: ColormapName;
+  /** Whether the colour map is logarithmic. */
+  log: boolean;
   /** How values are written. */
   format: LengthFormat;
+}
+
+/** Kinds of places that are shown in place of the field. */
+export interface ShownPlaces {
+  /** The legend's title. */
+  title: string;
+  /** Of each vertex, an index into the categories. */
+  kinds: Uint8Array;
+  /** What the kinds are. */
+  categories: readonly Category[];
 }
 
 /** Where parts begin and end: by two thresholds, or as the kernel has smoothed them. */
@@ -64,13 +83,17 @@ export class Shading {
   wishes: ShadingWishes;
   /** The thresholds of the parts; undefined until they are first chosen. */
   parts: PartsChoice | undefined;
+  /** Shown in place of what the wishes name; undefined for nothing. */
+  places: ShownPlaces | undefined;
   #tips: { made: Tips; jumps: Float64Array; highest: number } | undefined;
   #areas: Float64Array | undefined;
   /** Whether the two fields are in the surface's memory that the thresholds divide. */
   #hasPair = false;
-  #shares: { key: string; ends: [number, number] } | undefined;
+  readonly #colourRange = new ColourRange();
   #content: LegendContent | undefined;
   #current: ShownField | undefined;
+  /** What colours the surface until that is there which is wished for. */
+  #painted: ShownName = 'none';
   readonly #model: Model;
 
   constructor(model: Model, wishes: ShadingWishes) {
@@ -86,6 +109,19 @@ export class Shading {
     return this.#current;
   }
 
+  /** What colours the surface: what is wished for, or what did before, as long as that is not there. */
+  get name(): ShownName {
+    const { name } = this.wishes;
+    const { fields } = this.#model;
+    const isThere =
+      name === 'parts'
+        ? !!this.parts && !!fields.get('igf')?.field && !!fields.get('sdf')?.field
+        : name === 'kind'
+          ? !!fields.get('igf')?.field
+          : name !== 'tips' || !!this.#tips;
+    return isThere ? name : this.#painted;
+  }
+
   /** Computes what is to be shown, unless it is there. */
   async prepare(): Promise<void> {
     const model = this.#model;
@@ -98,7 +134,7 @@ export class Shading {
       await model.girthAndDiameter();
       this.parts ??= { ...(await model.suggestedThresholds()), smoothed: undefined };
     }
-    if (range?.by === 'shares') this.#areas ??= await model.areas();
+    if (range?.by !== 'values') this.#areas ??= await model.areas();
   }
 
   #keepTips(made: Tips): void {
@@ -114,14 +150,15 @@ export class Shading {
   /** How a field's values are written. */
   formatOf(name: ShownName): LengthFormat {
     const largest = this.#extentOf(name)?.[1] ?? 2 * this.#model.surface.bounds.radius;
-    return lengthFormat(largest, fieldUnit(name, this.wishes.unit));
+    const { unit, shownUnit } = this.wishes;
+    return lengthFormat(largest, fieldUnit(name, unit), shownUnit);
   }
 
   /** Takes new values and colours their vertices. */
   receive(state: FieldState, partial: PartialField): void {
     const { preview } = state;
     if (!preview) return;
-    const isShown = state.name === this.wishes.name;
+    const isShown = state.name === this.name && !this.places;
     // The first values take the place of whatever the surface was coloured by.
     if (isShown && preview.computed === 0) this.#paintScalar(preview.shown, () => computedWeight);
     preview.receive(partial, (vertex) => {
@@ -131,7 +168,7 @@ export class Shading {
 
   /** Whether colours are still to be spread between values that are there. */
   get isSpreading(): boolean {
-    return this.#preview !== undefined && this.#preview.computed > 0;
+    return this.#preview !== undefined && !this.#preview.isSpread;
   }
 
   /** Spreads colours to vertices without a value, for a few milliseconds; true when all are done. */
@@ -148,8 +185,8 @@ export class Shading {
   }
 
   get #preview() {
-    const { name } = this.wishes;
-    return isFieldName(name) ? this.#model.fields.get(name)?.preview : undefined;
+    const { name } = this;
+    return isFieldName(name) && !this.places ? this.#model.fields.get(name)?.preview : undefined;
   }
 
   #paintVertex(vertex: number, value: number, weight: number): void {
@@ -159,8 +196,12 @@ export class Shading {
   /** Colours every vertex anew with what there is. */
   paint(): void {
     const { surface, fields } = this.#model;
-    const { name } = this.wishes;
-    if (name === 'kind') {
+    const { name } = this;
+    this.#painted = name;
+    if (this.places) {
+      surface.setCategories(this.places.kinds, this.places.categories);
+      surface.shadeBy('categories');
+    } else if (name === 'kind') {
       const kinds = fields.get('igf')?.field?.kinds;
       if (kinds) surface.setCategories(kinds, girthKinds);
       surface.shadeBy(kinds ? 'categories' : 'plain');
@@ -201,7 +242,7 @@ export class Shading {
     } else {
       if (!this.#hasPair) surface.setPair(igf.values, sdf.values);
       this.#hasPair = true;
-      surface.setThresholds(parts.girth, parts.diameter, partKinds);
+      surface.setThresholds(parts.girth, parts.thickness, partKinds);
       surface.shadeBy('thresholds');
     }
   }
@@ -209,17 +250,24 @@ export class Shading {
   /** Brings range, lines and legend up to date with the values there are. */
   refresh(): void {
     const { surface } = this.#model;
-    const { name, isolines, colormap: wished } = this.wishes;
+    const { name } = this;
+    const { isolines, colormap: wished } = this.wishes;
     const format = this.formatOf(name);
     this.#current = undefined;
     this.#content = undefined;
+    if (this.places) {
+      const { title, categories } = this.places;
+      this.#content = { title, categories, note: '' };
+      return;
+    }
     if (name === 'none') return;
     const title = fieldTitle(name);
     if (name === 'kind' || name === 'parts') {
       if (name === 'kind' ? !this.#model.fields.get('igf')?.field : !this.parts) return;
       const used = name === 'kind' ? this.#usedGirthKinds() : partKinds;
       const colormap = wished ?? 'viridis';
-      this.#current = { name, range: undefined, extent: undefined, colormap, format };
+      const none = { range: undefined, extent: undefined, log: false };
+      this.#current = { name, ...none, colormap, format };
       this.#content = { title, categories: used, note: this.#noteOf(name) };
       return;
     }
@@ -238,15 +286,20 @@ export class Shading {
     surface.setColormap(colormap);
     surface.setRange(range[0] - widen, range[1] + widen);
     surface.setIsolines(isolines, name === 'igf' ? steepestGirth : Infinity);
-    this.#current = { name, range, extent, colormap, format };
+    // There are no logarithms of 0 and below.
+    const log = this.wishes.log && range[0] > 0;
+    surface.setLog(log);
+    this.#current = { name, range, extent, colormap, log, format };
     this.#content = {
       title,
       colormap,
       range,
       extent,
       format,
+      log,
       isolines,
       note: this.#noteOf(name),
+      beyond: this.wishes.range ? undefined : this.#beyond(name, range, extent),
     };
   }
 
@@ -270,28 +323,46 @@ export class Shading {
   ): readonly [number, number] {
     const { range } = this.wishes;
     if (range?.by === 'values') return range.ends;
-    let [low, high] = range ? this.#endsOf(name, extent, range) : extent;
+    let [low, high] = range ? this.#endsOf(name, extent, range) : this.#bodyOf(name, extent);
     if (isCentred) [low, high] = [Math.min(low, -high), Math.max(high, -low)];
     return [low, high];
   }
 
+  /** The extent without what few places stretch it by. */
+  #bodyOf(name: ShownName, extent: Ends): Ends {
+    // Angles have the same meaning everywhere, and most of the surface is in no tip.
+    if (!isFieldName(name) || name === 'angle') return extent;
+    const { field, preview } = this.#model.fields.get(name) ?? {};
+    const values = field?.values ?? preview?.values;
+    if (!values) return extent;
+    const count = field ? values.length : preview!.computed;
+    return this.#colourRange.bodyOf({ values, count, weights: this.#areas, extent });
+  }
+
   /** The values below which the wished shares of the surface lie; the extent until the field is whole. */
-  #endsOf(
-    name: ShownName,
-    extent: readonly [number, number],
-    { ends }: RangeChoice,
-  ): readonly [number, number] {
+  #endsOf(name: ShownName, extent: Ends, { ends }: RangeChoice): Ends {
     const values =
       name === 'tips'
         ? this.#tips?.jumps
         : this.#model.fields.get(name as FieldName)?.field?.values;
     if (!values || !this.#areas) return extent;
-    const key = `${name} ${ends.join()}`;
-    if (this.#shares?.key !== key) {
-      const [low, high] = ends.map((share) => quantile(values, this.#areas, share));
-      this.#shares = { key, ends: [low!, high!] };
-    }
-    return this.#shares.ends;
+    return this.#colourRange.sharesOf(values, this.#areas, ends);
+  }
+
+  /** What is not told by the colours: 'up to 348.6 in 0.6% of the surface'. */
+  #beyond(name: ShownName, [low, high]: Ends, extent: Ends): string | undefined {
+    const isCut = [extent[0] < low, extent[1] > high];
+    if (!isCut[0] && !isCut[1]) return undefined;
+    const format = this.formatOf(name);
+    const words = [
+      isCut[0] ? `from ${formatLength(extent[0], format)}` : '',
+      isCut[1] ? `up to ${formatLength(extent[1], format)}` : '',
+    ];
+    const values = this.#model.fields.get(name as FieldName)?.field?.values;
+    if (!values) return words.filter(Boolean).join(', ');
+    const share = 100 * (1 - shareWithin(values, this.#areas, [low, high]));
+    const percent = share < 0.1 ? 'less than 0.1' : share.toFixed(1);
+    return `${words.filter(Boolean).join(', ')} in ${percent}% of the surface`;
   }
 
   /** What else there is to know of the values: what the core notes about them, and what is grey. */

@@ -1,11 +1,38 @@
-// A picture of the surface with its legend.
+// A picture of the surface as a figure: with its legend, the labels of its loops and a scale bar.
 
-import { type LegendContent, drawLegend } from '../view/index.js';
+import { type LegendContent, type LengthFormat, drawLegend, formatLength } from '../view/index.js';
 
-/** The picture on the element's paper, with the legend where the element has it. */
-export function withLegend(
+/** What a picture has beside the surface. */
+export interface FigureOptions {
+  /** Colours with their numbers, and the labels of pinned loops. Default: false. */
+  legend?: boolean;
+  /** A round length, true at the distance of what the camera looks at. Default: false. */
+  scaleBar?: boolean;
+  /** Nothing behind the surface, rather than the element's paper. Default: true without a legend. */
+  transparent?: boolean;
+  /** In pixels. Default: as on the screen. */
+  width?: number;
+  /** How large it is printed, in pixels for each inch. Default: not stated. */
+  dotsPerInch?: number;
+}
+
+export interface FigureParts {
+  legend: LegendContent | undefined;
+  /** Where tags are on the element, in CSS pixels. */
+  labels: readonly { words: string; x: number; y: number }[];
+  /** CSS pixels for each unit of length. */
+  scale: number;
+  format: LengthFormat;
+}
+
+const margin = 16;
+const labelHeight = 22;
+
+/** The picture, which may be larger than the element, with what belongs to it. */
+export function figure(
   picture: HTMLCanvasElement,
-  content: LegendContent | undefined,
+  parts: FigureParts,
+  options: FigureOptions,
   element: HTMLElement,
 ): HTMLCanvasElement {
   const whole = document.createElement('canvas');
@@ -13,23 +40,73 @@ export function withLegend(
   const context = whole.getContext('2d')!;
   const css = getComputedStyle(element);
   const colour = (name: string): string => css.getPropertyValue(name).trim();
-  context.fillStyle = colour('--girth-paper');
-  context.fillRect(0, 0, whole.width, whole.height);
+  const isTransparent = options.transparent ?? !options.legend;
+  if (!isTransparent) {
+    context.fillStyle = colour('--girth-paper');
+    context.fillRect(0, 0, whole.width, whole.height);
+  }
   context.drawImage(picture, 0, 0);
-  if (!content) return whole;
   const ratio = picture.width / Math.max(1, element.clientWidth);
   context.scale(ratio, ratio);
-  const height = picture.height / ratio;
-  drawLegend(
-    context,
-    content,
-    {
-      ink: colour('--girth-ink'),
-      quiet: colour('--girth-quiet'),
-      family: css.fontFamily || 'sans-serif',
-    },
-    [16, height - 16],
-    Math.min(150, 0.4 * height),
-  );
+  const [width, height] = [picture.width / ratio, picture.height / ratio];
+  const family = css.fontFamily || 'sans-serif';
+  // What is printed on nothing is printed on white.
+  const ink = isTransparent ? '#1c1d21' : colour('--girth-ink');
+  const quiet = isTransparent ? '#5d6069' : colour('--girth-quiet');
+  context.font = `13px ${family}`;
+  if (options.legend) {
+    if (parts.legend) {
+      const barHeight = Math.min(150, 0.4 * height);
+      drawLegend(
+        context,
+        parts.legend,
+        { ink, quiet, family },
+        [margin, height - margin],
+        barHeight,
+      );
+    }
+    for (const label of parts.labels) drawLabel(context, label);
+  }
+  if (options.scaleBar) drawScaleBar(context, parts, ink, width - margin, height - margin);
   return whole;
+}
+
+function drawLabel(
+  context: CanvasRenderingContext2D,
+  { words, x, y }: FigureParts['labels'][number],
+): void {
+  const width = context.measureText(words).width + 20;
+  context.fillStyle = 'rgb(20 21 24 / 0.86)';
+  context.beginPath();
+  context.roundRect(x, y, width, labelHeight, labelHeight / 2);
+  context.fill();
+  context.fillStyle = '#ffffff';
+  context.textBaseline = 'middle';
+  context.fillText(words, x + 10, y + labelHeight / 2);
+}
+
+/** The greatest round length that is at most so many pixels; none where there is no scale. */
+export function scaleBarLength(most: number, scale: number, format: LengthFormat): number {
+  const reach = (most / scale) * format.scale;
+  const power = 10 ** Math.floor(Math.log10(reach));
+  const [first = power] = [5, 2, 1].map((times) => times * power).filter((one) => one <= reach);
+  return first / format.scale;
+}
+
+function drawScaleBar(
+  context: CanvasRenderingContext2D,
+  { scale, format }: FigureParts,
+  ink: string,
+  right: number,
+  bottom: number,
+): void {
+  const length = scaleBarLength(160, scale, format);
+  const width = length * scale;
+  context.fillStyle = ink;
+  context.fillRect(right - width, bottom - 3, width, 3);
+  context.textBaseline = 'bottom';
+  context.textAlign = 'center';
+  const decimals = Math.max(0, -Math.floor(Math.log10(length * format.scale) + 1e-9));
+  context.fillText(formatLength(length, { ...format, decimals }), right - width / 2, bottom - 7);
+  context.textAlign = 'start';
 }

@@ -1,5 +1,7 @@
 // The element's style. A page may set the custom properties on the element.
 
+import { canvasBarStyle } from './canvas-bar-style.js';
+
 export const style = /* css */ `
 :host {
   --girth-paper: #fbfbfa;
@@ -96,6 +98,28 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   block-size: 1px;
   background: rgb(255 255 255 / 0.75);
 }
+/* An end beyond which there is more is a tip. */
+.legend-bar.more-above { border-start-start-radius: 0; border-start-end-radius: 0; }
+.legend-bar.more-below { border-end-start-radius: 0; border-end-end-radius: 0; }
+.legend-bar.more-above::before, .legend-bar.more-below::after {
+  content: '';
+  position: absolute;
+  inset-inline: 0;
+  block-size: 8px;
+  background: inherit;
+  clip-path: polygon(50% 0, 100% 100%, 0 100%);
+}
+.legend-bar.more-above::before { inset-block-end: 100%; background: var(--top); }
+.legend-bar.more-below::after { inset-block-start: 100%; background: var(--bottom); transform: scaleY(-1); }
+.legend-beyond { margin: 14px 0 0; color: var(--girth-quiet); max-inline-size: 13rem; line-height: 1.3; }
+.legend-beyond button {
+  pointer-events: auto;
+  padding: 0 2px;
+  margin: 0;
+  color: var(--girth-accent);
+  font-weight: 600;
+  min-block-size: 24px;
+}
 .legend-key { list-style: none; margin: 0; padding: 0; display: grid; gap: 4px; }
 .legend-key li { display: flex; align-items: center; gap: 8px; }
 .legend-key i {
@@ -128,6 +152,9 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   .legend-tick:first-child { transform: translateX(-100%); }
   .legend-tick:last-child { transform: none; }
   .legend-tick.inner { display: none; }
+  .legend-bar.more-above::before, .legend-bar.more-below::after { display: none; }
+  .legend-beyond { position: absolute; inset: 40px 0 auto auto; margin: 0; max-inline-size: none; white-space: nowrap; }
+  .legend-beyond span { display: none; }
   .legend-line { inset-inline: calc(100% * var(--place)) auto; inset-block: 0; inline-size: 1px; block-size: auto; }
   .legend-key { display: flex; flex-wrap: wrap; gap: 2px 14px; margin-block-start: -5px; }
   .legend-note { margin: -5px 0 0; max-inline-size: 8rem; }
@@ -215,6 +242,7 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
 }
 .tag.behind { opacity: 0.7; }
 .tag i { font-style: normal; color: #ffb08a; margin-inline-end: 6px; font-weight: 650; }
+.tag b:not(:empty) { margin-inline-end: 8px; font-weight: 600; }
 .tag button { border-radius: 14px; pointer-events: auto; }
 .tag button:focus-visible { outline-color: #ffb08a; }
 
@@ -225,4 +253,15 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   overflow: hidden;
   clip-path: inset(50%);
 }
-`;
+
+/* What a colour tells keeps it where the system has few colours. */
+@media (forced-colors: active) {
+  .legend-bar, .legend-key i, .legend-line, .axes { forced-color-adjust: none; }
+  .legend-bar, .legend-key i { outline: 1px solid CanvasText; }
+  .legend { text-shadow: none; background: Canvas; padding: 4px; }
+  .track { border: 1px solid CanvasText; }
+  .bar { forced-color-adjust: none; background: Highlight; }
+  .tag, .readout, .plate, .message { border: 1px solid CanvasText; }
+  .bar-tools button[aria-expanded='true'] { outline: 2px solid Highlight; }
+}
+${canvasBarStyle}`;

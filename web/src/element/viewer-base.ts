@@ -15,9 +15,11 @@ import {
   Stage,
   fieldTitle,
   fieldUnit,
+  findLengthUnit,
   isColormapName,
   isShownName,
 } from '../view/index.js';
+import { CanvasControls, controlAttributes } from './canvas-controls.js';
 import { make } from './dom.js';
 import type {
   FieldChangeDetail,
@@ -27,7 +29,6 @@ import type {
   ProgressDetail,
 } from './events.js';
 import type { FieldState, FieldsHost } from './fields.js';
-import { groundUnder } from './ground.js';
 import type { PickDetail } from './loops-on-surface.js';
 import { Lifecycle } from './lifecycle.js';
 import { MessageBox } from './message-box.js';
@@ -38,7 +39,8 @@ import type { ShadingWishes } from './shading.js';
 import { sharedKernel } from './shared-kernel.js';
 import { StatusBar } from './status-bar.js';
 import { style } from './style.js';
-import { isMotionReduced, watchSurroundings } from './surroundings.js';
+import { watchSurroundings } from './surroundings.js';
+import { Voice } from './voice.js';
 import { Work, type Watched } from './work.js';
 
 /** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
@@ -59,28 +61,32 @@ export abstract class ViewerBase extends HTMLElement {
   static readonly observedAttributes = [
     'src',
     'unit',
+    'shown-unit',
     'field',
     'colormap',
     'range',
     'isolines',
+    'log',
     'time',
     'energy',
     'component',
     'loop',
-    'edges',
-    'turn',
+    ...controlAttributes,
   ];
 
   #canvas = make('canvas', {
     tabindex: '0',
     role: 'application',
     'aria-roledescription': '3D surface',
-    'aria-label':
-      'Surface. Arrows turn, plus and minus zoom, Shift with arrows moves a probe, Enter pins its loop.',
+    'aria-label': 'Surface',
+    'aria-describedby': 'keys',
   });
-  readonly #legend = new Legend();
+  readonly #legend = new Legend(() => {
+    this.setAttribute('range', '0% 100%');
+    this.dispatchEvent(new CustomEvent('view'));
+  });
   readonly #message = new MessageBox();
-  readonly #live = make('div', { class: 'quiet-live', 'aria-live': 'polite' });
+  readonly #voice = new Voice();
   readonly #status = new StatusBar({
     cancel: () => this.cancel(),
     cancelWork: () => this.#lifecycle.cancelLoad(),
@@ -98,6 +104,7 @@ export abstract class ViewerBase extends HTMLElement {
       present: (model, origin) => this.#present(model, origin),
       presented: (presented) => this.#greet(presented),
       drop: (presented, keepsMesh) => {
+        this.#controls.leave();
         this.#pointedVertex = undefined;
         presented.dispose(keepsMesh);
         this.#status.clear();
@@ -109,13 +116,15 @@ export abstract class ViewerBase extends HTMLElement {
 
   protected stage: Stage | undefined;
   readonly #reported = new WeakSet<object>();
-  /** Whether the surface was moved by hand, so that it no longer turns by itself. */
-  #touched = false;
   #pointedVertex: number | undefined;
+  readonly #controls: CanvasControls;
   #stopWatching: (() => void) | undefined;
+  #attached = new AbortController();
 
   constructor() {
     super();
+    const host = { element: this, stage: () => this.stage, presented: () => this.presented };
+    this.#controls = new CanvasControls(host);
     const root = this.attachShadow({ mode: 'open' });
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(style);
@@ -124,8 +133,9 @@ export abstract class ViewerBase extends HTMLElement {
       this.#canvas,
       this.#legend.element,
       this.#status.element,
+      this.#controls.element,
       this.#message.element,
-      this.#live,
+      ...this.#voice.elements,
     );
   }
 
@@ -134,12 +144,11 @@ export abstract class ViewerBase extends HTMLElement {
     try {
       this.stage = new Stage(this.#canvas, {
         beforeFrame: () => this.presented?.spread() ?? false,
-        afterFrame: () => this.presented?.loops.place(),
-        touched: () => {
-          if (this.#touched) return;
-          this.#touched = true;
-          this.dispatchEvent(new CustomEvent('touch'));
+        afterFrame: () => {
+          this.presented?.loops.place();
+          this.#controls.place();
         },
+        touched: () => this.#controls.touched(),
         rested: () => this.dispatchEvent(new CustomEvent('camera')),
       });
     } catch {
@@ -160,7 +169,9 @@ export abstract class ViewerBase extends HTMLElement {
     this.#stopWatching = watchSurroundings(this, {
       resized: (width, height) => {
         const bottom = width <= narrow ? legendHeight : 0;
-        stage.resize(width, height, bottom, window.devicePixelRatio);
+        // What the page writes there.
+        const top = Number.parseFloat(getComputedStyle(this).getPropertyValue('--girth-top')) || 0;
+        stage.resize(width, height, top, bottom, window.devicePixelRatio);
       },
       sighted: (isInView) => {
         stage.rest(!isInView);
@@ -168,9 +179,11 @@ export abstract class ViewerBase extends HTMLElement {
       },
       motionChanged: (isReduced) => {
         stage.setDamping(!isReduced);
-        this.#updateTurning();
+        this.#controls.updateTurning();
       },
     });
+    this.#attached = new AbortController();
+    this.#controls.attach(this.#canvas, this.#attached.signal);
     if (this.hasAttribute('src')) void this.#loadSrc();
   }
 
@@ -178,6 +191,7 @@ export abstract class ViewerBase extends HTMLElement {
   disconnectedCallback(): void {
     this.#stopWatching?.();
     this.#stopWatching = undefined;
+    this.#attached.abort();
     this.#lifecycle.detach();
     this.stage?.dispose();
     this.stage = undefined;
@@ -195,11 +209,13 @@ export abstract class ViewerBase extends HTMLElement {
         if (value !== null && this.stage) void this.#loadSrc();
         break;
       case 'unit':
+      case 'shown-unit':
         this.#restyle(false);
         if (this.presented) this.dispatchEvent(new CustomEvent('unit'));
         break;
       case 'field':
         if (value === 'none') this.cancel();
+        if (this.presented) this.presented.shading.places = undefined;
         this.#restyle(true);
         void this.#showField();
         break;
@@ -209,6 +225,7 @@ export abstract class ViewerBase extends HTMLElement {
         void this.#showField();
         break;
       case 'colormap':
+      case 'log':
       case 'isolines':
         this.#restyle(false);
         this.#sendChange();
@@ -225,11 +242,8 @@ export abstract class ViewerBase extends HTMLElement {
       case 'loop':
         if (value === 'none') this.presented?.loops.clear();
         break;
-      case 'edges':
-        this.presented?.model.surface.showEdges(value !== null);
-        break;
-      case 'turn':
-        this.#updateTurning();
+      default:
+        this.#controls.follow(name);
         break;
     }
     this.stage?.invalidate();
@@ -252,6 +266,11 @@ export abstract class ViewerBase extends HTMLElement {
   /** The unit of lengths: the file's, or where it does not say, the attribute's; '' for none. */
   get unit(): string {
     return this.info?.unit || (this.getAttribute('unit') ?? '');
+  }
+
+  /** The unit that lengths are written in: the attribute's where it is one, otherwise ''. */
+  get shownUnit(): string {
+    return findLengthUnit(this.getAttribute('shown-unit') ?? '')?.symbol ?? '';
   }
 
   /**
@@ -281,6 +300,11 @@ export abstract class ViewerBase extends HTMLElement {
     return (await this.#lifecycle.load({ words, name, read, origin })).info;
   }
 
+  /** Does what a key means for the surface, as if it had the focus; false where it means nothing. */
+  press(event: KeyboardEvent): boolean {
+    return this.#controls.press(event);
+  }
+
   /** Stops computing fields; what there is stays. */
   cancel(): void {
     this.presented?.model.fields.cancel();
@@ -299,38 +323,39 @@ export abstract class ViewerBase extends HTMLElement {
     this.#message.clear();
     const { unreadable, name } = model.mesh.info;
     if (!origin) this.#message.showPassedOver(unreadable, name);
-    model.surface.showEdges(this.hasAttribute('edges'));
     // The unit of what is shown is the model's own, which is not there yet.
     const wishes = { ...this.#wishes, unit: model.mesh.info.unit || this.#wishes.unit };
-    const presented = new Presented(this.stage!, this.#canvas, model, wishes, {
+    const up = this.getAttribute('up');
+    const presented = new Presented(this.stage!, this.#canvas, model, wishes, up, {
       followsPointer: () => this.getAttribute('loop') !== 'none',
       pointed: (vertex) => this.#pointed(vertex),
       picked: (detail) => this.#send<PickDetail>('pick', detail),
       failed: (error) => this.#fail('', error),
-      relabelled: (legend) => this.#legend.update(legend),
+      relabelled: (legend) => {
+        this.#legend.update(legend);
+        this.#voice.call(this.#canvas, this.presented);
+      },
     });
     this.#legend.element.after(presented.loops.element);
     return presented;
   }
 
   #greet(presented: Presented): void {
+    this.#controls.greet();
     this.#send<LoadDetail>('load', { info: presented.model.mesh.info });
     void this.#afterShowing(presented);
     void this.#showField();
   }
 
   /** What may come after the first picture. */
-  async #afterShowing({ model, loops }: Presented): Promise<void> {
+  async #afterShowing({ model, loops, standing }: Presented): Promise<void> {
     const { signal } = model.life;
     try {
       await new Promise((resolve) => setTimeout(resolve));
       signal.throwIfAborted();
       await model.surface.prepareToPick();
       signal.throwIfAborted();
-      const shadow = await groundUnder(model.mesh, model.surface, signal);
-      await this.stage?.prepare(shadow.object);
-      signal.throwIfAborted();
-      this.stage?.setShadow(shadow);
+      await standing.castShadow();
       await loops.prepare();
       signal.throwIfAborted();
       for (const vertex of parseVertices(this.getAttribute('loop'))) await loops.pin(vertex);
@@ -377,7 +402,7 @@ export abstract class ViewerBase extends HTMLElement {
       if ((computing ?? name) === name) {
         this.#status.showProgress(fieldTitle(name), fraction, secondsLeft);
       }
-      this.#updateTurning();
+      this.#controls.updateTurning();
       if (fraction > 0) this.#send<ProgressDetail>('progress', { name, fraction, secondsLeft });
     },
     ended: (state, error) => {
@@ -386,7 +411,7 @@ export abstract class ViewerBase extends HTMLElement {
       const { shading, model } = this.presented!;
       if (!model.fields.computing) this.#status.clear();
       if (field) {
-        if (shading.wishes.name === name) this.presented!.paint();
+        if (shading.name === name) this.presented!.paint();
         this.#sendField(name, field.range, 1);
       } else if (fieldsOf(error).code === 'CANCELLED') {
         const share = model.fields.shareOf(name);
@@ -396,7 +421,7 @@ export abstract class ViewerBase extends HTMLElement {
       } else {
         this.#fail(model.mesh.info.name, error);
       }
-      this.#updateTurning();
+      this.#controls.updateTurning();
     },
   };
 
@@ -413,15 +438,6 @@ export abstract class ViewerBase extends HTMLElement {
     if (isComputed) await this.#showField();
   }
 
-  /** Turns where it is asked for, but not while it computes: the work goes first. */
-  #updateTurning(): void {
-    if (!this.stage) return;
-    const still = isMotionReduced();
-    const isBusy = this.presented?.model.fields.computing !== undefined;
-    const turning = this.hasAttribute('turn') && !this.#touched && !still && !isBusy;
-    if (this.stage.turning !== turning) this.stage.turning = turning;
-  }
-
   // ---- colours
 
   /** What the attributes ask for. */
@@ -432,8 +448,10 @@ export abstract class ViewerBase extends HTMLElement {
       name: isShownName(field) ? field : 'igf',
       colormap: isColormapName(colormap) ? colormap : undefined,
       range: parseRange(this.getAttribute('range')),
+      log: this.hasAttribute('log'),
       isolines: parseCount(this.getAttribute('isolines'), mostIsolines),
       unit: this.unit,
+      shownUnit: this.shownUnit,
     };
   }
 
@@ -463,11 +481,12 @@ export abstract class ViewerBase extends HTMLElement {
   #sendField(name: FieldName, range: [number, number], share: number): void {
     const unit = fieldUnit(name, this.unit);
     this.#send<FieldDetail>('field', { name, range, unit, share });
-    if (share === 1) this.#live.textContent = `${fieldTitle(name)}: computed.`;
+    if (share === 1) this.#voice.computed(name, range, this.require());
   }
 
   #sendChange(): void {
     if (!this.presented) return;
+    this.#voice.call(this.#canvas, this.presented);
     const { name } = this.#wishes;
     this.#send<FieldChangeDetail>('fieldchange', { name, shown: this.presented.shading.shown });
   }

@@ -4,6 +4,7 @@ import type {
   Field,
   FieldFormat,
   FieldName,
+  Limbs,
   Loop,
   LoopFormat,
   Maximum,
@@ -12,24 +13,28 @@ import type {
   PartOptions,
   Parts,
   PartThresholds,
+  PrintCheck,
   PrintLimits,
   SpectralOptions,
+  SurfacePath,
   SurfacePoint,
   Tips,
-  WeakPlace,
+  WatchedOptions,
 } from '../kernel/types.js';
 import {
   type CameraView,
   type LengthFormat,
   type ScreenPoint,
   type ShownName,
+  type UpAxis,
   isFieldName,
   lengthFormat,
 } from '../view/index.js';
 import type { PinnedLoop } from './loops-on-surface.js';
 import type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
-import type { ShownField } from './shading.js';
-import { withLegend } from './snapshot.js';
+import type { ShownField, ShownPlaces } from './shading.js';
+import { withDensity } from './png-density.js';
+import { type FigureOptions, figure } from './snapshot.js';
 import type { TipsChoice } from './tips-on-surface.js';
 import { ViewerBase } from './viewer-base.js';
 
@@ -39,6 +44,8 @@ import { ViewerBase } from './viewer-base.js';
  * Attributes:
  * - `src`: address of a model: GLB, glTF with its buffers beside it, OBJ, PLY, STL, OFF, or a zip.
  * - `unit`: the unit of lengths where the file does not say it, for example `mm`.
+ * - `shown-unit`: the unit that lengths are written in: `um`, `mm`, `cm`, `m`, `km`, `in` or `ft`; by
+ *   default the model's own. Files that are exported keep the model's.
  * - `field`: what colours the surface: `igf` (the girth, default), `sdf` (the shape diameter), `geoaverage`
  *   and `geofarthest` (mean and greatest geodesic distance), `angle` (of the loop at its base), `hks`, `wks`
  *   and `sihks` (one number of the heat, wave and scale-invariant heat kernel signatures), `kind` (of the
@@ -46,8 +53,9 @@ import { ViewerBase } from './viewer-base.js';
  *   body) or `none`.
  * - `colormap`: `viridis` (default), `cividis`, `plasma`, `magma`, `turbo`, or `rdbu`, which diverges and is
  *   the default where values have both signs.
- * - `range`: `auto` (default); two numbers, the values at the ends of the colour map; or two percentages as
+ * - `range`: `auto` (default), the body of the values, without what few places stretch it by; two numbers, the values at the ends of the colour map; or two percentages as
  *   in `5% 95%`, the shares of the surface's area that lie below them.
+ * - `log`: the colour map is logarithmic, where all values in it are above 0.
  * - `isolines`: so many lines of equal value between the ends of the range; none by default.
  * - `time`: of `hks`, as a share of the surface's area, `0.002` by default; small times see small details.
  * - `energy`: of `wks`, from `1` (low: the whole shape) to `100` (details); `20` by default.
@@ -57,17 +65,24 @@ import { ViewerBase } from './viewer-base.js';
  * - `loop`: `hover` (default), `none`, or vertices whose loops are pinned once the model is there,
  *   as in `loop="12 4031"`.
  * - `edges`: draws the mesh's edges.
- * - `turn`: turns slowly once it is computed and until touched, unless the system asks for reduced motion.
+ * - `shading`: `smooth` (default); `flat`, so that each face can be seen; or `transparent`.
+ * - `up`: the direction of the file that is up: `y`, `z`, `-y`, `-z`, `x` or `-x`. Default: the format's
+ *   convention (y of glTF and OBJ, z of STL), otherwise a guess from the shape; see `upAxis`.
+ * - `keep-view`: the next model is seen from where this one is, in sizes of the models.
+ * - `controls`: a small bar on the surface: first view, axes and straight views, drawing, pause.
+ * - `turn`: turns slowly once it is computed and until something is done on the page, unless the system asks
+ *   for reduced motion; with a button that stops it.
  *
  * Events: `load` (`LoadDetail`), `progress` (`ProgressDetail`), `field` (`FieldDetail`: one is computed, or
  * was cancelled), `fieldchange` (`FieldChangeDetail`: the surface is coloured otherwise), `hover`
  * (`HoverDetail`), `pick` (`PickDetail`), `error` (`GirthErrorFields`), `touch` (no detail: the surface no
- * longer turns), `unit` (no detail: lengths are written in another unit), `camera` (no detail: it was moved,
+ * longer turns), `view` (no detail: something was chosen on the bar), `unit` (no detail: lengths are written in another unit), `camera` (no detail: it was moved,
  * and is at rest again). None bubbles.
  *
- * Keyboard, while the surface has the focus: arrows turn, + and − zoom, 0 resets; Shift with an
- * arrow moves a probe over the surface, Enter pins its loop, Escape hides it, Delete removes the
- * last pinned loop.
+ * Keyboard, while the surface has the focus, and by `press`: arrows turn, + and − zoom, 0 resets, 1, 2 and 3
+ * look from the front, the side and the top; Shift with an arrow moves a probe over the surface, Enter pins
+ * its loop, C turns about it, Escape hides it, Delete removes the last pinned loop. A double click, or a
+ * double tap, turns about a point as C does.
  *
  * Nothing is fetched for `src` or computed before the element is in view, and no field before it is asked
  * for, by the attribute or by a method. All elements of a page share one kernel.
@@ -82,7 +97,7 @@ export class GirthViewer extends ViewerBase {
 
   /** How the element writes lengths: those of loops, and the girth. */
   get lengthFormat(): LengthFormat {
-    return this.presented?.lengthFormat ?? lengthFormat(1, this.unit);
+    return this.presented?.lengthFormat ?? lengthFormat(1, this.unit, this.shownUnit);
   }
 
   /** How the element writes the values of a field. */
@@ -171,6 +186,14 @@ export class GirthViewer extends ViewerBase {
     if (this.presented === presented && turn === this.#tipsTurn) presented.tips.show(tips, choice);
   }
 
+  /**
+   * The limbs that the tips end, and how thick they are all along; the girth is computed first unless it is
+   * there. Of several calls at a time, the first one has the progress and can stop it.
+   */
+  async limbs(options: WatchedOptions = {}): Promise<Limbs> {
+    return this.require().model.limbs(options);
+  }
+
   /** Where a field is greatest, or least, among its surroundings; most persistent first. */
   async maxima(name: FieldName, options: { minima?: boolean } = {}): Promise<Maximum[]> {
     return this.require().model.maxima(name, options.minima ?? false);
@@ -209,9 +232,14 @@ export class GirthViewer extends ViewerBase {
     this.require().setThresholds(wish);
   }
 
-  /** Places that are too thin to print, thinnest first. */
-  async weakPlaces(limits: PrintLimits): Promise<WeakPlace[]> {
-    return this.require().model.weakPlaces(limits);
+  /** What is too thin to print, and the scale from which on it is not; the fields are computed first. */
+  async printCheck(limits: PrintLimits): Promise<PrintCheck> {
+    return this.require().model.printCheck(limits);
+  }
+
+  /** Colours the surface by kinds of places, with a legend of their own, until told otherwise or until `field` changes. */
+  showPlaces(places?: ShownPlaces): void {
+    this.require().showPlaces(places);
   }
 
   /** Shows these vertices as they are and fades the others; nothing said: all as they are. */
@@ -227,9 +255,39 @@ export class GirthViewer extends ViewerBase {
     return mesh.loop(point, { signal: life.signal });
   }
 
+  /** The shortest path between two points, and how far they are apart in space. */
+  async path(from: SurfacePoint, to: SurfacePoint): Promise<SurfacePath> {
+    const { mesh, life } = this.require().model;
+    return mesh.path(from, to, { signal: life.signal });
+  }
+
+  /** Draws a path on the surface, with a dot at its end; nothing said: none. */
+  showPath(path?: SurfacePath): void {
+    this.require().showPath(path?.polyline);
+  }
+
+  /**
+   * Shows the loop at a vertex or at a point of a face, as if it were pointed at; nothing said: none. It
+   * follows at once, and of many points in quick succession the last one counts. `quiet`: screen readers do
+   * not say it.
+   */
+  showLoop(point?: SurfacePoint, options: { quiet?: boolean } = {}): void {
+    this.require().loops.lookAt(point, options.quiet);
+  }
+
+  /** Vertices along a way over the surface from end to end, to slide a loop along. */
+  longWay(): number[] {
+    return this.require().model.surface.longWay();
+  }
+
   /** Computes the loop at a vertex or at a point of a face, and keeps it on the surface. */
   async pin(point: SurfacePoint): Promise<PinnedLoop> {
     return this.require().loops.pin(point);
+  }
+
+  /** Calls a pinned loop by a name, '' for none; nothing happens where there is none of that id. */
+  nameLoop(id: number, name: string): void {
+    this.presented?.loops.rename(id, name);
   }
 
   /** Removes a pinned loop; nothing happens where there is none of that id. */
@@ -242,6 +300,32 @@ export class GirthViewer extends ViewerBase {
   /** Back to the first view of the model. */
   resetView(): void {
     this.stage?.resetView();
+  }
+
+  /** Which way is up, and how that is known; undefined before the first model. */
+  get upAxis(): UpAxis | undefined {
+    return this.presented?.standing.axis;
+  }
+
+  /** The model's extent upwards, in model units; 0 before the first model. */
+  get height(): number {
+    const { info, upAxis } = this;
+    if (!info || !upAxis) return 0;
+    const { direction } = upAxis;
+    const axis = direction.findIndex((share) => Math.abs(share) === 1);
+    if (axis >= 0) return info.size[axis]!;
+    const { positions } = this.require().model.mesh.geometry;
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = 0; i < positions.length; i += 3) {
+      const above = direction.reduce((sum, share, k) => sum + share * positions[i + k]!, 0);
+      [low, high] = [Math.min(low, above), Math.max(high, above)];
+    }
+    return high - low;
+  }
+
+  /** Whether the camera is where `resetView` puts it. */
+  get isAtHome(): boolean {
+    return this.stage?.isHome ?? false;
   }
 
   /** From where the surface is seen; undefined before the first model. */
@@ -267,14 +351,21 @@ export class GirthViewer extends ViewerBase {
   }
 
   /**
-   * The picture as it is now, as a PNG: with a transparent background; or with the legend, on the
-   * element's paper.
+   * The picture as it is now, as a PNG: with a transparent background; or with the legend, on the element's
+   * paper, unless that is to be transparent too; larger than on the screen, with a scale bar, for print.
    */
-  async snapshot(options: { legend?: boolean } = {}): Promise<Blob> {
-    if (!this.stage) throw new Error('the element is not on a page');
-    const picture = this.stage.picture();
-    const content = options.legend ? this.presented?.shading.legend : undefined;
-    return blobOf(options.legend ? withLegend(picture, content, this) : picture);
+  async snapshot(options: FigureOptions = {}): Promise<Blob> {
+    const { stage, presented } = this;
+    if (!stage) throw new Error('the element is not on a page');
+    const { width, dotsPerInch } = options;
+    const parts = {
+      legend: presented?.shading.legend,
+      labels: presented?.loops.labels ?? [],
+      scale: stage.pixelsPerUnit,
+      format: this.lengthFormat,
+    };
+    const blob = await blobOf(figure(stage.picture(width), parts, options, this));
+    return dotsPerInch === undefined ? blob : withDensity(blob, dotsPerInch);
   }
 
   /**
@@ -313,6 +404,13 @@ export class GirthViewer extends ViewerBase {
     const { mesh, life } = this.require().model;
     const { unit } = this;
     return mesh.exportTips(await this.fieldOf('igf'), format, { signal: life.signal, unit });
+  }
+
+  /** The limbs as a file's content: everything, or a row for each. */
+  async exportLimbs(format: 'json' | 'csv'): Promise<Uint8Array> {
+    const { mesh, life } = this.require().model;
+    const { unit } = this;
+    return mesh.exportLimbs(await this.fieldOf('igf'), format, { signal: life.signal, unit });
   }
 
   /** The parts as a file's content. */

@@ -110,8 +110,8 @@ serveRequests<JobOperations>({
     return {};
   },
 
-  remesh({ surface, faces, info }, report) {
-    const made = checked(module.remesh(surfaces.get(surface), faces, progressTo(report)));
+  remesh({ surface, faces, even, info }, report) {
+    const made = checked(module.remesh(surfaces.get(surface), faces, even, progressTo(report)));
     return remeshedSurface(made, info);
   },
 
@@ -125,12 +125,20 @@ serveRequests<JobOperations>({
     );
   },
 
+  path({ surface, from, to }) {
+    return checked(module.path(surfaces.get(surface), from, to));
+  },
+
   vertexAreas({ surface }) {
     return checked(module.vertexAreas(surfaces.get(surface)));
   },
 
   tips({ surface, girth }) {
     return checked(module.tips(surfaces.get(surface), girth));
+  },
+
+  limbs({ surface, girth, stations }, report) {
+    return checked(module.limbs(surfaces.get(surface), girth, stations, progressTo(report)));
   },
 
   thresholds({ surface, fields }) {
@@ -145,8 +153,8 @@ serveRequests<JobOperations>({
     return checked(module.maxima(surfaces.get(surface), values, minima));
   },
 
-  weakPlaces({ surface, fields, limits }) {
-    return checked(module.weakPlaces(surfaces.get(surface), fields, limits));
+  printCheck({ surface, fields, limits }) {
+    return checked(module.printCheck(surfaces.get(surface), fields, limits));
   },
 
   writeFields({ surface, model, fields, format }) {
@@ -155,6 +163,12 @@ serveRequests<JobOperations>({
 
   writeTips({ surface, model, girth, format }) {
     return checked(module.writeTips(surfaces.get(surface), model, girth, format));
+  },
+
+  writeLimbs({ surface, model, girth, stations, format }, report) {
+    const progress = progressTo(report);
+    const from = surfaces.get(surface);
+    return checked(module.writeLimbs(from, model, girth, stations, format, progress));
   },
 
   writeParts({ surface, model, fields, options, format }) {

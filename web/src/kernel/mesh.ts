@@ -32,6 +32,8 @@ import type {
   FieldFormat,
   FieldName,
   FieldOptions,
+  LimbOptions,
+  Limbs,
   Loop,
   LoopFormat,
   MaximaOptions,
@@ -41,14 +43,16 @@ import type {
   PartOptions,
   Parts,
   PartThresholds,
+  PrintCheck,
   PrintLimits,
   RemeshedMesh,
+  RemeshOptions,
   SpectralFieldName,
   SpectralOptions,
+  SurfacePath,
   SurfacePoint,
   Tips,
   WatchedOptions,
-  WeakPlace,
 } from './types.js';
 
 /** Units as files name them. */
@@ -72,7 +76,14 @@ const progressOf =
     if (!signal?.aborted && 'progress' in report) onProgress?.(report.progress);
   };
 
-const whole = ({ girth, diameter, smoothing = 0 }: PartOptions) => ({ girth, diameter, smoothing });
+/** Stations of a limb's profile, unless more are asked for: as in `limbs.h`. */
+const limbStations = 64;
+
+const whole = ({ girth, thickness, smoothing = 0 }: PartOptions) => ({
+  girth,
+  thickness,
+  smoothing,
+});
 
 export class MeshOfWorkers implements Mesh {
   readonly info: Mesh['info'];
@@ -128,6 +139,17 @@ export class MeshOfWorkers implements Mesh {
     return { ...found, base, unit };
   }
 
+  async path(
+    from: SurfacePoint,
+    to: SurfacePoint,
+    { signal }: CallOptions = {},
+  ): Promise<SurfacePath> {
+    const { unit } = this.info;
+    const [start, end] = [from, to].map((point) => checkedPoint(point, this.info));
+    const found = await this.#ask('path', { from: start!, to: end! }, signal);
+    return { ...found, unit };
+  }
+
   async vertexAreas({ signal }: CallOptions = {}): Promise<Float64Array> {
     const { areas } = await this.#ask('vertexAreas', {}, signal);
     return areas;
@@ -136,6 +158,14 @@ export class MeshOfWorkers implements Mesh {
   async tips(igf: Field, { signal }: CallOptions = {}): Promise<Tips> {
     const girth = this.#own(igf, 'igf');
     return this.#ask('tips', { girth }, signal);
+  }
+
+  async limbs(
+    igf: Field,
+    { signal, onProgress, stations = limbStations }: LimbOptions = {},
+  ): Promise<Limbs> {
+    const girth = this.#own(igf, 'igf');
+    return this.#ask('limbs', { girth, stations }, signal, { onProgress });
   }
 
   async suggestedThresholds(
@@ -177,16 +207,15 @@ export class MeshOfWorkers implements Mesh {
     return maxima;
   }
 
-  async weakPlaces(
+  async printCheck(
     igf: Field,
     sdf: Field,
     { tubeDiameter, wallThickness }: PrintLimits,
     { signal }: CallOptions = {},
-  ): Promise<WeakPlace[]> {
+  ): Promise<PrintCheck> {
     const fields = this.#girthAndDiameter(igf, sdf);
     const limits = { tubeDiameter, wallThickness };
-    const { places } = await this.#ask('weakPlaces', { fields, limits }, signal);
-    return places;
+    return this.#ask('printCheck', { fields, limits }, signal);
   }
 
   exportField(field: Field, format: FieldFormat, options: ExportOptions = {}): Promise<Uint8Array> {
@@ -220,6 +249,16 @@ export class MeshOfWorkers implements Mesh {
     const girth = this.#own(igf, 'igf');
     const model = this.#written(unit);
     const { bytes } = await this.#ask('writeTips', { model, girth, format }, signal);
+    return bytes;
+  }
+
+  async exportLimbs(
+    igf: Field,
+    format: 'json' | 'csv',
+    { signal, unit, onProgress, stations = limbStations }: ExportOptions & LimbOptions = {},
+  ): Promise<Uint8Array> {
+    const args = { model: this.#written(unit), girth: this.#own(igf, 'igf'), stations, format };
+    const { bytes } = await this.#ask('writeLimbs', args, signal, { onProgress });
     return bytes;
   }
 
@@ -262,7 +301,10 @@ export class MeshOfWorkers implements Mesh {
     return files;
   }
 
-  async remesh(faces: number, { signal, onProgress }: WatchedOptions = {}): Promise<RemeshedMesh> {
+  async remesh(
+    faces: number,
+    { even = false, signal, onProgress }: RemeshOptions = {},
+  ): Promise<RemeshedMesh> {
     const { info } = this;
     const surface = this.#jobSurface;
     const opened = await this.#host.job(
@@ -270,7 +312,7 @@ export class MeshOfWorkers implements Mesh {
       signal,
       (worker) => {
         const onReport = progressOf(signal, onProgress);
-        return worker.requestOn(surface, 'remesh', { faces, info }, { onReport });
+        return worker.requestOn(surface, 'remesh', { faces, even, info }, { onReport });
       },
     );
     const mesh = new MeshOfWorkers(this.#host, opened);
@@ -291,7 +333,7 @@ export class MeshOfWorkers implements Mesh {
       });
     }
     const args = { remeshed: remeshed.surface.number, values };
-    const carried = await this.#ask('carryBack', args, signal, remeshed);
+    const carried = await this.#ask('carryBack', args, signal, { other: remeshed });
     return carried.values;
   }
 
@@ -313,7 +355,7 @@ export class MeshOfWorkers implements Mesh {
       other: other.surface.number,
       otherValues: otherField.values,
     };
-    const { difference } = await this.#ask('difference', args, signal, other);
+    const { difference } = await this.#ask('difference', args, signal, { other });
     return difference;
   }
 
@@ -322,13 +364,17 @@ export class MeshOfWorkers implements Mesh {
     operation: K,
     args: Omit<Arguments<JobOperations, K>, 'surface'>,
     signal: AbortSignal | undefined,
-    other: MeshOfWorkers = this,
+    {
+      other = this,
+      onProgress,
+    }: { other?: MeshOfWorkers } & Pick<WatchedOptions, 'onProgress'> = {},
   ): Promise<Answer<JobOperations, K>> {
+    const onReport = progressOf(signal, onProgress);
     const surface = this.#jobSurface;
     const surfaces = [surface, ...(other === this ? [] : [other.#jobSurface])];
     return this.#host.job({ surfaces }, signal, async (worker) => {
       for (const one of surfaces.slice(1)) await worker.adopt(one);
-      return worker.requestOn(surface, operation, args);
+      return worker.requestOn(surface, operation, args, { onReport });
     });
   }
 

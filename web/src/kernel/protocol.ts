@@ -7,6 +7,7 @@ import type {
   FieldFormat,
   FileWithPath,
   GirthErrorFields,
+  Limbs,
   Loop,
   LoopFormat,
   Maximum,
@@ -17,13 +18,13 @@ import type {
   Parts,
   PartThresholds,
   PrepareOptions,
+  PrintCheck,
   PrintLimits,
   SpectralFieldName,
   SpectralOptions,
   SurfacePoint,
   Tips,
   VertexFieldName,
-  WeakPlace,
 } from './types.js';
 
 /** A surface's exact arrays: every worker that gets them makes the same surface, bit for bit. */
@@ -136,7 +137,7 @@ export interface JobOperations extends CommonOperations {
   /** Builds a surface and keeps it under this number. */
   adopt: [{ surface: number; arrays: SurfaceWithInput }, object];
   /** A surface of about so many faces. `info` is that of the original. */
-  remesh: [{ surface: number; faces: number; info: MeshInfo }, OpenedSurface];
+  remesh: [{ surface: number; faces: number; even: boolean; info: MeshInfo }, OpenedSurface];
   /** Carries values at the vertices of `remeshed` to those of `surface`. */
   carryBack: [
     { surface: number; remeshed: number; values: Float64Array },
@@ -147,22 +148,35 @@ export interface JobOperations extends CommonOperations {
     { surface: number; values: Float64Array; other: number; otherValues: Float64Array },
     { difference: number },
   ];
+  path: [
+    { surface: number; from: SurfacePoint; to: SurfacePoint },
+    { length: number; straight: number; polyline: Float32Array<ArrayBuffer> },
+  ];
   vertexAreas: [{ surface: number }, { areas: Float64Array<ArrayBuffer> }];
   tips: [{ surface: number; girth: Float64Array }, Tips];
+  /** The limbs of all tips, with so many stations each. */
+  limbs: [{ surface: number; girth: Float64Array; stations: number }, Limbs];
   thresholds: [{ surface: number; fields: GirthAndDiameter }, PartThresholds];
   parts: [{ surface: number; fields: GirthAndDiameter; options: Required<PartOptions> }, Parts];
   /** The maxima of values, or their minima. */
   maxima: [{ surface: number; values: Float64Array; minima: boolean }, { maxima: Maximum[] }];
-  weakPlaces: [
-    { surface: number; fields: GirthAndDiameter; limits: PrintLimits },
-    { places: WeakPlace[] },
-  ];
+  printCheck: [{ surface: number; fields: GirthAndDiameter; limits: PrintLimits }, PrintCheck];
   writeFields: [
     { surface: number; model: WrittenModel; fields: readonly NamedField[]; format: FieldFormat },
     { bytes: Uint8Array<ArrayBuffer> },
   ];
   writeTips: [
     { surface: number; model: WrittenModel; girth: Float64Array; format: string },
+    { bytes: Uint8Array<ArrayBuffer> },
+  ];
+  writeLimbs: [
+    {
+      surface: number;
+      model: WrittenModel;
+      girth: Float64Array;
+      stations: number;
+      format: string;
+    },
     { bytes: Uint8Array<ArrayBuffer> },
   ];
   writeParts: [

@@ -68,6 +68,11 @@ export type MeshSource =
 /** How a surface is prepared (`prepare_surface.h`). */
 export interface PrepareOptions {
   /**
+   * Makes the model so many times as large before anything else: all lengths below, and all that come out,
+   * are those of the scaled model. Above 0. Default: 1.
+   */
+  scale?: number;
+  /**
    * Vertices at most this far apart become one, in model units, at least 0. Default: 0, only vertices at
    * exactly equal positions.
    */
@@ -94,6 +99,15 @@ export interface ExportOptions extends CallOptions {
 export interface WatchedOptions extends CallOptions {
   /** Receives the finished share, in [0, 1]. It never falls and ends with 1. */
   onProgress?: (fraction: number) => void;
+}
+
+/** Options of {@link Mesh.remesh}. */
+export interface RemeshOptions extends WatchedOptions {
+  /**
+   * Whether triangles are of even size and good shape; otherwise they keep the shape best, longer where
+   * the surface is bent one way only. Default: false.
+   */
+  even?: boolean;
 }
 
 /** Which model is loaded, and how it is prepared. */
@@ -268,6 +282,66 @@ export interface Tips {
   crossedEdges: number;
 }
 
+/** The girth at one distance: along a ring, a closed curve that goes round the surface there (`girth_profile.h`). */
+export interface GirthStation {
+  /** How far along, in model units. */
+  distance: number;
+  /** Length of the ring itself, in model units. */
+  ring: number;
+  /** The median of the girth over the ring, in model units; NaN where no part of it has a value. */
+  median: number;
+  /** The least girth on the ring among loops that go round here, in model units; NaN where none does. */
+  least: number;
+  /** Where that is: {@link Mesh.loop} gives the loop there. Only where `least` is a number. */
+  place?: SurfacePoint;
+}
+
+/**
+ * Why a limb ends (`limbs.h`): it spreads into a thicker part; loops slip off; it splits; a handle, or the
+ * boundary, is reached; it is its whole component.
+ */
+export type LimbEnd = 'spreads' | 'slips' | 'splits' | 'handle' | 'boundary' | 'whole';
+
+/** A finger, an arm, a leg: what lies between a tip's apex and the ring at `length` from it (`limbs.h`). */
+export interface Limb {
+  /** The vertex that it begins at: the apex of a tip. */
+  apex: number;
+  /** The tips that it ends in, by their numbers in {@link Tips.tips}; the first has this apex. */
+  tips: number[];
+  /** Distance from the apex to the base along the surface, in model units. */
+  length: number;
+  /** Why it ends there. */
+  end: LimbEnd;
+  /** The least of the stations' least girths, in model units; NaN where there is none. */
+  narrowest: number;
+  /** How far from the apex that is, in model units. */
+  narrowestDistance: number;
+  /** The middle one of the stations' medians, in model units: along half of the limb the girth is less. */
+  median: number;
+  /** The least girth at the base, in model units; NaN for a limb that is its whole component. */
+  base: number;
+  /** The vertices that the ring at the base cuts off, in rising order. */
+  vertices: Uint32Array;
+  /** Their distances from the apex, in model units. */
+  distances: Float64Array;
+  /** From near the apex to the base, at equal distances. */
+  profile: GirthStation[];
+}
+
+/** The limbs of a surface. */
+export interface Limbs {
+  /** Longest first. */
+  limbs: Limb[];
+  /** Numbers of the tips that end no limb, by {@link Tips.tips}. */
+  tipsWithoutLimb: number[];
+}
+
+/** How limbs are measured. */
+export interface LimbOptions extends WatchedOptions {
+  /** Stations of a profile, 1 to 10,000. Default: 64. */
+  stations?: number;
+}
+
 /** What a place of a shape is; 'unknown' where the girth or the thickness has no value (`parts.h`). */
 export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
 
@@ -276,7 +350,7 @@ export interface PartThresholds {
   /** Tubes have a smaller girth, plates a larger one; in model units, from 0 to Infinity. */
   girth: number;
   /** Tubes and plates have a smaller thickness; in model units, from 0 to Infinity. */
-  diameter: number;
+  thickness: number;
 }
 
 /** Thresholds, and whether parts are smoothed. */
@@ -299,7 +373,7 @@ export interface Part {
   /** Median of the girth over the region, in model units; NaN where it is unknown. */
   medianGirth: number;
   /** Median of the thickness over the region, in model units; NaN where it is unknown. */
-  medianDiameter: number;
+  medianThickness: number;
   /** The vertex of the least girth (tubes) or thickness (other kinds); -1 where it is unknown. */
   thinnest: number;
   /** Radius of the round tube of the same median girth, I / 2π, in model units. */
@@ -338,6 +412,19 @@ export interface WeakPlace {
   thinnest: number;
 }
 
+/** What a shape has that is too thin to print, how much that is, and what would help (`parts.h`). */
+export interface PrintCheck {
+  /** The places, thinnest first; none where it passes. */
+  places: WeakPlace[];
+  /** The share of the surface's area that is in them, in [0, 1]. */
+  failingShare: number;
+  /**
+   * The scale from which on it passes: 1.12 where it passes at 112% of its size; below 1 it passes as it is.
+   * 0 where nothing is limited; infinite where something has no thickness at all.
+   */
+  passingScale: number;
+}
+
 /** A point of a face. */
 export interface FacePoint {
   /** From 0 to the face count minus one. Face f has the vertices `indices[3 * f]` and the next two. */
@@ -363,6 +450,18 @@ export interface Loop {
   midpoint: [number, number, number];
   /** Angle at p between the loop's ends, in radians. */
   angle: number;
+  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  unit: string;
+}
+
+/** A shortest path between two points of a surface, and how far they are apart in space. */
+export interface SurfacePath {
+  /** Along the surface, in the unit `unit`; infinite where the points lie in different components. */
+  length: number;
+  /** Through space, as the crow flies. */
+  straight: number;
+  /** x, y, z of each point, relative to {@link MeshGeometry.origin}; empty where there is no path. */
+  polyline: Float32Array;
   /** The model's unit: 'm' for glTF, '' where the file does not state it. */
   unit: string;
 }
@@ -526,6 +625,11 @@ export interface Mesh {
    */
   loop(point: SurfacePoint, options?: CallOptions): Promise<Loop>;
   /**
+   * Finds a shortest path from one point to another (`geodesic_solver.h`). Errors: VERTEX_OUT_OF_RANGE,
+   * INVALID_POINT; LIMIT_EXCEEDED where it would take more than 67 million windows.
+   */
+  path(from: SurfacePoint, to: SurfacePoint, options?: CallOptions): Promise<SurfacePath>;
+  /**
    * Writes a field as a file: CSV, JSON and NPY in the order of the input's vertices, PLY and GLB as the
    * surface with its values (`write_field.h`). Lengths are labelled with `unit`; by default with the
    * field's unit where it is a length, and with the model's otherwise. Errors: LIMIT_EXCEEDED where a GLB
@@ -558,6 +662,11 @@ export interface Mesh {
   /** Finds the tips by the girth. `igf` is the field of that name. */
   tips(igf: Field, options?: CallOptions): Promise<Tips>;
   /**
+   * Finds the limbs that the tips end, and how thick they are all along. `igf` is the field of that name.
+   * Errors: INVALID_OPTION; LIMIT_EXCEEDED where distances take too many windows.
+   */
+  limbs(igf: Field, options?: LimbOptions): Promise<Limbs>;
+  /**
    * Suggests thresholds to start from; both are 0 where no vertex has both values. `igf` and `sdf` are the
    * fields of these names, here and below.
    */
@@ -565,16 +674,16 @@ export interface Mesh {
   /** Finds tubes, plates and body. Errors: USAGE where a threshold or the smoothing is negative or NaN. */
   parts(igf: Field, sdf: Field, parts: PartOptions, options?: CallOptions): Promise<Parts>;
   /**
-   * Finds places that are too thin to print, thinnest first. Errors: USAGE where a limit is negative or
+   * Finds what is too thin to print, and the scale from which on it is not. Errors: USAGE where a limit is negative or
    * NaN; NO_THICKNESS where walls are to be checked but no vertex has a thickness, or the surface is
    * inside out.
    */
-  weakPlaces(
+  printCheck(
     igf: Field,
     sdf: Field,
     limits: PrintLimits,
     options?: CallOptions,
-  ): Promise<WeakPlace[]>;
+  ): Promise<PrintCheck>;
   /** Finds the maxima of a field along the surface's edges, or its minima, most persistent first. */
   maxima(field: NamedField, options?: MaximaOptions): Promise<Maximum[]>;
   /**
@@ -585,6 +694,12 @@ export interface Mesh {
   heatMaxima(options?: WatchedOptions & SpectralOptions): Promise<Maximum[]>;
   /** Writes the tips as a file (`write_tips.h`): JSON, or the contours as lines of OBJ. */
   exportTips(igf: Field, format: 'json' | 'obj', options?: ExportOptions): Promise<Uint8Array>;
+  /** Writes the limbs as a file (`write_limbs.h`). Errors: as of {@link Mesh.limbs}. */
+  exportLimbs(
+    igf: Field,
+    format: 'json' | 'csv',
+    options?: ExportOptions & LimbOptions,
+  ): Promise<Uint8Array>;
   /** Writes the parts as a file (`write_parts.h`). Errors: as of {@link Mesh.parts}. */
   exportParts(
     igf: Field,
@@ -593,7 +708,7 @@ export interface Mesh {
     format: 'json',
     options?: ExportOptions,
   ): Promise<Uint8Array>;
-  /** Writes the weak places as a file (`write_parts.h`). Errors: as of {@link Mesh.weakPlaces}. */
+  /** Writes the weak places as a file (`write_parts.h`). Errors: as of {@link Mesh.printCheck}. */
   exportWeakPlaces(
     igf: Field,
     sdf: Field,
@@ -606,7 +721,7 @@ export interface Mesh {
    * boundary curves (`remesh.h`). Its input, as files and `vertexOfInput` count it, are its own vertices.
    * Errors: INVALID_OPTION.
    */
-  remesh(faces: number, options?: WatchedOptions): Promise<RemeshedMesh>;
+  remesh(faces: number, options?: RemeshOptions): Promise<RemeshedMesh>;
   /**
    * Measures how far a field is from one on another mesh, whatever their sizes: equation (1) of the paper,
    * from 0 (`field_difference.h`). Each field is one of its mesh.

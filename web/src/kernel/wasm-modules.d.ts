@@ -48,6 +48,7 @@ declare module '*/girth.mjs' {
   }
 
   export interface ModuleOptions {
+    scale: number;
     weldDistance: number;
     closeHoles: boolean;
     components: Uint32Array;
@@ -109,8 +110,13 @@ declare module '*/girth.mjs' {
       vertexOfInput: Uint32Array,
       inputOfVertex: Uint32Array,
     ): { surface: JobSurface } | Failed;
-    /** A surface of about so many faces. */
-    remesh(surface: JobSurface, faces: number, onProgress: OnProgress): Described | Failed;
+    /** A surface of about so many faces, of even size or as fits the shape. */
+    remesh(
+      surface: JobSurface,
+      faces: number,
+      even: boolean,
+      onProgress: OnProgress,
+    ): Described | Failed;
     /** Values of a remeshed surface at the vertices of the original one. */
     carryBack(
       original: JobSurface,
@@ -126,6 +132,12 @@ declare module '*/girth.mjs' {
     ): { difference: number } | Failed;
     vertexAreas(surface: JobSurface): { areas: Float64Array<ArrayBuffer> } | Failed;
     tips(surface: JobSurface, girth: Float64Array): import('./types.js').Tips | Failed;
+    limbs(
+      surface: JobSurface,
+      girth: Float64Array,
+      stations: number,
+      onProgress: OnProgress,
+    ): import('./types.js').Limbs | Failed;
     suggestedThresholds(
       surface: JobSurface,
       fields: GirthAndDiameter,
@@ -140,17 +152,30 @@ declare module '*/girth.mjs' {
       values: Float64Array,
       minima: boolean,
     ): { maxima: import('./types.js').Maximum[] } | Failed;
-    weakPlaces(
+    path(
+      surface: JobSurface,
+      from: import('./types.js').SurfacePoint,
+      to: import('./types.js').SurfacePoint,
+    ): { length: number; straight: number; polyline: Float32Array<ArrayBuffer> } | Failed;
+    printCheck(
       surface: JobSurface,
       fields: GirthAndDiameter,
       limits: import('./types.js').PrintLimits,
-    ): { places: import('./types.js').WeakPlace[] } | Failed;
+    ): import('./types.js').PrintCheck | Failed;
     writeFields(
       surface: JobSurface,
       model: WrittenModel,
       fields: readonly import('./types.js').NamedField[],
       format: string,
     ): Bytes | Failed;
+    writeLimbs(
+      surface: JobSurface,
+      model: WrittenModel,
+      girth: Float64Array,
+      stations: number,
+      format: string,
+      onProgress: OnProgress,
+    ): { bytes: Uint8Array<ArrayBuffer> } | Failed;
     writeTips(
       surface: JobSurface,
       model: WrittenModel,

@@ -1,6 +1,7 @@
 // Zip archives: their directory, and their files one at a time. fflate inflates. What an archive states of
 // itself is checked before memory is allocated for it.
 
+import { crcOf } from './crc.js';
 import { Inflate } from 'fflate';
 import { failure } from './errors.js';
 
@@ -205,18 +206,4 @@ export function unpack(
   if (length !== size || crcOf(bytes) !== entry.crc)
     throw damaged(`${path} is not what was zipped`);
   return bytes;
-}
-
-let crcTable: Uint32Array | undefined;
-
-/** CRC-32 as in zip. */
-function crcOf(bytes: Uint8Array): number {
-  crcTable ??= Uint32Array.from({ length: 256 }, (_, n) => {
-    let value = n;
-    for (let bit = 0; bit < 8; ++bit) value = value & 1 ? 0xedb88320 ^ (value >>> 1) : value >>> 1;
-    return value;
-  });
-  let crc = 0xffffffff;
-  for (let i = 0; i < bytes.length; ++i) crc = crcTable[(crc ^ bytes[i]!) & 255]! ^ (crc >>> 8);
-  return ~crc >>> 0;
 }

@@ -7,11 +7,11 @@ import {
   type CameraView,
   anglesOf,
   fovFor,
-  homeView,
   keptFromPoles,
   viewingAngle,
   wholeDistance,
 } from './camera-view.js';
+import type { Room } from './fitted-view.js';
 import type { Motion } from './frame-scheduler.js';
 
 /** Motion since the last frame that nobody sees, as a share of the camera's distance: under 0.05 pixels. */
@@ -39,6 +39,8 @@ export class CameraRig {
   readonly #controls: OrbitControls;
   readonly #events: RigEvents;
   #turnsByItself = false;
+  #isHome = false;
+  #room: Room = { across: 1, up: 1 };
   /** Whether the camera was moved since it last came to rest. */
   #moved = false;
   /** Whether a hand holds the surface. */
@@ -64,6 +66,7 @@ export class CameraRig {
     this.#controls.maxDistance = 4 * wholeDistance;
     this.#controls.addEventListener('start', () => {
       this.#flight = undefined;
+      this.#isHome = false;
       this.#held = this.#drifting = true;
       this.touch();
     });
@@ -104,13 +107,27 @@ export class CameraRig {
     this.#events.touched();
   }
 
-  /** The canvas's size in CSS pixels, and the height at its bottom to keep free of the surface. */
-  fit(width: number, height: number, bottom: number): void {
+  /** The canvas's size in CSS pixels, and the heights at its top and bottom to keep free of the surface. */
+  fit(width: number, height: number, top: number, bottom: number): void {
     // The standard angle fits into the width and into the height that is left.
-    const room = Math.max(0.4 * height, height - bottom);
+    const room = Math.max(0.4 * height, height - top - bottom);
     this.camera.aspect = width / height;
     this.camera.fov = fovFor(Math.min(width, room), height);
-    this.camera.setViewOffset(width, height, 0, (height - room) / 2, width, height);
+    // The middle of what is left is above or below that of the canvas.
+    const down = (Math.min(height - room, bottom) - Math.min(height - room, top)) / 2;
+    this.camera.setViewOffset(width, height, 0, down, width, height);
+    const half = Math.tan((this.camera.fov * Math.PI) / 360);
+    this.#room = { across: half * this.camera.aspect, up: (half * room) / height };
+  }
+
+  /** What is free for the surface round what the camera looks at. */
+  get room(): Room {
+    return this.#room;
+  }
+
+  /** Whether nothing has moved the camera since `reset`. */
+  get isHome(): boolean {
+    return this.#isHome;
   }
 
   /** From where it looks now. */
@@ -125,10 +142,11 @@ export class CameraRig {
     return this.#arm().normalize();
   }
 
-  /** Back to the standard direction and distance. */
-  reset(): void {
+  /** To the view where the camera begins. */
+  reset(home: CameraView): void {
     this.#flight = undefined;
-    this.#setView(homeView);
+    this.#setView(home);
+    this.#isHome = true;
   }
 
   /** Looks from there at once; what lies beyond the limits of moving by hand is brought within. */
@@ -162,13 +180,14 @@ export class CameraRig {
     this.#take(this.#arm().multiplyScalar(factor).clampLength(minDistance, maxDistance));
   }
 
-  /** Goes on with a flight; before each frame. */
-  fly(now: number): void {
-    if (!this.#flight) return;
+  /** Goes on with a flight; before each frame. Returns whether more of it is to come. */
+  fly(now: number): boolean {
+    if (!this.#flight) return false;
     const { from, to, begun } = this.#flight;
     const time = (now - begun) / flightTime;
     if (time >= 1) this.#flight = undefined;
     this.#setView(viewBetween(from, to, eased(time)));
+    return time < 1;
   }
 
   /** Goes on with what a hand has begun, or with the turning, and reports when the camera is at rest. */
@@ -199,6 +218,7 @@ export class CameraRig {
   /** A key has moved the camera to the end of this arm. */
   #take(arm: Vector3): void {
     this.#flight = undefined;
+    this.#isHome = false;
     this.touch();
     this.camera.position.copy(this.#controls.target).add(arm);
     this.#controls.update();
@@ -206,6 +226,7 @@ export class CameraRig {
   }
 
   #setView({ polar, azimuth, distance, target }: CameraView): void {
+    this.#isHome = false;
     // Nothing of what moved before may go on from there.
     this.#finishMotion();
     this.#controls.target.fromArray(target).clampLength(0, farthestTarget);
@@ -223,7 +244,10 @@ export class CameraRig {
     const [controls, drawnFrom] = [this.#controls, this.#drawnFrom];
     const { camera } = this;
     controls.update(seconds);
-    if (this.#turnsByItself) return 'more';
+    if (this.#turnsByItself) {
+      this.#isHome = false;
+      return 'more';
+    }
     const moved =
       camera.position.distanceTo(drawnFrom.position) + controls.target.distanceTo(drawnFrom.target);
     const pace = moved / camera.position.distanceTo(controls.target);

@@ -3,7 +3,7 @@
 
 import { type PerspectiveCamera, Vector3 } from 'three';
 
-/** From where a surface is seen. */
+/** From where a surface is seen, which stands upright. */
 export interface CameraView {
   /** Angle from straight above, in radians from 0 to π. */
   polar: number;
@@ -20,13 +20,23 @@ export const viewingAngle = 28;
 /** From how far something is seen whole, in its radii. */
 export const wholeDistance = 1.08 / Math.sin((viewingAngle * Math.PI) / 360);
 
-/** The standard direction and distance. */
-export const homeView: CameraView = {
+/** From where something is looked at, without how far. */
+export type Direction = Pick<CameraView, 'polar' | 'azimuth'>;
+
+/** The standard direction. */
+export const homeDirection: Direction = {
   polar: (68 * Math.PI) / 180,
   azimuth: (32 * Math.PI) / 180,
-  distance: wholeDistance,
-  target: [0, 0, 0],
 };
+
+/** Straight from the front, from the right and from above. */
+export const straightDirections = {
+  front: { polar: Math.PI / 2, azimuth: 0 },
+  side: { polar: Math.PI / 2, azimuth: Math.PI / 2 },
+  top: { polar: 0, azimuth: 0 },
+} as const satisfies Record<string, Direction>;
+/** The name of a straight direction. */
+export type StraightName = keyof typeof straightDirections;
 
 /** The vertical angle, in degrees, with which the standard angle fits into a width and the height. */
 export function fovFor(width: number, height: number): number {

@@ -31,6 +31,11 @@ const interpolators: Record<ColormapName, (place: number) => string> = {
  */
 export const colormapNames = Object.keys(interpolators) as ColormapName[];
 
+/** Whether colour-blind eyes can tell its values apart: turbo has the same colours twice for them. */
+export function isForAllEyes(name: ColormapName): boolean {
+  return name !== 'turbo';
+}
+
 /** Whether there is a colour map of that name. */
 export function isColormapName(name: string | null | undefined): name is ColormapName {
   return name !== null && name !== undefined && Object.hasOwn(interpolators, name);

@@ -35,6 +35,11 @@ export class FieldPreview {
     this.#hops = new Uint16Array(vertexCount).fill(unreached);
   }
 
+  /** Whether no value is left to spread: `spread` would change nothing. */
+  get isSpread(): boolean {
+    return this.#head === this.#queue.length;
+  }
+
   /** True where the vertex's own value has been computed. */
   isComputed(vertex: number): boolean {
     return this.#hops[vertex] === 0;

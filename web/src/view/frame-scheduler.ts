@@ -75,8 +75,9 @@ export class FrameScheduler {
   }
 
   #frame(now: number): void {
-    this.#requested = 0;
+    // What `begin` changes is drawn in this frame; only what it returns asks for another.
     const again = this.#work.begin(now);
+    this.#requested = 0;
     const elapsed = now - this.#lastFrame;
     if (!this.#isDirty && this.#work.isUnhurried() && elapsed < turningInterval) {
       this.look();

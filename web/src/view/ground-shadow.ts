@@ -5,16 +5,17 @@ import {
   LinearFilter,
   Mesh,
   PlaneGeometry,
+  type Quaternion,
   RedFormat,
   ShaderMaterial,
-  type Sphere,
   UnsignedByteType,
+  type Vector3,
 } from 'three';
 
 const cells = 96;
 
 /**
- * Faces splatted straight down onto a square grid, fainter the higher they are, and blurred.
+ * Of a surface that stands upright: faces splatted straight down onto a square grid, fainter the higher they are, and blurred.
  * `cells` by `cells` bytes, row by row along x, rows along z.
  */
 export function* splatShadow(
@@ -87,7 +88,8 @@ export class GroundShadow {
   readonly object: Mesh<PlaneGeometry, ShaderMaterial>;
   readonly #texture: DataTexture;
 
-  constructor(grid: Uint8Array, bounds: Sphere, ground: number, halfWidth: number) {
+  /** `centre` is above or below the middle, on the ground, upright; the shadow's own coordinates are the surface's. */
+  constructor(grid: Uint8Array, centre: Vector3, upright: Quaternion, halfWidth: number) {
     this.#texture = new DataTexture(grid, cells, cells, RedFormat, UnsignedByteType);
     this.#texture.minFilter = this.#texture.magFilter = LinearFilter;
     this.#texture.needsUpdate = true;
@@ -116,7 +118,9 @@ export class GroundShadow {
         `,
       }),
     );
-    this.object.position.set(bounds.center.x, ground - 0.004 * bounds.radius, bounds.center.z);
+    const back = upright.clone().invert();
+    this.object.position.copy(centre).applyQuaternion(back);
+    this.object.quaternion.copy(back);
     this.object.renderOrder = -1;
   }
 

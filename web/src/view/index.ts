@@ -2,8 +2,14 @@
 
 export { type Adjacency, buildAdjacency } from './adjacency.js';
 export { type Category, girthKinds, partKinds } from './categories.js';
-export { type ColormapName, colormapNames, colourAt, isColormapName } from './colormaps.js';
-export type { CameraView } from './camera-view.js';
+export {
+  type ColormapName,
+  colormapNames,
+  colourAt,
+  isColormapName,
+  isForAllEyes,
+} from './colormaps.js';
+export { type CameraView, type StraightName, straightDirections } from './camera-view.js';
 export { splitCreases } from './creases.js';
 export {
   type ShownName,
@@ -17,6 +23,14 @@ export {
 export { FieldPreview } from './field-preview.js';
 export { GroundShadow, splatShadow } from './ground-shadow.js';
 export { Latest } from './latest.js';
+export {
+  type LengthUnit,
+  type ReadLength,
+  findLengthUnit,
+  lengthUnits,
+  readLength,
+  typedUnit,
+} from './length-text.js';
 export { Legend, type LegendContent, type ScaleContent } from './legend.js';
 export { type LegendInk, drawLegend } from './legend-picture.js';
 export { LoopBand } from './loop-band.js';
@@ -26,14 +40,26 @@ export {
   formatLength,
   formatNumber,
   lengthFormat,
+  placeIn,
   roundTicks,
 } from './numbers.js';
 export type { ScreenPoint } from './picker.js';
 export type { Place } from './place-view.js';
 export { PointMarks } from './point-marks.js';
-export { quantile } from './plots/distribution.js';
+export { quantile, shareWithin } from './plots/distribution.js';
 export { Stage } from './stage.js';
 export { Surface, borrowedWeight, computedWeight } from './surface.js';
+export { type Look, lookNames } from './surface-shader.js';
 export { TimeLeft, formatSeconds } from './time-left.js';
 export { inSlices } from './time-slices.js';
 export { TipMarks } from './tip-marks.js';
+export {
+  type Rotation,
+  type UpAxis,
+  type UpName,
+  isUpName,
+  rotationUp,
+  upAxisOf,
+  upNames,
+  uprightPositions,
+} from './up-axis.js';

@@ -1,8 +1,9 @@
 // The legend of a field: the colour map with numbers and the unit, or the categories with their names.
 
 import type { Category } from './categories.js';
-import { type ColormapName, colormapStops } from './colormaps.js';
-import { type LengthFormat, formatNumber, roundTicks } from './numbers.js';
+import { type ColormapName, colormapStops, colourAt } from './colormaps.js';
+import { type LengthFormat, formatNumber, placeIn, roundTicks } from './numbers.js';
+import { logTicks } from './plots/density.js';
 
 /** Of a field of numbers. */
 export interface ScaleContent {
@@ -13,10 +14,14 @@ export interface ScaleContent {
   /** The field's smallest and largest value: the ends say so where there is more beyond. */
   extent: readonly [number, number];
   format: LengthFormat;
+  /** Whether equal factors are equally far apart. */
+  log: boolean;
   /** Lines of equal value, evenly spaced between the ends. */
   isolines: number;
   /** What else there is to say, for example what grey means; '' for nothing. */
   note: string;
+  /** What lies beyond the ends where they were chosen to follow the body of the values. */
+  beyond: string | undefined;
 }
 
 /** Of a field of categories. */
@@ -46,11 +51,27 @@ export function headingOf(content: LegendContent): string {
   return unit ? `${content.title}, ${unit}` : content.title;
 }
 
+/** Angles that mean something: of an equilateral triangle, and of a loop that passes straight through its base. */
+const angleTicks = [60, 120, 180];
+
+/** Round values between two ends, ascending. */
+function innerValues({ range: [low, high], format, log }: ScaleContent): number[] {
+  if (format.unit === '°') return angleTicks.map((angle) => angle / format.scale);
+  const { scale } = format;
+  const ends = [low * scale, high * scale] as const;
+  const ticks = log
+    ? logTicks({ low: ends[0], high: ends[1], log: true }, 4)
+    : roundTicks(low, high, 4);
+  return log ? ticks.map((tick) => tick / scale) : ticks;
+}
+
 /** The numbers beside a colour map, the highest first. */
-export function ticksOf({ range: [low, high], extent, format }: ScaleContent): Tick[] {
+export function ticksOf(content: ScaleContent): Tick[] {
+  const { range, extent, format, log } = content;
+  const [low, high] = range;
   const beyond = (sign: string, more: boolean): string => (more ? `${sign}\u2009` : '');
-  const inner = roundTicks(low, high, 4)
-    .map((value) => ({ value, place: (value - low) / (high - low) }))
+  const inner = innerValues(content)
+    .map((value) => ({ value, place: placeIn(range, log, value) }))
     .filter(({ place }) => place > endZone && place < 1 - endZone)
     .map(({ value, place }) => ({ place, text: formatNumber(value, format), inner: true }));
   const atEnd = (place: number, text: string): Tick => ({ place, text, inner: false });
@@ -72,16 +93,25 @@ export class Legend {
   readonly #bar = document.createElement('div');
   readonly #key = document.createElement('ul');
   readonly #note = document.createElement('p');
+  readonly #beyond = document.createElement('p');
+  readonly #beyondWords = document.createElement('span');
   #shown = '';
 
-  constructor() {
+  /** `showAll`: the whole range is asked for. */
+  constructor(showAll: () => void) {
     this.element.className = 'legend';
     this.element.hidden = true;
     this.#title.className = 'legend-title';
     this.#bar.className = 'legend-bar';
     this.#key.className = 'legend-key';
     this.#note.className = 'legend-note';
-    this.element.append(this.#title, this.#bar, this.#key, this.#note);
+    this.#beyond.className = 'legend-beyond';
+    const all = document.createElement('button');
+    all.type = 'button';
+    all.textContent = 'Full range';
+    all.addEventListener('click', showAll);
+    this.#beyond.append(this.#beyondWords, ' ', all);
+    this.element.append(this.#title, this.#bar, this.#key, this.#note, this.#beyond);
   }
 
   update(content: LegendContent | undefined): void {
@@ -93,6 +123,9 @@ export class Legend {
     this.#note.textContent = content.note;
     this.#note.hidden = content.note === '';
     const isScale = 'range' in content;
+    const beyond = isScale ? content.beyond : undefined;
+    this.#beyondWords.textContent = beyond ?? '';
+    this.#beyond.hidden = beyond === undefined;
     this.#bar.hidden = !isScale;
     this.#key.hidden = isScale;
     if (isScale) this.#showScale(content);
@@ -101,6 +134,11 @@ export class Legend {
 
   #showScale(content: ScaleContent): void {
     this.#bar.style.setProperty('--colours', colormapStops(content.colormap));
+    this.#bar.style.setProperty('--top', colourAt(content.colormap, 1));
+    this.#bar.style.setProperty('--bottom', colourAt(content.colormap, 0));
+    const { range, extent } = content;
+    this.#bar.classList.toggle('more-above', extent[1] > range[1]);
+    this.#bar.classList.toggle('more-below', extent[0] < range[0]);
     const lines = linePlaces(content.isolines).map((place) => at(place, 'legend-line', ''));
     const ticks = ticksOf(content).map(({ place, text, inner }) =>
       at(place, inner ? 'legend-tick inner' : 'legend-tick', text),

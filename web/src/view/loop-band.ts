@@ -32,7 +32,7 @@ export class LoopBand implements Overlay {
   readonly #materials: LineMaterial[];
   readonly #dots: Dots;
 
-  constructor(loop: Loop, style: BandStyle) {
+  constructor(loop: Pick<Loop, 'kind' | 'polyline' | 'midpoint'>, style: BandStyle) {
     const antipodal = loop.kind === 'antipodal';
     // Of a loop that was not found there is only the base.
     const known = loop.polyline.length > 0;

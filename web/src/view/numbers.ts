@@ -1,6 +1,8 @@
 // Lengths and other values as people read them: one unit and one number of decimals for a whole field,
 // so that numbers keep their width while they change.
 
+import { findLengthUnit } from './length-text.js';
+
 /** How the values of one field are written: lengths, angles or plain numbers. */
 export interface LengthFormat {
   /** Written after the number; '' where the file does not state its unit. */
@@ -19,15 +21,18 @@ const raised: Record<string, string> = { '-': '⁻' };
 const mostDigits = 12;
 
 /**
- * The format for values up to `largest`, of unit `unit`: four significant digits at that value. Metres
- * become millimetres below 10 cm, and kilometres from 1 km; radians become degrees with one decimal.
+ * The format for values up to `largest`, of unit `unit`: four significant digits at that value. Lengths
+ * are written in the unit `shown`, where both are units of length; otherwise metres become millimetres
+ * below 10 cm, and kilometres from 1 km; radians become degrees with one decimal.
  */
-export function lengthFormat(largest: number, unit: string): LengthFormat {
+export function lengthFormat(largest: number, unit: string, shown = ''): LengthFormat {
   if (unit === 'rad') return { unit: '°', scale: 180 / Math.PI, decimals: 1 };
   const size = Number.isFinite(largest) && largest > 0 ? largest : 1;
+  const [from, to] = [findLengthUnit(unit), findLengthUnit(shown)];
   let scale = 1;
   let written = unit;
-  if (unit === 'm' && size < 0.1) [scale, written] = [1000, 'mm'];
+  if (from && to) [scale, written] = [from.metres / to.metres, to.symbol];
+  else if (unit === 'm' && size < 0.1) [scale, written] = [1000, 'mm'];
   else if (unit === 'm' && size >= 1000) [scale, written] = [0.001, 'km'];
   const decimals = Math.max(0, 3 - Math.floor(Math.log10(size * scale)));
   return { unit: written, scale, decimals };
@@ -80,4 +85,13 @@ export function roundTicks(low: number, high: number, wanted: number): number[] 
     ticks.push(i * step);
   }
   return ticks;
+}
+
+/** Where a value lies between two ends: 0 at the first, 1 at the second; with `log` by equal factors. */
+export function placeIn(
+  [low, high]: readonly [number, number],
+  log: boolean,
+  value: number,
+): number {
+  return log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
 }

@@ -38,7 +38,14 @@ export class Picker {
     this.#raycaster.setFromCamera(place, this.#camera);
     const { ray } = this.#raycaster;
     this.#space.toSurface(ray.origin);
+    this.#space.directionToSurface(ray.direction);
     return surface.pick(ray);
+  }
+
+  /** Where a point is on a canvas of that size, hidden or not. */
+  place(point: Vector3, width: number, height: number): { x: number; y: number } {
+    const { x, y } = this.#space.toScene(point).project(this.#camera);
+    return { x: (0.5 + 0.5 * x) * width, y: (0.5 - 0.5 * y) * height };
   }
 
   /** Where a point is on a canvas of that size, in CSS pixels; without a surface nothing hides it. */

@@ -38,6 +38,6 @@ export function viewOfPlace(
     const eye = space.toSurface(ball.center.clone().addScaledVector(direction, distance));
     return looked.filter((point) => !surface.hides(point, eye)).length / looked.length;
   };
-  const direction = bestDirection(present, outwards, seen);
+  const direction = bestDirection(present, outwards && space.directionToScene(outwards), seen);
   return { ...anglesOf(direction), distance, target: ball.center.toArray() };
 }

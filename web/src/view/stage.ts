@@ -7,21 +7,32 @@ import {
   Group,
   type Object3D,
   PerspectiveCamera,
+  Quaternion,
   Scene,
   Vector2,
-  type Vector3,
+  Vector3,
   WebGLRenderer,
 } from 'three';
 import type { FacePoint } from '../kernel/types.js';
 import { CameraRig } from './camera-rig.js';
-import { type CameraView, fitDepth, fovFor, placeCamera } from './camera-view.js';
+import {
+  type CameraView,
+  type StraightName,
+  fitDepth,
+  fovFor,
+  homeDirection,
+  placeCamera,
+  straightDirections,
+} from './camera-view.js';
 import type { Overlay } from './fat-lines.js';
+import { type Points, fittedView, turned } from './fitted-view.js';
 import { FrameScheduler } from './frame-scheduler.js';
 import type { GroundShadow } from './ground-shadow.js';
 import { Picker, type ScreenPoint } from './picker.js';
 import { type Place, viewOfPlace } from './place-view.js';
 import type { Surface } from './surface.js';
 import { SurfaceSpace } from './surface-space.js';
+import type { Rotation } from './up-axis.js';
 
 export interface StageEvents {
   /** Before a frame is drawn; returns true to ask for another one. */
@@ -47,6 +58,8 @@ export class Stage {
   readonly #picker: Picker;
   #surface: Surface | undefined;
   #shadow: GroundShadow | undefined;
+  #upright: Rotation = new Quaternion();
+  #turnsAtHome = false;
   #width = 1;
   #height = 1;
 
@@ -60,9 +73,8 @@ export class Stage {
     this.#space.group.add(this.#onSurface);
     this.#frames = new FrameScheduler({
       begin: (now) => {
-        const again = events.beforeFrame();
-        this.#rig.fly(now);
-        return again;
+        const isChanging = events.beforeFrame();
+        return this.#rig.fly(now) || isChanging;
       },
       isUnhurried: () => this.#rig.turning,
       advance: (seconds) => this.#rig.advance(seconds),
@@ -85,15 +97,29 @@ export class Stage {
   /** Shows a surface from the standard direction, in place of the one before. */
   show(surface: Surface | undefined): void {
     this.#surface?.dispose();
-    this.setShadow(undefined);
     this.#surface = surface;
     if (surface) {
-      this.#space.fit(surface.bounds);
       this.#space.group.add(surface.object);
       surface.setPixelRatio(this.#renderer.getPixelRatio());
-      this.#rig.reset();
+    }
+    this.stand(new Quaternion());
+  }
+
+  /** Turns the surface upright, and looks at it from the standard direction; its shadow is gone. */
+  stand(upright: Rotation): void {
+    this.setShadow(undefined);
+    this.#upright = upright;
+    if (this.#surface) {
+      this.#space.fit(this.#surface.bounds, upright);
+      this.#surface.setUpright(upright);
+      this.resetView();
     }
     this.invalidate();
+  }
+
+  /** How the surface is turned. */
+  get upright(): Rotation {
+    return this.#upright;
   }
 
   setShadow(shadow: GroundShadow | undefined): void {
@@ -117,18 +143,15 @@ export class Stage {
   }
 
   /**
-   * The canvas's size in CSS pixels, the height at its bottom to keep free of the surface, and the
+   * The canvas's size in CSS pixels, the heights at its top and bottom to keep free of the surface, and the
    * screen's pixels per CSS pixel.
    */
-  resize(width: number, height: number, bottom: number, pixelRatio: number): void {
+  resize(width: number, height: number, top: number, bottom: number, pixelRatio: number): void {
     this.#width = Math.max(1, width);
     this.#height = Math.max(1, height);
-    this.#renderer.setPixelRatio(Math.min(2, pixelRatio));
-    this.#renderer.setSize(this.#width, this.#height, false);
-    const ratio = this.#renderer.getPixelRatio();
-    this.#surface?.setPixelRatio(ratio);
-    for (const overlay of this.#overlays) overlay.setPixelRatio(ratio);
-    this.#rig.fit(this.#width, this.#height, bottom);
+    this.#setRatio(Math.min(2, pixelRatio));
+    this.#rig.fit(this.#width, this.#height, top, bottom);
+    if (this.#rig.isHome) this.resetView();
     this.#draw();
   }
 
@@ -171,14 +194,57 @@ export class Stage {
     return this.#surface && this.#picker.pick(this.#surface, clientX, clientY);
   }
 
+  /** From where to where points of the surface reach across the canvas, and the middle of their height. */
+  spanOf(points: Iterable<Vector3>): { left: number; right: number; middle: number } {
+    const places = [...points].map((point) => this.#picker.place(point, this.#width, this.#height));
+    const [across, down] = [places.map(({ x }) => x), places.map(({ y }) => y)];
+    const middle = (Math.min(...down) + Math.max(...down)) / 2;
+    return { left: Math.min(...across), right: Math.max(...across), middle };
+  }
+
   /** Where a point of the surface is on the canvas. */
   project(point: Vector3): ScreenPoint {
     return this.#picker.project(this.#surface, point, this.#width, this.#height);
   }
 
-  /** Back to the standard direction and distance. */
+  /** Whether there is room for the surface to turn where it is first seen. */
+  set turnsAtHome(turns: boolean) {
+    if (this.#turnsAtHome === turns) return;
+    this.#turnsAtHome = turns;
+    if (this.#rig.isHome) this.resetView();
+  }
+
+  /** Back to the standard direction, from where the surface is seen whole. */
   resetView(): void {
-    if (this.#surface) this.#rig.reset();
+    const points = this.#points();
+    if (!points) return;
+    const seen = this.#turnsAtHome ? turned(points) : points;
+    this.#rig.reset(fittedView(seen, homeDirection, this.#rig.room));
+  }
+
+  /** Whether the camera is where `resetView` puts it. */
+  get isHome(): boolean {
+    return this.#rig.isHome;
+  }
+
+  /** Looks straight at the whole surface: smoothly, or at once. */
+  lookStraight(name: StraightName, atOnce: boolean): void {
+    const points = this.#points();
+    if (!points) return;
+    this.#rig.flyTo(fittedView(points, straightDirections[name], this.#rig.room), atOnce);
+  }
+
+  /** Turns about a point of the surface from now on, and brings it into the middle. */
+  turnAbout(point: Vector3, atOnce: boolean): void {
+    this.#rig.flyTo({ ...this.#rig.view, target: this.#space.toScene(point).toArray() }, atOnce);
+  }
+
+  /** The directions of the file's axes on the screen: to the right, up, and towards the eye. */
+  get axes(): Vector3[] {
+    const back = this.#rig.camera.quaternion.clone().invert();
+    return [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)].map((axis) =>
+      this.#space.directionToScene(axis).applyQuaternion(back),
+    );
   }
 
   /** From where the surface is seen now; undefined where there is none. */
@@ -207,10 +273,36 @@ export class Stage {
     this.#rig.zoom(factor);
   }
 
-  /** The picture as it is now, transparent where nothing is. */
-  picture(): HTMLCanvasElement {
-    this.#draw();
-    return this.#copy();
+  /** CSS pixels for each unit of length, at the distance of what the camera looks at. */
+  get pixelsPerUnit(): number {
+    const surface = this.#surface;
+    if (!surface) return 1;
+    const half = Math.tan((this.#rig.camera.fov * Math.PI) / 360);
+    return this.#height / (2 * half * this.#rig.view.distance * surface.bounds.radius);
+  }
+
+  /** The picture as it is now, transparent where nothing is; `width` in pixels, as on the screen if undefined. */
+  picture(width?: number): HTMLCanvasElement {
+    if (width === undefined) {
+      this.#draw();
+      return this.#copy();
+    }
+    const ratio = this.#renderer.getPixelRatio();
+    try {
+      this.#setRatio(width / this.#width);
+      this.#draw();
+      return this.#copy();
+    } finally {
+      this.#setRatio(ratio);
+      this.#draw();
+    }
+  }
+
+  #setRatio(ratio: number): void {
+    this.#renderer.setPixelRatio(ratio);
+    this.#renderer.setSize(this.#width, this.#height, false);
+    this.#surface?.setPixelRatio(ratio);
+    for (const overlay of this.#overlays) overlay.setPixelRatio(ratio);
   }
 
   /**
@@ -258,6 +350,19 @@ export class Stage {
     this.#rig.dispose();
     this.#renderer.dispose();
     this.#renderer.forceContextLoss();
+  }
+
+  /** The surface in the scene's coordinates. */
+  #points(): Points | undefined {
+    const surface = this.#surface;
+    if (!surface) return undefined;
+    const matrix = this.#space.group.matrixWorld;
+    const point = new Vector3();
+    return (see) =>
+      surface.eachPosition((x, y, z) => {
+        point.set(x, y, z).applyMatrix4(matrix);
+        see(point.x, point.y, point.z);
+      });
   }
 
   #viewOf(place: Place, surface: Surface): CameraView {

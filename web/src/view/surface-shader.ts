@@ -1,13 +1,18 @@
 // How a surface is coloured: by a scalar, by categories, or by where two scalars lie from two thresholds.
 // Colours stay sRGB from the tables to the canvas. Each way is a program of its own, since every quantity
 // that is not needed would cost time at every pixel: SHADING is one of the modes; LINES is defined where
-// there are lines of equal value, FLAGS where there are marks or tips.
+// there are lines of equal value, LOGARITHMIC where the colour map is, FLAGS where there are marks or tips, FLAT where each face has one light.
 
 import { colormapSize } from './colormaps.js';
 
 /** What colours the surface: the values of the shader's SHADING, but for a plain surface. */
 export const shadingModes = { scalar: 1, categories: 2, thresholds: 3 } as const;
 export type ShadingMode = keyof typeof shadingModes | 'plain';
+
+/** How the surface is drawn: light that is smooth over its faces, light on each face, or to be seen through. */
+export const lookNames = ['smooth', 'flat', 'transparent'] as const;
+/** One of these ways. */
+export type Look = (typeof lookNames)[number];
 
 /** As many categories as there are components in an attribute. */
 export const mostCategories = 4;
@@ -32,6 +37,7 @@ export const vertexShader = /* glsl */ `
     attribute vec4 flags;
     varying vec3 vFlags;
   #endif
+  uniform mat3 upright;
   varying vec3 vNormal;
   varying vec3 vView;
 
@@ -46,8 +52,8 @@ export const vertexShader = /* glsl */ `
     #ifdef FLAGS
       vFlags = flags.xyz;
     #endif
-    // The surface is scaled alike in all directions and not turned: its normals need no more than this.
-    vNormal = mat3(viewMatrix) * normal;
+    // Not the model's matrix: of the largest and smallest surfaces its numbers have no squares.
+    vNormal = mat3(viewMatrix) * (upright * normal);
     vec4 seen = modelViewMatrix * vec4(position, 1.0);
     vView = -seen.xyz;
     gl_Position = projectionMatrix * seen;
@@ -56,6 +62,7 @@ export const vertexShader = /* glsl */ `
 
 const common = /* glsl */ `
   uniform vec3 plain;
+  uniform float opacity;
   varying vec3 vNormal;
   varying vec3 vView;
 
@@ -104,7 +111,11 @@ const byScalar = /* glsl */ `
     // Neighbours' values that a vertex shows until it has its own weigh 0.88: a little paler.
     float known = above(vScalar.y - 0.5) * mix(0.88, 1.0, smoothstep(0.88, 1.0, vScalar.y));
     float value = vScalar.x / max(vScalar.y, 1e-6);
-    float place = (value - range.x) / max(range.y - range.x, 1e-37);
+    #ifdef LOGARITHMIC
+      float place = log(max(value, 1e-37) / range.x) / log(range.y / range.x);
+    #else
+      float place = (value - range.x) / max(range.y - range.x, 1e-37);
+    #endif
     float texel =
       (0.5 + clamp(place, 0.0, 1.0) * ${(colormapSize - 1).toFixed(1)}) / ${colormapSize.toFixed(1)};
     vec3 colour = texture2D(colormap, vec2(texel, 0.5)).rgb;
@@ -197,11 +208,15 @@ export const fragmentShader = /* glsl */ `
     #ifdef FLAGS
       colour = flagged(colour);
     #endif
-    vec3 normal = normalize(vNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    #ifdef FLAT
+      vec3 normal = normalize(cross(dFdx(vView), dFdy(vView)));
+    #else
+      vec3 normal = normalize(vNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    #endif
     vec3 view = normalize(vView);
     float key = 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.75, 0.65)));
     float rim = 1.0 - clamp(dot(normal, view), 0.0, 1.0);
     float light = mix(0.78, 1.04, smoothstep(0.05, 0.95, key)) - 0.08 * rim * rim * rim;
-    gl_FragColor = vec4(colour * light, 1.0);
+    gl_FragColor = vec4(colour * light, opacity);
   }
 `;

@@ -1,18 +1,31 @@
-// Where a surface is in the scene: of radius 1 round the origin, so that the camera, its limits and the
+// Where a surface is in the scene: upright, and of radius 1 round the origin, so that the camera, its limits and the
 // shaders' 32-bit numbers meet the same sizes whether a file counts in micrometres or in kilometres.
 
-import { Group, type Sphere, type Vector3 } from 'three';
+import { Group, Quaternion, type Sphere, type Vector3 } from 'three';
 
 /** The surface's own coordinates within the scene's. */
 export class SurfaceSpace {
   /** What is added here is in the surface's coordinates. */
   readonly group = new Group();
+  readonly #back = new Quaternion();
 
-  /** The space of a surface with these bounds. */
-  fit({ center, radius }: Sphere): void {
+  /** The space of a surface with these bounds, turned upright. */
+  fit({ center, radius }: Sphere, upright: Quaternion): void {
     this.group.scale.setScalar(1 / radius);
-    this.group.position.copy(center).divideScalar(-radius);
+    this.group.quaternion.copy(upright);
+    this.group.position.copy(center).divideScalar(-radius).applyQuaternion(upright);
     this.group.updateMatrixWorld();
+    this.#back.copy(upright).invert();
+  }
+
+  /** Turns a direction of the surface's coordinates into one of the scene; a new vector. */
+  directionToScene(direction: Vector3): Vector3 {
+    return direction.clone().applyQuaternion(this.group.quaternion);
+  }
+
+  /** Turns a direction of the scene into the surface's coordinates, in place. */
+  directionToSurface(direction: Vector3): Vector3 {
+    return direction.applyQuaternion(this.#back);
   }
 
   /** A point of the surface in the scene's coordinates; a new vector. */
@@ -22,6 +35,6 @@ export class SurfaceSpace {
 
   /** Turns a point of the scene into the surface's coordinates, in place. */
   toSurface(point: Vector3): Vector3 {
-    return point.sub(this.group.position).divide(this.group.scale);
+    return point.sub(this.group.position).divide(this.group.scale).applyQuaternion(this.#back);
   }
 }

@@ -10,8 +10,11 @@ import {
   LineBasicMaterial,
   LineSegments,
   LinearFilter,
+  Matrix3,
+  Matrix4,
   Mesh,
   NoColorSpace,
+  type Quaternion,
   Ray,
   ShaderMaterial,
   type Sphere,
@@ -26,7 +29,9 @@ import type { Category } from './categories.js';
 import { type ColormapName, colormapSize, colormapTable } from './colormaps.js';
 import type { CreasedSurface } from './creases.js';
 import { DrawnVertices } from './drawn-vertices.js';
+import { longWay } from './long-way.js';
 import {
+  type Look,
   type ShadingMode,
   fragmentShader,
   mostCategories,
@@ -103,6 +108,8 @@ export class Surface {
       side: DoubleSide,
       defines: { SHADING: shadingModes.scalar },
       uniforms: {
+        upright: { value: new Matrix3() },
+        opacity: { value: 1 },
         coloured: { value: 0 },
         colormap: { value: this.#texture },
         range: { value: new Vector2(0, 1) },
@@ -143,6 +150,11 @@ export class Surface {
     this.#updateSteepest();
   }
 
+  /** Whether equal factors are equally far apart in the colour map; both ends of the range are above 0. */
+  setLog(log: boolean): void {
+    this.#define('LOGARITHMIC', log ? '' : undefined);
+  }
+
   /**
    * So many lines of equal value, evenly spaced between the ends of the range; 0: none. Where the value
    * changes by more than `steepest` for each unit of length it jumps, and has no lines.
@@ -159,6 +171,26 @@ export class Surface {
     const { x: low, y: high } = this.#vector2('range');
     const steepest = (this.#steepest * this.bounds.radius) / (high - low);
     this.#material.uniforms['steepest']!.value = Math.min(Math.abs(steepest), 1e30) || 0;
+  }
+
+  /** Smooth, flat or transparent. */
+  setLook(look: Look): void {
+    const material = this.#material;
+    const isTransparent = look === 'transparent';
+    this.#define('FLAT', look === 'flat' ? '' : undefined);
+    material.uniforms['opacity']!.value = isTransparent ? 0.45 : 1;
+    if (material.transparent === isTransparent) return;
+    material.transparent = isTransparent;
+    // Nothing hides what is behind; the far side is drawn first, then the near one.
+    material.depthWrite = !isTransparent;
+    material.forceSinglePass = !isTransparent;
+    material.needsUpdate = true;
+  }
+
+  /** How the surface is turned in the scene: light falls from above. */
+  setUpright(rotation: Quaternion): void {
+    const matrix = new Matrix4().makeRotationFromQuaternion(rotation);
+    (this.#material.uniforms['upright']!.value as Matrix3).setFromMatrix4(matrix);
   }
 
   /** The screen's pixels for each CSS pixel. */
@@ -368,6 +400,14 @@ export class Surface {
     return !!hit && hit.distance < distance - 0.01 * this.bounds.radius;
   }
 
+  /** Calls back with the place of each vertex. */
+  eachPosition(see: (x: number, y: number, z: number) => void): void {
+    const positions = this.#positions;
+    for (let i = 0; i < positions.length; i += 3) {
+      see(positions[i]!, positions[i + 1]!, positions[i + 2]!);
+    }
+  }
+
   positionOf(point: SurfacePoint): Vector3 {
     if (typeof point === 'number') return new Vector3().fromArray(this.#positions, 3 * point);
     const position = new Vector3();
@@ -380,6 +420,11 @@ export class Surface {
   /** Away from the inside, at a vertex; at a crease, on one side of it. */
   normalOf(vertex: number): Vector3 {
     return new Vector3().fromBufferAttribute(this.#drawn.getAttribute('normal'), vertex);
+  }
+
+  /** Vertices along a way from end to end. */
+  longWay(): number[] {
+    return longWay(this.#adjacency);
   }
 
   /** The vertices that share an edge with one. */

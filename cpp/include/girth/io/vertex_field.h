@@ -26,6 +26,11 @@ struct VertexField {
   /// Of the girth function: how each value came about, one for each vertex. Otherwise empty. At
   /// most one of the fields of a file has kinds.
   std::span<const LoopKind> kinds;
+  /// What files call the kinds.
+  std::string kindName{"kind"};
+  /// Where values are codes, what they mean: i is words[i]. Text has the words, binary files the
+  /// codes.
+  std::span<const std::string_view> words{};
 
   /// Whether a vertex has a value.
   bool has(Vertex vertex) const { return values[vertex] == values[vertex]; }

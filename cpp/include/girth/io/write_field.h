@@ -1,6 +1,7 @@
 // Fields of values as a file's content: CSV, JSON, NPY, PLY or GLB.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,18 +13,26 @@
 
 namespace girth::io {
 
+/// Which columns text has besides the fields'.
+enum class Columns : std::uint8_t {
+  Fields,     ///< the fields', by their names alone
+  Positions,  ///< also x, y and z of each vertex, and units in the header of a CSV
+};
+
 /// `vertex,igf,kind` (the fields' names, each followed by `kind` where it has kinds) and one row
 /// for every vertex of the *file*, in its order, counted from 0. Vertices that were welded share
 /// their values. Where a vertex is not on the surface, or has no value, its columns are empty.
-/// Numbers read back as the same doubles (formatNumber); lines end with "\n".
-std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fields);
+/// Numbers read back as the same doubles (formatNumber); lines end with "\n". With positions:
+/// `vertex,x (mm),y (mm),z (mm),igf (mm),kind`, without the units that are not known.
+std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fields,
+                     Columns columns = Columns::Fields);
 
 /// The same as one JSON object: `file`, `unit` of the model ("" where it is not known), `complete`,
 /// `vertices`, `fields` (of each its `name`, `method`, `unit` and whether it is `complete`), and
-/// one array for every column of the CSV but the first, under its name, with null where that is
-/// empty.
+/// one array for every column of the CSV but the first, under its name (without units), with null
+/// where that is empty.
 std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fields,
-                      std::string_view file);
+                      std::string_view file, Columns columns = Columns::Fields);
 
 /// The values as NumPy reads them with `numpy.load`: format version 1.0, dtype '<f8', shape (n,),
 /// one for every vertex of the *file*, in its order; NaN where the CSV is empty.
@@ -31,8 +40,8 @@ std::string fieldNpy(const LoadedMesh& loaded, const VertexField& field);
 
 /// The surface as binary little-endian PLY: for every vertex of the *surface* (not of the file) x,
 /// y, z and each field as doubles, after a field with kinds `kind` as a byte (0 loop, 1 antipodal,
-/// 2 unresolved, 255 no value, where the field is NaN); then the faces. Comments state units
-/// and methods.
+/// 2 unresolved, 255 no value, where the field is NaN); then the faces. Comments state units,
+/// methods and what codes mean.
 std::string fieldPly(const LoadedMesh& loaded, std::span<const VertexField> fields);
 
 /// Values between which the colour map of a GLB runs.

@@ -10,16 +10,18 @@
 
 namespace girth::io {
 
-/// One JSON object: `file`, `unit`, `thresholds` (`girth`, `diameter`), `smoothing` and `parts`: of
-/// each its `kind`, `area`, `medianGirth`, `medianDiameter`, `equivalentRadius` (tubes only),
+/// One JSON object: `file`, `unit`, `thresholds` (`girth`, `thickness`), `smoothing` and `parts`:
+/// of each its `kind`, `area`, `medianGirth`, `medianThickness`, `equivalentRadius` (tubes only),
 /// `thinnest` (as a point of `loopJson`, or null) and `vertices` (of the file). Numbers that are
 /// not finite come out as null.
 std::string partsJson(const LoadedMesh& loaded, const Parts& parts, const PartOptions& options,
                       std::string_view file);
 
-/// One JSON object: `file`, `unit`, `limits` (`tubeDiameter`, `wallThickness`), `passes` and
-/// `places`: of each its `kind` ("tube" or "wall"), `least`, `area`, `thinnest` and `vertices`.
+/// One JSON object: `file`, `unit`, `limits` (`tubeDiameter`, `wallThickness`), `passes`,
+/// `failingShare`, `passingScale` (null where no scale helps) and `places`: of each its `kind`
+/// ("tube" or "wall"), `measure` ("diameter" or "thickness"), `least`, `area`, `thinnest` and
+/// `vertices`. `passingScale`: see parts.h.
 std::string weakPlacesJson(const LoadedMesh& loaded, std::span<const WeakPlace> places,
-                           const PrintLimits& limits, std::string_view file);
+                           const PrintLimits& limits, double passingScale, std::string_view file);
 
 }  // namespace girth::io

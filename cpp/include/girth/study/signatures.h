@@ -59,9 +59,9 @@ struct SignatureOptions {
   std::size_t bins{0};
   /// What values are multiplied by.
   ValueScale scale{ValueScale::AsIs};
-  /// One-dimensional values are told apart up to the one that this share (in (0, 1]) of all models
-  /// together does not exceed; greater ones count as it: the long loops of plates and tips then do
-  /// not outweigh everything else. 1: all are told apart.
+  /// One-dimensional values are distinguished up to the one that this share (in (0, 1]) of all
+  /// models together does not exceed; greater ones count as it: the long loops of plates and tips
+  /// then do not outweigh everything else. 1: all are distinguished.
   double axis{1};
   /// Cells along each axis of joint histograms.
   std::size_t jointBins{16};

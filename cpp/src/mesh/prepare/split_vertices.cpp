@@ -93,7 +93,7 @@ class VertexSplitter {
     return true;
   }
 
-  /// Two edges between the same two copies could not be told apart. All but one are separated:
+  /// Two edges between the same two copies could not be distinguished. All but one are separated:
   /// their faces get a copy of their own at one end.
   bool separate(const EdgeOfCopies* edges, std::size_t count) {
     if (isOneEdge(edges, count)) return false;

@@ -86,6 +86,5 @@ export const chair: Model = {
     return smoothMin(smoothMin(frame, rail(x, y, z), 0.02), seat(x, y, z), 0.025);
   },
   box: { min: [-0.27, -0.02, -0.34], max: [0.27, 0.95, 0.26] },
-  cell: 0.0105,
-  sizing: { gentle: 0.08, finest: 0.45 },
+  cell: 0.00525,
 };

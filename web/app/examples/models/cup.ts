@@ -63,6 +63,5 @@ export const cup: Model = {
   faces: 5000,
   solid: mug,
   box: { min: [-0.052, -0.006, -0.052], max: [0.086, 0.104, 0.052] },
-  cell: 0.0027,
-  sizing: { gentle: 0.03, finest: 0.45 },
+  cell: 0.00135,
 };

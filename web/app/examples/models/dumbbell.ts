@@ -21,6 +21,5 @@ export const dumbbell: Model = {
   faces: 3200,
   solid: smoothUnion(0.05, large, small, neck),
   box: { min: [-0.25, -0.02, -0.12], max: [0.255, 0.22, 0.12] },
-  cell: 0.008,
-  sizing: { gentle: 0.08, finest: 0.55 },
+  cell: 0.004,
 };

@@ -63,6 +63,5 @@ export const handles: Model = {
     }),
   ),
   box: { min: [-0.2, -0.02, -0.24], max: [0.28, 0.34, 0.24] },
-  cell: 0.009,
-  sizing: { gentle: 0.08, finest: 0.5 },
+  cell: 0.0045,
 };

@@ -1,6 +1,5 @@
 import type { Implicit } from '../implicit.ts';
 import type { Box } from '../polygonise.ts';
-import type { Sizing } from '../sizing.ts';
 
 /** What an example is and how it is made. Lengths in metres, y up, as in glTF. */
 export interface Model {
@@ -15,7 +14,6 @@ export interface Model {
   solid: Implicit;
   /** Contains the solid, with some room to every side. */
   box: Box;
-  /** Width of the grid's cells: at most half of the thinnest part. */
+  /** Width of the grid's cells: at most a quarter of the thinnest part. */
   cell: number;
-  sizing: Sizing;
 }

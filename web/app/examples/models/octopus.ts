@@ -27,7 +27,7 @@ const arms: Arm[] = [
 ];
 
 const root = 0.03;
-const tip = 0.0065;
+const tip = 0.0095;
 const steps = 28;
 
 function arm({ heading, length, sway, curl, lift }: Arm): Implicit {
@@ -84,6 +84,5 @@ export const octopus: Model = {
   solid: (x, y, z) =>
     smoothMin(smoothMin(body(x, y, z), limbs(x, y, z), 0.045), eyes(x, y, z), 0.012),
   box: { min: [-0.42, -0.012, -0.42], max: [0.42, 0.36, 0.42] },
-  cell: 0.008,
-  sizing: { gentle: 0.09, finest: 0.4 },
+  cell: 0.004,
 };

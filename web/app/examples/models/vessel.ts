@@ -69,6 +69,5 @@ export const vessel: Model = {
   faces: 8000,
   solid: smoothUnion(0.014, first!, ...others),
   box: { min: [-0.14, -0.01, -0.075], max: [0.16, 0.375, 0.075] },
-  cell: 0.0045,
-  sizing: { gentle: 0.018, finest: 0.6 },
+  cell: 0.00225,
 };

@@ -21,6 +21,8 @@ export {
   type DistributionSeries,
   DistributionPlot,
 } from './distribution-plot.js';
+export type { PlotLine } from './plot-frame.js';
+export { type ProfileContent, type ProfileEvents, ProfilePlot } from './profile-plot.js';
 export {
   type RegionColours,
   type ScatterContent,
@@ -36,3 +38,4 @@ export {
   formatNumber,
   withPower,
 } from '../numbers.js';
+export { type LengthUnit, findLengthUnit } from '../length-text.js';

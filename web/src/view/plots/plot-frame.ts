@@ -1,6 +1,7 @@
 // A plot on the page: uPlot draws axes and lines, scaled to the screen and to the space there is; what
 // is above it (marks, handles) is HTML.
 
+import './locale.js';
 import uPlot from 'uplot';
 import { type Scale, logTicks } from './density.js';
 import { roundTicks } from '../numbers.js';
@@ -14,10 +15,22 @@ export interface PlotAxis {
   label?: string | undefined;
 }
 
+/** A line of a plot. */
 export interface PlotLine {
+  /** A value for each x; what is no number is left out. */
   y: ArrayLike<number>;
+  /** A CSS colour. */
   colour: string;
+  /** Lengths of dashes and gaps, in CSS pixels; absent: a plain line. */
   dash?: number[] | undefined;
+}
+
+/** A rectangle of the canvas, in its pixels. */
+export interface PlotBox {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
 }
 
 export interface PlotContent {
@@ -27,7 +40,7 @@ export interface PlotContent {
   at: ArrayLike<number>;
   lines: readonly PlotLine[];
   /** Draws below the lines: the plot's inside in pixels of the canvas, and pixels per CSS pixel. */
-  paint?: (context: CanvasRenderingContext2D, inside: uPlot.BBox, pixelRatio: number) => void;
+  paint?: (context: CanvasRenderingContext2D, inside: PlotBox, pixelRatio: number) => void;
 }
 
 const font = '11px system-ui, sans-serif';
@@ -86,7 +99,8 @@ export class PlotFrame {
 
   #data(): uPlot.AlignedData {
     const { at, lines } = this.#content!;
-    return [Array.from(at), ...lines.map(({ y }) => Array.from(y))];
+    const known = (value: number): number | null => (Number.isNaN(value) ? null : value);
+    return [Array.from(at), ...lines.map(({ y }) => Array.from(y, known))];
   }
 
   #fit(): void {

@@ -18,7 +18,7 @@ export interface Thresholds {
   /** Tubes have a girth below it, plates one above. */
   girth: number;
   /** Tubes and plates are thinner than this. */
-  diameter: number;
+  thickness: number;
 }
 
 /** sRGB bytes of what lies where. */
@@ -36,7 +36,7 @@ export interface ScatterLabels {
   /** Of the axis to the right. */
   girth: string;
   /** Of the axis upwards. */
-  diameter: string;
+  thickness: string;
 }
 
 /** What a plot shows. */
@@ -44,7 +44,7 @@ export interface ScatterContent {
   /** One value for each vertex. */
   girth: ArrayLike<number>;
   /** The thickness, one value for each vertex. */
-  diameter: ArrayLike<number>;
+  thickness: ArrayLike<number>;
   /** How much each vertex counts. */
   weights: Weights;
   /** Whether the axes are logarithmic. */
@@ -53,6 +53,8 @@ export interface ScatterContent {
   colours: RegionColours;
   /** Writes a value at an axis. */
   format: (value: number) => string;
+  /** Of both values; '' where it is not known. */
+  unit: string;
   /** What the axes are. */
   labels: ScatterLabels;
 }
@@ -84,7 +86,7 @@ export class ScatterPlot {
   readonly #cross = document.createElement('div');
   #content: ScatterContent | undefined;
   #axes: { x: Scale; y: Scale } | undefined;
-  #thresholds: Thresholds = { girth: 0, diameter: 0 };
+  #thresholds: Thresholds = { girth: 0, thickness: 0 };
   #counted: { density: Density; key: string } | undefined;
   #images: Record<keyof RegionColours, OffscreenCanvas> | undefined;
   readonly #events: ScatterEvents;
@@ -95,25 +97,25 @@ export class ScatterPlot {
     this.element.className = 'plot scatter';
     this.#handles = {
       girth: this.#handle('girth', 'Girth below which thin parts are tubes'),
-      diameter: this.#handle('diameter', 'Thickness below which parts are thin'),
+      thickness: this.#handle('thickness', 'Thickness below which parts are thin'),
     };
     this.#cross.className = 'plot-cross';
-    this.#drags(this.#cross, ['girth', 'diameter']);
-    this.#frame.over.append(this.#handles.girth, this.#handles.diameter, this.#cross);
+    this.#drags(this.#cross, ['girth', 'thickness']);
+    this.#frame.over.append(this.#handles.girth, this.#handles.thickness, this.#cross);
   }
 
   /** Shows points; false where none of them has both values. */
   show(content: ScatterContent): boolean {
     this.#content = content;
     const x = scaleFor(content.girth, content.log);
-    const y = scaleFor(content.diameter, content.log);
+    const y = scaleFor(content.thickness, content.log);
     this.#counted = undefined;
     this.#images = undefined;
     this.#axes = x && y && { x, y };
     if (!x || !y) return false;
     this.#frame.show({
       x: { scale: x, format: content.format, label: content.labels.girth },
-      y: { scale: y, format: content.format, label: content.labels.diameter },
+      y: { scale: y, format: content.format, label: content.labels.thickness },
       at: [x.low, x.high],
       lines: [],
       paint: (context, inside, pixelRatio) => this.#paint(context, inside, pixelRatio),
@@ -169,8 +171,8 @@ export class ScatterPlot {
         if (names.includes('girth')) {
           change.girth = valueAt(axes.x, clamp((event.clientX - box.left) / box.width));
         }
-        if (names.includes('diameter')) {
-          change.diameter = valueAt(axes.y, clamp(1 - (event.clientY - box.top) / box.height));
+        if (names.includes('thickness')) {
+          change.thickness = valueAt(axes.y, clamp(1 - (event.clientY - box.top) / box.height));
         }
         this.#move(change, false);
       };
@@ -199,23 +201,24 @@ export class ScatterPlot {
       Math.min(1, Math.max(0, Number.isNaN(place) ? 0 : place));
     return {
       right: clamp(placeOn(axes!.x, thresholds.girth)),
-      up: clamp(placeOn(axes!.y, thresholds.diameter)),
+      up: clamp(placeOn(axes!.y, thresholds.thickness)),
     };
   }
 
   #place(): void {
     const [handles, cross, axes, content] = [this.#handles, this.#cross, this.#axes, this.#content];
-    for (const one of [handles.girth, handles.diameter, cross]) one.hidden = !axes;
+    for (const one of [handles.girth, handles.thickness, cross]) one.hidden = !axes;
     if (!axes || !content) return;
     const { right, up } = this.#places();
     handles.girth.style.left = cross.style.left = `${100 * right}%`;
-    handles.girth.style.top = handles.diameter.style.top = cross.style.top = `${100 * (1 - up)}%`;
+    handles.girth.style.top = handles.thickness.style.top = cross.style.top = `${100 * (1 - up)}%`;
     for (const [name, place] of [
       ['girth', right],
-      ['diameter', up],
+      ['thickness', up],
     ] as const) {
       handles[name].setAttribute('aria-valuenow', String(Math.round(100 * place)));
-      handles[name].setAttribute('aria-valuetext', content.format(this.#thresholds[name]));
+      const value = content.format(this.#thresholds[name]);
+      handles[name].setAttribute('aria-valuetext', `${value} ${content.unit}`.trim());
     }
   }
 
@@ -231,8 +234,8 @@ export class ScatterPlot {
     const height = Math.max(1, Math.round(inside.height / (pixelRatio * cell)));
     const key = `${width} ${height}`;
     if (this.#counted?.key !== key) {
-      const { girth, diameter, weights } = content;
-      this.#counted = { key, density: density(girth, diameter, weights, axes, width, height) };
+      const { girth, thickness, weights } = content;
+      this.#counted = { key, density: density(girth, thickness, weights, axes, width, height) };
       this.#images = undefined;
     }
     this.#images ??= this.#drawImages(content.colours);

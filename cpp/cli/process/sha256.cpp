@@ -1,4 +1,4 @@
-#include "study/sha256.h"
+#include "process/sha256.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,0 +1,203 @@
+// Completions: of every command its options, their values, and files.
+#include <string_view>
+
+#include "commands/command.h"
+#include "help/help_text.h"
+#include "help/pages.h"
+
+namespace girth::cli {
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+/// The text in single quotes of a shell.
+std::string quoted(std::string_view text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      result += "'\\''";
+    } else {
+      result += c;
+    }
+  }
+  return result + "'";
+}
+
+/// A command's words behind "girth", with its options.
+struct Completed {
+  std::string words;
+  const Command* command;
+  OptionTable table;
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const Option& option : table.options()) {
+      all.insert(all.end(), option.names().begin(), option.names().end());
+    }
+    return all;
+  }
+};
+
+std::vector<Completed> completedCommands() {
+  constexpr std::size_t kBehindGirth = 6;
+  std::vector<Completed> all;
+  for (const NamedCommand& named : namedCommands()) {
+    all.push_back({named.name.substr(kBehindGirth), named.command, {}});
+    addOptions(*named.command, all.back().table);
+  }
+  return all;
+}
+
+std::vector<std::string> namesOf(std::span<const Command* const> commands) {
+  std::vector<std::string> names;
+  for (const Command* command : commands) names.emplace_back(command->name);
+  return names;
+}
+
+/// What can stand where a file cannot: commands, or those below one.
+std::vector<std::string> wordsBehind(const Completed& command) {
+  if (command.words == "help") return namesOf(allCommands());
+  return namesOf(command.command->below);
+}
+
+/// bash: the words typed so far choose the command; the word before the cursor may want a value.
+std::string bashCompletion(const std::vector<Completed>& commands) {
+  std::string options, behind, values;
+  for (const Completed& command : commands) {
+    const std::string pattern = "    " + quoted(command.words) + ") ";
+    options += pattern + "options=" + quoted(joined(command.names())) + " ;;\n";
+    if (const auto words = wordsBehind(command); !words.empty()) {
+      behind += pattern + "words=" + quoted(joined(words)) + " ;;\n";
+    }
+    for (const Option& option : command.table.options()) {
+      if (option.choices().empty()) continue;
+      for (const std::string& name : option.names()) {
+        values += "    " + quoted(command.words + " " + name) +
+                  ") words=" + quoted(joined(option.choices())) + " ;;\n";
+      }
+    }
+  }
+  return "# bash completion of girth\n"
+         "_girth() {\n"
+         "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}\n"
+         "  local command=${COMP_WORDS[1]} options= words=\n"
+         "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
+         "    COMPREPLY=($(compgen -W " +
+         quoted(joined(namesOf(allCommands())) + " --help --version") +
+         " -- \"$current\"))\n    return\n  fi\n"
+         "  if [ \"$command\" = study ] && [ \"$COMP_CWORD\" -gt 2 ]; then\n"
+         "    command=\"$command ${COMP_WORDS[2]}\"\n  fi\n"
+         "  case \"$command $previous\" in\n" +
+         values + "  esac\n  if [ -z \"$words\" ]; then\n    case \"$command\" in\n" + behind +
+         "    esac\n  fi\n"
+         "  if [ \"${current#-}\" != \"$current\" ]; then\n    case \"$command\" in\n" +
+         options +
+         "    esac\n    COMPREPLY=($(compgen -W \"$options\" -- \"$current\"))\n"
+         "  elif [ -n \"$words\" ]; then\n"
+         "    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
+         "  else\n    compopt -o filenames 2>/dev/null\n"
+         "    COMPREPLY=($(compgen -f -- \"$current\"))\n  fi\n"
+         "}\n"
+         "complete -F _girth girth\n";
+}
+
+/// What _arguments must not read as its own signs.
+std::string zshText(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '[' || c == ']' || c == ':' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string zshOption(const Option& option) {
+  std::string action;
+  if (!option.isFlag()) {
+    action = ":" + zshText(option.valueName()) + ":" +
+             (option.choices().empty() ? "_files" : "(" + joined(option.choices()) + ")");
+  }
+  std::string lines;
+  for (const std::string& name : option.names()) {
+    lines += " \\\n        " + quoted(name + "[" + zshText(option.text()) + "]" + action);
+  }
+  return lines;
+}
+
+std::string zshCompletion(const std::vector<Completed>& commands) {
+  std::string list, cases;
+  for (const Completed& command : commands) {
+    const auto words = wordsBehind(command);
+    if (command.words.find(' ') == std::string::npos) {
+      list += "    " + quoted(std::string(command.words) + ":" + command.command->summary) + "\n";
+    }
+    cases += "    (" + quoted(command.words) + ")\n      _arguments";
+    for (const Option& option : command.table.options()) {
+      if (!option.isArgument()) cases += zshOption(option);
+    }
+    cases += " \\\n        " +
+             quoted(words.empty() ? "*:file:_files" : "*:command:(" + joined(words) + ")") +
+             "\n      ;;\n";
+  }
+  return "#compdef girth\n"
+         "_girth() {\n"
+         "  local -a commands\n  commands=(\n" +
+         list +
+         "  )\n"
+         "  if (( CURRENT == 2 )); then\n"
+         "    _describe command commands\n    return\n  fi\n"
+         "  local command=${words[2]}\n"
+         "  if [[ $command == study && CURRENT -gt 3 ]]; then\n"
+         "    command=\"$command ${words[3]}\"\n  fi\n"
+         "  shift words\n  (( CURRENT-- ))\n"
+         "  case $command in\n" +
+         cases +
+         "  esac\n"
+         "}\n"
+         "_girth \"$@\"\n";
+}
+
+std::string fishCompletion(const std::vector<Completed>& commands) {
+  std::string text = "# fish completion of girth\n";
+  for (const Completed& command : commands) {
+    const std::size_t blank = command.words.find(' ');
+    const bool isBelow = blank != std::string::npos;
+    const std::string last = isBelow ? command.words.substr(blank + 1) : command.words;
+    const std::string offered =
+        isBelow ? "__fish_seen_subcommand_from " + command.words.substr(0, blank)
+                : std::string("__fish_use_subcommand");
+    text += "complete -c girth -n " + quoted(offered) + " -f -a " + last + " -d " +
+            quoted(command.command->summary) + "\n";
+    const std::string seen =
+        "complete -c girth -n " + quoted("__fish_seen_subcommand_from " + last);
+    if (const auto words = wordsBehind(command); !words.empty() && !isBelow) {
+      text += seen + " -f -a " + quoted(joined(words)) + "\n";
+    }
+    for (const Option& option : command.table.options()) {
+      if (option.isArgument()) continue;
+      text += seen;
+      for (const std::string& name : option.names()) {
+        text += name.size() == 2 ? " -s " + name.substr(1) : " -l " + name.substr(2);
+      }
+      if (!option.isFlag()) text += " -r";
+      if (!option.choices().empty()) text += " -f -a " + quoted(joined(option.choices()));
+      text += " -d " + quoted(option.text()) + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<Page> completionPages() {
+  const std::vector<Completed> commands = completedCommands();
+  return {{"bash-completion/completions/girth", bashCompletion(commands)},
+          {"zsh/site-functions/_girth", zshCompletion(commands)},
+          {"fish/vendor_completions.d/girth.fish", fishCompletion(commands)}};
+}
+
+}  // namespace girth::cli

@@ -1,0 +1,22 @@
+// What distances mean: how far poses of one shape are apart, and shapes of different classes.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "study/comparison.h"
+
+namespace girth::cli {
+
+/// Medians over a collection (web/docs/choosing.md).
+struct TypicalDistance {
+  double poses;    ///< of two poses of one shape
+  double classes;  ///< of two shapes of different classes
+};
+
+/// Of a descriptor, as it was measured: of models scaled to area 1, by the exact distance of their
+/// distributions. Nothing where it was not measured, or is computed otherwise.
+std::optional<TypicalDistance> typicalDistance(const std::string& descriptor,
+                                               const ComparisonOptions& options);
+
+}  // namespace girth::cli

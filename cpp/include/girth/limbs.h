@@ -1,0 +1,101 @@
+// Limbs: what the tips of a shape end, how long they are, and how thick all along.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/execution.h"
+#include "girth/girth_profile.h"
+#include "girth/surface_mesh.h"
+#include "girth/tips.h"
+
+namespace girth {
+
+/// Why a limb ends where it does (web/docs/definitions.md, section 5).
+enum class LimbEnd : std::uint8_t {
+  /// It spreads into a thicker part: beyond, the ring grows by more than π times the distance.
+  Spreads,
+  /// Beyond, the loops at half of the ring's points have slipped off: they go round other parts.
+  Slips,
+  /// The ring falls apart into two, each round a part that is deeper than the limb is thick.
+  Splits,
+  /// The ring meets itself round a handle.
+  Handle,
+  /// The ring reaches the boundary of the surface.
+  Boundary,
+  /// Never: the limb is its whole component, as of a spindle.
+  Whole,
+};
+
+/// "spreads", "slips", "splits", "handle", "boundary" or "whole".
+std::string_view toString(LimbEnd end);
+
+/// A finger, an arm, a leg: what lies between a tip's apex and the ring of points at `length` from
+/// it.
+struct Limb {
+  /// Where it begins: the apex of a tip.
+  Vertex apex;
+  /// The tips that it ends in, by their numbers in the list that was handed over; the first is the
+  /// one with this apex. Several where the distances from each of their apexes give the same limb.
+  std::vector<Index> tips;
+  /// Distance from the apex to the ring at its base, along the surface, in model units.
+  double length{0};
+  /// Why it ends there.
+  LimbEnd end{LimbEnd::Spreads};
+  /// The least of the stations' least girths, in model units; NaN where there is none.
+  double narrowest{0};
+  /// How far from the apex it is, in model units; NaN where there is none.
+  double narrowestDistance{0};
+  /// The middle one of the stations' medians, of those where a loop goes round the limb, in model
+  /// units: along half of the limb the girth is less.
+  double median{0};
+  /// The least girth at the base, in model units; NaN for a limb that is its whole component.
+  double base{0};
+  /// The vertices that the ring at the base cuts off, in rising order.
+  std::vector<Vertex> vertices;
+  /// Their distances from the apex, in model units.
+  std::vector<double> distances;
+  /// From near the apex to the base, at equal distances; the last station is the base.
+  GirthProfile profile;
+};
+
+/// The limbs of a surface.
+struct Limbs {
+  /// Longest first.
+  std::vector<Limb> limbs;
+  /// Numbers of the tips that end no limb, since what they end is nowhere longer than it is thick,
+  /// or no loop goes round it.
+  std::vector<Index> tipsWithoutLimb;
+};
+
+/// How limbs are measured.
+struct LimbOptions {
+  /// Stations of a profile, 1 to 10,000.
+  Index stations{64};
+};
+
+/// The limb that each tip ends (web/docs/definitions.md, section 5).
+///
+/// The ring at distance t from the apex is the level curve of the distance, that part of it which
+/// lies before the main part of what is farther away. The limb ends at the ring where its length
+/// exceeds its thickness (the ring's length by π) by most, or before, where the ring is no ring any
+/// more or loops do not go round the limb.
+///
+/// Distances are exact at vertices (GeodesicSolver) and linear within faces, so rings are off by
+/// O(h²) for edges of length h, and by O(h) where several shortest paths meet. Of the girth on a
+/// ring, `median` and the choice of the least take values linear along edges, but where the girth
+/// jumps (by more than twice the edge's length) that of the nearer end; the least itself is exact,
+/// of a loop that was traced. Where the loop at the least does not go round the limb, eight others
+/// are tried, at equal shares of the ring by rising girth.
+///
+/// `girth`: I(v) for each vertex, NaN where there is none. `tips`: of findTips, all or some. Time:
+/// for each tip one distance field, about O(n^1.5), and some loops for each station, on all
+/// threads; the same result for any number of them. Errors: USAGE where the values are not as many
+/// as the vertices; VERTEX_OUT_OF_RANGE; INVALID_OPTION; LIMIT_EXCEEDED; CANCELLED.
+Result<Limbs> findLimbs(const SurfaceMesh& mesh, std::span<const double> girth,
+                        std::span<const Tip> tips, const LimbOptions& options = {},
+                        const ExecutionContext& context = {});
+
+}  // namespace girth

@@ -1,0 +1,123 @@
+#include "analysis/level_rings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "girth/transfer.h"
+#include "mesh/vector.h"
+#include "no_value.h"
+
+namespace girth {
+
+namespace {
+
+/// The girth changes no faster, but where it jumps.
+constexpr double kSteepestGirth = 2;
+
+/// The point at a share of the side between two corners of a face.
+SurfacePoint between(Face face, Index from, Index to, double share) {
+  return to == (from + 1) % 3 ? SurfacePoint::onHalfedge(SurfaceMesh::side(face, from), share)
+                              : SurfacePoint::onHalfedge(SurfaceMesh::side(face, to), 1 - share);
+}
+
+/// Calls `visit(level, a, b)` for each face that the ring at levels[level] crosses, from a to b.
+template <class Visit>
+void forEachSegment(const SurfaceMesh& mesh, std::span<const double> heights,
+                    std::span<const double> leaves, std::span<const double> levels, Visit visit) {
+  for (const Face face : mesh.faces()) {
+    const std::array<Vertex, 3> corners = mesh.faceVertices(face);
+    std::array<Index, 3> low{0, 1, 2};
+    std::sort(low.begin(), low.end(), [&](Index a, Index b) {
+      return std::pair(heights[corners[a]], corners[a]) <
+             std::pair(heights[corners[b]], corners[b]);
+    });
+    std::array<double, 3> height{};
+    for (std::size_t i = 0; i < 3; ++i) height[i] = heights[corners[low[i]]];
+    if (!std::isfinite(height[2])) continue;
+    const double last = std::min(height[2], leaves[corners[low[2]]]);
+    const auto begin = std::upper_bound(levels.begin(), levels.end(), height[0]);
+    const auto end = std::upper_bound(begin, levels.end(), last);
+    for (auto at = begin; at < end; ++at) {
+      const double t = *at;
+      const bool below = t <= height[1];
+      const std::size_t from = below ? 0 : 1, to = below ? 1 : 2;
+      visit(static_cast<std::size_t>(at - levels.begin()),
+            between(face, low[0], low[2], (t - height[0]) / (height[2] - height[0])),
+            between(face, low[from], low[to], (t - height[from]) / (height[to] - height[from])));
+    }
+  }
+}
+
+double lengthBetween(const SurfaceMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  return norm(positionOf(mesh, b) - positionOf(mesh, a));
+}
+
+}  // namespace
+
+std::vector<double> ringLengths(const SurfaceMesh& mesh, std::span<const double> heights,
+                                std::span<const double> leaves, std::span<const double> levels) {
+  std::vector<double> lengths(levels.size(), 0);
+  forEachSegment(mesh, heights, leaves, levels,
+                 [&](std::size_t level, const SurfacePoint& a, const SurfacePoint& b) {
+                   lengths[level] += lengthBetween(mesh, a, b);
+                 });
+  return lengths;
+}
+
+std::vector<RingGirth> ringGirths(const SurfaceMesh& mesh, std::span<const double> heights,
+                                  std::span<const double> leaves, std::span<const double> levels,
+                                  std::span<const double> girth, std::size_t shares) {
+  std::vector<SurfacePoint> ends;  // two of each segment
+  std::vector<std::vector<std::size_t>> segmentsAt(levels.size());
+  forEachSegment(mesh, heights, leaves, levels,
+                 [&](std::size_t level, const SurfacePoint& a, const SurfacePoint& b) {
+                   segmentsAt[level].push_back(ends.size());
+                   ends.insert(ends.end(), {a, b});
+                 });
+  const std::vector<double> values = interpolated(mesh, girth, ends, kSteepestGirth);
+
+  std::vector<RingGirth> rings;
+  for (const std::vector<std::size_t>& segments : segmentsAt) {
+    RingGirth& ring = rings.emplace_back();
+    struct Segment {
+      double girth, length;
+      std::size_t end;
+    };
+    std::vector<Segment> known;
+    double knownLength = 0;
+    for (const std::size_t a : segments) {
+      const double length = lengthBetween(mesh, ends[a], ends[a + 1]);
+      ring.length += length;
+      const double mean = (values[a] + values[a + 1]) / 2;
+      if (std::isnan(mean) || !(length > 0)) continue;
+      knownLength += length;
+      known.push_back({mean, length, values[a] <= values[a + 1] ? a : a + 1});
+    }
+    std::sort(known.begin(), known.end(), [](const Segment& a, const Segment& b) {
+      return std::pair(a.girth, a.end) < std::pair(b.girth, b.end);
+    });
+    ring.median = kNoValue;
+    if (known.empty()) continue;
+    const auto least = std::min_element(
+        known.begin(), known.end(),
+        [&](const Segment& a, const Segment& b) { return values[a.end] < values[b.end]; });
+    ring.points.push_back({values[least->end], ends[least->end]});
+    double sum = 0;
+    std::size_t share = 0;
+    for (const Segment& segment : known) {
+      sum += segment.length;
+      if (std::isnan(ring.median) && 2 * sum >= knownLength) ring.median = segment.girth;
+      while (share < shares && sum * static_cast<double>(2 * shares) >=
+                                   knownLength * static_cast<double>(2 * share + 1)) {
+        ring.points.push_back({values[segment.end], ends[segment.end]});
+        ++share;
+      }
+    }
+  }
+  return rings;
+}
+
+}  // namespace girth

@@ -1,0 +1,425 @@
+#include "girth/limbs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "analysis/level_rings.h"
+#include "analysis/median.h"
+#include "analysis/unreached_rest.h"
+#include "girth/geodesic_solver.h"
+#include "girth/girth_solver.h"
+#include "girth/parallel.h"
+#include "mesh/angles.h"
+#include "mesh/check_vertex.h"
+#include "mesh/neighbours.h"
+#include "no_value.h"
+
+namespace girth {
+
+namespace {
+
+constexpr Index kMostStations = 10'000;
+/// From one level to the next, the disk takes up at most this share of its vertices more.
+constexpr std::size_t kGrowth = 64;
+/// Levels between two of those, to find the base more exactly.
+constexpr int kFiner = 64;
+/// Parts of a ring in which the girth is looked at.
+constexpr std::size_t kShares = 8;
+/// Shares of an edge that are no more than rounding.
+constexpr double kAtEnd = 1e-9;
+/// The middle one of a ring's points.
+constexpr std::size_t kMiddle = 1 + kShares / 2;
+/// Rings at which loops are looked at, to find the first that has slipped off.
+constexpr Index kSteps = 32;
+/// How often the distance from the last that holds to that one is halved.
+constexpr int kHalvings = 10;
+
+/// How far a ring can go, and why no farther.
+struct Reach {
+  double distance{0};
+  LimbEnd end{LimbEnd::Whole};
+};
+
+/// Distances of vertices up to a reach, denser where there are more vertices, and the reach.
+std::vector<double> levelsUpTo(double reach, std::span<const double> distances) {
+  std::vector<double> sorted;
+  std::copy_if(distances.begin(), distances.end(), std::back_inserter(sorted),
+               [&](double distance) { return distance > 0 && distance < reach; });
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> levels;
+  for (std::size_t i = 0; i < sorted.size(); i += 1 + i / kGrowth) levels.push_back(sorted[i]);
+  levels.push_back(reach);
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+/// Until the ring falls apart, meets itself, or reaches the boundary or the end of the surface.
+Reach reachOf(const SurfaceMesh& mesh, std::span<const double> distances,
+              const UnreachedRest& rest) {
+  Reach reach{distances[rest.last], LimbEnd::Whole};
+  const auto stopAt = [&](Vertex v, LimbEnd end) {
+    if (v != Vertex::none && distances[v] < reach.distance) reach = {distances[v], end};
+  };
+  stopAt(rest.boundary, LimbEnd::Boundary);
+  stopAt(rest.handle, LimbEnd::Handle);
+
+  const std::vector<double> levels = levelsUpTo(reach.distance, distances);
+  const std::vector<double> lengths = ringLengths(mesh, distances, rest.leaves, levels);
+  // The mean length of the rings so far, times the distance.
+  double sum = 0, from = 0, before = 0;
+  std::size_t i = 0;
+  for (const RestSplit& split : rest.splits) {
+    const double here = distances[split.vertex];
+    if (here >= reach.distance) break;
+    for (; levels[i] < here; ++i) {
+      sum += (lengths[i] + before) / 2 * (levels[i] - from);
+      from = levels[i];
+      before = lengths[i];
+    }
+    const double mean = (sum + before * (here - from)) / here;
+    // A part that is less deep is a bump: the ring passes it by.
+    if (split.depth > mean / kPi) stopAt(split.vertex, LimbEnd::Splits);
+  }
+  return reach;
+}
+
+/// By how much a length exceeds the thickness of a ring: the diameter of the circle as long.
+double slenderness(double length, double ring) { return length - ring / kPi; }
+
+/// Where the limb ends; nothing where it is nowhere longer than it is thick, beyond `tipLength`.
+std::optional<double> baseOf(const SurfaceMesh& mesh, std::span<const double> distances,
+                             const UnreachedRest& rest, double reach, double tipLength) {
+  const std::vector<double> levels = levelsUpTo(reach, distances);
+  const std::vector<double> lengths = ringLengths(mesh, distances, rest.leaves, levels);
+  double most = 0;
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (levels[i] < tipLength) continue;
+    const double here = slenderness(levels[i], lengths[i]);
+    // Wider by more than the limb's radius: what follows is another thing.
+    if (best && here < most - lengths[*best] / (2 * kPi)) break;
+    if (here > most) {
+      most = here;
+      best = i;
+    }
+  }
+  if (!best) return std::nullopt;
+  const double from = *best > 0 ? levels[*best - 1] : 0;
+  const double to = *best + 1 < levels.size() ? levels[*best + 1] : reach;
+  std::vector<double> finer;
+  for (int i = 1; i < kFiner; ++i) finer.push_back(from + (to - from) * i / kFiner);
+  const std::vector<double> finerLengths = ringLengths(mesh, distances, rest.leaves, finer);
+  double base = levels[*best];
+  for (std::size_t i = 0; i < finer.size(); ++i) {
+    const double here = slenderness(finer[i], finerLengths[i]);
+    if (!(here > most)) continue;
+    most = here;
+    base = finer[i];
+  }
+  return base;
+}
+
+/// Measures one limb; keeps its memory.
+class LimbMaker {
+ public:
+  LimbMaker(const SurfaceMesh& mesh, std::span<const double> girth, Index stations,
+            const ExecutionContext& context)
+      : mesh_(mesh),
+        girth_(girth),
+        stations_(stations),
+        context_(context),
+        distanceSolver_(mesh),
+        loopSolver_(mesh),
+        blockedEdge_(mesh.halfedgeCount(), false),
+        visited_(mesh.vertexCount(), 0) {}
+
+  /// The limb that a tip ends; nothing where there is none.
+  Result<std::optional<Limb>> make(const Tip& tip) {
+    auto distances = distanceSolver_.distances(SurfacePoint::atVertex(tip.apex),
+                                               std::numeric_limits<double>::infinity(), context_);
+    if (!distances) return distances.error();
+    distances_ = std::move(distances).value();
+    rest_ = unreachedRest(mesh_, distances_, tip.apex);
+    reach_ = reachOf(mesh_, distances_, rest_);
+    const auto base = baseOf(mesh_, distances_, rest_, reach_.distance, tip.apexDistance);
+    if (!base) return std::optional<Limb>{};
+    Limb limb;
+    limb.apex = tip.apex;
+    limb.length = *base;
+    limb.end = *base < reach_.distance ? LimbEnd::Spreads : reach_.end;
+    const auto held = lastThatHolds(limb.apex, tip.apexDistance, limb.length);
+    if (!held) return held.error();
+    if (!held.value()) return std::optional<Limb>{};
+    const double halfWay = limb.length / 2;
+    const double thickness = ringsAt({&*held.value(), 1}).front().length / kPi;
+    // At the far end of a whole body no loop holds, since a tip is there or a round end.
+    const bool isWhole = limb.end == LimbEnd::Whole &&
+                         limb.length - *held.value() <=
+                             std::max(thickness, ringsAt({&halfWay, 1}).front().length / kPi);
+    if (!isWhole && *held.value() < limb.length) {
+      if (*held.value() <= thickness) return std::optional<Limb>{};
+      limb.end = LimbEnd::Slips;
+      limb.length = *held.value();
+    }
+    if (auto error = measure(tip.apexDistance, limb)) return *std::move(error);
+    return std::optional(std::move(limb));
+  }
+
+ private:
+  std::vector<double> levelsOf(double from, double to, Index count) const {
+    std::vector<double> levels;
+    for (Index i = 1; i < count; ++i) levels.push_back(from + (to - from) * i / count);
+    levels.push_back(to);
+    return levels;
+  }
+  std::vector<RingGirth> ringsAt(std::span<const double> levels) const {
+    return ringGirths(mesh_, distances_, rest_.leaves, levels, girth_, kShares);
+  }
+
+  /// The last ring before loops slip off, on the way from a tip to a length; none where no loop
+  /// goes round the limb.
+  Result<std::optional<double>> lastThatHolds(Vertex apex, double tipLength, double length) {
+    const auto holds = [&](double level, const RingGirth& ring) -> Result<bool> {
+      if (ring.points.empty()) return false;
+      const auto loop = loopRound(apex, level, ring.points[kMiddle].place);
+      if (!loop) return loop.error();
+      return loop.value().has_value();
+    };
+    std::optional<double> held;
+    double slipped = length, heldRadius = 0;
+    const std::vector<double> levels = levelsOf(0, length, kSteps);
+    const std::vector<RingGirth> rings = ringsAt(levels);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const double level = levels[i];
+      if (level < std::min(tipLength, length)) continue;
+      const auto isHeld = holds(level, rings[i]);
+      if (!isHeld) return isHeld.error();
+      if (isHeld.value()) {
+        held = slipped = level;
+        heldRadius = rings[i].length / (2 * kPi);
+        continue;
+      }
+      if (!held) continue;
+      if (slipped == *held) slipped = level;
+      // On a shorter way it is a fold or a bump that the loops go round.
+      if (level - *held > heldRadius) break;
+    }
+    for (int i = 0; i < kHalvings && held && *held < slipped; ++i) {
+      const double middle = (*held + slipped) / 2;
+      const auto isHeld = holds(middle, ringsAt({&middle, 1}).front());
+      if (!isHeld) return isHeld.error();
+      (isHeld.value() ? *held : slipped) = middle;
+    }
+    return held;
+  }
+
+  /// The length of the loop at a point of the ring at a distance, where it goes round the limb.
+  Result<std::optional<double>> loopRound(Vertex apex, double distance, const SurfacePoint& place) {
+    const auto found = loopSolver_.loop(place, context_);
+    if (!found) return found.error();
+    const GirthLoop& loop = found.value();
+    if (loop.kind != LoopKind::Loop) return std::optional<double>{};
+    const bool isRound = separates(apex, loop, distance + loop.length / 2);
+    return isRound ? std::optional(loop.length) : std::nullopt;
+  }
+
+  /// The vertex that a point is, or an end of its edge that it cannot be distinguished from.
+  Vertex vertexAt(const SurfacePoint& point) const {
+    const Halfedge h = point.halfedge();
+    if (h == Halfedge::none) return point.vertex();
+    if (point.weights[1] < kAtEnd) return mesh_.from(h);
+    return point.weights[0] < kAtEnd ? mesh_.to(h) : Vertex::none;
+  }
+
+  /// Whether no way from the apex leads past the loop to what is farther than `reach`, which no
+  /// point of the loop exceeds. Parts that the ring has passed by do not count.
+  bool separates(Vertex apex, const GirthLoop& loop, double reach) {
+    const auto block = [&](bool blocked) {
+      for (const SurfacePoint& point : loop.points) {
+        const Halfedge h = point.halfedge();
+        if (h == Halfedge::none) continue;
+        blockedEdge_[h] = blocked;
+        if (mesh_.twin(h) != Halfedge::none) blockedEdge_[mesh_.twin(h)] = blocked;
+      }
+    };
+    block(true);
+    ++visit_;
+    for (const SurfacePoint& point : loop.points) {
+      const Vertex v = vertexAt(point);
+      if (v != Vertex::none) visited_[v] = visit_;
+    }
+    std::vector<Vertex> reached;
+    const auto go = [&](Vertex v) {
+      if (visited_[v] == visit_) return;
+      visited_[v] = visit_;
+      reached.push_back(v);
+    };
+    go(apex);
+    bool passed = reached.empty();
+    for (std::size_t i = 0; i < reached.size() && !passed; ++i) {
+      forEachEdge(mesh_, reached[i], [&](Halfedge h, Vertex neighbour) {
+        if (blockedEdge_[h] || visited_[neighbour] == visit_) return;
+        go(neighbour);
+        passed =
+            passed || (distances_[neighbour] > reach && rest_.leaves[neighbour] >= reach_.distance);
+      });
+    }
+    block(false);
+    return !passed;
+  }
+
+  /// The first of a ring's points whose loop goes round the limb.
+  std::optional<Error> findLeast(Vertex apex, const std::vector<RingPoint>& points,
+                                 GirthStation& station) {
+    for (const RingPoint& point : points) {
+      const auto loop = loopRound(apex, station.distance, point.place);
+      if (!loop) return loop.error();
+      if (!loop.value()) continue;
+      station.least = *loop.value();
+      station.place = point.place;
+      return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  /// What the ring at the base cuts off, and how thick the limb is all along. Loops in the tip
+  /// itself, up to `tipLength`, have slipped off it.
+  std::optional<Error> measure(double tipLength, Limb& limb) {
+    for (const Vertex v : mesh_.vertices()) {
+      if (!std::isfinite(distances_[v])) continue;
+      if (limb.end != LimbEnd::Whole && !(distances_[v] < limb.length) &&
+          !(rest_.leaves[v] < limb.length)) {
+        continue;
+      }
+      limb.vertices.push_back(v);
+      limb.distances.push_back(distances_[v]);
+    }
+    const std::vector<double> levels = levelsOf(0, limb.length, stations_);
+    const std::vector<RingGirth> rings = ringsAt(levels);
+    limb.narrowest = limb.narrowestDistance = kNoValue;
+    std::vector<double> medians;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      GirthStation station{levels[i], rings[i].length, rings[i].median, kNoValue, {}};
+      if (levels[i] >= std::min(tipLength, limb.length)) {
+        if (auto error = findLeast(limb.apex, rings[i].points, station)) return error;
+      }
+      if (!std::isnan(station.least)) {
+        medians.push_back(station.median);
+        if (!(limb.narrowest <= station.least)) {
+          limb.narrowest = station.least;
+          limb.narrowestDistance = station.distance;
+        }
+      }
+      limb.profile.push_back(station);
+    }
+    limb.median = medians.empty() ? kNoValue : medianOf(std::move(medians));
+    limb.base = limb.end == LimbEnd::Whole ? kNoValue : limb.profile.back().least;
+    return std::nullopt;
+  }
+
+  const SurfaceMesh& mesh_;
+  std::span<const double> girth_;
+  Index stations_;
+  const ExecutionContext& context_;
+  GeodesicSolver distanceSolver_;
+  GirthSolver loopSolver_;
+  std::vector<double> distances_;  // from the apex
+  UnreachedRest rest_;
+  Reach reach_;
+  std::vector<bool> blockedEdge_;  // of the halfedges
+  std::vector<Index> visited_;     // of the vertices: by which search
+  Index visit_{0};
+};
+
+bool limbContains(const Limb& limb, Vertex vertex) {
+  return std::binary_search(limb.vertices.begin(), limb.vertices.end(), vertex);
+}
+
+}  // namespace
+
+std::string_view toString(LimbEnd end) {
+  switch (end) {
+    case LimbEnd::Spreads:
+      return "spreads";
+    case LimbEnd::Slips:
+      return "slips";
+    case LimbEnd::Splits:
+      return "splits";
+    case LimbEnd::Handle:
+      return "handle";
+    case LimbEnd::Boundary:
+      return "boundary";
+    case LimbEnd::Whole:
+      break;
+  }
+  return "whole";
+}
+
+Result<Limbs> findLimbs(const SurfaceMesh& mesh, std::span<const double> girth,
+                        std::span<const Tip> tips, const LimbOptions& options,
+                        const ExecutionContext& context) {
+  if (girth.size() != mesh.vertexCount()) {
+    return makeError(ErrorCode::Usage, -1,
+                     std::to_string(girth.size()) + " values for " +
+                         std::to_string(mesh.vertexCount()) + " vertices");
+  }
+  if (options.stations < 1 || options.stations > kMostStations) {
+    return makeError(ErrorCode::InvalidOption, -1,
+                     std::to_string(options.stations) + " stations: 1 to " +
+                         std::to_string(kMostStations) + " are possible");
+  }
+  for (const Tip& tip : tips) {
+    if (auto error = checkVertex(mesh, tip.apex)) return *std::move(error);
+  }
+
+  std::vector<std::optional<Limb>> found(tips.size());
+  std::mutex mutex;
+  std::optional<Error> failed;
+  const bool done = parallelFor(tips.size(), 1, context, [&](std::size_t begin, std::size_t end) {
+    LimbMaker maker(mesh, girth, options.stations, context);
+    for (std::size_t i = begin; i < end; ++i) {
+      auto limb = maker.make(tips[i]);
+      if (limb) {
+        found[i] = std::move(limb).value();
+        continue;
+      }
+      const std::lock_guard lock(mutex);
+      if (!failed) failed = limb.error();
+    }
+  });
+  if (context.cancelled() || !done) return makeError(ErrorCode::Cancelled, -1, "cancelled");
+  if (failed) return *std::move(failed);
+
+  Limbs result;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i]) {
+      result.tipsWithoutLimb.push_back(static_cast<Index>(i));
+      continue;
+    }
+    found[i]->tips.push_back(static_cast<Index>(i));
+    result.limbs.push_back(*std::move(found[i]));
+  }
+  std::stable_sort(result.limbs.begin(), result.limbs.end(),
+                   [](const Limb& a, const Limb& b) { return a.length > b.length; });
+  // Two tips may end one limb, such as the corners of a hoof: each lies in the limb of the other.
+  std::vector<Limb> kept;
+  for (Limb& limb : result.limbs) {
+    const auto same = std::find_if(kept.begin(), kept.end(), [&](const Limb& other) {
+      return limbContains(other, limb.apex) && limbContains(limb, other.apex);
+    });
+    if (same != kept.end()) {
+      same->tips.insert(same->tips.end(), limb.tips.begin(), limb.tips.end());
+    } else {
+      kept.push_back(std::move(limb));
+    }
+  }
+  result.limbs = std::move(kept);
+  return result;
+}
+
+}  // namespace girth

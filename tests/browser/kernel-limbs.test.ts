@@ -1,0 +1,115 @@
+// Limbs by the kernel: what the command finds, with progress, and stopped at once.
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { afterAll, expect, test } from 'vitest';
+import type { KernelPage } from './kernel-page.js';
+import { onKernelPage } from './kernel-site.js';
+import { hand } from './meshes.js';
+import { chromiumForTests, command } from './support.js';
+
+/** Inside `page.evaluate` only. */
+declare const girth: KernelPage;
+
+const scratch = mkdtempSync(join(tmpdir(), 'girth-limbs-'));
+const openPage = chromiumForTests();
+let page: Page;
+onKernelPage(openPage, 'pool', (opened) => (page = opened));
+afterAll(() => rmSync(scratch, { recursive: true }));
+
+const model = hand([6, 9]);
+
+interface WrittenStation {
+  distance: number;
+  ring: number;
+  median: number | null;
+  least: number | null;
+}
+interface WrittenLimb {
+  length: number;
+  narrowest: number;
+  median: number;
+  base: number;
+  end: string;
+  tips: number[];
+  vertices: number[];
+  apex: { vertices: number[] };
+  profile: WrittenStation[];
+}
+
+test('limbs are those of the command, bit for bit, and so are the files', async () => {
+  const [input, output] = [join(scratch, 'test.obj'), join(scratch, 'limbs.json')];
+  writeFileSync(input, model);
+  execFileSync(command, ['limbs', input, '--stations', '24', '-o', output], { stdio: 'ignore' });
+  const text = readFileSync(output, 'utf8').replace(input, 'test.obj');
+  const theirs = (JSON.parse(text) as { limbs: WrittenLimb[] }).limbs;
+  const mine = await page.evaluate(async (text) => {
+    const kernel = await girth.createKernel({ threads: 1 });
+    const mesh = await kernel.load(girth.obj(text));
+    const igf = await mesh.field('igf');
+    const progress: number[] = [];
+    const options = { stations: 24, onProgress: (share: number) => progress.push(share) };
+    const found = await mesh.limbs(igf, options);
+    // The loops stand where the profile says, and are as long.
+    const loops = [];
+    for (const { place, least } of found.limbs[0]!.profile) {
+      if (place !== undefined) loops.push([(await mesh.loop(place)).length, least]);
+    }
+    const decoder = new TextDecoder();
+    const file = decoder.decode(await mesh.exportLimbs(igf, 'json', { stations: 24 }));
+    const table = decoder.decode(await mesh.exportLimbs(igf, 'csv'));
+    kernel.dispose();
+    return { found: girth.plain(found), progress, loops, file, table };
+  }, model);
+  const { limbs, tipsWithoutLimb } = mine.found;
+  expect(tipsWithoutLimb).toEqual([]);
+  expect(limbs.length).toBe(2);
+  limbs.forEach((limb, i) => {
+    const their = theirs[i]!;
+    for (const name of ['length', 'narrowest', 'median', 'base', 'end', 'vertices'] as const) {
+      expect(limb[name]).toEqual(their[name]);
+    }
+    expect(limb.apex).toBe(their.apex.vertices[0]);
+    expect(limb.tips.map((tip) => tip + 1)).toEqual(their.tips);
+    expect(limb.profile.length).toBe(24);
+    limb.profile.forEach((station, k) => {
+      const { distance, ring, median, least } = their.profile[k]!;
+      expect([station.distance, station.ring]).toEqual([distance, ring]);
+      // What is no number is null in JSON, and that is how it leaves the page.
+      expect([station.median, station.least]).toEqual([median, least]);
+    });
+    expect(limb.narrowest).toBeCloseTo(8, 9);
+    expect(limb.median).toBeCloseTo(8, 6);
+  });
+  expect(limbs[0]!.length).toBeGreaterThan(9);
+  expect(limbs[0]!.length).toBeLessThan(11.2);
+  expect(mine.progress.at(-1)).toBe(1);
+  expect(mine.loops.length).toBeGreaterThan(15);
+  for (const [length, least] of mine.loops) expect(length).toBeCloseTo(least!, 9);
+  expect(mine.file).toBe(text);
+  expect(mine.table.split('\n')[0]).toMatch(/^limb,length,narrowest,/);
+});
+
+test('what cannot be measured is refused, and a signal stops it', async () => {
+  const codes = await page.evaluate(async (text) => {
+    const kernel = await girth.createKernel({ threads: 1 });
+    const mesh = await kernel.load(girth.obj(text));
+    const [igf, sdf] = [await mesh.field('igf'), await mesh.field('sdf')];
+    const stop = new AbortController();
+    const stopped = girth.refusal(mesh.limbs(igf, { signal: stop.signal }));
+    stop.abort();
+    const refused = [
+      await stopped,
+      await girth.refusal(mesh.limbs(sdf)),
+      await girth.refusal(mesh.limbs(igf, { stations: 0 })),
+      await girth.refusal(mesh.limbs(igf, { stations: 1e6 })),
+      await girth.refusal(mesh.exportLimbs(igf, 'obj' as 'csv')),
+    ];
+    kernel.dispose();
+    return refused.map(({ code }) => code);
+  }, model);
+  expect(codes).toEqual(['CANCELLED', 'USAGE', 'INVALID_OPTION', 'INVALID_OPTION', 'USAGE']);
+});

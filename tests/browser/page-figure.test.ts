@@ -1,0 +1,101 @@
+// A figure for a paper, from the page alone: an octopus upright with three loops, scale bar and legend, at
+// 300 dpi, transparent; and the same view again of a second model.
+
+import { readFileSync } from 'node:fs';
+import type { Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import type { GirthViewer } from '../../web/src/element/index.js';
+import { builtPage, modelIs } from './page-support.js';
+import { fieldComplete, pairIsOver, placeOnSurface } from './viewer-page.js';
+
+const openBuilt = builtPage();
+
+/** Counts every press of the mouse on the page. */
+async function countClicks(page: Page): Promise<() => Promise<number>> {
+  await page.evaluate(() => {
+    const counted = { clicks: 0 };
+    Object.assign(globalThis, { counted });
+    addEventListener('pointerdown', () => ++counted.clicks, { capture: true });
+  });
+  return () =>
+    page.evaluate(() => (globalThis as unknown as { counted: { clicks: number } }).counted.clicks);
+}
+
+/** The picture that a click brings: its size, its density, and the pixels of its corner and in all. */
+async function pictureOf(page: Page) {
+  const coming = page.waitForEvent('download');
+  await page.locator('#export-picture button').click();
+  const download = await coming;
+  const bytes = readFileSync(await download.path());
+  const chunk = bytes.indexOf('pHYs');
+  const density = chunk < 0 ? [] : [bytes.readUInt32BE(chunk + 4), bytes.readUInt32BE(chunk + 8)];
+  const seen = await page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes]));
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = canvas.getContext('2d')!;
+    context.drawImage(bitmap, 0, 0);
+    const alphaAt = (x: number, y: number) => context.getImageData(x, y, 1, 1).data[3]!;
+    const { width, height } = bitmap;
+    // The scale bar is a line of ink near the lower right corner.
+    const bottom = context.getImageData(width / 2, height * 0.9, width / 2, height * 0.1).data;
+    let ink = 0;
+    for (let i = 0; i < bottom.length; i += 4) {
+      if (bottom[i] === 28 && bottom[i + 1] === 29 && bottom[i + 3] === 255) ++ink;
+    }
+    return { width, corner: alphaAt(2, 2), ink };
+  }, bytes.toString('base64'));
+  return { name: download.suggestedFilename(), density, ...seen };
+}
+
+test('an octopus with three loops at 300 dpi, and the same view of another model: 15 clicks', async () => {
+  const { page, viewer } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  const clicks = await countClicks(page);
+  await page.getByRole('button', { name: 'Octopus' }).click();
+  await modelIs(page, 'octopus.glb');
+  await fieldComplete(viewer);
+  expect(await viewer.evaluate((element: GirthViewer) => element.upAxis!.name)).toBe('y');
+  const pinned = () => viewer.evaluate((element: GirthViewer) => element.pinned.length);
+  for (const [i, right] of [0.35, 0.5, 0.65].entries()) {
+    const place = await placeOnSurface(viewer, right, 0.6);
+    await page.mouse.click(place.x, place.y);
+    await expect.poll(pinned).toBe(i + 1);
+    await pairIsOver(page);
+  }
+  await page.mouse.move(1, 1);
+  await viewer.getByRole('button', { name: /^Axes/ }).click();
+  await viewer.getByRole('button', { name: 'Front' }).click();
+  await viewer.getByRole('checkbox', { name: 'Same view for the next model' }).click();
+  const view = await viewer.evaluate((element: GirthViewer) => element.camera!);
+
+  await page.getByRole('button', { name: 'Export' }).click();
+  await page.locator('#picture-width').selectOption('two columns: 175 mm at 300 dpi');
+  await page.getByRole('checkbox', { name: 'Transparent' }).click();
+  const first = await pictureOf(page);
+  expect(first).toMatchObject({
+    name: 'octopus.png',
+    width: 2067,
+    density: [11811, 11811],
+    corner: 0,
+  });
+  expect(first.ink).toBeGreaterThan(100);
+
+  await page.getByRole('button', { name: 'Cup' }).click();
+  await modelIs(page, 'cup.glb');
+  await fieldComplete(viewer);
+  const again = await viewer.evaluate((element: GirthViewer) => element.camera!);
+  for (const name of ['polar', 'azimuth', 'distance'] as const) {
+    expect(again[name]).toBeCloseTo(view[name], 6);
+  }
+  await page.getByRole('button', { name: 'Export' }).click();
+  const second = await pictureOf(page);
+  expect(second).toMatchObject({
+    name: 'cup.png',
+    width: 2067,
+    density: [11811, 11811],
+    corner: 0,
+  });
+  // And two in the list of sizes, which opens outside of the page.
+  expect(await clicks()).toBe(13);
+});

@@ -1,0 +1,150 @@
+// How thick round is each finger: from the page alone, in four clicks; and loops that slide along a limb.
+
+import { readFileSync } from 'node:fs';
+import type { Locator, Page } from 'playwright-core';
+import { beforeEach, expect, test } from 'vitest';
+import type { GirthViewer } from '../../web/src/element/index.js';
+import { clicksOn } from './clicks.js';
+import { hand } from './meshes.js';
+import { builtPage, drop, modelIs } from './page-support.js';
+
+const openBuilt = builtPage();
+let page: Page;
+let viewer: Locator;
+let panel: Locator;
+
+beforeEach(async () => {
+  ({ page, viewer } = await openBuilt());
+  await modelIs(page, 'chair.glb');
+  await drop(page, { name: 'hand.obj', bytes: Buffer.from(hand([9, 6])) });
+  await modelIs(page, 'hand.obj');
+  panel = page.locator('#limbs-panel');
+});
+
+const rows = (): Locator => panel.locator('tbody tr:not(.along)');
+const plots = (): Locator => panel.getByRole('slider');
+const girths = () => viewer.evaluate(async (element: GirthViewer) => (await element.limbs()).limbs);
+
+test('a row for each finger, in mm, to a spreadsheet in four clicks', async () => {
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  const clicks = await clicksOn(page);
+  // An OBJ file does not state its unit.
+  await page.locator('#details-open').click();
+  await page.locator('#details').getByLabel('Unit of the file').selectOption('mm');
+  await page.keyboard.press('Escape');
+  await panel.locator('summary').click();
+  await rows().nth(1).waitFor();
+  await panel.getByRole('button', { name: 'Copy table' }).click();
+  // The details, the unit, the panel, the table.
+  expect(await clicks()).toBe(4);
+  await panel.getByText('Copied: 2 rows.').waitFor();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  const [head, ...cells] = copied
+    .trim()
+    .split('\n')
+    .map((row) => row.split('\t'));
+  expect(head!.slice(0, 3)).toEqual(['limb', 'length (mm)', 'narrowest (mm)']);
+  expect(await panel.locator('caption').textContent()).toBe('Lengths and girths in mm');
+  const limbs = await girths();
+  cells.forEach((row, i) => {
+    const { length, median, base, end } = limbs[i]!;
+    const [number, , narrowest] = row;
+    expect([number, Number(narrowest).toFixed(6), row[6]]).toEqual([
+      String(i + 1),
+      '8.000000',
+      end,
+    ]);
+    expect(Number(row[1])).toBeCloseTo(length, 9);
+    expect(Number(row[4])).toBeCloseTo(median, 9);
+    expect(Number(row[5])).toBeCloseTo(base, 9);
+  });
+  const { length, narrowest, median, base } = limbs[0]!;
+  expect(await rows().first().locator('td').allTextContents()).toEqual(
+    [length, narrowest, median, base].map((value) => value.toFixed(2)),
+  );
+  expect(await panel.locator('.count').textContent()).toBe('2');
+
+  // The whole, with every profile, as files.
+  await page.getByRole('button', { name: 'Export' }).click();
+  const coming = page.waitForEvent('download');
+  await page.locator('#export-limbs [data-format=csv]').click();
+  const download = await coming;
+  expect(download.suggestedFilename()).toBe('hand-limb-profiles.csv');
+  const profile = readFileSync(await download.path(), 'utf8')
+    .trim()
+    .split('\n');
+  expect(profile.length).toBe(1 + 2 * 64);
+});
+
+test('measuring is stopped at once, and begins again when asked', async () => {
+  // As long as somebody lets it.
+  await viewer.evaluate((element: GirthViewer) => {
+    element.limbs = ({ signal, onProgress } = {}) => {
+      onProgress?.(0.25);
+      return new Promise((_, reject) => {
+        signal!.addEventListener('abort', () => reject(new Error('cancelled')));
+      });
+    };
+  });
+  await panel.locator('summary').click();
+  await panel.getByText('Measuring limbs … 25\u202f%').waitFor();
+  await viewer.evaluate((element: GirthViewer) => delete (element as Partial<GirthViewer>).limbs);
+  await panel.getByRole('button', { name: 'Cancel' }).click();
+  await panel.getByText('Not measured.').waitFor();
+  expect(await rows().count()).toBe(0);
+  await panel.getByRole('button', { name: 'Measure' }).click();
+  await expect.poll(() => rows().count()).toBe(2);
+  expect(await panel.getByRole('button', { name: 'Cancel' }).isVisible()).toBe(false);
+});
+
+test('the cursor of a plot moves the loop, and the pointer on the surface the cursor', async () => {
+  await panel.locator('summary').click();
+  await rows().nth(1).waitFor();
+  const plot = plots().first();
+  const box = (await plot.locator('.u-over').boundingBox())!;
+  const readout = viewer.locator('.readout');
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + box.height / 2);
+  await expect.poll(() => readout.textContent()).toContain('8.00');
+  expect(await plot.getAttribute('aria-valuetext')).toMatch(/from the tip: girth 8\.00/);
+  await page.mouse.click(box.x + 0.5 * box.width, box.y + box.height / 2);
+  await expect.poll(() => viewer.evaluate((element: GirthViewer) => element.pinned.length)).toBe(1);
+  const pinned = await viewer.evaluate((element: GirthViewer) => element.pinned[0]!.loop.length);
+  expect(pinned).toBeCloseTo(8, 9);
+  await page.mouse.move(1, 1);
+  await expect.poll(() => plot.getAttribute('aria-valuetext')).toBe('nowhere');
+
+  // By the keyboard, from the tip to the base.
+  await plot.focus();
+  await page.keyboard.press('End');
+  expect(await plot.getAttribute('aria-valuenow')).toBe('63');
+  await expect.poll(() => readout.isVisible()).toBe(true);
+  await page.keyboard.press('ArrowLeft');
+  expect(await plot.getAttribute('aria-valuenow')).toBe('62');
+  await page.keyboard.press('Escape');
+  await expect.poll(() => readout.isVisible()).toBe(false);
+
+  // On the surface, half-way along the second finger.
+  const { x, y, distance } = await viewer.evaluate(async (element: GirthViewer) => {
+    const { vertices, distances, length } = (await element.limbs()).limbs[1]!;
+    const { left, top } = element.getBoundingClientRect();
+    const seen = [...vertices]
+      .map((vertex, i) => ({ ...element.screenPosition(vertex), distance: distances[i]! }))
+      .filter(({ visible }) => visible)
+      .sort((a, b) => Math.abs(a.distance - length / 2) - Math.abs(b.distance - length / 2))[0]!;
+    return { x: left + seen.x, y: top + seen.y, distance: seen.distance };
+  });
+  await page.mouse.move(x, y);
+  const other = plots().nth(1);
+  await expect.poll(() => other.getAttribute('aria-valuetext')).not.toBe('nowhere');
+  const words = (await other.getAttribute('aria-valuetext'))!;
+  expect(Math.abs(parseFloat(words) - distance)).toBeLessThan(1.2);
+  expect(await panel.locator('tr.pointed').count()).toBe(2);
+
+  // A row shows its limb alone.
+  const camera = () => viewer.evaluate((element: GirthViewer) => JSON.stringify(element.camera));
+  const before = await camera();
+  const button = rows().nth(1).getByRole('button');
+  await button.click();
+  expect(await button.getAttribute('aria-pressed')).toBe('true');
+  await expect.poll(camera).not.toBe(before);
+});

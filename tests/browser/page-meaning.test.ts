@@ -1,0 +1,61 @@
+// Within seconds a visitor knows what the colours mean.
+
+import { expect, test } from 'vitest';
+import { builtPage, modelIs } from './page-support.js';
+import { fieldComplete } from './viewer-page.js';
+
+const openBuilt = builtPage();
+
+test.each([
+  [1440, 900],
+  [1024, 768],
+  [390, 844],
+])('one line says what the colours mean, at %d by %d', async (width, height) => {
+  const { page, viewer } = await openBuilt(undefined, { viewport: { width, height } });
+  await modelIs(page, 'chair.glb');
+  await fieldComplete(viewer);
+  const line = page.locator('#meaning');
+  expect(await line.textContent()).toMatch(/^Colours: the length of the shortest loop/);
+  const box = (await line.boundingBox())!;
+  const bar = (await viewer.locator('.bar-tools').boundingBox())!;
+  expect(box.x + box.width).toBeLessThanOrEqual(bar.x);
+  await page.locator('#field-name').selectOption('sdf');
+  await expect.poll(() => line.textContent()).toContain('how thick the shape is');
+});
+
+test('a loop slides along the surface by itself until the pointer moves', async () => {
+  const { page, viewer } = await openBuilt('model=dumbbell', { reducedMotion: 'no-preference' });
+  await modelIs(page, 'dumbbell.glb');
+  await fieldComplete(viewer);
+  const base = () => viewer.locator('.readout').getAttribute('data-base');
+  const seen = new Set<string | null>();
+  await expect
+    .poll(async () => {
+      seen.add(await base());
+      return seen.size;
+    })
+    .toBeGreaterThan(3);
+  await page.mouse.move(1, 1);
+  await viewer.locator('.readout').waitFor({ state: 'hidden' });
+});
+
+test('a tour of five steps: a band slides along the octopus, tips are listed', async () => {
+  const { page, viewer } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  await page.locator('#help').click();
+  await page.getByRole('button', { name: 'A tour of five steps' }).click();
+  await modelIs(page, 'octopus.glb');
+  const card = page.getByRole('region', { name: 'Tour' });
+  await card.waitFor();
+  const said: string[] = [];
+  for (let step = 1; step <= 5; ++step) {
+    await card.getByText(`${step} of 5`).waitFor();
+    said.push((await card.locator('p').first().textContent())!);
+    if (step === 2) await viewer.locator('.readout').waitFor({ state: 'visible' });
+    if (step === 3) await page.locator('#tips-panel .places button').first().waitFor();
+    await card.getByRole('button', { name: step < 5 ? 'Next' : 'Done' }).click();
+  }
+  expect(new Set(said).size).toBe(5);
+  expect(await card.isVisible()).toBe(false);
+  await viewer.locator('.readout').waitFor({ state: 'hidden' });
+});

@@ -1,0 +1,107 @@
+// Will a chair print that is one unit tall? Its size and unit, a printer, the verdict and what would help.
+
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { expect, test } from 'vitest';
+import type { GirthViewer } from '../../web/src/element/index.js';
+import { complaintsOfAxe } from './axe.js';
+import { clicksOn } from './clicks.js';
+import { box } from './meshes.js';
+import { builtPage, drop, fragment, modelIs, openPanel, pictures } from './page-support.js';
+
+const openBuilt = builtPage();
+/** 2 × 1 × 2, without a unit: what is up in OBJ is y. */
+const stool = { name: 'stool.obj', bytes: Buffer.from(box(2, 1, 2)) };
+
+test('a model of one unit: its size is questioned, and it prints once it is large enough', async () => {
+  mkdirSync(pictures, { recursive: true });
+  const { page, viewer } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  await drop(page, stool);
+  await modelIs(page, 'stool.obj');
+  const pinned = () =>
+    viewer.evaluate((element: GirthViewer) =>
+      element.pinned.map(({ name, loop }) => ({ name, length: loop.length })),
+    );
+  await viewer.evaluate(async (element: GirthViewer) => {
+    const { id } = await element.pin(0);
+    element.nameLoop(id, 'corner');
+  });
+  const [before] = await pinned();
+  const clicks = await clicksOn(page);
+  const panel = await openPanel(page, 'print');
+  await page.locator('#print-unit').selectOption('mm');
+  const words = panel.locator('.size-words');
+  await expect.poll(() => words.textContent()).toBe('1.00\u202fmm tall: really?');
+  await page.locator('#print-height').fill('0.5 mm');
+  await page.keyboard.press('Enter');
+  await expect
+    .poll(() => words.textContent())
+    .toMatch(/^0\.500\u202fmm tall, 50% of the file’s size/);
+  // What was pinned is there in the other size, half as long.
+  await expect.poll(pinned).toEqual([{ name: 'corner', length: before!.length / 2 }]);
+  await page.locator('#print-preset').selectOption('Filament (FDM), plastic');
+  expect(await page.locator('#print-source a').getAttribute('href')).toMatch(/^https:/);
+  expect(await page.locator('#min-tube').inputValue()).toBe('3');
+  await page.locator('#check').click();
+  const answer = panel.locator('.answer');
+  await expect
+    .poll(() => answer.textContent())
+    .toMatch(/^Fails: .* too thin, 100% of the surface\. Passes from \d+% of this size\.$/);
+  // Open the panel, the unit, the printer, Check: the height is typed.
+  expect(await clicks()).toBe(4);
+  // All places at once, with a legend of their own.
+  await expect
+    .poll(() => viewer.locator('.legend').textContent())
+    .toMatch(/Print check.*thick enough.*thin tube.*thin wall/s);
+  await page.screenshot({ path: join(pictures, 'page-print-fails.png') });
+  expect(await complaintsOfAxe(page)).toEqual([]);
+
+  await panel.getByRole('button', { name: /^Make it \d+%$/ }).click();
+  await expect
+    .poll(() => answer.textContent())
+    .toMatch(/^Passes: .* down to (99|100)% of this size/);
+  expect(await page.locator('#min-wall').inputValue()).toBe('1');
+  expect(await words.textContent()).toMatch(/^[1-9]\.\d\d\u202fmm tall, \d+% of the file’s size/);
+  await expect.poll(() => fragment(page)).toMatch(/unit=mm&scale=[\d.]+/);
+  // In centimetres it is the same, and so are the limits.
+  await page.locator('#print-shown-unit').selectOption('cm');
+  expect(await page.locator('#min-tube').inputValue()).toBe('0.3');
+  expect(await answer.textContent()).toMatch(/^Passes/);
+  await expect.poll(() => fragment(page)).toContain('shown=cm');
+  // What is no length leaves no older answer.
+  await page.locator('#min-wall').fill('thin');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => answer.textContent()).toContain('“thin” is not a length');
+  expect(await viewer.locator('.legend').textContent()).not.toContain('Print check');
+  await page.locator('#min-wall').fill('1.1in');
+  await page.locator('#check').click();
+  await expect.poll(() => answer.textContent()).toMatch(/^Fails/);
+  expect(await page.locator('#min-wall').inputValue()).toBe('2.794');
+});
+
+test('a height with a unit states that of the file; a glTF is in metres and shown in inches', async () => {
+  const { page, viewer } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  const line = page.locator('#details');
+  await page.locator('#details-open').click();
+  expect(await line.textContent()).toContain('m, as it states');
+  await page.locator('#shown-unit').selectOption('in');
+  await expect.poll(() => line.textContent()).toMatch(/× [\d.]+\u202fin/);
+  await expect.poll(() => viewer.locator('.legend-title').textContent()).toBe('Girth, in');
+  await page.keyboard.press('Escape');
+  await page.locator('#details').waitFor({ state: 'hidden' });
+  // Lengths that are small in the unit that is shown have their digits all the same.
+  await openPanel(page, 'print');
+  await page.locator('#min-wall').fill('1 um');
+  await page.locator('#min-tube').click();
+  expect(await page.locator('#min-wall').inputValue()).toBe('0.0000394');
+  await drop(page, stool);
+  await modelIs(page, 'stool.obj');
+  if (!(await line.isVisible())) await page.locator('#details-open').click();
+  await page.locator('#height').fill('0,9 m');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => page.locator('#unit').inputValue()).toBe('m');
+  await expect.poll(() => line.textContent()).toContain('1.8');
+  await expect.poll(() => fragment(page)).toContain('unit=m&scale=0.9');
+});

@@ -1,0 +1,140 @@
+// What the command prints about itself and about slips.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "command.h"
+
+namespace {
+
+using girth::test::Command;
+using girth::test::kData;
+using girth::test::linesOf;
+using girth::test::Outcome;
+
+bool contains(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+TEST_F(Command, helpOfACommandIsTheSameBothWays) {
+  const Outcome help = run({"help", "igf"});
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_EQ(help.output, run({"igf", "--help"}).output);
+  EXPECT_EQ(help.output, run({"igf", "-h"}).output);
+  EXPECT_EQ(run({"help"}).output, run({"--help"}).output);
+  EXPECT_EQ(run({"help", "study", "accuracy"}).output, run({"study", "accuracy", "-h"}).output);
+}
+
+TEST_F(Command, everyCommandHasExamplesAndExitCodes) {
+  std::vector<std::vector<std::string>> commands;
+  bool isList = false;
+  for (const std::string& line : linesOf(run({"help"}).output)) {
+    if (line.empty()) isList = false;
+    if (isList && line[2] != ' ') commands.push_back({line.substr(2, line.find(' ', 2) - 2)});
+    if (line == "Commands:") isList = true;
+  }
+  EXPECT_GE(commands.size(), 12u);
+  commands.push_back({"study", "accuracy"});
+  commands.push_back({"study", "robustness"});
+  for (std::vector<std::string> command : commands) {
+    if (command[0] == "study" && command.size() == 1) continue;
+    command.insert(command.begin(), "help");
+    const std::string help = run(command).output;
+    const std::size_t examples = help.find("\nExamples:\n");
+    ASSERT_NE(examples, std::string::npos) << help;
+    std::size_t count = 0;
+    for (std::size_t at = examples; (at = help.find("\n  girth ", at)) != std::string::npos; ++at) {
+      ++count;
+    }
+    EXPECT_GE(count, 2u) << help;
+    for (const char* code : {"0 done", "1 wrong usage", "2 bad input", "3 a limit", "4 a check"}) {
+      EXPECT_TRUE(contains(help, code)) << code << "\n" << help;
+    }
+  }
+}
+
+TEST_F(Command, exitCodesOfTheReadmeAreThoseOfTheHelp) {
+  const std::string help = run({"help"}).output;
+  std::string words = help.substr(help.find("Exit codes: "));
+  std::replace(words.begin(), words.end(), '\n', ' ');
+  std::size_t found = 0;
+  for (const std::string& line : linesOf(girth::test::contentOf(kData + "/../../README.md"))) {
+    if (line.size() < 4 || line[0] != '|' || line[2] < '0' || line[2] > '9') continue;
+    const std::size_t from = line.find_first_not_of(" |", 3);
+    const std::size_t to = line.find_last_not_of(" |");
+    EXPECT_TRUE(contains(words, line.substr(2, 1) + " " + line.substr(from, to + 1 - from)))
+        << line;
+    ++found;
+  }
+  EXPECT_EQ(found, 5u);
+}
+
+TEST_F(Command, slipsAreAnsweredWithWhatWasMeant) {
+  const std::string prism = kData + "/prism.obj";
+  const struct {
+    std::vector<std::string> arguments;
+    const char* words;
+  } cases[]{{{"ifg", prism}, "did you mean igf?"},
+            {{"igf", prism, "--facess", "9"}, "did you mean --faces?"},
+            {{"igf", prism, "--ouptut=a.csv"}, "did you mean --output?"},
+            {{"igf", prism, "--method", "exat"}, "did you mean exact?"},
+            {{"study", "acuracy"}, "did you mean accuracy?"},
+            {{"igf", prism, "--zzz"}, "see girth igf --help"},
+            {{"zzzzzz"}, "see girth --help"},
+            {{"study"}, "see girth study --help"},
+            {{"igf", prism, "-o"}, "-o needs FILE"},
+            {{"igf", prism, "-o", "--json"}, "-o needs FILE"},
+            {{"igf", prism, "--json=1"}, "--json takes no value"},
+            {{"igf", prism, "--threads", "1.5"}, "no whole number"},
+            {{"igf", prism, "--faces", "99999999999999"}, "not between 4 and 100000000"},
+            {{"loop", prism, "1", "2"}, "one argument too many"},
+            {{"loop", prism, "--at", "1,0,0"}, "--at needs --face"}};
+  for (const auto& [arguments, words] : cases) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
+    EXPECT_EQ(linesOf(outcome.errors).size(), 1u) << outcome.errors;
+    EXPECT_TRUE(contains(outcome.errors, words)) << words << "\n" << outcome.errors;
+  }
+}
+
+TEST_F(Command, optionsAreReadInEveryWayThatIsUsual) {
+  const std::string prism = kData + "/prism.obj";
+  for (const std::vector<std::string>& ending :
+       {std::vector<std::string>{"--output", path("a.csv")},
+        {"--output=" + path("a.csv")},
+        {"-o", path("a.csv")},
+        {"-o" + path("a.csv")},
+        {"-o=" + path("a.csv")}}) {
+    std::vector<std::string> arguments{"igf", prism};
+    arguments.insert(arguments.end(), ending.begin(), ending.end());
+    EXPECT_EQ(run(arguments).exitCode, 0);
+    EXPECT_TRUE(girth::test::fs::remove(path("a.csv")));
+  }
+  // Names that begin with a dash.
+  girth::test::fs::copy_file(prism, path("-prism.obj"));
+  const auto before = girth::test::fs::current_path();
+  girth::test::fs::current_path(folder_);
+  EXPECT_EQ(run({"info", "--json", "--", "-prism.obj"}).exitCode, 0);
+  EXPECT_EQ(run({"info", "./-prism.obj"}).exitCode, 0);
+  EXPECT_EQ(run({"info", "-prism.obj"}).exitCode, 1);
+  girth::test::fs::current_path(before);
+}
+
+TEST_F(Command, quietPrintsErrorsOnly) {
+  const std::string prism = kData + "/prism.obj";
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"igf", prism, "-q"},
+                                                    {"-q", "igf", prism},
+                                                    {"info", "--quiet", prism},
+                                                    {"parts", prism, "-q"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_EQ(outcome.output + outcome.errors, "");
+  }
+  EXPECT_FALSE(run({"igf", prism, "-q", "--json"}).output.empty());
+  EXPECT_TRUE(contains(run({"igf", path("none.obj"), "-q"}).errors, "FILE_NOT_FOUND"));
+  EXPECT_EQ(run({"-V"}).output, run({"--version"}).output);
+}
+
+}  // namespace

@@ -1,0 +1,172 @@
+// What stands on disk before, after and instead of an output.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "command.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using girth::test::Command;
+using girth::test::contentOf;
+using girth::test::kData;
+using girth::test::linesOf;
+using girth::test::Outcome;
+
+/// A long tube of many faces, enough work for seconds.
+std::string longTube(int rings, int sides) {
+  std::string text;
+  for (int k = 0; k <= rings; ++k) {
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 6.283185307179586 * (i + 0.5 * (k % 2)) / sides;
+      const double radius = 1 + 0.3 * std::sin(0.1 * k);
+      text += "v " + std::to_string(radius * std::cos(angle)) + " " +
+              std::to_string(radius * std::sin(angle)) + " " + std::to_string(0.1 * k) + "\n";
+    }
+  }
+  const auto v = [&](int k, int i) { return std::to_string(k * sides + i % sides + 1); };
+  for (int k = 0; k < rings; ++k) {
+    for (int i = 0; i < sides; ++i) {
+      const int o = k % 2;
+      text += "f " + v(k, i) + " " + v(k, i + 1) + " " + v(k + 1, i + o) + "\n";
+      text += "f " + v(k, i + 1 - o) + " " + v(k + 1, i + 1) + " " + v(k + 1, i) + "\n";
+    }
+  }
+  std::string top, bottom;
+  for (int i = 0; i < sides; ++i) {
+    bottom += " " + v(0, sides - i);
+    top += " " + v(rings, i);
+  }
+  return text + "f" + bottom + "\nf" + top + "\n";
+}
+
+class Interrupted : public Command {
+ protected:
+  Outcome stopped(const std::vector<std::string>& arguments) const;
+};
+
+/// Starts the command, and interrupts it when it has computed for a while.
+Outcome Interrupted::stopped(const std::vector<std::string>& arguments) const {
+  const pid_t child = start(arguments);
+  waitUntilInterruptible(child);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  kill(child, SIGINT);
+  return wait(child);
+}
+
+TEST_F(Interrupted, endsAtOnceAndLeavesTheOutputWhole) {
+  const std::string model = write("tube.obj", longTube(1200, 40));
+  write("tube.csv", "whole");
+  const pid_t child = start({"igf", model, "-o", path("tube.csv")});
+  waitUntilInterruptible(child);
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const auto interrupted = std::chrono::steady_clock::now();
+  ASSERT_EQ(kill(child, SIGINT), 0);
+  const Outcome outcome = wait(child);
+  const std::chrono::duration<double> delay = std::chrono::steady_clock::now() - interrupted;
+  EXPECT_EQ(outcome.exitCode, 3) << outcome.errors << outcome.output;
+  EXPECT_LT(delay.count(), 3);
+  EXPECT_NE(outcome.errors.find("CANCELLED"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("tube.partial.csv"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(linesOf(outcome.errors).size(), 1u) << outcome.errors;
+  EXPECT_EQ(contentOf(path("tube.csv")), "whole");
+  EXPECT_EQ(contentOf(path("tube.partial.csv")).rfind("# girth igf, stopped: ", 0), 0u);
+}
+
+TEST_F(Interrupted, resumingGivesTheSameBits) {
+  const std::string model = write("tube.obj", longTube(70, 12));
+  ASSERT_EQ(run({"igf", model, "-o", path("whole.csv")}).exitCode, 0);
+  for (const char* name : {"tube.csv", "tube.ply"}) {
+    const std::string output = path(name);
+    ASSERT_EQ(stopped({"igf", model, "--threads", "1", "-o", output}).exitCode, 3);
+    ASSERT_TRUE(fs::exists(path("tube.partial.csv")));
+    EXPECT_FALSE(fs::exists(output));
+    // What is left is neither overwritten nor taken for that of another run.
+    EXPECT_EQ(run({"igf", model, "-o", output}).exitCode, 1);
+    const std::string other = write("other.obj", longTube(69, 12));
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"igf", model, "-o", output, "--resume", "--method", "ms"},
+          {"igf", model, "-o", output, "--resume", "--faces", "1000"},
+          {"igf", other, "-o", output, "--resume"}}) {
+      const Outcome outcome = run(arguments);
+      EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
+      EXPECT_NE(outcome.errors.find("INVALID_OPTION"), std::string::npos) << outcome.errors;
+      EXPECT_NE(outcome.errors.find("--force"), std::string::npos) << outcome.errors;
+    }
+    const std::string left = contentOf(path("tube.partial.csv"));
+    write("tube.partial.csv", left + "7,x,loop\n");
+    EXPECT_EQ(run({"igf", model, "-o", output, "--resume"}).exitCode, 2) << "a damaged line";
+    write("tube.partial.csv", left);
+
+    const Outcome resumed = run({"igf", model, "-o", output, "--resume"});
+    EXPECT_EQ(resumed.exitCode, 0) << resumed.errors;
+    EXPECT_NE(resumed.errors.find("going on from"), std::string::npos) << resumed.errors;
+    EXPECT_FALSE(fs::exists(path("tube.partial.csv")));
+  }
+  EXPECT_EQ(contentOf(path("tube.csv")), contentOf(path("whole.csv")));
+  ASSERT_EQ(run({"igf", model, "-o", path("whole.ply"), "--resume"}).exitCode, 0)
+      << "nothing is left: it begins at the beginning";
+  EXPECT_EQ(contentOf(path("tube.ply")), contentOf(path("whole.ply")));
+}
+
+TEST_F(Command, outputsKeepLinksAndModesAndAreNotTheModel) {
+  const std::string prism = kData + "/prism.obj";
+  const std::string kept = write("kept.csv", "old");
+  fs::permissions(kept, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("kept.csv", path("link.csv"));
+  ASSERT_EQ(run({"igf", prism, "-o", path("link.csv")}).exitCode, 0);
+  EXPECT_TRUE(fs::is_symlink(path("link.csv")));
+  EXPECT_NE(contentOf(kept), "old");
+  EXPECT_EQ(fs::status(kept).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  // A link to nothing yet makes what it names; one in a circle is refused.
+  fs::create_symlink("new.csv", path("fresh.csv"));
+  ASSERT_EQ(run({"igf", prism, "-o", path("fresh.csv")}).exitCode, 0);
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(path("new.csv"))));
+  fs::create_symlink("circle.csv", path("circle.csv"));
+  EXPECT_EQ(run({"igf", prism, "-o", path("circle.csv")}).exitCode, 2);
+
+  fs::copy_file(prism, path("model.obj"));
+  fs::create_symlink("model.obj", path("same.obj"));
+  for (const char* name : {"model.obj", "same.obj"}) {
+    const Outcome refused = run({"remesh", path("model.obj"), "--faces", "60", "-o", path(name)});
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_NE(refused.errors.find("--force"), std::string::npos) << refused.errors;
+    EXPECT_EQ(contentOf(path("model.obj")), contentOf(prism));
+  }
+  EXPECT_EQ(run({"remesh", path("model.obj"), "--faces", "60", "-o", path("same.obj"), "--force"})
+                .exitCode,
+            0);
+  EXPECT_NE(contentOf(path("model.obj")), contentOf(prism));
+  EXPECT_TRUE(fs::is_symlink(path("same.obj")));
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
+  }
+}
+
+TEST_F(Command, standardOutputTakesOneResult) {
+  const std::string prism = kData + "/prism.obj";
+  ASSERT_EQ(run({"igf", prism, "-o", path("a.csv")}).exitCode, 0);
+  const Outcome piped = run({"igf", prism, "-o", "-", "--format", "csv"});
+  EXPECT_EQ(piped.exitCode, 0) << piped.errors;
+  EXPECT_EQ(piped.output, contentOf(path("a.csv")));
+  ASSERT_EQ(run({"igf", prism, "-o", path("values"), "--format", "csv"}).exitCode, 0);
+  EXPECT_EQ(contentOf(path("values")), contentOf(path("a.csv")));
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"igf", prism, "-o", "-"},
+        {"igf", prism, "-o", "-", "--format", "xyz"},
+        {"igf", prism, "-o", "-", "--format", "csv", "--json"},
+        {"igf", prism, "-o", "/dev/stdout", "--format", "csv", "--json"},
+        {"igf", prism, "--format", "csv"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
+    EXPECT_EQ(outcome.output.find("vertex"), std::string::npos) << outcome.output;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,37 @@
+// Lengths as people type them: the cases that the page's parser is held to as well.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "text/length_text.h"
+
+namespace girth::io {
+namespace {
+
+TEST(LengthText, readsAsThePageDoes) {
+  std::ifstream file(GIRTH_TEST_DATA "/lengths.json");
+  const auto cases = nlohmann::json::parse(file);
+  ASSERT_GT(cases.size(), 20u);
+  for (const auto& one : cases) {
+    const auto text = one["text"].get<std::string>(), unit = one["unit"].get<std::string>();
+    const Result<double> length = lengthInUnit(text, unit);
+    if (one.contains("fault")) {
+      ASSERT_FALSE(length.ok()) << text;
+      EXPECT_NE(length.error().message.find(one["fault"].get<std::string>()), std::string::npos)
+          << length.error().message;
+    } else {
+      ASSERT_TRUE(length.ok()) << text;
+      EXPECT_EQ(length.value(), one["length"].get<double>()) << text << " in " << unit;
+    }
+  }
+}
+
+TEST(LengthText, keepsTheUnitThatWasTyped) {
+  EXPECT_EQ(parseLength("900mm").value().unit, findLengthUnit("mm"));
+  EXPECT_EQ(parseLength("900").value().unit, nullptr);
+}
+
+}  // namespace
+}  // namespace girth::io

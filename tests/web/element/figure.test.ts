@@ -1,0 +1,33 @@
+// What a figure has beside the surface.
+
+import { expect, test } from 'vitest';
+import { withDensity } from '../../../web/src/element/png-density.js';
+import { scaleBarLength } from '../../../web/src/element/snapshot.js';
+import { crcOf } from '../../../web/src/kernel/crc.js';
+import { lengthFormat } from '../../../web/src/view/numbers.js';
+
+test('a scale bar is the greatest round length that fits, in the unit that is written', () => {
+  const metres = lengthFormat(3, 'm');
+  expect(scaleBarLength(160, 100, metres)).toBe(1);
+  expect(scaleBarLength(160, 70, metres)).toBe(2);
+  expect(scaleBarLength(160, 20, metres)).toBe(5);
+  // 160 pixels are 16 mm, and written in millimetres.
+  expect(scaleBarLength(160, 10_000, lengthFormat(0.05, 'm'))).toBeCloseTo(0.01, 12);
+});
+
+test('a PNG states its density in pixels for each metre', async () => {
+  const head = new Uint8Array(33).fill(7);
+  const made = await withDensity(new Blob([head, Uint8Array.of(9, 9)]), 300);
+  const bytes = new Uint8Array(await made.arrayBuffer());
+  const numbers = new DataView(bytes.buffer);
+  expect(bytes.length).toBe(33 + 21 + 2);
+  expect(numbers.getUint32(33)).toBe(9);
+  expect(String.fromCharCode(...bytes.subarray(37, 41))).toBe('pHYs');
+  expect([numbers.getUint32(41), numbers.getUint32(45), bytes[49]]).toEqual([11811, 11811, 1]);
+  expect(numbers.getUint32(50)).toBe(crcOf(bytes.subarray(37, 50)));
+  expect([...bytes.subarray(54)]).toEqual([9, 9]);
+});
+
+test('the checksum is that of the specification', () => {
+  expect(crcOf(new TextEncoder().encode('123456789'))).toBe(0xcbf43926);
+});

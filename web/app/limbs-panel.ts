@@ -1,0 +1,347 @@
+// The limbs: how long each is and how thick, as a table, with a plot of the girth along it whose cursor moves
+// the loop over the surface.
+
+import {
+  type GirthViewer,
+  type HoverDetail,
+  formatLength,
+  formatNumber,
+  make,
+} from '../src/element/index.js';
+import type { GirthStation, Limb, LimbEnd, Limbs } from '../src/kernel/index.js';
+import { ProfilePlot } from '../src/element/plots.js';
+import { failureWords } from './failure-words.js';
+import { plural } from './model-words.js';
+import { Panel } from './panel.js';
+import { stemOf } from './save-file.js';
+import { TableActions } from './table-actions.js';
+import { type Table, columnOf } from './table-text.js';
+import { term } from './terms.js';
+
+/** What follows 'Limb 3 ends ...'. */
+const endWords: Record<LimbEnd, string> = {
+  spreads: 'where it spreads into a thicker part',
+  slips: 'where loops slip off to other parts',
+  splits: 'where it splits',
+  handle: 'at a handle',
+  boundary: 'at the boundary of the surface',
+  whole: 'nowhere: it is the whole shape',
+};
+/** What the numbers of a limb are. */
+const measures = ['length', 'narrowest', 'median', 'base'] as const;
+const measureWords = { length: 'Length', narrowest: 'Narrowest', median: 'Median', base: 'Base' };
+/** More limbs than these are only counted. */
+const mostRows = 40;
+/** Room above the thickest place of a plot. */
+const headroom = 1.12;
+
+interface Row {
+  limb: Limb;
+  number: number;
+  elements: HTMLElement[];
+  plot: ProfilePlot;
+  choose: HTMLButtonElement;
+  words: HTMLElement;
+  cells: HTMLElement[];
+}
+
+export class LimbsPanel {
+  readonly panel = new Panel('limbs-panel');
+  readonly #words = make('span', { class: 'hint', role: 'status' });
+  readonly #cancel = make('button', { type: 'button', class: 'plain', hidden: '' }, 'Cancel');
+  readonly #resume = make('button', { type: 'button', class: 'plain', hidden: '' }, 'Measure');
+  readonly #caption = make('caption');
+  readonly #body = make('tbody');
+  readonly #table: HTMLTableElement;
+  readonly #more = make('p', { class: 'hint' });
+  readonly #actions = new TableActions({
+    table: () => this.table,
+    fileName: () => `${stemOf(this.#viewer.info?.name ?? 'model')}-limbs.csv`,
+  });
+  #rows: Row[] = [];
+  #found: Limbs | undefined;
+  #running: AbortController | undefined;
+  #selected: Row | undefined;
+  /** Of each vertex the row of the shortest limb that it lies in, and how far from the apex. */
+  #places: Map<number, { row: Row; distance: number }> = new Map();
+  readonly #viewer: GirthViewer;
+  readonly #changed: () => void;
+
+  constructor(viewer: GirthViewer, changed: () => void) {
+    this.#viewer = viewer;
+    this.#changed = changed;
+    const heads = measures.map((name) =>
+      make('th', { scope: 'col', class: 'number' }, measureWords[name]),
+    );
+    const head = make('tr', {}, make('th', { scope: 'col', 'aria-label': 'Limb' }, '#'), ...heads);
+    this.#table = make(
+      'table',
+      { class: 'loops limbs' },
+      this.#caption,
+      make('thead', {}, head),
+      this.#body,
+    );
+    this.#cancel.addEventListener('click', () => this.#running?.abort());
+    this.#resume.addEventListener('click', () => void this.compute());
+    this.panel.body.append(
+      make(
+        'p',
+        { class: 'hint' },
+        'A limb is what a ',
+        term('tip', 'tip'),
+        ' ends: a finger, an arm, a leg. Move along a plot to slide its ',
+        term('loop', 'loop'),
+        '; click to pin it. Solid: the least girth there, dashed: the median.',
+      ),
+      make('p', { class: 'working' }, this.#words, this.#cancel, this.#resume),
+      this.#table,
+      this.#more,
+      this.#actions.element,
+    );
+    this.panel.onToggle((isOpen) => {
+      if (isOpen) void this.compute();
+      else this.#select(undefined);
+      changed();
+    });
+    viewer.addEventListener('unit', () => this.#refresh());
+    viewer.addEventListener('hover', (event) => {
+      const { vertex } = (event as CustomEvent<HoverDetail>).detail;
+      this.#point(vertex);
+    });
+    this.clear();
+  }
+
+  /** Another model. */
+  clear(): void {
+    this.#running?.abort();
+    this.#running = undefined;
+    this.#found = undefined;
+    this.#selected = undefined;
+    this.#words.textContent = '';
+    this.#resume.hidden = this.#cancel.hidden = true;
+    this.#show();
+  }
+
+  /** The girth is computed: what waits for it goes on. */
+  girthIsThere(): void {
+    if (this.panel.isOpen) void this.compute();
+  }
+
+  /** As spreadsheets have it, in the unit that is shown. */
+  get table(): Table {
+    const { unit, scale } = this.#viewer.lengthFormat;
+    return [
+      [
+        'limb',
+        ...['length', 'narrowest', 'narrowest at', 'median', 'base'].map((name) =>
+          columnOf(name, unit),
+        ),
+        'ends',
+        'apex vertex',
+      ],
+      ...(this.#found?.limbs ?? []).map((limb, i) => [
+        i + 1,
+        limb.length * scale,
+        limb.narrowest * scale,
+        limb.narrowestDistance * scale,
+        limb.median * scale,
+        limb.base * scale,
+        limb.end,
+        limb.apex,
+      ]),
+    ];
+  }
+
+  /** All profiles, a row for each station; they are measured first unless they are there. */
+  async profiles(): Promise<Table> {
+    const { limbs } = this.#found ?? (await this.#viewer.limbs());
+    const { unit, scale } = this.#viewer.lengthFormat;
+    return [
+      [
+        'limb',
+        ...['distance', 'least girth', 'median girth', 'ring'].map((name) => columnOf(name, unit)),
+      ],
+      ...limbs.flatMap(({ profile }, i) =>
+        profile.map(({ distance, least, median, ring }) => [
+          i + 1,
+          ...[distance, least, median, ring].map((length) => length * scale),
+        ]),
+      ),
+    ];
+  }
+
+  /** Measures the limbs, once the girth is there. */
+  async compute(): Promise<void> {
+    const viewer = this.#viewer;
+    const { info } = viewer;
+    if (!info || this.#found || this.#running) return;
+    const running = new AbortController();
+    this.#running = running;
+    this.#resume.hidden = true;
+    const say = (words: string): void => {
+      if (this.#running === running) this.#words.textContent = words;
+    };
+    try {
+      if (viewer.shareOf('igf') < 1) say('Limbs follow as soon as the girth is computed …');
+      await viewer.fieldOf('igf');
+      if (this.#running !== running) return;
+      this.#cancel.hidden = false;
+      say('Measuring limbs …');
+      const found = await viewer.limbs({
+        signal: running.signal,
+        onProgress: (share) => say(`Measuring limbs … ${Math.round(100 * share)}\u202f%`),
+      });
+      if (this.#running !== running) return;
+      this.#found = found;
+      this.#words.textContent =
+        found.limbs.length === 0 ? 'No tip ends anything that is longer than it is thick.' : '';
+      this.#show();
+    } catch (error) {
+      if (this.#running !== running) return;
+      say(running.signal.aborted ? 'Not measured.' : `No limbs: ${failureWords(error)}.`);
+      this.#resume.hidden = false;
+    } finally {
+      if (this.#running === running) {
+        this.#running = undefined;
+        this.#cancel.hidden = true;
+      }
+    }
+  }
+
+  /** Rows for what was found. */
+  #show(): void {
+    for (const { plot } of this.#rows) plot.dispose();
+    const limbs = this.#found?.limbs ?? [];
+    this.#rows = limbs.slice(0, mostRows).map((limb, i) => this.#row(limb, i + 1));
+    this.#body.replaceChildren(...this.#rows.flatMap(({ elements }) => elements));
+    this.#places = new Map();
+    // Longest first, so that a vertex in several goes to the shortest.
+    for (const row of this.#rows) {
+      row.limb.vertices.forEach((vertex, k) =>
+        this.#places.set(vertex, { row, distance: row.limb.distances[k]! }),
+      );
+    }
+    const hidden = limbs.length - this.#rows.length;
+    this.#more.textContent =
+      hidden > 0
+        ? `and ${plural(hidden, 'shorter one', 'shorter ones')}, in the table to copy`
+        : '';
+    this.#table.hidden = this.#actions.element.hidden = limbs.length === 0;
+    this.#actions.forget();
+    this.panel.summary = this.#found ? String(limbs.length) : '';
+    this.#refresh();
+  }
+
+  #row(limb: Limb, number: number): Row {
+    const choose = make('button', { type: 'button', 'aria-pressed': 'false' }, String(number));
+    const cells = measures.map(() => make('td', { class: 'number' }));
+    const words = make('p', { class: 'hint' });
+    const plot = new ProfilePlot({
+      moved: (station) => this.#follow(row, station),
+      chosen: (station) => this.#pin(limb.profile[station]!),
+    });
+    const wide = make('td', { colspan: String(1 + measures.length) }, plot.element, words);
+    const elements = [
+      make('tr', {}, make('th', { scope: 'row' }, choose), ...cells),
+      make('tr', { class: 'along' }, wide),
+    ];
+    const row: Row = { limb, number, elements, plot, choose, words, cells };
+    plot.element.setAttribute('aria-label', `Girth along limb ${number}, from its tip to its base`);
+    choose.addEventListener('click', () => {
+      this.#select(this.#selected === row ? undefined : row);
+    });
+    return row;
+  }
+
+  /** Numbers, plots and words in the present unit. */
+  #refresh(): void {
+    const format = this.#viewer.lengthFormat;
+    this.#caption.textContent = format.unit ? `Lengths and girths in ${format.unit}` : '';
+    this.#actions.forget();
+    for (const { limb, number, plot, choose, cells, words } of this.#rows) {
+      measures.forEach((name, i) => {
+        const value = limb[name];
+        cells[i]!.textContent = Number.isNaN(value) ? '–' : formatNumber(value, format);
+      });
+      choose.setAttribute(
+        'aria-label',
+        `Limb ${number}, ${formatLength(limb.length, format)} long: show it`,
+      );
+      words.textContent = this.#endOf(limb);
+      const { profile } = limb;
+      const known = profile.map(({ least, median }) => (Number.isNaN(least) ? NaN : median));
+      const least = profile.map((station) => station.least);
+      // Near the tip the median is that of loops which have slipped off: far above what is of interest.
+      const base = profile.at(-1)!;
+      const highest = Math.max(...[...least, base.median].filter((value) => !Number.isNaN(value)));
+      plot.show({
+        at: profile.map(({ distance }) => distance),
+        lines: [
+          { y: known, colour: '#8a8f99', dash: [3, 3] },
+          { y: least, colour: '#e2571e' },
+        ],
+        high: highest > 0 ? headroom * highest : 1,
+        format: (value) => String(Number(formatNumber(value, format).replace('\u2212', '-'))),
+        words: (station) => this.#wordsOf(profile[station]!),
+      });
+    }
+  }
+
+  #endOf({ end }: Limb): string {
+    return `Ends ${endWords[end]}.`;
+  }
+
+  #wordsOf({ distance, least, median }: GirthStation): string {
+    const format = this.#viewer.lengthFormat;
+    const from = `${formatLength(distance, format)} from the tip`;
+    return Number.isNaN(least)
+      ? `${from}: no loop goes round`
+      : `${from}: girth ${formatLength(least, format)}, median ${formatLength(median, format)}`;
+  }
+
+  /** The cursor of a plot has moved: the loop goes with it. */
+  #follow(row: Row, station: number | undefined): void {
+    const at = station === undefined ? undefined : row.limb.profile[station];
+    for (const other of this.#rows) if (other !== row) this.#write(other, undefined);
+    row.words.textContent = at ? this.#wordsOf(at) : this.#endOf(row.limb);
+    if (this.#viewer.info) this.#viewer.showLoop(at?.place);
+  }
+
+  #pin({ place }: GirthStation): void {
+    if (place !== undefined) void this.#viewer.pin(place).then(this.#changed, () => undefined);
+  }
+
+  /** The pointer is at a vertex of the surface: the cursor of its limb goes there. */
+  #point(vertex: number | undefined): void {
+    if (!this.panel.isOpen) return;
+    const at = vertex === undefined ? undefined : this.#places.get(vertex);
+    for (const row of this.#rows) this.#write(row, row === at?.row ? at.distance : undefined);
+    at?.row.elements[1]!.scrollIntoView({ block: 'nearest' });
+  }
+
+  /** Puts the cursor of a row to a distance from its tip, or nowhere. */
+  #write(row: Row, distance: number | undefined): void {
+    row.plot.markPlace(distance);
+    const [first, last] = row.elements;
+    for (const element of [first!, last!])
+      element.classList.toggle('pointed', distance !== undefined);
+    const station =
+      distance === undefined
+        ? undefined
+        : row.limb.profile.reduce((best, one) =>
+            Math.abs(one.distance - distance) < Math.abs(best.distance - distance) ? one : best,
+          );
+    row.words.textContent = station ? this.#wordsOf(station) : this.#endOf(row.limb);
+  }
+
+  /** Shows one limb as it is and fades the rest of the surface; undefined: no longer. */
+  #select(row: Row | undefined): void {
+    if (row === this.#selected) return;
+    this.#selected = row;
+    for (const one of this.#rows) one.choose.setAttribute('aria-pressed', String(one === row));
+    const viewer = this.#viewer;
+    if (!viewer.info) return;
+    viewer.mark(row?.limb.vertices);
+    if (row) viewer.flyTo({ vertices: row.limb.vertices });
+  }
+}

@@ -1,0 +1,58 @@
+// What the colours mean, in one line on the surface; and a loop that shows itself, until somebody does something.
+
+import type { GirthViewer, ShownName } from '../src/element/index.js';
+import { byId } from './dom.js';
+
+const words: Partial<Record<ShownName, string>> = {
+  igf: 'the length of the shortest loop round the surface, like a rubber band that holds tight.',
+  sdf: 'how thick the shape is, measured through its inside.',
+  geoaverage: 'the mean distance to all other places, along the surface.',
+  geofarthest: 'the distance to the farthest place, along the surface.',
+  angle: 'the angle at which the shortest loop meets itself.',
+  hks: 'how much heat stays in a place.',
+  wks: 'how likely a wave of this energy is met in a place.',
+  sihks: 'how heat leaves a place, whatever the size of the shape.',
+  kind: 'whether a loop holds in a place, or slips off.',
+  tips: 'how far the loop’s length jumps where it slips off.',
+  parts: 'what is thin like a tube, thin like a plate, or neither.',
+};
+
+/** Milliseconds that the loop rests at each place. */
+const pace = 70;
+
+/** Keeps the line up to date. */
+export function explainColours(viewer: GirthViewer): void {
+  const line = byId('meaning');
+  const write = (): void => {
+    const name = viewer.shown?.name;
+    const meaning = name && words[name];
+    line.textContent = meaning ? `Colours: ${meaning}` : '';
+  };
+  for (const event of ['fieldchange', 'field', 'progress']) viewer.addEventListener(event, write);
+  // An error lies in the same place.
+  viewer.addEventListener('error', () => (line.textContent = ''));
+}
+
+/** Slides a loop along the surface and back, until something is done on the page. */
+export async function slideUntilTouched(viewer: GirthViewer): Promise<void> {
+  const ending = new AbortController();
+  const { signal } = ending;
+  const end = (): void => ending.abort();
+  for (const type of ['pointermove', 'pointerdown', 'keydown', 'wheel', 'touchstart']) {
+    window.addEventListener(type, end, { signal, capture: true, passive: true });
+  }
+  await slideLoop(viewer, signal);
+}
+
+/** Slides a loop along the surface and back, until the signal or another model. */
+export async function slideLoop(viewer: GirthViewer, signal: AbortSignal): Promise<void> {
+  const { info } = viewer;
+  const way = viewer.longWay();
+  for (let i = 0, step = 1; !signal.aborted && way.length > 1; i += step) {
+    if (viewer.info !== info) return;
+    if (i + step < 0 || i + step >= way.length) step = -step;
+    viewer.showLoop(way[i], { quiet: true });
+    await new Promise((rested) => setTimeout(rested, pace));
+  }
+  if (viewer.info === info) viewer.showLoop();
+}

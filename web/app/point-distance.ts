@@ -1,0 +1,129 @@
+// How far two pinned points are apart: through space and along the surface.
+
+import { type GirthViewer, formatLength, make } from '../src/element/index.js';
+import type { SurfacePath } from '../src/kernel/index.js';
+import { Draft } from './draft.js';
+import { failureWords } from './failure-words.js';
+
+export class PointDistance {
+  readonly element: HTMLElement;
+  readonly #from: PointList;
+  readonly #to: PointList;
+  readonly #words = make('p', { class: 'said', role: 'status' });
+  /** Which two points the answer is for, by their loops' numbers. */
+  #pair = '';
+  #path: SurfacePath | undefined;
+  readonly #viewer: GirthViewer;
+
+  constructor(viewer: GirthViewer) {
+    this.#viewer = viewer;
+    this.#from = new PointList('distance-from', 'From', () => void this.#measure());
+    this.#to = new PointList('distance-to', 'to', () => void this.#measure());
+    this.element = make(
+      'section',
+      { class: 'distance', 'aria-label': 'Distance of two points' },
+      make('h3', {}, 'Distance of two points'),
+      make('p', { class: 'row' }, ...this.#from.parts, ...this.#to.parts),
+      this.#words,
+    );
+    this.element.hidden = true;
+  }
+
+  /** The points have changed, or only how lengths are written. The last two are measured at first. */
+  refresh(isOpen: boolean): void {
+    const viewer = this.#viewer;
+    const { pinned } = viewer;
+    const points = pinned.map(({ id, name }) => ({ id, name }));
+    const isPossible = points.length > 1;
+    this.element.hidden = !isPossible;
+    if (!isPossible || !isOpen) {
+      if (viewer.info && this.#pair !== '') viewer.showPath(undefined);
+      this.#pair = '';
+      this.#path = undefined;
+      this.#words.textContent = '';
+      if (!isPossible) return;
+    }
+    this.#from.show(points, points.at(-2)!.id);
+    this.#to.show(points, points.at(-1)!.id);
+    if (isOpen) void this.#measure();
+  }
+
+  async #measure(): Promise<void> {
+    const viewer = this.#viewer;
+    const { pinned, info } = viewer;
+    const [from, to] = [this.#from, this.#to].map((list) =>
+      pinned.find(({ id }) => String(id) === list.chosen),
+    );
+    if (!from || !to || !info) return;
+    const pair = `${from.id} ${to.id}`;
+    if (pair !== this.#pair) {
+      this.#pair = pair;
+      this.#path = undefined;
+      viewer.showPath(undefined);
+      this.#words.textContent = 'Measuring …';
+      try {
+        const path = await viewer.path(from.loop.base, to.loop.base);
+        if (pair !== this.#pair || viewer.info !== info) return;
+        this.#path = path;
+        viewer.showPath(path);
+      } catch (error) {
+        if (pair === this.#pair && viewer.info === info) {
+          this.#words.textContent = `Not measured: ${failureWords(error)}.`;
+        }
+        return;
+      }
+    }
+    if (!this.#path) return;
+    const { length, straight } = this.#path;
+    const format = viewer.lengthFormat;
+    const along = Number.isFinite(length)
+      ? `${formatLength(length, format)} along the surface`
+      : 'no way along the surface: they are on different parts';
+    const words = `${formatLength(straight, format)} straight, ${along}`;
+    // Said once: a live region speaks whenever it changes.
+    if (this.#words.textContent !== words) this.#words.textContent = words;
+  }
+}
+
+interface NamedPoint {
+  id: number;
+  name: string;
+}
+
+/** A list of points to choose from. */
+class PointList {
+  readonly #select: HTMLSelectElement;
+  readonly parts: HTMLElement[];
+  readonly #draft: Draft;
+  #known = '';
+  #words = '';
+
+  constructor(id: string, words: string, chosen: () => void) {
+    this.#select = make('select', { id });
+    this.parts = [make('label', { for: id }, words), this.#select];
+    this.#draft = new Draft(this.#select, { committed: () => chosen() });
+  }
+
+  get chosen(): string {
+    return this.#draft.text;
+  }
+
+  /** What is chosen stays so as long as no point has come or gone; then it is `usual`. */
+  show(points: readonly NamedPoint[], usual: number): void {
+    const words = JSON.stringify(points);
+    // The same options again would close a list that is open.
+    if (words === this.#words) return;
+    this.#words = words;
+    const ids = points.map(({ id }) => id).join();
+    const isAnother = ids !== this.#known;
+    this.#known = ids;
+    const before = this.chosen;
+    this.#select.replaceChildren(
+      ...points.map(({ id, name }) =>
+        make('option', { value: String(id) }, name ? `${id} ${name}` : String(id)),
+      ),
+    );
+    // The list itself forgets the choice with its options.
+    this.#draft.show(isAnother ? String(usual) : before);
+  }
+}
