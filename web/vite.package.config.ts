@@ -1,7 +1,8 @@
-// The npm package, in three builds. Mode `element`: dist/element.js, which imports the kernel's modules
-// beside it and the three.js of whoever uses it. Mode `bundle`: dist/girth-viewer.js with all inside,
-// for a page with one script line. Mode `plots`: dist/plots.js and its style, with uPlot inside. The
-// kernel's own modules are not bundled: see the package build.
+// The npm package, in four builds. Mode `element`: dist/element.js, which imports the kernel's modules
+// beside it and the three.js of whoever uses it. Mode `kernel`: dist/girth-kernel.js, and mode `viewer`:
+// dist/girth-viewer.js, which imports it; with all that they need, for pages without a bundler. Mode `plots`:
+// dist/plots.js and its style, with uPlot inside. The kernel's own modules are not bundled: see the package
+// build.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
@@ -9,10 +10,17 @@ import { defineConfig } from 'vite';
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
 
 export default defineConfig(({ mode }) => {
-  const isBundle = mode === 'bundle';
+  const kernel = path('src/kernel/index.ts');
+  // Where the element finds the kernel, by mode.
+  const kernels: Record<string, string> = {
+    element: './kernel/index.js',
+    viewer: './girth-kernel.js',
+  };
+  const three = mode === 'element' ? [/^three(\/|$)/] : [];
   const inputs: Record<string, Record<string, string>> = {
     element: { element: path('src/element/index.ts') },
-    bundle: { 'girth-viewer': path('src/element/index.ts') },
+    kernel: { 'girth-kernel': kernel },
+    viewer: { 'girth-viewer': path('src/element/index.ts') },
     plots: { plots: path('src/element/plots.ts'), 'plots-style': path('src/element/plots.css') },
   };
   return {
@@ -29,11 +37,11 @@ export default defineConfig(({ mode }) => {
       rolldownOptions: {
         input: inputs[mode]!,
         preserveEntrySignatures: 'strict',
-        external: isBundle ? [] : [/^three(\/|$)/, path('src/kernel/index.ts')],
+        external: mode in kernels ? [...three, kernel] : three,
         output: {
           entryFileNames: '[name].js',
           ...(mode === 'plots' ? { assetFileNames: 'plots.css' } : {}),
-          ...(isBundle ? {} : { paths: { [path('src/kernel/index.ts')]: './kernel/index.js' } }),
+          ...(mode in kernels ? { paths: { [kernel]: kernels[mode]! } } : {}),
         },
       },
     },

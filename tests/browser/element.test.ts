@@ -1,22 +1,15 @@
 // The element alone: on a plain static server without special headers, under a strict content
 // security policy, from the npm tarball as users get it.
 
-import { execFileSync } from 'node:child_process';
-import { copyFileSync, cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
+import { packed } from '../web/package/packed.js';
 import { box, gltf, stl, tube } from './meshes.js';
-import {
-  chromiumForTests,
-  repository,
-  requireBuilt,
-  serve,
-  strictPolicy,
-  type StaticServer,
-} from './support.js';
+import { chromiumForTests, repository, serve, strictPolicy, type StaticServer } from './support.js';
 import { fieldComplete, hover, loopByCommand, placeOnSurface } from './viewer-page.js';
 
 const examples = join(repository, 'web/app/public/examples');
@@ -43,19 +36,6 @@ let page: Page;
 let complaints: string[];
 
 beforeAll(async () => {
-  requireBuilt('dist/girth-viewer.js', 'build:package');
-  const packed = execFileSync(
-    'npm',
-    ['pack', '--json', '--ignore-scripts', '--pack-destination', site],
-    {
-      cwd: repository,
-      encoding: 'utf8',
-      stdio: ['ignore', 'pipe', 'ignore'],
-    },
-  );
-  const [{ filename }] = JSON.parse(packed) as [{ filename: string }];
-  execFileSync('tar', ['-xzf', filename], { cwd: site });
-  cpSync(join(site, 'package'), join(site, 'girth'), { recursive: true });
   for (const name of ['chair.glb', 'dumbbell.glb'])
     copyFileSync(join(examples, name), join(site, name));
   copyFileSync(join(repository, 'tests/data/prism.obj'), join(site, 'prism.obj'));
@@ -64,7 +44,8 @@ beforeAll(async () => {
   writeFileSync(join(site, 'parts/box.gltf'), json);
   writeFileSync(join(site, 'parts/data of it.bin'), bin);
   writeFileSync(join(site, 'tube.stl'), stl(tube(12, 16, 4)));
-  server = await serve(site, { policy: strictPolicy, pages });
+  const folders = { '/girth/': packed().folder };
+  server = await serve(site, { policy: strictPolicy, pages, folders });
 });
 
 afterAll(async () => {

@@ -394,7 +394,7 @@ for (const mode of ['threads', 'pool'] as const) {
         girth.refusal(girth.createKernel({ threads: 2 })),
       );
       await other.close();
-      expect(code).toBe('INTERNAL');
+      expect(code).toBe('PROGRAM_NOT_LOADED');
     });
 
     test('a module that cannot be loaded is an error with a code', async () => {
@@ -406,7 +406,7 @@ for (const mode of ['threads', 'pool'] as const) {
         girth.refusal(girth.createKernel({ threads: 1 })),
       );
       await other.close();
-      expect(code).toBe('INTERNAL');
+      expect(code).toBe('PROGRAM_NOT_LOADED');
     });
   });
 }

@@ -29,6 +29,8 @@ export const strictPolicy =
 export interface ServeOptions {
   /** Send the two headers that make a page cross-origin isolated, so that it may use threads. */
   isolated?: boolean;
+  /** Paths that pages of other origins may read too. */
+  shared?: RegExp;
   /** A Content-Security-Policy, for example `strictPolicy`. */
   policy?: string;
   /** Pages and scripts that need no file: path, for example '/test.html', to content. */
@@ -76,6 +78,7 @@ export async function serve(folder: string, options: ServeOptions = {}): Promise
   const answer = async (request: IncomingMessage, response: ServerResponse): Promise<void> => {
     const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
     requests.push(path);
+    if (options.shared?.test(path)) response.setHeader('Access-Control-Allow-Origin', '*');
     const page = options.pages?.[path];
     if (page !== undefined) {
       const type = mediaTypes[extname(path)] ?? mediaTypes['.html']!;

@@ -101,13 +101,16 @@ export async function buildPage() {
   });
 }
 
-/** The npm package: the kernel's modules one by one, the element, the element with everything, the plots. */
+/** The npm package: the kernel's modules one by one, the element, both with everything, the plots. */
 export async function buildPackage() {
   buildWasm();
   await refresh({
     name: 'package',
     inputs: [...configuration, 'package.json', 'web/vite.package.config.ts', 'web/src'],
-    outputs: ['dist/kernel/index.js', 'dist/element.js', 'dist/girth-viewer.js', 'dist/plots.js'],
+    outputs: [
+      ...['dist/kernel/index.js', 'dist/girth-kernel.js', 'dist/element.js'],
+      ...['dist/girth-viewer.js', 'dist/plots.js'],
+    ],
     make: () => {
       rmSync(join(repository, 'dist'), { recursive: true, force: true });
       // Not bundled: whoever bundles the package recognises the workers and the modules by the way
@@ -126,9 +129,9 @@ export async function buildPackage() {
         });
       }
       const vite = ['build', '--config', 'web/vite.package.config.ts', '--logLevel', 'warn'];
-      runTool('vite', [...vite, '--mode', 'element']);
-      runTool('vite', [...vite, '--mode', 'bundle']);
-      runTool('vite', [...vite, '--mode', 'plots']);
+      for (const mode of ['element', 'kernel', 'viewer', 'plots']) {
+        runTool('vite', [...vite, '--mode', mode]);
+      }
     },
   });
 }

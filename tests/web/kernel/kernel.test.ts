@@ -619,7 +619,7 @@ describe('starting and loading', () => {
       ),
     );
     worker.crash('');
-    expect(await opening).toBe('INTERNAL');
+    expect(await opening).toBe('PROGRAM_NOT_LOADED');
   });
 
   test('a module that never finishes loading is given up, with a code and a remedy', async () => {
@@ -630,7 +630,7 @@ describe('starting and loading', () => {
       { single: never, threads: never, job: never, studies: never },
     );
     const refused = expect(opening).rejects.toMatchObject({
-      code: 'INTERNAL',
+      code: 'PROGRAM_NOT_LOADED',
       hint: expect.stringContaining('.wasm') as string,
     });
     await vi.advanceTimersByTimeAsync(longestStart);

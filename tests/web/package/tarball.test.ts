@@ -3,6 +3,7 @@
 
 import { execFileSync, spawnSync } from 'node:child_process';
 import {
+  cpSync,
   existsSync,
   mkdirSync,
   mkdtempSync,
@@ -15,6 +16,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, expect, test } from 'vitest';
+import { packed } from './packed.js';
 
 const repository = fileURLToPath(new URL('../../..', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'girth-tarball-'));
@@ -85,23 +87,7 @@ function typeCheck(module: 'NodeNext' | 'ESNext', moduleResolution: 'NodeNext' |
 }
 
 beforeAll(() => {
-  if (!existsSync(join(repository, 'dist/kernel/index.js'))) {
-    throw new Error('There is no package to pack: npm run build:package');
-  }
-  const packed = execFileSync(
-    'npm',
-    ['pack', '--json', '--ignore-scripts', '--pack-destination', folder],
-    { cwd: repository, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] },
-  );
-  const [{ filename }] = JSON.parse(packed) as [{ filename: string }];
-  mkdirSync(packageFolder, { recursive: true });
-  execFileSync('tar', [
-    '-xzf',
-    join(folder, filename),
-    '-C',
-    packageFolder,
-    '--strip-components=1',
-  ]);
+  cpSync(packed().folder, packageFolder, { recursive: true });
   manifest = JSON.parse(readFileSync(join(packageFolder, 'package.json'), 'utf8')) as Manifest;
   // What npm would install beside it.
   for (const name of [...Object.keys(manifest.dependencies), 'three']) {

@@ -27,7 +27,10 @@ export class MessageBox {
   show(name: string, error: GirthErrorFields, kept: boolean): void {
     this.element.hidden = false;
     this.element.dataset['code'] = error.code;
-    this.#what.textContent = `${name ? `${name} could not be used. ` : ''}${sentence(error.message)}`;
+    // Where the program is missing, no model is to blame.
+    const blamed = error.code === 'PROGRAM_NOT_LOADED' ? '' : name;
+    const before = blamed ? `${blamed} could not be used. ` : '';
+    this.#what.textContent = `${before}${sentence(error.message)}`;
     this.#remedy.textContent = [
       error.hint ? `What helps: ${error.hint.replace(/[.\s]+$/, '')}.` : '',
       kept ? 'The former model is still here.' : '',

@@ -20,6 +20,8 @@ export const hints = {
   LIMIT_EXCEEDED: 'use a smaller model',
   CANCELLED: 'what was computed before is kept',
   OUT_OF_MEMORY: 'use a smaller model or fewer threads',
+  PROGRAM_NOT_LOADED:
+    'reload the page; if it stays, a part of the program is missing on its server or not allowed to be loaded',
   INTERNAL: 'please report this with the model',
 } as const;
 

@@ -3,6 +3,7 @@
 import createModule, { type GirthModule, type JobSurface } from './wasm/girth.mjs';
 import { failure, fieldsOf, GirthError } from './errors.js';
 import { FileSet, type SetFile } from './file-set.js';
+import { loadedModule } from './loading-failure.js';
 import { moduleOptions, openedSurface, remeshedSurface } from './opened-surface.js';
 import type { OpenedSurface, JobOperations } from './protocol.js';
 import { SurfaceStore } from './surface-store.js';
@@ -51,7 +52,7 @@ async function firstReadable(
     } catch (thrown) {
       const error = fieldsOf(thrown);
       // These failures concern the worker, not the model.
-      if (error.code === 'OUT_OF_MEMORY' || error.code === 'INTERNAL') throw thrown;
+      if (/^(OUT_OF_MEMORY|PROGRAM_NOT_LOADED|INTERNAL)$/.test(error.code)) throw thrown;
       unreadable.push({ model: path, error });
     }
   }
@@ -62,7 +63,7 @@ async function firstReadable(
 
 serveRequests<JobOperations>({
   async start() {
-    module = await createModule();
+    module = await loadedModule(() => createModule(), import.meta.url);
     return {};
   },
 

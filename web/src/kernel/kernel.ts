@@ -44,7 +44,8 @@ const mostThreads = 8;
 
 /**
  * Starts the workers, and waits until one of them can read models. Rejected with a GirthError of code
- * INTERNAL where there are no workers or no WebAssembly, OUT_OF_MEMORY where the memory does not suffice.
+ * PROGRAM_NOT_LOADED where there are no workers or no WebAssembly or a part of the package cannot be fetched (its
+ * hint says what to allow), OUT_OF_MEMORY where the memory does not suffice.
  */
 export function createKernel(options: KernelOptions = {}): Promise<Kernel> {
   return openKernel(options, moduleWorkers);

@@ -2,6 +2,7 @@
 // its latest spectrum.
 
 import createModule, { type GirthStudiesModule, type Surface } from './wasm/girth-studies.mjs';
+import { loadedModule } from './loading-failure.js';
 import type { StudiesOperations } from './protocol.js';
 import { SurfaceStore } from './surface-store.js';
 import { checked, progressTo, serveRequests } from './worker-loop.js';
@@ -11,7 +12,7 @@ const surfaces = new SurfaceStore<Surface>();
 
 serveRequests<StudiesOperations>({
   async start() {
-    module = await createModule();
+    module = await loadedModule(() => createModule(), import.meta.url);
     return {};
   },
 

@@ -2,17 +2,22 @@
 // page stops it through the flag in shared memory.
 
 import createModule, { type GirthThreadsModule, type Surface } from './wasm/girth-threads.mjs';
+import { loadedModule } from './loading-failure.js';
 import type { ThreadsOperations } from './protocol.js';
 import { SurfaceStore } from './surface-store.js';
 import type { PartialField } from './types.js';
+import { workerFromAnywhere } from './worker-from-elsewhere.js';
 import { checked, serveRequests } from './worker-loop.js';
+
+// Emscripten makes the threads of it.
+globalThis.Worker = workerFromAnywhere(globalThis.Worker);
 
 let module: GirthThreadsModule;
 const surfaces = new SurfaceStore<Surface>();
 
 serveRequests<ThreadsOperations>({
   async start({ threads }) {
-    module = await createModule({ girthThreads: threads });
+    module = await loadedModule(() => createModule({ girthThreads: threads }), import.meta.url);
     const { buffer, byteOffset } = module.cancelFlag();
     return { cancelFlag: { buffer, byteOffset } };
   },

@@ -2,6 +2,7 @@
 // once. A worker that has died is replaced with the next request.
 
 import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
+import { workerNotLoaded, workerNotMade } from './loading-failure.js';
 import type {
   AdoptedArrays,
   Answer,
@@ -63,14 +64,21 @@ export class WorkerClient<T extends CommonOperations> {
       try {
         this.#worker = this.#create();
       } catch (thrown) {
-        return Promise.reject(failure('INTERNAL', `a worker cannot be made: ${String(thrown)}`));
+        return Promise.reject(workerNotMade(thrown));
       }
       const worker = this.#worker;
+      let isRunning = false;
       worker.onmessage = ({ data }) => this.#receive(data);
       worker.onerror = (event) => {
         event.preventDefault?.();
-        const fields = fieldsOf(event.message || 'its script or its module could not be loaded');
-        this.#die(new GirthError({ ...fields, message: `a worker has failed: ${fields.message}` }));
+        if (event.message || isRunning) {
+          const { message, ...fields } = fieldsOf(event.message || 'it has ended');
+          this.#die(new GirthError({ ...fields, message: `a worker has failed: ${message}` }));
+          return;
+        }
+        void workerNotLoaded(worker).then((error) => {
+          if (this.#worker === worker) this.#die(error);
+        });
       };
       worker.onmessageerror = () =>
         this.#die(failure('OUT_OF_MEMORY', 'a message of a worker could not be received'));
@@ -79,14 +87,21 @@ export class WorkerClient<T extends CommonOperations> {
       const overdue = setTimeout(
         () =>
           this.#die(
-            failure('INTERNAL', `a worker has not started within ${longestStart / 1000} s`, {
-              hint: 'reload the page; if it stays, its .mjs and .wasm files are of different builds',
-            }),
+            failure(
+              'PROGRAM_NOT_LOADED',
+              `a worker has not started within ${longestStart / 1000} s`,
+              {
+                hint: 'reload the page; if it stays, its .mjs and .wasm files are of different builds',
+              },
+            ),
           ),
         longestStart,
       );
       // Requests report a failed start. Without a request, it is not reported.
-      this.#started.catch(() => undefined).finally(() => clearTimeout(overdue));
+      this.#started
+        .then(() => (isRunning = true))
+        .catch(() => undefined)
+        .finally(() => clearTimeout(overdue));
     }
     return this.#started;
   }

@@ -50,8 +50,10 @@ export function serveRequests<T extends CommonOperations>(handlers: Handlers<T>)
       const answer = await handler(args, (report) => post({ id, report }, report));
       post({ id, answer }, answer);
     } catch (thrown) {
-      // The core's failures leave the module intact. Anything else may have left it inconsistent.
-      const reply: Reply = { id, error: fieldsOf(thrown), fatal: !(thrown instanceof GirthError) };
+      // The core's failures leave the module intact. Anything else may have left it inconsistent, and a
+      // module that was not loaded is loaded again by a worker that starts again.
+      const isOurs = thrown instanceof GirthError && thrown.code !== 'PROGRAM_NOT_LOADED';
+      const reply: Reply = { id, error: fieldsOf(thrown), fatal: !isOurs };
       scope.postMessage(reply);
     }
   };

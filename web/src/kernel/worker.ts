@@ -1,6 +1,7 @@
 // A worker with the module without threads: one of a pool, or the one that answers requests for loops.
 
 import createModule, { type GirthModule, type Surface } from './wasm/girth.mjs';
+import { loadedModule } from './loading-failure.js';
 import type { SingleOperations } from './protocol.js';
 import { SurfaceStore } from './surface-store.js';
 import { checked, serveRequests } from './worker-loop.js';
@@ -10,7 +11,7 @@ const surfaces = new SurfaceStore<Surface>();
 
 serveRequests<SingleOperations>({
   async start() {
-    module = await createModule();
+    module = await loadedModule(() => createModule(), import.meta.url);
     return {};
   },
 

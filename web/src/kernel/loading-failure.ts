@@ -1,0 +1,71 @@
+// Why a part of the program could not be loaded, and what to do about it: PROGRAM_NOT_LOADED.
+
+import { failure, fieldsOf, type GirthError } from './errors.js';
+import { isElsewhere, scriptFromElsewhere } from './worker-from-elsewhere.js';
+
+/** What to do where the program lies on another origin. */
+const orCopy = 'or copy the folder dist of the package to this site';
+const allowOrigin = (origin: string) =>
+  `let ${origin} send the header Access-Control-Allow-Origin with all files of the package, .wasm too, ${orCopy}`;
+
+/** Why `new Worker` has failed. */
+export function workerNotMade(thrown: unknown): GirthError {
+  const text = String(thrown);
+  const isRefused = thrown instanceof DOMException && thrown.name === 'SecurityError';
+  const hint = isRefused
+    ? 'let the content security policy of this page allow worker-src'
+    : 'use a browser with workers; on a server, create no kernel';
+  return failure('PROGRAM_NOT_LOADED', `a worker cannot be made: ${text}`, { hint, cause: thrown });
+}
+
+/** Why the script of a worker could not be loaded; browsers do not say it. */
+export async function workerNotLoaded(worker: object): Promise<GirthError> {
+  const script = scriptFromElsewhere(worker);
+  if (script === undefined) {
+    return failure('PROGRAM_NOT_LOADED', 'the script of a worker could not be loaded', {
+      hint: `check that the folder of the package is on the server as a whole, and that a content security policy allows worker-src 'self'`,
+    });
+  }
+  const { origin } = new URL(script);
+  try {
+    const { ok, status } = await fetch(script);
+    if (!ok) {
+      return failure('PROGRAM_NOT_LOADED', `${script} could not be loaded: status ${status}`, {
+        hint: `let ${origin} have the folder dist of the package as a whole`,
+      });
+    }
+  } catch (cause) {
+    const message = `${script}, of another origin, could not be loaded`;
+    return failure('PROGRAM_NOT_LOADED', message, { hint: allowOrigin(origin), cause });
+  }
+  return failure('PROGRAM_NOT_LOADED', `a worker was not allowed to import ${script}`, {
+    hint: `let the content security policy of this page allow worker-src blob: and script-src ${origin}, ${orCopy}`,
+  });
+}
+
+/**
+ * What `load` gives, a module of WebAssembly; or the reason why it could not be loaded. `from`: the address
+ * of the script that loads it.
+ */
+export async function loadedModule<Module>(
+  load: () => Promise<Module>,
+  from: string,
+): Promise<Module> {
+  try {
+    return await load();
+  } catch (thrown) {
+    const { code, message } = fieldsOf(thrown);
+    if (code !== 'INTERNAL') throw thrown;
+    // Emscripten's words around the browser's.
+    const text = message.replace(/^Aborted\(([^]*)\)\. Build with .*$/, '$1');
+    const hint = /unsafe-eval|content security policy/i.test(text)
+      ? `let the content security policy of this page allow script-src 'wasm-unsafe-eval'`
+      : isElsewhere(from)
+        ? allowOrigin(new URL(from).origin)
+        : 'reload the page; if it stays, the .wasm file is missing on the server, damaged, or of another version';
+    throw failure('PROGRAM_NOT_LOADED', `a WebAssembly module could not be loaded: ${text}`, {
+      hint,
+      cause: thrown,
+    });
+  }
+}
