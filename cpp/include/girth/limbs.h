@@ -19,9 +19,10 @@ enum class LimbEnd : std::uint8_t {
   Spreads,
   /// Beyond, the loops at half of the ring's points have slipped off: they go round other parts.
   Slips,
-  /// The ring falls apart into two, each round a part that is deeper than the limb is thick.
+  /// The ring falls apart into two, each round a part that is deeper than the limb is thick; or the
+  /// loops slip over the place, less than half a loop beyond, where it does.
   Splits,
-  /// The ring meets itself round a handle.
+  /// The ring meets itself round a handle, or the loops slip over the place where it does.
   Handle,
   /// The ring reaches the boundary of the surface.
   Boundary,

@@ -156,14 +156,19 @@ class LimbMaker {
     if (!held) return held.error();
     if (!held.value()) return std::optional<Limb>{};
     const double halfWay = limb.length / 2;
-    const double thickness = ringsAt({&*held.value(), 1}).front().length / kPi;
+    const RingGirth ring = ringsAt({&*held.value(), 1}).front();
+    const double thickness = ring.length / kPi;
     // At the far end of a whole body no loop holds, since a tip is there or a round end.
     const bool isWhole = limb.end == LimbEnd::Whole &&
                          limb.length - *held.value() <=
                              std::max(thickness, ringsAt({&halfWay, 1}).front().length / kPi);
     if (!isWhole && *held.value() < limb.length) {
       if (*held.value() <= thickness) return std::optional<Limb>{};
-      limb.end = LimbEnd::Slips;
+      // A loop reaches no farther than half its length: up to there it slips over the end itself.
+      const bool isOverEnd = limb.end == LimbEnd::Splits || limb.end == LimbEnd::Handle;
+      if (!isOverEnd || limb.length - *held.value() > ring.points[kMiddle].girth / 2) {
+        limb.end = LimbEnd::Slips;
+      }
       limb.length = *held.value();
     }
     if (auto error = measure(tip.apexDistance, limb)) return *std::move(error);

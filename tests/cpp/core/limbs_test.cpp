@@ -83,10 +83,17 @@ Tip tipAt(const SurfaceMesh& mesh, const Vec3& place) {
 TEST(Limbs, FingersHaveTheirGirthAndEndAtTheirBase) {
   const std::vector<Finger> all{{4, {}},         {5, {0.6}}, {3, {}},          {4.5, {-0.5}},
                                 {6, {0.4, 0.4}}, {4, {}},    {5, {-0.4, 0.8}}, {3.5, {0.3}}};
-  for (const std::size_t count : {2u, 8u}) {
-    const std::vector<Finger> fingers(all.begin(),
-                                      all.begin() + static_cast<std::ptrdiff_t>(count));
-    const SurfaceMesh mesh = test::fingersOnBox(fingers, 3).mesh();
+  // Other fingers in each pose, the odd ones bent to the other side.
+  for (const std::size_t count : {2u, 3u, 4u, 5u, 6u, 7u, 8u}) {
+    std::vector<Finger> fingers;
+    for (std::size_t f = 0; f < count; ++f) {
+      fingers.push_back(all[(f + 3 * count) % all.size()]);
+      if (count % 2 == 0) continue;
+      for (double& bend : fingers.back().bends) bend = -bend;
+    }
+    SCOPED_TRACE(count);
+    const Index cells = count == 8 ? 3 : 2;
+    const SurfaceMesh mesh = test::fingersOnBox(fingers, cells).mesh();
     const std::vector<double> girth = girthField(mesh).values;
     const auto tips = findTips(mesh, girth);
     ASSERT_TRUE(tips.ok());
@@ -228,7 +235,12 @@ Shape sheets(int width, int height, IsLeftOut isLeftOut) {
 /// A bar of girth 4 along z.
 Shape barOf(double length) { return test::box(1, 1, length, 2, 2, static_cast<Index>(2 * length)); }
 
-TEST(Limbs, TheHandleOfAForkEndsWhereItsLoopsSlipOntoTheProngs) {
+/// Of sheets 3 wide with a gap of 1 from 8 on: where, seen from z = 0, loops slip over the gap's
+/// corner. From the rim over this corner and back on the other sheet is shorter than round both
+/// sheets, 6, as soon as the corner is nearer than 3.
+const double slipsOverGap = 8 - std::sqrt(9 - 1);
+
+TEST(Limbs, TheHandleOfAForkEndsWhereItSplits) {
   // 3 wide and 8 long, then two prongs of 1 × 6 with a gap of 1.
   const SurfaceMesh fork = sheets(3, 14, [](int x, int z) { return x == 1 && z >= 8; }).mesh();
   const std::vector<double> girth = girthField(fork).values;
@@ -238,15 +250,36 @@ TEST(Limbs, TheHandleOfAForkEndsWhereItsLoopsSlipOntoTheProngs) {
   const Limb &handle = limbs.limbs[handleFirst ? 0 : 1], &prong = limbs.limbs[handleFirst ? 1 : 0];
   expectConsistent(fork, handle);
   expectConsistent(fork, prong);
-  EXPECT_EQ(handle.end, LimbEnd::Slips);
+  EXPECT_EQ(handle.end, LimbEnd::Splits);
   EXPECT_NEAR(handle.narrowest, 6, 1e-9);
   EXPECT_NEAR(handle.median, 6, 0.01);
-  // From the rim of the handle, over the gap's corner and back on the other sheet, is shorter than
-  // round the handle as soon as the corner is nearer than 3.
-  EXPECT_NEAR(handle.length, 8 - std::sqrt(9 - 1), 0.5);
+  EXPECT_NEAR(handle.length, slipsOverGap, 0.5);
   EXPECT_NEAR(prong.narrowest, 2, 1e-9);
   EXPECT_GE(prong.length, std::hypot(6, 0.5) - 1e-9) << "to the corner of the gap";
   EXPECT_LE(prong.length, 7);
+}
+
+TEST(Limbs, ANeedleEndsAtItsEye) {
+  const SurfaceMesh needle =
+      sheets(3, 12, [](int x, int z) { return x == 1 && (z == 8 || z == 9); }).mesh();
+  const Limbs limbs = limbsOf(needle, girthField(needle).values, {tipAt(needle, {1.5, 0, 0})});
+  ASSERT_EQ(limbs.limbs.size(), 1u);
+  expectConsistent(needle, limbs.limbs[0]);
+  EXPECT_EQ(limbs.limbs[0].end, LimbEnd::Handle);
+  EXPECT_NEAR(limbs.limbs[0].narrowest, 6, 1e-9);
+  EXPECT_NEAR(limbs.limbs[0].length, slipsOverGap, 0.5);
+}
+
+TEST(Limbs, AProngThatIsNoLongerThanThickIsPassedBy) {
+  // One prong of the fork is 1 long; the handle is 6 / π thick.
+  const SurfaceMesh fork =
+      sheets(3, 14, [](int x, int z) { return (x == 1 && z >= 8) || (x == 0 && z >= 9); }).mesh();
+  const Limbs limbs = limbsOf(fork, girthField(fork).values, {tipAt(fork, {1.5, 0, 0})});
+  ASSERT_EQ(limbs.limbs.size(), 1u);
+  expectConsistent(fork, limbs.limbs[0]);
+  EXPECT_EQ(limbs.limbs[0].end, LimbEnd::Whole);
+  EXPECT_NEAR(limbs.limbs[0].narrowest, 2, 1e-9);
+  EXPECT_GE(limbs.limbs[0].length, 14);
 }
 
 TEST(UnreachedRest, IsDividedByAFork) {
