@@ -5,13 +5,15 @@ import {
   Latest,
   type LengthFormat,
   LoopBand,
+  type Box,
   type Stage,
   type Surface,
   formatLength,
 } from '../view/index.js';
 import { make } from './dom.js';
 import type { Model } from './model.js';
-import { PinTag, Readout, kindWords } from './readout.js';
+import { placeLabels } from './label-places.js';
+import { PinTag, Readout, type TagLabel, kindWords } from './readout.js';
 import { isMotionReduced } from './surroundings.js';
 
 /** The pointer may move this far, in CSS pixels, between press and release of a click. */
@@ -22,6 +24,10 @@ const pairTime = 280;
 const fingerWidth = 24;
 /** So many points of a loop tell where it is on the canvas. */
 const outlinePoints = 24;
+/** CSS pixels of a cell of the grid in which tags look for room. */
+const cell = 8;
+/** Milliseconds from one look for room to the next while the surface moves. */
+const restTime = 120;
 /** CSS pixels that one key press moves the probe. */
 const probeStep = 14;
 
@@ -52,8 +58,9 @@ interface Pin extends PinnedLoop {
   band: LoopBand;
   tag: PinTag;
   midpoint: Point;
-  /** Some points of the loop. */
+  /** Some points of the loop, and which of them could be seen when its tag was placed. */
   outline: Point[];
+  seen: Point[];
 }
 
 export interface LoopsHost {
@@ -63,11 +70,20 @@ export interface LoopsHost {
   pointed(vertex: number | undefined): void;
   picked(detail: PickDetail): void;
   failed(error: unknown): void;
+  /** What else lies on the canvas. */
+  furniture(): Box[];
 }
 
 function isSame(a: SurfacePoint, b: SurfacePoint): boolean {
   if (typeof a === 'number' || typeof b === 'number') return a === b;
   return a.face === b.face && a.weights.every((share, k) => share === b.weights[k]);
+}
+
+/** The least box round some points. */
+function boxOf(points: readonly { x: number; y: number }[]): Box {
+  const [across, down] = [points.map(({ x }) => x), points.map(({ y }) => y)];
+  const [left, top] = [Math.min(...across), Math.min(...down)];
+  return { left, top, width: Math.max(...across) - left, height: Math.max(...down) - top };
 }
 
 /** Everything about loops for one model on one stage. */
@@ -76,11 +92,16 @@ export class LoopsOnSurface {
   readonly element = make('div');
 
   readonly #readout = new Readout();
+  readonly #leaders = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
   readonly #live = make('div', { class: 'quiet-live', 'aria-live': 'polite' });
   readonly #ending = new AbortController();
   readonly #request: Latest<SurfacePoint, Loop>;
   #pins: Pin[] = [];
   #nextPin = 1;
+  /** What the tags were placed for, when, and that this is to be looked at again. */
+  #placedFor = '';
+  #placedAt = -Infinity;
+  #placing: ReturnType<typeof setTimeout> | undefined;
   #isQuiet = false;
   #hover: { loop: Loop; band: LoopBand } | undefined;
   /** The point whose loop is shown or asked for. */
@@ -116,7 +137,9 @@ export class LoopsOnSurface {
       (_point, loop) => this.#show(loop),
       (_point, error) => host.failed(error),
     );
-    this.element.append(this.#readout.element, this.#live);
+    this.#leaders.classList.add('leaders');
+    this.#leaders.setAttribute('aria-hidden', 'true');
+    this.element.append(this.#leaders, this.#readout.element, this.#live);
     this.#listen();
   }
 
@@ -125,7 +148,8 @@ export class LoopsOnSurface {
   }
 
   /** The tags of pinned loops, for a picture. */
-  get labels(): { words: string; x: number; y: number }[] {
+  get labels(): TagLabel[] {
+    this.#arrange();
     return this.#pins.map(({ tag }) => tag.label);
   }
 
@@ -152,10 +176,12 @@ export class LoopsOnSurface {
       tag: new PinTag(id, loop, () => this.unpin(id)),
       midpoint: this.#pointOf(loop.midpoint),
       outline: this.#outlineOf(loop),
+      seen: [],
     };
     pin.tag.setFormat(this.#format);
     this.#pins.push(pin);
-    this.element.prepend(pin.tag.element);
+    this.#leaders.after(pin.tag.element);
+    this.#leaders.append(pin.tag.leader);
     this.#stage.add(pin.band);
     this.clear();
     this.#live.textContent = `Loop ${id} pinned: ${formatLength(loop.length, this.#format)}`;
@@ -191,7 +217,7 @@ export class LoopsOnSurface {
     if (!pin) return;
     this.#pins = this.#pins.filter((one) => one !== pin);
     this.#stage.remove(pin.band);
-    pin.tag.element.remove();
+    pin.tag.remove();
     this.#live.textContent = `Loop ${id} removed`;
     this.#host.picked({ action: 'unpin', loop: pin.loop });
   }
@@ -233,24 +259,53 @@ export class LoopsOnSurface {
 
   /** After a frame: words move with the surface. */
   place(): void {
-    // Asking for the size makes the browser lay the page out: only where it is needed.
-    if (this.#pins.length > 0) {
-      const { clientWidth, clientHeight } = this.#canvas;
-      for (const pin of this.#pins) {
-        pin.tag.place(
-          this.#stage.project(pin.midpoint),
-          this.#stage.spanOf(pin.outline),
-          clientWidth,
-          clientHeight,
-        );
-      }
-    }
+    if (this.#pins.length > 0) this.#placeTags();
     if (!this.#pointer || this.#pointer.isTouch) this.#placeReadout();
+  }
+
+  /** Tags stay where they are while the surface moves, with their lines, and look for room now and then. */
+  #placeTags(): void {
+    const wait = this.#placedAt + restTime - performance.now();
+    if (wait <= 0 || this.#pins.some(({ tag }) => !tag.spot)) this.#arrange();
+    else this.#placing ??= setTimeout(() => this.#stage.invalidate(), wait);
+    for (const pin of this.#pins) {
+      const points = pin.seen.length > 0 ? pin.seen : pin.outline;
+      pin.tag.pointAt(
+        points.map((point) => this.#stage.placeOf(point)),
+        !this.#stage.project(pin.midpoint).visible,
+      );
+    }
+  }
+
+  /** Places the tags where the surface and the other things on the canvas are not. */
+  #arrange(): void {
+    clearTimeout(this.#placing);
+    this.#placing = undefined;
+    const stage = this.#stage;
+    // Asking for sizes makes the browser lay the page out: only where it is needed.
+    const { clientWidth: width, clientHeight: height } = this.#canvas;
+    const sizes = this.#pins.map(({ id, tag }) => [id, tag.size.width]);
+    const placedFor = JSON.stringify([stage.clipMatrix, width, height, sizes]);
+    if (placedFor === this.#placedFor) return;
+    this.#placedFor = placedFor;
+    this.#placedAt = performance.now();
+    const taken = stage.silhouette(cell);
+    for (const box of this.#host.furniture()) taken.add(box);
+    const labels = this.#pins.map((pin) => {
+      pin.seen = pin.outline.filter((point) => stage.project(point).visible);
+      const about = boxOf(
+        (pin.seen.length > 0 ? pin.seen : pin.outline).map((p) => stage.placeOf(p)),
+      );
+      return { about, ...pin.tag.size, before: pin.tag.spot };
+    });
+    const places = placeLabels(labels, taken, { width, height });
+    this.#pins.forEach(({ tag }, i) => tag.place(places[i]!));
   }
 
   dispose(): void {
     this.#ending.abort();
     clearTimeout(this.#pinning);
+    clearTimeout(this.#placing);
     cancelAnimationFrame(this.#pickRequested);
     this.clear();
     for (const pin of this.#pins) this.#stage.remove(pin.band);

@@ -1,13 +1,11 @@
 // Words on the surface: the length beside the pointer, and a tag on every pinned loop.
 
 import type { Loop } from '../kernel/types.js';
-import { type LengthFormat, type ScreenPoint, formatLength } from '../view/index.js';
+import { type Box, type LengthFormat, formatLength } from '../view/index.js';
 import { make } from './dom.js';
 
 /** CSS pixels between the pointer and the length. */
 const gap = 18;
-/** CSS pixels between a tag and the loop that it is about. */
-const tagGap = 14;
 
 /** What the kind of a loop means, in a word and in a sentence; a plain loop needs none. */
 export const kindWords = {
@@ -60,12 +58,24 @@ export class Readout {
   }
 }
 
+/** A tag as a picture has it, in CSS pixels. */
+export interface TagLabel {
+  words: string;
+  x: number;
+  y: number;
+  /** Where the line to the loop ends. */
+  end: { x: number; y: number };
+}
+
 export class PinTag {
   readonly element = make('div', { class: 'tag' });
   readonly #name = make('b');
   readonly #length = make('span');
+  /** From the tag to its loop. */
+  readonly leader = document.createElementNS('http://www.w3.org/2000/svg', 'line');
   #size: { width: number; height: number } | undefined;
-  #spot = { x: 0, y: 0 };
+  #spot: { left: number; top: number } | undefined;
+  #end = { x: 0, y: 0 };
   readonly number: number;
   readonly #loop: Loop;
 
@@ -88,29 +98,50 @@ export class PinTag {
     this.#size = undefined;
   }
 
-  /**
-   * Beside what is measured, on the outer side of a canvas of the given size, never cut off by its edge;
-   * `point` is half way round.
-   */
-  place(
-    point: ScreenPoint,
-    { left, right, middle }: { left: number; right: number; middle: number },
-    width: number,
-    height: number,
-  ): void {
-    this.#size ??= { width: this.element.offsetWidth, height: this.element.offsetHeight };
-    const isLeft = left + right < width && left - tagGap - this.#size.width > 4;
-    const beside = isLeft ? left - tagGap - this.#size.width : right + tagGap;
-    const x = Math.max(4, Math.min(width - this.#size.width - 4, beside));
-    const y = Math.max(4, Math.min(height - this.#size.height - 4, middle - 14));
-    this.element.classList.toggle('behind', !point.visible);
-    this.element.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
-    this.#spot = { x, y };
+  /** In CSS pixels. */
+  get size(): { width: number; height: number } {
+    return (this.#size ??= { width: this.element.offsetWidth, height: this.element.offsetHeight });
   }
 
-  /** What is written on it, and where it is, for a picture. */
-  get label(): { words: string; x: number; y: number } {
+  /** Its top left corner on the canvas; undefined before it was placed. */
+  get spot(): { left: number; top: number } | undefined {
+    return this.#spot;
+  }
+
+  place(spot: { left: number; top: number }): void {
+    this.#spot = spot;
+    this.element.style.transform = `translate(${Math.round(spot.left)}px, ${Math.round(spot.top)}px)`;
+  }
+
+  /** Draws the line to the nearest of these points of the loop. */
+  pointAt(points: readonly { x: number; y: number }[], isHidden: boolean): void {
+    const { left, top } = this.#spot ?? { left: 0, top: 0 };
+    const box: Box = { left, top, ...this.size };
+    const inside = (value: number, from: number, size: number): number =>
+      Math.max(from, Math.min(from + size, value));
+    let shortest = Infinity;
+    let begin = { x: left, y: top };
+    for (const { x, y } of points) {
+      const near = { x: inside(x, left, box.width), y: inside(y, top, box.height) };
+      const distance = Math.hypot(x - near.x, y - near.y);
+      if (distance < shortest) [shortest, begin, this.#end] = [distance, near, { x, y }];
+    }
+    const ends = { x1: begin.x, y1: begin.y, x2: this.#end.x, y2: this.#end.y };
+    for (const [name, value] of Object.entries(ends)) {
+      this.leader.setAttribute(name, value.toFixed(1));
+    }
+    this.element.classList.toggle('behind', isHidden);
+  }
+
+  remove(): void {
+    this.element.remove();
+    this.leader.remove();
+  }
+
+  /** What is written on it, where it is, and where its line ends, for a picture. */
+  get label(): TagLabel {
     const words = [String(this.number), this.#name.textContent, this.#length.textContent];
-    return { words: words.filter(Boolean).join(' '), ...this.#spot };
+    const { left: x, top: y } = this.#spot ?? { left: 0, top: 0 };
+    return { words: words.filter(Boolean).join(' '), x, y, end: this.#end };
   }
 }

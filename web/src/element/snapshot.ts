@@ -2,6 +2,8 @@
 
 import { type LegendContent, type LengthFormat, drawLegend, formatLength } from '../view/index.js';
 
+import type { TagLabel } from './readout.js';
+
 /** What a picture has beside the surface. */
 export interface FigureOptions {
   /** Colours with their numbers, and the labels of pinned loops. Default: false. */
@@ -19,7 +21,7 @@ export interface FigureOptions {
 export interface FigureParts {
   legend: LegendContent | undefined;
   /** Where tags are on the element, in CSS pixels. */
-  labels: readonly { words: string; x: number; y: number }[];
+  labels: readonly TagLabel[];
   /** CSS pixels for each unit of length. */
   scale: number;
   format: LengthFormat;
@@ -71,11 +73,16 @@ export function figure(
   return whole;
 }
 
-function drawLabel(
-  context: CanvasRenderingContext2D,
-  { words, x, y }: FigureParts['labels'][number],
-): void {
+function drawLabel(context: CanvasRenderingContext2D, { words, x, y, end }: TagLabel): void {
   const width = context.measureText(words).width + 20;
+  const near = (value: number, from: number, size: number): number =>
+    Math.max(from, Math.min(from + size, value));
+  context.strokeStyle = '#ff7a45';
+  context.lineWidth = 1;
+  context.beginPath();
+  context.moveTo(near(end.x, x, width), near(end.y, y, labelHeight));
+  context.lineTo(end.x, end.y);
+  context.stroke();
   context.fillStyle = 'rgb(20 21 24 / 0.86)';
   context.beginPath();
   context.roundRect(x, y, width, labelHeight, labelHeight / 2);

@@ -240,6 +240,15 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   pointer-events: none;
   will-change: transform;
 }
+.leaders {
+  position: absolute;
+  inset: 0;
+  inline-size: 100%;
+  block-size: 100%;
+  overflow: visible;
+  pointer-events: none;
+}
+.leaders line { stroke: #ff7a45; stroke-width: 1.25; }
 .tag.behind { opacity: 0.7; }
 .tag i { font-style: normal; color: #ffb08a; margin-inline-end: 6px; font-weight: 650; }
 .tag b:not(:empty) { margin-inline-end: 8px; font-weight: 600; }

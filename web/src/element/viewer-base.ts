@@ -10,6 +10,7 @@ import type {
   MeshSource,
 } from '../kernel/types.js';
 import {
+  type Box,
   Legend,
   type ShownName,
   Stage,
@@ -169,9 +170,7 @@ export abstract class ViewerBase extends HTMLElement {
     this.#stopWatching = watchSurroundings(this, {
       resized: (width, height) => {
         const bottom = width <= narrow ? legendHeight : 0;
-        // What the page writes there.
-        const top = Number.parseFloat(getComputedStyle(this).getPropertyValue('--girth-top')) || 0;
-        stage.resize(width, height, top, bottom, window.devicePixelRatio);
+        stage.resize(width, height, this.#headHeight, bottom, window.devicePixelRatio);
       },
       sighted: (isInView) => {
         stage.rest(!isInView);
@@ -331,6 +330,7 @@ export abstract class ViewerBase extends HTMLElement {
       pointed: (vertex) => this.#pointed(vertex),
       picked: (detail) => this.#send<PickDetail>('pick', detail),
       failed: (error) => this.#fail('', error),
+      furniture: () => this.#furniture(),
       relabelled: (legend) => {
         this.#legend.update(legend);
         this.#voice.call(this.#canvas, this.presented);
@@ -338,6 +338,23 @@ export abstract class ViewerBase extends HTMLElement {
     });
     this.#legend.element.after(presented.loops.element);
     return presented;
+  }
+
+  /** What lies on the canvas beside the surface: what the page writes on top, and the element's own. */
+  #furniture(): Box[] {
+    const { left, top, width } = this.getBoundingClientRect();
+    const own = [this.#legend.element, ...this.#status.element.children, this.#controls.element];
+    const boxes = own.map((element) => {
+      const box = element.getBoundingClientRect();
+      return { left: box.left - left, top: box.top - top, width: box.width, height: box.height };
+    });
+    boxes.push({ left: 0, top: 0, width, height: this.#headHeight });
+    return boxes.filter((box) => box.width > 0 && box.height > 0);
+  }
+
+  /** The height at the top where the page writes something, in CSS pixels. */
+  get #headHeight(): number {
+    return Number.parseFloat(getComputedStyle(this).getPropertyValue('--girth-top')) || 0;
   }
 
   #greet(presented: Presented): void {

@@ -47,6 +47,7 @@ export type { ScreenPoint } from './picker.js';
 export type { Place } from './place-view.js';
 export { PointMarks } from './point-marks.js';
 export { quantile, shareWithin } from './plots/distribution.js';
+export { type Box, Silhouette } from './silhouette.js';
 export { Stage } from './stage.js';
 export { Surface, borrowedWeight, computedWeight } from './surface.js';
 export { type Look, lookNames } from './surface-shader.js';

@@ -5,6 +5,7 @@
 
 import {
   Group,
+  Matrix4,
   type Object3D,
   PerspectiveCamera,
   Quaternion,
@@ -30,6 +31,7 @@ import { FrameScheduler } from './frame-scheduler.js';
 import type { GroundShadow } from './ground-shadow.js';
 import { Picker, type ScreenPoint } from './picker.js';
 import { type Place, viewOfPlace } from './place-view.js';
+import { Silhouette } from './silhouette.js';
 import type { Surface } from './surface.js';
 import { SurfaceSpace } from './surface-space.js';
 import type { Rotation } from './up-axis.js';
@@ -194,12 +196,25 @@ export class Stage {
     return this.#surface && this.#picker.pick(this.#surface, clientX, clientY);
   }
 
-  /** From where to where points of the surface reach across the canvas, and the middle of their height. */
-  spanOf(points: Iterable<Vector3>): { left: number; right: number; middle: number } {
-    const places = [...points].map((point) => this.#picker.place(point, this.#width, this.#height));
-    const [across, down] = [places.map(({ x }) => x), places.map(({ y }) => y)];
-    const middle = (Math.min(...down) + Math.max(...down)) / 2;
-    return { left: Math.min(...across), right: Math.max(...across), middle };
+  /** Where a point of the surface is on the canvas, whether it is hidden or not. */
+  placeOf(point: Vector3): { x: number; y: number } {
+    return this.#picker.place(point, this.#width, this.#height);
+  }
+
+  /** From the surface's coordinates into clip space, by columns, as of the last frame. */
+  get clipMatrix(): readonly number[] {
+    const { camera } = this.#rig;
+    return new Matrix4()
+      .multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse)
+      .multiply(this.#space.group.matrixWorld)
+      .toArray();
+  }
+
+  /** Where on the canvas the surface is, in cells of so many CSS pixels, as of the last frame. */
+  silhouette(cell: number): Silhouette {
+    const silhouette = new Silhouette(this.#width, this.#height, cell);
+    this.#surface?.castOn(silhouette, this.clipMatrix, this.#width, this.#height);
+    return silhouette;
   }
 
   /** Where a point of the surface is on the canvas. */

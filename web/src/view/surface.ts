@@ -30,6 +30,7 @@ import { type ColormapName, colormapSize, colormapTable } from './colormaps.js';
 import type { CreasedSurface } from './creases.js';
 import { DrawnVertices } from './drawn-vertices.js';
 import { longWay } from './long-way.js';
+import type { Silhouette } from './silhouette.js';
 import {
   type Look,
   type ShadingMode,
@@ -398,6 +399,12 @@ export class Surface {
     ray.direction.divideScalar(distance);
     const hit = this.#hierarchy.raycastFirst(ray, DoubleSide);
     return !!hit && hit.distance < distance - 0.01 * this.bounds.radius;
+  }
+
+  /** Touches the cells that the surface covers; `matrix` brings its points into clip space. */
+  castOn(silhouette: Silhouette, matrix: ArrayLike<number>, width: number, height: number): void {
+    const [positions, indices] = [this.#positions, this.#indices];
+    silhouette.cast({ positions, indices, matrix }, width, height);
   }
 
   /** Calls back with the place of each vertex. */
