@@ -33,6 +33,8 @@ export interface Drawing {
   fields: Partial<Record<FieldName, (number | null)[]>>;
   /** Fields that are never done: only the values of these vertices come. */
   begun?: Partial<Record<FieldName, number[]>>;
+  /** Fields that are done once; asked for again they never are. */
+  once?: FieldName[];
   kinds?: number[];
   /** What is to be said of the fields. */
   note?: string;
@@ -125,6 +127,7 @@ export async function draw(page: Page, drawing: Drawing): Promise<Locator> {
           setTimeout(() => onPartial?.({ vertices, values: known, kinds }));
           return new Promise(() => undefined);
         }
+        if (drawing.once?.includes(name) && asked[name]) return new Promise(() => undefined);
         const numbers = values.filter((value) => !Number.isNaN(value));
         return count(name, {
           name,

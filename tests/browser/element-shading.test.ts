@@ -93,6 +93,40 @@ describe('fields', () => {
     await expect.poll(ends).toEqual(['high', 'high', 'low', 'low']);
   });
 
+  test('until the first values of another field are there, colours and legend stay as they are', async () => {
+    const falling = overSquare((x) => 20 - 2 * x);
+    const viewer = await draw(page, {
+      ...rising,
+      fields: { igf: rising.fields.igf, sdf: falling, hks: falling },
+      begun: { sdf: [] },
+      once: ['hks'],
+    });
+    const places = [
+      [-0.6, 0],
+      [0.6, 0],
+    ] as const;
+    await legendSays(viewer, 'Girth');
+    const legend = () => viewer.locator('.legend').innerText();
+    const [colours, words] = [await pixelsAt(viewer, places), await legend()];
+    await set(viewer, 'field', 'sdf');
+    expect(await pixelsAt(viewer, places)).toEqual(colours);
+    expect(await legend()).toBe(words);
+    expect(await viewer.evaluate((element: GirthViewer) => element.shown!.name)).toBe('igf');
+    // What is there at once is shown at once; and another number of it, which never comes, is awaited.
+    await set(viewer, 'field', 'hks');
+    await legendSays(viewer, 'Heat');
+    const [heat, heatWords] = [await pixelsAt(viewer, places), await legend()];
+    expect(heat).not.toEqual(colours);
+    await set(viewer, 'time', '0.5');
+    expect(await pixelsAt(viewer, places)).toEqual(heat);
+    expect(await legend()).toBe(heatWords);
+    await set(viewer, 'colormap', 'magma');
+    expect(await pixelsAt(viewer, places)).not.toEqual(heat);
+    expect(await legend()).toBe(heatWords);
+    await set(viewer, 'field', 'none');
+    expect((await pixelsAt(viewer, places)).every(isGrey)).toBe(true);
+  });
+
   test('a value has the colour that the legend gives it', async () => {
     const viewer = await draw(page, { ...rising, unit: 'mm' });
     await legendSays(viewer, 'Girth, mm');

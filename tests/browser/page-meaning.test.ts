@@ -2,7 +2,7 @@
 
 import { expect, test } from 'vitest';
 import { builtPage, modelIs } from './page-support.js';
-import { fieldComplete } from './viewer-page.js';
+import { fieldComplete, framesPass } from './viewer-page.js';
 
 const openBuilt = builtPage();
 
@@ -17,8 +17,18 @@ test.each([
   const line = page.locator('#meaning');
   expect(await line.textContent()).toMatch(/^Colours: the length of the shortest loop/);
   const box = (await line.boundingBox())!;
+  // A loop at rest, as these tests ask for less motion, shows what is meant.
+  const readout = viewer.locator('.readout');
+  await readout.waitFor();
+  const shown = () => readout.evaluate((element) => element.dataset['base']);
+  const base = await shown();
+  await framesPass(page);
+  expect(await shown()).toBe(base);
+  expect(await readout.textContent()).toMatch(/^0\.\d+\sm/);
   const bar = (await viewer.locator('.bar-tools').boundingBox())!;
   expect(box.x + box.width).toBeLessThanOrEqual(bar.x);
+  await page.mouse.move(1, 1);
+  await readout.waitFor({ state: 'hidden' });
   await page.locator('#field-name').selectOption('sdf');
   await expect.poll(() => line.textContent()).toContain('how thick the shape is');
 });

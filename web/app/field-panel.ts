@@ -394,9 +394,10 @@ export class FieldPanel {
     return viewer.info ? viewer.formatOf(name) : viewer.lengthFormat;
   }
 
-  /** The range that the colours span. */
+  /** The range that the colours span, once they are those of the chosen field. */
   get #ends(): readonly [number, number] | undefined {
-    return this.#viewer.shown?.range;
+    const { shown } = this.#viewer;
+    return shown?.name === this.name ? shown.range : undefined;
   }
 
   #colourOf(value: number): { colour: string; faint: boolean } {

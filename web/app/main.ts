@@ -18,7 +18,7 @@ import { type Example, ExamplesStrip } from './examples-strip.js';
 import { offerExports } from './export-menu.js';
 import { FieldPanel } from './field-panel.js';
 import { LimbsPanel } from './limbs-panel.js';
-import { explainColours, slideUntilTouched } from './meaning.js';
+import { explainColours, showUntilTouched } from './meaning.js';
 import { MissingModel } from './missing-model.js';
 import { forwardKeys } from './keys.js';
 import { ModelDetails } from './model-details.js';
@@ -239,8 +239,7 @@ viewer.addEventListener('field', (event) => {
   void details.compare();
   void tips.compute();
   limbs.girthIsThere();
-  if (isUntouched && !matchMedia('(prefers-reduced-motion: reduce)').matches)
-    void slideUntilTouched(viewer);
+  if (isUntouched) void showUntilTouched(viewer);
 });
 // Until somebody does something the page shows by itself what it is about.
 let isUntouched = true;

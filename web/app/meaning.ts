@@ -33,15 +33,33 @@ export function explainColours(viewer: GirthViewer): void {
   viewer.addEventListener('error', () => (line.textContent = ''));
 }
 
-/** Slides a loop along the surface and back, until something is done on the page. */
-export async function slideUntilTouched(viewer: GirthViewer): Promise<void> {
+/**
+ * Shows a loop until something is done on the page: it slides along the surface and back, or rests where
+ * the system asks for less motion.
+ */
+export async function showUntilTouched(viewer: GirthViewer): Promise<void> {
   const ending = new AbortController();
   const { signal } = ending;
   const end = (): void => ending.abort();
   for (const type of ['pointermove', 'pointerdown', 'keydown', 'wheel', 'touchstart']) {
     window.addEventListener(type, end, { signal, capture: true, passive: true });
   }
-  await slideLoop(viewer, signal);
+  if (matchMedia('(prefers-reduced-motion: reduce)').matches) restLoop(viewer, signal);
+  else await slideLoop(viewer, signal);
+}
+
+/** Shows the loop half-way along the surface, or where one is seen next to it, until the signal. */
+function restLoop(viewer: GirthViewer, signal: AbortSignal): void {
+  const { info } = viewer;
+  const way = viewer.longWay();
+  const middle = (way.length - 1) / 2;
+  const seen = way.map((_, i) => i).filter((i) => viewer.screenPosition(way[i]!).visible);
+  const fromMiddle = (i: number): number => Math.abs(i - middle);
+  seen.sort((i, j) => fromMiddle(i) - fromMiddle(j));
+  viewer.showLoop(way[seen[0] ?? Math.floor(middle)], { quiet: true });
+  signal.addEventListener('abort', () => {
+    if (viewer.info === info) viewer.showLoop();
+  });
 }
 
 /** Slides a loop along the surface and back, until the signal or another model. */

@@ -6,6 +6,7 @@ import {
   type ColormapName,
   type LegendContent,
   type LengthFormat,
+  type ScaleContent,
   type ShownName,
   borrowedWeight,
   computedWeight,
@@ -112,14 +113,20 @@ export class Shading {
   /** What colours the surface: what is wished for, or what did before, as long as that is not there. */
   get name(): ShownName {
     const { name } = this.wishes;
+    return this.#isThere(name) ? name : this.#painted;
+  }
+
+  /** Whether there are values to show, be it of a part of the surface. */
+  #isThere(name: ShownName): boolean {
     const { fields } = this.#model;
-    const isThere =
-      name === 'parts'
-        ? !!this.parts && !!fields.get('igf')?.field && !!fields.get('sdf')?.field
-        : name === 'kind'
-          ? !!fields.get('igf')?.field
-          : name !== 'tips' || !!this.#tips;
-    return isThere ? name : this.#painted;
+    if (name === 'none') return true;
+    if (name === 'tips') return !!this.#tips;
+    if (name === 'kind') return !!fields.get('igf')?.field;
+    if (name === 'parts') {
+      return !!this.parts && !!fields.get('igf')?.field && !!fields.get('sdf')?.field;
+    }
+    const { field, preview } = fields.get(name) ?? {};
+    return !!field || !!preview?.computed;
   }
 
   /** Computes what is to be shown, unless it is there. */
@@ -158,12 +165,13 @@ export class Shading {
   receive(state: FieldState, partial: PartialField): void {
     const { preview } = state;
     if (!preview) return;
-    const isShown = state.name === this.name && !this.places;
-    // The first values take the place of whatever the surface was coloured by.
-    if (isShown && preview.computed === 0) this.#paintScalar(preview.shown, () => computedWeight);
+    const isShown = (): boolean => state.name === this.name && !this.places;
+    const wasShown = preview.computed > 0 && isShown();
     preview.receive(partial, (vertex) => {
-      if (isShown) this.#paintVertex(vertex, preview.shown[vertex]!, computedWeight);
+      if (wasShown) this.#paintVertex(vertex, preview.shown[vertex]!, computedWeight);
     });
+    // The first values take the place of whatever the surface was coloured by.
+    if (!wasShown && isShown()) this.paint();
   }
 
   /** Whether colours are still to be spread between values that are there. */
@@ -195,9 +203,21 @@ export class Shading {
 
   /** Colours every vertex anew with what there is. */
   paint(): void {
-    const { surface, fields } = this.#model;
     const { name } = this;
     this.#painted = name;
+    // Values that are no longer there colour the surface until the new ones come.
+    if (this.#keptOf(name)) this.refresh();
+    else this.#paintAs(name);
+  }
+
+  /** What the legend says of values that colour the surface and are no longer there. */
+  #keptOf(name: ShownName): ScaleContent | undefined {
+    if (this.places || this.#current?.name !== name || this.#isThere(name)) return undefined;
+    return this.#content && 'range' in this.#content ? this.#content : undefined;
+  }
+
+  #paintAs(name: ShownName): void {
+    const { surface, fields } = this.#model;
     if (this.places) {
       surface.setCategories(this.places.kinds, this.places.categories);
       surface.shadeBy('categories');
@@ -252,7 +272,8 @@ export class Shading {
     const { surface } = this.#model;
     const { name } = this;
     const { isolines, colormap: wished } = this.wishes;
-    const format = this.formatOf(name);
+    const kept = this.#keptOf(name);
+    const format = kept?.format ?? this.formatOf(name);
     this.#current = undefined;
     this.#content = undefined;
     if (this.places) {
@@ -271,7 +292,7 @@ export class Shading {
       this.#content = { title, categories: used, note: this.#noteOf(name) };
       return;
     }
-    const extent = this.#extentOf(name);
+    const extent = kept?.extent ?? this.#extentOf(name);
     if (!extent) {
       const note = this.#noteOf(name);
       if (note) this.#content = { title, categories: [], note };
@@ -279,7 +300,7 @@ export class Shading {
     }
     const isSigned = extent[0] < 0 && extent[1] > 0;
     const colormap = wished ?? (isSigned ? 'rdbu' : 'viridis');
-    const range = this.#rangeOf(name, extent, colormap === 'rdbu' && isSigned);
+    const range = kept?.range ?? this.#rangeOf(name, extent, colormap === 'rdbu' && isSigned);
     // Where all values are the same but for rounding, they have the same colour.
     const least = 1e-5 * Math.abs(range[1]);
     const widen = range[1] - range[0] < least ? least : 0;
@@ -298,8 +319,8 @@ export class Shading {
       format,
       log,
       isolines,
-      note: this.#noteOf(name),
-      beyond: this.wishes.range ? undefined : this.#beyond(name, range, extent),
+      note: kept?.note ?? this.#noteOf(name),
+      beyond: kept || this.wishes.range ? kept?.beyond : this.#beyond(name, range, extent),
     };
   }
 
