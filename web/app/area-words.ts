@@ -1,7 +1,7 @@
 // Areas as people read them: three significant digits without an exponent, in a square of the unit of the
 // lengths beside them, or of a larger or smaller one of its family.
 
-import { type LengthFormat, findLengthUnit } from '../src/element/plots.js';
+import { type LengthFormat, findLengthUnit, writtenOut } from '../src/element/plots.js';
 
 /** Units whose squares areas are written in, small ones first. */
 const families = [
@@ -17,7 +17,7 @@ function threeDigits(value: number): string {
   if (value === 0) return '0.00';
   const power = Math.floor(Math.log10(Math.abs(value)));
   const rounded = Number(value.toPrecision(3));
-  const text = rounded.toFixed(Math.min(100, Math.max(0, 2 - power)));
+  const text = writtenOut(rounded, Math.max(0, 2 - power));
   return text.includes('.') ? text : text.replace(/(?<=\d)(?=(\d{3})+$)/g, ',');
 }
 

@@ -7,6 +7,7 @@ import {
   readLength,
   typedUnit,
 } from '../src/element/index.js';
+import { writtenOut } from '../src/element/plots.js';
 import { Draft } from './draft.js';
 
 /**
@@ -17,7 +18,7 @@ export function writeLength(length: number, { scale, decimals }: LengthFormat): 
   if (!Number.isFinite(length)) return '';
   const value = length * scale;
   const digits = value > 0 ? 2 - Math.floor(Math.log10(value)) : 0;
-  const number = value.toFixed(Math.min(Math.max(decimals + 1, digits), 100));
+  const number = writtenOut(value, Math.max(decimals + 1, digits));
   return number.includes('.') ? number.replace(/\.?0+$/, '') : number;
 }
 

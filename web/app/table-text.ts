@@ -1,17 +1,16 @@
 // Tables as text that spreadsheets take: separated by tabs for the clipboard, by commas as a file.
 
+import { writtenOut } from '../src/element/plots.js';
+
 export type Cell = string | number;
 /** The names of the columns, then the rows. */
 export type Table = readonly (readonly Cell[])[];
 
-/**
- * A number with as many significant digits as it needs, up to `digits`, without an exponent below 10²¹; ''
- * for what is none.
- */
+/** A number with as many significant digits as it needs, up to `digits`, without an exponent; '' for what is none. */
 export function plainNumber(value: number, digits = 12): string {
   if (!Number.isFinite(value)) return '';
   const power = Number(value.toExponential(digits - 1).split('e')[1]);
-  const written = value.toFixed(Math.min(100, Math.max(0, digits - 1 - power)));
+  const written = writtenOut(value, Math.max(0, digits - 1 - power));
   return written.includes('.') ? written.replace(/\.?0+$/, '') : written;
 }
 

@@ -8,6 +8,7 @@
 
 #include "girth/io/length_unit.h"
 #include "text/json_text.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 namespace {
@@ -75,19 +76,7 @@ void printNote(const std::string& file, const std::string& text) {
         stderr);
 }
 
-std::string readable(double value) {
-  constexpr int kDigits = 6, kMostDecimals = 40;
-  if (value == 0 || !std::isfinite(value)) return formatted("%g", value);
-  const int power = static_cast<int>(std::floor(std::log10(std::fabs(value))));
-  const int decimals = std::clamp(kDigits - 1 - power, 0, kMostDecimals);
-  std::array<char, 400> buffer;
-  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
-  std::string text = buffer.data();
-  if (decimals == 0) return text;
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
+std::string readable(double value) { return io::readableNumber(value); }
 
 std::string readableOrDash(double value) { return std::isnan(value) ? "-" : readable(value); }
 

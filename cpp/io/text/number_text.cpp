@@ -149,4 +149,35 @@ std::string formatNumber(double value) {
   return text;
 }
 
+std::string readableNumber(double value) {
+  // The smallest number has its first digit at the 324th decimal.
+  constexpr int kDigits = 6, kMostDecimals = 330;
+  // From here on a number is whole and has more digits than are true of it.
+  constexpr double kHuge = 1e21;
+  if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : formatNumber(value);
+  if (std::fabs(value) >= kHuge) {
+    std::string digits = formatNumber(value);
+    const std::size_t e = digits.find('e'), point = digits.find('.');
+    auto zeros = static_cast<std::size_t>(std::stoi(digits.substr(e + 1)));
+    digits.erase(e);
+    if (point != std::string::npos) {
+      zeros -= digits.size() - point - 1;
+      digits.erase(point, 1);
+    }
+    return digits + std::string(zeros, '0');
+  }
+  const int power = static_cast<int>(std::floor(std::log10(std::fabs(value))));
+  const int decimals = std::clamp(kDigits - 1 - power, 0, kMostDecimals);
+  std::array<char, 400> buffer;
+  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
+  std::string text = buffer.data();
+  // Whatever the process's locale has between the digits.
+  const std::size_t point = text.find_first_not_of("-0123456789");
+  if (point == std::string::npos) return text;
+  text.replace(point, text.find_first_of("0123456789", point) - point, ".");
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 }  // namespace girth::io

@@ -16,4 +16,8 @@ std::optional<double> parseNumber(std::string_view text);
 /// and "-inf" for what is not finite.
 std::string formatNumber(double value);
 
+/// The number for people: with six significant digits, all digits before the point, and never an
+/// exponent. The page writes the same (tests/data/numbers.json).
+std::string readableNumber(double value);
+
 }  // namespace girth::io

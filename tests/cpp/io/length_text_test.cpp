@@ -6,6 +6,7 @@
 #include <string>
 
 #include "text/length_text.h"
+#include "text/number_text.h"
 
 namespace girth::io {
 namespace {
@@ -31,6 +32,15 @@ TEST(LengthText, readsAsThePageDoes) {
 TEST(LengthText, keepsTheUnitThatWasTyped) {
   EXPECT_EQ(parseLength("900mm").value().unit, findLengthUnit("mm"));
   EXPECT_EQ(parseLength("900").value().unit, nullptr);
+}
+
+TEST(NumberText, isReadAsOnThePage) {
+  std::ifstream file(GIRTH_TEST_DATA "/numbers.json");
+  const auto cases = nlohmann::json::parse(file);
+  ASSERT_GT(cases.size(), 10u);
+  for (const auto& one : cases) {
+    EXPECT_EQ(readableNumber(one["value"].get<double>()), one["text"].get<std::string>());
+  }
 }
 
 }  // namespace

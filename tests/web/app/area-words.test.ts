@@ -12,6 +12,7 @@ test.each([
   [12345678, { unit: '', scale: 1, decimals: 2 }, '12,300,000'],
   [0.0391, { unit: 'm', scale: 1, decimals: 2 }, '391\u202fcm²'],
   [39_100, { unit: 'mm', scale: 1, decimals: 2 }, '391\u202fcm²'],
+  [2.5e22, { unit: '', scale: 1, decimals: 2 }, '25,000,000,000,000,000,000,000'],
   [999.6, { unit: '', scale: 1, decimals: 2 }, '1,000'],
   [3e6, { unit: 'm', scale: 1, decimals: 2 }, '3.00\u202fkm²'],
   [200_000, { unit: 'in', scale: 1, decimals: 2 }, '1,390\u202fft²'],

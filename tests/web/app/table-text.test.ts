@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
 import { csvOf, plainNumber, tsvOf } from '../../../web/app/table-text.js';
 
@@ -30,4 +31,11 @@ test('cells are separated by tabs, or by commas with quotes', () => {
 test('a name from a link is not computed by the spreadsheet; a negative number stays one', () => {
   expect(csvOf([['=1+1', -2]])).toBe("'=1+1,-2\n");
   expect(tsvOf([['@x'], ['-x'], ['+x']])).toBe("'@x\n'-x\n'+x\n");
+});
+
+test('numbers for people are those of the command', () => {
+  const file = new URL('../../data/numbers.json', import.meta.url);
+  const cases = JSON.parse(readFileSync(file, 'utf8')) as { value: number; text: string }[];
+  expect(cases.length).toBeGreaterThan(10);
+  for (const { value, text } of cases) expect(plainNumber(value, 6)).toBe(text);
 });

@@ -145,9 +145,12 @@ export class Model {
 function checkSize(size: number): void {
   const [least, most] = drawnSizes;
   if (size >= least && size <= most) return;
-  throw failure(
-    'LIMIT_EXCEEDED',
-    `the surface is ${size.toExponential(2)} across; only sizes from ${least} to ${most} can be drawn`,
-    { hint: 'export the model in another unit' },
-  );
+  const digits = Math.abs(Math.floor(Math.log10(most)));
+  const words =
+    size > most
+      ? `too large to be drawn: its size has more than ${digits} digits`
+      : `too small to be drawn: its size begins with ${digits} zeros or more`;
+  throw failure('LIMIT_EXCEEDED', `the surface is ${words}`, {
+    hint: 'export the model in another unit',
+  });
 }

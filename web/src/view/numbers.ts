@@ -15,10 +15,10 @@ export interface LengthFormat {
 
 const minus = '\u2212';
 const thinSpace = '\u202f';
-const raised: Record<string, string> = { '-': '⁻' };
-'⁰¹²³⁴⁵⁶⁷⁸⁹'.split('').forEach((digit, i) => (raised[String(i)] = digit));
-/** Numbers with more decimals, or more digits before the point, are written with a power of ten. */
-const mostDigits = 12;
+/** JavaScript writes no more decimals, … */
+const mostDecimals = 100;
+/** … and numbers from here on with an exponent. */
+const huge = 1e21;
 
 /**
  * The format for values up to `largest`, of unit `unit`: four significant digits at that value. Lengths
@@ -40,19 +40,17 @@ export function lengthFormat(largest: number, unit: string, shown = ''): LengthF
 
 /** The number alone, in the format's unit. */
 export function formatNumber(length: number, { scale, decimals }: LengthFormat): string {
-  const value = length * scale;
-  if (value !== 0 && (decimals > mostDigits || Math.abs(value) >= 10 ** mostDigits)) {
-    return withPower(value, 3);
-  }
-  return value.toFixed(Math.min(decimals, mostDigits)).replace('-', minus);
+  return writtenOut(length * scale, decimals).replace('-', minus);
 }
 
-/** A number as a power of ten with a factor of so many decimals: 2.19 × 10⁻²⁰. */
-export function withPower(value: number, decimals: number): string {
-  if (!Number.isFinite(value)) return String(value);
-  const [factor = '', power = ''] = value.toExponential(decimals).split('e');
-  const exponent = [...power.replace('+', '')].map((letter) => raised[letter]).join('');
-  return `${factor.replace('-', minus)}${thinSpace}×${thinSpace}10${exponent}`;
+/** A number with so many decimals, as of `toFixed`, and never an exponent. */
+export function writtenOut(value: number, decimals: number): string {
+  if (!(Math.abs(value) >= huge) || !Number.isFinite(value)) {
+    return value.toFixed(Math.min(decimals, mostDecimals));
+  }
+  const [digits = '', power] = String(value).split('e');
+  const [whole = '', part = ''] = digits.split('.');
+  return `${whole}${part}${'0'.repeat(Number(power) - part.length)}`;
 }
 
 /** The number with its unit. */

@@ -36,6 +36,6 @@ export {
   formatCount,
   formatLength,
   formatNumber,
-  withPower,
+  writtenOut,
 } from '../numbers.js';
 export { type LengthUnit, findLengthUnit } from '../length-text.js';
