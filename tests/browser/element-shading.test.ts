@@ -3,7 +3,7 @@
 import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
-import type { FieldChangeDetail, GirthViewer, HoverDetail } from '../../web/src/element/index.js';
+import type { GirthViewer, HoverDetail } from '../../web/src/element/index.js';
 import { partKinds } from '../../web/src/view/categories.js';
 import { colourAt } from '../../web/src/view/colormaps.js';
 import {
@@ -252,9 +252,7 @@ describe('fields', () => {
     await legendSays(viewer, 'Girth, m');
     const changes = await viewer.evaluate(async (element: GirthViewer) => {
       const seen: unknown[] = [];
-      element.addEventListener('fieldchange', (event) =>
-        seen.push((event as CustomEvent<FieldChangeDetail>).detail.name),
-      );
+      element.addEventListener('fieldchange', (event) => seen.push(event.detail.name));
       const until = (name: string) =>
         new Promise<void>((done) => {
           const check = () => (seen.at(-1) === name ? done() : setTimeout(check, 5));
@@ -491,9 +489,7 @@ describe('places', () => {
     const place = await viewer.evaluate((element: GirthViewer, vertex) => {
       const seen: HoverDetail[] = [];
       Object.assign(globalThis, { seen });
-      element.addEventListener('hover', (event) =>
-        seen.push((event as CustomEvent<HoverDetail>).detail),
-      );
+      element.addEventListener('hover', (event) => seen.push(event.detail));
       return element.screenPosition(vertex);
     }, vertex);
     const last = () =>

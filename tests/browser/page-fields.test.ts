@@ -3,7 +3,7 @@
 import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
-import type { GirthViewer, HoverDetail } from '../../web/src/element/index.js';
+import type { GirthViewer } from '../../web/src/element/index.js';
 import { dumbbell } from './meshes.js';
 import { builtPage, drop, fragment, modelIs, pictures } from './page-support.js';
 import { fieldComplete, hover, placeOnSurface } from './viewer-page.js';
@@ -138,7 +138,7 @@ test('pointing at the surface marks the value in the plot', async () => {
       (element: GirthViewer) =>
         new Promise<number>((resolve) => {
           element.addEventListener('hover', function listen(event) {
-            const { values } = (event as CustomEvent<HoverDetail>).detail;
+            const { values } = event.detail;
             if (values.igf === undefined) return;
             element.removeEventListener('hover', listen);
             resolve(values.igf);

@@ -1,7 +1,7 @@
 // Which fields of the present model are computed from end to end.
 
 import type { FieldName } from '../src/kernel/index.js';
-import type { FieldDetail, GirthViewer } from '../src/element/index.js';
+import type { GirthViewer } from '../src/element/index.js';
 
 export class ComputedFields {
   readonly #names = new Set<FieldName>();
@@ -10,7 +10,7 @@ export class ComputedFields {
   constructor(viewer: GirthViewer) {
     viewer.addEventListener('load', () => this.#names.clear());
     viewer.addEventListener('field', (event) => {
-      const { name, share } = (event as CustomEvent<FieldDetail>).detail;
+      const { name, share } = event.detail;
       if (share === 1) this.#names.add(name);
     });
   }

@@ -214,7 +214,7 @@ export class FieldPanel {
     viewer.addEventListener('unit', () => this.refresh());
     viewer.addEventListener('view', () => this.refresh());
     viewer.addEventListener('hover', (event) => {
-      const { vertex } = (event as CustomEvent<{ vertex: number | undefined }>).detail;
+      const { vertex } = event.detail;
       const name = this.name;
       this.#plot.markValue(vertex === undefined ? undefined : this.#valuesOf(name)[vertex]);
     });

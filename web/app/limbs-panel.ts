@@ -1,13 +1,7 @@
 // The limbs: how long each is and how thick, as a table, with a plot of the girth along it whose cursor moves
 // the loop over the surface.
 
-import {
-  type GirthViewer,
-  type HoverDetail,
-  formatLength,
-  formatNumber,
-  make,
-} from '../src/element/index.js';
+import { type GirthViewer, formatLength, formatNumber, make } from '../src/element/index.js';
 import type { GirthStation, Limb, LimbEnd, Limbs } from '../src/kernel/index.js';
 import { ProfilePlot } from '../src/element/plots.js';
 import { failureWords } from './failure-words.js';
@@ -105,7 +99,7 @@ export class LimbsPanel {
     });
     viewer.addEventListener('unit', () => this.#refresh());
     viewer.addEventListener('hover', (event) => {
-      const { vertex } = (event as CustomEvent<HoverDetail>).detail;
+      const { vertex } = event.detail;
       this.#point(vertex);
     });
     this.clear();

@@ -1,7 +1,7 @@
 // The drop page: one screen built on <girth-viewer>.
 
 import type { FileWithPath } from '../src/kernel/index.js';
-import { type FieldDetail, type GirthViewer, type LoadDetail } from '../src/element/index.js';
+import type { GirthViewer } from '../src/element/index.js';
 import {
   type PageState,
   type PanelName,
@@ -208,7 +208,7 @@ async function openFiles(files: readonly (File | FileWithPath)[]): Promise<void>
 }
 
 viewer.addEventListener('load', (event) => {
-  const { info } = (event as CustomEvent<LoadDetail>).detail;
+  const { info } = event.detail;
   // Units and a way up that were chosen stay with their model, however that is prepared.
   const isAnother = session.arrived();
   missing.hide();
@@ -232,7 +232,7 @@ viewer.addEventListener('load', (event) => {
   } else changed();
 });
 viewer.addEventListener('field', (event) => {
-  const { name, share } = (event as CustomEvent<FieldDetail>).detail;
+  const { name, share } = event.detail;
   if (name !== 'igf') return;
   document.documentElement.dataset['field'] = share === 1 ? 'complete' : 'partial';
   if (share < 1) return;

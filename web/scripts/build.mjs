@@ -3,6 +3,7 @@
 import { cpSync, existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { bundlePackageTypes } from './bundle-types.mjs';
 import { compilerCache, compilerCacheEnvironment } from './compiler-cache.mjs';
 import { copyDecoders } from './decoders.mjs';
 import { emscriptenEnvironment, findEmscripten } from './emscripten.mjs';
@@ -106,7 +107,10 @@ export async function buildPackage() {
   buildWasm();
   await refresh({
     name: 'package',
-    inputs: [...configuration, 'package.json', 'web/vite.package.config.ts', 'web/src'],
+    inputs: [
+      ...[...configuration, 'package.json', 'web/vite.package.config.ts', 'web/src'],
+      'web/scripts/bundle-types.mjs',
+    ],
     outputs: [
       ...['dist/kernel/index.js', 'dist/girth-kernel.js', 'dist/element.js'],
       ...['dist/girth-viewer.js', 'dist/plots.js'],
@@ -117,17 +121,14 @@ export async function buildPackage() {
       // in which the kernel names them.
       runTool('tsc', [
         ...['--project', 'web/tsconfig.kernel.json', '--emitDeclarationOnly', 'false'],
-        ...['--composite', 'false', '--incremental', 'false', '--outDir', 'dist'],
+        ...['--composite', 'false', '--incremental', 'false', '--declaration', 'false'],
+        ...['--outDir', 'dist'],
       ]);
       cpSync(join(repository, 'web/src/kernel/wasm'), join(repository, 'dist/kernel/wasm'), {
         recursive: true,
       });
       runTool('tsc', ['--build', 'web/tsconfig.element.json']);
-      for (const layer of ['view', 'element']) {
-        cpSync(join(repository, 'build/types', layer), join(repository, 'dist', layer), {
-          recursive: true,
-        });
-      }
+      bundlePackageTypes({ from: join(repository, 'build/types'), to: join(repository, 'dist') });
       const vite = ['build', '--config', 'web/vite.package.config.ts', '--logLevel', 'warn'];
       for (const mode of ['element', 'kernel', 'viewer', 'plots']) {
         runTool('vite', [...vite, '--mode', mode]);

@@ -58,11 +58,10 @@ function fingerprint(): string {
     const { size, mtimeMs } = statSync(path);
     hash.update(`${path}\0${size}\0${mtimeMs}\0`);
   };
-  for (const { name, parentPath } of readdirSync(join(repository, 'dist'), {
-    recursive: true,
-    withFileTypes: true,
-  })) {
-    add(join(parentPath, name));
+  for (const folder of ['dist', 'web/docs', 'web/examples']) {
+    const options = { recursive: true, withFileTypes: true } as const;
+    const entries = readdirSync(join(repository, folder), options);
+    for (const { name, parentPath } of entries) add(join(parentPath, name));
   }
   for (const name of readdirSync(repository)) {
     if (/\.(md|cff|json)$|^LICENSE$/.test(name)) add(join(repository, name));

@@ -1,13 +1,15 @@
-// The npm package as a stranger gets it: packed, put into a fresh folder, type-checked by a strict project
-// and imported as an ES module.
+// The npm package as a stranger gets it: packed, put into a fresh folder, type-checked by the strictest project,
+// imported on a server and looked at by the tools that find faults of packages.
 
-import { execFileSync, spawnSync } from 'node:child_process';
+import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
+import { spawn, spawnSync } from 'node:child_process';
+import { once } from 'node:events';
 import {
   cpSync,
   existsSync,
-  mkdirSync,
   mkdtempSync,
   readFileSync,
+  readdirSync,
   rmSync,
   symlinkSync,
   writeFileSync,
@@ -15,6 +17,9 @@ import {
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { publint } from 'publint';
+import { formatMessage } from 'publint/utils';
+import { build, type Rolldown } from 'vite';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { packed } from './packed.js';
 
@@ -26,12 +31,17 @@ interface Manifest {
   version: string;
   exports: Record<string, string | { types: string; default: string }>;
   dependencies: Record<string, string>;
+  peerDependencies: Record<string, string>;
+  repository?: { url: string };
+  homepage?: string;
+  bugs?: string;
 }
 let manifest: Manifest;
 
-/** A page's own code: the kernel with all its types, without the DOM of three.js. */
+/** A page's own code: the kernel with all its types. */
 const kernelCode = `
 import { createKernel, GirthError, type Kernel, type Mesh } from 'girth';
+import { createKernel as createBundled } from 'girth/girth-kernel.js';
 
 export async function measure(file: File): Promise<number> {
   const kernel: Kernel = await createKernel({ threads: 'auto' });
@@ -51,53 +61,76 @@ export async function measure(file: File): Promise<number> {
   }
 }
 
+export const bundled: () => Promise<Kernel> = createBundled;
+
 // @ts-expect-error There is no such field.
 export const wrong = (mesh: Mesh) => mesh.field('no field');
 `;
 
-/** A page with the element in its own three.js, and with plots. */
+/** A page with the element and with plots. */
 const elementCode = `
 import 'girth/element';
+import 'girth/girth-viewer.js';
+import type { Kernel } from 'girth';
+import { type GirthViewerEventMap, GirthViewer, useKernel } from 'girth/element';
 import { histogram } from 'girth/plots';
 
-export async function show(source: string): Promise<void> {
-  const viewer = document.createElement('girth-viewer');
+export async function show(source: string, kernel: Kernel): Promise<void> {
+  useKernel(kernel);
+  const viewer: GirthViewer = document.createElement('girth-viewer');
   document.body.append(viewer);
+  viewer.addEventListener('load', (event) => {
+    const faces: number = event.detail.info.faceCount;
+    console.log(faces);
+  });
+  viewer.addEventListener('progress', ({ detail }) => console.log(detail.fraction.toFixed()));
+  viewer.addEventListener('field', ({ detail }) => console.log(detail.range[0].toFixed()));
+  viewer.addEventListener('fieldchange', ({ detail }) => console.log(detail.shown?.colormap));
+  viewer.addEventListener('hover', ({ detail }) => console.log(detail.values.igf?.toFixed()));
+  viewer.addEventListener('pick', ({ detail }) => console.log(detail.loop.length.toFixed()));
+  viewer.addEventListener('error', ({ detail }) => console.log(detail.code, detail.attribute));
+  viewer.addEventListener('camera', { handleEvent: ({ detail }) => console.log(detail) }, { once: true });
+  // Those of every element have the types that they always have.
+  viewer.addEventListener('keydown', ({ key }) => console.log(key));
+  viewer.addEventListener('of my own', (event: Event) => console.log(event.type));
+  const heard = ({ detail }: GirthViewerEventMap['error']) => console.log(detail.hint);
+  viewer.addEventListener('error', heard);
+  viewer.removeEventListener('error', heard);
+  // @ts-expect-error It carries what the model is.
+  viewer.addEventListener('load', ({ detail }) => detail.nothing);
   await viewer.load(source);
+  document.querySelector('girth-viewer')?.cancel();
 }
 
 export const plotted = histogram;
 `;
 
-/** What a project that uses the package checks its types with. */
-function typeCheck(module: 'NodeNext' | 'ESNext', moduleResolution: 'NodeNext' | 'Bundler') {
+/** What a project that uses the package checks its types with: everything that there is to be strict. */
+async function typeCheck(module: string, moduleResolution: string) {
   const compilerOptions = {
     ...{ target: 'ES2022', lib: ['ES2022', 'DOM', 'DOM.Iterable'], types: [], noEmit: true },
-    ...{ strict: true, noUncheckedIndexedAccess: true },
+    ...{ strict: true, exactOptionalPropertyTypes: true, noUncheckedIndexedAccess: true },
+    ...{ noPropertyAccessFromIndexSignature: true, skipLibCheck: false },
+    ...{ verbatimModuleSyntax: true, isolatedModules: true },
     ...{ module, moduleResolution },
   };
-  writeFileSync(
-    join(folder, 'tsconfig.json'),
-    JSON.stringify({ compilerOptions, files: ['kernel.ts', 'element.ts'] }),
-  );
-  return spawnSync(process.execPath, [join(repository, 'node_modules/typescript/bin/tsc')], {
-    cwd: folder,
-    encoding: 'utf8',
-  });
+  const project = join(folder, `tsconfig.${module}.json`);
+  writeFileSync(project, JSON.stringify({ compilerOptions, files: ['kernel.ts', 'element.ts'] }));
+  const compiler = join(repository, 'node_modules/typescript/bin/tsc');
+  const child = spawn(process.execPath, [compiler, '--project', project], { cwd: folder });
+  let words = '';
+  child.stdout.on('data', (data) => (words += String(data)));
+  const [status] = (await once(child, 'close')) as [number];
+  return { status, words };
 }
 
 beforeAll(() => {
   cpSync(packed().folder, packageFolder, { recursive: true });
   manifest = JSON.parse(readFileSync(join(packageFolder, 'package.json'), 'utf8')) as Manifest;
-  // What npm would install beside it.
-  for (const name of [...Object.keys(manifest.dependencies), 'three']) {
+  // What npm would install beside it. Nobody has the types of three.js.
+  for (const name of Object.keys({ ...manifest.dependencies, ...manifest.peerDependencies })) {
     symlinkSync(join(repository, 'node_modules', name), join(folder, 'node_modules', name));
   }
-  mkdirSync(join(folder, 'node_modules/@types'));
-  symlinkSync(
-    join(repository, 'node_modules/@types/three'),
-    join(folder, 'node_modules/@types/three'),
-  );
   writeFileSync(join(folder, 'package.json'), JSON.stringify({ type: 'module', private: true }));
   writeFileSync(join(folder, 'kernel.ts'), kernelCode);
   writeFileSync(join(folder, 'element.ts'), elementCode);
@@ -106,6 +139,12 @@ beforeAll(() => {
 afterAll(() => {
   rmSync(folder, { recursive: true });
 });
+
+/** All files of the package with that ending. */
+const filesOf = (ending: string) =>
+  readdirSync(packageFolder, { recursive: true, encoding: 'utf8' }).filter((name) =>
+    name.endsWith(ending),
+  );
 
 test('everything that the package exports is in it, with licence, readme and change log', () => {
   const files = Object.values(manifest.exports).flatMap((entry) =>
@@ -117,26 +156,116 @@ test('everything that the package exports is in it, with licence, readme and cha
   expect(existsSync(join(packageFolder, 'dist/kernel/wasm'))).toBe(true);
 });
 
-test.each([
-  ['NodeNext', 'NodeNext'],
-  ['ESNext', 'Bundler'],
-] as const)('a strict project compiles against its types: %s, %s', (module, moduleResolution) => {
-  const { status, stdout } = typeCheck(module, moduleResolution);
-  expect(stdout).toBe('');
-  expect(status).toBe(0);
+test('links and pictures of the readme lead to files that are in it, or to the web', () => {
+  const readme = readFileSync(join(packageFolder, 'README.md'), 'utf8');
+  const links = [...readme.matchAll(/\]\(<?([^)<>\s]+)/g)].map(([, link]) => link!);
+  expect(links.length).toBeGreaterThan(10);
+  const broken = links.filter(
+    (link) => !/^(https:|#)/.test(link) && !existsSync(join(packageFolder, link.split('#')[0]!)),
+  );
+  expect(broken).toEqual([]);
 });
 
-test('Node.js imports it as an ES module', () => {
+test('package and citation name the same address of the project, or neither names one', () => {
+  const citation = readFileSync(join(packageFolder, 'CITATION.cff'), 'utf8');
+  const [, address] = /^repository-code: '?([^'\n]*)/m.exec(citation) ?? [];
+  const { repository, homepage, bugs } = manifest;
+  const named = address && [`git+${address}.git`, `${address}#readme`, `${address}/issues`];
+  expect([repository?.url, homepage, bugs]).toEqual(named ?? [undefined, undefined, undefined]);
+});
+
+test('its types name no package but those that it depends on', () => {
+  const known = Object.keys({ ...manifest.dependencies, ...manifest.peerDependencies });
+  const foreign = filesOf('.d.ts').flatMap((file) =>
+    [...readFileSync(join(packageFolder, file), 'utf8').matchAll(/(?:from|import\()\s*'([^']+)'/g)]
+      .map(([, name]) => name!)
+      // Not even three.js, which has no types of its own.
+      .filter((name) => !name.startsWith('.') && (name === 'three' || !known.includes(name)))
+      .map((name) => `${file}: ${name}`),
+  );
+  // An example in a comment.
+  expect(foreign).toEqual(['dist/kernel/index.d.ts: girth']);
+});
+
+test.concurrent.each([
+  ['NodeNext', 'NodeNext'],
+  ['ESNext', 'Bundler'],
+])('a strict project compiles against its types: %s, %s', async (module, moduleResolution) => {
+  expect(await typeCheck(module, moduleResolution)).toEqual({ status: 0, words: '' });
+});
+
+test('on a server it can be imported, and does nothing; a kernel is refused with a code', () => {
+  const entries = Object.entries(manifest.exports).flatMap(([name, entry]) =>
+    typeof entry === 'string' ? [] : [name.replace('.', 'girth')],
+  );
+  expect(entries).toHaveLength(5);
   const code = `
-    import { createKernel, GirthError } from 'girth';
-    import manifest from 'girth/package.json' with { type: 'json' };
-    const error = new GirthError({ code: 'OPEN_EDGE', element: 3, message: 'm', hint: 'h' });
-    console.log(JSON.stringify([typeof createKernel, error instanceof Error, error.code, manifest.version]));
+    const before = Object.getOwnPropertyNames(globalThis);
+    ${entries.map((entry) => `await import('${entry}');`).join('\n')}
+    const added = Object.getOwnPropertyNames(globalThis).filter((name) => !before.includes(name));
+    const { createKernel, GirthError } = await import('girth');
+    const { default: manifest } = await import('girth/package.json', { with: { type: 'json' } });
+    const error = await createKernel().catch((error) => error);
+    console.log(JSON.stringify({
+      added, isOurs: error instanceof GirthError, code: error.code, hint: error.hint, version: manifest.version,
+    }));
   `;
-  const printed = execFileSync(
+  const { stdout, stderr } = spawnSync(
     process.execPath,
     ['--no-warnings', '--input-type=module', '--eval', code],
     { cwd: folder, encoding: 'utf8' },
   );
-  expect(JSON.parse(printed)).toEqual(['function', true, 'OPEN_EDGE', manifest.version]);
+  expect(stderr).toBe('');
+  const { added, ...rest } = JSON.parse(stdout) as { added: string[] };
+  // Three.js leaves its version.
+  expect(added.filter((name) => !/THREE/.test(name))).toEqual([]);
+  expect(rest).toEqual({
+    isOurs: true,
+    code: 'PROGRAM_NOT_LOADED',
+    hint: expect.stringContaining('server') as string,
+    version: manifest.version,
+  });
+});
+
+test('a bundler keeps what an import brings about, and drops what is not used', async () => {
+  const bundle = async (code: string) => {
+    writeFileSync(join(folder, 'entry.js'), code);
+    const output = await build({
+      configFile: false,
+      root: folder,
+      logLevel: 'error',
+      build: {
+        write: false,
+        minify: false,
+        rolldownOptions: { input: 'entry.js', external: /^three/ },
+      },
+    });
+    const { output: chunks } = (
+      Array.isArray(output) ? output[0] : output
+    ) as Rolldown.RolldownOutput;
+    return chunks.map((chunk) => ('code' in chunk ? chunk.code : '')).join('');
+  };
+  expect(await bundle(`import 'girth/element';`)).toContain('girth-viewer');
+  expect((await bundle(`import { createKernel } from 'girth';`)).trim()).toBe('');
+});
+
+test('publint finds nothing', async () => {
+  const { messages, pkg } = await publint({ pkgDir: packageFolder, strict: true, pack: false });
+  expect(messages.map((message) => formatMessage(message, pkg))).toEqual([]);
+});
+
+test('arethetypeswrong finds nothing', async () => {
+  const data = new Uint8Array(readFileSync(packed().tarball));
+  // Styles have no types.
+  const excludeEntrypoints = ['./plots.css'];
+  const analysis = await checkPackage(createPackageFromTarballData(data), { excludeEntrypoints });
+  // The package is for modules only, as browsers have them: not for require(), nor for Node.js before 12.
+  const problems = 'problems' in analysis ? analysis.problems : ['it has no types'];
+  const ours = problems.filter(
+    (problem) =>
+      typeof problem === 'string' ||
+      !('resolutionKind' in problem) ||
+      /^(node16-esm|bundler)$/.test(problem.resolutionKind),
+  );
+  expect(ours).toEqual([]);
 });

@@ -1,7 +1,8 @@
-// What the element's events carry.
+// The element's events, and what they carry.
 
-import type { FieldName, MeshInfo } from '../kernel/types.js';
+import type { FieldName, GirthErrorFields, MeshInfo } from '../kernel/types.js';
 import type { ShownName } from '../view/index.js';
+import type { PickDetail } from './loops-on-surface.js';
 import type { ShownField } from './shading.js';
 
 /** Of `load`: a model is shown. */
@@ -43,3 +44,46 @@ export interface HoverDetail {
   /** The values there of every field that is computed there. */
   values: Partial<Record<FieldName, number>>;
 }
+/** Of `error`: something has failed, or was asked for wrongly. */
+export interface ErrorDetail extends GirthErrorFields {
+  /** The attribute whose value is wrong; undefined for all other errors. */
+  attribute?: string | undefined;
+}
+
+/** The events that the element itself sends, by their names. None bubbles. */
+export interface GirthViewerEvents {
+  /** A model is shown. */
+  load: CustomEvent<LoadDetail>;
+  /** A field is being computed. */
+  progress: CustomEvent<ProgressDetail>;
+  /** A field has been computed, or its work was cancelled. */
+  field: CustomEvent<FieldDetail>;
+  /** Something else colours the surface, or in another way. */
+  fieldchange: CustomEvent<FieldChangeDetail>;
+  /** What is pointed at has changed. */
+  hover: CustomEvent<HoverDetail>;
+  /** A loop was shown, pinned or unpinned. */
+  pick: CustomEvent<PickDetail>;
+  /** Something has failed, or an attribute is wrong. */
+  error: CustomEvent<ErrorDetail>;
+  /** The surface no longer turns. */
+  touch: CustomEvent<null>;
+  /** Something was chosen on the bar. */
+  view: CustomEvent<null>;
+  /** Lengths are written in another unit. */
+  unit: CustomEvent<null>;
+  /** The camera was moved, and is at rest again. */
+  camera: CustomEvent<null>;
+}
+
+/** All events of the element by their names, those that every element has included. */
+export interface GirthViewerEventMap
+  extends Omit<HTMLElementEventMap, keyof GirthViewerEvents>, GirthViewerEvents {}
+
+/** What hears an event of the element. */
+export type GirthViewerListener<Name extends keyof GirthViewerEventMap> =
+  | ((event: GirthViewerEventMap[Name]) => unknown)
+  | {
+      /** Called with each event. */
+      handleEvent(event: GirthViewerEventMap[Name]): unknown;
+    };

@@ -5,7 +5,9 @@
 
 import { GirthViewer } from './viewer-element.js';
 
-if (!customElements.get('girth-viewer')) customElements.define('girth-viewer', GirthViewer);
+// On a server, which renders pages but has no elements, nothing happens.
+const registry = globalThis.customElements as CustomElementRegistry | undefined;
+if (registry && !registry.get('girth-viewer')) registry.define('girth-viewer', GirthViewer);
 
 declare global {
   interface HTMLElementTagNameMap {
@@ -15,8 +17,12 @@ declare global {
 
 export { GirthViewer };
 export type {
+  ErrorDetail,
   FieldChangeDetail,
   FieldDetail,
+  GirthViewerEventMap,
+  GirthViewerEvents,
+  GirthViewerListener,
   HoverDetail,
   LoadDetail,
   ProgressDetail,
@@ -36,6 +42,7 @@ export {
   type LengthFormat,
   type LengthUnit,
   type ReadLength,
+  type Rotation,
   type ScreenPoint,
   type Look,
   type ShownName,

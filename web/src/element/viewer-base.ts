@@ -1,14 +1,6 @@
 // The element on its page: its attributes, a model that comes and goes, and what is computed of it.
 
-import type {
-  Field,
-  FieldName,
-  GirthErrorFields,
-  LoadOptions,
-  Mesh,
-  MeshInfo,
-  MeshSource,
-} from '../kernel/types.js';
+import type { Field, FieldName, LoadOptions, Mesh, MeshInfo, MeshSource } from '../kernel/types.js';
 import {
   type Box,
   Legend,
@@ -22,15 +14,8 @@ import {
 } from '../view/index.js';
 import { CanvasControls, controlAttributes } from './canvas-controls.js';
 import { make } from './dom.js';
-import type {
-  FieldChangeDetail,
-  FieldDetail,
-  HoverDetail,
-  LoadDetail,
-  ProgressDetail,
-} from './events.js';
+import type { GirthViewerEvents } from './events.js';
 import type { FieldState, FieldsHost } from './fields.js';
-import type { PickDetail } from './loops-on-surface.js';
 import { Lifecycle } from './lifecycle.js';
 import { MessageBox } from './message-box.js';
 import { Model } from './model.js';
@@ -56,8 +41,11 @@ export interface Original {
   field: Field | undefined;
 }
 
+/** On a server, which renders pages but has no elements, a class that nobody makes one of. */
+const ElementOrNone = globalThis.HTMLElement ?? class {};
+
 /** See `GirthViewer`, which adds what can be asked of the element. */
-export abstract class ViewerBase extends HTMLElement {
+export abstract class ViewerBase extends ElementOrNone {
   /** The attributes that the element follows; see `GirthViewer`. */
   static readonly observedAttributes = [
     'src',
@@ -84,7 +72,7 @@ export abstract class ViewerBase extends HTMLElement {
   });
   readonly #legend = new Legend(() => {
     this.setAttribute('range', '0% 100%');
-    this.dispatchEvent(new CustomEvent('view'));
+    this.#send('view', null);
   });
   readonly #message = new MessageBox();
   readonly #voice = new Voice();
@@ -150,7 +138,7 @@ export abstract class ViewerBase extends HTMLElement {
           this.#controls.place();
         },
         touched: () => this.#controls.touched(),
-        rested: () => this.dispatchEvent(new CustomEvent('camera')),
+        rested: () => this.#send('camera', null),
       });
     } catch {
       this.#message.show(
@@ -210,7 +198,7 @@ export abstract class ViewerBase extends HTMLElement {
       case 'unit':
       case 'shown-unit':
         this.#restyle(false);
-        if (this.presented) this.dispatchEvent(new CustomEvent('unit'));
+        if (this.presented) this.#send('unit', null);
         break;
       case 'field':
         if (value === 'none') this.cancel();
@@ -328,7 +316,7 @@ export abstract class ViewerBase extends HTMLElement {
     const presented = new Presented(this.stage!, this.#canvas, model, wishes, up, {
       followsPointer: () => this.getAttribute('loop') !== 'none',
       pointed: (vertex) => this.#pointed(vertex),
-      picked: (detail) => this.#send<PickDetail>('pick', detail),
+      picked: (detail) => this.#send('pick', detail),
       failed: (error) => this.#fail('', error),
       furniture: () => this.#furniture(),
       relabelled: (legend) => {
@@ -359,7 +347,7 @@ export abstract class ViewerBase extends HTMLElement {
 
   #greet(presented: Presented): void {
     this.#controls.greet();
-    this.#send<LoadDetail>('load', { info: presented.model.mesh.info });
+    this.#send('load', { info: presented.model.mesh.info });
     void this.#afterShowing(presented);
     void this.#showField();
   }
@@ -420,7 +408,7 @@ export abstract class ViewerBase extends HTMLElement {
         this.#status.showProgress(fieldTitle(name), fraction, secondsLeft);
       }
       this.#controls.updateTurning();
-      if (fraction > 0) this.#send<ProgressDetail>('progress', { name, fraction, secondsLeft });
+      if (fraction > 0) this.#send('progress', { name, fraction, secondsLeft });
     },
     ended: (state, error) => {
       if (!this.#isPresent(state)) return;
@@ -492,12 +480,12 @@ export abstract class ViewerBase extends HTMLElement {
     if (vertex === this.#pointedVertex) return;
     this.#pointedVertex = vertex;
     const values = vertex === undefined ? {} : this.require().valuesAt(vertex);
-    this.#send<HoverDetail>('hover', { vertex, values });
+    this.#send('hover', { vertex, values });
   }
 
   #sendField(name: FieldName, range: [number, number], share: number): void {
     const unit = fieldUnit(name, this.unit);
-    this.#send<FieldDetail>('field', { name, range, unit, share });
+    this.#send('field', { name, range, unit, share });
     if (share === 1) this.#voice.computed(name, range, this.require());
   }
 
@@ -505,10 +493,13 @@ export abstract class ViewerBase extends HTMLElement {
     if (!this.presented) return;
     this.#voice.call(this.#canvas, this.presented);
     const { name } = this.#wishes;
-    this.#send<FieldChangeDetail>('fieldchange', { name, shown: this.presented.shading.shown });
+    this.#send('fieldchange', { name, shown: this.presented.shading.shown });
   }
 
-  #send<Detail>(name: string, detail: Detail): void {
+  #send<Name extends keyof GirthViewerEvents>(
+    name: Name,
+    detail: GirthViewerEvents[Name]['detail'],
+  ): void {
     this.dispatchEvent(new CustomEvent(name, { detail }));
   }
 
@@ -521,6 +512,6 @@ export abstract class ViewerBase extends HTMLElement {
       this.#reported.add(error);
     }
     this.#message.show(name, fields, this.presented !== undefined);
-    this.#send<GirthErrorFields>('error', fields);
+    this.#send('error', fields);
   }
 }

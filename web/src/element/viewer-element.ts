@@ -30,6 +30,7 @@ import {
   isFieldName,
   lengthFormat,
 } from '../view/index.js';
+import type { GirthViewerEventMap, GirthViewerListener } from './events.js';
 import type { PinnedLoop } from './loops-on-surface.js';
 import type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
 import type { ShownField, ShownPlaces } from './shading.js';
@@ -73,9 +74,9 @@ import { ViewerBase } from './viewer-base.js';
  * - `turn`: turns slowly once it is computed and until something is done on the page, unless the system asks
  *   for reduced motion; with a button that stops it.
  *
- * Events: `load` (`LoadDetail`), `progress` (`ProgressDetail`), `field` (`FieldDetail`: one is computed, or
+ * Events (`GirthViewerEvents` has them with their types): `load` (`LoadDetail`), `progress` (`ProgressDetail`), `field` (`FieldDetail`: one is computed, or
  * was cancelled), `fieldchange` (`FieldChangeDetail`: the surface is coloured otherwise), `hover`
- * (`HoverDetail`), `pick` (`PickDetail`), `error` (`GirthErrorFields`), `touch` (no detail: the surface no
+ * (`HoverDetail`), `pick` (`PickDetail`), `error` (`ErrorDetail`), `touch` (no detail: the surface no
  * longer turns), `view` (no detail: something was chosen on the bar), `unit` (no detail: lengths are written in another unit), `camera` (no detail: it was moved,
  * and is at rest again). None bubbles.
  *
@@ -89,6 +90,46 @@ import { ViewerBase } from './viewer-base.js';
  */
 export class GirthViewer extends ViewerBase {
   #tipsTurn = 0;
+
+  /** Calls a function or an object with each event of a name; see {@link GirthViewerEvents}. */
+  override addEventListener<Name extends keyof GirthViewerEventMap>(
+    type: Name,
+    listener: GirthViewerListener<Name>,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  /** Any other event. */
+  override addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void {
+    super.addEventListener(type, listener, options);
+  }
+
+  /** No longer calls a function or an object that was given to `addEventListener`. */
+  override removeEventListener<Name extends keyof GirthViewerEventMap>(
+    type: Name,
+    listener: GirthViewerListener<Name>,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  /** Any other event. */
+  override removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  override removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void {
+    super.removeEventListener(type, listener, options);
+  }
 
   /** The vertex of the surface for each vertex of the file; 0xFFFFFFFF where no face uses it. */
   get vertexOfInput(): Uint32Array {

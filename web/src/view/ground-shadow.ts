@@ -5,12 +5,13 @@ import {
   LinearFilter,
   Mesh,
   PlaneGeometry,
-  type Quaternion,
+  Quaternion,
   RedFormat,
   ShaderMaterial,
   UnsignedByteType,
   type Vector3,
 } from 'three';
+import type { Rotation } from './up-axis.js';
 
 const cells = 96;
 
@@ -89,7 +90,7 @@ export class GroundShadow {
   readonly #texture: DataTexture;
 
   /** `centre` is above or below the middle, on the ground, upright; the shadow's own coordinates are the surface's. */
-  constructor(grid: Uint8Array, centre: Vector3, upright: Quaternion, halfWidth: number) {
+  constructor(grid: Uint8Array, centre: Vector3, upright: Rotation, halfWidth: number) {
     this.#texture = new DataTexture(grid, cells, cells, RedFormat, UnsignedByteType);
     this.#texture.minFilter = this.#texture.magFilter = LinearFilter;
     this.#texture.needsUpdate = true;
@@ -118,7 +119,7 @@ export class GroundShadow {
         `,
       }),
     );
-    const back = upright.clone().invert();
+    const back = new Quaternion().copy(upright).invert();
     this.object.position.copy(centre).applyQuaternion(back);
     this.object.quaternion.copy(back);
     this.object.renderOrder = -1;

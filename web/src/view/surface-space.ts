@@ -2,6 +2,7 @@
 // shaders' 32-bit numbers meet the same sizes whether a file counts in micrometres or in kilometres.
 
 import { Group, Quaternion, type Sphere, type Vector3 } from 'three';
+import type { Rotation } from './up-axis.js';
 
 /** The surface's own coordinates within the scene's. */
 export class SurfaceSpace {
@@ -10,7 +11,7 @@ export class SurfaceSpace {
   readonly #back = new Quaternion();
 
   /** The space of a surface with these bounds, turned upright. */
-  fit({ center, radius }: Sphere, upright: Quaternion): void {
+  fit({ center, radius }: Sphere, upright: Rotation): void {
     this.group.scale.setScalar(1 / radius);
     this.group.quaternion.copy(upright);
     this.group.position.copy(center).divideScalar(-radius).applyQuaternion(upright);

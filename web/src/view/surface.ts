@@ -7,14 +7,14 @@ import {
   DataTexture,
   DoubleSide,
   Group,
+  LinearFilter,
   LineBasicMaterial,
   LineSegments,
-  LinearFilter,
   Matrix3,
   Matrix4,
   Mesh,
   NoColorSpace,
-  type Quaternion,
+  Quaternion,
   Ray,
   ShaderMaterial,
   type Sphere,
@@ -39,6 +39,7 @@ import {
   shadingModes,
   vertexShader,
 } from './surface-shader.js';
+import type { Rotation } from './up-axis.js';
 
 /** Faces from which the hierarchy for picking is built in a worker: more would hold up the page. */
 const manyFaces = 4000;
@@ -189,8 +190,8 @@ export class Surface {
   }
 
   /** How the surface is turned in the scene: light falls from above. */
-  setUpright(rotation: Quaternion): void {
-    const matrix = new Matrix4().makeRotationFromQuaternion(rotation);
+  setUpright(rotation: Rotation): void {
+    const matrix = new Matrix4().makeRotationFromQuaternion(new Quaternion().copy(rotation));
     (this.#material.uniforms['upright']!.value as Matrix3).setFromMatrix4(matrix);
   }
 

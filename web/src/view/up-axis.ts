@@ -52,8 +52,17 @@ export function upAxisOf(
   return { ...guessedUp(positions, indices), by: 'guess' };
 }
 
-/** How a surface is turned. */
-export type Rotation = Quaternion;
+/** How a surface is turned: a quaternion of length 1. */
+export interface Rotation {
+  /** With y and z the axis, times the sine of half the angle. */
+  readonly x: number;
+  /** See `x`. */
+  readonly y: number;
+  /** See `x`. */
+  readonly z: number;
+  /** The cosine of half the angle. */
+  readonly w: number;
+}
 
 /** Turns a direction of the file upwards, to y; what is to the right stays there for y and z, flipped or not. */
 export function rotationUp([x, y, z]: readonly [number, number, number]): Rotation {
