@@ -95,7 +95,7 @@ export async function buildPage() {
   await buildExamples();
   await refresh({
     name: 'page',
-    inputs: [...configuration, 'web/vite.app.config.ts', 'web/src', 'web/app'],
+    inputs: [...configuration, 'package.json', 'web/vite.app.config.ts', 'web/src', 'web/app'],
     outputs: ['build/page/index.html'],
     make: () =>
       runTool('vite', ['build', '--config', 'web/vite.app.config.ts', '--logLevel', 'warn']),
