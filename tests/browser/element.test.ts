@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
-import type { GirthViewer } from '../../web/src/element/index.js';
+import type { ErrorDetail, GirthViewer } from '../../web/src/element/index.js';
 import { packed } from '../web/package/packed.js';
 import { box, gltf, stl, tube } from './meshes.js';
 import { chromiumForTests, repository, serve, strictPolicy, type StaticServer } from './support.js';
@@ -18,6 +18,32 @@ const site = mkdtempSync(join(tmpdir(), 'girth-element-'));
 const head =
   '<!doctype html><meta charset="utf-8"><title>element</title><link rel="icon" href="data:,">';
 const script = '<script type="module" src="girth/dist/girth-viewer.js"></script>';
+
+/** Of each attribute that has not any value: a wrong one and a right one. */
+const attributes = {
+  unit: ['furlong', 'mm'],
+  'shown-unit': ['px', 'cm'],
+  field: ['foo', 'sdf'],
+  colormap: ['rainbow', 'magma'],
+  range: ['zz', '5% 95%'],
+  isolines: ['many', '10'],
+  log: ['false', ''],
+  time: ['soon', '0.01'],
+  energy: ['1000', '40'],
+  component: ['0', '2'],
+  loop: ['click', 'none'],
+  edges: ['no', ''],
+  shading: ['gouraud', 'flat'],
+  up: ['north', '-z'],
+  'keep-view': ['off', ''],
+  controls: ['zz', ''],
+  turn: ['zz', ''],
+} as const;
+const attributesAs = (choose: (values: readonly [string, string]) => string): string =>
+  Object.entries(attributes)
+    .map(([name, values]) => `${name}="${choose(values)}"`)
+    .join(' ');
+
 const pages = {
   '/one.html': `${head}${script}<girth-viewer src="chair.glb"></girth-viewer>`,
   '/two.html': `${head}${script}<style>girth-viewer { width: 45%; display: inline-block }</style>
@@ -27,6 +53,15 @@ const pages = {
   '/missing.html': `${head}${script}<girth-viewer src="nothing.glb"></girth-viewer>`,
   '/beside.html': `${head}${script}<girth-viewer src="parts/box.gltf"></girth-viewer>
     <girth-viewer id="open" src="tube.stl" unit="mm"></girth-viewer>`,
+  // The last one is right.
+  '/wrong.html': `${head}${script}<script type="module" src="/heard.js"></script>
+    <girth-viewer id="a" src="prism.obj" ${attributesAs(([wrong]) => wrong)}></girth-viewer>
+    <girth-viewer id="b" field="foo"></girth-viewer>
+    <girth-viewer id="c" ${attributesAs(([, right]) => right)}></girth-viewer>`,
+  '/heard.js': `globalThis.heard = [];
+    for (const viewer of document.querySelectorAll('girth-viewer')) {
+      viewer.addEventListener('error', ({ detail }) => heard.push([viewer.id, detail]));
+    }`,
   '/still.html': `${head}${script}<girth-viewer src="dumbbell.glb" field="none" loop="none"></girth-viewer>`,
 };
 
@@ -226,4 +261,49 @@ test('events tell the story; a plain surface computes nothing', async () => {
     return seen;
   });
   expect(events).toEqual(['progress', 'field', 'pick', 'error']);
+});
+
+test('a wrong attribute is one warning on the console and an error on each element, and counts as none', async () => {
+  const warnings: string[] = [];
+  ({ page, complaints } = await openPage(`${server.url}/wrong.html`, {}, async (page) => {
+    page.on('console', (message) => {
+      if (message.type() === 'warning') warnings.push(message.text());
+    });
+    await Promise.resolve();
+  }));
+  const viewer = page.locator('#a');
+  await fieldComplete(viewer);
+  const names = Object.keys(attributes);
+  expect(names.concat('src').sort()).toEqual(
+    await viewer.evaluate((element) =>
+      (element.constructor as typeof GirthViewer).observedAttributes.slice().sort(),
+    ),
+  );
+
+  const said = warnings.filter((text) => text.startsWith('<girth-viewer>'));
+  expect(said).toHaveLength(names.length);
+  for (const [name, [wrong]] of Object.entries(attributes)) {
+    expect(said.filter((text) => text.includes(` ${name}="${wrong}" `))).toHaveLength(1);
+  }
+  expect(said.join()).toContain('field can be igf, sdf, geoaverage,');
+
+  type Heard = [id: string, detail: ErrorDetail][];
+  const heard = await page.evaluate(() => (globalThis as unknown as { heard: Heard }).heard);
+  const of = (id: string) => heard.filter(([one]) => one === id).map(([, detail]) => detail);
+  expect(of('a').map(({ attribute }) => attribute)).toEqual(names);
+  expect(of('b').map(({ attribute }) => attribute)).toEqual(['field']);
+  expect(of('c')).toEqual([]);
+  expect(new Set(heard.map(([, { code }]) => code))).toEqual(new Set(['INVALID_OPTION']));
+
+  // As if none of them were there.
+  const shown = await viewer.evaluate((element: GirthViewer) => {
+    const { shown, unit, shownUnit, upAxis } = element;
+    const { name, colormap, log } = shown!;
+    return { name, colormap, log, unit, shownUnit, up: upAxis?.by };
+  });
+  expect(shown).toEqual({
+    ...{ name: 'igf', colormap: 'viridis', log: false, unit: '', shownUnit: '', up: 'format' },
+  });
+  expect(await viewer.locator('.bar-tools').isVisible()).toBe(false);
+  expect(complaints).toEqual([]);
 });

@@ -82,14 +82,19 @@ test('which number of a signature is shown can be chosen, and is in the link', a
   await expect.poll(() => page.locator('.signature output').textContent()).toBe('20 of 100');
   await page.screenshot({ path: join(pictures, 'signature.png') });
 
-  // There is no such energy: words, and the surface is as it was.
-  await viewer.evaluate((element) => element.setAttribute('energy', '1000'));
-  await viewer
-    .getByRole('alert')
-    .getByText(/1000|energy|component/)
-    .waitFor();
-  await viewer.evaluate((element) => element.setAttribute('energy', 'many'));
-  expect((await values()).every(Number.isFinite)).toBe(true);
+  // There is no such energy: that is said, and the usual one is shown.
+  const usual = await values();
+  await viewer.evaluate((element) => element.setAttribute('energy', '30'));
+  expect(await values()).not.toEqual(usual);
+  const hint = viewer.evaluate(
+    (element: GirthViewer) =>
+      new Promise<string>((resolve) => {
+        element.addEventListener('error', ({ detail }) => resolve(detail.hint), { once: true });
+        element.setAttribute('energy', '1000');
+      }),
+  );
+  expect(await hint).toBe('energy can be a whole number from 1 to 100');
+  expect(await values()).toEqual(usual);
   await page.locator('#field-name').selectOption({ label: 'Girth (IGF)' });
   expect(await slider.isVisible()).toBe(false);
 });

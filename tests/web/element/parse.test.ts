@@ -1,7 +1,6 @@
 import { expect, test } from 'vitest';
 import {
   nameOf,
-  parseCount,
   parseRange,
   parseVertices,
   parseSpectral,
@@ -27,13 +26,6 @@ test('a range is two ascending numbers or percentages', () => {
   ];
   for (const text of [...wrong, '0 Infinity', null])
     expect(parseRange(text), text ?? '').toBeUndefined();
-});
-
-test('a count is a whole number, and not too large', () => {
-  expect(parseCount('12', 100)).toBe(12);
-  expect(parseCount('7.6', 100)).toBe(8);
-  expect(parseCount('1e9', 100)).toBe(100);
-  for (const text of ['', 'many', '-3', '0', 'NaN', null]) expect(parseCount(text, 100)).toBe(0);
 });
 
 test('vertices are the whole numbers of a list', () => {

@@ -1,21 +1,12 @@
 // Where one looks and how the surface is drawn, as the element's attributes, its bar and its keys have it.
 
 import { type CameraView, type Stage, lookNames } from '../view/index.js';
+import { attributeOf, isOn } from './attributes.js';
 import { CanvasBar } from './canvas-bar.js';
 import { press } from './keys.js';
 import type { Presented } from './presented.js';
 import { isMotionReduced } from './surroundings.js';
 import { Turning } from './turning.js';
-
-/** The attributes that are followed here. */
-export const controlAttributes = [
-  'edges',
-  'shading',
-  'up',
-  'keep-view',
-  'controls',
-  'turn',
-] as const;
 
 export interface ControlsHost {
   /** The element with the attributes. */
@@ -45,7 +36,7 @@ export class CanvasControls {
     });
     this.#turning = new Turning({
       stage: () => host.stage(),
-      isWished: () => element.hasAttribute('turn'),
+      isWished: () => isOn(element, 'turn'),
       isBusy: () => host.presented()?.model.fields.computing !== undefined,
       ended: () => element.dispatchEvent(new CustomEvent('touch')),
       changed: (isTurning) => this.#bar.showTurning(isTurning),
@@ -72,19 +63,19 @@ export class CanvasControls {
 
   /** Another model is presented. */
   greet(): void {
-    if (this.#view && this.#host.element.hasAttribute('keep-view')) {
+    if (this.#view && isOn(this.#host.element, 'keep-view')) {
       this.#host.stage()?.lookFrom(this.#view);
     }
     this.#draw();
     this.#update();
   }
 
-  /** An attribute of `controlAttributes` has changed. */
+  /** An attribute of where one looks, or of how the surface is drawn, has changed. */
   follow(name: string): void {
     const { element } = this.#host;
     const presented = this.#host.presented();
     if (name === 'edges' || name === 'shading') this.#draw();
-    if (name === 'up' && presented) presented.standing.wished = element.getAttribute('up');
+    if (name === 'up' && presented) presented.standing.wished = attributeOf(element, 'up');
     if (name === 'turn') this.#turning.update();
     this.#update();
   }
@@ -123,23 +114,23 @@ export class CanvasControls {
   }
 
   get #look() {
-    const wished = this.#host.element.getAttribute('shading');
+    const wished = attributeOf(this.#host.element, 'shading');
     return lookNames.find((name) => name === wished) ?? 'smooth';
   }
 
   #draw(): void {
     const surface = this.#host.presented()?.model.surface;
     surface?.setLook(this.#look);
-    surface?.showEdges(this.#host.element.hasAttribute('edges'));
+    surface?.showEdges(isOn(this.#host.element, 'edges'));
   }
 
   #update(): void {
     const [bar, { element }] = [this.#bar, this.#host];
     const presented = this.#host.presented();
-    const hasAll = element.hasAttribute('controls');
-    bar.show(hasAll, hasAll || element.hasAttribute('turn'));
-    bar.showLook(this.#look, element.hasAttribute('edges'));
-    bar.showKept(element.hasAttribute('keep-view'));
+    const hasAll = isOn(element, 'controls');
+    bar.show(hasAll, hasAll || isOn(element, 'turn'));
+    bar.showLook(this.#look, isOn(element, 'edges'));
+    bar.showKept(isOn(element, 'keep-view'));
     if (presented) bar.showUp(presented.standing.axis, presented.standing.fitting);
   }
 }

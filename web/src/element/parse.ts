@@ -8,6 +8,9 @@ export interface RangeChoice {
   ends: readonly [number, number];
 }
 
+/** More lines of equal value than this are no lines. */
+export const mostIsolines = 100;
+
 /** Two ascending numbers, or percentages as in '5% 95%'; undefined for anything else. */
 export function parseRange(text: string | null): RangeChoice | undefined {
   const words = (text ?? '').trim().split(/[\s,]+/);
@@ -23,15 +26,11 @@ export function parseRange(text: string | null): RangeChoice | undefined {
   return { by: isShares ? 'shares' : 'values', ends: [low, high] };
 }
 
-/** A whole number up to `most`; 0 for anything that is no number above 0. */
-export function parseCount(text: string | null, most: number): number {
-  const count = Math.round(Number(text ?? 0));
-  return count > 0 ? Math.min(most, count) : 0;
-}
+type SpectralAttribute = 'time' | 'energy' | 'component';
 
 /** The attribute that chooses the number of a signature that a field is, and the option it becomes. */
 const spectralAttributes: Partial<
-  Record<FieldName, { attribute: string; option: keyof SpectralOptions }>
+  Record<FieldName, { attribute: SpectralAttribute; option: keyof SpectralOptions }>
 > = {
   hks: { attribute: 'time', option: 'time' },
   wks: { attribute: 'energy', option: 'component' },
@@ -41,7 +40,7 @@ const spectralAttributes: Partial<
 /** Any number: the kernel decides which ones are valid. Undefined for anything else, and for other fields. */
 export function parseSpectral(
   name: FieldName,
-  attributeOf: (attribute: string) => string | null,
+  attributeOf: (attribute: SpectralAttribute) => string | null,
 ): SpectralOptions | undefined {
   const asked = spectralAttributes[name];
   const text = asked && attributeOf(asked.attribute)?.trim();

@@ -12,14 +12,22 @@ import {
   isColormapName,
   isShownName,
 } from '../view/index.js';
-import { CanvasControls, controlAttributes } from './canvas-controls.js';
+import {
+  type AttributeName,
+  allowedInstead,
+  attributeNames,
+  attributeOf,
+  isOn,
+} from './attributes.js';
+import { CanvasControls } from './canvas-controls.js';
 import { make } from './dom.js';
 import type { GirthViewerEvents } from './events.js';
 import type { FieldState, FieldsHost } from './fields.js';
 import { Lifecycle } from './lifecycle.js';
 import { MessageBox } from './message-box.js';
 import { Model } from './model.js';
-import { fieldsOf, nameOf, parseCount, parseRange, parseSpectral, parseVertices } from './parse.js';
+import { fieldsOf, nameOf, parseRange, parseSpectral, parseVertices } from './parse.js';
+import { pageParsed } from './page-parsed.js';
 import { Presented } from './presented.js';
 import type { ShadingWishes } from './shading.js';
 import { sharedKernel } from './shared-kernel.js';
@@ -32,8 +40,14 @@ import { Work, type Watched } from './work.js';
 /** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
 const narrow = 520;
 const legendHeight = 92;
-/** More lines of equal value than this are no lines. */
-const mostIsolines = 100;
+
+/** Characters of a wrong attribute that are repeated. */
+const mostQuoted = 60;
+/** Wrong attributes that the console has been told of, by any element. */
+const saidOnConsole = new Set<string>();
+
+/** The symbol of a unit of length; '' for none. */
+const unitOf = (text: string | null): string => findLengthUnit(text ?? '')?.symbol ?? '';
 
 /** What a remeshed surface was made of. */
 export interface Original {
@@ -47,21 +61,7 @@ const ElementOrNone = globalThis.HTMLElement ?? class {};
 /** See `GirthViewer`, which adds what can be asked of the element. */
 export abstract class ViewerBase extends ElementOrNone {
   /** The attributes that the element follows; see `GirthViewer`. */
-  static readonly observedAttributes = [
-    'src',
-    'unit',
-    'shown-unit',
-    'field',
-    'colormap',
-    'range',
-    'isolines',
-    'log',
-    'time',
-    'energy',
-    'component',
-    'loop',
-    ...controlAttributes,
-  ];
+  static readonly observedAttributes: readonly string[] = attributeNames;
 
   #canvas = make('canvas', {
     tabindex: '0',
@@ -191,6 +191,7 @@ export abstract class ViewerBase extends ElementOrNone {
   /** Called by the browser when one of `observedAttributes` has changed. */
   attributeChangedCallback(name: string, before: string | null, value: string | null): void {
     if (before === value) return;
+    if (value !== null) this.#check(name as AttributeName, value);
     switch (name) {
       case 'src':
         if (value !== null && this.stage) void this.#loadSrc();
@@ -252,12 +253,12 @@ export abstract class ViewerBase extends ElementOrNone {
 
   /** The unit of lengths: the file's, or where it does not say, the attribute's; '' for none. */
   get unit(): string {
-    return this.info?.unit || (this.getAttribute('unit') ?? '');
+    return this.info?.unit || unitOf(attributeOf(this, 'unit'));
   }
 
   /** The unit that lengths are written in: the attribute's where it is one, otherwise ''. */
   get shownUnit(): string {
-    return findLengthUnit(this.getAttribute('shown-unit') ?? '')?.symbol ?? '';
+    return unitOf(attributeOf(this, 'shown-unit'));
   }
 
   /**
@@ -301,7 +302,7 @@ export abstract class ViewerBase extends ElementOrNone {
 
   async #loadSrc(): Promise<void> {
     await this.#lifecycle.inView();
-    const src = this.getAttribute('src');
+    const src = attributeOf(this, 'src');
     // What went wrong has been said already.
     if (src) await this.load(src).catch(() => undefined);
   }
@@ -312,9 +313,9 @@ export abstract class ViewerBase extends ElementOrNone {
     if (!origin) this.#message.showPassedOver(unreadable, name);
     // The unit of what is shown is the model's own, which is not there yet.
     const wishes = { ...this.#wishes, unit: model.mesh.info.unit || this.#wishes.unit };
-    const up = this.getAttribute('up');
+    const up = attributeOf(this, 'up');
     const presented = new Presented(this.stage!, this.#canvas, model, wishes, up, {
-      followsPointer: () => this.getAttribute('loop') !== 'none',
+      followsPointer: () => attributeOf(this, 'loop') !== 'none',
       pointed: (vertex) => this.#pointed(vertex),
       picked: (detail) => this.#send('pick', detail),
       failed: (error) => this.#fail('', error),
@@ -363,7 +364,7 @@ export abstract class ViewerBase extends ElementOrNone {
       await standing.castShadow();
       await loops.prepare();
       signal.throwIfAborted();
-      for (const vertex of parseVertices(this.getAttribute('loop'))) await loops.pin(vertex);
+      for (const vertex of parseVertices(attributeOf(this, 'loop'))) await loops.pin(vertex);
     } catch (error) {
       if (!signal.aborted) this.#fail('', error);
     }
@@ -395,7 +396,7 @@ export abstract class ViewerBase extends ElementOrNone {
   }
 
   readonly #fieldsHost: FieldsHost = {
-    spectral: (name) => parseSpectral(name, (attribute) => this.getAttribute(attribute)),
+    spectral: (name) => parseSpectral(name, (attribute) => attributeOf(this, attribute)),
     received: (state, partial) => {
       if (!this.#isPresent(state)) return;
       this.presented!.shading.receive(state, partial);
@@ -447,14 +448,14 @@ export abstract class ViewerBase extends ElementOrNone {
 
   /** What the attributes ask for. */
   get #wishes(): ShadingWishes {
-    const field = this.getAttribute('field');
-    const colormap = this.getAttribute('colormap');
+    const field = attributeOf(this, 'field');
+    const colormap = attributeOf(this, 'colormap');
     return {
       name: isShownName(field) ? field : 'igf',
       colormap: isColormapName(colormap) ? colormap : undefined,
-      range: parseRange(this.getAttribute('range')),
-      log: this.hasAttribute('log'),
-      isolines: parseCount(this.getAttribute('isolines'), mostIsolines),
+      range: parseRange(attributeOf(this, 'range')),
+      log: isOn(this, 'log'),
+      isolines: Number(attributeOf(this, 'isolines') ?? 0),
       unit: this.unit,
       shownUnit: this.shownUnit,
     };
@@ -501,6 +502,19 @@ export abstract class ViewerBase extends ElementOrNone {
     detail: GirthViewerEvents[Name]['detail'],
   ): void {
     this.dispatchEvent(new CustomEvent(name, { detail }));
+  }
+
+  /** Says that an attribute is wrong, and what it can be; the console says it once. */
+  #check(name: AttributeName, value: string): void {
+    const allowed = allowedInstead(name, value);
+    if (allowed === undefined) return;
+    const said = `${name}="${value.slice(0, mostQuoted)}"`;
+    const message = `the attribute ${said} means nothing, and counts as if it were not there`;
+    const hint = `${name} can be ${allowed}`;
+    if (!saidOnConsole.has(said)) console.warn(`<girth-viewer>: ${message}; ${hint}`);
+    saidOnConsole.add(said);
+    const detail = { code: 'INVALID_OPTION', element: -1, message, hint, attribute: name };
+    void pageParsed().then(() => this.#send('error', detail));
   }
 
   /** Says what went wrong, once; that something was cancelled is no news. */

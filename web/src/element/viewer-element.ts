@@ -42,7 +42,8 @@ import { ViewerBase } from './viewer-base.js';
 /**
  * `<girth-viewer src="model.glb"></girth-viewer>`
  *
- * Attributes:
+ * Attributes; a value that is none of these counts as if the attribute were not there, is a warning on the
+ * console and an `error` with the code INVALID_OPTION:
  * - `src`: address of a model: GLB, glTF with its buffers beside it, OBJ, PLY, STL, OFF, or a zip.
  * - `unit`: the unit of lengths where the file does not say it, for example `mm`.
  * - `shown-unit`: the unit that lengths are written in: `um`, `mm`, `cm`, `m`, `km`, `in` or `ft`; by
@@ -60,9 +61,8 @@ import { ViewerBase } from './viewer-base.js';
  * - `isolines`: so many lines of equal value between the ends of the range; none by default.
  * - `time`: of `hks`, as a share of the surface's area, `0.002` by default; small times see small details.
  * - `energy`: of `wks`, from `1` (low: the whole shape) to `100` (details); `20` by default.
- * - `component`: of `sihks`, the frequency, from `1` (default) to `19`. Numbers that there are not are an
- *   `error` with the code INVALID_OPTION; what is no number is as if it were not said. Changed while its
- *   field is shown, each of these three computes it anew.
+ * - `component`: of `sihks`, the frequency, from `1` (default) to `19`. Changed while its field is
+ *   shown, each of these three computes it anew.
  * - `loop`: `hover` (default), `none`, or vertices whose loops are pinned once the model is there,
  *   as in `loop="12 4031"`.
  * - `edges`: draws the mesh's edges.

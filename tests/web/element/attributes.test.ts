@@ -1,0 +1,51 @@
+import { expect, test } from 'vitest';
+import {
+  allowedInstead,
+  attributeNames,
+  attributeOf,
+  isOn,
+  type AttributeName,
+} from '../../../web/src/element/attributes.js';
+
+const values: Partial<Record<AttributeName, { right: string[]; wrong: string[] }>> = {
+  unit: { right: ['mm', 'inch'], wrong: ['furlong', 'MM'] },
+  field: { right: ['igf', 'kind', 'none'], wrong: ['foo', 'IGF', 'toString'] },
+  colormap: { right: ['viridis', 'rdbu'], wrong: ['rainbow'] },
+  range: { right: ['auto', '1 2', '5% 95%'], wrong: ['zz', '2 1', '-1% 5%'] },
+  isolines: { right: ['0', '12', '100'], wrong: ['many', '-3', '7.6', '1e9', '101'] },
+  time: { right: ['0.002', '1e-3'], wrong: ['soon', '0', '-1', '1e999', ' '] },
+  energy: { right: ['1', '100'], wrong: ['0', '101', '2.5'] },
+  component: { right: ['1', '19'], wrong: ['20', 'x'] },
+  loop: {
+    right: ['hover', 'none', '12', ' 12, 4031 '],
+    wrong: ['click', '1.5', '3 -1', 'hover 3'],
+  },
+  edges: { right: ['true', 'edges'], wrong: ['false', 'zz'] },
+  shading: { right: ['smooth', 'transparent'], wrong: ['gouraud'] },
+  up: { right: ['-z'], wrong: ['up', '+z'] },
+};
+
+/** As much of an element as is looked at. */
+const elementWith = (value: string | null) => ({ getAttribute: () => value }) as unknown as Element;
+
+test.each(Object.entries(values))('%s: what is allowed, and what is not', (key, lists) => {
+  const name = key as AttributeName;
+  const isFlag = name === 'edges';
+  for (const text of lists.right) {
+    expect(allowedInstead(name, text), text).toBeUndefined();
+    expect(attributeOf(elementWith(text), name)).toBe(text);
+    expect(isOn(elementWith(text), name)).toBe(true);
+  }
+  for (const text of lists.wrong) {
+    expect(allowedInstead(name, text), text).toMatch(isFlag ? /leave it out/ : /\w/);
+    expect(attributeOf(elementWith(text), name)).toBeNull();
+    expect(isOn(elementWith(text), name)).toBe(false);
+  }
+});
+
+test.each(attributeNames)('%s: empty is not wrong', (name) => {
+  expect(allowedInstead(name, '')).toBeUndefined();
+  expect(attributeOf(elementWith(''), name)).toBeNull();
+  expect(isOn(elementWith(''), name)).toBe(true);
+  expect(isOn(elementWith(null), name)).toBe(false);
+});

@@ -1,0 +1,99 @@
+// What each attribute of the element can be. Any other value counts as if the attribute were not there.
+
+import {
+  colormapNames,
+  derivedNames,
+  fieldNames,
+  findLengthUnit,
+  lengthUnits,
+  lookNames,
+  upNames,
+} from '../view/index.js';
+import { mostIsolines, parseRange } from './parse.js';
+
+interface Rule {
+  /** For people: it can be … */
+  allowed: string;
+  accepts(text: string): boolean;
+}
+
+const listed = (words: readonly string[]): string =>
+  `${words.slice(0, -1).join(', ')} or ${words.at(-1)}`;
+
+function oneOf(words: readonly string[]): Rule {
+  return { allowed: listed(words), accepts: (text) => words.includes(text) };
+}
+
+function wholeNumber(least: number, most: number): Rule {
+  return {
+    allowed: `a whole number from ${least} to ${most}`,
+    accepts: (text) => /^\s*\d+\s*$/.test(text) && Number(text) >= least && Number(text) <= most,
+  };
+}
+
+/** Without a value, or with one that frameworks write. */
+const flag: Rule = {
+  allowed: 'without a value; leave it out to switch it off',
+  accepts: (text) => text === 'true',
+};
+
+const lengthUnit: Rule = {
+  allowed: listed(lengthUnits.map(({ symbol }) => symbol)),
+  accepts: (text) => findLengthUnit(text) !== undefined,
+};
+
+const rules = {
+  src: { allowed: 'the address of a model', accepts: () => true },
+  unit: lengthUnit,
+  'shown-unit': lengthUnit,
+  field: oneOf([...fieldNames, ...derivedNames, 'none']),
+  colormap: oneOf(colormapNames),
+  range: {
+    allowed: 'auto, two rising numbers as in 1 2.5, or two rising shares as in 5% 95%',
+    accepts: (text) => text === 'auto' || parseRange(text) !== undefined,
+  },
+  isolines: wholeNumber(0, mostIsolines),
+  log: flag,
+  time: {
+    allowed: 'a number above 0',
+    accepts: (text) => Number(text) > 0 && Number.isFinite(Number(text)),
+  },
+  energy: wholeNumber(1, 100),
+  component: wholeNumber(1, 19),
+  loop: {
+    allowed: 'hover, none, or vertices as in 12 4031',
+    accepts: (text) => /^(hover|none|[\s,]*\d+([\s,]+\d+)*[\s,]*)$/.test(text),
+  },
+  edges: flag,
+  shading: oneOf(lookNames),
+  up: oneOf(upNames),
+  'keep-view': flag,
+  controls: flag,
+  turn: flag,
+} satisfies Record<string, Rule>;
+
+/** An attribute that the element follows. */
+export type AttributeName = keyof typeof rules;
+
+/** All of them. */
+export const attributeNames = Object.keys(rules) as AttributeName[];
+
+const isEmptyOrAllowed = (name: AttributeName, text: string): boolean =>
+  text === '' || (rules[name] === flag && text === name) || rules[name].accepts(text);
+
+/** What an attribute can be, in words, where its value is none of that; undefined where all is well. */
+export function allowedInstead(name: AttributeName, text: string): string | undefined {
+  return isEmptyOrAllowed(name, text) ? undefined : rules[name].allowed;
+}
+
+/** The value of an attribute; null where there is none, or none that is allowed. */
+export function attributeOf(element: Element, name: AttributeName): string | null {
+  const text = element.getAttribute(name);
+  return text && isEmptyOrAllowed(name, text) ? text : null;
+}
+
+/** Whether an attribute that has no value is there. */
+export function isOn(element: Element, name: AttributeName): boolean {
+  const text = element.getAttribute(name);
+  return text !== null && isEmptyOrAllowed(name, text);
+}
