@@ -2,6 +2,8 @@
 
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { GirthViewer } from '../../web/src/element/index.js';
+import type { GirthError } from '../../web/src/kernel/index.js';
 import { packed } from '../web/package/packed.js';
 import {
   chromiumForTests,
@@ -10,7 +12,7 @@ import {
   type ServeOptions,
   type StaticServer,
 } from './support.js';
-import { fieldComplete } from './viewer-page.js';
+import { fieldComplete, hover, placeOnSurface } from './viewer-page.js';
 
 const openPage = chromiumForTests();
 const opened: { close(): Promise<unknown> }[] = [];
@@ -45,6 +47,34 @@ globalThis.leastGirth = async (address) => {
     return { name, code, message, hint };
   }
 };`;
+/** A glTF whose geometry is packed by Draco, though not validly: only the decoder finds that. */
+const packedModel = JSON.stringify({
+  asset: { version: '2.0' },
+  extensionsUsed: ['KHR_draco_mesh_compression'],
+  extensionsRequired: ['KHR_draco_mesh_compression'],
+  buffers: [{ byteLength: 4, uri: 'data:application/octet-stream;base64,AAAAAA==' }],
+  bufferViews: [{ buffer: 0, byteLength: 4 }],
+  accessors: [
+    { componentType: 5126, count: 3, type: 'VEC3' },
+    { componentType: 5125, count: 3, type: 'SCALAR' },
+  ],
+  meshes: [
+    {
+      primitives: [
+        {
+          attributes: { POSITION: 0 },
+          indices: 1,
+          extensions: {
+            KHR_draco_mesh_compression: { bufferView: 0, attributes: { POSITION: 0 } },
+          },
+        },
+      ],
+    },
+  ],
+  nodes: [{ mesh: 0 }],
+  scenes: [{ nodes: [0] }],
+  scene: 0,
+});
 declare const leastGirth: (address: string) => Promise<{ hint?: string }>;
 
 /** A page of an origin of its own, with models beside it. */
@@ -52,7 +82,7 @@ async function pageWith(body: string, options: ServeOptions = {}) {
   const head = '<!doctype html><link rel="icon" href="data:,"><script src="script.js"></script>';
   const server = await serve(join(repository, 'web/app/public/examples'), {
     ...options,
-    pages: { '/': `${head}${body}`, '/script.js': script },
+    pages: { '/': `${head}${body}`, '/script.js': script, '/packed.gltf': packedModel },
   });
   opened.push(server);
   const { page, context, complaints } = await openPage(`${server.url}/`);
@@ -67,13 +97,33 @@ test.each([
 ] as const)('kernel and element work where CORS allows it: %s', async (mode, isolated) => {
   const { page, complaints, least } = await pageWith(
     `<script type="module" src="${shared.url}/dist/girth-viewer.js"></script>
-     <girth-viewer src="dumbbell.glb"></girth-viewer>`,
+     <style>girth-viewer { height: 300px }</style>
+     <girth-viewer src="dumbbell.glb"></girth-viewer>
+     <girth-viewer id="large" src="chair.glb" field="none"></girth-viewer>`,
     { isolated },
   );
-  await fieldComplete(page.locator('girth-viewer'));
+  await fieldComplete(page.locator('girth-viewer').first());
   const answer = await least(shared.url);
   expect(answer).toEqual({ mode, least: expect.closeTo(0.131, 2) as number });
+  // Of a large model, another worker makes it ready to be pointed at.
+  await expect.poll(() => shared.requests.join()).toContain('generateMeshBVH.worker');
+  const large = page.locator('#large');
+  const { x, y } = await placeOnSurface(large, 0.5, 0.5);
+  expect((await hover(page, large, x, y)).length).toBeGreaterThan(0);
   expect(complaints).toEqual([]);
+
+  // Decoders are fetched for files that need them, and for no others.
+  const decoders = () => shared.requests.splice(0).filter((path) => /draco|meshopt/.test(path));
+  expect(decoders()).toEqual([]);
+  const code = await large.evaluate((element: GirthViewer) =>
+    element.load('packed.gltf').then(
+      () => '',
+      (error: GirthError) => error.code,
+    ),
+  );
+  expect(code).toBe('MALFORMED_FILE');
+  const endings = decoders().map((path) => /draco-decoder.*\.(js|wasm)$/.exec(path)?.[1]);
+  expect(endings.sort()).toEqual(['js', 'wasm']);
 });
 
 test('where a policy forbids workers of that sort, kernel and element say what to allow', async () => {

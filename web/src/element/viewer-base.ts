@@ -1,6 +1,7 @@
 // The element on its page: its attributes, a model that comes and goes, and what is computed of it.
 
 import type { Field, FieldName, LoadOptions, Mesh, MeshInfo, MeshSource } from '../kernel/types.js';
+import { openWorker } from '../kernel/worker-from-elsewhere.js';
 import {
   type Box,
   Legend,
@@ -359,7 +360,7 @@ export abstract class ViewerBase extends ElementOrNone {
     try {
       await new Promise((resolve) => setTimeout(resolve));
       signal.throwIfAborted();
-      await model.surface.prepareToPick();
+      await model.surface.prepareToPick((make) => openWorker(make, import.meta.url));
       signal.throwIfAborted();
       await standing.castShadow();
       await loops.prepare();

@@ -34,10 +34,10 @@ export function workerFromAnywhere(Own: typeof Worker): typeof Worker {
 }
 
 /**
- * Makes a worker wherever its script lies. `open` must be `() => new Worker(new URL(...))`, as bundlers
- * recognise it, and `from` the address of the module that calls it.
+ * Makes a worker wherever its script lies. `open` calls `new Worker(new URL(...))`, as bundlers recognise it,
+ * and gives the worker or what holds it; `from` is the address of the module that calls it.
  */
-export function openWorker(open: () => Worker, from: string): Worker {
+export function openWorker<Made>(open: () => Made, from: string): Made {
   if (!isElsewhere(from)) {
     try {
       return open();

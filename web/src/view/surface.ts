@@ -340,19 +340,19 @@ export class Surface {
 
   /**
    * Builds the hierarchy that picking needs; until then nothing is picked. Where there are many
-   * faces a worker builds it, unless the page allows none.
+   * faces a worker builds it, unless the page allows none. `opening`: calls what makes that worker.
    */
-  async prepareToPick(): Promise<void> {
+  async prepareToPick(opening: <Made>(make: () => Made) => Made = (make) => make()): Promise<void> {
     const built =
       this.#indices.length / 3 > manyFaces
-        ? await this.#buildInWorker().catch(() => undefined)
+        ? await this.#buildInWorker(opening).catch(() => undefined)
         : undefined;
     if (!this.#disposed) this.#hierarchy = built ?? new MeshBVH(this.#picked, hierarchyOptions);
   }
 
-  async #buildInWorker(): Promise<MeshBVH> {
+  async #buildInWorker(opening: <Made>(make: () => Made) => Made): Promise<MeshBVH> {
     const { GenerateMeshBVHWorker } = await import('three-mesh-bvh/worker');
-    const worker = new GenerateMeshBVHWorker();
+    const worker = opening(() => new GenerateMeshBVHWorker());
     try {
       // The worker takes the arrays it is given away from this page: hand it copies.
       const copy = new BufferGeometry();
