@@ -43,6 +43,17 @@ describe.each(['light', 'dark'] as const)('page, %s', (colorScheme) => {
     await page.locator('#loops tbody tr').waitFor();
     await page.screenshot({ path: join(pictures, `page-${width}x${height}-${colorScheme}.png`) });
     expect(await complaintsOfAxe(page)).toEqual([]);
+    // The bar's menus, and a legend that is clipped.
+    await viewer.evaluate((element: GirthViewer) => {
+      const [low, high] = element.shown!.extent!;
+      element.setAttribute('range', `${low} ${(low + high) / 2}`);
+    });
+    for (const name of [/^Axes/, /^How the surface/]) {
+      await viewer.getByRole('button', { name }).click();
+      expect(await complaintsOfAxe(page)).toEqual([]);
+      await page.keyboard.press('Escape');
+    }
+    await viewer.evaluate((element) => element.removeAttribute('range'));
     for (const [sheet, button] of [
       ['export', page.getByRole('button', { name: 'Export' })],
       ['share', page.getByRole('button', { name: 'Share' })],

@@ -1,6 +1,7 @@
 // Within seconds a visitor knows what the colours mean.
 
 import { expect, test } from 'vitest';
+import { complaintsOfAxe } from './axe.js';
 import { builtPage, modelIs } from './page-support.js';
 import { fieldComplete, framesPass } from './viewer-page.js';
 
@@ -61,6 +62,7 @@ test('a tour of five steps: a band slides along the octopus, tips are listed', a
   for (let step = 1; step <= 5; ++step) {
     await card.getByText(`${step} of 5`).waitFor();
     said.push((await card.locator('p').first().textContent())!);
+    if (step === 1) expect(await complaintsOfAxe(page)).toEqual([]);
     if (step === 2) await viewer.locator('.readout').waitFor({ state: 'visible' });
     if (step === 3) await page.locator('#tips-panel .places button').first().waitFor();
     await card.getByRole('button', { name: step < 5 ? 'Next' : 'Done' }).click();

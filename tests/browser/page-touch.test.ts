@@ -4,7 +4,7 @@ import type { CDPSession, Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { builtPage, modelIs, openPanel } from './page-support.js';
-import { fieldComplete } from './viewer-page.js';
+import { fieldComplete, pairIsOver, placeOnSurface } from './viewer-page.js';
 
 const openBuilt = builtPage();
 let page: Page;
@@ -67,11 +67,64 @@ test('a finger across the histogram marks a range; one along the page scrolls it
   await drag([box.x + 0.5 * box.width, y], [box.x + 0.5 * box.width, y - 150]);
   await expect.poll(() => aside.evaluate((element) => element.scrollTop)).toBeGreaterThan(30);
   expect(await caption.textContent()).toBe(marked);
+  // What the surface shows stays in sight.
+  const [side, name] = [(await aside.boundingBox())!, page.locator('#field-name')];
+  await aside.evaluate((element) => element.scrollTo(0, element.scrollHeight));
+  expect((await page.locator('#print-panel').boundingBox())!.y).toBeGreaterThan(side.y);
+  const row = (await name.boundingBox())!;
+  expect(row.y).toBeGreaterThanOrEqual(side.y);
+  expect(row.y + row.height).toBeLessThan(side.y + 60);
   // A tap takes the mark away, as a click does.
   await plot.scrollIntoViewIfNeeded();
   const now = (await plot.boundingBox())!;
   await page.touchscreen.tap(now.x + 0.5 * now.width, now.y + now.height / 2);
   await expect.poll(() => caption.textContent()).toMatch(/^median/);
+});
+
+/** Two taps of a finger at once, so that no clock decides whether they are a pair. */
+async function tapTwice({ x, y }: { x: number; y: number }): Promise<void> {
+  const send = (type: 'touchStart' | 'touchEnd', timestamp: number) =>
+    session.send('Input.dispatchTouchEvent', {
+      type,
+      timestamp,
+      touchPoints: type === 'touchStart' ? [{ x, y }] : [],
+    });
+  const begun = Date.now() / 1000;
+  await Promise.all([
+    send('touchStart', begun),
+    send('touchEnd', begun + 0.04),
+    send('touchStart', begun + 0.12),
+    send('touchEnd', begun + 0.16),
+  ]);
+}
+
+test('a double tap turns about a point and pins nothing; the readout leaves the axes free', async () => {
+  const target = () => viewer.evaluate((element: GirthViewer) => element.camera!.target);
+  const pinned = () => viewer.evaluate((element: GirthViewer) => element.pinned.length);
+  for (const down of [0.3, 0.6]) {
+    const [before, place] = [await target(), await placeOnSurface(viewer, 0.5, down)];
+    await tapTwice(place);
+    await expect.poll(target).not.toEqual(before);
+    // Also where the first tap would have pinned the loop that is shown.
+    const [after, again] = [await target(), await placeOnSurface(viewer, 0.5, 0.45)];
+    await page.touchscreen.tap(again.x, again.y);
+    await viewer.locator('.readout').waitFor();
+    await pairIsOver(page);
+    await tapTwice(again);
+    await expect.poll(target).not.toEqual(after);
+    await pairIsOver(page);
+    expect(await pinned()).toBe(0);
+  }
+  const bar = (await viewer.locator('.bar-tools').boundingBox())!;
+  for (const down of [0.2, 0.35, 0.5]) {
+    const place = await placeOnSurface(viewer, 0.95, down);
+    await page.touchscreen.tap(place.x, place.y);
+    await viewer.locator('.readout').waitFor();
+    await pairIsOver(page);
+    const box = (await viewer.locator('.readout').boundingBox())!;
+    const isBeside = box.x + box.width <= bar.x || box.y >= bar.y + bar.height;
+    expect(isBeside, JSON.stringify([box, bar])).toBe(true);
+  }
 });
 
 test('thresholds follow a finger, each by its line and both by their cross', async () => {

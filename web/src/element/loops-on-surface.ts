@@ -461,7 +461,7 @@ export class LoopsOnSurface {
       pointer && !pointer.isTouch
         ? { x: pointer.x - box.left, y: pointer.y - box.top }
         : this.#stage.project(this.#model.surface.positionOf(this.#hover.loop.base));
-    this.#readout.place(point.x, point.y, box.width, box.height);
+    this.#readout.place(point.x, point.y, box.width, box.height, this.#host.furniture());
   }
 
   // ---- keyboard

@@ -43,13 +43,26 @@ export class Readout {
     this.#words.hidden = sentence === '';
   }
 
-  /** Beside a point of the canvas of the given size, on the side where there is room. */
-  place(x: number, y: number, width: number, height: number): void {
+  /** Beside a point of the canvas of the given size, on the side where there is room and nothing else is. */
+  place(x: number, y: number, width: number, height: number, others: readonly Box[]): void {
     const { offsetWidth, offsetHeight } = this.element;
-    const right = x + gap + offsetWidth > width - 4;
-    const left = right ? Math.max(4, x - gap - offsetWidth) : x + gap;
-    const above = y - gap - offsetHeight;
-    const top = above < 4 ? Math.min(height - offsetHeight - 4, y + gap) : above;
+    const within = (value: number, size: number, most: number): number =>
+      Math.max(4, Math.min(most - size - 4, value));
+    const places = [y - gap - offsetHeight, y + gap].flatMap((top) =>
+      [x + gap, x - gap - offsetWidth].map((left) => ({
+        left: within(left, offsetWidth, width),
+        top: within(top, offsetHeight, height),
+      })),
+    );
+    const isFree = ({ left, top }: { left: number; top: number }): boolean => {
+      const isOver = (box: Box): boolean =>
+        left < box.left + box.width &&
+        box.left < left + offsetWidth &&
+        top < box.top + box.height &&
+        box.top < top + offsetHeight;
+      return !others.some(isOver) && !isOver({ left: x, top: y, width: 0, height: 0 });
+    };
+    const { left, top } = places.find(isFree) ?? places[0]!;
     this.element.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
   }
 
