@@ -74,8 +74,10 @@ describe.each(['light', 'dark'] as const)('page, %s', (colorScheme) => {
         await panel.getByRole('button', { name: 'Add this model' }).click();
         await panel.locator('.places canvas').waitFor();
       }
-      await panel.locator('summary').scrollIntoViewIfNeeded();
+      // What has been scrolled under the field's row counts as small to axe, for as long as it is there.
+      await page.locator('aside').evaluate((aside) => aside.scrollTo(0, 0));
       expect(await complaintsOfAxe(page)).toEqual([]);
+      await panel.locator('summary').scrollIntoViewIfNeeded();
       await page.screenshot({
         path: join(pictures, `${name}-${width}x${height}-${colorScheme}.png`),
       });

@@ -96,6 +96,18 @@ test('a height with a unit states that of the file; a glTF is in metres and show
   await page.locator('#min-wall').fill('1 um');
   await page.locator('#min-tube').click();
   expect(await page.locator('#min-wall').inputValue()).toBe('0.0000394');
+  // Limits and printer are in the link, and come back with it.
+  await expect.poll(() => fragment(page)).toContain('wall=0.000001');
+  await page.locator('#print-preset').selectOption('Resin (SLA, DLP)');
+  await expect.poll(() => fragment(page)).toContain('tube=0.0015&wall=0.0008&printer=sla');
+  const link = page.url();
+  await page.goto('about:blank');
+  await page.goto(link);
+  await modelIs(page, 'chair.glb');
+  await expect
+    .poll(() => page.locator('#print-preset option:checked').textContent())
+    .toBe('Resin (SLA, DLP)');
+  expect(await page.locator('#min-tube').inputValue()).toMatch(/^0\.059/);
   await drop(page, stool);
   await modelIs(page, 'stool.obj');
   if (!(await line.isVisible())) await page.locator('#details-open').click();

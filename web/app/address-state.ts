@@ -51,6 +51,10 @@ export interface PageState {
   /** The selected tip, from 1; tips that jump less are hidden. */
   tip?: number;
   jump?: number;
+  /** What can be printed, in model units, and whose numbers these are: a preset's key. */
+  tube?: number;
+  wall?: number;
+  printer?: string;
   panel?: PanelName;
 }
 
@@ -178,6 +182,8 @@ function readValue(text: string): string | undefined {
   return /^[\d.]{1,20}( [a-zµ]{1,3})?$/.test(text) ? text : undefined;
 }
 
+/** Without the digits that only a change of the unit has brought. */
+const writeLimit = (length: number): string => String(Number(length.toPrecision(12)));
 const readUp = (text: string): string | undefined => (/^-?[xyz]$/.test(text) ? text : undefined);
 const readFlag = (text: string): boolean | undefined => (text === '1' ? true : undefined);
 const readPanel = (text: string): PanelName | undefined => panelNames.find((name) => name === text);
@@ -224,6 +230,9 @@ const parts: {
   smoothing: [readThreshold, String],
   tip: [readCount, String],
   jump: [readThreshold, (jump) => String(Number(jump.toPrecision(6)))],
+  tube: [readThreshold, writeLimit],
+  wall: [readThreshold, writeLimit],
+  printer: [readWord, (key) => key],
   panel: [readPanel, (panel) => panel],
 };
 

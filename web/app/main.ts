@@ -99,6 +99,7 @@ function read(): PageState {
     ...field.read(),
     ...tips.read(),
     ...parts.read(),
+    ...print.read(),
     ...loops.read(),
   };
   if (!viewer.info?.unit && viewer.unit) state.unit = viewer.unit;
@@ -127,6 +128,7 @@ function apply(state: PageState): void {
   field.apply(state);
   tips.apply(state);
   parts.apply(state);
+  print.apply(state);
   panels[state.panel ?? 'loops'].open();
   if (state.camera) viewer.camera = state.camera;
   if (!isByHand) address.settle();

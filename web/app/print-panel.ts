@@ -10,6 +10,7 @@ import {
 import type { MeshInfo, PrintCheck, PrintLimits, WeakPlace } from '../src/kernel/index.js';
 import { formatArea } from './area-words.js';
 import { Draft } from './draft.js';
+import type { PageState } from './address-state.js';
 import { failureWords } from './failure-words.js';
 import { LengthInput } from './length-input.js';
 import { namedScale, scaleWords, tallWords } from './model-size.js';
@@ -74,7 +75,12 @@ export class PrintPanel {
   constructor(viewer: GirthViewer, model: ModelScale, changed: () => void) {
     this.#viewer = viewer;
     this.#size = new SizeChoice('print-', viewer, model);
-    const ownNumbers = { changed: () => this.#showSource('') };
+    const ownNumbers = {
+      changed: () => {
+        this.#showSource('');
+        changed();
+      },
+    };
     this.#tube = new LengthInput('min-tube', 'Tube diameter ≥', ownNumbers);
     this.#wall = new LengthInput('min-wall', 'Wall thickness ≥', ownNumbers);
     explains(this.#tube.label, 'tube');
@@ -83,7 +89,12 @@ export class PrintPanel {
       make('option', { value: '' }, 'own numbers'),
       ...printPresets.map(({ name }) => make('option', { value: name }, name)),
     );
-    this.#presetDraft = new Draft(this.#preset, { committed: (name) => this.#choosePreset(name) });
+    this.#presetDraft = new Draft(this.#preset, {
+      committed: (name) => {
+        this.#choosePreset(name);
+        changed();
+      },
+    });
     const submit = make('button', { class: 'plain', id: 'check' }, 'Check');
     const form = make(
       'form',
@@ -132,6 +143,26 @@ export class PrintPanel {
     this.clear(true);
   }
 
+  /** What can be printed, for a link. */
+  read(): Pick<PageState, 'tube' | 'wall' | 'printer'> {
+    const state: ReturnType<PrintPanel['read']> = {};
+    if (this.#tube.length) state.tube = this.#tube.length;
+    if (this.#wall.length) state.wall = this.#wall.length;
+    const preset = printPresets.find(({ name }) => name === this.#presetDraft.text);
+    if (preset) state.printer = preset.key;
+    return state;
+  }
+
+  /** Takes what a link has; what is there already stays, with its answer. */
+  apply({ tube, wall, printer }: PageState): void {
+    const now = this.read();
+    if (now.tube === tube && now.wall === wall && now.printer === printer) return;
+    this.#forget();
+    this.#tube.show(tube, this.#viewer.lengthFormat);
+    this.#wall.show(wall, this.#viewer.lengthFormat);
+    this.#showSource(printPresets.find(({ key }) => key === printer)?.name ?? '');
+  }
+
   /** Another model, or the same one in another size, which keeps what can be printed. */
   clear(isAnother: boolean): void {
     if (isAnother) {
@@ -167,7 +198,7 @@ export class PrintPanel {
   /** Of the model, as the limits have it. */
   #unit = '';
 
-  #choosePreset(name: string): boolean | void {
+  #choosePreset(name: string): void {
     const preset = printPresets.find((one) => one.name === name);
     if (!preset) return this.#showSource('');
     const { tubeDiameter, wallThickness } = preset;

@@ -2,6 +2,8 @@
 // a pin and the least thickness of a wall that stands free.
 
 export interface PrintPreset {
+  /** In links. */
+  key: string;
   name: string;
   /** As typed: with their unit. */
   tubeDiameter: string;
@@ -13,12 +15,14 @@ const arti90 = { title: 'Arti90, design clues', address: 'https://arti90.com/en/
 
 export const printPresets: readonly PrintPreset[] = [
   {
+    key: 'fdm',
     name: 'Filament (FDM), plastic',
     tubeDiameter: '3 mm',
     wallThickness: '1 mm',
     source: arti90,
   },
   {
+    key: 'sla',
     name: 'Resin (SLA, DLP)',
     tubeDiameter: '1.5 mm',
     wallThickness: '0.8 mm',
@@ -28,18 +32,21 @@ export const printPresets: readonly PrintPreset[] = [
     },
   },
   {
+    key: 'sls',
     name: 'Nylon powder (SLS)',
     tubeDiameter: '1 mm',
     wallThickness: '0.7 mm',
     source: arti90,
   },
   {
+    key: 'dmls',
     name: 'Metal powder (DMLS)',
     tubeDiameter: '1 mm',
     wallThickness: '1 mm',
     source: arti90,
   },
   {
+    key: 'polyjet',
     name: 'Photopolymer (PolyJet)',
     tubeDiameter: '1 mm',
     wallThickness: '1 mm',

@@ -32,6 +32,9 @@ const whole: PageState = {
   smoothing: 1,
   tip: 2,
   jump: 0.01,
+  tube: 3,
+  wall: 0.8,
+  printer: 'sla',
   panel: 'parts',
 };
 
@@ -51,8 +54,9 @@ test('the address of a model and a file’s name survive, whatever letters they 
 });
 
 test('in another size the lengths of a link grow, and what holds for every size stays', () => {
-  const { girth, diameter, jump, range } = resized(whole, 2);
-  expect([girth, diameter, jump, range]).toEqual([1.5, Infinity, 0.02, '5% 95%']);
+  const { girth, diameter, jump, range, tube } = resized(whole, 2);
+  // What can be printed does not grow with the model.
+  expect([girth, diameter, jump, range, tube]).toEqual([1.5, Infinity, 0.02, '5% 95%', 3]);
   expect(resized({ range: '1 2' }, 2)).toEqual({});
   expect(readState('scale=0').scale).toBeUndefined();
   expect(preparationOf({ closed: true, scale: 2 })).toEqual({ closeHoles: true, scale: 2 });
