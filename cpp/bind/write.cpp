@@ -44,18 +44,6 @@ Error unknownFormat(const char* what, const std::string& format) {
                    std::string(what) + " are not written as '" + format + "'");
 }
 
-Result<std::string> fieldFile(const io::LoadedMesh& loaded, std::span<const io::VertexField> fields,
-                              const std::string& format, const std::string& name) {
-  if (auto error = io::checkFields(loaded, fields)) return *std::move(error);
-  if (format == "csv") return io::fieldCsv(loaded, fields);
-  if (format == "json") return io::fieldJson(loaded, fields, name);
-  if (format == "ply") return io::fieldPly(loaded, fields);
-  if (format == "glb") return io::fieldGlb(loaded, fields);
-  if (format != "npy") return unknownFormat("fields", format);
-  if (fields.size() == 1) return io::fieldNpy(loaded, fields[0]);
-  return makeError(ErrorCode::Usage, -1, "NPY holds one field, not several");
-}
-
 Result<std::string> loopFile(const io::LoadedMesh& loaded, const GirthLoop& loop,
                              const std::string& format, const std::string& name) {
   if (format == "obj") return io::loopObj(loaded, loop);
@@ -76,7 +64,7 @@ val writeFields(JobSurface& surface, const val& model, const val& list, const st
     for (unsigned i = 0; i < list["length"].as<unsigned>(); ++i) owned.emplace_back(list[i]);
     std::vector<io::VertexField> fields;
     for (const WrittenField& field : owned) fields.push_back(field.view());
-    return fileOf(fieldFile(loaded, fields, format, nameOf(model)));
+    return fileOf(io::fieldFile(loaded, fields, format, nameOf(model)));
   });
 }
 

@@ -15,9 +15,9 @@ macro(girth_find_package name debianPackage)
 endmacro()
 
 # What compressed glTF is unpacked with. In WebAssembly the page does that.
-if(NOT EMSCRIPTEN)
-  girth_find_package(draco libdraco-dev)
-  girth_find_package(meshoptimizer libmeshoptimizer-dev)
+if(GIRTH_BUILD_IO AND NOT EMSCRIPTEN)
+  girth_find_package(draco libdraco-dev GIRTH_BUILD_IO)
+  girth_find_package(meshoptimizer libmeshoptimizer-dev GIRTH_BUILD_IO)
 endif()
 
 # girth_single_headers: libraries that are headers only. They are linked into a folder of the build
@@ -25,8 +25,11 @@ endif()
 function(girth_add_single_headers)
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/single_headers")
   file(MAKE_DIRECTORY "${folder}")
-  foreach(entry "nlohmann/json.hpp nlohmann-json3-dev" "tiny_gltf.h libtinygltf-dev"
-                "Eigen/Core libeigen3-dev" "Spectra/SymEigsSolver.h libspectra-dev")
+  set(entries "Eigen/Core libeigen3-dev" "Spectra/SymEigsSolver.h libspectra-dev")
+  if(GIRTH_BUILD_IO)
+    list(APPEND entries "nlohmann/json.hpp nlohmann-json3-dev" "tiny_gltf.h libtinygltf-dev")
+  endif()
+  foreach(entry IN LISTS entries)
     separate_arguments(entry)
     list(GET entry 0 header)
     list(GET entry 1 debianPackage)

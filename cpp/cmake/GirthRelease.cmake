@@ -1,6 +1,6 @@
 # `cpack` in the build tree makes what a release consists of: girth-VERSION-Linux-x86_64.tar.gz with
 # everything, and where dpkg is, the Debian packages girth (the command) and libgirth-dev (the
-# libraries and their headers).
+# static libraries and their headers).
 set(CPACK_PACKAGE_NAME girth)
 set(CPACK_PACKAGE_VENDOR "The Girth authors")
 set(CPACK_PACKAGE_CONTACT "The Girth authors")
@@ -15,10 +15,13 @@ set(CPACK_COMPONENTS_ALL development)
 if(GIRTH_BUILD_COMMAND)
   list(APPEND CPACK_COMPONENTS_ALL command)
 endif()
+if(BUILD_SHARED_LIBS)
+  list(APPEND CPACK_COMPONENTS_ALL libraries)
+endif()
 
 find_program(GIRTH_DPKG_SHLIBDEPS dpkg-shlibdeps)
 mark_as_advanced(GIRTH_DPKG_SHLIBDEPS)
-if(GIRTH_DPKG_SHLIBDEPS)
+if(GIRTH_DPKG_SHLIBDEPS AND NOT BUILD_SHARED_LIBS)
   list(APPEND CPACK_GENERATOR DEB)
 endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)

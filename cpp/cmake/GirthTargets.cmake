@@ -10,6 +10,10 @@ function(girth_configure target)
             -Wno-sign-conversion
             # GCC 12 and 13 see overlaps in "literal" + std::string that are not there (GCC bug 105651).
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<BOOL:${GIRTH_WERROR}>:-Werror>)
+  if(NOT EMSCRIPTEN)
+    # A function that other libraries could replace would never be inlined into its own one.
+    target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+  endif()
 endfunction()
 
 # Precompiles the standard library's headers for a target, and others that are named; only while Girth itself is
@@ -29,9 +33,30 @@ function(girth_precompile target)
                       -Wno-stringop-overread>)
 endfunction()
 
+# What a shared library shows, and its name: before 1.0.0 each minor version has an interface of its own.
+function(girth_visibility target)
+  if(PROJECT_VERSION_MAJOR EQUAL 0)
+    set(interface "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+  else()
+    set(interface "${PROJECT_VERSION_MAJOR}")
+  endif()
+  set_target_properties(
+    ${target} PROPERTIES VERSION "${PROJECT_VERSION}" SOVERSION "${interface}" DEFINE_SYMBOL ""
+                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_compile_definitions(${target} PRIVATE GIRTH_BUILDING)
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL "SHARED_LIBRARY")
+    target_compile_definitions(${target} INTERFACE GIRTH_SHARED)
+    if(NOT APPLE AND NOT GIRTH_SANITIZERS)
+      target_link_options(${target} PRIVATE LINKER:--no-undefined)
+    endif()
+  endif()
+endfunction()
+
 # A library of the project: `girth_library(core SOURCES ... [PUBLIC core ...] [PRIVATE target ...])`
-# makes girth_core, alias girth::core; PUBLIC names other libraries of the project. Under Emscripten
-# there is a second one for the module with threads, girth_core_threads, alias girth::core_threads, without
+# makes girth_core, alias girth::core; PUBLIC names other libraries of the project. Static or, with
+# BUILD_SHARED_LIBS, shared; both are made of the same objects, which show what GIRTH_EXPORT marks
+# (girth/export.h). Under Emscripten they are static, and there is a second one for the module with threads, girth_core_threads, alias girth::core_threads, without
 # the sources that NOT_THREADED (a regular expression) finds.
 function(girth_library name)
   cmake_parse_arguments(arg "" "NOT_THREADED" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
@@ -45,7 +70,15 @@ function(girth_library name)
     if(suffix STREQUAL "_threads" AND arg_NOT_THREADED)
       list(FILTER arg_SOURCES EXCLUDE REGEX "${arg_NOT_THREADED}")
     endif()
-    add_library(${target} STATIC ${arg_SOURCES})
+    if(EMSCRIPTEN)
+      add_library(${target} STATIC ${arg_SOURCES})
+    else()
+      add_library(${target} ${arg_SOURCES})
+      girth_visibility(${target})
+    endif()
+    if(NOT PROJECT_IS_TOP_LEVEL)
+      set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
     add_library(girth::${name}${suffix} ALIAS ${target})
     girth_configure(${target})
     girth_precompile(${target})

@@ -11,23 +11,11 @@
 #include "formats/read_stl.h"
 #include "gltf/glb_container.h"
 #include "gltf/read_gltf.h"
+#include "text/ending.h"
 #include "text/words.h"
 
 namespace girth::io {
 namespace {
-
-/// The name's ending in lower case, without the dot.
-std::string extensionOf(std::string_view name) {
-  const std::size_t dot = name.rfind('.');
-  if (dot == std::string_view::npos || name.find_first_of("/\\", dot) != std::string_view::npos) {
-    return {};
-  }
-  std::string extension(name.substr(dot + 1));
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return extension;
-}
 
 bool beginsWith(std::string_view text, std::string_view prefix) {
   return text.substr(0, prefix.size()) == prefix;
@@ -59,19 +47,19 @@ bool isText(std::string_view text) {
 }
 
 Error unknownFormat(std::string_view name) {
-  const std::string extension = extensionOf(name);
+  const std::string ending = endingOf(name);
   const auto error = [](std::string message) {
     return makeError(ErrorCode::UnknownFormat, -1, std::move(message));
   };
-  if (extension == "glb") {
+  if (ending == ".glb") {
     return error("the file is named .glb, but does not begin as GLB does (\"glTF\")");
   }
-  if (extension == "gltf") return error("the file is named .gltf, but is not JSON");
-  if (extension == "ply") {
+  if (ending == ".gltf") return error("the file is named .gltf, but is not JSON");
+  if (ending == ".ply") {
     return error("the file is named .ply, but does not begin as PLY does (\"ply\")");
   }
-  if (extension == "obj") return error("the file is named .obj, but does not look like OBJ");
-  if (extension == "off") return error("the file is named .off, but does not look like OFF");
+  if (ending == ".obj") return error("the file is named .obj, but does not look like OBJ");
+  if (ending == ".off") return error("the file is named .off, but does not look like OFF");
   return error("the file is not one of the formats that are read");
 }
 
@@ -79,10 +67,10 @@ Error unknownFormat(std::string_view name) {
 Result<ReadModel> readByContent(std::span<const std::byte> bytes, std::string_view name,
                                 const ResourceReader& resources) {
   if (bytes.empty()) return makeError(ErrorCode::EmptyFile, -1, "the file is empty");
-  const std::string extension = extensionOf(name);
+  const std::string ending = endingOf(name);
   const std::string_view text = textOf(bytes);
   if (hasGlbMark(bytes)) return readGlb(bytes, resources);
-  if (extension == "glb" && beginsWith("glTF", text)) return openGlb(bytes).error();
+  if (ending == ".glb" && beginsWith("glTF", text)) return openGlb(bytes).error();
   if (hasPlyMark(text)) return readPly(bytes);
   if (hasBinaryStlSize(bytes)) return readStl(bytes);
   if (auto error = foreignFormat({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {
@@ -97,9 +85,9 @@ Result<ReadModel> readByContent(std::span<const std::byte> bytes, std::string_vi
   if (hasOffMark(text)) return readOff(bytes);
   if (hasStlMark(text)) return readStl(bytes);
   if (isText(text) && beginsAsObj(text)) return readObj(bytes);
-  if (extension == "stl") return readStl(bytes);
-  if (extension == "obj" && isText(text) && canBeObj(text)) return readObj(bytes);
-  if (extension == "off" && isText(text) && canBeOffWithoutMark(text)) return readOff(bytes);
+  if (ending == ".stl") return readStl(bytes);
+  if (ending == ".obj" && isText(text) && canBeObj(text)) return readObj(bytes);
+  if (ending == ".off" && isText(text) && canBeOffWithoutMark(text)) return readOff(bytes);
   return unknownFormat(name);
 }
 

@@ -10,6 +10,7 @@ import { replayFuzzers, runFuzzers } from './fuzz.mjs';
 import { lint, lintNative } from './lint.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
 import { testWithSanitizers } from './sanitizers.mjs';
+import { testSharedLibraries } from './shared-libraries.mjs';
 
 export const reports = join(repository, 'build/reports');
 
@@ -142,6 +143,7 @@ export const longParts = {
     title: 'native tests with TSan',
     run: () => testWithSanitizers('thread'),
   },
+  shared: { title: 'shared libraries', run: testSharedLibraries },
   long: { title: 'long tests', run: () => run('node', ['web/scripts/test-long.mjs']) },
   'other-browsers': {
     title: 'Firefox and WebKit',

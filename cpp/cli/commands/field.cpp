@@ -76,19 +76,16 @@ Result<std::vector<ComputedField>> compute(const Options& options, const io::Loa
 
 Result<std::string> contentFor(const Options& options, const io::LoadedMesh& loaded,
                                const std::vector<ComputedField>& computed) {
-  const std::string extension = options.output.ending();
-  const io::Columns columns = columnsOf(options.positions);
   std::vector<io::VertexField> fields;
   for (const ComputedField& field : computed) {
     fields.push_back({field.name, field.values, field.unit, field.method, {}});
   }
-  if (extension == ".csv") return io::fieldCsv(loaded, fields, columns);
-  if (extension == ".json") return io::fieldJson(loaded, fields, options.model, columns);
-  if (extension == ".ply") return io::fieldPly(loaded, fields);
-  if (extension == ".glb") return io::fieldGlb(loaded, fields);
-  if (fields.size() == 1) return io::fieldNpy(loaded, fields[0]);
-  return usageError("NPY holds one number for each vertex here",
-                    "choose one with --only, or use .csv, .json, .ply or .glb");
+  const std::string format = options.output.ending().substr(1);
+  if (format == "npy" && fields.size() > 1) {
+    return usageError("NPY holds one number for each vertex here",
+                      "choose one with --only, or use .csv, .json, .ply or .glb");
+  }
+  return io::fieldFile(loaded, fields, format, options.model, columnsOf(options.positions));
 }
 
 /// The number of a vertex in the file; -1 where it was made here.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "commands/table.h"
+#include "files/write_file.h"
 #include "help/pages.h"
 #include "process/files.h"
 #include "process/report.h"
@@ -24,7 +25,7 @@ int writePages(const std::string& folder) {
   for (const Page& page : pages) {
     const std::string path = folder + "/" + page.path;
     if (const auto error = makeFolderOf(path)) return reportError(path, *error);
-    if (const auto error = writeFile(path, page.content)) return reportError(path, *error);
+    if (const auto error = io::writeFile(path, page.content)) return reportError(path, *error);
   }
   return 0;
 }

@@ -172,18 +172,12 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Gir
   }
 }
 
-Result<std::string> contentFor(const std::string& extension, const std::string& model,
+Result<std::string> contentFor(const std::string& format, const std::string& model,
                                const io::LoadedMesh& loaded, const GirthField& girth,
                                const Options& options) {
   io::VertexField field = io::girthVertexField(girth, options.method, loaded.unit);
   field.method = methodText(options);
-  const std::span<const io::VertexField> fields(&field, 1);
-  if (extension == ".csv") return io::fieldCsv(loaded, fields, columnsOf(options.positions));
-  if (extension == ".json")
-    return io::fieldJson(loaded, fields, model, columnsOf(options.positions));
-  if (extension == ".npy") return io::fieldNpy(loaded, field);
-  if (extension == ".glb") return io::fieldGlb(loaded, fields);
-  return io::fieldPly(loaded, fields);
+  return io::fieldFile(loaded, std::span(&field, 1), format, model, columnsOf(options.positions));
 }
 
 /// The field of a remeshed surface at the vertices of the original.
@@ -279,7 +273,8 @@ int runOne(const std::string& model, const Options& options) {
   timing.computing = secondsSince(computingStart);
 
   if (options.output.isWanted()) {
-    const auto content = contentFor(options.output.ending(), model, loaded.value(), field, options);
+    const auto content =
+        contentFor(options.output.ending().substr(1), model, loaded.value(), field, options);
     if (!content) return reportError(options.output.path, content.error());
     if (auto error = writeOutput(options.output, content.value())) {
       return reportError(options.output.path, *error);

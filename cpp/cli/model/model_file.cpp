@@ -10,8 +10,10 @@
 
 #include "archive/inflate.h"
 #include "archive/zip.h"
+#include "files/read_file.h"
 #include "process/files.h"
 #include "process/report.h"
+#include "text/ending.h"
 
 namespace girth::cli {
 namespace {
@@ -19,7 +21,7 @@ namespace {
 bool isModelName(const std::string& name) {
   static constexpr std::array<std::string_view, 6> kEndings{".glb", ".gltf", ".obj",
                                                             ".off", ".ply",  ".stl"};
-  return std::find(kEndings.begin(), kEndings.end(), extensionOf(name)) != kEndings.end();
+  return std::find(kEndings.begin(), kEndings.end(), io::endingOf(name)) != kEndings.end();
 }
 
 /// A zip with its directory, shared by what reads files of it.
@@ -108,19 +110,19 @@ Result<ModelFile> openZip(std::vector<std::byte> bytes, const std::string& path,
 
 Result<ModelFile> openModel(const std::string& path, const std::string& entry) {
   const bool isInput = path == "-";
-  auto bytes = isInput ? readStandardInput() : readFile(path);
+  auto bytes = isInput ? readStandardInput() : io::readFile(path);
   if (!bytes) return bytes.error();
   if (isZip(bytes.value())) return openZip(std::move(bytes).value(), path, entry);
   if (!entry.empty()) {
     return usageError("it is no zip, of which --entry could name a file", "leave --entry out");
   }
   ModelFile file{std::move(bytes).value(), path, {}};
-  if (!isInput) file.resources = resourcesBeside(path);
+  if (!isInput) file.resources = io::resourcesBeside(path);
   if (isGzip(file.bytes)) {
     auto content = gunzip(file.bytes);
     if (!content) return content.error();
     file.bytes = std::move(content).value();
-    if (extensionOf(path) == ".gz") file.name.resize(file.name.size() - 3);
+    if (io::endingOf(path) == ".gz") file.name.resize(file.name.size() - 3);
   }
   return file;
 }

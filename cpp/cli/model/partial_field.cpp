@@ -6,8 +6,9 @@
 #include <limits>
 #include <string_view>
 
+#include "files/read_file.h"
+#include "files/write_file.h"
 #include "girth/version.h"
-#include "process/files.h"
 #include "process/sha256.h"
 #include "text/number_text.h"
 #include "text/words.h"
@@ -83,7 +84,7 @@ std::string PartialField::fingerprint() const {
 }
 
 Result<GirthField> PartialField::read() const {
-  const auto bytes = readFile(path_);
+  const auto bytes = io::readFile(path_);
   if (!bytes) return bytes.error();
   std::string_view text = io::textOf(bytes.value());
   std::int64_t line = 1;
@@ -135,7 +136,7 @@ std::optional<Error> PartialField::write(const GirthField& field) const {
     text += std::to_string(row) + "," + io::formatNumber(field.values[vertex]) + "," +
             std::string(toString(field.kinds[vertex])) + "\n";
   }
-  return writeFile(path_, text);
+  return io::writeFile(path_, text);
 }
 
 }  // namespace girth::cli

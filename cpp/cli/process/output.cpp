@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <system_error>
 
+#include "files/write_file.h"
 #include "process/files.h"
 #include "process/report.h"
+#include "text/ending.h"
 
 namespace girth::cli {
 namespace {
@@ -41,7 +43,7 @@ bool Output::isFolder() const {
 
 bool Output::isFile() const { return isWanted() && !isStandardOutput() && isOrdinary(path); }
 
-std::string Output::ending() const { return format.empty() ? extensionOf(path) : "." + format; }
+std::string Output::ending() const { return format.empty() ? io::endingOf(path) : "." + format; }
 
 Option& addOutputOptions(OptionTable& table, Output& output, std::vector<std::string> endings,
                          std::string text) {
@@ -86,18 +88,18 @@ std::optional<Error> checkOutput(const Output& output, std::span<const std::stri
     return usageError("it would replace the model that is read",
                       "name another file, or add --force");
   }
-  return checkWritable(output.path);
+  return io::checkWritable(output.path);
 }
 
 std::string pathInFolder(const std::string& folder, const std::string& model,
                          const std::string& ending) {
   std::filesystem::path name = std::filesystem::path(model).filename();
-  if (extensionOf(name.string()) == ".gz") name = name.stem();
+  if (io::endingOf(name.string()) == ".gz") name = name.stem();
   return (std::filesystem::path(folder) / name.replace_extension(ending)).string();
 }
 
 std::optional<Error> writeOutput(const Output& output, std::string_view content) {
-  if (!output.isStandardOutput()) return writeFile(output.path, content);
+  if (!output.isStandardOutput()) return io::writeFile(output.path, content);
   if (std::fwrite(content.data(), 1, content.size(), stdout) == content.size()) return std::nullopt;
   return makeError(ErrorCode::FileUnwritable, -1,
                    std::string("it cannot be written: ") + std::strerror(errno));

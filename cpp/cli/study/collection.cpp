@@ -9,7 +9,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "process/files.h"
+#include "files/read_file.h"
+#include "text/ending.h"
 
 namespace girth::cli {
 namespace {
@@ -32,7 +33,7 @@ struct Listing {
 bool isModelName(const fs::path& path) {
   constexpr std::array<std::string_view, 6> kEndings{".glb", ".gltf", ".obj",
                                                      ".ply", ".stl",  ".off"};
-  return std::find(kEndings.begin(), kEndings.end(), extensionOf(path.string())) != kEndings.end();
+  return std::find(kEndings.begin(), kEndings.end(), io::endingOf(path.string())) != kEndings.end();
 }
 
 /// All models below a folder, in the order of their paths.
@@ -59,7 +60,7 @@ Error malformed(const std::string& file, std::size_t line, const std::string& wh
 }
 
 Result<std::string> textOf(const std::string& path) {
-  const auto bytes = readFile(path);
+  const auto bytes = io::readFile(path);
   if (!bytes) {
     Error error = bytes.error();
     error.message = path + ": " + error.message;
@@ -285,7 +286,7 @@ std::string classFileOf(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
-    if (extensionOf(entry->path().string()) == ".cla") found.push_back(entry->path());
+    if (io::endingOf(entry->path().string()) == ".cla") found.push_back(entry->path());
   }
   return found.size() == 1 ? found.front().string() : "";
 }
@@ -297,7 +298,7 @@ Result<Listing> listingOf(const CollectionSource& source) {
   }
   const std::string file = source.classes.empty() ? classFileOf(source.folder) : source.classes;
   if (file.empty()) return readFolders(source.folder);
-  return extensionOf(file) == ".cla" ? readCla(source.folder, file) : readCsv(source.folder, file);
+  return io::endingOf(file) == ".cla" ? readCla(source.folder, file) : readCsv(source.folder, file);
 }
 
 }  // namespace

@@ -12,7 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "process/files.h"
+#include "files/read_file.h"
+#include "files/write_file.h"
 
 namespace girth::cli {
 namespace {
@@ -128,7 +129,7 @@ std::optional<Error> FieldCache::open() const {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) return unwritable("it cannot be made: " + error.message());
-  return checkWritable((fs::path(folder_) / "entry").string());
+  return io::checkWritable((fs::path(folder_) / "entry").string());
 }
 
 Digest FieldCache::keyOf(const Digest& content, study::FieldGroup group,
@@ -146,7 +147,7 @@ std::string FieldCache::pathOf(const Digest& key) const {
 }
 
 FieldCache::Found FieldCache::find(const Digest& key) const {
-  const auto bytes = readFile(pathOf(key));
+  const auto bytes = io::readFile(pathOf(key));
   if (!bytes) return {std::nullopt, bytes.error().code != ErrorCode::FileNotFound};
   auto fields = fieldsIn(bytes.value(), key);
   const bool damaged = !fields;
@@ -164,7 +165,7 @@ std::optional<Error> FieldCache::store(const Digest& key, const study::StudyFiel
   gethostname(host.data(), host.size() - 1);
   const std::string unfinished =
       path + "." + host.data() + "." + std::to_string(getpid()) + "." + std::to_string(stored++);
-  if (auto problem = writeFile(unfinished, contentOf(key, fields))) return problem;
+  if (auto problem = io::writeFile(unfinished, contentOf(key, fields))) return problem;
   fs::rename(unfinished, path, error);
   if (!error) return std::nullopt;
   std::error_code ignored;

@@ -7,10 +7,11 @@
 #include <system_error>
 #include <utility>
 
+#include "files/read_file.h"
 #include "girth/io/read_mesh.h"
 #include "girth/parallel.h"
 #include "model/loading.h"
-#include "process/files.h"
+#include "text/ending.h"
 
 namespace girth::cli {
 namespace {
@@ -36,12 +37,12 @@ void append(StudyFields& all, StudyFields&& some) {
 }  // namespace
 
 Result<Digest> contentOf(const std::string& path) {
-  const auto bytes = readFile(path);
+  const auto bytes = io::readFile(path);
   if (!bytes) return bytes.error();
   Sha256 sum;
   sum.add(bytes.value());
-  if (extensionOf(path) == ".gltf") {
-    const auto beside = resourcesBeside(path);
+  if (io::endingOf(path) == ".gltf") {
+    const auto beside = io::resourcesBeside(path);
     const auto model = io::readModel(bytes.value(), path, [&](std::string_view name) {
       auto resource = beside(name);
       sum.add(name);

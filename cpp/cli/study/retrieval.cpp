@@ -11,6 +11,7 @@
 #include <set>
 #include <system_error>
 
+#include "files/write_file.h"
 #include "girth/study/descriptor_rows.h"
 #include "girth/study/measures.h"
 #include "girth/study/signatures.h"
@@ -18,7 +19,6 @@
 #include "girth/version.h"
 #include "model/loading.h"
 #include "picture/thumbnail.h"
-#include "process/files.h"
 #include "process/interrupt.h"
 #include "process/progress_line.h"
 #include "process/report.h"
@@ -101,7 +101,7 @@ class Retrieval {
     if (error) {
       return makeError(ErrorCode::FileUnwritable, -1, "it cannot be made: " + error.message());
     }
-    if (auto problem = checkWritable((fs::path(options_.output) / "index.html").string())) {
+    if (auto problem = io::checkWritable((fs::path(options_.output) / "index.html").string())) {
       return problem;
     }
     return cache_.open();
@@ -246,7 +246,7 @@ class Retrieval {
   std::optional<Error> write() const {
     const fs::path folder(options_.output);
     const auto put = [&](const char* name, const std::string& content) {
-      auto error = writeFile((folder / name).string(), content);
+      auto error = io::writeFile((folder / name).string(), content);
       if (error) error->message = std::string(name) + ": " + error->message;
       return error;
     };

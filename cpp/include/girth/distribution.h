@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "girth/export.h"
+
 namespace girth {
 
 /// How much of a whole has which value: the cumulative distribution is a flight of stairs that
@@ -21,11 +23,12 @@ struct Distribution {
 /// The distribution of `values`, each counted by its weight (in the core: the vertex's area).
 /// Values that are not finite do not count; without any others, or without any weight, the
 /// distribution is empty. It does not depend on the order of the vertices. O(n log n).
-Distribution distributionOf(std::span<const double> values, std::span<const double> weights);
+GIRTH_EXPORT Distribution distributionOf(std::span<const double> values,
+                                         std::span<const double> weights);
 
 /// The earth mover's distance of two distributions with |x − y| as the cost, which on the line is
 /// the integral of |CDF1 − CDF2| (equation (1) of the paper; section 6.1): exact, in the unit of
 /// the values. NaN where one is empty. O(n + m).
-double earthMoversDistance(const Distribution& one, const Distribution& two);
+GIRTH_EXPORT double earthMoversDistance(const Distribution& one, const Distribution& two);
 
 }  // namespace girth

@@ -3,10 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
+
+#include "girth/export.h"
 
 namespace girth {
 
@@ -18,25 +21,55 @@ enum class ErrorCode : std::uint8_t {
 };
 
 /// The code as it is printed and as JavaScript sees it, for example "OPEN_EDGE".
-std::string_view toString(ErrorCode code);
+GIRTH_EXPORT std::string_view toString(ErrorCode code);
 
 /// The exit code with which the command ends: 1 usage, 2 bad input, 3 limit or cancelled.
-int exitCodeOf(ErrorCode code);
+GIRTH_EXPORT int exitCodeOf(ErrorCode code);
 
 /// A failure.
-struct Error {
+struct GIRTH_EXPORT Error {
   /// What went wrong.
   ErrorCode code{ErrorCode::Internal};
   /// The first offending element: a vertex, face, line or byte, as the message states. -1: none.
   std::int64_t element{-1};
   /// What is wrong and where, in words: "edge 3–7 of face 12 has no face on its other side".
-  std::string message;
+  std::string message{};
   /// What to do about it.
-  std::string hint;
+  std::string hint{};
+  /// The file that it is about, where a path was given; otherwise empty.
+  std::string file{};
+
+  /// All of it on one line, for people: "chair.obj: OPEN_EDGE: edge 3–7 of face 12 has no face on
+  /// its other side; close the holes: every edge needs a face on both sides".
+  std::string text() const;
 };
 
 /// An error with the general remedy of its code.
-Error makeError(ErrorCode code, std::int64_t element, std::string message);
+GIRTH_EXPORT Error makeError(ErrorCode code, std::int64_t element, std::string message);
+
+/// A failure that nobody looked at before its value was asked for: an Error that is thrown. It is
+/// caught as `const girth::Error&`, with all that it has, or as `const std::exception&`.
+class GIRTH_EXPORT ThrownError : public Error, public std::exception {
+ public:
+  /// Of that failure.
+  explicit ThrownError(Error error);
+  ~ThrownError() override;
+  /// Copied with its text.
+  ThrownError(const ThrownError&);
+  /// The same.
+  ThrownError& operator=(const ThrownError&);
+
+  /// Error::text.
+  const char* what() const noexcept override;
+
+ private:
+  std::string text_;
+};
+
+/// Throws the failure as a ThrownError.
+[[noreturn]] GIRTH_EXPORT void throwError(const Error& error);
+/// Throws std::logic_error: an error was asked for where there is a value.
+[[noreturn]] GIRTH_EXPORT void throwNoError();
 
 /// A value, or the error that stands in its place.
 template <class T>
@@ -52,17 +85,42 @@ class [[nodiscard]] Result {
   /// The same as ok().
   explicit operator bool() const { return ok(); }
 
-  /// The value. Only where ok().
-  T& value() & { return std::get<0>(content_); }
+  /// The value. Where there is none, the error is thrown (ThrownError).
+  T& value() & {
+    requireValue();
+    return *std::get_if<0>(&content_);
+  }
   /// The same, not to be changed.
-  const T& value() const& { return std::get<0>(content_); }
-  /// The same, to be moved out.
-  T&& value() && { return std::get<0>(std::move(content_)); }
+  const T& value() const& {
+    requireValue();
+    return *std::get_if<0>(&content_);
+  }
+  /// The same, moved out of a result that is going: a value of its own, so that `const auto& mesh =
+  /// SurfaceMesh::fromArrays(...).value();` lasts.
+  T value() && {
+    requireValue();
+    return std::move(*std::get_if<0>(&content_));
+  }
 
-  /// The error. Only where not ok().
-  const Error& error() const { return std::get<1>(content_); }
+  /// The error. Where there is none, std::logic_error is thrown.
+  const Error& error() const& {
+    requireError();
+    return *std::get_if<1>(&content_);
+  }
+  /// The same, moved out of a result that is going.
+  Error error() && {
+    requireError();
+    return std::move(*std::get_if<1>(&content_));
+  }
 
  private:
+  void requireValue() const {
+    if (!ok()) throwError(*std::get_if<1>(&content_));
+  }
+  void requireError() const {
+    if (ok()) throwNoError();
+  }
+
   std::variant<T, Error> content_;
 };
 

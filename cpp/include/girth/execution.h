@@ -21,6 +21,9 @@ struct ExecutionContext {
 
   /// Whether the work has been asked to stop.
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
+
+  /// What one of several threads is handed: stopped by the same `cancel`, without progress.
+  ExecutionContext ofOneThread() const { return {1, cancel, {}}; }
 };
 
 }  // namespace girth

@@ -5,6 +5,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 #include "girth/vertex_function.h"
 
@@ -31,14 +32,18 @@ struct GeodesicExtent {
 /// GeoAverage and GeoFarthest at all vertices (web/docs/definitions.md, section 4), by one distance
 /// field for each. The same bits for any number of threads. Time as of so many fields: O(n² log n)
 /// by fast marching, about O(n^2.5) exactly.
-GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
-                              const ExecutionContext& context = {});
+GIRTH_EXPORT GeodesicExtent geodesicExtent(const SurfaceMesh& mesh, DistanceMethod method,
+                                           const ExecutionContext& context = {});
 
 /// Which of the two.
 enum class ExtentMeasure : std::uint8_t { Average, Farthest };
 
 /// GeoAverage or GeoFarthest, in model units, vertex by vertex.
-VertexFunction<double> geodesicExtentFunction(const SurfaceMesh& mesh, ExtentMeasure measure,
-                                              DistanceMethod method);
+GIRTH_EXPORT VertexFunction<double> geodesicExtentFunction(const SurfaceMesh& mesh,
+                                                           ExtentMeasure measure,
+                                                           DistanceMethod method);
+/// The mesh must outlive the function: keep it in a variable.
+VertexFunction<double> geodesicExtentFunction(const SurfaceMesh&&, ExtentMeasure measure,
+                                              DistanceMethod method) = delete;
 
 }  // namespace girth

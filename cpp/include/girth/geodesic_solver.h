@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/search_statistics.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
@@ -25,13 +26,16 @@ struct GeodesicPath {
 /// Computes distances by exact propagation of geodesic windows (paper, section 4.1; Mitchell et al.
 /// 1987, Chen and Han 1990, Xin and Wang 2009), all windows of a halfedge at a time.
 ///
-/// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it. Memory
-/// of a call grows with the front, that of `path` with all windows up to the second point. Time is
-/// about O(n^1.5) for the usual mesh of n faces.
-class GeodesicSolver {
+/// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it: one
+/// that would be gone at the end of the line is refused when the program is compiled. Memory of a
+/// call grows with the front, that of `path` with all windows up to the second point. Time is about
+/// O(n^1.5) for the usual mesh of n faces.
+class GIRTH_EXPORT GeodesicSolver {
  public:
   /// Lays the faces flat. O(n log n).
   explicit GeodesicSolver(const SurfaceMesh& mesh);
+  /// The mesh must outlive the solver: keep it in a variable.
+  explicit GeodesicSolver(const SurfaceMesh&&) = delete;
   ~GeodesicSolver();
   /// Solvers can be moved, not copied.
   GeodesicSolver(GeodesicSolver&&) noexcept;

@@ -6,6 +6,7 @@
 #include "girth/elements.h"
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/field_difference.h"
 #include "girth/geodesic_extent.h"
 #include "girth/geodesic_solver.h"

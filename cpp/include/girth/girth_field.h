@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/girth_solver.h"
 #include "girth/surface_mesh.h"
 #include "girth/vertex_function.h"
@@ -45,19 +46,24 @@ struct GirthField {
 using GirthPartial = VertexPartial<GirthValue>;
 
 /// I(v) for all vertices, as `evaluateAll` of girthFunction.
-GirthField girthField(const SurfaceMesh& mesh, GirthMethod method = GirthMethod::Exact,
-                      const ExecutionContext& context = {},
-                      const std::function<void(const GirthPartial&)>& onPartial = {});
+GIRTH_EXPORT GirthField girthField(const SurfaceMesh& mesh, GirthMethod method = GirthMethod::Exact,
+                                   const ExecutionContext& context = {},
+                                   const std::function<void(const GirthPartial&)>& onPartial = {});
 
 /// The lengths and kinds of values, each in an array of its own.
-GirthField girthFieldOf(const VertexValues<GirthValue>& girth);
+GIRTH_EXPORT GirthField girthFieldOf(const VertexValues<GirthValue>& girth);
 
 /// I(v), in model units, with its kind.
-VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh,
-                                         GirthMethod method = GirthMethod::Exact);
+GIRTH_EXPORT VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh,
+                                                      GirthMethod method = GirthMethod::Exact);
+/// The mesh must outlive the function: keep it in a variable.
+VertexFunction<GirthValue> girthFunction(const SurfaceMesh&&,
+                                         GirthMethod method = GirthMethod::Exact) = delete;
 
 /// The angle at v between the two ends of the loop through it (GirthLoop::angle), in radians; NaN
 /// where the loop is unresolved.
-VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh);
+GIRTH_EXPORT VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh);
+/// The mesh must outlive the function: keep it in a variable.
+VertexFunction<double> loopAngleFunction(const SurfaceMesh&&) = delete;
 
 }  // namespace girth

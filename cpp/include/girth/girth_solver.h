@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/search_statistics.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
@@ -24,7 +25,7 @@ enum class LoopKind : std::uint8_t {
 };
 
 /// "loop", "antipodal" or "unresolved".
-std::string_view toString(LoopKind kind);
+GIRTH_EXPORT std::string_view toString(LoopKind kind);
 
 /// The girth at a point.
 struct GirthValue {
@@ -55,7 +56,7 @@ struct GirthLoop {
 };
 
 /// The loop's points in space; the first equals the last.
-std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop);
+GIRTH_EXPORT std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop);
 
 /// Computes I(p) by exact propagation of geodesic windows from p with early termination (paper,
 /// sections 4.3 and 4.4, Algorithm 2), every loop proven by the distance of its midpoint.
@@ -64,14 +65,17 @@ std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop);
 /// In needles beyond that, angles are made of the rounding errors of the coordinates, and values
 /// near them can be off; faces flatter than a part in 10^12 are refused by `SurfaceMesh`.
 ///
-/// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it. Time
-/// grows with the windows inside the disk of radius I(p)/2, about O(n^1.5) for the usual mesh of n
-/// faces where the disk is large; memory of `value` with the front of that disk, of `loop` with all
-/// of it.
-class GirthSolver {
+/// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it: one
+/// that would be gone at the end of the line is refused when the program is compiled. Time grows
+/// with the windows inside the disk of radius I(p)/2, about O(n^1.5) for the usual mesh of n faces
+/// where the disk is large; memory of `value` with the front of that disk, of `loop` with all of
+/// it.
+class GIRTH_EXPORT GirthSolver {
  public:
   /// Prepares the faces of a surface. O(n log n).
   explicit GirthSolver(const SurfaceMesh& mesh);
+  /// The mesh must outlive the solver: keep it in a variable.
+  explicit GirthSolver(const SurfaceMesh&&) = delete;
   ~GirthSolver();
   /// Moves the scratch memory along.
   GirthSolver(GirthSolver&&) noexcept;
@@ -101,6 +105,6 @@ class GirthSolver {
 };
 
 /// One loop, for a single use.
-Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Vertex vertex);
+GIRTH_EXPORT Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Vertex vertex);
 
 }  // namespace girth

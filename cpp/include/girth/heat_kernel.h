@@ -4,6 +4,7 @@
 #include <span>
 
 #include "girth/error.h"
+#include "girth/export.h"
 #include "girth/spectrum.h"
 #include "girth/vertex_signatures.h"
 
@@ -14,8 +15,8 @@ namespace girth {
 /// spectrum cut off at λ gives about a exp(−λ t)-th too little. O(n · pairs · times). Errors:
 /// INVALID_OPTION for no times, or some that are negative or not finite; USAGE for a spectrum whose
 /// arrays do not belong together.
-Result<VertexSignatures> heatKernelSignature(const Spectrum& spectrum,
-                                             std::span<const double> times);
+GIRTH_EXPORT Result<VertexSignatures> heatKernelSignature(const Spectrum& spectrum,
+                                                          std::span<const double> times);
 
 /// Times are base^τ, τ running from `first` to `last` by `step`, of a surface with the area
 /// `referenceArea`; for other surfaces they are longer or shorter as their area is. The defaults
@@ -48,7 +49,7 @@ struct SihksOptions {
 /// The paper says that the 'number of eigenfunctions is 19'; the original work takes the 19 lowest
 /// frequencies. Either can be chosen. O(n · pairs · times). Errors: INVALID_OPTION for options out
 /// of range (times: 2 to 100,000 of them, frequencies: below their number); USAGE as above.
-Result<VertexSignatures> scaleInvariantHeatKernelSignature(const Spectrum& spectrum,
-                                                           const SihksOptions& options = {});
+GIRTH_EXPORT Result<VertexSignatures> scaleInvariantHeatKernelSignature(
+    const Spectrum& spectrum, const SihksOptions& options = {});
 
 }  // namespace girth

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "girth/error.h"
+#include "girth/export.h"
 #include "girth/persistent_maxima.h"
 #include "girth/spectrum.h"
 #include "girth/surface_mesh.h"
@@ -22,8 +23,7 @@ inline constexpr double kHeatMaximaTime = 2e-3;
 /// `time`: a share of the surface's area. Values and persistence are in 1 / squared model units.
 /// Errors: INVALID_OPTION for a time that is negative or not finite; USAGE for a spectrum that is
 /// not the surface's.
-Result<std::vector<PersistentMaximum>> persistentHeatMaxima(const SurfaceMesh& mesh,
-                                                            const Spectrum& spectrum,
-                                                            double time = kHeatMaximaTime);
+GIRTH_EXPORT Result<std::vector<PersistentMaximum>> persistentHeatMaxima(
+    const SurfaceMesh& mesh, const Spectrum& spectrum, double time = kHeatMaximaTime);
 
 }  // namespace girth

@@ -7,6 +7,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/girth_profile.h"
 #include "girth/surface_mesh.h"
 #include "girth/tips.h"
@@ -31,7 +32,7 @@ enum class LimbEnd : std::uint8_t {
 };
 
 /// "spreads", "slips", "splits", "handle", "boundary" or "whole".
-std::string_view toString(LimbEnd end);
+GIRTH_EXPORT std::string_view toString(LimbEnd end);
 
 /// A finger, an arm, a leg: what lies between a tip's apex and the ring of points at `length` from
 /// it.
@@ -95,8 +96,8 @@ struct LimbOptions {
 /// for each tip one distance field, about O(n^1.5), and some loops for each station, on all
 /// threads; the same result for any number of them. Errors: USAGE where the values are not as many
 /// as the vertices; VERTEX_OUT_OF_RANGE; INVALID_OPTION; LIMIT_EXCEEDED; CANCELLED.
-Result<Limbs> findLimbs(const SurfaceMesh& mesh, std::span<const double> girth,
-                        std::span<const Tip> tips, const LimbOptions& options = {},
-                        const ExecutionContext& context = {});
+GIRTH_EXPORT Result<Limbs> findLimbs(const SurfaceMesh& mesh, std::span<const double> girth,
+                                     std::span<const Tip> tips, const LimbOptions& options = {},
+                                     const ExecutionContext& context = {});
 
 }  // namespace girth

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "girth/error.h"
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 
 namespace girth {
@@ -21,7 +22,7 @@ enum class PartKind : std::uint8_t {
 };
 
 /// "body", "tube", "plate" or "unknown".
-std::string_view toString(PartKind kind);
+GIRTH_EXPORT std::string_view toString(PartKind kind);
 
 /// The paper's τ1 and τ2, in model units: plate = {I > girth, SDF < thickness}, tube = {I < girth,
 /// SDF < thickness}, body the rest.
@@ -41,8 +42,9 @@ struct PartThresholds {
 /// there is no division, it is 2π times the median thickness of what is thin: the girth is π times
 /// the thickness in a round tube and 4 times in a square one, and 2π times in a bar 2.1 times as
 /// wide as thick. Both are 0 where no vertex has both values.
-PartThresholds suggestedThresholds(const SurfaceMesh& mesh, std::span<const double> girth,
-                                   std::span<const double> diameter);
+GIRTH_EXPORT PartThresholds suggestedThresholds(const SurfaceMesh& mesh,
+                                                std::span<const double> girth,
+                                                std::span<const double> diameter);
 
 /// How vertices are divided among parts.
 struct PartOptions {
@@ -55,7 +57,7 @@ struct PartOptions {
 };
 
 /// A connected region of one kind.
-struct Part {
+struct GIRTH_EXPORT Part {
   PartKind kind{PartKind::Body};  ///< the same of all its vertices
   std::vector<Vertex> vertices;   ///< in rising order
   double area{0};                 ///< sum of the vertices' areas
@@ -81,8 +83,8 @@ struct Parts {
 /// The parts of a surface. `girth` and `diameter`: one value for each vertex, NaN where there is
 /// none. O(n log n). Errors: USAGE where values are not as many as vertices, or a threshold or the
 /// smoothing is negative or not a number (infinite thresholds are allowed).
-Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
-                        std::span<const double> diameter, const PartOptions& options);
+GIRTH_EXPORT Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
+                                     std::span<const double> diameter, const PartOptions& options);
 
 /// What a printer can still make, in model units; 0: any.
 struct PrintLimits {
@@ -107,26 +109,27 @@ struct WeakPlace {
 /// Why a surface must not pass a check, though no place may be found too thin: walls are limited,
 /// but no vertex has a thickness, or the surface is inside out, and what was measured is the space
 /// around it (NO_THICKNESS). Nothing where it can be checked. O(n).
-std::optional<Error> whyNotChecked(const SurfaceMesh& mesh, std::span<const double> diameter,
-                                   const PrintLimits& limits);
+GIRTH_EXPORT std::optional<Error> whyNotChecked(const SurfaceMesh& mesh,
+                                                std::span<const double> diameter,
+                                                const PrintLimits& limits);
 
 /// Places where the diameter of the round tube with the same girth, I / π, is below the limit, and
 /// elsewhere, where the thickness is below the limit for walls; the thinnest first, in shares of
 /// their limits. Errors: USAGE as above.
-Result<std::vector<WeakPlace>> findWeakPlaces(const SurfaceMesh& mesh,
-                                              std::span<const double> girth,
-                                              std::span<const double> diameter,
-                                              const PrintLimits& limits);
+GIRTH_EXPORT Result<std::vector<WeakPlace>> findWeakPlaces(const SurfaceMesh& mesh,
+                                                           std::span<const double> girth,
+                                                           std::span<const double> diameter,
+                                                           const PrintLimits& limits);
 
 /// The scale of the shape from which on `findWeakPlaces` finds nothing: girth and thickness grow
 /// with the shape, so it is the greatest of the limits divided by the least diameter and by the
 /// least thickness. 1.12: it passes at 112% of its size; below 1 it passes as it is, and so far it
 /// could shrink. 0 where nothing is limited; infinite where something has no thickness at all.
 /// O(n).
-double passingScale(std::span<const double> girth, std::span<const double> diameter,
-                    const PrintLimits& limits);
+GIRTH_EXPORT double passingScale(std::span<const double> girth, std::span<const double> diameter,
+                                 const PrintLimits& limits);
 
 /// The share of the surface's area, in [0, 1], that is in places that are too thin.
-double failingShare(const SurfaceMesh& mesh, std::span<const WeakPlace> places);
+GIRTH_EXPORT double failingShare(const SurfaceMesh& mesh, std::span<const WeakPlace> places);
 
 }  // namespace girth

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "girth/error.h"
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 
 namespace girth {
@@ -29,7 +30,7 @@ struct PersistentMaximum {
 /// values. Vertices without a value (NaN) are not part of the surface.
 ///
 /// O(n log n). Errors: USAGE where the values are not as many as the vertices.
-Result<std::vector<PersistentMaximum>> persistentMaxima(const SurfaceMesh& mesh,
-                                                        std::span<const double> values);
+GIRTH_EXPORT Result<std::vector<PersistentMaximum>> persistentMaxima(
+    const SurfaceMesh& mesh, std::span<const double> values);
 
 }  // namespace girth

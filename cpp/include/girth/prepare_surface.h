@@ -6,6 +6,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 #include "girth/triangle_soup.h"
 
@@ -132,7 +133,8 @@ struct PreparedSurface {
 /// Errors: EMPTY_MESH (nothing is left, and why), NON_FINITE_POSITION (vertex of the input),
 /// INDEX_OUT_OF_RANGE (triangle of the input), INVALID_OPTION (a distance that is negative or not a
 /// number), COMPONENT_OUT_OF_RANGE, LIMIT_EXCEEDED (too many faces to number), CANCELLED.
-Result<PreparedSurface> prepareSurface(TriangleSoup soup, const PrepareOptions& options = {},
-                                       const ExecutionContext& context = {});
+GIRTH_EXPORT Result<PreparedSurface> prepareSurface(TriangleSoup soup,
+                                                    const PrepareOptions& options = {},
+                                                    const ExecutionContext& context = {});
 
 }  // namespace girth

@@ -3,6 +3,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/prepare_surface.h"
 
 namespace girth {
@@ -15,7 +16,7 @@ namespace girth {
 /// log n) in the faces that come out.
 ///
 /// Errors: those of SurfaceMesh::fromArrays, where edges become too short for doubles; CANCELLED.
-Result<PreparedSurface> refineSurface(PreparedSurface surface, Index faces,
-                                      const ExecutionContext& context = {});
+GIRTH_EXPORT Result<PreparedSurface> refineSurface(PreparedSurface surface, Index faces,
+                                                   const ExecutionContext& context = {});
 
 }  // namespace girth

@@ -6,6 +6,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
 
@@ -48,7 +49,7 @@ struct RemeshedSurface {
 /// same triangles. About 10 µs for each triangle, old and new.
 ///
 /// Errors: INVALID_OPTION (faces), CANCELLED, OUT_OF_MEMORY.
-Result<RemeshedSurface> remesh(const SurfaceMesh& mesh, const RemeshOptions& options,
-                               const ExecutionContext& context = {});
+GIRTH_EXPORT Result<RemeshedSurface> remesh(const SurfaceMesh& mesh, const RemeshOptions& options,
+                                            const ExecutionContext& context = {});
 
 }  // namespace girth

@@ -6,6 +6,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 #include "girth/vertex_function.h"
 
@@ -47,20 +48,23 @@ struct ShapeDiameterField {
 ///
 /// The surface may be open. The same bits for any number of threads, natively and in WebAssembly.
 /// O(n · rays · log n). Errors: USAGE for options out of range.
-Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
-                                         const ShapeDiameterOptions& options = {},
-                                         const ExecutionContext& context = {});
+GIRTH_EXPORT Result<ShapeDiameterField> shapeDiameter(const SurfaceMesh& mesh,
+                                                      const ShapeDiameterOptions& options = {},
+                                                      const ExecutionContext& context = {});
 
 /// The shape diameter, in model units, vertex by vertex. The same errors.
-Result<VertexFunction<double>> shapeDiameterFunction(const SurfaceMesh& mesh,
-                                                     const ShapeDiameterOptions& options = {});
+GIRTH_EXPORT Result<VertexFunction<double>> shapeDiameterFunction(
+    const SurfaceMesh& mesh, const ShapeDiameterOptions& options = {});
+/// The mesh must outlive the function: keep it in a variable.
+Result<VertexFunction<double>> shapeDiameterFunction(
+    const SurfaceMesh&&, const ShapeDiameterOptions& options = {}) = delete;
 
 /// Whether the surface is closed, but encloses a negative volume: its faces look inwards, and what
 /// is measured is the space around it. O(n).
-bool isInsideOut(const SurfaceMesh& mesh);
+GIRTH_EXPORT bool isInsideOut(const SurfaceMesh& mesh);
 
 /// What people are to know of the values, in sentences: that the surface is inside out, that so
 /// many of its vertices have no thickness. Empty where there is nothing to say.
-std::string shapeDiameterNote(bool insideOut, Index withoutValue, Index vertices);
+GIRTH_EXPORT std::string shapeDiameterNote(bool insideOut, Index withoutValue, Index vertices);
 
 }  // namespace girth

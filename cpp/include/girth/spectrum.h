@@ -5,6 +5,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 
 namespace girth {
@@ -52,7 +53,8 @@ struct Spectrum {
 ///
 /// Errors: INVALID_OPTION (pairs), CANCELLED, OUT_OF_MEMORY, INTERNAL where the pairs do not come
 /// out complete.
-Result<Spectrum> laplaceSpectrum(const SurfaceMesh& mesh, const SpectrumOptions& options = {},
-                                 const ExecutionContext& context = {});
+GIRTH_EXPORT Result<Spectrum> laplaceSpectrum(const SurfaceMesh& mesh,
+                                              const SpectrumOptions& options = {},
+                                              const ExecutionContext& context = {});
 
 }  // namespace girth

@@ -9,6 +9,7 @@
 
 #include "girth/elements.h"
 #include "girth/error.h"
+#include "girth/export.h"
 
 namespace girth {
 
@@ -30,7 +31,7 @@ enum class OpenEdges : std::uint8_t {
 ///
 /// Halfedge h = 3 f + k runs along side k of face f, from corner k to corner k+1, with the face on
 /// its left. Immutable once made, and so safe to share between threads.
-class SurfaceMesh {
+class GIRTH_EXPORT SurfaceMesh {
  public:
   /// Makes a surface from `positions` (x, y, z per vertex) and `triangles` (three vertices per
   /// face, counter-clockwise seen from outside). Vertices and faces keep their numbers. O(n log n).

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 
 namespace girth {
@@ -45,6 +46,6 @@ struct SurfacePoint {
 };
 
 /// Where the point lies in space.
-Vec3 positionOf(const SurfaceMesh& mesh, const SurfacePoint& point);
+GIRTH_EXPORT Vec3 positionOf(const SurfaceMesh& mesh, const SurfacePoint& point);
 
 }  // namespace girth

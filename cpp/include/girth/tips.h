@@ -6,6 +6,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
 
@@ -71,7 +72,7 @@ struct Tips {
 /// `girth`: I(v) for each vertex; where it is NaN (not computed), no edge is crossed. Time
 /// O(n log n) and a propagation of distances for each tip, unless the pieces are many. Errors:
 /// USAGE where the values are not as many as the vertices; CANCELLED.
-Result<Tips> findTips(const SurfaceMesh& mesh, std::span<const double> girth,
-                      const ExecutionContext& context = {});
+GIRTH_EXPORT Result<Tips> findTips(const SurfaceMesh& mesh, std::span<const double> girth,
+                                   const ExecutionContext& context = {});
 
 }  // namespace girth

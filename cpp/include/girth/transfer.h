@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
 
@@ -13,17 +14,19 @@ namespace girth {
 /// For each vertex of `points` the nearest point of `surface`, in space. Of faces that lie back to
 /// back those count that face the same way as the vertex does, so that values do not jump through
 /// thin walls. O((n + m) log n).
-std::vector<SurfacePoint> nearestPoints(const SurfaceMesh& surface, const SurfaceMesh& points);
+GIRTH_EXPORT std::vector<SurfacePoint> nearestPoints(const SurfaceMesh& surface,
+                                                     const SurfaceMesh& points);
 
 /// Values at points of a surface, linear within each face. Where two corners of a face differ by
 /// more than `steepest` times their distance (2 for the girth: beyond that it jumps), the value of
 /// the nearest corner is taken instead, and also where a corner has no value (NaN).
-std::vector<double> interpolated(const SurfaceMesh& surface, std::span<const double> values,
-                                 std::span<const SurfacePoint> points,
-                                 double steepest = std::numeric_limits<double>::infinity());
+GIRTH_EXPORT std::vector<double> interpolated(
+    const SurfaceMesh& surface, std::span<const double> values,
+    std::span<const SurfacePoint> points,
+    double steepest = std::numeric_limits<double>::infinity());
 
 /// For each point the nearest corner of its face: the vertex to take kinds from.
-std::vector<Vertex> nearestVertices(const SurfaceMesh& surface,
-                                    std::span<const SurfacePoint> points);
+GIRTH_EXPORT std::vector<Vertex> nearestVertices(const SurfaceMesh& surface,
+                                                 std::span<const SurfacePoint> points);
 
 }  // namespace girth

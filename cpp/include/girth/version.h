@@ -14,6 +14,7 @@
 
 #include <string_view>
 
+#include "girth/export.h"
 #include "girth/version_numbers.h"
 
 /// Marks a declaration that will be removed; `message` states what to use instead.
@@ -23,6 +24,6 @@ namespace girth {
 
 /// The version of the library that the program was linked with, such as "0.1.0". GIRTH_VERSION is
 /// that of the headers it was compiled with.
-std::string_view version();
+GIRTH_EXPORT std::string_view version();
 
 }  // namespace girth

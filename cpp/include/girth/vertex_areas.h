@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 
 namespace girth {
@@ -12,6 +13,6 @@ namespace girth {
 /// obtuse corner and a quarter for each of the others. In squared model units; they add up to
 /// `mesh.area()`. The weights of all distributions and means over vertices
 /// (web/docs/definitions.md, section 6).
-std::vector<double> vertexAreas(const SurfaceMesh& mesh);
+GIRTH_EXPORT std::vector<double> vertexAreas(const SurfaceMesh& mesh);
 
 }  // namespace girth

@@ -11,6 +11,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 
 namespace girth {
@@ -21,13 +22,14 @@ template <class Value>
 using VertexEvaluator = std::function<Result<Value>(Vertex vertex)>;
 
 /// A function of a surface's vertices, with what all threads share of the work already done. The
-/// surface must outlive it; evaluators may outlive it. Made by girthFunction, loopAngleFunction,
-/// shapeDiameterFunction and geodesicExtentFunction. `Value`: what it has at a vertex, such as
-/// double or GirthValue.
+/// surface must outlive it and its evaluators, which may outlive the function: one that would be
+/// gone at the end of the line is refused when the program is compiled. Made by girthFunction,
+/// loopAngleFunction, shapeDiameterFunction and geodesicExtentFunction. `Value`: what it has at a
+/// vertex, such as double or GirthValue.
 template <class Value>
 struct VertexFunction {
-  /// Makes an evaluator; may be called by several threads at once. Of the context, which must
-  /// outlive the evaluator, only `cancel` matters.
+  /// Makes an evaluator; may be called by several threads at once. Of the context only `cancel`
+  /// matters, which is copied: what it points at must outlive the evaluator.
   std::function<VertexEvaluator<Value>(const ExecutionContext& context)> evaluator;
 };
 
@@ -66,9 +68,10 @@ struct VertexPartial {
 /// between two vertices of its own, and at the end, with the vertices that were finished since the
 /// last time; so early reports are spread over the whole surface. Returns how many vertices were
 /// finished: all, unless cancelled. Exceptions are thrown again on the calling thread.
-std::size_t forEachVertex(const SurfaceMesh& mesh, const ExecutionContext& context,
-                          const std::function<std::function<bool(Vertex vertex)>()>& startThread,
-                          const std::function<void(std::span<const Vertex> vertices)>& onFinished);
+GIRTH_EXPORT std::size_t forEachVertex(
+    const SurfaceMesh& mesh, const ExecutionContext& context,
+    const std::function<std::function<bool(Vertex vertex)>()>& startThread,
+    const std::function<void(std::span<const Vertex> vertices)>& onFinished);
 
 /// The function at all vertices, by `forEachVertex`. `onPartial`, where given, has what is new.
 /// The same bits for any number of threads.
@@ -105,11 +108,11 @@ VertexValues<Value> evaluateAll(
 
 /// What people are to know of values that propagations gave up (GirthSolver::setBudget), in a
 /// sentence; empty where there is none.
-std::string budgetNote(Index withoutValue, Index vertices);
+GIRTH_EXPORT std::string budgetNote(Index withoutValue, Index vertices);
 
 /// All vertices, ordered so that every prefix is spread evenly over the surface: first one of each
 /// `run` neighbours (1 or more), then, run by run, the others. Work on neighbours, one after the
 /// other, finds the surface around them still in the processor's cache. O(n log n).
-std::vector<Vertex> coarseToFineOrder(const SurfaceMesh& mesh, std::size_t run = 32);
+GIRTH_EXPORT std::vector<Vertex> coarseToFineOrder(const SurfaceMesh& mesh, std::size_t run = 32);
 
 }  // namespace girth

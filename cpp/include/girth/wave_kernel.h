@@ -2,6 +2,7 @@
 #pragma once
 
 #include "girth/error.h"
+#include "girth/export.h"
 #include "girth/spectrum.h"
 #include "girth/vertex_signatures.h"
 
@@ -25,7 +26,7 @@ struct WksOptions {
 /// / area where it is connected. O(n · pairs · energies). Errors: INVALID_OPTION for options out of
 /// range, and for a spectrum without two different values above 0; USAGE for one whose arrays do
 /// not belong together.
-Result<VertexSignatures> waveKernelSignature(const Spectrum& spectrum,
-                                             const WksOptions& options = {});
+GIRTH_EXPORT Result<VertexSignatures> waveKernelSignature(const Spectrum& spectrum,
+                                                          const WksOptions& options = {});
 
 }  // namespace girth

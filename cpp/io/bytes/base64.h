@@ -4,9 +4,11 @@
 #include <string>
 #include <string_view>
 
+#include "girth/export.h"
+
 namespace girth::io {
 
 /// The bytes as base64 with padding, without line breaks.
-std::string base64(std::string_view bytes);
+GIRTH_EXPORT std::string base64(std::string_view bytes);
 
 }  // namespace girth::io

@@ -4,10 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "girth/export.h"
+
 namespace girth::io {
 
 /// The text in quotes, escaped; bytes that are not UTF-8 are replaced.
-std::string jsonString(std::string_view text);
+GIRTH_EXPORT std::string jsonString(std::string_view text);
 
 /// The number as `formatNumber` writes it; null where it is not finite.
 std::string numberJson(double value);

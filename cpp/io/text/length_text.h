@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "girth/error.h"
+#include "girth/export.h"
 #include "girth/io/length_unit.h"
 
 namespace girth::io {
@@ -18,10 +19,10 @@ struct TypedLength {
 
 /// Reads a number with or without a unit behind it (um, mm, cm, m, km, in, ft, or its name), spaces
 /// around both; a comma may stand for the point. Error: USAGE.
-Result<TypedLength> parseLength(std::string_view text);
+GIRTH_EXPORT Result<TypedLength> parseLength(std::string_view text);
 
 /// A typed length in the unit `unit` (a symbol or a name); a bare number is in that unit already.
 /// Where `unit` is empty, because it is not known, none can be typed. Error: USAGE.
-Result<double> lengthInUnit(std::string_view text, std::string_view unit);
+GIRTH_EXPORT Result<double> lengthInUnit(std::string_view text, std::string_view unit);
 
 }  // namespace girth::io

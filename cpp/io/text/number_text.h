@@ -5,16 +5,18 @@
 #include <string>
 #include <string_view>
 
+#include "girth/export.h"
+
 namespace girth::io {
 
 /// The number that `text` is, all of it, rounded correctly: decimal digits with an optional sign,
 /// point and exponent. "nan" and "inf" give what they say, and so does a number too large for a
 /// double: infinity. Nothing where the text is not a number.
-std::optional<double> parseNumber(std::string_view text);
+GIRTH_EXPORT std::optional<double> parseNumber(std::string_view text);
 
 /// The shortest of 15, 16 or 17 significant digits that reads back as the same double. "nan", "inf"
 /// and "-inf" for what is not finite.
-std::string formatNumber(double value);
+GIRTH_EXPORT std::string formatNumber(double value);
 
 /// The number for people: with six significant digits, all digits before the point, and never an
 /// exponent. The page writes the same (tests/data/numbers.json).

@@ -7,10 +7,12 @@
 #include <span>
 #include <string_view>
 
+#include "girth/export.h"
+
 namespace girth::io {
 
 /// The bytes of a file as text; a byte order mark of UTF-8 is left out.
-std::string_view textOf(std::span<const std::byte> bytes);
+GIRTH_EXPORT std::string_view textOf(std::span<const std::byte> bytes);
 
 /// Blank: space, tab, vertical tab, form feed. Lines end with \n, \r\n or \r, also mixed.
 bool isBlank(char c);
@@ -18,7 +20,7 @@ bool isLineEnd(char c);
 
 /// A decimal integer with an optional sign, all of `text`; nothing where it is none. What is beyond
 /// 10^12 on either side comes out as such, but not exact.
-std::optional<std::int64_t> parseInteger(std::string_view text);
+GIRTH_EXPORT std::optional<std::int64_t> parseInteger(std::string_view text);
 
 /// Takes a text apart. Nothing is copied: words stay valid as long as the text.
 class Words {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "bytes/append.h"
@@ -259,6 +260,26 @@ Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexFie
   writer.addTriangles(mesh);
   return writer.file(TINYGLTF_MODE_TRIANGLES, loaded.unit,
                      "{\"unit\":" + jsonString(loaded.unit) + ",\"fields\":{" + about + "}}");
+}
+
+Result<std::string> fieldFile(const LoadedMesh& loaded, std::span<const VertexField> fields,
+                              std::string_view format, std::string_view file, Columns columns) {
+  if (auto error = checkFields(loaded, fields)) return *std::move(error);
+  if (format == "csv") return fieldCsv(loaded, fields, columns);
+  if (format == "json") return fieldJson(loaded, fields, file, columns);
+  if (format == "ply") return fieldPly(loaded, fields);
+  if (format == "glb") return fieldGlb(loaded, fields);
+  if (format != "npy") {
+    Error error = makeError(ErrorCode::Usage, -1,
+                            format.empty() ? "the file's name has no ending"
+                                           : "fields are not written as " + std::string(format));
+    error.hint = "use .csv, .json, .npy, .ply or .glb";
+    return error;
+  }
+  if (fields.size() == 1) return fieldNpy(loaded, fields[0]);
+  Error error = makeError(ErrorCode::Usage, -1, "NPY holds one number for each vertex here");
+  error.hint = "choose one field, or use .csv, .json, .ply or .glb";
+  return error;
 }
 
 }  // namespace girth::io

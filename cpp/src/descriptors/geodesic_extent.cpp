@@ -122,10 +122,10 @@ VertexFunction<double> geodesicExtentFunction(const SurfaceMesh& mesh, ExtentMea
   return {[distances, measure](const ExecutionContext& context) -> VertexEvaluator<double> {
     const auto solver = std::make_shared<ExtentSolver>(*distances);
     // The distances are held as long as the solver reads them.
-    return [distances, solver, measure, &context](Vertex v) -> Result<double> {
+    return [distances, solver, measure, own = context.ofOneThread()](Vertex v) -> Result<double> {
       if (auto error = checkVertex(distances->mesh, Vertex(v))) return *std::move(error);
-      const Extent extent = solver->at(v, context);
-      if (context.cancelled()) return makeError(ErrorCode::Cancelled, v, "cancelled");
+      const Extent extent = solver->at(v, own);
+      if (own.cancelled()) return makeError(ErrorCode::Cancelled, v, "cancelled");
       return measure == ExtentMeasure::Average ? extent.average : extent.farthest;
     };
   }};

@@ -10,12 +10,13 @@
 #include <span>
 #include <vector>
 
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 
 namespace girth::geodesic {
 
 /// The triangles through which distances reach each vertex. Immutable: threads may share it.
-class MarchingStencils {
+class GIRTH_EXPORT MarchingStencils {
  public:
   explicit MarchingStencils(const SurfaceMesh& mesh);
 
@@ -43,7 +44,7 @@ class MarchingStencils {
 };
 
 /// One march at a time; memory is kept between them and cleared in proportion to what was touched.
-class FastMarching {
+class GIRTH_EXPORT FastMarching {
  public:
   explicit FastMarching(const MarchingStencils& stencils)
       : stencils_(&stencils),

@@ -58,17 +58,17 @@ VertexFunction<GirthValue> countedFunction(const SurfaceMesh& mesh, GirthMethod 
     const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
     return {[unfolding, costs](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
       const auto solver = std::make_shared<CountedSolver>(unfolding, costs);
-      return [solver, &context](Vertex v) { return solver->value(v, context); };
+      return [solver, own = context.ofOneThread()](Vertex v) { return solver->value(v, own); };
     }};
   }
   const auto stencils = std::make_shared<const geodesic::MarchingStencils>(mesh);
   return {[&mesh, stencils](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
     const auto march = std::make_shared<geodesic::FastMarching>(*stencils);
     // The stencils are held as long as the march reads them.
-    return [&mesh, stencils, march, &context](Vertex v) -> Result<GirthValue> {
+    return [&mesh, stencils, march, own = context.ofOneThread()](Vertex v) -> Result<GirthValue> {
       if (auto error = checkVertex(mesh, Vertex(v))) return *std::move(error);
-      const GirthValue girth = marchedGirth(*march, mesh, v, context);
-      if (context.cancelled()) return makeError(ErrorCode::Cancelled, v, "cancelled");
+      const GirthValue girth = marchedGirth(*march, mesh, v, own);
+      if (own.cancelled()) return makeError(ErrorCode::Cancelled, v, "cancelled");
       return girth;
     };
   }};
@@ -84,8 +84,8 @@ VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh) {
   const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
   return {[unfolding](const ExecutionContext& context) -> VertexEvaluator<double> {
     const auto solver = std::make_shared<GirthSolver>(SolverFactory::onUnfolding(unfolding));
-    return [solver, &context](Vertex v) -> Result<double> {
-      const auto loop = solver->loop(v, context);
+    return [solver, own = context.ofOneThread()](Vertex v) -> Result<double> {
+      const auto loop = solver->loop(v, own);
       if (!loop) return loop.error();
       const bool isResolved = loop.value().kind != LoopKind::Unresolved;
       return isResolved ? loop.value().angle : kNoValue;

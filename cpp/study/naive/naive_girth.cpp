@@ -403,7 +403,7 @@ Result<GirthValue> naiveGirth(const SurfaceMesh& mesh, Vertex vertex,
 
 VertexFunction<GirthValue> naiveGirthFunction(const SurfaceMesh& mesh) {
   return {[&mesh](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
-    return [&mesh, &context](Vertex v) { return naiveGirth(mesh, v, context); };
+    return [&mesh, own = context.ofOneThread()](Vertex v) { return naiveGirth(mesh, v, own); };
   }};
 }
 

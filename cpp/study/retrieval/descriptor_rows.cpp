@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace girth::study {
 
@@ -13,10 +14,10 @@ std::vector<std::string> termsOf(const std::vector<Descriptor>& descriptors) {
   return {names.begin(), names.end()};
 }
 
-DescriptorRows::DescriptorRows(const Descriptor& descriptor,
+DescriptorRows::DescriptorRows(Descriptor descriptor,
                                const std::map<std::string, PairDistances>& terms,
                                std::size_t models)
-    : descriptor_(descriptor), terms_(terms), part_(models) {}
+    : descriptor_(std::move(descriptor)), terms_(terms), part_(models) {}
 
 bool DescriptorRows::row(std::size_t model, std::vector<double>& row,
                          const ExecutionContext& context) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace girth::study {
 
@@ -92,8 +93,8 @@ RetrievalMeasures measuresOf(std::size_t query, std::span<const std::uint32_t> r
   return measures;
 }
 
-MeanMeasures::MeanMeasures(std::span<const std::uint32_t> classes) : classes_(classes) {
-  for (const std::uint32_t one : classes) {
+MeanMeasures::MeanMeasures(std::vector<std::uint32_t> classes) : classes_(std::move(classes)) {
+  for (const std::uint32_t one : classes_) {
     if (one >= sizes_.size()) sizes_.resize(one + std::size_t{1}, 0);
     ++sizes_[one];
   }

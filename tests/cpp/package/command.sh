@@ -5,26 +5,9 @@ set -u
 prefix=$1 data=$2 folder=$3
 girth=$prefix/bin/girth
 share=$prefix/share
-rm -rf "$folder" && mkdir -p "$folder" && cd "$folder" || exit 1
+. "$(dirname "$0")/expect.sh"
+begin "$folder"
 cp "$data/prism.obj" model.obj
-failed=0
-
-# `expect CODE WORDS command...`: the exit code, and words that standard output or error must have.
-expect() {
-  local code=$1 words=$2 answer got
-  shift 2
-  answer=$("$@" 2>&1 < /dev/null)
-  got=$?
-  if [ "$got" -ne "$code" ] || [[ "$answer" != *"$words"* ]]; then
-    printf 'wrong: %s\n  ended with %s, not %s; should contain "%s":\n%s\n' "$*" "$got" "$code" "$words" "$answer"
-    failed=1
-  fi
-}
-
-# `same A B`: two files alike.
-same() {
-  cmp -s "$1" "$2" || { echo "wrong: $1 and $2 differ"; failed=1; }
-}
 
 # Help, slips, exit codes.
 expect 0 'girth ' "$girth" -V
@@ -101,5 +84,4 @@ answers=$("$girth" info model.obj absent.obj kept.obj --json --jobs 2 2> errors 
 expect 0 '' "$girth" igf model.obj kept.obj -q --jobs 2 -o values/ --format csv
 same values.csv values/kept.csv
 
-[ $failed -eq 0 ] && echo 'all as it should be'
-exit $failed
+finish

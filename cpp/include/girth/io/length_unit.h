@@ -4,6 +4,8 @@
 #include <span>
 #include <string_view>
 
+#include "girth/export.h"
+
 namespace girth::io {
 
 /// A unit of length.
@@ -14,9 +16,9 @@ struct LengthUnit {
 };
 
 /// um, mm, cm, m, km, in and ft.
-std::span<const LengthUnit> lengthUnits();
+GIRTH_EXPORT std::span<const LengthUnit> lengthUnits();
 
 /// The unit with that name or symbol; null where there is none.
-const LengthUnit* findLengthUnit(std::string_view nameOrSymbol);
+GIRTH_EXPORT const LengthUnit* findLengthUnit(std::string_view nameOrSymbol);
 
 }  // namespace girth::io

@@ -12,6 +12,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/prepare_surface.h"
 #include "girth/triangle_soup.h"
 
@@ -28,7 +29,7 @@ enum class Format : std::uint8_t {
 };
 
 /// "GLB", "glTF", "OBJ", "PLY", "STL" or "OFF".
-std::string_view toString(Format format);
+GIRTH_EXPORT std::string_view toString(Format format);
 
 /// A model as it is in its file, nothing repaired.
 struct ReadModel {
@@ -75,13 +76,13 @@ using ResourceReader = std::function<std::optional<std::vector<std::byte>>(std::
 /// (glTF 1.0, required extensions, ...), MISSING_RESOURCE, NON_FINITE_POSITION (vertex; in text:
 /// line), INDEX_OUT_OF_RANGE (glTF: corner of the primitive; others: line or byte), EMPTY_MESH
 /// (also: point clouds and lines), LIMIT_EXCEEDED, OUT_OF_MEMORY.
-Result<ReadModel> readModel(std::span<const std::byte> bytes, std::string_view name,
-                            const ResourceReader& resources = {});
+GIRTH_EXPORT Result<ReadModel> readModel(std::span<const std::byte> bytes, std::string_view name,
+                                         const ResourceReader& resources = {});
 
 /// readModel, then prepareSurface. Errors: those of both.
-Result<LoadedMesh> readMesh(std::span<const std::byte> bytes, std::string_view name,
-                            const ResourceReader& resources = {},
-                            const PrepareOptions& options = {},
-                            const ExecutionContext& context = {});
+GIRTH_EXPORT Result<LoadedMesh> readMesh(std::span<const std::byte> bytes, std::string_view name,
+                                         const ResourceReader& resources = {},
+                                         const PrepareOptions& options = {},
+                                         const ExecutionContext& context = {});
 
 }  // namespace girth::io

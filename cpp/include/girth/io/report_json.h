@@ -3,11 +3,12 @@
 
 #include <string>
 
+#include "girth/export.h"
 #include "girth/prepare_surface.h"
 
 namespace girth::io {
 
 /// One object with the members of PreparationReport under their names.
-std::string reportJson(const PreparationReport& report);
+GIRTH_EXPORT std::string reportJson(const PreparationReport& report);
 
 }  // namespace girth::io

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "girth/export.h"
 #include "girth/geodesic_extent.h"
 #include "girth/girth_field.h"
 #include "girth/io/read_mesh.h"
@@ -14,7 +15,7 @@
 namespace girth::io {
 
 /// Values at the vertices of a surface. Does not own them.
-struct VertexField {
+struct GIRTH_EXPORT VertexField {
   /// What files call it: a small letter, then small letters, digits and underscores: "igf", "sdf".
   std::string name;
   /// One for each vertex of the surface; NaN where there is none.
@@ -39,19 +40,25 @@ struct VertexField {
 };
 
 /// "exact" or "ms".
-std::string_view toString(GirthMethod method);
+GIRTH_EXPORT std::string_view toString(GirthMethod method);
 
 /// How distances were computed, in words: "exact" or "fast marching".
-std::string_view toString(DistanceMethod method);
+GIRTH_EXPORT std::string_view toString(DistanceMethod method);
 /// How the shape diameter was computed, in words: "30 rays".
-std::string methodText(const ShapeDiameterOptions& options);
+GIRTH_EXPORT std::string methodText(const ShapeDiameterOptions& options);
 
 /// Whether files can hold the fields: USAGE where there is none, where one does not have a value
 /// for each vertex (and a kind, if it has kinds at all), where names are not as above or come
 /// twice, or where several have kinds.
-std::optional<Error> checkFields(const LoadedMesh& loaded, std::span<const VertexField> fields);
+GIRTH_EXPORT std::optional<Error> checkFields(const LoadedMesh& loaded,
+                                              std::span<const VertexField> fields);
 
-/// The girth function as a field with the name "igf". Valid as long as `field`.
-VertexField girthVertexField(const GirthField& field, GirthMethod method, std::string_view unit);
+/// The girth function as a field with the name "igf". Valid as long as `field`, which must be kept
+/// in a variable.
+GIRTH_EXPORT VertexField girthVertexField(const GirthField& field, GirthMethod method,
+                                          std::string_view unit);
+/// The values must outlive the view of them.
+VertexField girthVertexField(const GirthField&&, GirthMethod method,
+                             std::string_view unit) = delete;
 
 }  // namespace girth::io

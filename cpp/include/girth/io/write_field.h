@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "girth/error.h"
+#include "girth/export.h"
 #include "girth/io/read_mesh.h"
 #include "girth/io/vertex_field.h"
 
@@ -24,25 +25,25 @@ enum class Columns : std::uint8_t {
 /// their values. Where a vertex is not on the surface, or has no value, its columns are empty.
 /// Numbers read back as the same doubles (formatNumber); lines end with "\n". With positions:
 /// `vertex,x (mm),y (mm),z (mm),igf (mm),kind`, without the units that are not known.
-std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fields,
-                     Columns columns = Columns::Fields);
+GIRTH_EXPORT std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fields,
+                                  Columns columns = Columns::Fields);
 
 /// The same as one JSON object: `file`, `unit` of the model ("" where it is not known), `complete`,
 /// `vertices`, `fields` (of each its `name`, `method`, `unit` and whether it is `complete`), and
 /// one array for every column of the CSV but the first, under its name (without units), with null
 /// where that is empty.
-std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fields,
-                      std::string_view file, Columns columns = Columns::Fields);
+GIRTH_EXPORT std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fields,
+                                   std::string_view file, Columns columns = Columns::Fields);
 
 /// The values as NumPy reads them with `numpy.load`: format version 1.0, dtype '<f8', shape (n,),
 /// one for every vertex of the *file*, in its order; NaN where the CSV is empty.
-std::string fieldNpy(const LoadedMesh& loaded, const VertexField& field);
+GIRTH_EXPORT std::string fieldNpy(const LoadedMesh& loaded, const VertexField& field);
 
 /// The surface as binary little-endian PLY: for every vertex of the *surface* (not of the file) x,
 /// y, z and each field as doubles, after a field with kinds `kind` as a byte (0 loop, 1 antipodal,
 /// 2 unresolved, 255 no value, where the field is NaN); then the faces. Comments state units,
 /// methods and what codes mean.
-std::string fieldPly(const LoadedMesh& loaded, std::span<const VertexField> fields);
+GIRTH_EXPORT std::string fieldPly(const LoadedMesh& loaded, std::span<const VertexField> fields);
 
 /// Values between which the colour map of a GLB runs.
 struct ColourRange {
@@ -62,7 +63,18 @@ struct ColourRange {
 /// Units and methods stand in the mesh's `extras`.
 ///
 /// Error: LIMIT_EXCEEDED where the file would pass 4 GB.
-Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexField> fields,
-                             std::optional<ColourRange> range = std::nullopt);
+GIRTH_EXPORT Result<std::string> fieldGlb(const LoadedMesh& loaded,
+                                          std::span<const VertexField> fields,
+                                          std::optional<ColourRange> range = std::nullopt);
+
+/// The fields as a file of the format "csv", "json", "npy", "ply" or "glb": what the functions
+/// above return. `file`: what JSON calls the model. `columns`: of CSV and JSON.
+///
+/// Errors: USAGE for another one, as of checkFields, and for several fields in NPY, which holds one;
+/// LIMIT_EXCEEDED.
+GIRTH_EXPORT Result<std::string> fieldFile(const LoadedMesh& loaded,
+                                           std::span<const VertexField> fields,
+                                           std::string_view format, std::string_view file,
+                                           Columns columns = Columns::Fields);
 
 }  // namespace girth::io

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "girth/export.h"
 #include "girth/io/read_mesh.h"
 #include "girth/limbs.h"
 
@@ -14,13 +15,14 @@ namespace girth::io {
 /// `apex` (as a point of `loopJson`), `vertices` (of the file), and `profile`: stations with
 /// `distance`, `ring`, `median`, `least` and the point `place` of the least. Numbers that there are
 /// none of are null.
-std::string limbsJson(const LoadedMesh& loaded, const Limbs& limbs, std::string_view file);
+GIRTH_EXPORT std::string limbsJson(const LoadedMesh& loaded, const Limbs& limbs,
+                                   std::string_view file);
 
 /// `limb,length,narrowest,narrowestDistance,median,base,end,apex,unit` and a row for each limb;
 /// `apex` is a vertex of the file. Numbers that there are none of are empty.
-std::string limbsCsv(const LoadedMesh& loaded, const Limbs& limbs);
+GIRTH_EXPORT std::string limbsCsv(const LoadedMesh& loaded, const Limbs& limbs);
 
 /// `limb,distance,ring,median,least,unit` and a row for each station of each limb.
-std::string limbProfilesCsv(const LoadedMesh& loaded, const Limbs& limbs);
+GIRTH_EXPORT std::string limbProfilesCsv(const LoadedMesh& loaded, const Limbs& limbs);
 
 }  // namespace girth::io

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "girth/export.h"
 #include "girth/girth_solver.h"
 #include "girth/io/read_mesh.h"
 
@@ -13,18 +14,18 @@ namespace girth::io {
 /// `length`, `kind`, `angle` in radians, `unit`, and as points `base`, `midpoint` and, if wanted,
 /// `points`: each with its `position` and the `vertices` of the file (one, the two of an edge, or
 /// the three of a face) that it lies between, with their `weights`.
-std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::string_view file,
-                     bool withPoints);
+GIRTH_EXPORT std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop,
+                                  std::string_view file, bool withPoints);
 
 /// The polyline as an OBJ line element, closed.
-std::string loopObj(const LoadedMesh& loaded, const GirthLoop& loop);
+GIRTH_EXPORT std::string loopObj(const LoadedMesh& loaded, const GirthLoop& loop);
 
 /// `x,y,z` and one row for every point of the polyline; the last equals the first.
-std::string loopCsv(const LoadedMesh& loaded, const GirthLoop& loop);
+GIRTH_EXPORT std::string loopCsv(const LoadedMesh& loaded, const GirthLoop& loop);
 
 /// The polyline as GLB: a line strip (mode 3) with positions rounded to floats; in the mesh's
 /// `extras` the loop's `length`, `kind`, `angle` and `unit`. glTF is in metres, as in fieldGlb.
 /// Error: EMPTY_MESH where the loop is unresolved and has no points.
-Result<std::string> loopGlb(const LoadedMesh& loaded, const GirthLoop& loop);
+GIRTH_EXPORT Result<std::string> loopGlb(const LoadedMesh& loaded, const GirthLoop& loop);
 
 }  // namespace girth::io

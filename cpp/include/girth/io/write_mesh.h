@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "girth/error.h"
+#include "girth/export.h"
 #include "girth/io/read_mesh.h"
 #include "girth/surface_mesh.h"
 
@@ -17,6 +18,7 @@ namespace girth::io {
 /// its node; the other formats name no unit, only a comment does where there can be one.
 ///
 /// Errors: USAGE for Format::Gltf (write GLB), LIMIT_EXCEEDED where GLB would pass 4 GB.
-Result<std::string> meshFile(const SurfaceMesh& mesh, Format format, std::string_view unit = {});
+GIRTH_EXPORT Result<std::string> meshFile(const SurfaceMesh& mesh, Format format,
+                                          std::string_view unit = {});
 
 }  // namespace girth::io

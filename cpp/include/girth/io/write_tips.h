@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "girth/export.h"
 #include "girth/io/read_mesh.h"
 #include "girth/tips.h"
 
@@ -14,11 +15,11 @@ namespace girth::io {
 /// file), and `contour`: lines with `closed` and `points` [x,y,z]. Of an arc: `length`, `jump` and
 /// `line`. `trials`, a JSON array (study::tipTrialsJson), becomes the member `trials`; empty:
 /// there is none.
-std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_view file,
-                     std::string_view trials = {});
+GIRTH_EXPORT std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_view file,
+                                  std::string_view trials = {});
 
 /// The contours as OBJ line elements: one object a tip (`o tip_1`, …) and one an arc (`o arc_1`,
 /// …).
-std::string tipsObj(const LoadedMesh& loaded, const Tips& tips);
+GIRTH_EXPORT std::string tipsObj(const LoadedMesh& loaded, const Tips& tips);
 
 }  // namespace girth::io

@@ -10,6 +10,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 
 namespace girth::study {
 
@@ -44,10 +45,11 @@ struct Vocabulary {
 ///
 /// Errors: INVALID_OPTION (no words, no dimensions, sizes that do not fit, no feature left),
 /// CANCELLED.
-Result<Vocabulary> vocabularyOf(std::span<const double> features, std::size_t dimensions,
-                                std::span<const double> weights,
-                                const VocabularyOptions& options = {},
-                                const ExecutionContext& context = {});
+GIRTH_EXPORT Result<Vocabulary> vocabularyOf(std::span<const double> features,
+                                             std::size_t dimensions,
+                                             std::span<const double> weights,
+                                             const VocabularyOptions& options = {},
+                                             const ExecutionContext& context = {});
 
 /// How a feature counts to the words.
 enum class WordChoice : std::uint8_t {
@@ -58,10 +60,11 @@ enum class WordChoice : std::uint8_t {
 
 /// How much of the features' weight each word has; adds up to 1 (all 0 without any feature that
 /// counts). O(n · words · dimensions).
-std::vector<double> bagOfFeatures(const Vocabulary& vocabulary, std::span<const double> features,
-                                  std::span<const double> weights, WordChoice choice);
+GIRTH_EXPORT std::vector<double> bagOfFeatures(const Vocabulary& vocabulary,
+                                               std::span<const double> features,
+                                               std::span<const double> weights, WordChoice choice);
 
 /// The sum of the differences of two bags: 0 to 2. NaN where one is all 0.
-double bagDistance(std::span<const double> one, std::span<const double> two);
+GIRTH_EXPORT double bagDistance(std::span<const double> one, std::span<const double> two);
 
 }  // namespace girth::study

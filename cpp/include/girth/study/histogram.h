@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "girth/distribution.h"
+#include "girth/export.h"
 
 namespace girth::study {
 
@@ -19,13 +20,13 @@ struct HistogramRange {
 /// The shares of the values in `bins` bins of equal width (the paper: 512); what lies outside the
 /// range counts to the bin at its end. Adds up to 1; all 0 where the distribution is empty. At
 /// least one bin. O(n).
-std::vector<double> histogramOf(const Distribution& distribution, const HistogramRange& range,
-                                std::size_t bins = 512);
+GIRTH_EXPORT std::vector<double> histogramOf(const Distribution& distribution,
+                                             const HistogramRange& range, std::size_t bins = 512);
 
 /// The earth mover's distance of two histograms over the same range, a bin's share lying in its
 /// middle: the sum of |CDF1 − CDF2| over the bins, times their width. NaN where one is empty. Off
 /// from that of the distributions by at most the width of a bin. O(bins).
-double histogramDistance(const std::vector<double>& one, const std::vector<double>& two,
-                         const HistogramRange& range);
+GIRTH_EXPORT double histogramDistance(const std::vector<double>& one,
+                                      const std::vector<double>& two, const HistogramRange& range);
 
 }  // namespace girth::study

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "girth/error.h"
+#include "girth/export.h"
 #include "girth/study/histogram.h"
 
 namespace girth::study {
@@ -36,13 +37,14 @@ struct JointHistogramOptions {
 
 /// Vertices counted by weight in the cells of (first, second); those that lack one of the values do
 /// not count. Cells are in a fixed order; shares add up to 1. O(n + bins²).
-JointHistogram jointHistogramOf(std::span<const double> first, std::span<const double> second,
-                                std::span<const double> weights,
-                                const JointHistogramOptions& options);
+GIRTH_EXPORT JointHistogram jointHistogramOf(std::span<const double> first,
+                                             std::span<const double> second,
+                                             std::span<const double> weights,
+                                             const JointHistogramOptions& options);
 
 /// The earth mover's distance with the Euclidean distance in the plane, after each axis has been
 /// divided by its scale, as the cost (transport.h). Errors: INVALID_OPTION where one is empty.
-Result<double> jointDistance(const JointHistogram& one, const JointHistogram& two,
-                             double firstScale, double secondScale);
+GIRTH_EXPORT Result<double> jointDistance(const JointHistogram& one, const JointHistogram& two,
+                                          double firstScale, double secondScale);
 
 }  // namespace girth::study

@@ -10,11 +10,13 @@
 #include <span>
 #include <vector>
 
+#include "girth/export.h"
+
 namespace girth::study {
 
 /// All shares in [0, 1]. C: the size of the query's class, the query among it; of the C − 1 others,
 /// those found among the first k of the ranking are r(k). The query itself is never in the ranking.
-struct RetrievalMeasures {
+struct GIRTH_EXPORT RetrievalMeasures {
   /// Nearest neighbour: r(1).
   double nearestNeighbour{0};
   /// First tier: r(C − 1) / (C − 1).
@@ -43,20 +45,21 @@ struct RetrievalMeasures {
 /// The models but the query in rising order of their distances. Of equal distances, models of other
 /// classes come first, so that a descriptor that distinguishes nothing gains nothing; NaN comes
 /// last. Of what is still equal, the lower number. O(n log n).
-std::vector<std::uint32_t> rankingOf(std::size_t query, std::span<const double> distances,
-                                     std::span<const std::uint32_t> classes);
+GIRTH_EXPORT std::vector<std::uint32_t> rankingOf(std::size_t query,
+                                                  std::span<const double> distances,
+                                                  std::span<const std::uint32_t> classes);
 
 /// The measures of one query. All 0 where its class has no other model, as it cannot be asked for:
 /// leave it out of means. Fewer than 32 models in the ranking: E is of those there are.
-RetrievalMeasures measuresOf(std::size_t query, std::span<const std::uint32_t> ranking,
-                             std::span<const std::uint32_t> classes);
+GIRTH_EXPORT RetrievalMeasures measuresOf(std::size_t query, std::span<const std::uint32_t> ranking,
+                                          std::span<const std::uint32_t> classes);
 
 /// The mean over all models of classes of two or more, every query counting the same (Shilane et
 /// al.'s micro-average), by adding up row after row.
-class MeanMeasures {
+class GIRTH_EXPORT MeanMeasures {
  public:
-  /// `classes`: of each model the number of its class; must outlive this.
-  explicit MeanMeasures(std::span<const std::uint32_t> classes);
+  /// `classes`: of each model the number of its class.
+  explicit MeanMeasures(std::vector<std::uint32_t> classes);
 
   /// One query's distances to all models. Returns its measures.
   RetrievalMeasures add(std::size_t query, std::span<const double> distances);
@@ -69,7 +72,7 @@ class MeanMeasures {
   RetrievalMeasures mean() const;
 
  private:
-  std::span<const std::uint32_t> classes_;
+  std::vector<std::uint32_t> classes_;
   std::vector<std::size_t> sizes_;
   std::size_t queries_{0};
   RetrievalMeasures sum_;

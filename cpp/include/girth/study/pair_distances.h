@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "girth/execution.h"
+#include "girth/export.h"
 
 namespace girth::study {
 
 /// Rows of a symmetric matrix of distances with zeros on its diagonal. Up to `kKept` models every
 /// pair is computed once and kept (8 bytes a pair); beyond that rows are computed when they are
 /// asked for and nothing is kept, so that memory stays in proportion to the models.
-class PairDistances {
+class GIRTH_EXPORT PairDistances {
  public:
   /// Models up to which all pairs are kept.
   static constexpr std::size_t kKept = 3000;

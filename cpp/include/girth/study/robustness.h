@@ -14,6 +14,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/study/surface_changes.h"
 #include "girth/surface_mesh.h"
 
@@ -66,9 +67,8 @@ struct NamedSurface {
 /// distributions. `poses`: the same thing in other poses. Time: that of as many girth fields. The
 /// same bits for any number of threads. Errors: those of remesh for the even mesh;
 /// INVALID_OPTION (stretch); CANCELLED.
-Result<std::vector<RobustnessRow>> robustnessStudy(const SurfaceMesh& model,
-                                                   std::span<const NamedSurface> poses,
-                                                   const RobustnessOptions& options = {},
-                                                   const ExecutionContext& context = {});
+GIRTH_EXPORT Result<std::vector<RobustnessRow>> robustnessStudy(
+    const SurfaceMesh& model, std::span<const NamedSurface> poses,
+    const RobustnessOptions& options = {}, const ExecutionContext& context = {});
 
 }  // namespace girth::study

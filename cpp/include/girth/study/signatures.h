@@ -13,6 +13,7 @@
 #include "girth/distribution.h"
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/study/bag_of_features.h"
 #include "girth/study/joint_histogram.h"
 #include "girth/study/study_fields.h"
@@ -23,7 +24,7 @@ namespace girth::study {
 /// "geofarthest" are distributions of a field; "hks", "sihks" and "wks" are bags of features;
 /// "igf-sdf" is the joint distribution of two fields. "log-igf" and so on are the distributions of
 /// logarithms: values count by their ratios, and so thin parts as much as thick ones.
-std::vector<std::string> descriptorNames();
+GIRTH_EXPORT std::vector<std::string> descriptorNames();
 
 /// A descriptor: one of those above, or a weighted sum of some.
 struct Descriptor {
@@ -40,10 +41,10 @@ struct Descriptor {
 
 /// "igf", or "igf+sdf", or "2*igf+sdf": the distance is the weighted sum of the terms' distances,
 /// each divided by its mean over all pairs of the collection. Errors: USAGE.
-Result<Descriptor> parseDescriptor(std::string_view text);
+GIRTH_EXPORT Result<Descriptor> parseDescriptor(std::string_view text);
 
 /// The groups of fields that descriptors need, each once.
-std::vector<FieldGroup> groupsOf(const std::vector<Descriptor>& descriptors);
+GIRTH_EXPORT std::vector<FieldGroup> groupsOf(const std::vector<Descriptor>& descriptors);
 
 /// What one-dimensional fields are multiplied by before they are compared.
 enum class ValueScale : std::uint8_t {
@@ -77,7 +78,7 @@ struct SignatureOptions {
 /// then `finish` is called once; then, where `needsWords`, every model's fields once more
 /// (`addWords`). Different models may be added by different threads at once. Memory in proportion
 /// to the models: their one-dimensional fields, not their surfaces.
-class Signatures {
+class GIRTH_EXPORT Signatures {
  public:
   /// `names`: of descriptorNames, each once; `models`: how many will be added.
   Signatures(std::vector<std::string> names, std::size_t models, SignatureOptions options);

@@ -10,6 +10,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/geodesic_extent.h"
 #include "girth/heat_kernel.h"
 #include "girth/shape_diameter.h"
@@ -34,7 +35,7 @@ inline constexpr FieldGroup kFieldGroups[] = {FieldGroup::Girth, FieldGroup::Mar
                                               FieldGroup::Spectral};
 
 /// "igf", "igf-ms", "sdf", "extent" or "spectral".
-std::string_view toString(FieldGroup group);
+GIRTH_EXPORT std::string_view toString(FieldGroup group);
 
 /// The paper's parameters are the defaults.
 struct FieldParameters {
@@ -66,7 +67,7 @@ struct StudyField {
 };
 
 /// Fields and how much each vertex counts: its share of the area.
-struct StudyFields {
+struct GIRTH_EXPORT StudyFields {
   /// Of each vertex; they add up to 1.
   std::vector<double> weights;
   /// On the same vertices.
@@ -78,20 +79,21 @@ struct StudyFields {
 
 /// The surface on which the fields are computed: remeshed and scaled as the parameters say. Errors:
 /// those of remesh.h; LIMIT_EXCEEDED where the area is no number that can be scaled.
-Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh, const FieldParameters& parameters,
-                                 const ExecutionContext& context = {});
+GIRTH_EXPORT Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh,
+                                              const FieldParameters& parameters,
+                                              const ExecutionContext& context = {});
 
 /// A group's fields on such a surface. hks is the heat kernel signature at 16 times, from 4 ln 10 /
 /// (4π · 300) to 4 ln 10 / 4π times the area in equal ratios: what Sun et al. 2009 choose, with the
 /// eigenvalues 1 and 300 that a surface of that area has on average (Weyl's law); at each time it
 /// is divided by its mean over the surface, so that all times count alike. Costs and errors: those
 /// of the fields; CANCELLED.
-Result<StudyFields> studyFields(const SurfaceMesh& surface, FieldGroup group,
-                                const FieldParameters& parameters,
-                                const ExecutionContext& context = {});
+GIRTH_EXPORT Result<StudyFields> studyFields(const SurfaceMesh& surface, FieldGroup group,
+                                             const FieldParameters& parameters,
+                                             const ExecutionContext& context = {});
 
 /// All parameters that a group's values depend on, and the version of what computes them: equal
 /// texts mean equal fields of equal surfaces.
-std::string parametersText(FieldGroup group, const FieldParameters& parameters);
+GIRTH_EXPORT std::string parametersText(FieldGroup group, const FieldParameters& parameters);
 
 }  // namespace girth::study

@@ -12,6 +12,7 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 
 namespace girth::study {
@@ -20,13 +21,15 @@ namespace girth::study {
 /// times along the axis of space in which it is longest, so that triangles across that axis come
 /// out shorter by as much. `stretch`: from 1, which is plain remeshing, to 100. Errors: those of
 /// remesh; INVALID_OPTION.
-Result<SurfaceMesh> remeshedUnevenly(const SurfaceMesh& mesh, Index faces, double stretch,
-                                     const ExecutionContext& context = {});
+GIRTH_EXPORT Result<SurfaceMesh> remeshedUnevenly(const SurfaceMesh& mesh, Index faces,
+                                                  double stretch,
+                                                  const ExecutionContext& context = {});
 
 /// Every vertex moved in a random direction, by a random distance of up to `amount` times the mean
 /// edge length. The same `seed` always gives the same surface. Faces may come to intersect. O(n).
 /// Errors: INVALID_OPTION (amount: 0 to 1); DEGENERATE_FACE where a face loses its area.
-Result<SurfaceMesh> withNoise(const SurfaceMesh& mesh, double amount, std::uint64_t seed);
+GIRTH_EXPORT Result<SurfaceMesh> withNoise(const SurfaceMesh& mesh, double amount,
+                                           std::uint64_t seed);
 
 /// A surface whose triangles are cut into four each.
 struct Subdivision {
@@ -39,7 +42,7 @@ struct Subdivision {
 /// Cuts each triangle into four by the middles of its sides: the same surface, other triangles.
 /// Vertices keep their numbers, and face f becomes 4 f to 4 f + 3. O(n). Errors:
 /// DEGENERATE_FACE where a face is so thin that a quarter of it has no area.
-Result<Subdivision> subdivided(const SurfaceMesh& mesh);
+GIRTH_EXPORT Result<Subdivision> subdivided(const SurfaceMesh& mesh);
 
 /// How many humps are raised, and how large.
 struct HumpOptions {
@@ -54,19 +57,19 @@ struct HumpOptions {
 /// Humps raised along the surface's normals: at the geodesic distance d from a middle by height ·
 /// (1 − (d / radius)²)². Errors: INVALID_OPTION (no numbers above 0); those of GeodesicSolver;
 /// DEGENERATE_FACE.
-Result<SurfaceMesh> withHumps(const SurfaceMesh& mesh, const HumpOptions& options = {},
-                              const ExecutionContext& context = {});
+GIRTH_EXPORT Result<SurfaceMesh> withHumps(const SurfaceMesh& mesh, const HumpOptions& options = {},
+                                           const ExecutionContext& context = {});
 
 /// A tube with three sides between two faces, in whose place it comes: one handle more where both
 /// are of the same component. Vertices keep their numbers. Errors: INVALID_OPTION where the faces
 /// do not exist or have a vertex in common; NON_MANIFOLD_EDGE where an edge joins them already.
-Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Face face1, Face face2);
+GIRTH_EXPORT Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Face face1, Face face2);
 
 /// Up to `count` pairs of faces that face each other across a gap and are far apart along the
 /// surface: where parts grow together in a poor scan. Those first whose way along the surface is
 /// longest against the gap (at least twice as long); ends of different pairs are not near each
 /// other. Looks at 300 places spread evenly. Errors: CANCELLED.
-Result<std::vector<std::pair<Face, Face>>> facingPlaces(const SurfaceMesh& mesh, std::size_t count,
-                                                        const ExecutionContext& context = {});
+GIRTH_EXPORT Result<std::vector<std::pair<Face, Face>>> facingPlaces(
+    const SurfaceMesh& mesh, std::size_t count, const ExecutionContext& context = {});
 
 }  // namespace girth::study

@@ -10,13 +10,14 @@
 
 #include "girth/error.h"
 #include "girth/execution.h"
+#include "girth/export.h"
 #include "girth/surface_mesh.h"
 #include "girth/tips.h"
 
 namespace girth::study {
 
 /// What came of the tips on one changed surface.
-struct TipTrial {
+struct GIRTH_EXPORT TipTrial {
   /// By how many mean edge lengths vertices moved at most (withNoise); none: each triangle was cut
   /// into four instead (subdivided), which leaves the surface as it is.
   std::optional<double> noise;
@@ -47,8 +48,9 @@ struct TipTrialOptions {
 /// which tips are reliable. `tips`: those of the surface. Time: that of the girth of one surface
 /// with four times the faces and of as many others as there are amounts of noise. The same bits for
 /// any number of threads. Errors: INVALID_OPTION (withNoise); CANCELLED.
-Result<std::vector<TipTrial>> tipTrials(const SurfaceMesh& mesh, std::span<const Tip> tips,
-                                        const TipTrialOptions& options = {},
-                                        const ExecutionContext& context = {});
+GIRTH_EXPORT Result<std::vector<TipTrial>> tipTrials(const SurfaceMesh& mesh,
+                                                     std::span<const Tip> tips,
+                                                     const TipTrialOptions& options = {},
+                                                     const ExecutionContext& context = {});
 
 }  // namespace girth::study

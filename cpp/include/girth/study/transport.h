@@ -6,6 +6,7 @@
 #include <span>
 
 #include "girth/error.h"
+#include "girth/export.h"
 
 namespace girth::study {
 
@@ -20,7 +21,8 @@ namespace girth::study {
 ///
 /// Errors: INVALID_OPTION where a share or cost is negative or not finite, a side has nothing, or
 /// the number of costs does not fit.
-Result<double> transportCost(std::span<const double> supplies, std::span<const double> demands,
-                             std::span<const double> costs);
+GIRTH_EXPORT Result<double> transportCost(std::span<const double> supplies,
+                                          std::span<const double> demands,
+                                          std::span<const double> costs);
 
 }  // namespace girth::study

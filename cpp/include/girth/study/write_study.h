@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "girth/export.h"
 #include "girth/study/measures.h"
 
 namespace girth::study {
@@ -67,16 +68,16 @@ struct RetrievalStudy {
 
 /// `descriptor,nn,first_tier,second_tier,e_measure,e_measure_with_query,dcg,queries`, one row for
 /// each descriptor; shares in [0, 1] with all digits.
-std::string measuresCsv(const RetrievalStudy& study);
+GIRTH_EXPORT std::string measuresCsv(const RetrievalStudy& study);
 
 /// `descriptor,recall,precision`: 20 rows for each descriptor.
-std::string precisionRecallCsv(const RetrievalStudy& study);
+GIRTH_EXPORT std::string precisionRecallCsv(const RetrievalStudy& study);
 
 /// Everything but the pictures as one JSON object.
-std::string studyJson(const RetrievalStudy& study);
+GIRTH_EXPORT std::string studyJson(const RetrievalStudy& study);
 
 /// One page without scripts that needs no other file and no network: the table, the
 /// precision-recall curves, a sheet of queries and answers, the distances, and how it was made.
-std::string studyHtml(const RetrievalStudy& study);
+GIRTH_EXPORT std::string studyHtml(const RetrievalStudy& study);
 
 }  // namespace girth::study

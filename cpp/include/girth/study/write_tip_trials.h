@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "girth/export.h"
 #include "girth/study/tip_stability.h"
 
 namespace girth::study {
@@ -13,6 +14,6 @@ namespace girth::study {
 /// A JSON array, for `trials` of io::tipsJson. Of each trial: `change` ("subdivided" or "noise"),
 /// `noise` (mean edge lengths), `tips` and `arcs` (how many), and `found` (for each tip, in order,
 /// true or false); or `error`, why there is none. Empty text without trials.
-std::string tipTrialsJson(std::span<const TipTrial> trials);
+GIRTH_EXPORT std::string tipTrialsJson(std::span<const TipTrial> trials);
 
 }  // namespace girth::study

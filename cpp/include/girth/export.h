@@ -1,0 +1,16 @@
+// What shared libraries show of themselves.
+//
+// Shared libraries (BUILD_SHARED_LIBS) hide everything but what is marked with GIRTH_EXPORT: the
+// functions and classes of the public headers, and of the private ones what the project's other
+// libraries use.
+//
+// GIRTH_SHARED is defined for those who link shared libraries, by girth::core and by pkg-config.
+// For those who link static ones nothing is defined, and the mark means nothing.
+#pragma once
+
+/// Marks what a shared library shows.
+#if defined(GIRTH_BUILDING) || defined(GIRTH_SHARED)
+#define GIRTH_EXPORT __attribute__((visibility("default")))
+#else
+#define GIRTH_EXPORT
+#endif

@@ -1,0 +1,68 @@
+#!/bin/bash
+# README's lines, as they stand: `readme.sh PREFIX SOURCE FOLDER COMPILER`. PREFIX: what Girth is installed under;
+# SOURCE: the repository; FOLDER: where to work, which is made anew. Its ```cpp blocks, and those of the documents, are
+# compiled and run; its ```cmake block is used by a project; its lines of the command are run, but for the study of
+# robustness, which takes minutes. Prints what is wrong and ends with 1.
+set -u
+prefix=$1 source=$2 folder=$3 compiler=$4
+. "$(dirname "$0")/expect.sh"
+begin "$folder"
+cp "$source/tests/data/prism.obj" model.obj
+libraries=$(dirname "$(dirname "$(find "$prefix" -name girth.pc)")")
+export PKG_CONFIG_PATH=$libraries/pkgconfig LD_LIBRARY_PATH=$libraries
+
+# `blocks LANGUAGE FILE PREFIX`: each block of FILE becomes PREFIX1, PREFIX2, ...
+blocks() {
+  awk -v language="$1" -v prefix="$3" '
+    /^```/ { if (inside) { inside = 0; close(name) } else if ($0 == "```" language) { inside = 1; name = prefix (++n) } ; next }
+    inside { print > name }' "$2"
+}
+
+blocks cpp "$source/README.md" README-
+for document in "$source"/web/docs/*.md "$source"/web/docs/decisions/*.md; do
+  blocks cpp "$document" "$(basename "$document" .md)-"
+done
+[ -f README-2 ] || { echo 'wrong: README has no two programs in C++'; failed=1; }
+for block in *-[0-9]*; do
+  mv "$block" "$block.cpp"
+  # shellcheck disable=SC2046
+  expect 0 '' "$compiler" -std=c++20 -Wall -Wextra -Werror "$block.cpp" -o "$block" \
+    $(pkg-config --cflags --libs girth-study)
+  expect 0 '' "./$block" model.obj
+done
+[ "$(head -1 values.csv)" = 'vertex,igf,kind' ] || { echo 'wrong: README writes no values.csv'; failed=1; }
+expect 1 'absent.obj: FILE_NOT_FOUND: ' ./README-1 absent.obj
+
+blocks cmake "$source/README.md" lines-
+{
+  echo 'cmake_minimum_required(VERSION 3.25)'
+  echo 'project(mine LANGUAGES CXX)'
+  echo 'add_executable(mine README-1.cpp)'
+  cat lines-1
+} > CMakeLists.txt
+expect 0 '' cmake -G Ninja -S . -B build -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler"
+expect 0 '' cmake --build build
+expect 0 '' build/mine model.obj
+# The command, on models as small as the lines allow.
+if [ -x "$prefix/bin/girth" ]; then
+  mkdir command && cd command || exit 1
+  PATH=$prefix/bin:$PATH
+  girth remesh ../model.obj --refine 400 -q -o model.glb && girth remesh model.glb --faces 300 -q -o model.stl &&
+    girth remesh model.glb --faces 200 -q -o a.obj && girth remesh model.glb --faces 200 --even -q -o b.obj || failed=1
+  mkdir -p folder/thin folder/thick && cp a.obj b.obj folder/thin && cp a.obj model.stl folder/thick
+  blocks sh "$source/README.md" lines-
+  grep -h '^girth ' lines-* | sed 's/ *#.*//' > lines
+  [ "$(wc -l < lines)" -ge 15 ] || { echo "wrong: README has only $(wc -l < lines) lines of the command"; failed=1; }
+  grep -v '^girth study robustness ' lines > tried
+  while read -r line; do
+    # A printer's limits are not met by this model.
+    code=0
+    [[ "$line" == *--min-wall* ]] && code=4
+    # shellcheck disable=SC2086
+    expect $code '' $line
+  done < tried
+  for made in values.csv fewer.obj finer.obj loop.obj tips.json limbs.json parts.json sdf.csv a.csv report/index.html; do
+    [ -s "$made" ] || { echo "wrong: README's lines do not write $made"; failed=1; }
+  done
+fi
+finish

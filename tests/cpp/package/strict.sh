@@ -1,0 +1,27 @@
+#!/bin/bash
+# All public headers in a program that takes every warning for an error: `strict.sh PREFIX SOURCE FOLDER COMPILER`, by that
+# compiler and by the other ones that are there, as C++20 and C++23. Prints what is wrong and ends with 1.
+set -u
+prefix=$1 source=$2 folder=$3
+. "$(dirname "$0")/expect.sh"
+begin "$folder"
+include=$(find "$prefix" -type d -path '*include/girth' | head -1)
+{
+  (cd "$include/.." && find girth -name '*.h' | sort | sed 's/.*/#include <&>/')
+  sed '/^#include <girth/d' "$source/tests/cpp/consumer/strict.cpp"
+} > strict.cpp
+for compiler in "$4" g++ clang++; do
+  command -v "$compiler" > /dev/null || continue
+  name=$("$compiler" --version | head -1)
+  [[ "${tried:-}" == *"$name"* ]] && continue
+  tried+=$name
+  for standard in c++20 c++2b; do
+    for definition in GIRTH_STATIC GIRTH_SHARED; do
+      [ "$definition$standard" = GIRTH_SHAREDc++20 ] && continue
+      expect 0 '' "$compiler" -std=$standard -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion \
+        -Wshadow -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual -Werror -D$definition \
+        -I"$include/.." strict.cpp
+    done
+  done
+done
+finish
