@@ -15,6 +15,7 @@ const elsewhere = [
   ['a C++20 compiler', ['c++', 'g++', 'clang++']],
   ['CMake', ['cmake']],
   ['Ninja', ['ninja']],
+  ['pkg-config', ['pkg-config', 'pkgconf']],
   ['Chromium (or set CHROMIUM to its path)', [process.env.CHROMIUM ?? 'chromium', 'chromium']],
   ['clang', ['clang++']],
   ['clang-format', ['clang-format']],

@@ -17,7 +17,7 @@ project() {
 configure() {
   local name=$1
   shift
-  cmake -G Ninja -S "$name" -B "$name/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" "$@"
+  cmake -S "$name" -B "$name/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" "$@"
 }
 without=(-DCMAKE_DISABLE_FIND_PACKAGE_draco=ON -DCMAKE_DISABLE_FIND_PACKAGE_meshoptimizer=ON
   -DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON)

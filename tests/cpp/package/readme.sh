@@ -40,7 +40,7 @@ blocks cmake "$source/README.md" lines-
   echo 'add_executable(mine README-1.cpp)'
   cat lines-1
 } > CMakeLists.txt
-expect 0 '' cmake -G Ninja -S . -B build -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler"
+expect 0 '' cmake -S . -B build -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler"
 expect 0 '' cmake --build build
 expect 0 '' build/mine model.obj
 # The command, on models as small as the lines allow.

@@ -5,6 +5,7 @@ set -u
 source=$1 folder=$2 compiler=$3
 . "$(dirname "$0")/expect.sh"
 begin "$folder"
+command -v ninja > /dev/null || { echo 'skipped: Ninja is missing'; exit 77; }
 
 # `project NAME BRING LIBRARIES`: prints what Girth has changed of the project's variables and properties.
 project() {
