@@ -40,6 +40,14 @@ if [ -f "$libraries/libgirth_core.a" ]; then
   link io -lgirth_core -ldraco -lmeshoptimizer
   link study -lgirth_io -lgirth_core
   export PKG_CONFIG_PATH=$libraries/pkgconfig
+else
+  # Before 1.0.0 each minor version has an interface of its own.
+  version=$(pkg-config --modversion girth)
+  interface=${version%%.*}
+  [ "$interface" -gt 0 ] || interface=${version%.*}
+  for library in core io study; do
+    expect 0 "[libgirth_$library.so.$interface]" readelf -d "$libraries/libgirth_$library.so.$version"
+  done
 fi
 export LD_LIBRARY_PATH=$libraries
 try dynamic
