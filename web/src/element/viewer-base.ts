@@ -41,6 +41,8 @@ import { Work, type Watched } from './work.js';
 /** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
 const narrow = 520;
 const legendHeight = 92;
+/** Of the status, with its margin, at the bottom; CSS pixels. */
+const statusHeight = 56;
 
 /** Characters of a wrong attribute that are repeated. */
 const mostQuoted = 60;
@@ -332,13 +334,15 @@ export abstract class ViewerBase extends ElementOrNone {
 
   /** What lies on the canvas beside the surface: what the page writes on top, and the element's own. */
   #furniture(): Box[] {
-    const { left, top, width } = this.getBoundingClientRect();
+    const { left, top, width, height } = this.getBoundingClientRect();
     const own = [this.#legend.element, ...this.#status.element.children, this.#controls.element];
     const boxes = own.map((element) => {
       const box = element.getBoundingClientRect();
       return { left: box.left - left, top: box.top - top, width: box.width, height: box.height };
     });
     boxes.push({ left: 0, top: 0, width, height: this.#headHeight });
+    // The status comes and goes; a line to what is below the legend would cross it.
+    boxes.push({ left: 0, top: height - statusHeight, width, height: statusHeight });
     return boxes.filter((box) => box.width > 0 && box.height > 0);
   }
 
