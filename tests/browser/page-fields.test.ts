@@ -45,6 +45,10 @@ test('thickness can be chosen: legend, median and colours follow', async () => {
     .poll(() => page.locator('.shares li').allTextContents())
     .toContainEqual(expect.stringMatching(/^loop\d+\.\d\u202f%$/));
   expect(await page.locator('#distribution').isVisible()).toBe(false);
+  // Sliders without values have words, not the numbers of their steps.
+  const slider = page.locator('.sliders input').first();
+  expect(await slider.getAttribute('aria-valuetext')).toBe('no values yet');
+  expect(await slider.isDisabled()).toBe(true);
 });
 
 test('which number of a signature is shown can be chosen, and is in the link', async () => {
