@@ -20,6 +20,6 @@ GIRTH_EXPORT std::string formatNumber(double value);
 
 /// The number for people: with six significant digits, all digits before the point, and never an
 /// exponent. The page writes the same (tests/data/numbers.json).
-std::string readableNumber(double value);
+GIRTH_EXPORT std::string readableNumber(double value);
 
 }  // namespace girth::io
