@@ -9,6 +9,9 @@ import { fieldComplete, framesPass, hover, placeOnSurface } from './viewer-page.
 
 const openBuilt = builtPage();
 
+/** Many frames are drawn here, by the processor: each takes time in proportion to its pixels. */
+const viewport = { width: 800, height: 640 };
+
 interface Place {
   x: number;
   y: number;
@@ -53,7 +56,7 @@ async function drag(
 
 for (const reducedMotion of ['no-preference', 'reduce'] as const) {
   test(`a camera at rest keeps its place to the last bit; motion: ${reducedMotion}`, async () => {
-    const { page, viewer } = await openBuilt(undefined, { reducedMotion });
+    const { page, viewer } = await openBuilt(undefined, { reducedMotion, viewport });
     await modelIs(page, 'chair.glb');
     await fieldComplete(viewer);
     // Turns by itself until then.
@@ -93,7 +96,10 @@ test(
   'surfaces of any size and place are drawn, and follow the hand, alike',
   { timeout: 300_000 },
   async () => {
-    const { page, viewer } = await openBuilt(undefined, { reducedMotion: 'no-preference' });
+    const { page, viewer } = await openBuilt(undefined, {
+      reducedMotion: 'no-preference',
+      viewport,
+    });
     await modelIs(page, 'chair.glb');
     const usual = await follows(page, viewer, 'usual.obj', ring);
     expect(Math.min(...usual.by)).toBeGreaterThan(25);
