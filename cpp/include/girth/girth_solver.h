@@ -20,7 +20,7 @@ enum class LoopKind : std::uint8_t {
   /// The frontier vanished at one farthest point without a loop before: the "loop" is out and back
   /// again.
   Antipodal = 1,
-  /// The budget of windows was met first. The length is a lower bound.
+  /// The budget was met first. The length is a lower bound.
   Unresolved = 2,
 };
 
@@ -92,7 +92,8 @@ class GIRTH_EXPORT GirthSolver {
   /// I(p) for any point p with its loop. The same context and errors.
   Result<GirthLoop> loop(const SurfacePoint& point, const ExecutionContext& context = {});
 
-  /// Calls give up after so many windows, with LoopKind::Unresolved. Default: 2^26.
+  /// Calls give up with LoopKind::Unresolved after so many windows, or as much work on pairs of
+  /// windows, loops and the farthest point. Default: 2^26.
   void setBudget(std::size_t windows);
   /// What the last call cost.
   SearchStatistics statistics() const;

@@ -48,15 +48,15 @@ Passage passageTo(const Propagation& propagation, const Bundle& bundle, Vec2 poi
   const double length = propagation.unfolding().crossing(bundle.halfedge).length();
   Passage best{bundle, 0, length};
   double bestMiss = std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < propagation.enteredCount(bundle.halfedge); ++i) {
-    const Window w = propagation.window(bundle.halfedge, i);
-    if (w.sigma != bundle.sigma || w.root.x != bundle.root.x || w.root.y != bundle.root.y) continue;
+  propagation.eachEntered(bundle.halfedge, [&](const Window& w) {
+    if (w.sigma != bundle.sigma || w.root.x != bundle.root.x || w.root.y != bundle.root.y) return;
     const double miss = missBy(w, length, point);
-    if (miss < bestMiss) {
+    // Of those that see it alike, the one that came first.
+    if (miss <= bestMiss && std::isfinite(miss)) {
       bestMiss = miss;
       best = {bundle, w.gapFrom, length - w.gapTo};
     }
-  }
+  });
   return best;
 }
 
@@ -72,20 +72,20 @@ Passage passageBefore(const Propagation& propagation, const Bundle& bundle, doub
     const Crossing c = unfolding.crossing(side);
     const bool throughLeft = c.leftTwin() == bundle.halfedge;
     const Vec2 p = unfolding.toFrame(behind, side, point);
-    for (std::uint32_t i = 0; i < propagation.enteredCount(side); ++i) {
-      const Window w = propagation.window(side, i);
-      if (w.sigma != bundle.sigma) continue;
+    propagation.eachEntered(side, [&](const Window& w) {
+      if (w.sigma != bundle.sigma) return;
       Pair<double> root =
           throughLeft ? rootBeyond(w.root.x, w.root.y, c.left().x, c.left().y)
                       : rootBeyond(c.length() - w.root.x, w.root.y, c.right().x, c.right().y);
       if (!throughLeft) root.x = c.rightLength() - root.x;
-      if (root.x != bundle.root.x || root.y != bundle.root.y) continue;
+      if (root.x != bundle.root.x || root.y != bundle.root.y) return;
       const double miss = missBy(w, c.length(), p);
-      if (miss < bestMiss) {
+      const bool isSameSide = best.bundle.halfedge == side;
+      if (miss < bestMiss || (miss == bestMiss && isSameSide)) {
         bestMiss = miss;
         best = {{side, w.root, w.sigma}, w.gapFrom, c.length() - w.gapTo};
       }
-    }
+    });
   }
   return best;
 }

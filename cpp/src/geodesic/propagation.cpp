@@ -17,6 +17,13 @@ float roundedDown(double a) { return static_cast<float>(a * (1 - 1e-7)); }
 
 Vec2 normalized(Vec2 a) { return (1 / norm(a)) * a; }
 
+/// Whether the path of a window, on a halfedge of this length, to a point of its face is shorter
+/// than `length`.
+bool reaches(const Window& w, double halfedge, Vec2 point, double length) {
+  const double rest = length - w.sigma;
+  return rest > 0 && dot(point - w.root, point - w.root) < rest * rest && w.covers(halfedge, point);
+}
+
 /// Moves the near end of an interval away from a vertex as far as the path over it wins
 /// (trimming.h). False: nothing is left.
 bool trim(Vec2 root, double lead, double& gap) {
@@ -373,11 +380,12 @@ void Propagation::sendThrough(Index halfedge, const Vec2* low, const Vec2* high)
   send(c.rightTwin(), {c.rightLength() - root.x, root.y}, distance_[c.from()], gapFrom, gapTo);
 }
 
-void Propagation::entered(Index halfedge, std::vector<Window>& windows) const {
+void Propagation::entered(Index halfedge, std::vector<Window>& windows, std::size_t known) const {
   windows.resize(enteredCount(halfedge));
-  if (windows.empty()) return;
+  if (windows.size() <= known) return;
   for (const WindowRun* run = lists_[halfedge].newest; run != nullptr; run = run->older) {
     if (run->begin >= windows.size()) continue;  // it waits
+    if (run->begin + run->count <= known) break;
     for (std::uint32_t i = 0; i < run->count; ++i) windows[run->begin + i] = run->window(i);
   }
 }
@@ -401,30 +409,24 @@ PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Crossing c = unfolding_->crossing(h);
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
-    for (std::uint32_t i = 0, end = enteredCount(h); i < end; ++i) {
-      const Window w = lists_[h].window(i);
+    eachEntered(h, [&](const Window& w) {
       const double distance = w.distanceTo(p);
-      if (distance < best.distance && w.covers(c.length(), p)) {
+      // Of those that tie, the one that came first.
+      const bool isBest =
+          distance < best.distance || (distance == best.distance && best.bundle.halfedge == h);
+      if (isBest && w.covers(c.length(), p)) {
         best = {distance, {h, w.root, w.sigma}, kNoIndex, kNoIndex};
       }
-    }
+    });
   }
   return best;
 }
 
-/// Whether a window of that number exists, and its path to a point, given in the frame of its
-/// halfedge, is shorter than a length.
-bool Propagation::sees(WindowNumber window, Vec2 point, double length) const {
-  const WindowList& list = lists_[window.halfedge];
-  if (window.number >= enteredCount(window.halfedge)) return false;
-  const Window w = list.window(window.number);
-  const double rest = length - w.sigma;
-  return rest > 0 && dot(point - w.root, point - w.root) < rest * rest &&
-         w.covers(unfolding_->crossing(window.halfedge).length(), point);
-}
-
 bool Propagation::isNearer(Index halfedge, Vec2 point, double length, WindowNumber window) const {
-  return sees(window, unfolding_->toFrame(halfedge, window.halfedge, point), length);
+  if (window.number >= enteredCount(window.halfedge)) return false;
+  return reaches(lists_[window.halfedge].window(window.number),
+                 unfolding_->crossing(window.halfedge).length(),
+                 unfolding_->toFrame(halfedge, window.halfedge, point), length);
 }
 
 bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNumber& by) const {
@@ -432,9 +434,11 @@ bool Propagation::findNearer(Index halfedge, Vec2 point, double length, WindowNu
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
     if (distance_[unfolding_->crossing(h).from()] + norm(p) < length) return true;
-    for (std::uint32_t i = 0, end = enteredCount(h); i < end; ++i) {
-      if (!sees({h, i}, p, length)) continue;
-      by = {h, i};
+    const double whole = unfolding_->crossing(h).length();
+    if (findEntered(h, [&](const Window& w, std::uint32_t number) {
+          by = {h, number};
+          return reaches(w, whole, p, length);
+        })) {
       return true;
     }
   }

@@ -155,8 +155,30 @@ class Propagation {
   Window window(Index halfedge, std::uint32_t number) const {
     return lists_[halfedge].window(number);
   }
-  /// All of them, by number.
-  void entered(Index halfedge, std::vector<Window>& windows) const;
+  /// Visits them all, the newest first, until `visit(const Window&, std::uint32_t number)` returns
+  /// true; returns whether one did. In time proportional to their number, which asking for one
+  /// after the other is not.
+  template <class Visit>
+  bool findEntered(Index halfedge, Visit visit) const {
+    const WindowList& list = lists_[halfedge];
+    if (gone(list)) return false;
+    for (const WindowRun* run = list.newest; run != nullptr; run = run->older) {
+      if (run->begin >= list.entered) continue;  // it waits
+      for (std::uint32_t i = run->count; i-- > 0;) {
+        if (visit(run->window(i), run->begin + i)) return true;
+      }
+    }
+    return false;
+  }
+  template <class Visit>
+  void eachEntered(Index halfedge, Visit visit) const {
+    findEntered(halfedge, [&](const Window& w, std::uint32_t) {
+      visit(w);
+      return false;
+    });
+  }
+  /// All of them, by number; `known`: so many are there already.
+  void entered(Index halfedge, std::vector<Window>& windows, std::size_t known = 0) const;
   /// Those of them that reached the opposite corner lie among numbers `first` to `second` − 1.
   std::pair<std::uint32_t, std::uint32_t> apexWindows(Index halfedge) const {
     const WindowList& list = lists_[halfedge];
@@ -196,6 +218,7 @@ class Propagation {
   /// Gives up after so many windows have crossed a face, or the visitor has done as much; then
   /// `gaveUp`.
   void setBudget(std::size_t windows) { budget_ = windows; }
+  std::size_t budget() const { return budget_; }
   bool gaveUp() const { return gaveUp_; }
   /// How far everything is known.
   double frontier() const { return queue_.frontier(); }
@@ -237,7 +260,6 @@ class Propagation {
   void fanBehind(Index vertex);
   void sendAround(Index first, const Vec2* low, Index last, const Vec2* high);
   void sendThrough(Index halfedge, const Vec2* low, const Vec2* high);
-  bool sees(WindowNumber window, Vec2 point, double length) const;
   double farthestBehind(const Crossing& c) const;
   void forgetPassed();
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <queue>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -84,25 +84,100 @@ int meetingPlaces(Vec2 a, double sigmaA, Vec2 b, double sigmaB, std::array<doubl
   return count;
 }
 
-bool insideFace(const Propagation& propagation, Index face, Vec2 q) {
+/// The point of a face nearest to one that lies in it up to kTouch; nothing where it is farther
+/// out. (Beyond the tip of a needle, a point beside both sides by as little may be far off.)
+std::optional<Vec2> withinFace(const Propagation& propagation, Index face, Vec2 q) {
   const Unfolding& unfolding = propagation.unfolding();
+  Vec2 nearest = q;
+  double way = std::numeric_limits<double>::infinity();
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    if (!(unfolding.toFrame(3 * face, h, q).y >= -kTouch * unfolding.crossing(h).length())) {
-      return false;
-    }
+    const double length = unfolding.crossing(h).length();
+    const Vec2 p = unfolding.toFrame(3 * face, h, q);
+    if (!(p.y >= -kTouch * length)) return std::nullopt;
+    if (p.y >= 0) continue;
+    const Vec2 onSide{std::clamp(p.x, 0.0, length), 0};
+    if (norm(p - onSide) >= way) continue;
+    way = norm(p - onSide);
+    nearest = unfolding.toFrame(h, 3 * face, onSide);
   }
-  return true;
+  return nearest;
 }
 
-/// Searches faces, most promising parts first.
-class FaceSearch {
+/// Of all cells, the most promising comes first; what cannot hold a farther point is left out.
+class Search {
  public:
-  FaceSearch(const Propagation& propagation, FarthestPoint& best)
-      : propagation_(propagation), best_(best), atLeast_(best.distance) {}
+  Search(const Propagation& propagation, FarthestPoint& best, const WorkLimit& limit)
+      : propagation_(propagation), best_(best), limit_(limit), atLeast_(best.distance) {}
 
-  /// Everything in the frame of the face's first halfedge.
-  void search(Index face) {
-    face_ = face;
+  /// A face to be searched, if its corners leave room for a farther point.
+  void offer(Index face) {
+    const double bound = propagation_.farthestWithin(face);
+    if (bound > best_.distance) push({bound, face, {}, {}, {}, Bound::Face});
+  }
+
+  /// False: the limit was met, or the work cancelled.
+  bool run() {
+    const bool complete = searchCells();
+    if (sample_.distance > best_.distance * (1 + kTie)) best_ = sample_;
+    return complete;
+  }
+
+  /// No point is farther than this, whether or not `run` came to its end.
+  double atMost() const {
+    const double rest = cells_.empty() ? 0 : cells_.front().bound;
+    return std::max(best_.distance, rest);
+  }
+
+ private:
+  /// Triples of so few sites are all tried.
+  static constexpr std::size_t kFewSites = 8;
+  /// More sites than these are not kept: some 60 MB.
+  static constexpr std::size_t kMostKept = std::size_t{1} << 20;
+
+  /// What the bound of a cell follows from.
+  enum class Bound : std::uint8_t {
+    Face,    ///< the corners of the face; its sites are yet to be found
+    Radius,  ///< the distance of the middle, and the way from there
+    Site,    ///< a site that sees the whole cell
+  };
+
+  /// A triangle of a face, in the frame of its first halfedge, with the sites that may be nearest
+  /// to a point of it.
+  struct Cell {
+    double bound;  // the distance is nowhere greater
+    Index face;
+    std::array<Vec2, 3> corners;
+    std::vector<Site> sites;
+    Site nearest;  // to the middle, if it bounds the cell
+    Bound from;
+    bool operator<(const Cell& other) const { return bound < other.bound; }
+  };
+
+  bool searchCells() {
+    while (!cells_.empty() && cells_.front().bound > atLeast_) {
+      if (work_ > limit_.work || kept_ > kMostKept || limit_.cancelled()) return false;
+      std::pop_heap(cells_.begin(), cells_.end());
+      const Cell cell = std::move(cells_.back());
+      cells_.pop_back();
+      kept_ -= cell.sites.size();
+      face_ = cell.face;
+      if (cell.from == Bound::Face) {
+        open(cell.face);
+      } else {
+        search(cell);
+      }
+    }
+    return true;
+  }
+
+  void push(Cell cell) {
+    kept_ += cell.sites.size();
+    cells_.push_back(std::move(cell));
+    std::push_heap(cells_.begin(), cells_.end());
+  }
+
+  /// The sites of a face.
+  void open(Index face) {
     const Unfolding& unfolding = propagation_.unfolding();
     std::vector<Site> sites;
     std::array<Vec2, 3> corners;
@@ -113,90 +188,142 @@ class FaceSearch {
       if (propagation_.settled(c.from())) {
         sites.push_back({place({0, 0}), propagation_.distance(c.from())});
       }
-      for (std::uint32_t i = 0; i < propagation_.enteredCount(h); ++i) {
-        const geodesic::Window w = propagation_.window(h, i);
+      propagation_.eachEntered(h, [&](const geodesic::Window& w) {
         const Vec2 root = place(w.root);
         const Vec2 left = place({w.gapFrom, 0}) - root;
         const Vec2 right = place({c.length() - w.gapTo, 0}) - root;
         sites.push_back({root, w.sigma, (1 / norm(left)) * left, (1 / norm(right)) * right});
-      }
+      });
     }
     for (const Propagation::Origin& origin : propagation_.origins()) {
       if (origin.face == face) sites.push_back({origin.place, 0});
     }
-    std::priority_queue<Cell> cells;
-    add(cells, corners, sites, 0);
-    while (!cells.empty() && cells.top().bound > atLeast_) {
-      const Cell cell = cells.top();
-      cells.pop();
-      if (cell.sites.size() <= kFewSites || cell.depth == kDeepest) {
-        testTriples(cell.sites);
-        continue;
-      }
-      const auto& [a, b, c] = cell.corners;
-      const Vec2 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
-      add(cells, {a, ab, ca}, cell.sites, cell.depth + 1);
-      add(cells, {ab, b, bc}, cell.sites, cell.depth + 1);
-      add(cells, {ca, bc, c}, cell.sites, cell.depth + 1);
-      add(cells, {ab, bc, ca}, cell.sites, cell.depth + 1);
-    }
+    add(corners, sites);
   }
 
- private:
-  static constexpr std::size_t kFewSites = 8;
-  static constexpr int kDeepest = 16;
+  void search(const Cell& cell) {
+    std::vector<Site> roots;
+    if (differentRoots(cell.sites, roots)) {
+      testTriples(roots, cell.sites);
+      return;
+    }
+    // Many paths tie. Where the cell is so small that its middle is as far as any point of it, that
+    // is the answer; otherwise it is halved.
+    const Vec2 centre = middle(cell.corners);
+    const double atCentre = distanceAmong(cell.sites, centre);
+    if (cell.bound <= atCentre * (1 + kTie)) {
+      accept(centre, atCentre);
+      return;
+    }
+    const std::size_t from = sideToHalve(cell), to = (from + 1) % 3;
+    const Vec2 half = 0.5 * (cell.corners[from] + cell.corners[to]);
+    std::array<Vec2, 3> part = cell.corners;
+    part[from] = half;
+    add(part, cell.sites);
+    part = cell.corners;
+    part[to] = half;
+    add(part, cell.sites);
+  }
 
-  /// A triangle of the face, with the sites that may be nearest to a point of it.
-  struct Cell {
-    double bound;  // the distance is nowhere greater
-    std::array<Vec2, 3> corners;
-    std::vector<Site> sites;
-    int depth;
-    bool operator<(const Cell& other) const { return bound < other.bound; }
-  };
+  static Vec2 middle(const std::array<Vec2, 3>& corners) {
+    return (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
+  }
 
-  void add(std::priority_queue<Cell>& cells, const std::array<Vec2, 3>& corners,
-           const std::vector<Site>& sites, int depth) {
-    const Vec2 centre = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
+  /// The side of a cell to be halved, which runs from this corner to the next: the longest; where a
+  /// site bounds the cell, the longest in directions in which the distance from it changes. (Across
+  /// a needle nothing does.)
+  static std::size_t sideToHalve(const Cell& cell) {
+    // How fast a convex function changes along a side shows at its ends.
+    const auto change = [&](Vec2 corner, Vec2 side) {
+      const Vec2 ray = corner - cell.nearest.root;
+      const double length = norm(ray);
+      return length > 0 ? std::fabs(dot(ray, side)) / length : norm(side);
+    };
+    std::size_t side = 0;
+    double most = -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2 a = cell.corners[k], b = cell.corners[(k + 1) % 3];
+      const double extent =
+          cell.from == Bound::Site ? std::max(change(a, b - a), change(b, b - a)) : norm(b - a);
+      if (extent > most) {
+        most = extent;
+        side = k;
+      }
+    }
+    return side;
+  }
+
+  void add(const std::array<Vec2, 3>& corners, const std::vector<Site>& sites) {
+    const Vec2 centre = middle(corners);
     double radius = 0;
     for (const Vec2 corner : corners) radius = std::max(radius, norm(corner - centre));
-    // The distance changes by no more than the way walked.
-    const double atCentre = distanceAmong(sites, centre);
-    atLeast_ = std::max(atLeast_, atCentre);
+    work_ += sites.size();
+    const Site* nearest = nullptr;
+    const double atCentre = distanceAmong(sites, centre, &nearest);
+    if (atCentre > atLeast_ && std::isfinite(atCentre)) {
+      atLeast_ = atCentre;
+      sample_.distance = atCentre;
+      sample_.halfedge = 3 * face_;
+      sample_.point = centre;
+    }
     if (atCentre + radius <= atLeast_) return;
-    Cell cell{atCentre + radius, corners, {}, depth};
-    const double margin = radius * (1 + 1e-6) + kTie * best_.distance;
+    const double slack = kTie * best_.distance;
+    const double margin = radius * (1 + 1e-6) + slack;
+    // The distance changes by no more than the way walked. That from one root is convex: where its
+    // window covers the whole cell, it is nowhere farther than from the farthest corner.
+    Cell cell{atCentre + radius, face_, corners, {}, {}, Bound::Radius};
+    if (nearest != nullptr && std::all_of(corners.begin(), corners.end(), [&](Vec2 corner) {
+          return nearest->meetsDisk(corner, slack);
+        })) {
+      double farthest = 0;
+      for (const Vec2 corner : corners) farthest = std::max(farthest, nearest->distanceTo(corner));
+      if (farthest < cell.bound) {
+        cell.bound = farthest;
+        cell.from = Bound::Site;
+        cell.nearest = *nearest;
+      }
+    }
+    if (cell.bound <= atLeast_) return;
     for (const Site& site : sites) {
       if (site.distanceTo(centre) <= atCentre + 2 * margin && site.meetsDisk(centre, margin)) {
         cell.sites.push_back(site);
       }
     }
-    cells.push(std::move(cell));
+    push(std::move(cell));
   }
 
-  /// Distance of a point from the sites that see it.
-  double distanceAmong(const std::vector<Site>& sites, Vec2 q) const {
+  /// Distance of a point from the sites that see it, and the nearest of these if asked for.
+  double distanceAmong(const std::vector<Site>& sites, Vec2 q,
+                       const Site** nearest = nullptr) const {
     double distance = std::numeric_limits<double>::infinity();
     for (const Site& site : sites) {
       const Vec2 ray = q - site.root;
       const double squared = dot(ray, ray), rest = distance - site.sigma;
       if (rest > 0 && squared < rest * rest && site.meetsDisk(q, kTie * best_.distance)) {
         distance = site.sigma + std::sqrt(squared);
+        if (nearest != nullptr) *nearest = &site;
       }
     }
     return distance;
   }
 
-  void testTriples(const std::vector<Site>& all) {
-    // Windows of one root, which differ only in the way they pass flat vertices, are one site.
-    std::vector<Site> sites;
+  /// One site of each root: windows that differ only in the way they pass flat vertices count once.
+  /// False: there are more than a few.
+  bool differentRoots(const std::vector<Site>& all, std::vector<Site>& roots) const {
     const double slack = kTie * best_.distance;
     for (const Site& site : all) {
-      const auto known = std::find_if(sites.begin(), sites.end(), [&](const Site& s) {
+      const auto known = std::find_if(roots.begin(), roots.end(), [&](const Site& s) {
         return std::fabs(s.sigma - site.sigma) <= slack && norm(s.root - site.root) <= slack;
       });
-      if (known == sites.end()) sites.push_back(site);
+      if (known != roots.end()) continue;
+      if (roots.size() == kFewSites) return false;
+      roots.push_back(site);
     }
+    return true;
+  }
+
+  /// `all`: of the cell, with every window of the roots.
+  void testTriples(const std::vector<Site>& sites, const std::vector<Site>& all) {
     for (std::size_t i = 0; i < sites.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         for (std::size_t k = 0; k < j; ++k) {
@@ -223,47 +350,71 @@ class FaceSearch {
     }
   }
 
-  void test(Vec2 q, const Site& site, const std::vector<Site>& sites) {
-    const double distance = site.distanceTo(q);
+  /// A point at which paths meet that come from this site and others.
+  void test(Vec2 meeting, const Site& site, const std::vector<Site>& sites) {
+    work_ += sites.size();
     // A point that ties with a vertex is that vertex, found again beside it.
-    if (!(distance > best_.distance * (1 + kTie)) || !insideFace(propagation_, face_, q)) return;
+    const double least = best_.distance * (1 + kTie), there = site.distanceTo(meeting);
+    if (!(there > least)) return;
+    const auto within = withinFace(propagation_, face_, meeting);
+    if (!within) return;
     // The sites may be out of sight from there, or the point outside the part of the face where no
     // others count: what decides is the true distance; first, cheaply, a bound to it.
-    if (std::fabs(distanceAmong(sites, q) - distance) > kTie * distance) return;
+    const double distance = distanceAmong(sites, *within);
+    if (!(distance > least) ||
+        std::fabs(distance - there) > norm(*within - meeting) + kTie * distance) {
+      return;
+    }
     geodesic::WindowNumber nearer;
-    if (propagation_.findNearer(3 * face_, q, distance * (1 - kTie), nearer)) return;
-    best_ = {distance, 3 * face_, q};
+    if (propagation_.findNearer(3 * face_, *within, distance * (1 - kTie), nearer)) return;
+    accept(*within, distance);
+  }
+
+  /// A point of the face at its true distance.
+  void accept(Vec2 q, double distance) {
+    if (!(distance > best_.distance * (1 + kTie))) return;
+    best_.distance = distance;
+    best_.halfedge = 3 * face_;
+    best_.point = q;
     atLeast_ = std::max(atLeast_, distance * (1 - kTie));
   }
 
   const Propagation& propagation_;
   FarthestPoint& best_;
-  double atLeast_;  // the maximum is known to be no less
-  Index face_{0};
+  const WorkLimit& limit_;
+  std::vector<Cell> cells_;  // a heap, the most promising on top
+  double atLeast_;           // the maximum is known to be no less
+  FarthestPoint sample_;     // the farthest of the middles looked at
+  Index face_{0};            // that is searched
+  std::size_t work_{0};      // sites looked at
+  std::size_t kept_{0};      // sites of all cells
 };
 
 }  // namespace
 
-FarthestPoint farthestPoint(const Propagation& propagation) {
+FarthestPoint farthestPoint(const Propagation& propagation, const WorkLimit& limit) {
   const Unfolding& unfolding = propagation.unfolding();
   FarthestPoint best;
   for (const Index v : propagation.reachedVertices()) {
     if (propagation.distance(v) > best.distance) {
-      best = {propagation.distance(v), unfolding.outgoing(v), {0, 0}};
+      best.distance = propagation.distance(v);
+      best.halfedge = unfolding.outgoing(v);
     }
   }
 
-  // Faces that could hold a farther point, judged by their corners; each once, at its first corner.
-  FaceSearch faces(propagation, best);
+  // Each face once, at its first corner.
+  Search search(propagation, best, limit);
   for (const Index v : propagation.reachedVertices()) {
     const Index start = unfolding.outgoing(v);
     for (Index out = start; out != kNoIndex;) {
       const Index face = faceOfSide(out);
-      if (out == 3 * face && propagation.farthestWithin(face) > best.distance) faces.search(face);
+      if (out == 3 * face) search.offer(face);
       out = unfolding.turnLeft(out);
       if (out == start) break;
     }
   }
+  best.complete = search.run();
+  best.atMost = search.atMost();
   return best;
 }
 

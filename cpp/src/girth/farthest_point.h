@@ -1,6 +1,10 @@
 // The point farthest from the source: where the loop turns round if nothing closes before.
 #pragma once
 
+#include <atomic>
+#include <cstddef>
+#include <limits>
+
 #include "geodesic/propagation.h"
 
 namespace girth {
@@ -10,12 +14,27 @@ struct FarthestPoint {
   /// In the frame of a halfedge of a face that contains it.
   Index halfedge{0};
   geodesic::Vec2 point;
+  /// No point is farther than this; where the search is complete, give or take rounding `distance`.
+  double atMost{0};
+  /// False: the limit was met, or the work cancelled. `distance` is that of the farthest point
+  /// found.
+  bool complete{false};
+};
+
+/// When a search gives up.
+struct WorkLimit {
+  /// Paths into a face that are looked at.
+  std::size_t work{std::numeric_limits<std::size_t>::max()};
+  const std::atomic<bool>* cancel{nullptr};
+
+  bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
 };
 
 /// After a propagation over the whole surface: the exact maximum of the distance. It lies at a
 /// vertex, or where three paths arrive together inside a face or on its rim (Sharir and Schorr
-/// 1986: at least three shortest paths end there). Few faces can hold it; those are quartered until
-/// few paths compete. On a boundary two paths are enough.
-FarthestPoint farthestPoint(const geodesic::Propagation& propagation);
+/// 1986: at least three shortest paths end there). On a boundary two paths are enough. Parts of the
+/// faces that can hold it are halved, the most promising first, until few paths compete, or until
+/// all points of a part are equally far up to kTie.
+FarthestPoint farthestPoint(const geodesic::Propagation& propagation, const WorkLimit& limit = {});
 
 }  // namespace girth

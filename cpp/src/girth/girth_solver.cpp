@@ -60,15 +60,30 @@ struct GirthSolver::State {
 
   double inModelUnits(double length) const { return length * unfolding->unit(); }
 
-  GirthValue value() const {
-    if (search.found()) return {inModelUnits(search.best().length), LoopKind::Loop};
-    if (propagation.gaveUp()) {
-      return {inModelUnits(2 * propagation.frontier()), LoopKind::Unresolved};
+  /// The farthest point, with what is left of the budget. Error: CANCELLED.
+  Result<FarthestPoint> farthest(const ExecutionContext& context) const {
+    const std::size_t done = propagation.windowsCrossed() + search.effort();
+    const std::size_t left = propagation.budget() - std::min(done, propagation.budget());
+    // Looking at a path into a face takes half as long as a window that crosses it.
+    const FarthestPoint point = farthestPoint(propagation, {2 * left, context.cancel});
+    if (!point.complete && context.cancelled()) {
+      return makeError(ErrorCode::Cancelled, -1, "cancelled");
     }
-    return {inModelUnits(2 * farthestPoint(propagation).distance), LoopKind::Antipodal};
+    return point;
   }
 
-  GirthLoop loop() const {
+  Result<GirthValue> value(const ExecutionContext& context) const {
+    if (search.found()) return GirthValue{inModelUnits(search.best().length), LoopKind::Loop};
+    if (propagation.gaveUp()) {
+      return GirthValue{inModelUnits(2 * propagation.frontier()), LoopKind::Unresolved};
+    }
+    const auto point = farthest(context);
+    if (!point) return point.error();
+    return GirthValue{inModelUnits(2 * point.value().distance),
+                      point.value().complete ? LoopKind::Antipodal : LoopKind::Unresolved};
+  }
+
+  Result<GirthLoop> loop(const ExecutionContext& context) const {
     GirthLoop result;
     result.base = propagation.source(0);
     std::vector<SurfacePoint> there, back;  // both run from the midpoint to the source
@@ -80,12 +95,12 @@ struct GirthSolver::State {
       trace(best.there, best, there);
       trace(best.back, best, back);
     } else if (propagation.gaveUp()) {
-      result.length = inModelUnits(2 * propagation.frontier());
-      result.kind = LoopKind::Unresolved;
-      result.midpoint = result.base = unfolding->toMesh(result.base);
-      return result;
+      return unresolved(propagation.frontier());
     } else {
-      const FarthestPoint farthest = farthestPoint(propagation);
+      const auto found = this->farthest(context);
+      if (!found) return found.error();
+      const FarthestPoint& farthest = found.value();
+      if (!farthest.complete) return unresolved(farthest.distance);
       result.length = inModelUnits(2 * farthest.distance);
       result.kind = LoopKind::Antipodal;
       result.midpoint = surfacePointAt(*unfolding, farthest.halfedge, farthest.point);
@@ -103,6 +118,15 @@ struct GirthSolver::State {
     result.base = unfolding->toMesh(result.base);
     result.midpoint = unfolding->toMesh(result.midpoint);
     for (SurfacePoint& point : result.points) point = unfolding->toMesh(point);
+    return result;
+  }
+
+  /// No loop is shorter than twice this distance; that is all that is known.
+  GirthLoop unresolved(double distance) const {
+    GirthLoop result;
+    result.length = inModelUnits(2 * distance);
+    result.kind = LoopKind::Unresolved;
+    result.midpoint = result.base = unfolding->toMesh(propagation.source(0));
     return result;
   }
 
@@ -170,7 +194,7 @@ Result<GirthValue> GirthSolver::value(Vertex vertex, const ExecutionContext& con
 }
 Result<GirthValue> GirthSolver::value(const SurfacePoint& point, const ExecutionContext& context) {
   if (auto error = state_->run(point, Keep::Front, context)) return *std::move(error);
-  return state_->value();
+  return state_->value(context);
 }
 
 Result<GirthLoop> GirthSolver::loop(Vertex vertex, const ExecutionContext& context) {
@@ -178,7 +202,7 @@ Result<GirthLoop> GirthSolver::loop(Vertex vertex, const ExecutionContext& conte
 }
 Result<GirthLoop> GirthSolver::loop(const SurfacePoint& point, const ExecutionContext& context) {
   if (auto error = state_->run(point, Keep::Everything, context)) return *std::move(error);
-  return state_->loop();
+  return state_->loop(context);
 }
 
 void GirthSolver::setBudget(std::size_t windows) { state_->propagation.setBudget(windows); }

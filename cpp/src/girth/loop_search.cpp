@@ -47,6 +47,7 @@ bool surrounds(std::vector<double>& directions, double total, bool open) {
 void LoopSearch::start(const std::atomic<bool>* cancel) {
   cancel_ = cancel;
   candidates_.clear();
+  for (Gathered& gathered : gathered_) gathered.known = false;
   nearer_ = {};
   pairs_ = 0;
   found_ = cancelled_ = false;
@@ -54,6 +55,8 @@ void LoopSearch::start(const std::atomic<bool>* cancel) {
 
 bool LoopSearch::enough(double frontier) {
   while (!candidates_.empty() && candidates_.front().length / 2 * (1 + kTie) < frontier) {
+    if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) break;
+    if (propagation_->windowsCrossed() + effort() > propagation_->budget()) return false;
     std::pop_heap(candidates_.begin(), candidates_.end(), longer);
     if (proven(candidates_.back())) {
       best_ = candidates_.back();
@@ -107,16 +110,17 @@ void LoopSearch::pairAcross(Index halfedge, std::uint32_t first, Index other) {
   const Unfolding& unfolding = propagation_->unfolding();
   const double length = unfolding.crossing(halfedge).length();
   const double otherLength = unfolding.crossing(other).length();
-  propagation_->entered(other, others_);
+  const std::vector<Window>* others = nullptr;
   for (std::uint32_t i = first; i < propagation_->enteredCount(halfedge); ++i) {
     const Window a = propagation_->window(halfedge, i);
     // The window as seen from the other side: its root must lie beyond the face.
     const Vec2 root = unfolding.toFrame(halfedge, other, a.root);
     if (root.y <= 0) continue;
-    pairs_ += others_.size();
+    if (others == nullptr) others = &windowsOf(other);
+    pairs_ += others->size();
     const Vec2 from = unfolding.toFrame(halfedge, other, {a.gapFrom, 0}) - root;
     const Vec2 to = unfolding.toFrame(halfedge, other, {length - a.gapTo, 0}) - root;
-    for (const Window& b : others_) {
+    for (const Window& b : *others) {
       const Vec2 ray = b.root - root;
       const double slack = kTouch * length * (std::fabs(ray.x) + std::fabs(ray.y));
       if (cross(from, ray) <= slack && cross(to, ray) >= -slack && b.covers(otherLength, root)) {
@@ -124,6 +128,21 @@ void LoopSearch::pairAcross(Index halfedge, std::uint32_t first, Index other) {
       }
     }
   }
+}
+
+/// All windows that have entered through a halfedge. Where they are many, only those that have come
+/// since the last time are looked up: they lie far apart.
+const std::vector<Window>& LoopSearch::windowsOf(Index halfedge) {
+  Gathered& gathered = gathered_[halfedge % gathered_.size()];
+  if (gathered.halfedge != halfedge) {
+    gathered.halfedge = halfedge;
+    gathered.known = false;
+  }
+  const std::size_t known = gathered.known ? gathered.windows.size() : 0;
+  propagation_->entered(halfedge, gathered.windows, known);
+  gathered.known = true;
+  pairs_ += kPairsPerWindow / 2 * (gathered.windows.size() - known);
+  return gathered.windows;
 }
 
 void LoopSearch::pair(Index halfedge, const Window& a, Index other, const Window& b) {
@@ -279,6 +298,8 @@ bool LoopSearch::proven(const LoopCandidate& candidate) {
       propagation_->isNearer(candidate.halfedge, candidate.midpoint, half, nearer_)) {
     return false;
   }
+  const Index face = SurfaceMesh::faceOf(Halfedge(candidate.halfedge));
+  for (Index h = 3 * face; h < 3 * face + 3; ++h) pairs_ += propagation_->enteredCount(h);
   return !propagation_->findNearer(candidate.halfedge, candidate.midpoint, half, nearer_) &&
          !closesUpon(candidate);
 }
@@ -308,12 +329,11 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
       alongEdge(side.to(), side.length(), unfolding.direction(out));
       const Index opposite = Unfolding::next(out);
       const Crossing entry = unfolding.crossing(opposite);
-      for (std::uint32_t i = 0; i < propagation_->enteredCount(opposite); ++i) {
-        const Window w = propagation_->window(opposite, i);
+      propagation_->eachEntered(opposite, [&](const Window& w) {
         if (w.distanceTo(entry.apex()) <= reach && w.covers(entry.length(), entry.apex())) {
           directions_.push_back(unfolding.directionOf(out, unfolding.toPrevious(opposite, w.root)));
         }
-      }
+      });
       const Index left = unfolding.turnLeft(out);
       if (left == kNoIndex) {
         alongEdge(side.apexVertex(), side.leftLength(), unfolding.totalAngle(c.from()));
@@ -348,12 +368,11 @@ bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
         propagation_->distance(c.from()) + norm(there) <= reach) {
       arrive(unfolding.toFrame(h, base, {0, 0}));
     }
-    for (std::uint32_t i = 0; i < propagation_->enteredCount(h); ++i) {
-      const Window w = propagation_->window(h, i);
+    propagation_->eachEntered(h, [&](const Window& w) {
       if (w.distanceTo(there) <= reach && w.covers(c.length(), there)) {
         arrive(unfolding.toFrame(h, base, w.root));
       }
-    }
+    });
   }
   if (atBoundary) return surrounds(directions_, kPi, true);
   return surrounds(directions_, 2 * kPi, false);

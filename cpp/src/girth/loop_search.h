@@ -20,7 +20,9 @@
 // - Candidates are judged in the order of their lengths, so the first that stands is the shortest.
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -62,12 +64,23 @@ class LoopSearch {
   const LoopCandidate& best() const { return best_; }
   std::size_t memoryBytes() const {
     return candidates_.capacity() * sizeof(LoopCandidate) +
-           others_.capacity() * sizeof(geodesic::Window);
+           std::accumulate(gathered_.begin(), gathered_.end(), std::size_t{0},
+                           [](std::size_t bytes, const Gathered& gathered) {
+                             return bytes + gathered.windows.capacity() * sizeof(geodesic::Window);
+                           });
   }
 
  private:
   static constexpr std::size_t kPairsPerWindow = 16;
 
+  /// The windows that have entered through a halfedge, one behind the other.
+  struct Gathered {
+    Index halfedge{kNoIndex};
+    std::vector<geodesic::Window> windows;
+    bool known{false};  // in this search
+  };
+
+  const std::vector<geodesic::Window>& windowsOf(Index halfedge);
   void pairAcross(Index halfedge, std::uint32_t first, Index other);
   void pair(Index halfedge, const geodesic::Window& a, Index other, const geodesic::Window& b);
   std::optional<LoopCandidate> pairWithPoint(Index halfedge, const geodesic::Window& window,
@@ -87,7 +100,7 @@ class LoopSearch {
   const geodesic::Propagation* propagation_;
   const std::atomic<bool>* cancel_{nullptr};
   std::vector<LoopCandidate> candidates_;  // a heap, shortest on top
-  std::vector<geodesic::Window> others_;   // that the new ones are paired with
+  std::array<Gathered, 16> gathered_;      // that the new ones are paired with
   std::vector<double> directions_;         // of the arrivals at a midpoint
   geodesic::WindowNumber nearer_;          // what disproved the last candidate
   LoopCandidate best_;
