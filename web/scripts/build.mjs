@@ -3,7 +3,6 @@
 import { cpSync, existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { bundlePackageTypes } from './bundle-types.mjs';
 import { compilerCache, compilerCacheEnvironment } from './compiler-cache.mjs';
 import { copyDecoders } from './decoders.mjs';
 import { emscriptenEnvironment, findEmscripten } from './emscripten.mjs';
@@ -115,7 +114,7 @@ export async function buildPackage() {
       ...['dist/kernel/index.js', 'dist/girth-kernel.js', 'dist/element.js'],
       ...['dist/girth-viewer.js', 'dist/plots.js'],
     ],
-    make: () => {
+    make: async () => {
       rmSync(join(repository, 'dist'), { recursive: true, force: true });
       // Not bundled: whoever bundles the package recognises the workers and the modules by the way
       // in which the kernel names them.
@@ -128,6 +127,8 @@ export async function buildPackage() {
         recursive: true,
       });
       runTool('tsc', ['--build', 'web/tsconfig.element.json']);
+      // Uses TypeScript, which is there only after the set-up.
+      const { bundlePackageTypes } = await import('./bundle-types.mjs');
       bundlePackageTypes({ from: join(repository, 'build/types'), to: join(repository, 'dist') });
       const vite = ['build', '--config', 'web/vite.package.config.ts', '--logLevel', 'warn'];
       for (const mode of ['element', 'kernel', 'viewer', 'plots']) {
