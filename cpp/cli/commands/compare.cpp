@@ -149,6 +149,10 @@ Run add(OptionTable& table) {
       "two shapes of different classes, over the 600 models of SHREC'11. By igf, 95 of 100 pairs "
       "of poses are nearer than 0.065, and 95 of 100 pairs of different classes farther than "
       "0.043.");
+  table.note(
+      "Many models",
+      "One answer for all of them, and so no --jobs: the work on each model is divided among "
+      "--threads.");
   table.example("girth compare a.obj b.obj", "How far two shapes are apart, by four descriptors.");
   table.example("girth compare *.off --descriptors igf --json",
                 "Every pair of many, by the girth alone.");

@@ -54,6 +54,8 @@ Run add(OptionTable& table) {
             "A .csv with the columns file and class, or a .cla, for each folder; by default its "
             "classes.csv, its only .cla, or else its folders are the classes");
   addComparisonOptions(table, *options);
+  addRefineOption(table, options->preparing);
+  addModelOptions(table, options->preparing);
   table
       .onValue(
           "--axis PERCENT",
@@ -73,6 +75,10 @@ Run add(OptionTable& table) {
             "Only compute the fields of share I of N, from 0, into the cache; run without it when "
             "all are done");
   table.add("--title TEXT", options->title, "What the report is called");
+  table.note(
+      "Many models",
+      "One report on all of them, and so no --jobs: small models are computed --threads at a "
+      "time, large ones on all threads; --shard divides them among processes and machines.");
   table.example("girth retrieve shapes/ -o report/",
                 "A report on a collection whose folders are its classes.");
   table.example("girth retrieve shapes/ -o report/ --shard 0/2",

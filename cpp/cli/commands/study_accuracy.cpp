@@ -122,6 +122,9 @@ Run add(OptionTable& table) {
       .range(0, kMostFaces);
   addModelOptions(table, options->preparing);
   addThreadsOption(table, options->threads);
+  table.note("Many models",
+             "One at a time: both methods are timed, and what else ran would slow them down. So "
+             "there is no --jobs.");
   table.example("girth study accuracy model.off",
                 "Median and 95th percentile of the error, and processor time of both methods.");
   table.example("girth study accuracy *.off --faces 5000",

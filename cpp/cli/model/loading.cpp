@@ -153,12 +153,4 @@ Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& op
                         std::move(read.notes)};
 }
 
-Result<SurfaceMesh> readSurface(const std::string& path) {
-  const auto file = openModel(path);
-  if (!file) return file.error();
-  auto loaded = io::readMesh(file.value().bytes, file.value().name, file.value().resources);
-  if (!loaded) return loaded.error();
-  return std::move(loaded.value().mesh);
-}
-
 }  // namespace girth::cli

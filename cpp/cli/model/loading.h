@@ -14,8 +14,4 @@ Result<io::ReadModel> readModelFile(const std::string& path, const std::string& 
 /// Reads and prepares a model. Errors: those of openModel and io::readMesh, USAGE.
 Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options);
 
-/// A surface read for a study: all its components, open edges as boundaries. Errors: those of
-/// openModel and io::readMesh.
-Result<SurfaceMesh> readSurface(const std::string& path);
-
 }  // namespace girth::cli

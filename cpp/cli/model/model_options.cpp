@@ -1,6 +1,7 @@
 #include "model/model_options.h"
 
 #include "girth/io/length_unit.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 
@@ -41,6 +42,24 @@ void addRefineOption(OptionTable& table, ModelOptions& options) {
       .add("--refine N", options.refine,
            "Cut triangles until there are N, if there are fewer; the surface stays as it is")
       .range(4, kMostFaces);
+}
+
+std::string preparationText(const ModelOptions& options) {
+  std::string text;
+  const auto add = [&text](const char* option, const std::string& value) {
+    if (!value.empty()) text += std::string(text.empty() ? "" : " ") + option + " " + value;
+  };
+  add("--weld", options.weldDistance);
+  if (options.closeHoles) text += text.empty() ? "--close-holes" : " --close-holes";
+  for (const std::string& component : options.components) add("--component", component);
+  add("--unit", options.unit);
+  add("--in", options.shownUnit);
+  if (options.scale != 1) add("--scale", io::formatNumber(options.scale));
+  add("--height", options.height);
+  add("--up", options.up);
+  add("--entry", options.entry);
+  if (options.refine > 0) add("--refine", std::to_string(options.refine));
+  return text;
 }
 
 }  // namespace girth::cli

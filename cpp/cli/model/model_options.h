@@ -36,6 +36,10 @@ struct ModelOptions {
 /// `--up` and `--entry`.
 void addModelOptions(OptionTable& table, ModelOptions& options);
 
+/// What was asked for, as it could be typed: "--weld 0.1mm --close-holes"; empty where nothing was.
+/// Of one file, models with the same text are the same surface.
+std::string preparationText(const ModelOptions& options);
+
 /// The most faces that can be asked for.
 constexpr std::uint32_t kMostFaces = 100'000'000;
 

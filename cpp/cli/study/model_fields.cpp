@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -36,7 +37,7 @@ void append(StudyFields& all, StudyFields&& some) {
 
 }  // namespace
 
-Result<Digest> contentOf(const std::string& path) {
+Result<Digest> contentOf(const std::string& path, const ModelOptions& preparing) {
   const auto bytes = io::readFile(path);
   if (!bytes) return bytes.error();
   Sha256 sum;
@@ -51,7 +52,10 @@ Result<Digest> contentOf(const std::string& path) {
     });
     if (!model) return model.error();
   }
-  return sum.finish();
+  const Digest content = sum.finish();
+  const std::string preparation = preparationText(preparing);
+  if (preparation.empty()) return content;
+  return Sha256().add(std::as_bytes(std::span(content))).add(preparation).finish();
 }
 
 void ModelFields::note(const std::string& text) {
@@ -83,9 +87,9 @@ Result<StudyFields> ModelFields::fieldsOf(const Work& work, const ExecutionConte
     missing.push_back(group);
   }
   if (missing.empty()) return all;
-  const auto mesh = readSurface(work.path);
-  if (!mesh) return mesh.error();
-  const auto surface = study::studySurface(mesh.value(), parameters_, context);
+  const auto loaded = loadModel(work.path, preparing_);
+  if (!loaded) return loaded.error();
+  const auto surface = study::studySurface(loaded.value().mesh, parameters_, context);
   if (!surface) return surface.error();
   for (const FieldGroup group : missing) {
     auto fields = study::studyFields(surface.value(), group, parameters_, context);

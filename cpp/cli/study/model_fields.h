@@ -9,19 +9,22 @@
 
 #include "girth/execution.h"
 #include "girth/study/study_fields.h"
+#include "model/model_options.h"
 #include "study/collection.h"
 #include "study/field_cache.h"
 
 namespace girth::cli {
 
-/// The digest of a file and of the files that it refers to. Errors: those of reading.
-Result<Digest> contentOf(const std::string& path);
+/// The digest of a file, of the files that it refers to, and of what is asked of its preparation.
+/// Errors: those of reading.
+Result<Digest> contentOf(const std::string& path, const ModelOptions& preparing);
 
 class ModelFields {
  public:
-  ModelFields(const FieldCache& cache, study::FieldParameters parameters,
+  ModelFields(const FieldCache& cache, ModelOptions preparing, study::FieldParameters parameters,
               std::vector<study::FieldGroup> groups, ExecutionContext context)
       : cache_(cache),
+        preparing_(std::move(preparing)),
         parameters_(parameters),
         groups_(std::move(groups)),
         context_(std::move(context)) {}
@@ -49,6 +52,7 @@ class ModelFields {
   void note(const std::string& text);
 
   const FieldCache& cache_;
+  ModelOptions preparing_;
   study::FieldParameters parameters_;
   std::vector<study::FieldGroup> groups_;
   ExecutionContext context_;

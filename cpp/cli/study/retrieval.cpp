@@ -69,7 +69,8 @@ class Retrieval {
     if (auto error = prepareFolders()) return reportError(options_.output, *error);
     const auto collection = findCollection(sources());
     if (!collection) return reportError("", collection.error());
-    auto loaded = loadStudyModels(collection.value(), descriptors_, options_, cache_, shard_);
+    auto loaded = loadStudyModels(collection.value(), descriptors_, options_.preparing, options_,
+                                  cache_, shard_);
     if (!loaded) return reportError("", loaded.error());
     loaded_ = std::move(loaded).value();
     if (shard_.count > 1) {
@@ -213,8 +214,8 @@ class Retrieval {
     }
     study_.thumbnails.resize(loaded_.models.size());
     for (const std::uint32_t model : shown) {
-      const auto mesh = readSurface(loaded_.models[model].path);
-      if (mesh) study_.thumbnails[model] = io::thumbnailPng(mesh.value(), kSize);
+      const auto read = loadModel(loaded_.models[model].path, options_.preparing);
+      if (read) study_.thumbnails[model] = io::thumbnailPng(read.value().mesh, kSize);
     }
   }
 
@@ -223,7 +224,9 @@ class Retrieval {
     const study::SignatureOptions& signatures = options_.signatures;
     constexpr std::array<const char*, 3> kScales{"as they are", "greatest value 1",
                                                  "least value 0, greatest 1"};
+    const std::string preparation = preparationText(options_.preparing);
     return {{"girth", GIRTH_VERSION},
+            {"Models", preparation.empty() ? "as in the files" : preparation},
             {"Triangles", fields.faces == 0
                               ? "as in the files"
                               : "at most " + std::to_string(fields.faces) + ", remeshed if more"},

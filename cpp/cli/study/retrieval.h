@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "girth/study/signatures.h"
+#include "model/model_options.h"
 #include "study/comparison.h"
 #include "study/shard.h"
 
@@ -16,6 +17,8 @@ struct RetrievalOptions : ComparisonOptions {
   std::vector<std::string> folders;
   /// A class file for each folder, as far as they go.
   std::vector<std::string> classes;
+  /// Of every model.
+  ModelOptions preparing;
   std::string output;
   /// Empty: in the output.
   std::string cache;

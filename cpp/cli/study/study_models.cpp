@@ -32,9 +32,11 @@ struct Contents {
 class StudyLoader {
  public:
   StudyLoader(const Collection& collection, const std::vector<Descriptor>& descriptors,
-              const ComparisonOptions& options, const FieldCache& cache)
+              const ModelOptions& preparing, const ComparisonOptions& options,
+              const FieldCache& cache)
       : collection_(collection),
         descriptors_(descriptors),
+        preparing_(preparing),
         options_(options),
         cache_(cache),
         groups_(study::groupsOf(descriptors)),
@@ -66,7 +68,7 @@ class StudyLoader {
     std::map<Digest, std::size_t> known;
     for (std::size_t m = 0; m < collection_.models.size(); ++m) {
       const CollectionModel& model = collection_.models[m];
-      const auto content = contentOf(model.path);
+      const auto content = contentOf(model.path, preparing_);
       if (!content) {
         study_.failed.emplace_back(model.name, reasonOf(content.error()));
         continue;
@@ -96,7 +98,8 @@ class StudyLoader {
     const std::vector<std::vector<std::size_t>>& models = contents.models;
     std::vector<std::string> reasons(works.size());
     ProgressLine progress("fields of " + std::to_string(works.size()) + " models");
-    ModelFields fields(cache_, options_.fields, groups_, watched(options_.threads, progress));
+    ModelFields fields(cache_, preparing_, options_.fields, groups_,
+                       watched(options_.threads, progress));
     const bool done =
         fields.forEach(works, [&](std::size_t number, const Result<StudyFields>& computed) {
           if (!computed) {
@@ -125,7 +128,7 @@ class StudyLoader {
     const ExecutionContext running = watched(options_.threads, progress);
     if (!signatures_.finish(running)) return false;
     if (!signatures_.needsWords()) return true;
-    ModelFields again(cache_, options_.fields, groups_, running);
+    ModelFields again(cache_, preparing_, options_.fields, groups_, running);
     return again.forEach(contents.works,
                          [&](std::size_t number, const Result<StudyFields>& fields) {
                            if (!fields) return;
@@ -183,6 +186,7 @@ class StudyLoader {
 
   const Collection& collection_;
   const std::vector<Descriptor>& descriptors_;
+  const ModelOptions& preparing_;
   const ComparisonOptions& options_;
   const FieldCache& cache_;
   std::vector<FieldGroup> groups_;
@@ -194,9 +198,9 @@ class StudyLoader {
 
 Result<StudyModels> loadStudyModels(const Collection& collection,
                                     const std::vector<Descriptor>& descriptors,
-                                    const ComparisonOptions& options, const FieldCache& cache,
-                                    const Shard& shard) {
-  return StudyLoader(collection, descriptors, options, cache).load(shard);
+                                    const ModelOptions& preparing, const ComparisonOptions& options,
+                                    const FieldCache& cache, const Shard& shard) {
+  return StudyLoader(collection, descriptors, preparing, options, cache).load(shard);
 }
 
 }  // namespace girth::cli

@@ -10,6 +10,7 @@
 
 #include "girth/study/pair_distances.h"
 #include "girth/study/signatures.h"
+#include "model/model_options.h"
 #include "study/collection.h"
 #include "study/comparison.h"
 #include "study/field_cache.h"
@@ -36,7 +37,7 @@ struct StudyModels {
 /// also printed on standard error. Errors: CANCELLED; the fields computed so far are in the cache.
 Result<StudyModels> loadStudyModels(const Collection& collection,
                                     const std::vector<study::Descriptor>& descriptors,
-                                    const ComparisonOptions& options, const FieldCache& cache,
-                                    const Shard& shard);
+                                    const ModelOptions& preparing, const ComparisonOptions& options,
+                                    const FieldCache& cache, const Shard& shard);
 
 }  // namespace girth::cli

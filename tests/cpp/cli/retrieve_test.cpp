@@ -139,6 +139,29 @@ TEST_F(Retrieve, otherParametersAreOtherEntries) {
   EXPECT_NE(other.output.find("18 fields computed"), std::string::npos) << other.output;
 }
 
+TEST_F(Retrieve, modelsArePreparedAsAsked) {
+  ASSERT_EQ(run(arguments("clean")).exitCode, 0);
+  // Each model gets a pedestal that is not joined to it, and smaller.
+  for (const auto& entry : fs::recursive_directory_iterator(path("shapes"))) {
+    if (!entry.is_regular_file()) continue;
+    std::ofstream(entry.path(), std::ios::app)
+        << "v 99 0 0\nv 99.1 0 0\nv 99 0.1 0\nv 99 0 0.1\nf -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\n"
+           "f -3 -2 -1\n";
+  }
+  const std::vector<std::string> cache{"--cache", path("clean/cache")};
+  ASSERT_EQ(run(arguments("whole", cache)).exitCode, 0);
+  EXPECT_NE(contentOf(path("whole/distances/igf.csv")), contentOf(path("clean/distances/igf.csv")));
+  const Outcome largest = run(arguments(
+      "largest", {"--cache", path("clean/cache"), "--component", "largest", "--unit", "mm"}));
+  ASSERT_EQ(largest.exitCode, 0) << largest.errors;
+  EXPECT_NE(largest.output.find("18 fields computed, 0 from the cache"), std::string::npos)
+      << "not those of the whole models: " << largest.output;
+  EXPECT_EQ(contentOf(path("largest/distances/igf.csv")),
+            contentOf(path("clean/distances/igf.csv")));
+  EXPECT_NE(contentOf(path("largest/index.html")).find("--component largest --unit mm"),
+            std::string::npos);
+}
+
 TEST_F(Retrieve, aDamagedCacheIsComputedAgainAndSaidSo) {
   ASSERT_EQ(run(arguments("one")).exitCode, 0);
   const std::string before = contentOf(path("one/distances/igf-sdf.csv"));
