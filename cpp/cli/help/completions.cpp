@@ -161,31 +161,67 @@ std::string zshCompletion(const std::vector<Completed>& commands) {
          "_girth \"$@\"\n";
 }
 
+/// Functions that know which command was typed: the words before the cursor, without options.
+constexpr std::string_view kFishFunctions =
+    "function __girth_words\n"
+    "    for word in (commandline -opc)[2..-1]\n"
+    "        string match -q -- '-*' $word; or echo $word\n"
+    "    end\n"
+    "end\n"
+    "# Whether exactly these words were typed.\n"
+    "function __girth_is\n"
+    "    set -l words (__girth_words)\n"
+    "    test \"$words\" = \"$argv\"\n"
+    "end\n"
+    "# Whether what was typed begins with these words.\n"
+    "function __girth_in\n"
+    "    set -l words (__girth_words)\n"
+    "    set -l last (count $argv)\n"
+    "    test \"$words[1..$last]\" = \"$argv\"\n"
+    "end\n";
+
+std::string fishOption(const Option& option) {
+  std::string text;
+  for (const std::string& name : option.names()) {
+    text += name.size() == 2 ? " -s " + name.substr(1) : " -l " + name.substr(2);
+  }
+  const std::string& value = option.valueName();
+  if (!option.choices().empty()) {
+    text += " -x -a " + quoted(joined(option.choices()));
+  } else if (value == "FILE" || value == "DIR" || value == "MODEL") {
+    text += " -r -F";
+  } else if (!option.isFlag()) {
+    text += " -x";
+  }
+  return text + " -d " + quoted(option.text()) + "\n";
+}
+
 std::string fishCompletion(const std::vector<Completed>& commands) {
+  const auto when = [](const std::string& condition) {
+    return "complete -c girth -n " + quoted(condition);
+  };
   std::string text = "# fish completion of girth\n";
+  text += kFishFunctions;
+  text += when("__girth_is") + " -s h -l help -d 'Print help'\n";
+  text += when("__girth_is") + " -s V -l version -d 'Print the version'\n";
   for (const Completed& command : commands) {
-    const std::size_t blank = command.words.find(' ');
+    const std::size_t blank = command.words.rfind(' ');
     const bool isBelow = blank != std::string::npos;
-    const std::string last = isBelow ? command.words.substr(blank + 1) : command.words;
-    const std::string offered =
-        isBelow ? "__fish_seen_subcommand_from " + command.words.substr(0, blank)
-                : std::string("__fish_use_subcommand");
-    text += "complete -c girth -n " + quoted(offered) + " -f -a " + last + " -d " +
+    const std::string above = isBelow ? " " + command.words.substr(0, blank) : "";
+    text += when("__girth_is" + above) + " -f -a " + command.command->name + " -d " +
             quoted(command.command->summary) + "\n";
-    const std::string seen =
-        "complete -c girth -n " + quoted("__fish_seen_subcommand_from " + last);
-    if (const auto words = wordsBehind(command); !words.empty() && !isBelow) {
-      text += seen + " -f -a " + quoted(joined(words)) + "\n";
+    if (command.words == "help") {
+      text += when("__girth_in help") + " -f\n";
+      text += when("__girth_is help") + " -a " + quoted(joined(wordsBehind(command))) + "\n";
+    }
+    const bool isAbove = !command.command->below.empty();
+    const std::string typed = (isAbove ? "__girth_is " : "__girth_in ") + command.words;
+    if (isAbove) {
+      text += when("__girth_is help " + command.words) + " -a " +
+              quoted(joined(namesOf(command.command->below))) + "\n";
     }
     for (const Option& option : command.table.options()) {
-      if (option.isArgument()) continue;
-      text += seen;
-      for (const std::string& name : option.names()) {
-        text += name.size() == 2 ? " -s " + name.substr(1) : " -l " + name.substr(2);
-      }
-      if (!option.isFlag()) text += " -r";
-      if (!option.choices().empty()) text += " -f -a " + quoted(joined(option.choices()));
-      text += " -d " + quoted(option.text()) + "\n";
+      if (!option.isArgument()) text += when(typed) + fishOption(option);
     }
   }
   return text;

@@ -5,7 +5,8 @@ set -u
 prefix=$1 data=$2 folder=$3
 girth=$prefix/bin/girth
 share=$prefix/share
-. "$(dirname "$0")/expect.sh"
+scripts=$(cd "$(dirname "$0")" && pwd)
+. "$scripts/expect.sh"
 begin "$folder"
 cp "$data/prism.obj" model.obj
 
@@ -30,8 +31,44 @@ expect 0 'exact naive ms' bash -c "source '$share/bash-completion/completions/gi
   COMP_WORDS=(girth igf --method '') COMP_CWORD=3; _girth; echo \"\${COMPREPLY[@]}\""
 expect 0 'accuracy robustness' bash -c "source '$share/bash-completion/completions/girth'
   COMP_WORDS=(girth study '') COMP_CWORD=2; _girth; echo \"\${COMPREPLY[@]}\""
-expect 0 'compdef girth' cat "$share/zsh/site-functions/_girth"
-expect 0 '-l resume' cat "$share/fish/vendor_completions.d/girth.fish"
+if command -v fish > /dev/null; then
+  mkdir home
+  fish_completes() {
+    expect 0 "$1" env PATH="$prefix/bin:$PATH" HOME="$PWD/home" XDG_DATA_DIRS="$share" timeout 20 fish -c "complete -C '$2'"
+  }
+  fish_completes 'igf' 'girth ig'
+  fish_completes 'accuracy' 'girth study '
+  fish_completes '--faces' 'girth study accuracy --fa'
+  fish_completes '--resume' 'girth igf --res'
+  fish_completes '--resume' 'girth -q igf --res'
+  fish_completes 'naive' 'girth igf --method '
+  fish_completes '--method=exact' 'girth igf --method=e'
+  fish_completes 'retrieve' 'girth help ret'
+  fish_completes 'robustness' 'girth help study '
+  fish_completes 'model.obj' 'girth igf mod'
+  fish_completes 'model.obj' 'girth igf -o mod'
+  # Nothing where it does not belong: no commands behind a command, no files where none can be.
+  for line in 'girth mod' 'girth igf stud' 'girth igf --faces mod' 'girth help igf mod' 'girth loop --resu'; do
+    answer=$(PATH="$prefix/bin:$PATH" HOME="$PWD/home" XDG_DATA_DIRS="$share" timeout 20 fish -c "complete -C '$line'" 2>&1)
+    [ -z "$answer" ] || { echo "wrong: fish completes '$line' to $answer"; failed=1; }
+  done
+else
+  echo 'skipped: the completions of fish, which is not here'
+fi
+if command -v zsh > /dev/null; then
+  zsh_completes() {
+    expect 0 "$1" timeout 20 zsh -f "$scripts/complete.zsh" "$share/zsh/site-functions" "$2"
+  }
+  zsh_completes 'girth igf' 'girth ig'
+  zsh_completes 'girth study accuracy' 'girth study acc'
+  zsh_completes 'girth study accuracy --faces' 'girth study accuracy --fac'
+  zsh_completes 'girth igf --resume' 'girth igf --res'
+  zsh_completes 'girth igf --method exact' 'girth igf --method ex'
+  zsh_completes 'girth help retrieve' 'girth help ret'
+  zsh_completes 'girth igf model.obj' 'girth igf mod'
+else
+  echo 'skipped: the completions of zsh, which is not here'
+fi
 
 # Pipes, packed models, names that begin with a dash.
 "$girth" igf model.obj -q -o values.csv || failed=1
@@ -41,6 +78,13 @@ gzip -k model.obj && "$girth" igf model.obj.gz -o - --format csv > packed.csv ||
 same values.csv packed.csv
 cp model.obj ./-model.obj
 expect 0 'closed surface' "$girth" info -- -model.obj
+expect 1 'no option' "$girth" info -model.obj
+expect 0 '' "$girth" igf -q --output=-values.csv -- -model.obj
+same values.csv ./-values.csv
+
+# Bad input, each refused with its own words.
+echo 'no model' > unknown.txt
+expect 2 'UNKNOWN_FORMAT' "$girth" info unknown.txt
 head -c 300 model.obj.gz > cut.obj.gz
 expect 2 'MALFORMED_FILE' "$girth" info cut.obj.gz
 head -c 300000000 /dev/zero | gzip > bomb.obj.gz
@@ -48,9 +92,28 @@ expect 3 'LIMIT_EXCEEDED' bash -c "ulimit -v 400000; '$girth' info bomb.obj.gz"
 expect 1 'both write to standard output' "$girth" igf model.obj -o - --format csv --json
 expect 1 'add --format' "$girth" igf model.obj -o -
 expect 1 'use .csv' "$girth" igf model.obj -o values.xyz
+for command in igf info; do
+  for jobs in 0 -1 2.5 many; do
+    expect 1 '--jobs' "$girth" $command model.obj --jobs $jobs
+  done
+done
 expect 1 '--jobs: 0' "$girth" igf model.obj --jobs 0
-mkdir locked && chmod 500 locked
-[ "$(id -u)" -eq 0 ] || expect 2 'FILE_UNWRITABLE' "$girth" igf model.obj -o locked/values.csv
+
+# Folders and files without rights; root has them all, and so becomes somebody else.
+mkdir locked closed && cp model.obj closed/ && cp model.obj secret.obj
+chmod 555 locked && chmod 000 closed secret.obj
+somebody=()
+[ "$(id -u)" -ne 0 ] || somebody=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+if "${somebody[@]}" "$girth" info "$PWD/model.obj" > /dev/null 2>&1; then
+  expect 2 'FILE_UNWRITABLE' "${somebody[@]}" "$girth" igf model.obj -o locked/values.csv
+  expect 2 'FILE_UNWRITABLE' "${somebody[@]}" "$girth" igf model.obj -o locked/ --format csv
+  expect 2 'FILE_UNWRITABLE' "${somebody[@]}" "$girth" retrieve . -o locked/report
+  expect 2 'FILE_UNREADABLE' "${somebody[@]}" "$girth" info secret.obj
+  expect 2 'girth: closed/model.obj: FILE_' "${somebody[@]}" "$girth" info closed/model.obj
+else
+  echo 'skipped: folders without rights, as nobody else can run what is installed here'
+fi
+chmod 700 closed
 
 # Nothing of the user's is lost.
 cp model.obj kept.obj
@@ -74,7 +137,10 @@ if "$girth" remesh model.obj --refine 20000 -q -o large.obj; then
   expect 0 'whole' cat large.csv
   expect 0 '# girth igf, stopped' head -1 large.partial.csv
   expect 1 'INVALID_OPTION' "$girth" igf large.obj -o large.csv --resume --method ms
+  expect 1 'INVALID_OPTION' "$girth" igf large.obj -o large.csv --resume --weld 0.5
+  expect 1 'INVALID_OPTION' "$girth" igf model.obj -o large.csv --resume
   expect 1 '--resume' "$girth" igf large.obj -o large.csv
+  expect 0 'whole' cat large.csv
 fi
 
 # Many models.
