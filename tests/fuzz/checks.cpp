@@ -3,10 +3,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <string>
 
 namespace girth::fuzz {
-namespace {
 
 void demand(bool condition, const std::string& rule) {
   if (condition) return;
@@ -20,6 +18,8 @@ void check(const Error& error) {
   demand(error.message.find('\n') == std::string::npos, "messages are one line");
   demand(error.message.size() < 400, "messages are short: " + error.message);
 }
+
+namespace {
 
 void checkNotes(const std::vector<std::string>& notes) {
   for (const std::string& note : notes) {

@@ -4,6 +4,7 @@
 import { Buffer } from 'node:buffer';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { deflateRawSync, gzipSync } from 'node:zlib';
 import draco3d from 'draco3dgltf';
 import { MeshoptEncoder } from 'meshoptimizer';
 
@@ -430,6 +431,67 @@ seeds.mesh = {
   needle: '\x10v 0 0 0\nv 1 0 0\nv 2 0 0\nv 1 1 0\nv 1 -1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 5\n',
   strip:
     '\x00v 0 0 0\nv 1 0 0\nv 2 0 1\nv 0 1 0\nv 1 1 0\nv 2 1 1\nf 1 2 5 4\nf 2 3 6 5\nf 3 4 1 6\n',
+};
+
+/**
+ * A zip of one file, whose directory may claim another size; `wide`: with numbers of 64 bits.
+ * @param {string} name
+ * @param {Buffer} content
+ * @param {{ method?: number, claimed?: number, wide?: boolean }} [how]
+ */
+function zip(name, content, { method = 8, claimed = content.length, wide = false } = {}) {
+  const data = method === 8 ? deflateRawSync(content) : content;
+  /** @type {[Type, number[]][]} */
+  const about = [
+    ['u16', [20, 0, method, 0, 0]],
+    ['u32', [crc32(content), data.length, wide ? 0xffffffff : claimed]],
+    ['u16', [name.length, wide ? 12 : 0]],
+  ];
+  const extra = packed(
+    wide
+      ? [
+          ['u16', [1, 8]],
+          ['u32', [claimed, 0]],
+        ]
+      : [],
+  );
+  const file = joined('PK\x03\x04', packed(about), name, extra, data);
+  const entry = joined(
+    ...['PK\x01\x02', packed([['u16', [20]], ...about])],
+    ...[packed([['u16', [0, 0, 0, 0, 0, 0, 0]]]), name, extra],
+  );
+  const end = packed([
+    ['u16', [0, 0, 1, 1]],
+    ['u32', [entry.length, file.length]],
+    ['u16', [0]],
+  ]);
+  return joined(file, entry, 'PK\x05\x06', end);
+}
+
+/**
+ * CRC-32 by its definition, bit by bit.
+ * @param {Uint8Array} bytes
+ */
+function crc32(bytes) {
+  let crc = 0xffffffff;
+  for (const byte of bytes) {
+    crc ^= byte;
+    for (let bit = 0; bit < 8; bit += 1) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
+  }
+  return ~crc >>> 0;
+}
+
+const text = Buffer.from(obj.triangles ?? '');
+seeds.archive = {
+  gzip: gzipSync(text),
+  members: joined(gzipSync(text), gzipSync(text)),
+  cut: gzipSync(text).subarray(0, 40),
+  zeros: gzipSync(Buffer.alloc(1 << 23)),
+  deflated: zip('a/b.obj', text),
+  stored: zip('b.obj', text, { method: 0 }),
+  wide: zip('b.obj', text, { wide: true }),
+  outside: zip('../b.obj', text),
+  claims: zip('b.obj', text, { claimed: 1 << 20 }),
 };
 
 const folder = process.argv[2];
