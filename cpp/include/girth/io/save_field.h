@@ -19,8 +19,8 @@ namespace girth::io {
 /// one, which keeps its mode and owner, and a symbolic link is followed. Not in WebAssembly, which
 /// has no files.
 ///
-/// Returns the error, if there is one: USAGE for another ending, and as of checkFields and fieldFile;
-/// LIMIT_EXCEEDED; FILE_UNWRITABLE. Each names the file (Error::file).
+/// Returns the error, if there is one: USAGE for another ending, and as of checkFields and
+/// fieldFile; LIMIT_EXCEEDED; FILE_UNWRITABLE. Each names the file (Error::file).
 [[nodiscard]] GIRTH_EXPORT std::optional<Error> saveField(const std::string& path,
                                                           const LoadedMesh& loaded,
                                                           std::span<const VertexField> fields,

@@ -70,8 +70,8 @@ GIRTH_EXPORT Result<std::string> fieldGlb(const LoadedMesh& loaded,
 /// The fields as a file of the format "csv", "json", "npy", "ply" or "glb": what the functions
 /// above return. `file`: what JSON calls the model. `columns`: of CSV and JSON.
 ///
-/// Errors: USAGE for another one, as of checkFields, and for several fields in NPY, which holds one;
-/// LIMIT_EXCEEDED.
+/// Errors: USAGE for another one, as of checkFields, and for several fields in NPY, which holds
+/// one; LIMIT_EXCEEDED.
 GIRTH_EXPORT Result<std::string> fieldFile(const LoadedMesh& loaded,
                                            std::span<const VertexField> fields,
                                            std::string_view format, std::string_view file,
