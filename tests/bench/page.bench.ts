@@ -4,7 +4,7 @@
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, test } from 'vitest';
-import type { GirthViewer, PickDetail } from '../../web/src/element/index.js';
+import type { GirthViewer } from '../../web/src/element/index.js';
 import { withoutDrawing } from '../browser/long-tasks.js';
 import {
   chromiumForTests,
@@ -94,7 +94,7 @@ describe.each([
       Object.assign(globalThis, { shown });
       element.addEventListener('pointermove', (event) => (moved = event.timeStamp));
       element.addEventListener('pick', (event) => {
-        if ((event as CustomEvent<PickDetail>).detail.action !== 'hover') return;
+        if (event.detail.action !== 'hover') return;
         const asked = moved;
         // After the frame that has the loop.
         requestAnimationFrame(() => setTimeout(() => shown.push(performance.now() - asked)));
