@@ -66,10 +66,13 @@ test('which of four are most alike is said without a click; the distances are a 
   const { page } = await openBuilt();
   await modelIs(page, 'chair.glb');
   const clicks = await clicksOn(page);
+  const girths = await countGirths(page);
   await dropFour(page);
   const panel = page.locator('#compare-panel');
   await panel.getByText(/^Most alike: bell and large-bell \(0\.00\d\d\)$/).waitFor();
   expect(await clicks()).toBe(0);
+  // The girth of the model that is shown is computed once, for the surface and for the comparison.
+  expect(await girths()).toBe(4);
   expect(await panel.textContent()).toMatch(
     /0 is the same curve.* goes from 0\.00\d\d to 0\.\d{4}/,
   );
@@ -95,6 +98,16 @@ test('which of four are most alike is said without a click; the distances are a 
   await page.keyboard.press('Enter');
   await panel.getByText('Most similar to ring.obj').waitFor();
   expect(await focused()).toMatch(/^ring\.obj and tube\.obj/);
+
+  // Where there is no room, the matrix says by its edge that it goes on.
+  const box = panel.locator('.matrix-box');
+  const goesOn = () => box.evaluate((element) => element.classList.contains('more'));
+  expect(await goesOn()).toBe(false);
+  await box.evaluate((element: HTMLElement) => (element.style.inlineSize = '100px'));
+  await expect.poll(goesOn).toBe(true);
+  await box.evaluate((element) => element.scrollTo(element.scrollWidth, 0));
+  await expect.poll(goesOn).toBe(false);
+  await box.evaluate((element: HTMLElement) => (element.style.inlineSize = ''));
 
   const coming = page.waitForEvent('download');
   await panel.getByRole('button', { name: 'CSV' }).click();
@@ -182,6 +195,27 @@ test('of several files none can be read: the model before stays, and words say s
   expect(await viewer.getByRole('alert').textContent()).toContain('former model is still here');
   await modelIs(page, 'chair.glb');
 });
+
+/** Counts from now on how many girth functions the kernel's threads are asked for. */
+async function countGirths(page: Page): Promise<() => Promise<number>> {
+  await page.evaluate(() => {
+    const asked = { girths: 0 };
+    Object.assign(globalThis, { asked });
+    // eslint-disable-next-line @typescript-eslint/unbound-method
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (
+      this: Worker,
+      message: { operation?: string; arguments?: { field?: { name?: string } } },
+      transfer: Transferable[],
+    ) {
+      const { operation, arguments: given } = message;
+      if (operation === 'field' && given?.field?.name === 'igf') ++asked.girths;
+      post.call(this, message, { transfer });
+    } as typeof post;
+  });
+  return () =>
+    page.evaluate(() => (globalThis as unknown as { asked: { girths: number } }).asked.girths);
+}
 
 /** A dumbbell, a larger one of the same shape, a ring and an open tube, dropped together. */
 async function dropFour(page: Page): Promise<void> {

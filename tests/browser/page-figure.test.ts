@@ -2,11 +2,11 @@
 // 300 dpi, transparent; and the same view again of a second model.
 
 import { readFileSync } from 'node:fs';
-import type { Locator, Page } from 'playwright-core';
+import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { builtPage, modelIs } from './page-support.js';
-import { fieldComplete, pairIsOver, placeOnSurface } from './viewer-page.js';
+import { coveredShares, fieldComplete, pairIsOver, placeOnSurface } from './viewer-page.js';
 
 const openBuilt = builtPage();
 
@@ -48,24 +48,6 @@ async function pictureOf(page: Page) {
   return { name: download.suggestedFilename(), density, ...seen };
 }
 
-/** Of each label of a loop, the share that lies over the drawn surface. */
-const coveredShares = (viewer: Locator) =>
-  viewer.evaluate(async (element: GirthViewer) => {
-    const box = element.getBoundingClientRect();
-    const bitmap = await createImageBitmap(await element.snapshot());
-    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-    const context = canvas.getContext('2d')!;
-    context.drawImage(bitmap, 0, 0);
-    const ratio = bitmap.width / box.width;
-    return [...element.shadowRoot!.querySelectorAll('.tag')].map((tag) => {
-      const { left, top, width, height } = tag.getBoundingClientRect();
-      const place = [left - box.left, top - box.top, width, height].map((n) => n * ratio);
-      const { data } = context.getImageData(place[0]!, place[1]!, place[2]!, place[3]!);
-      // Its shadow is fainter.
-      return data.filter((alpha, i) => i % 4 === 3 && alpha > 200).length / (data.length / 4);
-    });
-  });
-
 test('an octopus with three loops at 300 dpi, and the same view of another model: 15 clicks', async () => {
   const { page, viewer } = await openBuilt();
   await modelIs(page, 'chair.glb');
@@ -83,10 +65,10 @@ test('an octopus with three loops at 300 dpi, and the same view of another model
   }
   await page.mouse.move(1, 1);
   // All labels stand clear of the octopus, however small the room is.
-  await expect.poll(() => coveredShares(viewer)).toEqual([0, 0, 0]);
+  await expect.poll(() => coveredShares(viewer, '.tag')).toEqual([0, 0, 0]);
   const size = page.viewportSize()!;
   await page.setViewportSize({ width: 390, height: 844 });
-  await expect.poll(() => coveredShares(viewer)).toEqual([0, 0, 0]);
+  await expect.poll(() => coveredShares(viewer, '.tag')).toEqual([0, 0, 0]);
   await page.setViewportSize(size);
   await viewer.getByRole('button', { name: /^Axes/ }).click();
   await viewer.getByRole('button', { name: 'Front' }).click();

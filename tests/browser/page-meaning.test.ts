@@ -3,7 +3,7 @@
 import { expect, test } from 'vitest';
 import { complaintsOfAxe } from './axe.js';
 import { builtPage, modelIs } from './page-support.js';
-import { fieldComplete, framesPass } from './viewer-page.js';
+import { coveredShares, fieldComplete, framesPass } from './viewer-page.js';
 
 const openBuilt = builtPage();
 
@@ -26,6 +26,8 @@ test.each([
   await framesPass(page);
   expect(await shown()).toBe(base);
   expect(await readout.textContent()).toMatch(/^0\.\d+\sm/);
+  // It stands clear of the model, however small the room is.
+  await expect.poll(() => coveredShares(viewer, '.readout')).toEqual([0]);
   const bar = (await viewer.locator('.bar-tools').boundingBox())!;
   expect(box.x + box.width).toBeLessThanOrEqual(bar.x);
   await page.mouse.move(1, 1);

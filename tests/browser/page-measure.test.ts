@@ -161,4 +161,11 @@ test('two pinned points: how far they are apart, straight and along the surface'
   await expect
     .poll(() => distance.locator('option:checked').allTextContents())
     .toEqual(['1 corner', '3']);
+  // A script's name is in the lists, too.
+  await viewer.evaluate((element: GirthViewer) => element.nameLoop(3, 'edge'));
+  await page.getByRole('textbox', { name: 'Name of loop 3' }).waitFor();
+  expect(await page.getByRole('textbox', { name: 'Name of loop 3' }).inputValue()).toBe('edge');
+  await expect
+    .poll(() => distance.locator('option:checked').allTextContents())
+    .toEqual(['1 corner', '3 edge']);
 });

@@ -54,6 +54,8 @@ test('a model of one unit: its size is questioned, and it prints once it is larg
   await expect
     .poll(() => viewer.locator('.legend').textContent())
     .toMatch(/Print check.*thick enough.*thin tube.*thin wall/s);
+  const meaning = page.locator('#meaning');
+  expect(await meaning.textContent()).toMatch(/^Colours: what is too thin to print/);
   await page.screenshot({ path: join(pictures, 'page-print-fails.png') });
   expect(await complaintsOfAxe(page)).toEqual([]);
 
@@ -74,6 +76,7 @@ test('a model of one unit: its size is questioned, and it prints once it is larg
   await page.keyboard.press('Enter');
   await expect.poll(() => answer.textContent()).toContain('“thin” is not a length');
   expect(await viewer.locator('.legend').textContent()).not.toContain('Print check');
+  expect(await meaning.textContent()).toMatch(/^Colours: the length of the shortest loop/);
   await page.locator('#min-wall').fill('1.1in');
   await page.locator('#check').click();
   await expect.poll(() => answer.textContent()).toMatch(/^Fails/);

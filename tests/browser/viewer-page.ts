@@ -121,3 +121,21 @@ export async function hover(page: Page, viewer: Locator, x: number, y: number): 
     text: element.textContent,
   }));
 }
+
+/** Of each label that a selector finds, the share that lies over the drawn surface. */
+export const coveredShares = (viewer: Locator, labels: string): Promise<number[]> =>
+  viewer.evaluate(async (element: GirthViewer, labels) => {
+    const box = element.getBoundingClientRect();
+    const bitmap = await createImageBitmap(await element.snapshot());
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = canvas.getContext('2d')!;
+    context.drawImage(bitmap, 0, 0);
+    const ratio = bitmap.width / box.width;
+    return [...element.shadowRoot!.querySelectorAll(labels)].map((tag) => {
+      const { left, top, width, height } = tag.getBoundingClientRect();
+      const place = [left - box.left, top - box.top, width, height].map((n) => n * ratio);
+      const { data } = context.getImageData(place[0]!, place[1]!, place[2]!, place[3]!);
+      // Its shadow is fainter.
+      return data.filter((alpha, i) => i % 4 === 3 && alpha > 200).length / (data.length / 4);
+    });
+  }, labels);

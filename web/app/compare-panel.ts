@@ -1,6 +1,6 @@
 // Several models by their fields: distributions over each other, distances, and who is most alike.
 
-import type { FieldName, Kernel } from '../src/kernel/index.js';
+import type { Field, FieldName, Kernel } from '../src/kernel/index.js';
 import { fieldTitle, formatCount, make } from '../src/element/index.js';
 import { DistributionPlot, extent } from '../src/element/plots.js';
 import { ComparedModel } from './compared-model.js';
@@ -11,7 +11,7 @@ import { kernel } from './kernel.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
 import { stemOf } from './save-file.js';
-import type { Opened } from './session.js';
+import { type Opened, isSameModel } from './session.js';
 import { TableActions } from './table-actions.js';
 import { type Table, plainNumber } from './table-text.js';
 import { term } from './terms.js';
@@ -40,6 +40,8 @@ export interface ComparePage {
   present(): { opened: Opened; name: string } | undefined;
   /** The built-in examples. */
   gallery(): { opened: Opened; name: string }[];
+  /** A field of a model that the page shows, where the page has it or computes it itself. */
+  fieldOf(opened: Opened, name: FieldName): Promise<Field> | undefined;
   /** Shows a model on the page. */
   show(opened: Opened): void;
   changed(): void;
@@ -72,8 +74,10 @@ export class ComparePanel {
   #isRunning = false;
   #isCancelled = false;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  readonly #page: ComparePage;
 
   constructor(page: ComparePage) {
+    this.#page = page;
     this.#field.append(
       ...comparedFields.map((name) => make('option', { value: name }, fieldTitle(name))),
       ...Object.entries(descriptors).map(([value, words]) => make('option', { value }, words)),
@@ -142,16 +146,15 @@ export class ComparePanel {
 
   /** Takes models in; those that are there already are not taken twice. */
   add(some: readonly { opened: Opened; name: string }[]): void {
-    const key = ({ source, model, prepare, remeshed }: Opened): string =>
-      JSON.stringify([typeof source === 'string' ? source : '', model, prepare, remeshed?.faces]);
     let left = mostModels - this.#models.length;
     for (const { opened, name } of some) {
-      const isThere = this.#models.some(
-        (one) => one.opened.source === opened.source && key(one.opened) === key(opened),
-      );
-      if (isThere) continue;
+      if (this.#models.some((one) => isSameModel(one.opened, opened))) continue;
       if (--left < 0) break;
-      this.#models.push(new ComparedModel(opened, name, () => this.#refreshSoon()));
+      const host = {
+        fieldOf: (wanted: FieldName) => this.#page.fieldOf(opened, wanted),
+        changed: () => this.#refreshSoon(),
+      };
+      this.#models.push(new ComparedModel(opened, name, host));
     }
     this.#words.textContent =
       left < 0 ? `No more than ${mostModels} are compared; remove some first.` : '';

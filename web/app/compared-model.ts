@@ -4,6 +4,13 @@ import type { Field, FieldName, Kernel, Mesh } from '../src/kernel/index.js';
 import { failureWords } from './failure-words.js';
 import type { Opened } from './session.js';
 
+/** What a compared model needs of the page. */
+export interface ComparedModelHost {
+  /** A field that the page has of the model, or is computing; undefined where it shows another one. */
+  fieldOf(name: FieldName): Promise<Field> | undefined;
+  changed(): void;
+}
+
 export class ComparedModel {
   mesh: Mesh | undefined;
   /** The area that each vertex stands for; of a surface whose own area is 1. */
@@ -18,12 +25,12 @@ export class ComparedModel {
   #isDisposed = false;
   readonly opened: Opened;
   readonly name: string;
-  readonly #changed: () => void;
+  readonly #host: ComparedModelHost;
 
-  constructor(opened: Opened, name: string, changed: () => void) {
+  constructor(opened: Opened, name: string, host: ComparedModelHost) {
     this.opened = opened;
     this.name = name;
-    this.#changed = changed;
+    this.#host = host;
   }
 
   /** The field, once it is computed. */
@@ -50,15 +57,33 @@ export class ComparedModel {
       this.weights ??= await this.mesh.vertexAreas({ signal });
       const onProgress = (share: number): void => {
         this.share = share;
-        this.#changed();
+        this.#host.changed();
       };
-      this.#known.set(name, await this.mesh.field(name, { signal, onProgress }));
+      const field =
+        (await this.#fieldOfPage(name, signal)) ??
+        (await this.mesh.field(name, { signal, onProgress }));
+      this.#known.set(name, field);
     } catch (error) {
       if (!signal.aborted) this.failure = failureWords(error);
       else if (this.#isDisposed) this.mesh?.dispose();
     }
     this.share = 0;
-    this.#changed();
+    this.#host.changed();
+  }
+
+  /**
+   * The field that the page has of the same surface: its vertices come in the same order. Undefined where
+   * there is none, or where the page cancels it, for example because it shows another model.
+   */
+  async #fieldOfPage(name: FieldName, signal: AbortSignal): Promise<Field | undefined> {
+    const field = this.#host.fieldOf(name)?.catch(() => undefined);
+    if (!field) return undefined;
+    const stopped = new Promise<undefined>((resolve) => {
+      signal.addEventListener('abort', () => resolve(undefined), { once: true });
+    });
+    const found = await Promise.race([field, stopped]);
+    signal.throwIfAborted();
+    return found;
   }
 
   /** Stops the computation; it may be begun again. */

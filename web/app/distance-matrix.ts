@@ -12,8 +12,18 @@ export function distanceWords(distance: number | undefined): string {
 const lightFrom = 0.44;
 
 export class DistanceMatrix {
-  readonly element = make('div', { class: 'matrix-box' });
-  readonly #table = make('table', { class: 'matrix', role: 'grid' });
+  readonly element = make('div');
+  readonly #words = make(
+    'p',
+    { class: 'hint matrix-words', id: 'matrix-words' },
+    'Distances between models, by their numbers in the list; dark: similar',
+  );
+  readonly #table = make('table', {
+    class: 'matrix',
+    role: 'grid',
+    'aria-labelledby': 'matrix-words',
+  });
+  readonly #box = make('div', { class: 'matrix-box' }, this.#table);
   readonly #choose: (row: number, column: number) => void;
   /** The models of the present table: while they stay, so do its cells. */
   #names = '';
@@ -23,8 +33,10 @@ export class DistanceMatrix {
 
   constructor(choose: (row: number, column: number) => void) {
     this.#choose = choose;
-    this.element.append(this.#table);
+    this.element.append(this.#words, this.#box);
     this.#table.addEventListener('keydown', (event) => this.#key(event));
+    this.#box.addEventListener('scroll', () => this.#showMore(), { passive: true });
+    new ResizeObserver(() => this.#showMore()).observe(this.#box);
   }
 
   /** `distances[i][j]`: undefined while it is not computed, NaN where there is none. */
@@ -70,11 +82,17 @@ export class DistanceMatrix {
     });
     const head = names.map((name, i) => make('th', { scope: 'col', title: name }, String(i + 1)));
     this.#table.replaceChildren(
-      make('caption', {}, 'Distances between models, by their numbers in the list; dark: similar'),
       make('thead', {}, make('tr', {}, make('td'), ...head)),
       make('tbody', {}, ...this.#rows.map(({ row }) => row)),
     );
     this.#goTo(...this.#current);
+    this.#showMore();
+  }
+
+  /** Says by its looks whether there is more to the right. */
+  #showMore(): void {
+    const { scrollLeft, clientWidth, scrollWidth } = this.#box;
+    this.#box.classList.toggle('more', scrollLeft + clientWidth < scrollWidth - 1);
   }
 
   /** Moves the grid's one tab stop to a cell, or to the nearest there is. */

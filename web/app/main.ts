@@ -26,7 +26,7 @@ import type { Panel } from './panel.js';
 import { PartsPanel } from './parts-panel.js';
 import { PinnedList } from './pinned-list.js';
 import { PrintPanel } from './print-panel.js';
-import { type Opened, Session } from './session.js';
+import { type Opened, Session, isSameModel } from './session.js';
 import { offerLink } from './share-sheet.js';
 import { closeLeftSheets } from './sheets.js';
 import type { ModelScale } from './size-choice.js';
@@ -69,11 +69,16 @@ const size: ModelScale = {
     session.reopen({ scale });
   },
 };
-const print = new PrintPanel(viewer, size, changed);
+const print = new PrintPanel(viewer, size, changed, () => explain());
 const compare = new ComparePanel({
   present: () => session.opened && { opened: session.opened, name: viewer.info?.name ?? '' },
   gallery: () =>
     examples.all.map((example) => ({ opened: exampleToOpen(example), name: example.file })),
+  fieldOf: (opened, name) => {
+    const isShown = session.opened && isSameModel(session.opened, opened);
+    // Of every model the page computes the girth.
+    return isShown && (name === 'igf' || computed.has(name)) ? viewer.fieldOf(name) : undefined;
+  },
   show: (opened) => void session.open(opened),
   changed,
 });
@@ -246,7 +251,7 @@ viewer.addEventListener('field', (event) => {
 // Until somebody does something the page shows by itself what it is about.
 let isUntouched = true;
 viewer.addEventListener('touch', () => (isUntouched = false));
-explainColours(viewer);
+const explain = explainColours(viewer, () => print.isColouring);
 for (const event of ['camera', 'unit', 'view']) viewer.addEventListener(event, changed);
 
 acceptDrops(byId('drop'), (files) => void openFiles(files));

@@ -20,17 +20,21 @@ const words: Partial<Record<ShownName, string>> = {
 /** Milliseconds that the loop rests at each place. */
 const pace = 70;
 
-/** Keeps the line up to date. */
-export function explainColours(viewer: GirthViewer): void {
+/** What the print check colours by, in place of a field. */
+const printWords = 'what is too thin to print, and what is thick enough.';
+
+/** Keeps the line up to date; what it returns is called when the print check begins or ends to colour. */
+export function explainColours(viewer: GirthViewer, isPrint: () => boolean): () => void {
   const line = byId('meaning');
   const write = (): void => {
     const name = viewer.shown?.name;
-    const meaning = name && words[name];
+    const meaning = isPrint() ? printWords : name && words[name];
     line.textContent = meaning ? `Colours: ${meaning}` : '';
   };
   for (const event of ['fieldchange', 'field', 'progress']) viewer.addEventListener(event, write);
   // An error lies in the same place.
   viewer.addEventListener('error', () => (line.textContent = ''));
+  return write;
 }
 
 /**

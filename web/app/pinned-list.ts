@@ -164,8 +164,6 @@ export class PinnedList {
       committed: (text) => {
         viewer.nameLoop(id, text.trim());
         this.#actions.forget();
-        this.#distance.refresh(this.panel.isOpen);
-        this.#changed();
       },
     });
     const [length, place] = [make('td', { class: 'number' }), make('td', { class: 'quiet' })];

@@ -68,11 +68,13 @@ export class PrintPanel {
   #asked = 0;
   /** The model that is coloured by its places. */
   #coloured: MeshInfo | undefined;
+  readonly #hasColoured: () => void;
   /** Checks again when the model is there in its other size. */
   #isToBeChecked = false;
   readonly #viewer: GirthViewer;
 
-  constructor(viewer: GirthViewer, model: ModelScale, changed: () => void) {
+  constructor(viewer: GirthViewer, model: ModelScale, changed: () => void, coloured: () => void) {
+    this.#hasColoured = coloured;
     this.#viewer = viewer;
     this.#size = new SizeChoice('print-', viewer, model);
     const ownNumbers = {
@@ -251,6 +253,7 @@ export class PrintPanel {
     if (!this.#checked || !this.panel.isOpen) {
       if (this.#coloured === info) viewer.showPlaces(undefined);
       this.#coloured = undefined;
+      this.#hasColoured();
       return;
     }
     this.#coloured = info;
@@ -259,6 +262,13 @@ export class PrintPanel {
       for (const vertex of vertices) kindOf[vertex] = kind === 'tube' ? 1 : 2;
     }
     viewer.showPlaces({ title: 'Print check', kinds: kindOf, categories: kinds });
+    this.#hasColoured();
+  }
+
+  /** Whether the surface is coloured by what was found, and not by a field. */
+  get isColouring(): boolean {
+    const { info, shown } = this.#viewer;
+    return this.#coloured !== undefined && this.#coloured === info && !shown;
   }
 
   #refresh(): void {

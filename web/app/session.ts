@@ -16,6 +16,13 @@ export interface Opened {
   remeshed?: { faces: number; words: string } | undefined;
 }
 
+/** Whether two are the same surface: read from the same, and prepared in the same way. */
+export function isSameModel(one: Opened, other: Opened): boolean {
+  const done = ({ source, model, prepare, remeshed }: Opened): string =>
+    JSON.stringify([typeof source === 'string' ? source : '', model, prepare, remeshed?.faces]);
+  return one.source === other.source && done(one) === done(other);
+}
+
 export class Session {
   /** What is shown. */
   opened: Opened | undefined;

@@ -60,7 +60,7 @@ export const canvasBarStyle = /* css */ `
   border: 1px solid var(--girth-line);
   box-shadow: 0 6px 24px rgb(0 0 0 / 0.14);
 }
-.menu button { display: flex; justify-content: space-between; text-align: start; }
+.menu button { display: flex; align-items: center; justify-content: space-between; text-align: start; }
 .menu button, .menu label { min-block-size: 32px; }
 .menu label { display: flex; align-items: center; gap: 8px; padding-inline: 8px; cursor: pointer; }
 .menu input { accent-color: var(--girth-accent); margin: 0; inline-size: 16px; block-size: 16px; }

@@ -62,7 +62,7 @@ export interface GirthViewerEvents {
   fieldchange: CustomEvent<FieldChangeDetail>;
   /** What is pointed at has changed. */
   hover: CustomEvent<HoverDetail>;
-  /** A loop was shown, pinned or unpinned. */
+  /** A loop was shown, pinned, named or unpinned. */
   pick: CustomEvent<PickDetail>;
   /** Something has failed, or an attribute is wrong. */
   error: CustomEvent<ErrorDetail>;

@@ -44,10 +44,10 @@ export interface PinnedLoop {
   loop: Loop;
 }
 
-/** Of `pick`: a loop was shown, kept or let go. */
+/** Of `pick`: a loop was shown, kept, named or let go. */
 export interface PickDetail {
-  /** 'hover': the loop under the pointer is shown; 'pin' and 'unpin': it was kept or let go. */
-  action: 'hover' | 'pin' | 'unpin';
+  /** 'hover': the loop under the pointer is shown; 'pin', 'name', 'unpin': it was kept, named, let go. */
+  action: 'hover' | 'pin' | 'name' | 'unpin';
   /** Which loop. */
   loop: Loop;
 }
@@ -103,6 +103,9 @@ export class LoopsOnSurface {
   #placedAt = -Infinity;
   #placing: ReturnType<typeof setTimeout> | undefined;
   #isQuiet = false;
+  /** When the words of a quiet loop were placed. */
+  #besideAt = 0;
+  #besideLater: ReturnType<typeof setTimeout> | undefined;
   #hover: { loop: Loop; band: LoopBand } | undefined;
   /** The point whose loop is shown or asked for. */
   #hovered: SurfacePoint | undefined;
@@ -192,10 +195,11 @@ export class LoopsOnSurface {
   /** Calls a pinned loop by a name; nothing happens where there is none of that id. */
   rename(id: number, name: string): void {
     const pin = this.#pins.find((one) => one.id === id);
-    if (!pin) return;
+    if (!pin || pin.name === name) return;
     pin.name = name;
     pin.tag.setName(name);
     this.#stage.invalidate();
+    this.#host.picked({ action: 'name', loop: pin.loop });
   }
 
   #pointOf(numbers: ArrayLike<number>): Point {
@@ -306,6 +310,7 @@ export class LoopsOnSurface {
     this.#ending.abort();
     clearTimeout(this.#pinning);
     clearTimeout(this.#placing);
+    clearTimeout(this.#besideLater);
     cancelAnimationFrame(this.#pickRequested);
     this.clear();
     for (const pin of this.#pins) this.#stage.remove(pin.band);
@@ -461,7 +466,28 @@ export class LoopsOnSurface {
       pointer && !pointer.isTouch
         ? { x: pointer.x - box.left, y: pointer.y - box.top }
         : this.#stage.project(this.#model.surface.positionOf(this.#hover.loop.base));
+    if (this.#isQuiet) {
+      this.#placeBeside(point, box);
+      return;
+    }
     this.#readout.place(point.x, point.y, box.width, box.height, this.#host.furniture());
+  }
+
+  /** What shows itself covers nothing: its length stands clear of the surface, and rests where it can. */
+  #placeBeside({ x, y }: { x: number; y: number }, { width, height }: DOMRect): void {
+    const wait = this.#besideAt + restTime - performance.now();
+    if (this.#readout.spot && wait > 0) {
+      this.#besideLater ??= setTimeout(() => this.#stage.invalidate(), wait);
+      return;
+    }
+    clearTimeout(this.#besideLater);
+    this.#besideLater = undefined;
+    this.#besideAt = performance.now();
+    const taken = this.#stage.silhouette(cell);
+    for (const box of this.#host.furniture()) taken.add(box);
+    const about = { left: x, top: y, width: 0, height: 0 };
+    const label = { about, ...this.#readout.size, before: this.#readout.spot };
+    this.#readout.moveTo(placeLabels([label], taken, { width, height })[0]!);
   }
 
   // ---- keyboard

@@ -25,6 +25,7 @@ export class Readout {
   readonly #length = make('b');
   readonly #kind = make('span');
   readonly #words = make('small');
+  #spot: { left: number; top: number } | undefined;
 
   constructor() {
     this.element.append(this.#length, this.#kind, this.#words);
@@ -62,12 +63,26 @@ export class Readout {
         box.top < top + offsetHeight;
       return !others.some(isOver) && !isOver({ left: x, top: y, width: 0, height: 0 });
     };
-    const { left, top } = places.find(isFree) ?? places[0]!;
-    this.element.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
+    this.moveTo(places.find(isFree) ?? places[0]!);
+  }
+
+  /** Where it is, while it is shown. */
+  get spot(): { left: number; top: number } | undefined {
+    return this.#spot;
+  }
+
+  get size(): { width: number; height: number } {
+    return { width: this.element.offsetWidth, height: this.element.offsetHeight };
+  }
+
+  moveTo(spot: { left: number; top: number }): void {
+    this.#spot = spot;
+    this.element.style.transform = `translate(${Math.round(spot.left)}px, ${Math.round(spot.top)}px)`;
   }
 
   clear(): void {
     this.element.hidden = true;
+    this.#spot = undefined;
   }
 }
 
