@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "archive/inflate.h"
+#include "text/quoted_name.h"
 
 namespace girth::cli {
 namespace {
@@ -144,41 +145,42 @@ Result<std::vector<ZipEntry>> zipEntries(std::span<const std::byte> archive) {
 Result<std::vector<std::byte>> unzipped(std::span<const std::byte> archive, const ZipEntry& entry) {
   constexpr unsigned kStored = 0, kDeflated = 8;
   constexpr std::uint64_t kLargestRatio = 1032;
+  const std::string name = io::inQuotes(entry.path);
   if (entry.isEncrypted || (entry.method != kStored && entry.method != kDeflated)) {
     Error error = makeError(
         ErrorCode::UnsupportedFeature, -1,
-        entry.path + " in the zip is " +
+        name + " in the zip is " +
             (entry.isEncrypted ? "encrypted" : "packed by method " + std::to_string(entry.method)));
     error.hint = "zip the model again, without a password";
     return error;
   }
   Numbers numbers(archive);
   if (numbers.u32(entry.offset) != kFileMark) {
-    return damaged(entry.path + " is not where it should be");
+    return damaged(name + " is not where it should be");
   }
   const std::uint64_t from =
       entry.offset + 30 + numbers.u16(entry.offset + 26) + numbers.u16(entry.offset + 28);
   if (!numbers.isWhole() || from > archive.size() || entry.packedSize > archive.size() - from) {
-    return damaged(entry.path + " ends too early");
+    return damaged(name + " ends too early");
   }
   // The size is plausible where the limit allows it and the packed bytes can expand to it.
   if (entry.size > unpackedLimit(archive.size())) {
     Error error = makeError(ErrorCode::LimitExceeded, -1,
-                            entry.path + " in the zip would unpack to more than is allowed");
+                            name + " in the zip would unpack to more than is allowed");
     error.hint = "unpack the zip yourself, if you trust it";
     return error;
   }
   if (entry.size > kLargestRatio * (entry.packedSize + 1)) {
-    return damaged(entry.path + " cannot be as large as it claims");
+    return damaged(name + " cannot be as large as it claims");
   }
   const auto packed = archive.subspan(from, entry.packedSize);
   auto content =
       entry.method == kDeflated
           ? inflateRaw(packed, entry.size)
           : Result<std::vector<std::byte>>(std::vector<std::byte>(packed.begin(), packed.end()));
-  if (!content) return damaged(entry.path + ": " + content.error().message);
+  if (!content) return damaged(name + ": " + content.error().message);
   if (content.value().size() != entry.size || crc32Of(content.value()) != entry.crc) {
-    return damaged(entry.path + " is not what was zipped");
+    return damaged(name + " is not what was zipped");
   }
   return content;
 }

@@ -4,10 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "girth/export.h"
+
 namespace girth::io {
 
 /// A name out of a file, quoted for a one-line message: control characters replaced, cut when long.
-std::string inQuotes(std::string_view name);
+GIRTH_EXPORT std::string inQuotes(std::string_view name);
 
 /// ` "name"`, or nothing where there is no name.
 std::string spacedName(std::string_view name);

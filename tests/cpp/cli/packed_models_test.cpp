@@ -134,6 +134,13 @@ TEST_F(PackedModels, zip) {
   expectFailure(write("larger.zip", zipped({{"a.obj", prism_, prism_.size() - 1}})),
                 "MALFORMED_FILE");
   expectFailure(write("bomb.zip", zipped({{"a.obj", prism_, 0xfffffff0}})), "LIMIT_EXCEEDED");
+  // Messages stay short and on one line, whatever a name in the zip is.
+  const std::string name = "a\n" + std::string(9999, 'b') + ".obj";
+  const Outcome odd = run({"info", write("odd.zip", zipped({{name, prism_, 1}})), "--json"});
+  const std::string& json = odd.output;
+  EXPECT_NE(json.find("MALFORMED_FILE"), std::string::npos) << json;
+  EXPECT_EQ(json.find("\\n"), std::string::npos) << json;
+  EXPECT_LT(odd.errors.size(), 400u);
 }
 
 TEST_F(PackedModels, standardInput) {

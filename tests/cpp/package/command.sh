@@ -89,6 +89,26 @@ head -c 300 model.obj.gz > cut.obj.gz
 expect 2 'MALFORMED_FILE' "$girth" info cut.obj.gz
 head -c 300000000 /dev/zero | gzip > bomb.obj.gz
 expect 3 'LIMIT_EXCEEDED' bash -c "ulimit -v 400000; '$girth' info bomb.obj.gz"
+# `zip_of GZIP SIZE`: a zip of bomb.obj with the data of a gzip file, which claims so many bytes.
+little_endian() {
+  local number=$1 i
+  for ((i = 0; i < $2; i++)); do printf "\\x$(printf %02x $((number >> 8 * i & 255)))"; done
+}
+zip_of() {
+  local packed=$(($(stat -c %s "$1") - 18)) name=bomb.obj
+  # Version, flags, method, time, date, checksum, both sizes, lengths of the name and of what is extra.
+  about() { little_endian 20 4 && little_endian 8 2 && little_endian 0 8 && little_endian $packed 4 &&
+    little_endian "$1" 4 && little_endian ${#name} 4; }
+  printf 'PK\3\4' && about "$2" && printf %s $name && tail -c +11 "$1" | head -c $packed
+  printf 'PK\1\2' && little_endian 20 2 && about "$2" && little_endian 0 14 && printf %s $name
+  printf 'PK\5\6' && little_endian 0 4 && little_endian 1 2 && little_endian 1 2
+  little_endian $((46 + ${#name})) 4 && little_endian $((30 + ${#name} + packed)) 4 && little_endian 0 2
+}
+head -c 300000000 /dev/zero | gzip -n > zeros.gz
+zip_of zeros.gz 300000000 > bomb.zip
+expect 3 'LIMIT_EXCEEDED' bash -c "ulimit -v 400000; '$girth' info bomb.zip"
+zip_of zeros.gz 1000 > lie.zip
+expect 2 'larger than they claim' bash -c "ulimit -v 400000; '$girth' info lie.zip"
 expect 1 'both write to standard output' "$girth" igf model.obj -o - --format csv --json
 expect 1 'add --format' "$girth" igf model.obj -o -
 expect 1 'use .csv' "$girth" igf model.obj -o values.xyz
@@ -145,8 +165,17 @@ fi
 
 # Many models.
 mkdir values
-answers=$("$girth" info model.obj absent.obj kept.obj --json --jobs 2 2> errors | grep -c '^{')
-[ "$answers" -eq 3 ] || { echo "wrong: $answers answers for three models"; failed=1; }
+names=()
+for i in {1..48}; do
+  cp model.obj "values/$i.obj"
+  names+=("values/$i.obj" "values/absent$i.obj")
+done
+names+=(unknown.txt cut.obj.gz bomb.obj.gz model.obj)
+for command in igf info; do
+  answers=$("$girth" $command "${names[@]}" --json --jobs 4 2> errors)
+  [ "$(grep -c '^{"file":' <<< "$answers")" -eq 100 ] && [ "$(grep -c '"error":' <<< "$answers")" -eq 51 ] ||
+    { echo "wrong: $command has not 100 answers for 100 models"; failed=1; }
+done
 expect 0 '' "$girth" igf model.obj kept.obj -q --jobs 2 -o values/ --format csv
 same values.csv values/kept.csv
 
