@@ -10,7 +10,14 @@ import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { kernelSite } from './build-kernel-site.js';
 import type { KernelPage } from './kernel-page.js';
 import { kernelHtml } from './kernel-site.js';
-import { command, differing, repository, serve, type StaticServer } from './support.js';
+import {
+  command,
+  differing,
+  repository,
+  requireBuilt,
+  serve,
+  type StaticServer,
+} from './support.js';
 
 /** Inside `evaluate` only. */
 declare const girth: KernelPage;
@@ -46,16 +53,16 @@ async function openFirefox(): Promise<OtherPage> {
   };
 }
 
-/** WebKit by the W3C's WebDriver, on a screen of its own. */
-async function openWebKit(): Promise<OtherPage> {
+/** WebKit by the W3C's WebDriver, on a screen of its own; under LANG=C the browser has no language. */
+async function openWebKit(language = 'en_US.UTF-8'): Promise<OtherPage> {
   const port = 4455;
   const screen = ['-a', '-s', '-screen 0 1280x900x24 +extension GLX'];
   const driver: ChildProcess = spawn(xvfb!, [...screen, webKitDriver!, `--port=${port}`], {
     env: {
       ...process.env,
-      // Under LANG=C the browser has no language. Root has no sandbox.
-      LANG: 'en_US.UTF-8',
-      LC_ALL: 'en_US.UTF-8',
+      LANG: language,
+      LC_ALL: language,
+      // Root has no sandbox.
       LIBGL_ALWAYS_SOFTWARE: '1',
       WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: '1',
     },
@@ -112,10 +119,32 @@ async function openWebKit(): Promise<OtherPage> {
   };
 }
 
+const hasWebKit = !!webKitDriver && !!miniBrowser && !!xvfb;
 const browsers: [string, boolean, () => Promise<OtherPage>][] = [
   ['Firefox', !!firefox, openFirefox],
-  ['WebKit', !!webKitDriver && !!miniBrowser && !!xvfb, openWebKit],
+  ['WebKit', hasWebKit, () => openWebKit()],
 ];
+
+test.runIf(hasWebKit)(
+  'WebKit without a language: the page opens and computes its example',
+  async () => {
+    requireBuilt('build/page/index.html', 'build:page');
+    const server = await serve(join(repository, 'build/page'), { isolated: true });
+    const browser = await openWebKit('C');
+    try {
+      await browser.open(server.url);
+      const isComplete = await browser.evaluate(async (wanted) => {
+        const { dataset } = document.documentElement;
+        while (dataset['field'] !== wanted) await new Promise((done) => setTimeout(done, 50));
+        return true;
+      }, 'complete');
+      expect(isComplete).toBe(true);
+    } finally {
+      await browser.close();
+      await server.close();
+    }
+  },
+);
 
 describe.each(browsers)('%s', (_, isThere, openBrowser) => {
   const folder = mkdtempSync(join(tmpdir(), 'girth-other-browsers-'));
