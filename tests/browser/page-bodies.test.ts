@@ -22,7 +22,7 @@ test('at 200% nothing covers anything: the page scrolls', async () => {
   const [surface, strip, field] = [
     await boxOf(viewer),
     await boxOf(page.locator('#examples')),
-    await boxOf(page.locator('#field')),
+    await boxOf(page.locator('#field-name')),
   ];
   expect(surface.height).toBeGreaterThan(200);
   expect(surface.y + surface.height).toBeLessThanOrEqual(strip.y + 1);
