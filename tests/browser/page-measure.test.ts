@@ -150,6 +150,16 @@ test('two pinned points: how far they are apart, straight and along the surface'
   await viewer.evaluate((element: GirthViewer) => element.pin(7));
   const diagonal = `${Math.sqrt(12).toFixed(3)}\u202fcm straight, ${Math.sqrt(20).toFixed(3)}\u202fcm along the surface`;
   await expect.poll(() => words.textContent()).toBe(diagonal);
+  // The way is a line on the surface while it is pointed at, and in no picture otherwise.
+  const picture = () =>
+    viewer.evaluate(async (element: GirthViewer) =>
+      new Uint8Array(await (await element.snapshot()).arrayBuffer()).join(),
+    );
+  const bare = await picture();
+  await distance.hover();
+  expect(await picture()).not.toBe(bare);
+  await page.mouse.move(1, 1);
+  expect(await picture()).toBe(bare);
   await viewer.evaluate((element: GirthViewer) => element.pin(1));
   await expect.poll(() => words.textContent()).not.toBe(diagonal);
   await page.getByRole('combobox', { name: 'From' }).selectOption('1');

@@ -13,6 +13,8 @@ export class PointDistance {
   /** Which two points the answer is for, by their loops' numbers. */
   #pair = '';
   #path: SurfacePath | undefined;
+  /** Whether the section is pointed at or has the focus: only then is the way a line on the surface. */
+  #isAttended = false;
   readonly #viewer: GirthViewer;
 
   constructor(viewer: GirthViewer) {
@@ -25,8 +27,20 @@ export class PointDistance {
       make('h3', {}, 'Distance of two points'),
       make('p', { class: 'row' }, ...this.#from.parts, ...this.#to.parts),
       this.#words,
+      make('p', { class: 'hint' }, 'Point here to see the way on the surface.'),
     );
     this.element.hidden = true;
+    for (const [event, isAttended] of [
+      ['pointerenter', true],
+      ['pointerleave', false],
+      ['focusin', true],
+      ['focusout', false],
+    ] as const) {
+      this.element.addEventListener(event, () => {
+        this.#isAttended = isAttended;
+        this.#draw();
+      });
+    }
   }
 
   /** The points have changed, or only how lengths are written. The last two are measured at first. */
@@ -37,15 +51,19 @@ export class PointDistance {
     const isPossible = points.length > 1;
     this.element.hidden = !isPossible;
     if (!isPossible || !isOpen) {
-      if (viewer.info && this.#pair !== '') viewer.showPath(undefined);
       this.#pair = '';
       this.#path = undefined;
+      this.#draw();
       this.#words.textContent = '';
       if (!isPossible) return;
     }
     this.#from.show(points, points.at(-2)!.id);
     this.#to.show(points, points.at(-1)!.id);
     if (isOpen) void this.#measure();
+  }
+
+  #draw(): void {
+    if (this.#viewer.info) this.#viewer.showPath(this.#isAttended ? this.#path : undefined);
   }
 
   async #measure(): Promise<void> {
@@ -59,13 +77,13 @@ export class PointDistance {
     if (pair !== this.#pair) {
       this.#pair = pair;
       this.#path = undefined;
-      viewer.showPath(undefined);
+      this.#draw();
       this.#words.textContent = 'Measuring …';
       try {
         const path = await viewer.path(from.loop.base, to.loop.base);
         if (pair !== this.#pair || viewer.info !== info) return;
         this.#path = path;
-        viewer.showPath(path);
+        this.#draw();
       } catch (error) {
         if (pair === this.#pair && viewer.info === info) {
           this.#words.textContent = `Not measured: ${failureWords(error)}.`;
