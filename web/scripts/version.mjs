@@ -24,7 +24,9 @@ await script(() => {
       .replace(/^version: .*$/m, `version: ${version}`)
       .replace(/^date-released: .*$/m, `date-released: '${date}'`),
   );
-  rewrite('vcpkg.json', (text) => text.replace(/"version": "[^"]*"/, `"version": "${version}"`));
+  rewrite('cpp/packaging/vcpkg.json', (text) =>
+    text.replace(/"version": "[^"]*"/, `"version": "${version}"`),
+  );
   rewrite('CHANGELOG.md', (text) =>
     text.replace(/^## \[Unreleased\]$/m, `$&\n\n## [${version}] - ${date}`),
   );

@@ -50,7 +50,7 @@ const { version, license } = JSON.parse(text('package.json')) as {
 };
 
 test('vcpkg.json has the version and the dependencies of the build', () => {
-  const manifest = JSON.parse(text('vcpkg.json')) as VcpkgManifest;
+  const manifest = JSON.parse(text('cpp/packaging/vcpkg.json')) as VcpkgManifest;
   expect(manifest).toMatchObject({ name: 'girth', version, license });
   const listed = [manifest, ...Object.values(manifest.features)]
     .flatMap(({ dependencies }) => dependencies)
@@ -63,20 +63,17 @@ test('vcpkg.json has the version and the dependencies of the build', () => {
 });
 
 test('conanfile.py takes the version from package.json and lists the dependencies of the build', () => {
-  const recipe = text('conanfile.py');
+  const recipe = text('cpp/packaging/conanfile.py');
   expect(recipe).toContain(`license = "${license}"`);
-  expect(recipe).toMatch(/exports = "package.json"/);
+  expect(recipe).toMatch(/load\(self, os\.path\.join\(self\._repository, "package\.json"\)\)/);
   const listed = [...recipe.matchAll(/self\.requires\("(\w+)\//g)].map(([, name]) => name!);
   const wanted = needs().flatMap((name) => names[name]!.conan ?? []);
   expect(listed.sort()).toEqual(wanted.sort());
 });
 
-test('conanfile.py compiles', (context) => {
-  const compile = "import ast, sys; ast.parse(open('conanfile.py', encoding='utf-8').read())";
-  try {
-    execFileSync('python3', ['-c', compile], { cwd: repository });
-  } catch (error) {
-    if ((error as NodeJS.ErrnoException).code === 'ENOENT') context.skip();
-    throw error;
-  }
+// Python is there wherever Emscripten is.
+test('conanfile.py compiles', () => {
+  const compile =
+    "import ast; ast.parse(open('cpp/packaging/conanfile.py', encoding='utf-8').read())";
+  execFileSync('python3', ['-c', compile], { cwd: repository });
 });

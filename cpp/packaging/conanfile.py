@@ -1,11 +1,14 @@
-"""Girth for Conan 2: girth::core, girth::io and girth::study, static or shared, and the command if asked for."""
+"""Girth for Conan 2: girth::core, girth::io and girth::study, static or shared, and the command if asked for.
+
+From the top of the repository: `conan create cpp/packaging`.
+"""
 
 import json
 import os
 
 from conan import ConanFile
 from conan.tools.cmake import CMake, CMakeDeps, CMakeToolchain, cmake_layout
-from conan.tools.files import load
+from conan.tools.files import copy, load
 
 
 class GirthConan(ConanFile):
@@ -23,12 +26,18 @@ class GirthConan(ConanFile):
     }
     default_options = {"shared": False, "fPIC": True, "io": True, "command": False}
     implements = ["auto_shared_fpic"]
-    exports = "package.json"
-    exports_sources = "CMakeLists.txt", "package.json", "LICENSE", "CHANGELOG.md", "cpp/*"
+
+    @property
+    def _repository(self):
+        return os.path.join(self.recipe_folder, "..", "..")
 
     def set_version(self):
-        package = load(self, os.path.join(self.recipe_folder, "package.json"))
+        package = load(self, os.path.join(self._repository, "package.json"))
         self.version = json.loads(package)["version"]
+
+    def export_sources(self):
+        for pattern in ("CMakeLists.txt", "package.json", "LICENSE", "CHANGELOG.md", "cpp/*"):
+            copy(self, pattern, self._repository, self.export_sources_folder)
 
     def requirements(self):
         # Headers that the libraries alone are compiled with.
