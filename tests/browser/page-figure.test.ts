@@ -70,6 +70,32 @@ test('an octopus with three loops at 300 dpi, and the same view of another model
   await page.setViewportSize({ width: 390, height: 844 });
   await expect.poll(() => coveredShares(viewer, '.tag')).toEqual([0, 0, 0]);
   await page.setViewportSize(size);
+  // And clear of the legend's numbers, though a loop lies beside them.
+  const onNumbers = () =>
+    viewer.evaluate(async (element: GirthViewer) => {
+      let leftmost = { vertex: 0, x: Infinity };
+      for (let vertex = 0; vertex < element.info!.vertexCount; ++vertex) {
+        const { x, visible } = element.screenPosition(vertex);
+        if (visible && x < leftmost.x) leftmost = { vertex, x };
+      }
+      const { id } = await element.pin(leftmost.vertex);
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      const boxes = (of: string) =>
+        [...element.shadowRoot!.querySelectorAll(of)].map((one) => one.getBoundingClientRect());
+      const numbers = boxes('.legend-tick');
+      const crossed = boxes('.tag').filter((tag) =>
+        numbers.some(
+          (number) =>
+            tag.left < number.right &&
+            number.left < tag.right &&
+            tag.top < number.bottom &&
+            number.top < tag.bottom,
+        ),
+      );
+      element.unpin(id);
+      return crossed.length;
+    });
+  expect(await onNumbers()).toBe(0);
   await viewer.getByRole('button', { name: /^Axes/ }).click();
   await viewer.getByRole('button', { name: 'Front' }).click();
   await viewer.getByRole('checkbox', { name: 'Same view for the next model' }).click();

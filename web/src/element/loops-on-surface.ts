@@ -6,6 +6,7 @@ import {
   type LengthFormat,
   LoopBand,
   type Box,
+  type Silhouette,
   type Stage,
   type Surface,
   formatLength,
@@ -293,8 +294,6 @@ export class LoopsOnSurface {
     if (placedFor === this.#placedFor) return;
     this.#placedFor = placedFor;
     this.#placedAt = performance.now();
-    const taken = stage.silhouette(cell);
-    for (const box of this.#host.furniture()) taken.add(box);
     const labels = this.#pins.map((pin) => {
       pin.seen = pin.outline.filter((point) => stage.project(point).visible);
       const about = boxOf(
@@ -302,7 +301,7 @@ export class LoopsOnSurface {
       );
       return { about, ...pin.tag.size, before: pin.tag.spot };
     });
-    const places = placeLabels(labels, taken, { width, height });
+    const places = placeLabels(labels, this.#taken(), { width, height });
     this.#pins.forEach(({ tag }, i) => tag.place(places[i]!));
   }
 
@@ -483,11 +482,16 @@ export class LoopsOnSurface {
     clearTimeout(this.#besideLater);
     this.#besideLater = undefined;
     this.#besideAt = performance.now();
-    const taken = this.#stage.silhouette(cell);
-    for (const box of this.#host.furniture()) taken.add(box);
     const about = { left: x, top: y, width: 0, height: 0 };
     const label = { about, ...this.#readout.size, before: this.#readout.spot };
-    this.#readout.moveTo(placeLabels([label], taken, { width, height })[0]!);
+    this.#readout.moveTo(placeLabels([label], this.#taken(), { width, height })[0]!);
+  }
+
+  /** Where the surface and the other things on the canvas are. */
+  #taken(): Silhouette {
+    const taken = this.#stage.silhouette(cell);
+    for (const box of this.#host.furniture()) taken.add(box);
+    return taken;
   }
 
   // ---- keyboard

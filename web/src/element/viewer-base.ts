@@ -335,7 +335,7 @@ export abstract class ViewerBase extends ElementOrNone {
   /** What lies on the canvas beside the surface: what the page writes on top, and the element's own. */
   #furniture(): Box[] {
     const { left, top, width, height } = this.getBoundingClientRect();
-    const own = [this.#legend.element, ...this.#status.element.children, this.#controls.element];
+    const own = [...this.#legend.pieces, ...this.#status.element.children, this.#controls.element];
     const boxes = own.map((element) => {
       const box = element.getBoundingClientRect();
       return { left: box.left - left, top: box.top - top, width: box.width, height: box.height };

@@ -114,6 +114,11 @@ export class Legend {
     this.element.append(this.#title, this.#bar, this.#key, this.#note, this.#beyond);
   }
 
+  /** All that it lies on: the numbers stand beside the box of the element. */
+  get pieces(): Element[] {
+    return [this.element, ...this.#bar.children];
+  }
+
   update(content: LegendContent | undefined): void {
     this.element.hidden = !content;
     const key = JSON.stringify(content);
