@@ -106,8 +106,8 @@ std::optional<Vec2> withinFace(const Propagation& propagation, Index face, Vec2 
 /// Of all cells, the most promising comes first; what cannot hold a farther point is left out.
 class Search {
  public:
-  Search(const Propagation& propagation, FarthestPoint& best, const WorkLimit& limit)
-      : propagation_(propagation), best_(best), limit_(limit), atLeast_(best.distance) {}
+  Search(const Propagation& propagation, FarthestPoint& best)
+      : propagation_(propagation), best_(best), atLeast_(best.distance) {}
 
   /// A face to be searched, if its corners leave room for a farther point.
   void offer(Index face) {
@@ -116,8 +116,8 @@ class Search {
   }
 
   /// False: the limit was met, or the work cancelled.
-  bool run() {
-    const bool complete = searchCells();
+  bool run(std::size_t mostWork, const ExecutionContext& context) {
+    const bool complete = searchCells(mostWork, context);
     if (sample_.distance > best_.distance * (1 + kTie)) best_ = sample_;
     return complete;
   }
@@ -153,9 +153,9 @@ class Search {
     bool operator<(const Cell& other) const { return bound < other.bound; }
   };
 
-  bool searchCells() {
+  bool searchCells(std::size_t mostWork, const ExecutionContext& context) {
     while (!cells_.empty() && cells_.front().bound > atLeast_) {
-      if (work_ > limit_.work || kept_ > kMostKept || limit_.cancelled()) return false;
+      if (work_ > mostWork || kept_ > kMostKept || context.cancelled()) return false;
       std::pop_heap(cells_.begin(), cells_.end());
       const Cell cell = std::move(cells_.back());
       cells_.pop_back();
@@ -262,9 +262,7 @@ class Search {
     const double atCentre = distanceAmong(sites, centre, &nearest);
     if (atCentre > atLeast_ && std::isfinite(atCentre)) {
       atLeast_ = atCentre;
-      sample_.distance = atCentre;
-      sample_.halfedge = 3 * face_;
-      sample_.point = centre;
+      sample_ = {atCentre, 3 * face_, centre};
     }
     if (atCentre + radius <= atLeast_) return;
     const double slack = kTie * best_.distance;
@@ -373,15 +371,12 @@ class Search {
   /// A point of the face at its true distance.
   void accept(Vec2 q, double distance) {
     if (!(distance > best_.distance * (1 + kTie))) return;
-    best_.distance = distance;
-    best_.halfedge = 3 * face_;
-    best_.point = q;
+    best_ = {distance, 3 * face_, q};
     atLeast_ = std::max(atLeast_, distance * (1 - kTie));
   }
 
   const Propagation& propagation_;
   FarthestPoint& best_;
-  const WorkLimit& limit_;
   std::vector<Cell> cells_;  // a heap, the most promising on top
   double atLeast_;           // the maximum is known to be no less
   FarthestPoint sample_;     // the farthest of the middles looked at
@@ -392,18 +387,18 @@ class Search {
 
 }  // namespace
 
-FarthestPoint farthestPoint(const Propagation& propagation, const WorkLimit& limit) {
+FarthestPoint farthestPoint(const Propagation& propagation, std::size_t mostWork,
+                            const ExecutionContext& context) {
   const Unfolding& unfolding = propagation.unfolding();
   FarthestPoint best;
   for (const Index v : propagation.reachedVertices()) {
     if (propagation.distance(v) > best.distance) {
-      best.distance = propagation.distance(v);
-      best.halfedge = unfolding.outgoing(v);
+      best = {propagation.distance(v), unfolding.outgoing(v), {0, 0}};
     }
   }
 
   // Each face once, at its first corner.
-  Search search(propagation, best, limit);
+  Search search(propagation, best);
   for (const Index v : propagation.reachedVertices()) {
     const Index start = unfolding.outgoing(v);
     for (Index out = start; out != kNoIndex;) {
@@ -413,7 +408,7 @@ FarthestPoint farthestPoint(const Propagation& propagation, const WorkLimit& lim
       if (out == start) break;
     }
   }
-  best.complete = search.run();
+  best.complete = search.run(mostWork, context);
   best.atMost = search.atMost();
   return best;
 }

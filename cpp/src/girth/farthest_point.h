@@ -1,11 +1,11 @@
 // The point farthest from the source: where the loop turns round if nothing closes before.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <limits>
 
 #include "geodesic/propagation.h"
+#include "girth/execution.h"
 
 namespace girth {
 
@@ -21,20 +21,14 @@ struct FarthestPoint {
   bool complete{false};
 };
 
-/// When a search gives up.
-struct WorkLimit {
-  /// Paths into a face that are looked at.
-  std::size_t work{std::numeric_limits<std::size_t>::max()};
-  const std::atomic<bool>* cancel{nullptr};
-
-  bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
-};
-
 /// After a propagation over the whole surface: the exact maximum of the distance. It lies at a
 /// vertex, or where three paths arrive together inside a face or on its rim (Sharir and Schorr
 /// 1986: at least three shortest paths end there). On a boundary two paths are enough. Parts of the
 /// faces that can hold it are halved, the most promising first, until few paths compete, or until
-/// all points of a part are equally far up to kTie.
-FarthestPoint farthestPoint(const geodesic::Propagation& propagation, const WorkLimit& limit = {});
+/// all points of a part are equally far up to kTie. Gives up when more than `mostWork` paths into
+/// faces have been looked at; of the context, only `cancel` matters.
+FarthestPoint farthestPoint(const geodesic::Propagation& propagation,
+                            std::size_t mostWork = std::numeric_limits<std::size_t>::max(),
+                            const ExecutionContext& context = {});
 
 }  // namespace girth

@@ -65,7 +65,7 @@ struct GirthSolver::State {
     const std::size_t done = propagation.windowsCrossed() + search.effort();
     const std::size_t left = propagation.budget() - std::min(done, propagation.budget());
     // Looking at a path into a face takes half as long as a window that crosses it.
-    const FarthestPoint point = farthestPoint(propagation, {2 * left, context.cancel});
+    const FarthestPoint point = farthestPoint(propagation, 2 * left, context);
     if (!point.complete && context.cancelled()) {
       return makeError(ErrorCode::Cancelled, -1, "cancelled");
     }

@@ -47,15 +47,18 @@ bool surrounds(std::vector<double>& directions, double total, bool open) {
 void LoopSearch::start(const std::atomic<bool>* cancel) {
   cancel_ = cancel;
   candidates_.clear();
-  for (Gathered& gathered : gathered_) gathered.known = false;
+  for (Gathered& gathered : gathered_) gathered.halfedge = kNoIndex;
   nearer_ = {};
   pairs_ = 0;
   found_ = cancelled_ = false;
 }
 
 bool LoopSearch::enough(double frontier) {
-  while (!candidates_.empty() && candidates_.front().length / 2 * (1 + kTie) < frontier) {
-    if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) break;
+  const auto cancelled = [this] {
+    return cancelled_ = cancel_ != nullptr && cancel_->load(std::memory_order_relaxed);
+  };
+  while (!cancelled() && !candidates_.empty() &&
+         candidates_.front().length / 2 * (1 + kTie) < frontier) {
     if (propagation_->windowsCrossed() + effort() > propagation_->budget()) return false;
     std::pop_heap(candidates_.begin(), candidates_.end(), longer);
     if (proven(candidates_.back())) {
@@ -65,7 +68,6 @@ bool LoopSearch::enough(double frontier) {
     }
     candidates_.pop_back();
   }
-  cancelled_ = cancel_ != nullptr && cancel_->load(std::memory_order_relaxed);
   return cancelled_;
 }
 
@@ -133,16 +135,13 @@ void LoopSearch::pairAcross(Index halfedge, std::uint32_t first, Index other) {
 /// All windows that have entered through a halfedge. Where they are many, only those that have come
 /// since the last time are looked up: they lie far apart.
 const std::vector<Window>& LoopSearch::windowsOf(Index halfedge) {
-  Gathered& gathered = gathered_[halfedge % gathered_.size()];
-  if (gathered.halfedge != halfedge) {
-    gathered.halfedge = halfedge;
-    gathered.known = false;
-  }
-  const std::size_t known = gathered.known ? gathered.windows.size() : 0;
-  propagation_->entered(halfedge, gathered.windows, known);
-  gathered.known = true;
-  pairs_ += kPairsPerWindow / 2 * (gathered.windows.size() - known);
-  return gathered.windows;
+  auto& [gatheredOf, windows] = gathered_[halfedge % gathered_.size()];
+  if (gatheredOf != halfedge) windows.clear();
+  gatheredOf = halfedge;
+  const std::size_t known = windows.size();
+  propagation_->entered(halfedge, windows, known);
+  pairs_ += kPairsPerWindow / 2 * (windows.size() - known);
+  return windows;
 }
 
 void LoopSearch::pair(Index halfedge, const Window& a, Index other, const Window& b) {
@@ -290,15 +289,14 @@ void LoopSearch::propose(const LoopCandidate& candidate) {
 }
 
 bool LoopSearch::proven(const LoopCandidate& candidate) {
-  if (propagation_->forgotten(SurfaceMesh::faceOf(Halfedge(candidate.halfedge)))) return false;
+  const Index face = faceOfSide(candidate.halfedge);
+  if (propagation_->forgotten(face)) return false;
   const double half = candidate.length / 2 * (1 - kTie);
   // On round shapes thousands of candidates fall one after the other to the same window.
-  if (SurfaceMesh::faceOf(Halfedge(nearer_.halfedge)) ==
-          SurfaceMesh::faceOf(Halfedge(candidate.halfedge)) &&
+  if (faceOfSide(nearer_.halfedge) == face &&
       propagation_->isNearer(candidate.halfedge, candidate.midpoint, half, nearer_)) {
     return false;
   }
-  const Index face = SurfaceMesh::faceOf(Halfedge(candidate.halfedge));
   for (Index h = 3 * face; h < 3 * face + 3; ++h) pairs_ += propagation_->enteredCount(h);
   return !propagation_->findNearer(candidate.halfedge, candidate.midpoint, half, nearer_) &&
          !closesUpon(candidate);

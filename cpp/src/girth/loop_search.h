@@ -77,7 +77,6 @@ class LoopSearch {
   struct Gathered {
     Index halfedge{kNoIndex};
     std::vector<geodesic::Window> windows;
-    bool known{false};  // in this search
   };
 
   const std::vector<geodesic::Window>& windowsOf(Index halfedge);

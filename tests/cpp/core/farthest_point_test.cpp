@@ -58,12 +58,12 @@ TEST(FarthestPoint, CostsNoMoreThanThePathsToIt) {
   for (double width = 0.1; width > 1e-4; width /= 10) {
     const Spread spread(doubledNeedle(width), Vertex(1));
     const std::size_t windows = spread.propagation.windowsCrossed();
-    EXPECT_TRUE(farthestPoint(spread.propagation, {4 * windows + 1000}).complete) << width;
+    EXPECT_TRUE(farthestPoint(spread.propagation, 4 * windows + 1000).complete) << width;
   }
   // All paths from the tip of a cone meet at the middle of its base.
   const Spread cone(pyramid(300, 1.0, 4), Vertex(0));
   EXPECT_TRUE(
-      farthestPoint(cone.propagation, {50 * cone.propagation.windowsCrossed() + 1000}).complete);
+      farthestPoint(cone.propagation, 50 * cone.propagation.windowsCrossed() + 1000).complete);
 }
 
 TEST(FarthestPoint, NoPointIsFarther) {
@@ -96,12 +96,14 @@ TEST(FarthestPoint, WhatIsKnownWhenItIsGivenUpIsTrue) {
   const Spread spread(pyramid(40, 1.0, 3), Vertex(5));
   const FarthestPoint whole = farthestPoint(spread.propagation);
   for (const std::size_t work : {0u, 10u, 100u, 1000u}) {
-    const FarthestPoint part = farthestPoint(spread.propagation, {work});
+    const FarthestPoint part = farthestPoint(spread.propagation, work);
     EXPECT_LE(part.distance, whole.distance * (1 + 1e-11));
     EXPECT_GE(part.atMost, whole.distance * (1 - 1e-11));
   }
   const std::atomic<bool> cancel{true};
-  EXPECT_FALSE(farthestPoint(spread.propagation, {std::size_t{1} << 40, &cancel}).complete);
+  ExecutionContext stopped;
+  stopped.cancel = &cancel;
+  EXPECT_FALSE(farthestPoint(spread.propagation, std::size_t{1} << 40, stopped).complete);
 }
 
 }  // namespace
