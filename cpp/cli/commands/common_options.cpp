@@ -11,6 +11,14 @@ void addThreadsOption(OptionTable& table, unsigned& threads) {
       .range(1, 1024);
 }
 
+void addMeasuringOptions(OptionTable& table, ModelOptions& preparing, unsigned& threads,
+                         bool& json) {
+  addRefineOption(table, preparing);
+  addModelOptions(table, preparing);
+  addThreadsOption(table, threads);
+  table.add("--json", json, "Print everything as JSON");
+}
+
 void addJobsOption(OptionTable& table, unsigned& jobs) {
   table.add("--jobs N", jobs, "Models at a time; 1 by default. Threads are divided among them")
       .range(1, 1024);

@@ -2,12 +2,18 @@
 #pragma once
 
 #include "girth/io/write_field.h"
+#include "model/model_options.h"
 #include "options/option_table.h"
 
 namespace girth::cli {
 
 /// Adds `--threads`. 0, the default: as many as there are cores.
 void addThreadsOption(OptionTable& table, unsigned& threads);
+
+/// Adds what commands that measure one model have: `--refine`, the options on how a model is
+/// prepared, `--threads` and `--json`.
+void addMeasuringOptions(OptionTable& table, ModelOptions& preparing, unsigned& threads,
+                         bool& json);
 
 /// Adds `--jobs`, for commands that take many models.
 void addJobsOption(OptionTable& table, unsigned& jobs);

@@ -108,10 +108,9 @@ std::string maximaJson(const io::LoadedMesh& loaded, const std::vector<Persisten
 void printMaxima(const io::LoadedMesh& loaded, const std::vector<PersistentMaximum>& maxima) {
   std::printf("  %7s %12s %12s  %s\n", "maximum", "value", "persistence", "vertex");
   for (std::size_t i = 0; i < maxima.size(); ++i) {
-    const std::int64_t vertex = inFile(loaded, maxima[i].vertex);
     std::printf("  %7zu %12s %12s  %s\n", i + 1, readable(maxima[i].value).c_str(),
                 readable(maxima[i].persistence).c_str(),
-                vertex < 0 ? "(made here)" : std::to_string(vertex).c_str());
+                numberInFile(loaded, maxima[i].vertex).c_str());
   }
 }
 

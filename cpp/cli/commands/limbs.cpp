@@ -12,7 +12,6 @@
 #include "girth/tips.h"
 #include "model/computing.h"
 #include "model/loading.h"
-#include "process/interrupt.h"
 #include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
@@ -41,11 +40,10 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Lim
               "base", "end", "apex vertex");
   for (std::size_t i = 0; i < count; ++i) {
     const Limb& limb = limbs.limbs[i];
-    const Index apex = loaded.inputOfVertex[limb.apex];
     std::printf("  %4zu %12s %12s %12s %12s  %-9s %s\n", i + 1, readable(limb.length).c_str(),
                 readableOrDash(limb.narrowest).c_str(), readableOrDash(limb.median).c_str(),
                 readableOrDash(limb.base).c_str(), std::string(toString(limb.end)).c_str(),
-                apex == kNoIndex ? "(made here)" : std::to_string(apex).c_str());
+                numberInFile(loaded, limb.apex).c_str());
   }
   printUnits(loaded.unit);
 }
@@ -62,13 +60,11 @@ int run(const Options& options) {
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
   const SurfaceMesh& mesh = loaded.value().mesh;
-  const auto girth = computeGirth(options.model, mesh, options.threads);
-  if (!girth) return reportError(options.model, girth.error());
-  const auto tips = findTips(mesh, girth.value().values, {0, &catchInterrupts(), {}});
-  if (!tips) return reportError(options.model, tips.error());
+  const auto found = computeTips(options.model, mesh, options.threads);
+  if (!found) return reportError(options.model, found.error());
   const auto limbs = [&] {
     ProgressLine progress(options.model);
-    return findLimbs(mesh, girth.value().values, tips.value().tips, {options.stations},
+    return findLimbs(mesh, found.value().girth.values, found.value().tips.tips, {options.stations},
                      watched(options.threads, progress));
   }();
   if (!limbs) return reportError(options.model, limbs.error());
@@ -100,10 +96,7 @@ Run add(OptionTable& table) {
             "Write the profiles as .csv: a row for each station of each limb");
   table.add("--stations N", options->stations, "Stations of each profile. Default: 64")
       .range(1, 10'000);
-  addRefineOption(table, options->preparing);
-  addModelOptions(table, options->preparing);
-  addThreadsOption(table, options->threads);
-  table.add("--json", options->json, "Print everything as JSON");
+  addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth limbs hand.glb", "Length and girth of each finger.");
   table.example("girth limbs hand.glb --profiles -o fingers.csv",
                 "How thick they are all along, for a spreadsheet.");

@@ -223,10 +223,7 @@ Run add(OptionTable& table) {
   addOutputOptions(table, options->output, {".json", ".csv", ".ply"},
                    "Write the answer: .json, or every vertex with its part: .csv, .ply");
   addPositionsOption(table, options->positions);
-  addRefineOption(table, options->preparing);
-  addModelOptions(table, options->preparing);
-  addThreadsOption(table, options->threads);
-  table.add("--json", options->json, "Print everything as JSON");
+  addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth parts chair.glb -o parts.json",
                 "Tubes, plates and body, by thresholds that the model's own values suggest.");
   table.example("girth parts part.stl --unit mm --min-tube 3mm --min-wall 1mm",

@@ -13,7 +13,6 @@
 #include "girth/tips.h"
 #include "model/computing.h"
 #include "model/loading.h"
-#include "process/interrupt.h"
 #include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
@@ -40,11 +39,9 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Tip
   }
   for (std::size_t i = 0; i < tips.tips.size(); ++i) {
     const Tip& tip = tips.tips[i];
-    const Index apex = loaded.inputOfVertex[tip.apex];
     std::printf("  %4zu %12s %12s %12s %12s  %s\n", i + 1, readable(tip.jump).c_str(),
                 readable(tip.area).c_str(), readable(tip.boundaryLength).c_str(),
-                readable(tip.apexDistance).c_str(),
-                apex == kNoIndex ? "(made here)" : std::to_string(apex).c_str());
+                readable(tip.apexDistance).c_str(), numberInFile(loaded, tip.apex).c_str());
   }
   if (!tips.tips.empty()) printUnits(loaded.unit);
   if (!tips.arcs.empty()) {
@@ -84,34 +81,32 @@ int run(const Options& options) {
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
   const SurfaceMesh& mesh = loaded.value().mesh;
-  const auto girth = computeGirth(options.model, mesh, options.threads);
-  if (!girth) return reportError(options.model, girth.error());
-  const auto tips = findTips(mesh, girth.value().values, {0, &catchInterrupts(), {}});
-  if (!tips) return reportError(options.model, tips.error());
+  const auto found = computeTips(options.model, mesh, options.threads);
+  if (!found) return reportError(options.model, found.error());
+  const Tips& tips = found.value().tips;
 
   std::vector<study::TipTrial> trials;
   if (options.stability) {
     ProgressLine progress(options.model);
-    auto tried = study::tipTrials(mesh, tips.value().tips, {}, watched(options.threads, progress));
+    auto tried = study::tipTrials(mesh, tips.tips, {}, watched(options.threads, progress));
     if (!tried) return reportError(options.model, tried.error());
     trials = std::move(tried).value();
   }
 
   const auto json = [&] {
-    return io::tipsJson(loaded.value(), tips.value(), options.model, study::tipTrialsJson(trials));
+    return io::tipsJson(loaded.value(), tips, options.model, study::tipTrialsJson(trials));
   };
   if (options.output.isWanted()) {
-    if (auto error = writeOutput(options.output, extension == ".json"
-                                                     ? json()
-                                                     : io::tipsObj(loaded.value(), tips.value()))) {
+    if (auto error = writeOutput(
+            options.output, extension == ".json" ? json() : io::tipsObj(loaded.value(), tips))) {
       return reportError(options.output.path, *error);
     }
   }
   if (options.json) {
     std::fputs(json().c_str(), stdout);
   } else if (hasSummary()) {
-    printText(options.model, loaded.value(), tips.value());
-    if (options.stability) printTrials(tips.value(), trials);
+    printText(options.model, loaded.value(), tips);
+    if (options.stability) printTrials(tips, trials);
   }
   return 0;
 }
@@ -125,10 +120,7 @@ Run add(OptionTable& table) {
             "Also find the tips with each triangle cut into four, and with noise of 5, 10 and 25% "
             "of the mean edge length, and print which are found again; takes about twelve times as "
             "long");
-  addRefineOption(table, options->preparing);
-  addModelOptions(table, options->preparing);
-  addThreadsOption(table, options->threads);
-  table.add("--json", options->json, "Print everything as JSON");
+  addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth tips hand.glb -o tips.json", "Where the shape ends, each with its contour.");
   table.example("girth tips hand.glb --stability",
                 "And which are found again in finer triangles and under noise.");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "process/interrupt.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
@@ -20,6 +21,15 @@ Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mes
   GirthField field = girthField(mesh, GirthMethod::Exact, watched(threads, progress));
   if (!field.complete()) return cancelled();
   return field;
+}
+
+Result<GirthAndTips> computeTips(const std::string& model, const SurfaceMesh& mesh,
+                                 unsigned threads) {
+  auto girth = computeGirth(model, mesh, threads);
+  if (!girth) return girth.error();
+  auto tips = findTips(mesh, girth.value().values, {0, &catchInterrupts(), {}});
+  if (!tips) return tips.error();
+  return GirthAndTips{std::move(girth).value(), std::move(tips).value()};
 }
 
 Result<ShapeDiameterField> computeDiameter(const std::string& model, const SurfaceMesh& mesh,

@@ -7,12 +7,23 @@
 #include "girth/girth_field.h"
 #include "girth/remesh.h"
 #include "girth/shape_diameter.h"
+#include "girth/tips.h"
 
 namespace girth::cli {
 
 /// The girth at all vertices. `model`: for the progress line. Errors: CANCELLED.
 Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh,
                                 unsigned threads);
+
+/// The girth at all vertices, and the tips that it shows.
+struct GirthAndTips {
+  GirthField girth;
+  Tips tips;
+};
+
+/// Errors: those of findTips, CANCELLED.
+Result<GirthAndTips> computeTips(const std::string& model, const SurfaceMesh& mesh,
+                                 unsigned threads);
 
 /// The shape diameter at all vertices. Errors: those of shapeDiameter, CANCELLED. Prints a note
 /// on standard error where the surface is inside out, or vertices have no value.

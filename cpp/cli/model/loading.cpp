@@ -153,4 +153,9 @@ Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& op
                         std::move(read.notes)};
 }
 
+std::string numberInFile(const io::LoadedMesh& loaded, Index vertex) {
+  const Index input = loaded.inputOfVertex[vertex];
+  return input == kNoIndex ? "(made here)" : std::to_string(input);
+}
+
 }  // namespace girth::cli

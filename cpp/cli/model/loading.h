@@ -14,4 +14,7 @@ Result<io::ReadModel> readModelFile(const std::string& path, const std::string& 
 /// Reads and prepares a model. Errors: those of openModel and io::readMesh, USAGE.
 Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options);
 
+/// The number of a vertex in its file, for people: "(made here)" where the file has none.
+std::string numberInFile(const io::LoadedMesh& loaded, Index vertex);
+
 }  // namespace girth::cli
