@@ -39,6 +39,10 @@ inline std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
+inline bool contains(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
 struct Outcome {
   int exitCode;
   std::string output, errors;

@@ -14,15 +14,10 @@
 
 #include "command.h"
 
+namespace girth::test {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using girth::test::Command;
-using girth::test::contentOf;
-using girth::test::kData;
-using girth::test::linesOf;
-using girth::test::Outcome;
 
 TEST_F(Command, helpAndVersion) {
   const Outcome help = run({"--help"});
@@ -556,3 +551,4 @@ TEST_F(Command, readsFilesBesideTheModelOnly) {
 }
 
 }  // namespace
+}  // namespace girth::test

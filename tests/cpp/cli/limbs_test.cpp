@@ -6,13 +6,10 @@
 
 #include "command.h"
 
+namespace girth::test {
 namespace {
 
 using Json = nlohmann::json;
-using girth::test::Command;
-using girth::test::contentOf;
-using girth::test::linesOf;
-using girth::test::Outcome;
 
 constexpr int kCorners = 8, kLength = 8;
 /// Round the middle: the perimeter of a regular octagon with corners 1 from its centre.
@@ -92,7 +89,7 @@ TEST_F(Command, limbsOfAPencil) {
 }
 
 TEST_F(Command, limbsOfWhatHasNone) {
-  const Outcome outcome = run({"limbs", girth::test::kData + "/prism.obj", "--json"});
+  const Outcome outcome = run({"limbs", kData + "/prism.obj", "--json"});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
   EXPECT_TRUE(Json::parse(outcome.output)["limbs"].is_array());
 }
@@ -111,3 +108,4 @@ TEST_F(Command, limbsAreAskedForProperly) {
 }
 
 }  // namespace
+}  // namespace girth::test

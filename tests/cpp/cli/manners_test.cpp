@@ -7,16 +7,8 @@
 
 #include "command.h"
 
+namespace girth::test {
 namespace {
-
-using girth::test::Command;
-using girth::test::kData;
-using girth::test::linesOf;
-using girth::test::Outcome;
-
-bool contains(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 TEST_F(Command, helpOfACommandIsTheSameBothWays) {
   const Outcome help = run({"help", "igf"});
@@ -60,7 +52,7 @@ TEST_F(Command, exitCodesOfTheReadmeAreThoseOfTheHelp) {
   std::string words = help.substr(help.find("Exit codes: "));
   std::replace(words.begin(), words.end(), '\n', ' ');
   std::size_t found = 0;
-  for (const std::string& line : linesOf(girth::test::contentOf(kData + "/../../README.md"))) {
+  for (const std::string& line : linesOf(contentOf(kData + "/../../README.md"))) {
     if (line.size() < 4 || line[0] != '|' || line[2] < '0' || line[2] > '9') continue;
     const std::size_t from = line.find_first_not_of(" |", 3);
     const std::size_t to = line.find_last_not_of(" |");
@@ -110,16 +102,16 @@ TEST_F(Command, optionsAreReadInEveryWayThatIsUsual) {
     std::vector<std::string> arguments{"igf", prism};
     arguments.insert(arguments.end(), ending.begin(), ending.end());
     EXPECT_EQ(run(arguments).exitCode, 0);
-    EXPECT_TRUE(girth::test::fs::remove(path("a.csv")));
+    EXPECT_TRUE(fs::remove(path("a.csv")));
   }
   // Names that begin with a dash.
-  girth::test::fs::copy_file(prism, path("-prism.obj"));
-  const auto before = girth::test::fs::current_path();
-  girth::test::fs::current_path(folder_);
+  fs::copy_file(prism, path("-prism.obj"));
+  const auto before = fs::current_path();
+  fs::current_path(folder_);
   EXPECT_EQ(run({"info", "--json", "--", "-prism.obj"}).exitCode, 0);
   EXPECT_EQ(run({"info", "./-prism.obj"}).exitCode, 0);
   EXPECT_EQ(run({"info", "-prism.obj"}).exitCode, 1);
-  girth::test::fs::current_path(before);
+  fs::current_path(before);
 }
 
 TEST_F(Command, quietPrintsErrorsOnly) {
@@ -138,3 +130,4 @@ TEST_F(Command, quietPrintsErrorsOnly) {
 }
 
 }  // namespace
+}  // namespace girth::test

@@ -7,15 +7,10 @@
 
 #include "command.h"
 
+namespace girth::test {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using girth::test::Command;
-using girth::test::contentOf;
-using girth::test::kData;
-using girth::test::linesOf;
-using girth::test::Outcome;
 
 TEST_F(Command, everyFileHasAnAnswerAlsoTheOnesThatFail) {
   const std::string prism = kData + "/prism.obj", absent = path("absent.obj"),
@@ -65,3 +60,4 @@ TEST_F(Command, severalOutputsGoIntoAFolder) {
 }
 
 }  // namespace
+}  // namespace girth::test

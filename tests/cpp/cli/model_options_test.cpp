@@ -8,16 +8,8 @@
 
 #include "command.h"
 
+namespace girth::test {
 namespace {
-
-using girth::test::Command;
-using girth::test::kData;
-using girth::test::linesOf;
-using girth::test::Outcome;
-
-bool contains(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 /// The words of a command, and what its help says.
 using Helps = std::map<std::string, std::string>;
@@ -74,8 +66,8 @@ TEST_F(ModelOptions, areThoseOfEveryCommandThatReadsAModel) {
 
 TEST_F(ModelOptions, reachTheModelInEveryCommand) {
   const std::string prism = kData + "/prism.obj";
-  girth::test::fs::create_directories(path("shapes/a"));
-  girth::test::fs::copy_file(prism, path("shapes/a/prism.obj"));
+  fs::create_directories(path("shapes/a"));
+  fs::copy_file(prism, path("shapes/a/prism.obj"));
   const std::map<std::string, std::vector<std::string>> arguments{
       {"info", {"info", prism}},
       {"igf", {"igf", prism}},
@@ -127,3 +119,4 @@ TEST_F(ModelOptions, manyModelsHaveJobsOrTheHelpSaysWhyNot) {
 }
 
 }  // namespace
+}  // namespace girth::test

@@ -9,13 +9,10 @@
 
 #include "command.h"
 
+namespace girth::test {
 namespace {
 
 using Json = nlohmann::json;
-using girth::test::Command;
-using girth::test::kData;
-using girth::test::linesOf;
-using girth::test::Outcome;
 
 using Corner = std::array<double, 3>;
 
@@ -173,3 +170,4 @@ TEST_F(Command, lengthsThatAreNoneAreRefusedBeforeTheWork) {
 }
 
 }  // namespace
+}  // namespace girth::test

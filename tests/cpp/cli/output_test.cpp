@@ -10,14 +10,8 @@
 
 #include "command.h"
 
+namespace girth::test {
 namespace {
-
-namespace fs = std::filesystem;
-using girth::test::Command;
-using girth::test::contentOf;
-using girth::test::kData;
-using girth::test::linesOf;
-using girth::test::Outcome;
 
 /// A long tube of many faces, enough work for seconds.
 std::string longTube(int rings, int sides) {
@@ -170,3 +164,4 @@ TEST_F(Command, standardOutputTakesOneResult) {
 }
 
 }  // namespace
+}  // namespace girth::test

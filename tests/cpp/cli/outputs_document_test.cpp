@@ -9,13 +9,8 @@
 
 #include "command.h"
 
+namespace girth::test {
 namespace {
-
-using girth::test::Command;
-using girth::test::contentOf;
-using girth::test::kData;
-using girth::test::linesOf;
-using girth::test::Outcome;
 
 /// A command in a heading, "### `girth igf -o values.csv`", and the names in its table's first
 /// column.
@@ -123,3 +118,4 @@ TEST_F(Command, theAngleOfTheLoopIsAField) {
 }
 
 }  // namespace
+}  // namespace girth::test

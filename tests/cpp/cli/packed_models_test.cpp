@@ -7,13 +7,8 @@
 
 #include "command.h"
 
+namespace girth::test {
 namespace {
-
-using girth::test::Command;
-using girth::test::contentOf;
-using girth::test::kData;
-using girth::test::linesOf;
-using girth::test::Outcome;
 
 std::string littleEndian(std::uint64_t value, std::size_t bytes) {
   std::string text;
@@ -165,3 +160,4 @@ TEST_F(PackedModels, standardInput) {
 }
 
 }  // namespace
+}  // namespace girth::test

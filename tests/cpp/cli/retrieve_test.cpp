@@ -13,13 +13,9 @@
 
 #include "command.h"
 
+namespace girth::test {
 namespace {
 
-namespace fs = std::filesystem;
-using girth::test::Command;
-using girth::test::contentOf;
-using girth::test::linesOf;
-using girth::test::Outcome;
 using Json = nlohmann::json;
 
 /// A box of a × b × c with each side cut into n × n squares, as OBJ.
@@ -396,3 +392,4 @@ TEST_F(Retrieve, accuracyOfTheMarchedGirth) {
 }
 
 }  // namespace
+}  // namespace girth::test

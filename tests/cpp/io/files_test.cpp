@@ -1,15 +1,14 @@
 // Models and fields as files, each in one line.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
+#include "../model_folder.h"
 #include "girth/io/load_mesh.h"
 #include "girth/io/save_field.h"
 
@@ -18,51 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder "outside" with a folder "models" in it.
-class Files : public ::testing::Test {
+class Files : public test::ModelFolder {
  protected:
   Files() {
-    std::string name = (fs::temp_directory_path() / "girth-XXXXXX").string();
-    outside = mkdtemp(name.data());
-    models = outside / "models";
-    fs::create_directories(models / "parts");
     write("tetrahedron.obj",
           "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   }
-  ~Files() override { fs::remove_all(outside); }
 
-  std::string write(const std::string& name, const std::string& content) const {
-    const fs::path path = models / name;
-    std::ofstream(path, std::ios::binary) << content;
-    return path.string();
-  }
   std::string read(const std::string& name) const {
     std::ifstream file(models / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
   std::string pathOf(const std::string& name) const { return (models / name).string(); }
-
-  /// A tetrahedron: four points and four triangles.
-  static void writeBuffer(const fs::path& path) {
-    const float points[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-    const unsigned char corners[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-    std::ofstream file(path, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(points), sizeof points);
-    file.write(reinterpret_cast<const char*>(corners), sizeof corners);
-  }
-  /// A model whose buffer has that address.
-  std::string gltfWith(const std::string& uri) const {
-    return write("model.gltf",
-                 R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":60,"uri":")" + uri +
-                     R"("}],"bufferViews":[{"buffer":0,"byteLength":48},)" +
-                     R"({"buffer":0,"byteOffset":48,"byteLength":12}],"accessors":[)" +
-                     R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)" +
-                     R"({"bufferView":1,"componentType":5121,"count":12,"type":"SCALAR"}],)" +
-                     R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},)" +
-                     R"("indices":1}]}],"nodes":[{"mesh":0}]})");
-  }
-
-  fs::path outside, models;
 };
 
 TEST_F(Files, ALoadedModelHasItsSurface) {
