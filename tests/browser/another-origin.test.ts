@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import type { GirthError } from '../../web/src/kernel/index.js';
+import { dracoDocument } from '../web/kernel/draco-document.js';
 import { packed } from '../web/package/packed.js';
 import {
   chromiumForTests,
@@ -49,28 +50,10 @@ globalThis.leastGirth = async (address) => {
 };`;
 /** A glTF whose geometry is packed by Draco, though not validly: only the decoder finds that. */
 const packedModel = JSON.stringify({
-  asset: { version: '2.0' },
+  ...dracoDocument(4, 3, 3),
   extensionsUsed: ['KHR_draco_mesh_compression'],
   extensionsRequired: ['KHR_draco_mesh_compression'],
   buffers: [{ byteLength: 4, uri: 'data:application/octet-stream;base64,AAAAAA==' }],
-  bufferViews: [{ buffer: 0, byteLength: 4 }],
-  accessors: [
-    { componentType: 5126, count: 3, type: 'VEC3' },
-    { componentType: 5125, count: 3, type: 'SCALAR' },
-  ],
-  meshes: [
-    {
-      primitives: [
-        {
-          attributes: { POSITION: 0 },
-          indices: 1,
-          extensions: {
-            KHR_draco_mesh_compression: { bufferView: 0, attributes: { POSITION: 0 } },
-          },
-        },
-      ],
-    },
-  ],
   nodes: [{ mesh: 0 }],
   scenes: [{ nodes: [0] }],
   scene: 0,

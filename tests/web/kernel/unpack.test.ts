@@ -7,6 +7,7 @@ import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { unpackIfCompressed } from '../../../web/src/kernel/unpack.js';
 import { unpackGltf, type Decoders } from '../../../web/src/kernel/unpack-gltf.js';
+import { dracoDocument } from './draco-document.js';
 
 interface Encoding {
   GetValue(at: number): number;
@@ -288,31 +289,9 @@ describe('Draco', () => {
     return Uint8Array.from({ length }, (_, i) => buffer.GetValue(i));
   }
 
-  const documentOf = (length: number, count = points, corners = indices.length) => ({
-    asset: { version: '2.0' },
-    buffers: [{ byteLength: length }],
-    bufferViews: [{ buffer: 0, byteLength: length }],
-    accessors: [
-      { componentType: 5126, count, type: 'VEC3' },
-      { componentType: 5125, count: corners, type: 'SCALAR' },
-    ],
-    meshes: [
-      {
-        primitives: [
-          {
-            attributes: { POSITION: 0 },
-            indices: 1,
-            extensions: {
-              KHR_draco_mesh_compression: { bufferView: 0, attributes: { POSITION: 0 } },
-            },
-          },
-        ],
-      },
-    ],
-  });
-  const unpack = (bytes: Uint8Array, count?: number, corners?: number) =>
+  const unpack = (bytes: Uint8Array, count = points, corners = indices.length) =>
     unpackGltf(
-      { bytes: glb(documentOf(bytes.length, count, corners), bytes), resource: nothing },
+      { bytes: glb(dracoDocument(bytes.length, count, corners), bytes), resource: nothing },
       decoders,
     );
 

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { splitCreases } from '../../../web/src/view/creases.js';
+import { boxes } from './boxes.js';
 import { torus } from './torus.js';
 
 function finish<Result>(work: Generator<void, Result>): Result {
@@ -10,21 +11,10 @@ function finish<Result>(work: Generator<void, Result>): Result {
 }
 
 /** A cube of side 2 about the origin. */
-const cube = {
-  positions: Float32Array.from(
-    [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [(i & 1) * 2 - 1, (i & 2) - 1, ((i >> 1) & 2) - 1]),
-  ),
-  indices: Uint32Array.from(
-    [
-      [0, 2, 3, 1],
-      [4, 5, 7, 6],
-      [0, 1, 5, 4],
-      [2, 6, 7, 3],
-      [0, 4, 6, 2],
-      [1, 3, 7, 5],
-    ].flatMap(([a, b, c, d]) => [a!, b!, c!, a!, c!, d!]),
-  ),
-};
+const cube = boxes([
+  [-1, -1, -1],
+  [1, 1, 1],
+]);
 
 test('a cube keeps its creases: three normals at each corner, each of one side', () => {
   const { positions, indices } = cube;
