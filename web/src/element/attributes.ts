@@ -1,5 +1,6 @@
 // What each attribute of the element can be. Any other value counts as if the attribute were not there.
 
+import type { GirthErrorFields } from '../kernel/types.js';
 import {
   colormapNames,
   derivedNames,
@@ -72,6 +73,11 @@ const rules = {
   turn: flag,
 } satisfies Record<string, Rule>;
 
+/** What is sent of a wrong attribute. */
+interface AttributeFault extends GirthErrorFields {
+  attribute: AttributeName;
+}
+
 /** An attribute that the element follows. */
 export type AttributeName = keyof typeof rules;
 
@@ -96,4 +102,21 @@ export function attributeOf(element: Element, name: AttributeName): string | nul
 export function isOn(element: Element, name: AttributeName): boolean {
   const text = element.getAttribute(name);
   return text !== null && isEmptyOrAllowed(name, text);
+}
+
+/** Characters of a wrong value that are repeated. */
+const mostQuoted = 60;
+/** Wrong attributes that the console has been told of, by any element. */
+const saidOnConsole = new Set<string>();
+
+/** What is wrong with a value, as it is sent with `error`, and once said on the console; undefined for nothing. */
+export function faultOf(name: AttributeName, text: string): AttributeFault | undefined {
+  const allowed = allowedInstead(name, text);
+  if (allowed === undefined) return undefined;
+  const said = `${name}="${text.slice(0, mostQuoted)}"`;
+  const message = `the attribute ${said} means nothing, and counts as if it were not there`;
+  const hint = `${name} can be ${allowed}`;
+  if (!saidOnConsole.has(said)) console.warn(`<girth-viewer>: ${message}; ${hint}`);
+  saidOnConsole.add(said);
+  return { code: 'INVALID_OPTION', element: -1, message, hint, attribute: name };
 }

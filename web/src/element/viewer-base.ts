@@ -13,13 +13,7 @@ import {
   isColormapName,
   isShownName,
 } from '../view/index.js';
-import {
-  type AttributeName,
-  allowedInstead,
-  attributeNames,
-  attributeOf,
-  isOn,
-} from './attributes.js';
+import { type AttributeName, attributeNames, attributeOf, faultOf, isOn } from './attributes.js';
 import { CanvasControls } from './canvas-controls.js';
 import { make } from './dom.js';
 import type { GirthViewerEvents } from './events.js';
@@ -43,11 +37,6 @@ const narrow = 520;
 const legendHeight = 92;
 /** Of the status, with its margin, at the bottom; CSS pixels. */
 const statusHeight = 56;
-
-/** Characters of a wrong attribute that are repeated. */
-const mostQuoted = 60;
-/** Wrong attributes that the console has been told of, by any element. */
-const saidOnConsole = new Set<string>();
 
 /** The symbol of a unit of length; '' for none. */
 const unitOf = (text: string | null): string => findLengthUnit(text ?? '')?.symbol ?? '';
@@ -194,7 +183,8 @@ export abstract class ViewerBase extends ElementOrNone {
   /** Called by the browser when one of `observedAttributes` has changed. */
   attributeChangedCallback(name: string, before: string | null, value: string | null): void {
     if (before === value) return;
-    if (value !== null) this.#check(name as AttributeName, value);
+    const fault = value === null ? undefined : faultOf(name as AttributeName, value);
+    if (fault) void pageParsed().then(() => this.#send('error', fault));
     switch (name) {
       case 'src':
         if (value !== null && this.stage) void this.#loadSrc();
@@ -507,19 +497,6 @@ export abstract class ViewerBase extends ElementOrNone {
     detail: GirthViewerEvents[Name]['detail'],
   ): void {
     this.dispatchEvent(new CustomEvent(name, { detail }));
-  }
-
-  /** Says that an attribute is wrong, and what it can be; the console says it once. */
-  #check(name: AttributeName, value: string): void {
-    const allowed = allowedInstead(name, value);
-    if (allowed === undefined) return;
-    const said = `${name}="${value.slice(0, mostQuoted)}"`;
-    const message = `the attribute ${said} means nothing, and counts as if it were not there`;
-    const hint = `${name} can be ${allowed}`;
-    if (!saidOnConsole.has(said)) console.warn(`<girth-viewer>: ${message}; ${hint}`);
-    saidOnConsole.add(said);
-    const detail = { code: 'INVALID_OPTION', element: -1, message, hint, attribute: name };
-    void pageParsed().then(() => this.#send('error', detail));
   }
 
   /** Says what went wrong, once; that something was cancelled is no news. */
