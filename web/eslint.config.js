@@ -1,11 +1,11 @@
 // One linter for the whole repository. The layers' arrows are checked here as well as by the
-// separate tsconfigs: kernel ◄─ view ◄─ element ◄─ app.
+// separate tsconfigs: kernel ◄─ view ◄─ element ◄─ app, and kernel ◄─ node.
 
 import eslint from '@eslint/js';
 import { defineConfig } from 'eslint/config';
 import tseslint from 'typescript-eslint';
 
-const layers = ['kernel', 'view', 'element', 'app', 'examples', 'tests', 'scripts'];
+const layers = ['kernel', 'node', 'view', 'element', 'app', 'examples', 'tests', 'scripts'];
 
 /** The modules that a layer must not import, with the reason. */
 function forbid(files, ...patterns) {
@@ -61,8 +61,12 @@ export default defineConfig(
   },
   { plugins: { '@typescript-eslint': tseslint.plugin } },
   forbid(['web/src/kernel/**'], three, {
+    regex: '^node:|/(node|view|element|app)/',
+    message: 'The kernel knows neither Node.js, view, element nor page.',
+  }),
+  forbid(['web/src/node/**'], three, {
     regex: '/(view|element|app)/',
-    message: 'The kernel knows neither view, element nor page.',
+    message: 'The kernel in Node.js knows neither view, element nor page.',
   }),
   forbid(
     ['web/src/view/**'],

@@ -1,9 +1,23 @@
-// The tests of the web side: `web` runs in Node.js, `browser` drives Chromium. `bench` is no test: it measures.
+// The tests of the web side: `web` runs in Node.js, `browser` drives Chromium; `node` runs the package in Node.js, beside
+// the command. `bench` is no test: it measures.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
+
+/** What depends on the values that the core computes, and on how it reads files. */
+const kernelInBrowser = ['kernel*', 'files', 'corpus', 'examples'].map(
+  (name) => `tests/browser/${name}.test.ts`,
+);
+
+/** Nothing here depends on how long something takes: files run beside each other, each with a Chromium of its own. */
+const inBrowser = {
+  testTimeout: 120_000,
+  hookTimeout: 120_000,
+  // Generous: a slow machine is no failure.
+  expect: { poll: { timeout: 30_000 } },
+};
 
 export default defineConfig({
   test: {
@@ -19,16 +33,29 @@ export default defineConfig({
       {
         root,
         test: {
-          name: 'browser',
-          include: ['tests/browser/**/*.test.ts'],
-          exclude: ['tests/browser/other-browsers.test.ts'],
-          // Nothing here depends on how long something takes: files run beside each other, each with
-          // a Chromium of its own.
-          globalSetup: ['tests/browser/global-setup.ts'],
+          name: 'node',
+          include: ['tests/node/**/*.test.ts'],
           testTimeout: 120_000,
           hookTimeout: 120_000,
-          // Generous: a slow machine is no failure.
-          expect: { poll: { timeout: 30_000 } },
+        },
+      },
+      {
+        root,
+        test: {
+          name: 'browser',
+          include: ['tests/browser/**/*.test.ts'],
+          exclude: [...kernelInBrowser, 'tests/browser/other-browsers.test.ts'],
+          globalSetup: ['tests/browser/small-examples.ts'],
+          ...inBrowser,
+        },
+      },
+      {
+        root,
+        test: {
+          name: 'browser-kernel',
+          include: kernelInBrowser,
+          globalSetup: ['tests/browser/build-kernel-site.ts'],
+          ...inBrowser,
         },
       },
       {
@@ -36,7 +63,7 @@ export default defineConfig({
         test: {
           name: 'other-browsers',
           include: ['tests/browser/other-browsers.test.ts'],
-          globalSetup: ['tests/browser/global-setup.ts'],
+          globalSetup: ['tests/browser/build-kernel-site.ts'],
           testTimeout: 120_000,
           hookTimeout: 120_000,
         },

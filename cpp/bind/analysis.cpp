@@ -185,27 +185,45 @@ val maxima(const JobSurface& surface, const val& values, bool minima) {
   });
 }
 
+/// A `SurfacePoint` of types.ts.
+val surfacePointOf(const SurfacePoint& point) {
+  return point.vertex() == Vertex::none ? faceWithWeights(point) : val(Index{point.vertex()});
+}
+
+/// `WeakPlace` of types.ts.
+val placeOf(const WeakPlace& place) {
+  val entry = val::object();
+  entry.set("kind", std::string(toString(place.kind)));
+  entry.set("vertices", copyOut<Index>("Uint32Array", numbersOf(place.vertices)));
+  entry.set("faces", copyOut<Index>("Uint32Array", numbersOf(place.faces)));
+  entry.set("area", place.area);
+  entry.set("least", place.least);
+  entry.set("thinnest", surfacePointOf(place.thinnest));
+  if (place.kind != WeakKind::Tube) {
+    val opposite = val::array();
+    for (const double x : {place.opposite.x, place.opposite.y, place.opposite.z}) {
+      opposite.call<void>("push", x);
+    }
+    entry.set("opposite", opposite);
+  }
+  return entry;
+}
+
 /// `PrintCheck` of types.ts, or an error.
-val printCheck(const JobSurface& surface, const val& fields, const val& limits) {
+val printCheck(const JobSurface& surface, const val& fields, const val& limits,
+               const val& onProgress) {
   return guarded([&] {
-    const GirthAndDiameter values(fields);
-    const PrintLimits wanted = limitsOf(limits);
-    const auto found = checkedPlaces(surface.mesh(), values, wanted);
+    const auto found =
+        printCheckOf(surface.mesh(), fields, limitsOf(limits), reportingTo(onProgress));
     if (!found) return toJs(found.error());
     val places = val::array();
-    for (const WeakPlace& place : found.value()) {
-      val entry = val::object();
-      entry.set("kind", std::string(toString(place.kind)));
-      entry.set("vertices", copyOut<Index>("Uint32Array", numbersOf(place.vertices)));
-      entry.set("area", place.area);
-      entry.set("least", place.least);
-      entry.set("thinnest", vertexOf(place.thinnest));
-      places.call<void>("push", entry);
+    for (const WeakPlace& place : found.value().places) {
+      places.call<void>("push", placeOf(place));
     }
     val result = val::object();
     result.set("places", places);
-    result.set("failingShare", failingShare(surface.mesh(), found.value()));
-    result.set("passingScale", passingScale(values.girth, values.diameter, wanted));
+    result.set("failingShare", found.value().failingShare);
+    result.set("passingScale", found.value().passingScale);
     return result;
   });
 }

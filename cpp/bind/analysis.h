@@ -8,6 +8,7 @@
 #include "boundary.h"
 #include "girth/limbs.h"
 #include "girth/parts.h"
+#include "girth/print_check.h"
 #include "girth/tips.h"
 
 namespace girth::bind {
@@ -36,17 +37,18 @@ inline PartOptions partOptionsOf(const emscripten::val& options) {
           options["smoothing"].as<double>()};
 }
 
-/// `PrintLimits` of types.ts.
+/// `PrintLimits` of types.ts, complete.
 inline PrintLimits limitsOf(const emscripten::val& limits) {
-  return {limits["tubeDiameter"].as<double>(), limits["wallThickness"].as<double>()};
+  return {limits["tubeDiameter"].as<double>(), limits["wallThickness"].as<double>(),
+          limits["gap"].as<double>()};
 }
 
-/// The weak places, or why the surface cannot be checked.
-inline Result<std::vector<WeakPlace>> checkedPlaces(const SurfaceMesh& mesh,
-                                                    const GirthAndDiameter& values,
-                                                    const PrintLimits& limits) {
-  if (auto error = whyNotChecked(mesh, values.diameter, limits)) return *std::move(error);
-  return findWeakPlaces(mesh, values.girth, values.diameter, limits);
+/// The check of limits by {girth, thickness}, either of which may be empty.
+inline Result<PrintCheck> printCheckOf(const SurfaceMesh& mesh, const emscripten::val& fields,
+                                       const PrintLimits& limits, const ExecutionContext& context) {
+  const auto girth = copyIn<double>(fields["girth"]),
+             thickness = copyIn<double>(fields["thickness"]);
+  return checkPrint(mesh, {girth, thickness}, limits, {}, context);
 }
 
 }  // namespace girth::bind

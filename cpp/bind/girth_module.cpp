@@ -22,6 +22,7 @@ namespace {
 /// The method of a field, as files name it.
 std::string methodOf(const FieldRequest& request) {
   if (request.name == "sdf") return io::methodText(request.shapeDiameter);
+  if (request.name == "thickness") return io::methodText(request.thickness);
   const bool isExtent = request.name == "geoaverage" || request.name == "geofarthest";
   return std::string(io::toString(isExtent ? request.distances : DistanceMethod::Exact));
 }
@@ -30,6 +31,9 @@ std::string methodOf(const FieldRequest& request) {
 std::string noteOf(const FieldRequest& request, const SurfaceMesh& mesh, Index withoutValue) {
   if (request.name == "sdf") {
     return shapeDiameterNote(isInsideOut(mesh), withoutValue, mesh.vertexCount());
+  }
+  if (request.name == "thickness") {
+    return thicknessNote(isInsideOut(mesh), withoutValue, mesh.vertexCount());
   }
   return budgetNote(withoutValue, mesh.vertexCount());
 }

@@ -21,12 +21,15 @@ inline SurfacePoint pointOf(const emscripten::val& point) {
 
 /// `SurfacePoint` of types.ts of a point of an edge: the face beside it, with weights.
 inline emscripten::val faceWithWeights(const SurfacePoint& point) {
-  const Halfedge h = point.halfedge();
-  const Face face = SurfaceMesh::faceOf(h);
-  const auto corner = static_cast<std::size_t>(h - SurfaceMesh::side(face, 0));
-  std::array<double, 3> shares{};
-  shares[corner] = point.weights[0];
-  shares[(corner + 1) % 3] = point.weights[1];
+  Face face = point.face();
+  std::array<double, 3> shares = point.weights;
+  if (const Halfedge h = point.halfedge(); h != Halfedge::none) {
+    face = SurfaceMesh::faceOf(h);
+    const auto corner = static_cast<std::size_t>(h - SurfaceMesh::side(face, 0));
+    shares = {};
+    shares[corner] = point.weights[0];
+    shares[(corner + 1) % 3] = point.weights[1];
+  }
   emscripten::val weights = emscripten::val::array();
   for (std::size_t i = 0; i < 3; ++i) weights.set(static_cast<unsigned>(i), shares[i]);
   emscripten::val place = emscripten::val::object();

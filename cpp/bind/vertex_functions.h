@@ -12,6 +12,7 @@
 #include "girth/geodesic_extent.h"
 #include "girth/girth_field.h"
 #include "girth/shape_diameter.h"
+#include "girth/thickness.h"
 
 namespace girth::bind {
 
@@ -19,11 +20,13 @@ namespace girth::bind {
 struct FieldRequest {
   std::string name;
   ShapeDiameterOptions shapeDiameter;
+  ThicknessOptions thickness;
   DistanceMethod distances{DistanceMethod::FastMarching};
 
   bool operator==(const FieldRequest& other) const {
     return name == other.name && shapeDiameter.coneAngle == other.shapeDiameter.coneAngle &&
-           shapeDiameter.rays == other.shapeDiameter.rays && distances == other.distances;
+           shapeDiameter.rays == other.shapeDiameter.rays &&
+           thickness.sharpAngle == other.thickness.sharpAngle && distances == other.distances;
   }
 };
 
@@ -33,6 +36,7 @@ inline FieldRequest requestOf(const emscripten::val& request) {
   const bool isCount = rays >= 0 && rays < 1e9;
   return {request["name"].as<std::string>(),
           {request["coneAngle"].as<double>(), isCount ? static_cast<unsigned>(rays) : 0},
+          {request["sharpAngle"].as<double>(), ThicknessSide::Inside},
           request["distances"].as<std::string>() == "exact" ? DistanceMethod::Exact
                                                             : DistanceMethod::FastMarching};
 }
@@ -45,6 +49,11 @@ inline Result<AnyFunction> functionOf(const SurfaceMesh& mesh, const FieldReques
   if (request.name == "angle") return AnyFunction(loopAngleFunction(mesh));
   if (request.name == "sdf") {
     auto function = shapeDiameterFunction(mesh, request.shapeDiameter);
+    if (!function) return function.error();
+    return AnyFunction(std::move(function).value());
+  }
+  if (request.name == "thickness") {
+    auto function = medialThicknessFunction(mesh, request.thickness);
     if (!function) return function.error();
     return AnyFunction(std::move(function).value());
   }

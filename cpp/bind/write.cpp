@@ -130,16 +130,14 @@ val writeParts(JobSurface& surface, const val& model, const val& fields, const v
 
 /// {bytes} of a file with the weak places, or an error.
 val writeWeakPlaces(JobSurface& surface, const val& model, const val& fields, const val& limits,
-                    const std::string& format) {
+                    const std::string& format, const val& onProgress) {
   return guarded([&] {
     const io::LoadedMesh& loaded = surface.inUnit(unitOf(model));
     if (format != "json") return toJs(unknownFormat("weak places", format));
-    const GirthAndDiameter values(fields);
     const PrintLimits wanted = limitsOf(limits);
-    const auto places = checkedPlaces(loaded.mesh, values, wanted);
-    if (!places) return toJs(places.error());
-    const double scale = passingScale(values.girth, values.diameter, wanted);
-    return fileOf(io::weakPlacesJson(loaded, places.value(), wanted, scale, nameOf(model)));
+    const auto check = printCheckOf(loaded.mesh, fields, wanted, reportingTo(onProgress));
+    if (!check) return toJs(check.error());
+    return fileOf(io::printCheckJson(loaded, check.value(), wanted, nameOf(model)));
   });
 }
 

@@ -6,7 +6,7 @@ import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, test } from 'vitest';
 import type { Field } from '../../web/src/kernel/index.js';
 import type { KernelPage } from '../browser/kernel-page.js';
-import { buildKernelSite, kernelSite } from '../browser/build-kernel-site.js';
+import { kernelSite, setup as buildKernelSite } from '../browser/build-kernel-site.js';
 import { kernelHtml } from '../browser/kernel-site.js';
 import { thinRing } from '../browser/meshes.js';
 import { chromiumForTests, serve, type StaticServer } from '../browser/support.js';
@@ -50,7 +50,7 @@ async function measure(thousands: number): Promise<Turn[]> {
       };
       const { vertexCount } = original.info;
       original.dispose();
-      const fieldOf = (name: 'igf' | 'sdf', wave: number): Field => ({
+      const fieldOf = (name: 'igf' | 'sdf' | 'thickness', wave: number): Field => ({
         name,
         values: Float64Array.from({ length: vertexCount }, (_, v) => 2 + Math.sin(v * wave)),
         kinds: new Uint8Array(name === 'igf' ? vertexCount : 0),
@@ -61,6 +61,7 @@ async function measure(thousands: number): Promise<Turn[]> {
         note: '',
       });
       const [igf, sdf] = [fieldOf('igf', 1e-3), fieldOf('sdf', 3e-3)];
+      const thickness = fieldOf('thickness', 3e-3);
       const jobs = {
         areas: (mesh) => mesh.vertexAreas(),
         tips: (mesh) => mesh.tips(igf),
@@ -68,7 +69,7 @@ async function measure(thousands: number): Promise<Turn[]> {
         parts: (mesh) => mesh.parts(igf, sdf, { girth: 2, thickness: 2 }),
         maxima: (mesh) => mesh.maxima(igf),
         'weak places': (mesh) =>
-          mesh.printCheck(igf, sdf, { tubeDiameter: 0.5, wallThickness: 1.5 }),
+          mesh.printCheck({ igf, thickness }, { tubeDiameter: 0.5, wallThickness: 1.5 }),
         'a file (NPY)': (mesh) => mesh.exportField(igf, 'npy'),
       } satisfies Record<string, (mesh: typeof original) => Promise<unknown>>;
       const timed = async (job: () => Promise<unknown>) => {

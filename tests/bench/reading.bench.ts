@@ -5,7 +5,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { afterAll, beforeAll, test } from 'vitest';
 import type { KernelPage } from '../browser/kernel-page.js';
-import { buildKernelSite, kernelSite } from '../browser/build-kernel-site.js';
+import { kernelSite, setup as buildKernelSite } from '../browser/build-kernel-site.js';
 import { kernelHtml } from '../browser/kernel-site.js';
 import { chromiumForTests, serve } from '../browser/support.js';
 import { figure, printFigures, type Figure } from './figures.js';

@@ -9,7 +9,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, test } from 'vitest';
 import type { Mesh } from '../../web/src/kernel/index.js';
 import type { KernelPage } from '../browser/kernel-page.js';
-import { buildKernelSite, kernelSite } from '../browser/build-kernel-site.js';
+import { kernelSite, setup as buildKernelSite } from '../browser/build-kernel-site.js';
 import { kernelHtml } from '../browser/kernel-site.js';
 import { chromiumForTests, command, repository, serve } from '../browser/support.js';
 import { figure, printFigures, quantile, type Figure } from './figures.js';

@@ -1,4 +1,4 @@
-// The kernel's test page, bundled once for all tests (global-setup.ts).
+// The kernel's test page, bundled once, before the first test.
 
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,7 +11,7 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 export const kernelSite = join(repository, 'build/kernel-test');
 
 /** Bundles the page's script with the kernel, its workers and its modules. */
-export async function buildKernelSite(): Promise<void> {
+export async function setup(): Promise<void> {
   if (!existsSync(join(repository, 'web/src/kernel/wasm/girth.mjs'))) {
     throw new Error('first: npm run build:wasm');
   }

@@ -178,7 +178,7 @@ test('fields, tips and parts of a real model, and a picture of its thinnest plac
       apexes: tips.map(({ apex }) => apex),
       thickest: sdf.range[1],
       least,
-      girth: element.values('igf')[thinnest],
+      girth: element.values('igf')[thinnest as number],
       picture: picture.size,
       rows: words.decode(await element.exportFields(['igf', 'sdf'], 'csv')).split('\n')[0],
     };
@@ -187,7 +187,9 @@ test('fields, tips and parts of a real model, and a picture of its thinnest plac
   // One at the end of each leg.
   expect(found.apexes).toHaveLength(4);
   expect(found.thickest).toBeGreaterThan(0.1);
-  expect(found.least).toBeCloseTo(found.girth! / Math.PI, 12);
+  // The least width of the section, where that is less than the girth by π.
+  expect(found.least).toBeLessThanOrEqual(found.girth! / Math.PI);
+  expect(found.least).toBeGreaterThan(found.girth! / 8);
   expect(found.picture).toBeGreaterThan(5000);
   expect(found.rows).toMatch(/^vertex,igf,kind,sdf/);
   expect(complaints).toEqual([]);

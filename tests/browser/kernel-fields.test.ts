@@ -65,6 +65,13 @@ for (const mode of ['threads', 'pool'] as const) {
         ['--rays', '7', '--cone', '90'],
         '7 rays',
       ],
+      ['thickness', {}, [], 'sharp below 75 degrees'],
+      [
+        'thickness',
+        { thickness: { sharpAngle: Math.PI / 3 } },
+        ['--sharp', '60'],
+        'sharp below 60 degrees',
+      ],
       ['geoaverage', {}, [], 'fast marching'],
       ['geofarthest', {}, [], 'fast marching'],
       ['geoaverage', { distances: 'exact' }, ['--exact'], 'exact'],
@@ -331,24 +338,25 @@ for (const mode of ['threads', 'pool'] as const) {
         const chosen = { girth: 2, thickness: 1 };
         const areas = await mesh.vertexAreas();
         const limits = { tubeDiameter: 0.5, wallThickness: 0.1 };
+        const thickness = await mesh.field('thickness');
         const result = {
           area: mesh.info.area,
           areas: areas.reduce((sum, area) => sum + area, 0),
           suggested,
           tips: girth.plain(await mesh.tips(igf)),
           parts: girth.plain(await mesh.parts(igf, sdf, suggested)),
-          check: girth.plain(await mesh.printCheck(igf, sdf, limits)),
+          check: girth.plain(await mesh.printCheck({ igf, thickness }, limits)),
           writtenTips: json(await mesh.exportTips(igf, 'json')),
           writtenParts: json(await mesh.exportParts(igf, sdf, suggested, 'json')),
           writtenChosen: json(await mesh.exportParts(igf, sdf, chosen, 'json')),
-          writtenWeak: json(await mesh.exportWeakPlaces(igf, sdf, limits, 'json')),
+          writtenWeak: json(await mesh.exportWeakPlaces({ igf, thickness }, limits, 'json')),
           contours: new TextDecoder().decode(await mesh.exportTips(igf, 'obj')),
           csv: new TextDecoder().decode(await mesh.exportFields([igf, sdf], 'csv')).split('\n')[0],
           refusals: [
             await girth.refusal(mesh.parts(igf, sdf, { girth: NaN, thickness: 1 })),
             await girth.refusal(mesh.parts(igf, sdf, { girth: 1, thickness: -1 })),
             await girth.refusal(mesh.parts(igf, sdf, { girth: 1, thickness: 1, smoothing: -1 })),
-            await girth.refusal(mesh.printCheck(igf, sdf, { tubeDiameter: -1, wallThickness: 0 })),
+            await girth.refusal(mesh.printCheck({}, { tubeDiameter: -1, wallThickness: 0 })),
             await girth.refusal(mesh.exportFields([igf, sdf], 'npy')),
             await girth.refusal(mesh.exportFields([igf, igf], 'csv')),
             await girth.refusal(mesh.exportFields([], 'csv')),

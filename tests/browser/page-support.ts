@@ -4,9 +4,9 @@ import { join } from 'node:path';
 import type { BrowserContextOptions, Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect } from 'vitest';
 import {
-  type OpenPage,
+  type LentPage,
   type StaticServer,
-  chromiumForTests,
+  pagesForTests,
   repository,
   requireBuilt,
   serve,
@@ -42,8 +42,8 @@ export function builtPage({ isolated = true, examples = 'small' }: BuiltPageOpti
   state?: string,
   options?: BrowserContextOptions,
 ) => Promise<BuiltPage> {
-  const openPage = chromiumForTests();
-  const open: OpenPage[] = [];
+  const openPage = pagesForTests();
+  const open: LentPage[] = [];
   let server: StaticServer;
   beforeAll(async () => {
     requireBuilt('build/page/index.html', 'build:page');
@@ -55,9 +55,9 @@ export function builtPage({ isolated = true, examples = 'small' }: BuiltPageOpti
   });
   afterAll(() => server?.close());
   afterEach(async () => {
-    for (const { complaints, context } of open.splice(0)) {
+    for (const { complaints, giveBack } of open.splice(0)) {
+      await giveBack();
       expect(complaints).toEqual([]);
-      await context.close();
     }
   });
   return async (state, options = {}) => {

@@ -11,8 +11,8 @@ const faces = 1200;
 /** Where they lie, by the names of the real ones. */
 export const smallExamples = join(repository, 'build/small-examples');
 
-/** Makes them of the real ones, by the command. */
-export function makeSmallExamples(): void {
+/** Makes them of the real ones, by the command, before the first test. */
+export function setup(): void {
   const real = join(repository, 'web/app/public/examples');
   requireBuilt('web/app/public/examples/index.json', 'build:examples');
   rmSync(smallExamples, { recursive: true, force: true });

@@ -112,8 +112,11 @@ export async function serve(folder: string, options: ServeOptions = {}): Promise
   };
 }
 
-/** Chromium without a window; `CHROMIUM` names another one than Debian's. */
-function launchChromium(): Promise<Browser> {
+/**
+ * Chromium without a window; `CHROMIUM` names another one than Debian's.
+ * @param args command line arguments, beside those that every test needs
+ */
+function launchChromium(args: readonly string[] = []): Promise<Browser> {
   return chromium.launch({
     executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
     args: [
@@ -123,6 +126,7 @@ function launchChromium(): Promise<Browser> {
       '--disable-background-networking',
       '--disable-component-update',
       '--disable-sync',
+      ...args,
     ],
   });
 }
@@ -131,6 +135,8 @@ function launchChromium(): Promise<Browser> {
 export function requireBuilt(file: string, command: string): void {
   if (!existsSync(join(repository, file))) throw new Error(`first: npm run ${command}`);
 }
+
+const viewport = { width: 1024, height: 768 };
 
 export interface OpenPage {
   browser: Browser;
@@ -155,7 +161,6 @@ export function chromiumForTests(): (
   });
   afterAll(() => browser?.close());
   return async (address, options = {}, prepare = () => Promise.resolve()) => {
-    const viewport = { width: 1024, height: 768 };
     const context = await browser.newContext({ viewport, ...options });
     const page = await context.newPage();
     const complaints = complaintsOf(page);
@@ -173,6 +178,56 @@ function complaintsOf(page: Page): string[] {
     if (message.type() === 'error') complaints.push(`console: ${message.text()}`);
   });
   return complaints;
+}
+
+export interface LentPage {
+  page: Page;
+  /** What went wrong on it that nobody caught, as it happens. */
+  complaints: string[];
+  /** Closes it and what it has opened, and clears what they have stored and been permitted. */
+  giveBack: () => Promise<void>;
+}
+
+/**
+ * Chromium for the tests of one file that open pages of one origin: every page is new, but those with the
+ * same options share a context, and so a process, one after the other. Starting a process takes as long
+ * as opening the page in it. In each context a page without content keeps the process alive.
+ */
+export function pagesForTests(): (
+  address: string,
+  options?: BrowserContextOptions,
+) => Promise<LentPage> {
+  let browser: Browser;
+  const free = new Map<string, Page[]>();
+  beforeAll(async () => {
+    browser = await launchChromium(['--process-per-site']);
+  });
+  afterAll(() => browser?.close());
+  return async (address, options = {}) => {
+    const { origin } = new URL(address);
+    const key = JSON.stringify([origin, options]);
+    let keeper = free.get(key)?.pop();
+    if (!keeper) {
+      const context = await browser.newContext({ viewport, ...options });
+      keeper = await context.newPage();
+      await keeper.goto(`${origin}/no-content`);
+    }
+    const context = keeper.context();
+    const page = await context.newPage();
+    const complaints = complaintsOf(page);
+    await page.goto(address);
+    const giveBack = async (): Promise<void> => {
+      const others = context.pages().filter((other) => other !== keeper);
+      await Promise.all(others.map((other) => other.close()));
+      await context.clearPermissions();
+      await context.clearCookies();
+      const session = await context.newCDPSession(keeper);
+      await session.send('Storage.clearDataForOrigin', { origin, storageTypes: 'all' });
+      await session.detach();
+      free.set(key, [...(free.get(key) ?? []), keeper]);
+    };
+    return { page, complaints, giveBack };
+  };
 }
 
 /** How many numbers differ, bit for bit. */

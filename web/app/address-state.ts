@@ -54,6 +54,7 @@ export interface PageState {
   /** What can be printed, in model units, and whose numbers these are: a preset's key. */
   tube?: number;
   wall?: number;
+  gap?: number;
   printer?: string;
   panel?: PanelName;
 }
@@ -232,6 +233,7 @@ const parts: {
   jump: [readThreshold, (jump) => String(Number(jump.toPrecision(6)))],
   tube: [readThreshold, writeLimit],
   wall: [readThreshold, writeLimit],
+  gap: [readThreshold, writeLimit],
   printer: [readWord, (key) => key],
   panel: [readPanel, (panel) => panel],
 };

@@ -44,7 +44,8 @@ const shownNames: readonly ShownName[] = [...fieldNames, ...derivedNames, 'none'
 /** Names in the list that differ from those in the legend. */
 const listWords: Partial<Record<ShownName, string>> = {
   igf: 'Girth (IGF)',
-  sdf: 'Thickness (SDF)',
+  sdf: 'Shape diameter (SDF)',
+  thickness: 'Thickness (balls)',
   geoaverage: 'GeoAverage (mean)',
   geofarthest: 'GeoFarthest (largest)',
   hks: 'Heat kernel (HKS)',
@@ -58,6 +59,7 @@ const listWords: Partial<Record<ShownName, string>> = {
 const fieldTerms: Partial<Record<ShownName, TermName>> = {
   igf: 'girth',
   sdf: 'sdf',
+  thickness: 'thickness',
   kind: 'loop',
   tips: 'tip',
   parts: 'tube',

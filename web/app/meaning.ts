@@ -5,7 +5,8 @@ import { byId } from './dom.js';
 
 const words: Partial<Record<ShownName, string>> = {
   igf: 'the length of the shortest loop round the surface, like a rubber band that holds tight.',
-  sdf: 'how thick the shape is, measured through its inside.',
+  sdf: 'how thick the shape is on average, measured through its inside.',
+  thickness: 'the width of the largest ball inside that touches the surface there.',
   geoaverage: 'the mean distance to all other places, along the surface.',
   geofarthest: 'the distance to the farthest place, along the surface.',
   angle: 'the angle at which the shortest loop meets itself.',

@@ -22,9 +22,9 @@ import {
   type PrintReport,
   type ReportedPlace,
   answerWords,
-  measureName,
-  placeName,
+  measureNames,
   printReportHtml,
+  uncheckedWords,
 } from './print-report.js';
 import { saveFile, stemOf } from './save-file.js';
 import { type ModelScale, SizeChoice } from './size-choice.js';
@@ -38,7 +38,9 @@ const kinds: readonly Category[] = [
   { name: 'thick enough', colour: '#cfd0d3', hatched: false },
   { name: 'thin tube', colour: '#d55e00', hatched: true },
   { name: 'thin wall', colour: '#0072b2', hatched: true },
+  { name: 'narrow gap', colour: '#cc79a7', hatched: true },
 ];
+const kindCodes = { tube: 1, wall: 2, gap: 3 } as const;
 
 interface Checked {
   limits: PrintLimits;
@@ -56,6 +58,7 @@ export class PrintPanel {
   readonly #source = make('p', { class: 'hint', id: 'print-source' });
   readonly #tube: LengthInput;
   readonly #wall: LengthInput;
+  readonly #gap: LengthInput;
   readonly #answer = make('p', { class: 'answer', role: 'status' });
   readonly #grow = make('button', { type: 'button', class: 'plain' });
   readonly #remedy = make('p', { class: 'buttons' }, this.#grow);
@@ -85,8 +88,9 @@ export class PrintPanel {
     };
     this.#tube = new LengthInput('min-tube', 'Tube diameter ≥', ownNumbers);
     this.#wall = new LengthInput('min-wall', 'Wall thickness ≥', ownNumbers);
+    this.#gap = new LengthInput('min-gap', 'Gap ≥', ownNumbers);
     explains(this.#tube.label, 'tube');
-    explains(this.#wall.label, 'plate');
+    explains(this.#wall.label, 'thickness');
     this.#preset.append(
       make('option', { value: '' }, 'own numbers'),
       ...printPresets.map(({ name }) => make('option', { value: name }, name)),
@@ -110,6 +114,7 @@ export class PrintPanel {
       ),
       this.#tube.label,
       this.#wall.label,
+      this.#gap.label,
       this.#source,
       make('p', {}, submit),
     );
@@ -145,30 +150,37 @@ export class PrintPanel {
     this.clear(true);
   }
 
+  get #inputs(): readonly LengthInput[] {
+    return [this.#tube, this.#wall, this.#gap];
+  }
+
   /** What can be printed, for a link. */
-  read(): Pick<PageState, 'tube' | 'wall' | 'printer'> {
+  read(): Pick<PageState, 'tube' | 'wall' | 'gap' | 'printer'> {
     const state: ReturnType<PrintPanel['read']> = {};
     if (this.#tube.length) state.tube = this.#tube.length;
     if (this.#wall.length) state.wall = this.#wall.length;
+    if (this.#gap.length) state.gap = this.#gap.length;
     const preset = printPresets.find(({ name }) => name === this.#presetDraft.text);
     if (preset) state.printer = preset.key;
     return state;
   }
 
   /** Takes what a link has; what is there already stays, with its answer. */
-  apply({ tube, wall, printer }: PageState): void {
+  apply({ tube, wall, gap, printer }: PageState): void {
     const now = this.read();
-    if (now.tube === tube && now.wall === wall && now.printer === printer) return;
+    if (now.tube === tube && now.wall === wall && now.gap === gap && now.printer === printer)
+      return;
     this.#forget();
     this.#tube.show(tube, this.#viewer.lengthFormat);
     this.#wall.show(wall, this.#viewer.lengthFormat);
+    this.#gap.show(gap, this.#viewer.lengthFormat);
     this.#showSource(printPresets.find(({ key }) => key === printer)?.name ?? '');
   }
 
   /** Another model, or the same one in another size, which keeps what can be printed. */
   clear(isAnother: boolean): void {
     if (isAnother) {
-      for (const input of [this.#tube, this.#wall]) {
+      for (const input of this.#inputs) {
         input.discard();
         input.show(undefined, this.#viewer.lengthFormat);
       }
@@ -188,7 +200,7 @@ export class PrintPanel {
     const { lengthFormat } = this.#viewer;
     const isSame = this.#unit === this.#viewer.unit;
     this.#unit = this.#viewer.unit;
-    for (const input of [this.#tube, this.#wall]) {
+    for (const input of this.#inputs) {
       // Only shown in another unit, a length remains what it is.
       if (isSame) input.show(input.length, lengthFormat);
       else input.setUnit(lengthFormat);
@@ -259,7 +271,8 @@ export class PrintPanel {
     this.#coloured = info;
     const kindOf = new Uint8Array(info.vertexCount);
     for (const { kind, vertices } of this.#checked.check.places) {
-      for (const vertex of vertices) kindOf[vertex] = kind === 'tube' ? 1 : 2;
+      // What is thin as a tube or a wall stays that, whatever is beside it.
+      for (const vertex of vertices) kindOf[vertex] ||= kindCodes[kind];
     }
     viewer.showPlaces({ title: 'Print check', kinds: kindOf, categories: kinds });
     this.#hasColoured();
@@ -273,7 +286,7 @@ export class PrintPanel {
 
   #refresh(): void {
     const viewer = this.#viewer;
-    for (const input of [this.#tube, this.#wall]) input.show(input.length, viewer.lengthFormat);
+    for (const input of this.#inputs) input.show(input.length, viewer.lengthFormat);
     this.#size.refresh();
     this.#cautions.replaceChildren(...this.#words().map((line) => make('li', {}, line)));
     this.#reports.hidden = !this.#checked;
@@ -301,31 +314,37 @@ export class PrintPanel {
       );
     }
     if (this.#note) words.push(this.#note);
+    const unchecked = this.#checked && uncheckedWords(this.#checked.limits);
+    if (unchecked) words.push(`Not checked: ${unchecked}.`);
     return words;
   }
 
   async #run(): Promise<void> {
-    const [viewer, tube, wall] = [this.#viewer, this.#tube, this.#wall];
+    const [viewer, tube, wall, gap] = [this.#viewer, this.#tube, this.#wall, this.#gap];
     const { info } = viewer;
     // What was typed counts, whether or not the field has been left.
-    const wrong = [tube, wall].filter((input) => !input.commit())[0];
+    const wrong = this.#inputs.filter((input) => !input.commit())[0];
     // An older answer is none to what is asked now.
     this.#forget();
-    if (wrong || (!tube.length && !wall.length)) {
+    if (wrong || (!tube.length && !wall.length && !gap.length)) {
       this.#answer.textContent = wrong
         ? `${wrong.fault}.`
-        : 'Type a least tube diameter, a least wall thickness, or both, or choose a printer.';
+        : 'Type a least tube diameter, wall thickness or gap, or choose a printer.';
       (wrong ?? tube).input.focus();
       return;
     }
     if (!info) return;
-    const limits = { tubeDiameter: tube.length ?? 0, wallThickness: wall.length ?? 0 };
+    const limits = {
+      tubeDiameter: tube.length ?? 0,
+      wallThickness: wall.length ?? 0,
+      gap: gap.length ?? 0,
+    };
     const asked = ++this.#asked;
     this.#answer.textContent = 'Checking …';
     try {
-      const sdf = await viewer.fieldOf('sdf');
+      const note = limits.wallThickness > 0 ? (await viewer.fieldOf('thickness')).note : '';
       if (asked !== this.#asked || viewer.info !== info) return;
-      this.#note = sentence(sdf.note);
+      this.#note = sentence(note);
       this.#refresh();
       const check = await viewer.printCheck(limits);
       if (asked !== this.#asked || viewer.info !== info) return;
@@ -349,7 +368,7 @@ export class PrintPanel {
     const { places } = check;
     const format = viewer.lengthFormat;
     this.#answer.className = `answer ${places.length > 0 ? 'fails' : 'passes'}`;
-    const words = answerWords(check);
+    const words = answerWords(check, checked.limits);
     // Said once: a live region speaks whenever it changes.
     if (this.#answer.textContent !== words) this.#answer.textContent = words;
     this.panel.summary = places.length > 0 ? `${places.length} ✕` : '✓';
@@ -360,8 +379,8 @@ export class PrintPanel {
         const made = pictures.get(place);
         const loop = made?.loop === undefined ? '' : ` · loop ${formatLength(made.loop, format)}`;
         return {
-          main: `${measureName(place)} ${formatLength(place.least, format)}`,
-          detail: `${placeName(place)}${loop} · area ${formatArea(place.area, format)}`,
+          main: `${measureNames[place.kind]} ${formatLength(place.least, format)}`,
+          detail: `${place.kind}${loop} · area ${formatArea(place.area, format)}`,
           picture:
             made?.picture === undefined ? undefined : this.#image(checked, place, made.picture),
           choose: () => viewer.flyTo({ vertices: place.vertices }),
@@ -381,8 +400,7 @@ export class PrintPanel {
     const viewer = this.#viewer;
     const known = pictures.get(place);
     if (known) return known;
-    const loop =
-      place.kind === 'tube' && place.thinnest >= 0 ? await viewer.loop(place.thinnest) : undefined;
+    const loop = place.kind === 'tube' ? await viewer.loop(place.thinnest) : undefined;
     const picture = await viewer.snapshotOf({
       vertices: place.vertices,
       ...(loop ? { loop } : {}),
@@ -417,7 +435,7 @@ export class PrintPanel {
       const report: PrintReport = {
         model: info.name,
         facts: [tallWords(viewer.height, viewer.lengthFormat), ...facts].join(' · '),
-        cautions: this.#words(),
+        cautions: this.#words().filter((line) => !line.startsWith('Not checked')),
         limits,
         source: this.#presetDraft.text && (this.#source.textContent ?? ''),
         check,

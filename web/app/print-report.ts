@@ -73,23 +73,27 @@ function image(address: string | undefined, name: string, alt: string): string {
 }
 
 /** What the least length of a place is. */
-export function measureName({ kind }: Pick<WeakPlace, 'kind'>): string {
-  return kind === 'tube' ? 'diameter' : 'thickness';
-}
+export const measureNames = { tube: 'diameter', wall: 'thickness', gap: 'clearance' } as const;
 
-/** 'Tube' or 'wall', as printers call it. */
-export function placeName({ kind }: Pick<WeakPlace, 'kind'>): string {
-  return kind === 'tube' ? 'tube' : 'wall';
-}
-
-/** 'tubes from a diameter of 3.00 mm, walls from a thickness of 1.00 mm'. */
+/** 'tubes from a diameter of 3.00 mm, walls from a thickness of 1.00 mm, gaps from 0.50 mm'. */
 export function limitWords(limits: PrintLimits, format: LengthFormat): string {
   const words: string[] = [];
   if (limits.tubeDiameter > 0)
     words.push(`tubes from a diameter of ${formatLength(limits.tubeDiameter, format)}`);
   if (limits.wallThickness > 0)
     words.push(`walls from a thickness of ${formatLength(limits.wallThickness, format)}`);
+  if (limits.gap) words.push(`gaps from ${formatLength(limits.gap, format)}`);
   return words.join(', ');
+}
+
+/** 'tubes and gaps': what no limit is given for; '' where there is one for everything. */
+export function uncheckedWords({ tubeDiameter, wallThickness, gap = 0 }: PrintLimits): string {
+  const words = [
+    ...(tubeDiameter > 0 ? [] : ['tubes']),
+    ...(wallThickness > 0 ? [] : ['walls']),
+    ...(gap > 0 ? [] : ['gaps']),
+  ];
+  return words.length < 3 ? words.join(' and ') : '';
 }
 
 /** A share in words: '<1%', '12%'. */
@@ -100,42 +104,47 @@ function shareWords(share: number): string {
 
 /**
  * 'Fails: 3 places are too thin, 12% of the surface. Passes from 112% of this size.', 'Passes: nothing is
- * too thin, down to 62% of this size.'
+ * too thin, down to 62% of this size.'; or too close, where gaps are limited.
  */
-export function answerWords({ places, failingShare, passingScale }: PrintCheck): string {
+export function answerWords(
+  { places, failingShare, passingScale }: PrintCheck,
+  { gap = 0 }: Pick<PrintLimits, 'gap'> = {},
+): string {
+  const fault = gap > 0 ? 'too thin or too close' : 'too thin';
   if (places.length === 0) {
-    return `Passes: nothing is too thin, down to ${ofSize(passingScale, 'this size')}.`;
+    return `Passes: nothing is ${fault}, down to ${ofSize(passingScale, 'this size')}.`;
   }
   const count = places.length === 1 ? 'one place is' : `${formatCount(places.length)} places are`;
   const remedy = Number.isFinite(passingScale)
     ? `Passes from ${ofSize(passingScale, 'this size')}.`
     : 'It passes at no size: somewhere it has no thickness.';
-  return `Fails: ${count} too thin, ${shareWords(failingShare)} of the surface. ${remedy}`;
+  return `Fails: ${count} ${fault}, ${shareWords(failingShare)} of the surface. ${remedy}`;
 }
 
 export function printReportHtml(report: PrintReport): string {
   const { model, facts, cautions, limits, source, check, format, places, overview, date } = report;
   const rows = places.map(({ place, loop, picture }, i) => {
-    const name = placeName(place);
+    const name = place.kind;
     const least = formatLength(place.least, format);
     const cells = [
       `<td class="number">${i + 1}</td>`,
-      `<td>${image(picture, 'place', `Place ${i + 1}: a ${name}, ${measureName(place)} ${least}`)}</td>`,
+      `<td>${image(picture, 'place', `Place ${i + 1}: a ${name}, ${measureNames[place.kind]} ${least}`)}</td>`,
       `<td>${name}</td>`,
       `<td class="number">${escaped(least)}</td>`,
       `<td class="number">${loop === undefined ? '–' : escaped(formatLength(loop, format))}</td>`,
       `<td class="number">${escaped(formatArea(place.area, format))}</td>`,
-      `<td class="number">${place.thinnest < 0 ? '–' : place.thinnest}</td>`,
+      `<td class="number">${typeof place.thinnest === 'number' ? place.thinnest : '–'}</td>`,
     ];
     return `<tr>${cells.join('')}</tr>`;
   });
   const count = check.places.length;
+  const unchecked = uncheckedWords(limits);
   const more = count - places.length;
   const table = `
-    <h2>Places that are too thin</h2>
+    <h2>Places that fail</h2>
     <table>
       <thead><tr><th class="number">No.</th><th>Picture</th><th>What</th>
-        <th class="number">Diameter or thickness</th><th class="number">Length of the loop round it</th>
+        <th class="number">Diameter, thickness or clearance</th><th class="number">Length of the loop round it</th>
         <th class="number">Area</th><th class="number">Vertex</th></tr></thead>
       <tbody>${rows.join('\n')}</tbody>
     </table>
@@ -152,12 +161,15 @@ export function printReportHtml(report: PrintReport): string {
 <h1>Print check: ${escaped(model)}</h1>
 <p class="quiet">${escaped(facts)}</p>
 <p>What can be printed: ${escaped(limitWords(limits, format))}${source && ` (${escaped(source)})`}.</p>
-<p class="answer ${count > 0 ? 'fails' : 'passes'}">${escaped(answerWords(check))}</p>
+<p class="answer ${count > 0 ? 'fails' : 'passes'}">${escaped(answerWords(check, limits))}</p>
+${unchecked && `<p>Not checked: ${unchecked}.</p>`}
 ${cautions.map((caution) => `<p>${escaped(caution)}</p>`).join('\n')}
 ${image(overview, 'overview', `The whole of ${model}`)}
 ${count > 0 ? table : ''}
-<p class="quiet">The diameter of a tube is its girth divided by π; the thickness of a wall is its shape
-diameter. Made with Girth, ${escaped(date)}.</p>
+<p class="quiet">The diameter of a tube is the least width of the section inside its loop, or the loop’s length
+divided by π where that is less. The thickness of a wall is the largest ball inside that touches the surface;
+the clearance of a gap is the largest ball between. Edges sharper than 75° count as thin. Overhangs, strength, and what
+the surface does not show are not checked. Made with Girth, ${escaped(date)}.</p>
 </body>
 </html>
 `;

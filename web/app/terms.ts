@@ -58,6 +58,14 @@ const terms = {
     ],
     picture: new URL('./terms/sdf.webp', import.meta.url),
   },
+  thickness: {
+    title: 'Thickness',
+    lines: [
+      'The width of the largest ball inside that touches',
+      'the surface at a point. Edges sharper than 75° have none.',
+    ],
+    picture: new URL('./terms/thickness.svg', import.meta.url),
+  },
   emd: {
     title: 'EMD, earth mover’s distance',
     lines: [

@@ -111,18 +111,21 @@ export async function buildPackage() {
       'web/scripts/bundle-types.mjs',
     ],
     outputs: [
-      ...['dist/kernel/index.js', 'dist/girth-kernel.js', 'dist/element.js'],
+      ...['dist/kernel/index.js', 'dist/node/index.js', 'dist/girth-kernel.js', 'dist/element.js'],
       ...['dist/girth-viewer.js', 'dist/plots.js'],
     ],
     make: async () => {
       rmSync(join(repository, 'dist'), { recursive: true, force: true });
       // Not bundled: whoever bundles the package recognises the workers and the modules by the way
-      // in which the kernel names them.
-      runTool('tsc', [
-        ...['--project', 'web/tsconfig.kernel.json', '--emitDeclarationOnly', 'false'],
-        ...['--composite', 'false', '--incremental', 'false', '--declaration', 'false'],
-        ...['--outDir', 'dist'],
-      ]);
+      // in which the kernel names them. Node.js takes them as they are.
+      runTool('tsc', ['--build', 'web/tsconfig.kernel.json']);
+      for (const layer of ['kernel', 'node']) {
+        runTool('tsc', [
+          ...['--project', `web/tsconfig.${layer}.json`, '--emitDeclarationOnly', 'false'],
+          ...['--composite', 'false', '--incremental', 'false', '--declaration', 'false'],
+          ...['--outDir', 'dist'],
+        ]);
+      }
       cpSync(join(repository, 'web/src/kernel/wasm'), join(repository, 'dist/kernel/wasm'), {
         recursive: true,
       });

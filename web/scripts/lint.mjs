@@ -102,7 +102,7 @@ export async function lintNative({ changedOnly }) {
     changed && new Set([...changed].map((file) => basename(file).replace(/\.\w+$/, '')));
   const common = hashOf(['.clang-tidy', ...sources(/\.(h|def)$/)]);
   // What the bindings and other people's programs include is not there.
-  const stale = sources(/^cpp\/(?!bind|bench\/peers|examples).*\.cpp$/).flatMap((file) => {
+  const stale = sources(/^cpp\/(?!bind|python|bench\/peers|examples).*\.cpp$/).flatMap((file) => {
     if (stems && !stems.has(basename(file, '.cpp'))) return [];
     const stamp = join(repository, 'build/stamps/tidy', file);
     const fingerprint = common + hashOf([file]);

@@ -29,6 +29,8 @@ const elsewhere = [
   ['zlib', ['zlib.h']],
   ['GoogleTest', ['gtest/gtest.h']],
   ['google-benchmark', ['benchmark/benchmark.h']],
+  ['Python 3 with NumPy and pytest (or set PYTHON to its path)', [process.env.PYTHON ?? 'python3']],
+  ['pybind11', ['pybind11/pybind11.h']],
 ];
 
 function isDebian() {

@@ -8,9 +8,11 @@ import { pathToFileURL } from 'node:url';
 import { buildNative, buildPackage, buildPage, buildWasm } from './build.mjs';
 import { replayFuzzers, runFuzzers } from './fuzz.mjs';
 import { lint, lintNative } from './lint.mjs';
+import { installPythonPackage, runPythonTests } from './python.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
 import { testWithSanitizers } from './sanitizers.mjs';
 import { testSharedLibraries } from './shared-libraries.mjs';
+import { filesBelow, hashOf } from './stale.mjs';
 
 export const reports = join(repository, 'build/reports');
 
@@ -26,12 +28,14 @@ export const reports = join(repository, 'build/reports');
  * @property {string} title as it is printed
  * @property {string[]} [needs] parts that must have succeeded before
  * @property {boolean} [background] runs beside the other lane, with what processor time that one leaves
+ * @property {() => string} [fingerprint] of what it depends on: where it has succeeded on the same, `npm test`
+ *   does not run it again
  * @property {(count: Count) => void | Promise<void>} run
  */
 
 /**
  * What vitest is told to run a project of vitest.config.ts and to write a report as JSON.
- * @param {string} project
+ * @param {string} project its name, or a pattern of names
  * @param {{ report: string, workers: number }} options workers: processes that the files are shared out between
  */
 export const vitestArguments = (project, { report, workers }) => [
@@ -39,17 +43,21 @@ export const vitestArguments = (project, { report, workers }) => [
   ...['--reporter', 'json', '--outputFile', report, `--maxWorkers=${workers}`],
 ];
 
+/** Files that are tested at a time: Chromium waits for frames and workers, so that one more than cores keeps them busy. */
+export const browserWorkers = availableParallelism() + 1;
+
 /**
- * Runs a project of vitest.config.ts, its files shared out between the cores.
+ * Runs a project of vitest.config.ts, several files at a time.
  * @param {string} project
  * @param {Count} count
+ * @param {number} [workers]
  */
-function vitest(project, count) {
+function vitest(project, count, workers = availableParallelism()) {
   const report = join(reports, `vitest-${project}.json`);
   rmSync(report, { force: true });
   try {
     runTool('vitest', [
-      ...vitestArguments(project, { report, workers: availableParallelism() }),
+      ...vitestArguments(project, { report, workers }),
       ...['--reporter', 'default'],
     ]);
   } finally {
@@ -62,6 +70,23 @@ function vitest(project, count) {
   }
 }
 
+/**
+ * Adds what a report in JUnit's XML has counted, where there is one.
+ * @param {string} report
+ * @param {Count} count
+ */
+function countJunit(report, count) {
+  if (!existsSync(report)) return;
+  const [suite = ''] = /<testsuite\b[^>]*>/.exec(readFileSync(report, 'utf8')) ?? [];
+  /** @param {string} name */
+  const counted = (name) => Number(new RegExp(`\\b${name}="(\\d+)"`).exec(suite)?.[1] ?? 0);
+  const skipped = counted('skipped') + counted('disabled');
+  const failed = counted('failures') + counted('errors');
+  count.failed += failed;
+  count.skipped += skipped;
+  count.passed += counted('tests') - failed - skipped;
+}
+
 /** @param {Count} count */
 function ctest(count) {
   const report = join(reports, 'ctest.xml');
@@ -72,16 +97,30 @@ function ctest(count) {
       ...['--parallel', `${availableParallelism()}`],
     ]);
   } finally {
-    if (existsSync(report)) {
-      const [suite = ''] = /<testsuite[^>]*>/.exec(readFileSync(report, 'utf8')) ?? [];
-      /** @param {string} name */
-      const counted = (name) => Number(new RegExp(`\\b${name}="(\\d+)"`).exec(suite)?.[1] ?? 0);
-      const skipped = counted('skipped') + counted('disabled');
-      count.failed += counted('failures');
-      count.skipped += skipped;
-      count.passed += counted('tests') - counted('failures') - skipped;
-    }
+    countJunit(report, count);
   }
+}
+
+/** @param {Count} count */
+function pytest(count) {
+  installPythonPackage();
+  const report = join(reports, 'pytest.xml');
+  try {
+    runPythonTests(report);
+  } finally {
+    countJunit(report, count);
+  }
+}
+
+/**
+ * What the tests of page and element look at, and what they know of C++: its interface. The values that the core computes
+ * are the matter of its own tests and of the kernel's.
+ */
+function pageFingerprint() {
+  const made = ['web/src/kernel/wasm', 'web/app/public/examples'];
+  const inputs = ['package.json', 'package-lock.json', 'web', 'tests/browser', 'tests/data'];
+  const files = [...inputs, 'cpp/include', 'cpp/bind'].flatMap(filesBelow);
+  return hashOf(files.filter((file) => made.every((folder) => !file.startsWith(`${folder}/`))));
 }
 
 /**
@@ -115,10 +154,28 @@ export const parts = {
       count.passed += replayFuzzers();
     },
   },
-  browser: {
-    title: 'browser',
+  python: {
+    title: 'Python package',
+    // The package shows models by the element.
+    needs: ['compile-native', 'bundle'],
+    background: true,
+    run: pytest,
+  },
+  node: {
+    title: 'package in Node.js',
     needs: ['bundle', 'compile-native'],
-    run: (count) => vitest('browser', count),
+    run: (count) => vitest('node', count),
+  },
+  'browser-kernel': {
+    title: 'kernel in the browser',
+    needs: ['bundle', 'compile-native'],
+    run: (count) => vitest('browser-kernel', count, browserWorkers),
+  },
+  browser: {
+    title: 'page and element',
+    needs: ['bundle', 'compile-native'],
+    fingerprint: pageFingerprint,
+    run: (count) => vitest('browser', count, browserWorkers),
   },
 };
 

@@ -5,11 +5,10 @@
 
 import { spawn, spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
-import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { Complaint, outputOf, repository, script } from './run.mjs';
-import { reports, vitestArguments } from './test-parts.mjs';
+import { browserWorkers, reports, vitestArguments } from './test-parts.mjs';
 
 /** @type {Map<string, number>} */
 const failures = new Map();
@@ -27,7 +26,7 @@ function runOnce(files, { label, before = [], workers }) {
   const [program = '', ...args] = [
     ...before,
     join(repository, 'node_modules/.bin/vitest'),
-    ...vitestArguments('browser', { report, workers }),
+    ...vitestArguments('browser*', { report, workers }),
     ...files,
   ];
   const { stderr } = spawnSync(program, args, { cwd: repository, encoding: 'utf8' });
@@ -69,7 +68,7 @@ await script(() => {
   }
   mkdirSync(reports, { recursive: true });
   for (let i = 1; i <= Number(times); ++i) {
-    runOnce(files, { label: `run ${i} of ${times}`, workers: availableParallelism() });
+    runOnce(files, { label: `run ${i} of ${times}`, workers: browserWorkers });
   }
   if (Number(loaded) > 0) {
     if (outputOf('taskset', ['--version']) === undefined) {

@@ -1,6 +1,7 @@
 // `npm test`: sets up, then lints, builds and runs the tests; `test.mjs NAME...` only those parts, with what
 // they need; `--all` everything (`npm run test:all`). A part that fails does not keep the others from
-// running. Two lanes run at once: what has to wait for its own steps goes first, and compiling and testing
+// running. What a part has passed on, it is not run on again, but in continuous integration, by name and
+// with `--whole`. Two lanes run at once: what has to wait for its own steps goes first, and compiling and testing
 // the native code takes the processor time that is left. Prints what each part took, and writes it to
 // build/reports/times.json; the output of each part is in build/reports/NAME.log.
 
@@ -14,7 +15,7 @@ import {
   writeFileSync,
 } from 'node:fs';
 import { constants, setPriority } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { configureNative } from './build.mjs';
 import { Complaint, repository, script } from './run.mjs';
 import { setUp } from './setup.mjs';
@@ -58,6 +59,12 @@ function runPart(name, part, shown) {
   });
 }
 
+/**
+ * Where it is noted on what a part has succeeded.
+ * @param {string} name
+ */
+const stampOf = (name) => join(repository, 'build/stamps', `test-${name}`);
+
 /** @param {number} milliseconds */
 const seconds = (milliseconds) => `${(milliseconds / 1000).toFixed(0)} s`.padStart(7);
 
@@ -76,10 +83,11 @@ function withNeeds(wanted, all) {
  * Runs parts in two lanes, each as soon as what it needs is there.
  * @param {string[]} names
  * @param {Record<string, Part>} all
- * @param {boolean} shown whether the parts' output is shown as it comes
+ * @param {{ shown: boolean, whole: boolean }} how shown: the parts' output, as it comes; whole: also what has succeeded on
+ *   the same
  * @returns {Promise<{ name: string, title: string, succeeded: boolean, milliseconds: number }[]>}
  */
-async function runParts(names, all, shown) {
+async function runParts(names, all, { shown, whole }) {
   /** @type {{ name: string, title: string, succeeded: boolean, milliseconds: number }[]} */
   const ended = [];
   /** @type {Map<string, Promise<boolean>>} */
@@ -95,8 +103,26 @@ async function runParts(names, all, shown) {
       const begun = performance.now();
       let succeeded = false;
       if (needed.every(Boolean)) {
+        const stamp = stampOf(name);
+        const fingerprint = part.fingerprint?.();
+        if (
+          !whole &&
+          fingerprint &&
+          existsSync(stamp) &&
+          readFileSync(stamp, 'utf8') === fingerprint
+        ) {
+          console.log(
+            `girth: ${title.padEnd(26)}  passed before, and what it looks at has not changed (--whole runs it)`,
+          );
+          return true;
+        }
         console.log(`girth: ${title}`);
+        rmSync(stamp, { force: true });
         succeeded = await runPart(name, part, shown);
+        if (succeeded && fingerprint) {
+          mkdirSync(dirname(stamp), { recursive: true });
+          writeFileSync(stamp, fingerprint);
+        }
       }
       const milliseconds = performance.now() - begun;
       ended.push({ name, title, succeeded, milliseconds });
@@ -115,7 +141,9 @@ async function runParts(names, all, shown) {
 async function main() {
   const words = process.argv.slice(2);
   const everything = words.includes('--all');
-  const wanted = words.filter((word) => word !== '--all');
+  const wanted = words.filter((word) => !['--all', '--whole'].includes(word));
+  const shown = wanted.length > 0;
+  const whole = shown || everything || words.includes('--whole') || !!process.env['CI'];
   const all = { ...parts, ...longParts };
   const unknown = wanted.find((name) => !(name in all));
   if (unknown) {
@@ -128,7 +156,7 @@ async function main() {
   // Linting looks at the commands that compiling uses: before both.
   configureNative();
   const names = wanted.length > 0 ? wanted : Object.keys(everything ? all : parts);
-  const ended = await runParts(withNeeds(names, all), all, wanted.length > 0);
+  const ended = await runParts(withNeeds(names, all), all, { shown, whole });
   const took = performance.now() - began;
 
   /** @type {Count} */

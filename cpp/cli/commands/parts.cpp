@@ -13,6 +13,7 @@
 #include "girth/io/write_field.h"
 #include "girth/io/write_parts.h"
 #include "girth/parts.h"
+#include "girth/print_check.h"
 #include "model/computing.h"
 #include "model/loading.h"
 #include "process/exit_codes.h"
@@ -31,7 +32,7 @@ struct Options {
   bool json{false};
   /// Lengths as typed, with or without a unit. Empty: found from the fields (thresholds), or not
   /// checked (limits).
-  std::string girth, diameter, minTube, minWall;
+  std::string girth, diameter, minTube, minWall, minGap;
   double smoothing{0};
   bool positions{false};
 };
@@ -41,9 +42,8 @@ std::string vertexText(const io::LoadedMesh& loaded, Index vertex) {
   return std::to_string(loaded.inputOfVertex[vertex]);
 }
 
-std::string placeText(const io::LoadedMesh& loaded, Index vertex) {
-  if (vertex == kNoIndex) return "-";
-  const Vec3& p = loaded.mesh.position(Vertex(vertex));
+std::string placeText(const io::LoadedMesh& loaded, const SurfacePoint& point) {
+  const Vec3 p = positionOf(loaded.mesh, point);
   return readable(p.x) + " " + readable(p.y) + " " + readable(p.z);
 }
 
@@ -83,24 +83,42 @@ std::string percentFrom(double scale) {
   return std::isfinite(scale) ? readable(std::ceil(100 * scale)) + "%" : "no scale";
 }
 
-void printPlaces(const std::string& model, const io::LoadedMesh& loaded,
-                 const std::vector<WeakPlace>& places, double scale) {
+/// "walls and gaps": what limits are given for, or for what they are not.
+std::string limitedWords(const PrintLimits& limits, bool given) {
+  std::vector<std::string> words;
+  if ((limits.tubeDiameter > 0) == given) words.emplace_back("tubes");
+  if ((limits.wallThickness > 0) == given) words.emplace_back("walls");
+  if ((limits.gap > 0) == given) words.emplace_back("gaps");
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
+  }
+  return text;
+}
+
+void printCheck(const std::string& model, const io::LoadedMesh& loaded, const PrintCheck& check,
+                const PrintLimits& limits) {
+  static constexpr std::array kMeasures{"diameter", "thickness", "clearance"};
   const std::string unit = unitSuffix(loaded.unit);
+  const std::vector<WeakPlace>& places = check.places;
+  const std::string unchecked = limitedWords(limits, false);
+  const std::string rest = unchecked.empty() ? "" : "; not checked: " + unchecked;
+  const std::string fault = limits.gap > 0 ? "too thin or too close" : "too thin";
   if (places.empty()) {
-    std::printf("%s: passes: nothing is too thin, down to %s of this size\n", model.c_str(),
-                percentFrom(scale).c_str());
+    std::printf("%s: passes: nothing is %s, down to %s of this size%s\n", model.c_str(),
+                fault.c_str(), percentFrom(check.passingScale).c_str(), rest.c_str());
     return;
   }
-  std::printf("%s: fails: %zu place%s too thin, %s of the surface; passes from %s of this size\n",
-              model.c_str(), places.size(), places.size() == 1 ? "" : "s",
-              percent(failingShare(loaded.mesh, places)).c_str(), percentFrom(scale).c_str());
+  std::printf("%s: fails: %zu place%s %s, %s of the surface; passes from %s of this size%s\n",
+              model.c_str(), places.size(), places.size() == 1 ? "" : "s", fault.c_str(),
+              percent(check.failingShare).c_str(), percentFrom(check.passingScale).c_str(),
+              rest.c_str());
   std::printf("  %-5s %-9s %12s %12s %10s  %s\n", "kind", "measure", "least", "area", "vertex",
               "at");
   for (const WeakPlace& place : places) {
-    const bool isTube = place.kind == PartKind::Tube;
-    std::printf("  %-5s %-9s %12s %12s %10s  %s%s\n", isTube ? "tube" : "wall",
-                isTube ? "diameter" : "thickness", readable(place.least).c_str(),
-                readable(place.area).c_str(), vertexText(loaded, place.thinnest).c_str(),
+    std::printf("  %-5s %-9s %12s %12s %10s  %s%s\n", std::string(toString(place.kind)).c_str(),
+                kMeasures[static_cast<std::size_t>(place.kind)], readable(place.least).c_str(),
+                readable(place.area).c_str(), vertexText(loaded, place.thinnest.vertex()).c_str(),
                 placeText(loaded, place.thinnest).c_str(), unit.c_str());
   }
   printUnits(loaded.unit);
@@ -115,13 +133,11 @@ std::optional<Error> readLength(const std::string& text, const std::string& unit
   return std::nullopt;
 }
 
-std::string contentFor(const Options& options, const io::LoadedMesh& loaded,
-                       const std::string& json, const GirthField& girth,
-                       const ShapeDiameterField& diameter, const Parts& parts) {
+std::string verticesFor(const Options& options, const io::LoadedMesh& loaded,
+                        const GirthField& girth, const ShapeDiameterField& diameter,
+                        const Parts& parts) {
   static constexpr std::array kKinds{PartKind::Body, PartKind::Tube, PartKind::Plate,
                                      PartKind::Unknown};
-  const std::string ending = options.output.ending();
-  if (ending == ".json") return json;
   std::vector<std::string_view> words;
   for (const PartKind kind : kKinds) words.push_back(toString(kind));
   std::vector<double> numbers(parts.partOf.begin(), parts.partOf.end()), kinds;
@@ -132,8 +148,97 @@ std::string contentFor(const Options& options, const io::LoadedMesh& loaded,
       igf, io::VertexField{"sdf", diameter.values, loaded.unit, "", {}},
       io::VertexField{"part", numbers, "", "", {}},
       io::VertexField{"part_kind", kinds, "", "", {}, "", words}};
-  return ending == ".csv" ? io::fieldCsv(loaded, fields, columnsOf(options.positions))
-                          : io::fieldPly(loaded, fields);
+  return options.output.ending() == ".csv"
+             ? io::fieldCsv(loaded, fields, columnsOf(options.positions))
+             : io::fieldPly(loaded, fields);
+}
+
+/// What is asked for, with lengths as numbers.
+struct Wanted {
+  PartOptions parts;
+  /// τ1 and τ2 where they are given.
+  std::optional<double> girth, thickness;
+  PrintLimits limits;
+  /// Whether limits are to be checked.
+  bool checks{false};
+};
+
+Result<Wanted> wantedOf(const Options& options, const std::string& unit) {
+  Wanted wanted;
+  wanted.parts.smoothing = options.smoothing;
+  wanted.checks = !options.minTube.empty() || !options.minWall.empty() || !options.minGap.empty();
+  double girth = 0, thickness = 0;
+  for (const auto& [text, length] : {std::pair{&options.girth, &girth},
+                                     {&options.diameter, &thickness},
+                                     {&options.minTube, &wanted.limits.tubeDiameter},
+                                     {&options.minWall, &wanted.limits.wallThickness},
+                                     {&options.minGap, &wanted.limits.gap}}) {
+    if (auto error = readLength(*text, unit, *length)) return *std::move(error);
+  }
+  if (!options.girth.empty()) wanted.girth = girth;
+  if (!options.diameter.empty()) wanted.thickness = thickness;
+  return wanted;
+}
+
+/// The fields of a model, each computed when it is first needed.
+class Fields {
+ public:
+  Fields(const Options& options, const SurfaceMesh& mesh) : options_(options), mesh_(mesh) {}
+
+  std::optional<Error> needGirth() {
+    if (girth.has_value()) return std::nullopt;
+    auto computed = computeGirth(options_.model, mesh_, options_.threads);
+    if (!computed) return computed.error();
+    girth = std::move(computed).value();
+    return std::nullopt;
+  }
+  std::optional<Error> needDiameter() {
+    auto computed = computeDiameter(options_.model, mesh_, {}, options_.threads);
+    if (!computed) return computed.error();
+    diameter = std::move(computed).value();
+    return std::nullopt;
+  }
+  std::optional<Error> needThickness() {
+    auto computed = computeThickness(options_.model, mesh_, {}, options_.threads);
+    if (!computed) return computed.error();
+    thickness = std::move(computed).value();
+    return std::nullopt;
+  }
+
+  std::optional<GirthField> girth;
+  std::optional<ShapeDiameterField> diameter;
+  std::optional<ThicknessField> thickness;
+
+ private:
+  const Options& options_;
+  const SurfaceMesh& mesh_;
+};
+
+Result<PrintCheck> check(const Options& options, const io::LoadedMesh& model, const Wanted& wanted,
+                         Fields& fields) {
+  const PrintLimits& limits = wanted.limits;
+  PrintFields values;
+  if (limits.wallThickness > 0) {
+    if (auto error = fields.needThickness()) return *std::move(error);
+    values.thickness = fields.thickness->values;
+  }
+  // Before the girth, which takes longer.
+  if (auto error = whyNotChecked(model.mesh, values, limits)) return *std::move(error);
+  if (limits.tubeDiameter > 0) {
+    if (auto error = fields.needGirth()) return *std::move(error);
+    values.girth = fields.girth->values;
+  }
+  return computePrintCheck(options.model, model.mesh, values, limits, options.threads);
+}
+
+Result<Parts> divide(const io::LoadedMesh& model, Wanted& wanted, Fields& fields) {
+  if (auto error = fields.needDiameter()) return *std::move(error);
+  if (auto error = fields.needGirth()) return *std::move(error);
+  const std::vector<double>&girth = fields.girth->values, &diameter = fields.diameter->values;
+  wanted.parts.thresholds = suggestedThresholds(model.mesh, girth, diameter);
+  if (wanted.girth) wanted.parts.thresholds.girth = *wanted.girth;
+  if (wanted.thickness) wanted.parts.thresholds.thickness = *wanted.thickness;
+  return findParts(model.mesh, girth, diameter, wanted.parts);
 }
 
 int run(const Options& options) {
@@ -143,57 +248,45 @@ int run(const Options& options) {
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
   const io::LoadedMesh& model = loaded.value();
-
   // The typed lengths are checked before long work.
-  PartOptions partOptions;
-  partOptions.smoothing = options.smoothing;
-  double tau1 = -1, tau2 = -1;
-  PrintLimits limits;
-  for (const auto& [text, length] : {std::pair{&options.girth, &tau1},
-                                     {&options.diameter, &tau2},
-                                     {&options.minTube, &limits.tubeDiameter},
-                                     {&options.minWall, &limits.wallThickness}}) {
-    if (auto error = readLength(*text, model.unit, *length)) return reportError("", *error);
-  }
-  const auto diameter = computeDiameter(options.model, model.mesh, {}, options.threads);
-  if (!diameter) return reportError(options.model, diameter.error());
-  // Before the girth, which takes longer.
-  if (const auto error = whyNotChecked(model.mesh, diameter.value().values, limits)) {
-    return reportError(options.model, *error);
-  }
-  const auto girth = computeGirth(options.model, model.mesh, options.threads);
-  if (!girth) return reportError(options.model, girth.error());
+  auto read = wantedOf(options, model.unit);
+  if (!read) return reportError("", read.error());
+  Wanted& wanted = read.value();
 
-  const std::vector<double>&i = girth.value().values, &sdf = diameter.value().values;
-  partOptions.thresholds = suggestedThresholds(model.mesh, i, sdf);
-  if (tau1 >= 0) partOptions.thresholds.girth = tau1;
-  if (tau2 >= 0) partOptions.thresholds.thickness = tau2;
-  const auto parts = findParts(model.mesh, i, sdf, partOptions);
-  if (!parts) return reportError(options.model, parts.error());
-  const auto places = findWeakPlaces(model.mesh, i, sdf, limits);
-  if (!places) return reportError(options.model, places.error());
-
-  const bool checks = !options.minTube.empty() || !options.minWall.empty();
-  const double scale = passingScale(i, sdf, limits);
-  const std::string json =
-      checks ? io::weakPlacesJson(model, places.value(), limits, scale, options.model)
-             : io::partsJson(model, parts.value(), partOptions, options.model);
+  Fields fields(options, model.mesh);
+  PrintCheck checked;
+  if (wanted.checks) {
+    auto found = check(options, model, wanted, fields);
+    if (!found) return reportError(options.model, found.error());
+    checked = std::move(found).value();
+  }
+  const bool writesVertices = options.output.isWanted() && options.output.ending() != ".json";
+  Parts parts;
+  if (!wanted.checks || writesVertices) {
+    auto found = divide(model, wanted, fields);
+    if (!found) return reportError(options.model, found.error());
+    parts = std::move(found).value();
+  }
+  const std::string json = wanted.checks
+                               ? io::printCheckJson(model, checked, wanted.limits, options.model)
+                               : io::partsJson(model, parts, wanted.parts, options.model);
   if (options.output.isWanted()) {
-    if (auto error = writeOutput(options.output, contentFor(options, model, json, girth.value(),
-                                                            diameter.value(), parts.value()))) {
+    const std::string content =
+        writesVertices ? verticesFor(options, model, *fields.girth, *fields.diameter, parts) : json;
+    if (auto error = writeOutput(options.output, content)) {
       return reportError(options.output.path, *error);
     }
   }
   if (options.json) {
     std::fputs(json.c_str(), stdout);
   } else if (!hasSummary()) {
-    // The exit code says it.
-  } else if (checks) {
-    printPlaces(options.model, model, places.value(), scale);
+    // The exit code reports it.
+  } else if (wanted.checks) {
+    printCheck(options.model, model, checked, wanted.limits);
   } else {
-    printParts(options.model, model, parts.value(), partOptions);
+    printParts(options.model, model, parts, wanted.parts);
   }
-  return checks && !places.value().empty() ? kCheckFails : 0;
+  return checked.places.empty() ? 0 : kCheckFails;
 }
 
 Run add(OptionTable& table) {
@@ -220,6 +313,8 @@ Run add(OptionTable& table) {
          "List tubes thinner than this diameter, as in 3mm; ends with 4 if there are any");
   length("--min-wall LENGTH", options->minWall,
          "List walls thinner than this, as in 1mm; ends with 4 if there are any");
+  length("--min-gap LENGTH", options->minGap,
+         "List gaps between facing surfaces narrower than this, as in 0.5mm; ends with 4 likewise");
   addOutputOptions(table, options->output, {".json", ".csv", ".ply"},
                    "Write the answer: .json, or every vertex with its part: .csv, .ply");
   addPositionsOption(table, options->positions);
@@ -228,6 +323,13 @@ Run add(OptionTable& table) {
                 "Tubes, plates and body, by thresholds that the model's own values suggest.");
   table.example("girth parts part.stl --unit mm --min-tube 3mm --min-wall 1mm",
                 "What is too thin to print; ends with 4 if anything is.");
+  table.note("What is checked",
+             "Walls: the diameter of the largest ball inside that touches the surface, at the "
+             "vertices and within the faces. Gaps: the same outside. Tubes, up to a girth of 2 pi "
+             "times the limit: the least width of the section inside the loop, and girth / pi. "
+             "Edges sharper than 75 degrees are thin. Nothing is passed that is thinner than its "
+             "limit by more than a millionth; overhangs, strength and what the surface does not "
+             "show are not looked at.");
   return [options] { return run(*options); };
 }
 

@@ -46,6 +46,29 @@ Result<ShapeDiameterField> computeDiameter(const std::string& model, const Surfa
   return field;
 }
 
+Result<ThicknessField> computeThickness(const std::string& model, const SurfaceMesh& mesh,
+                                        const ThicknessOptions& options, unsigned threads) {
+  auto field = [&] {
+    ProgressLine progress(model);
+    return medialThickness(mesh, options, watched(threads, progress));
+  }();
+  if (!field) return field;
+  if (!field.value().complete) return cancelled();
+  const std::string note =
+      thicknessNote(field.value().insideOut, field.value().withoutValue, mesh.vertexCount());
+  if (!note.empty()) printNote(model, note);
+  return field;
+}
+
+Result<PrintCheck> computePrintCheck(const std::string& model, const SurfaceMesh& mesh,
+                                     const PrintFields& fields, const PrintLimits& limits,
+                                     unsigned threads) {
+  ProgressLine progress(model);
+  auto check = checkPrint(mesh, fields, limits, {}, watched(threads, progress));
+  if (check && !check.value().complete) return cancelled();
+  return check;
+}
+
 Result<std::optional<RemeshedSurface>> remeshModel(const std::string& model,
                                                    const SurfaceMesh& mesh,
                                                    const RemeshOptions& options) {

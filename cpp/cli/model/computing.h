@@ -5,8 +5,10 @@
 #include <string>
 
 #include "girth/girth_field.h"
+#include "girth/print_check.h"
 #include "girth/remesh.h"
 #include "girth/shape_diameter.h"
+#include "girth/thickness.h"
 #include "girth/tips.h"
 
 namespace girth::cli {
@@ -29,6 +31,16 @@ Result<GirthAndTips> computeTips(const std::string& model, const SurfaceMesh& me
 /// on standard error where the surface is inside out, or vertices have no value.
 Result<ShapeDiameterField> computeDiameter(const std::string& model, const SurfaceMesh& mesh,
                                            const ShapeDiameterOptions& options, unsigned threads);
+
+/// The medial thickness at all vertices. Errors: those of medialThickness, CANCELLED. Prints a note
+/// as above.
+Result<ThicknessField> computeThickness(const std::string& model, const SurfaceMesh& mesh,
+                                        const ThicknessOptions& options, unsigned threads);
+
+/// All that does not meet the limits. Errors: those of checkPrint, CANCELLED.
+Result<PrintCheck> computePrintCheck(const std::string& model, const SurfaceMesh& mesh,
+                                     const PrintFields& fields, const PrintLimits& limits,
+                                     unsigned threads);
 
 /// The surface with at most so many other triangles, on all threads; nothing where it has no more
 /// already, unless they are to be even: then it gets at most as many as it has. A note is printed

@@ -62,7 +62,7 @@ double extentAlong(const SurfaceMesh& mesh, std::size_t axis) {
   return high - low;
 }
 
-/// The unit that is typed takes the place of the one that is stated, and says so.
+/// The unit that is typed replaces the one that the file states, with a note.
 void stateUnit(const std::string& path, const std::string& typed, std::string& unit) {
   const io::LengthUnit* known = io::findLengthUnit(typed);
   if (known == nullptr) return;

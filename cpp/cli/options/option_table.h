@@ -1,4 +1,4 @@
-// What a command can be told: its options, its arguments and examples of its use. Help, manual
+// What a command takes: its options, its arguments and examples of its use. Help, manual
 // pages, completions and the messages about wrong usage are all made of this table; so it is a
 // table of our own, and not one of a library that only parses.
 #pragma once

@@ -2,6 +2,7 @@
 // girth/io/, what repeats the paper's studies in girth/study/.
 #pragma once
 
+#include "girth/barcode.h"
 #include "girth/distribution.h"
 #include "girth/elements.h"
 #include "girth/error.h"
@@ -20,6 +21,7 @@
 #include "girth/parts.h"
 #include "girth/persistent_maxima.h"
 #include "girth/prepare_surface.h"
+#include "girth/print_check.h"
 #include "girth/refine_surface.h"
 #include "girth/remesh.h"
 #include "girth/search_statistics.h"
@@ -27,6 +29,7 @@
 #include "girth/spectrum.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
+#include "girth/thickness.h"
 #include "girth/tips.h"
 #include "girth/transfer.h"
 #include "girth/triangle_soup.h"

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "girth/barcode.h"
 #include "girth/execution.h"
 #include "girth/export.h"
 #include "girth/girth_solver.h"
@@ -27,6 +28,10 @@ template <>
 inline constexpr GirthValue kNotComputed<GirthValue>{std::numeric_limits<double>::quiet_NaN(),
                                                      LoopKind::Loop};
 
+/// Of barcodes, one without bars of which nothing is known.
+template <>
+inline const Barcode kNotComputed<Barcode>{};
+
 /// The girth of a surface, in the order of its vertices.
 struct GirthField {
   /// I(v) in model units; NaN at vertices that were not reached before the work was cancelled.
@@ -45,8 +50,22 @@ struct GirthField {
 /// Values that were finished since the last report.
 using GirthPartial = VertexPartial<GirthValue>;
 
+/// What of the girth is computed.
+struct GirthOptions {
+  /// How.
+  GirthMethod method{GirthMethod::Exact};
+  /// tau of I_tau, in model units (girth/barcode.h); 0: I. Only with `Exact`. Where it is negative,
+  /// infinite or NaN (`checkPersistence`), or not 0 with another method, nothing is computed.
+  double persistence{0};
+};
+
 /// I(v) for all vertices, as `evaluateAll` of girthFunction.
 GIRTH_EXPORT GirthField girthField(const SurfaceMesh& mesh, GirthMethod method = GirthMethod::Exact,
+                                   const ExecutionContext& context = {},
+                                   const std::function<void(const GirthPartial&)>& onPartial = {});
+
+/// The same, or I_tau(v): `girthField(mesh, {.persistence = 0.5})`.
+GIRTH_EXPORT GirthField girthField(const SurfaceMesh& mesh, const GirthOptions& options,
                                    const ExecutionContext& context = {},
                                    const std::function<void(const GirthPartial&)>& onPartial = {});
 
@@ -59,6 +78,19 @@ GIRTH_EXPORT VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh,
 /// The mesh must outlive the function: keep it in a variable.
 VertexFunction<GirthValue> girthFunction(const SurfaceMesh&&,
                                          GirthMethod method = GirthMethod::Exact) = delete;
+
+/// I_tau(v), in model units, with its kind. Its evaluators report INVALID_OPTION where the options
+/// are none.
+GIRTH_EXPORT VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh,
+                                                      const GirthOptions& options);
+/// The mesh must outlive the function: keep it in a variable.
+VertexFunction<GirthValue> girthFunction(const SurfaceMesh&&, const GirthOptions&) = delete;
+
+/// The barcode of every vertex, from which I_tau is read for any tau up to `maxPersistence`.
+GIRTH_EXPORT VertexFunction<Barcode> barcodeFunction(const SurfaceMesh& mesh,
+                                                     const BarcodeOptions& options);
+/// The mesh must outlive the function: keep it in a variable.
+VertexFunction<Barcode> barcodeFunction(const SurfaceMesh&&, const BarcodeOptions&) = delete;
 
 /// The angle at v between the two ends of the loop through it (GirthLoop::angle), in radians; NaN
 /// where the loop is unresolved.

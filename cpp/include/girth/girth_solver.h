@@ -58,6 +58,9 @@ struct GirthLoop {
 /// The loop's points in space; the first equals the last.
 GIRTH_EXPORT std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop);
 
+struct Barcode;
+struct BarcodeOptions;
+
 /// Computes I(p) by exact propagation of geodesic windows from p with early termination (paper,
 /// sections 4.3 and 4.4, Algorithm 2), every loop proven by the distance of its midpoint.
 ///
@@ -92,6 +95,20 @@ class GIRTH_EXPORT GirthSolver {
   /// I(p) for any point p with its loop. The same context and errors.
   Result<GirthLoop> loop(const SurfacePoint& point, const ExecutionContext& context = {});
 
+  /// The saddles of the distance from vertex p, and how long they last (girth/barcode.h). The same
+  /// context and errors, and INVALID_OPTION where `maxPersistence` is negative or NaN. O(s log s)
+  /// for s saddles besides the propagation, which goes on to the first that lasts longer than
+  /// `maxPersistence`, and as far beyond it.
+  Result<Barcode> barcode(Vertex vertex, const BarcodeOptions& options,
+                          const ExecutionContext& context = {});
+  /// The same for any point p.
+  Result<Barcode> barcode(const SurfacePoint& point, const BarcodeOptions& options,
+                          const ExecutionContext& context = {});
+
+  /// From now on `value` and `loop` give I_tau: the first loop whose saddle lasts longer than tau,
+  /// in model units. 0, the default, is I itself. They report INVALID_OPTION where it is negative,
+  /// infinite or NaN. Unresolved values are lower bounds of I_tau.
+  void setPersistence(double tau);
   /// Calls give up with LoopKind::Unresolved after so many windows, or as much work on pairs of
   /// windows, loops and the farthest point. Default: 2^26.
   void setBudget(std::size_t windows);

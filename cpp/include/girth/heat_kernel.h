@@ -46,9 +46,10 @@ struct SihksOptions {
 /// magnitudes of their discrete Fourier transform at the lowest frequencies. Numbers without unit,
 /// which do not change with the surface's size.
 ///
-/// The paper says that the 'number of eigenfunctions is 19'; the original work takes the 19 lowest
-/// frequencies. Either can be chosen. O(n · pairs · times). Errors: INVALID_OPTION for options out
-/// of range (times: 2 to 100,000 of them, frequencies: below their number); USAGE as above.
+/// The paper states that the 'number of eigenfunctions is 19'; the original work takes the 19
+/// lowest frequencies. Either can be chosen. O(n · pairs · times). Errors: INVALID_OPTION for
+/// options out of range (times: 2 to 100,000 of them, frequencies: below their number); USAGE as
+/// above.
 GIRTH_EXPORT Result<VertexSignatures> scaleInvariantHeatKernelSignature(
     const Spectrum& spectrum, const SihksOptions& options = {});
 

@@ -17,8 +17,8 @@ inline constexpr double kHeatMaximaTime = 2e-3;
 
 /// The maxima of the heat kernel signature at a small time, ranked by persistence (Dey, Li, Luo,
 /// Ranjan, Safa and Wang 2010): heat stays longest where little surface is near, at tips. The
-/// paper's Figure 13 compares them with the girth's tips (tips.h). The user has to say how many, or
-/// what persistence, make a tip.
+/// paper's Figure 13 compares them with the girth's tips (tips.h). The user has to state how many,
+/// or what persistence, make a tip.
 ///
 /// `time`: a share of the surface's area. Values and persistence are in 1 / squared model units.
 /// Errors: INVALID_OPTION for a time that is negative or not finite; USAGE for a spectrum that is

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -85,51 +84,5 @@ struct Parts {
 /// smoothing is negative or not a number (infinite thresholds are allowed).
 GIRTH_EXPORT Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
                                      std::span<const double> diameter, const PartOptions& options);
-
-/// What a printer can still make, in model units; 0: any.
-struct PrintLimits {
-  /// The least diameter of a tube.
-  double tubeDiameter{0};
-  /// The least thickness of a wall.
-  double wallThickness{0};
-};
-
-/// A connected place that is too thin.
-struct WeakPlace {
-  PartKind kind{PartKind::Tube};  ///< Tube, or Plate for a wall
-  std::vector<Vertex> vertices;   ///< in rising order
-  /// Sum of the vertices' areas, in squared model units.
-  double area{0};
-  /// The least diameter I / π of the tube, or thickness SDF of the wall, there, in model units.
-  double least{0};
-  /// The vertex that has it.
-  Vertex thinnest;
-};
-
-/// Why a surface must not pass a check, though no place may be found too thin: walls are limited,
-/// but no vertex has a thickness, or the surface is inside out, and what was measured is the space
-/// around it (NO_THICKNESS). Nothing where it can be checked. O(n).
-GIRTH_EXPORT std::optional<Error> whyNotChecked(const SurfaceMesh& mesh,
-                                                std::span<const double> diameter,
-                                                const PrintLimits& limits);
-
-/// Places where the diameter of the round tube with the same girth, I / π, is below the limit, and
-/// elsewhere, where the thickness is below the limit for walls; the thinnest first, in shares of
-/// their limits. Errors: USAGE as above.
-GIRTH_EXPORT Result<std::vector<WeakPlace>> findWeakPlaces(const SurfaceMesh& mesh,
-                                                           std::span<const double> girth,
-                                                           std::span<const double> diameter,
-                                                           const PrintLimits& limits);
-
-/// The scale of the shape from which on `findWeakPlaces` finds nothing: girth and thickness grow
-/// with the shape, so it is the greatest of the limits divided by the least diameter and by the
-/// least thickness. 1.12: it passes at 112% of its size; below 1 it passes as it is, and so far it
-/// could shrink. 0 where nothing is limited; infinite where something has no thickness at all.
-/// O(n).
-GIRTH_EXPORT double passingScale(std::span<const double> girth, std::span<const double> diameter,
-                                 const PrintLimits& limits);
-
-/// The share of the surface's area, in [0, 1], that is in places that are too thin.
-GIRTH_EXPORT double failingShare(const SurfaceMesh& mesh, std::span<const WeakPlace> places);
 
 }  // namespace girth

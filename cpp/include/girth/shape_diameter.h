@@ -64,7 +64,7 @@ Result<VertexFunction<double>> shapeDiameterFunction(
 GIRTH_EXPORT bool isInsideOut(const SurfaceMesh& mesh);
 
 /// What people are to know of the values, in sentences: that the surface is inside out, that so
-/// many of its vertices have no thickness. Empty where there is nothing to say.
+/// many of its vertices have no thickness. Empty where there is no remark.
 GIRTH_EXPORT std::string shapeDiameterNote(bool insideOut, Index withoutValue, Index vertices);
 
 }  // namespace girth

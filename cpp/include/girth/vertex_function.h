@@ -24,8 +24,8 @@ using VertexEvaluator = std::function<Result<Value>(Vertex vertex)>;
 /// A function of a surface's vertices, with what all threads share of the work already done. The
 /// surface must outlive it and its evaluators, which may outlive the function: one that would be
 /// gone at the end of the line is refused when the program is compiled. Made by girthFunction,
-/// loopAngleFunction, shapeDiameterFunction and geodesicExtentFunction. `Value`: what it has at a
-/// vertex, such as double or GirthValue.
+/// loopAngleFunction, shapeDiameterFunction, medialThicknessFunction and geodesicExtentFunction.
+/// `Value`: what it has at a vertex, such as double or GirthValue.
 template <class Value>
 struct VertexFunction {
   /// Makes an evaluator; may be called by several threads at once. Of the context only `cancel`

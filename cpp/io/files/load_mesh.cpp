@@ -23,4 +23,12 @@ Result<LoadedMesh> loadMesh(const std::string& path, const PrepareOptions& optio
   return loaded;
 }
 
+Result<ReadModel> loadModel(const std::string& path) {
+  const auto bytes = readFile(path);
+  if (!bytes) return ofFile(path, bytes.error());
+  auto model = readModel(bytes.value(), path, resourcesBeside(path));
+  if (!model) return ofFile(path, model.error());
+  return model;
+}
+
 }  // namespace girth::io

@@ -16,7 +16,7 @@ namespace girth::io {
 class PolygonSoup {
  public:
   /// A corner of the polygon that is being collected. `vertex` is below kNoIndex; it may come later
-  /// in the file than the `known` vertices so far. `place`: whatever the reader wants to be told
+  /// in the file than the `known` vertices so far. `place`: whatever the reader wants to get back
   /// again by firstOutside, such as the line.
   void addCorner(Index vertex, std::size_t known, std::int64_t place) {
     if (vertex >= known && (ahead_.empty() || vertex > ahead_.back().vertex)) {

@@ -106,7 +106,7 @@ class ObjReader {
 
   Result<ReadModel> finish() {
     const std::size_t vertices = soup().positions.size() / 3;
-    // Faces may name vertices that come later in the file, and so wait until all are known.
+    // Faces may name vertices that come later in the file: they are pending until all are known.
     if (const auto corner = faces_.firstOutside(vertices)) {
       return failure(ErrorCode::IndexOutOfRange, corner->place,
                      "a face names vertex " + std::to_string(std::uint64_t{corner->vertex} + 1) +

@@ -29,7 +29,7 @@ class GltfBuffers {
   /// Errors: MALFORMED_FILE, MISSING_RESOURCE, UNSUPPORTED_FEATURE, LIMIT_EXCEEDED.
   Result<std::span<const std::byte>> view(std::uint32_t index, const std::string& user);
 
-  /// Fetches all buffers that say where their bytes are: the first that cannot be had.
+  /// Fetches all buffers that state where their bytes are: the first that cannot be had.
   std::optional<Error> firstFault();
 
  private:

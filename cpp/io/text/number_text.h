@@ -10,7 +10,7 @@
 namespace girth::io {
 
 /// The number that `text` is, all of it, rounded correctly: decimal digits with an optional sign,
-/// point and exponent. "nan" and "inf" give what they say, and so does a number too large for a
+/// point and exponent. "nan" and "inf" give these values, and so does a number too large for a
 /// double: infinity. Nothing where the text is not a number.
 GIRTH_EXPORT std::optional<double> parseNumber(std::string_view text);
 

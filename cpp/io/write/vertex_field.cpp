@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
+
+#include "text/number_text.h"
 
 namespace girth::io {
 namespace {
@@ -36,6 +39,12 @@ std::string_view toString(DistanceMethod method) {
 
 std::string methodText(const ShapeDiameterOptions& options) {
   return std::to_string(options.rays) + (options.rays == 1 ? " ray" : " rays");
+}
+
+std::string methodText(const ThicknessOptions& options) {
+  // Radians cannot hold most degrees exactly.
+  const double degrees = std::round(1e6 * options.sharpAngle * 180 / std::numbers::pi) / 1e6;
+  return "sharp below " + formatNumber(degrees) + " degrees";
 }
 
 std::optional<Error> checkFields(const LoadedMesh& loaded, std::span<const VertexField> fields) {

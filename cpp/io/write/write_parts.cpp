@@ -25,13 +25,28 @@ std::string partJson(const LoadedMesh& loaded, const Part& part) {
          ",\"vertices\":" + inputsJson(loaded, part.vertices) + "}";
 }
 
+std::string_view measureOf(WeakKind kind) {
+  switch (kind) {
+    case WeakKind::Tube:
+      return "diameter";
+    case WeakKind::Wall:
+      return "thickness";
+    case WeakKind::Gap:
+      break;
+  }
+  return "clearance";
+}
+
 std::string placeJson(const LoadedMesh& loaded, const WeakPlace& place) {
-  return std::string("{\"kind\":") +
-         (place.kind == PartKind::Tube ? "\"tube\",\"measure\":\"diameter\""
-                                       : "\"wall\",\"measure\":\"thickness\"") +
-         ",\"least\":" + formatNumber(place.least) + ",\"area\":" + formatNumber(place.area) +
-         ",\"thinnest\":" + vertexJson(loaded, place.thinnest) +
-         ",\"vertices\":" + inputsJson(loaded, place.vertices) + "}";
+  std::string text = "{\"kind\":" + jsonString(toString(place.kind)) +
+                     ",\"measure\":" + jsonString(measureOf(place.kind)) +
+                     ",\"least\":" + formatNumber(place.least) +
+                     ",\"area\":" + formatNumber(place.area) +
+                     ",\"thinnest\":" + pointJson(loaded, place.thinnest);
+  if (place.kind != WeakKind::Tube) {
+    text += ",\"opposite\":[" + pointText(place.opposite, ',') + "]";
+  }
+  return text + ",\"vertices\":" + inputsJson(loaded, place.vertices) + "}";
 }
 
 }  // namespace
@@ -48,16 +63,17 @@ std::string partsJson(const LoadedMesh& loaded, const Parts& parts, const PartOp
   return text + "]}\n";
 }
 
-std::string weakPlacesJson(const LoadedMesh& loaded, std::span<const WeakPlace> places,
-                           const PrintLimits& limits, double passingScale, std::string_view file) {
+std::string printCheckJson(const LoadedMesh& loaded, const PrintCheck& check,
+                           const PrintLimits& limits, std::string_view file) {
   std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
                      ",\"limits\":{\"tubeDiameter\":" + formatNumber(limits.tubeDiameter) +
                      ",\"wallThickness\":" + formatNumber(limits.wallThickness) +
-                     "},\"passes\":" + (places.empty() ? "true" : "false") +
-                     ",\"failingShare\":" + formatNumber(failingShare(loaded.mesh, places)) +
-                     ",\"passingScale\":" + numberJson(passingScale) + ",\"places\":[";
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    text += (i == 0 ? "\n" : ",\n") + placeJson(loaded, places[i]);
+                     ",\"gap\":" + formatNumber(limits.gap) +
+                     "},\"passes\":" + (check.places.empty() ? "true" : "false") +
+                     ",\"failingShare\":" + formatNumber(check.failingShare) +
+                     ",\"passingScale\":" + numberJson(check.passingScale) + ",\"places\":[";
+  for (std::size_t i = 0; i < check.places.size(); ++i) {
+    text += (i == 0 ? "\n" : ",\n") + placeJson(loaded, check.places[i]);
   }
   return text + "]}\n";
 }

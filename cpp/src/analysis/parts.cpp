@@ -9,7 +9,6 @@
 
 #include "analysis/otsu.h"
 #include "analysis/regions.h"
-#include "girth/shape_diameter.h"
 #include "girth/vertex_areas.h"
 #include "mesh/angles.h"
 #include "mesh/neighbours.h"
@@ -197,71 +196,6 @@ Result<Parts> findParts(const SurfaceMesh& mesh, std::span<const double> girth,
     for (const Index v : result.parts[p].vertices) result.partOf[v] = p;
   }
   return result;
-}
-
-std::optional<Error> whyNotChecked(const SurfaceMesh& mesh, std::span<const double> diameter,
-                                   const PrintLimits& limits) {
-  if (!(limits.wallThickness > 0)) return std::nullopt;
-  const auto isNone = [](double value) { return std::isnan(value); };
-  const bool none = std::all_of(diameter.begin(), diameter.end(), isNone);
-  if (!none && !isInsideOut(mesh)) return std::nullopt;
-  return makeError(ErrorCode::NoThickness, -1,
-                   none ? "no vertex has a thickness, so no wall is checked"
-                        : "the surface is inside out, so no wall is checked");
-}
-
-Result<std::vector<WeakPlace>> findWeakPlaces(const SurfaceMesh& mesh,
-                                              std::span<const double> girth,
-                                              std::span<const double> diameter,
-                                              const PrintLimits& limits) {
-  if (auto error = checkSizes(mesh, girth, diameter)) return *std::move(error);
-  if (auto error = checkLength(limits.tubeDiameter, "the least tube diameter")) return *error;
-  if (auto error = checkLength(limits.wallThickness, "the least wall thickness")) return *error;
-
-  constexpr Index tube = 0, wall = 1;
-  const auto weakness = [&](Vertex v) {
-    if (girth[v] / kPi < limits.tubeDiameter) return tube;
-    return diameter[v] < limits.wallThickness ? wall : kNoIndex;
-  };
-  const std::vector<double> areas = vertexAreas(mesh);
-  std::vector<WeakPlace> places;
-  for (std::vector<Vertex>& region : connectedRegions(mesh, weakness)) {
-    const bool isTube = weakness(region.front()) == tube;
-    WeakPlace place;
-    place.kind = isTube ? PartKind::Tube : PartKind::Plate;
-    place.area = areaOver(region, areas);
-    place.thinnest = leastOver(region, isTube ? girth : diameter);
-    place.least = isTube ? girth[place.thinnest] / kPi : diameter[place.thinnest];
-    place.vertices = std::move(region);
-    places.push_back(std::move(place));
-  }
-  const auto share = [&](const WeakPlace& place) {
-    return place.least /
-           (place.kind == PartKind::Tube ? limits.tubeDiameter : limits.wallThickness);
-  };
-  std::stable_sort(places.begin(), places.end(),
-                   [&](const WeakPlace& a, const WeakPlace& b) { return share(a) < share(b); });
-  return places;
-}
-
-double passingScale(std::span<const double> girth, std::span<const double> diameter,
-                    const PrintLimits& limits) {
-  double scale = 0;
-  const auto grow = [&](std::span<const double> measures, double divisor, double limit) {
-    if (!(limit > 0)) return;
-    for (const double measure : measures) {
-      if (!std::isnan(measure)) scale = std::max(scale, limit / (measure / divisor));
-    }
-  };
-  grow(girth, kPi, limits.tubeDiameter);
-  grow(diameter, 1, limits.wallThickness);
-  return scale;
-}
-
-double failingShare(const SurfaceMesh& mesh, std::span<const WeakPlace> places) {
-  double area = 0;
-  for (const WeakPlace& place : places) area += place.area;
-  return std::min(1.0, area / mesh.area());
 }
 
 }  // namespace girth

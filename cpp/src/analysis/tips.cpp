@@ -220,8 +220,8 @@ class TipMaker {
   /// The same halfedge for both of an edge: as in Pieces::edges.
   Halfedge edgeOf(Halfedge halfedge) const { return std::min(halfedge, mesh_.twin(halfedge)); }
 
-  /// The vertex farthest from the contour. Ways along edges inside tell how far that can be, and so
-  /// how far the exact distances are needed.
+  /// The vertex farthest from the contour. Ways along edges inside bound how far that can be, and
+  /// so how far the exact distances are needed.
   std::optional<Error> findApex(const std::vector<Halfedge>& rim, const ExecutionContext& context,
                                 Tip& tip) {
     std::map<Vertex, double> reached;

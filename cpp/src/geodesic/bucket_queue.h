@@ -65,7 +65,7 @@ class BucketQueue {
     return ring_[current_ % kRing][position_++];
   }
 
-  /// What comes out after so many others, as far as the current bucket tells; `none` beyond it.
+  /// What comes out after so many others, within the current bucket; `none` beyond it.
   Index ahead(std::size_t others, Index none) const {
     const auto& bucket = ring_[current_ % kRing];
     const std::size_t position = position_ + others;

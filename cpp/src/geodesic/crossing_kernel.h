@@ -10,12 +10,12 @@
 namespace girth::geodesic {
 
 /// The pending windows of a halfedge, and what is known of its face's corners. (All are trimmed by
-/// what was known before, so that the number of lanes does not show.)
+/// what was known before, so that the result is the same for any number of lanes.)
 struct CrossingBatch {
   Crossing crossing;
-  const WindowRun* newest;  ///< the last run that waits; those before it follow by `older`
-  std::uint32_t first;      ///< number of the first window that waits
-  std::uint32_t count;      ///< so many windows wait
+  const WindowRun* newest;  ///< the last pending run; those before it follow by `older`
+  std::uint32_t first;      ///< number of the first pending window
+  std::uint32_t count;      ///< number of pending windows
   double distanceFrom, distanceTo, distanceApex;  ///< of the three corners; infinite: not reached
 };
 

@@ -52,7 +52,7 @@ class GIRTH_EXPORT FastMarching {
         accepted_(stencils.mesh().vertexCount(), false) {}
 
   /// Accepts vertices outward from the source, in rising order of distance (equal ones by number);
-  /// `visit(vertex, distance)` after each says whether to go on.
+  /// `visit(vertex, distance)` after each returns whether to go on.
   template <class Visit>
   void run(Index source, Visit visit) {
     start(source);

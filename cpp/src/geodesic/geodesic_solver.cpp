@@ -19,7 +19,7 @@ using geodesic::Vec2;
 
 namespace {
 
-/// Stops once the frontier has passed a distance that `limit` gives.
+/// Stops once the frontier has passed the distance that `limit` returns.
 template <class Limit>
 class Until {
  public:

@@ -1,4 +1,4 @@
-// Several doubles side by side: four with AVX2, else two (SSE2, NEON, WebAssembly SIMD). Only
+// Several doubles side by side: four with AVX2, otherwise two (SSE2, NEON, WebAssembly SIMD). Only
 // operations that round each lane as a plain double would, so every width gives the same bits. With
 // AVX-512 there are four too: a face seldom has windows for eight, but comparing and packing are
 // one instruction each.
@@ -28,7 +28,7 @@ typedef double Lanes __attribute__((vector_size(8 * kLanes)));
 /// The bits of each lane.
 typedef long long LaneBits __attribute__((vector_size(8 * kLanes)));
 
-/// Which lanes something is true of.
+/// The lanes for which a comparison holds.
 #ifdef __AVX512VL__
 typedef unsigned Mask;
 inline Mask less(Lanes a, Lanes b) {

@@ -61,11 +61,12 @@ void Propagation::clear() {
   origins_.clear();
   created_ = crossed_ = 0;
   passed_ = 0;
+  keptBeyond_ = kInfinity;
   gaveUp_ = false;
 }
 
-/// Asks for the memory that the next items of the queue need, since they follow one another on the
-/// front, not in memory: first what belongs to an item, and nearer to its turn what that refers to.
+/// Prefetches the memory that the next items of the queue need, since they follow one another on
+/// the front, not in memory: early what belongs to an item, later what that refers to.
 void Propagation::lookAhead() const {
   constexpr std::size_t kFar = 4, kNear = 2;
   if (const Index item = queue_.ahead(kFar, kNoIndex); item != kNoIndex) {
@@ -384,7 +385,7 @@ void Propagation::entered(Index halfedge, std::vector<Window>& windows, std::siz
   windows.resize(enteredCount(halfedge));
   if (windows.size() <= known) return;
   for (const WindowRun* run = lists_[halfedge].newest; run != nullptr; run = run->older) {
-    if (run->begin >= windows.size()) continue;  // it waits
+    if (run->begin >= windows.size()) continue;  // pending
     if (run->begin + run->count <= known) break;
     for (std::uint32_t i = 0; i < run->count; ++i) windows[run->begin + i] = run->window(i);
   }
@@ -471,6 +472,7 @@ void Propagation::forgetPassed() {
     }
   }
   open_.resize(kept);
+  known = lesser(known, keptBeyond_);
   passed_ = std::max(passed_, roundedDown(known));
   if (keep_ == Keep::Front) lists_.forget(passed_);
   if (keep_ != Keep::Everything) {

@@ -1,10 +1,10 @@
 // Exact geodesic distances from points of a surface, growing outward: the engine under everything.
 //
 // What a window is. A bundle of straight paths that cross one sequence of faces (window.h). Windows
-// wait at the halfedge through which they enter a face. When the halfedge has its turn, all that
-// wait there cross the face at once (crossing_kernel.h), and what leaves through the other two
-// sides waits at their twins. A path that bends does so at a saddle, or at a corner of the
-// boundary; there new windows start, with the vertex as their root.
+// are pending at the halfedge through which they enter a face. When the queue gives the halfedge
+// out, all that are pending there cross the face at once (crossing_kernel.h), and what leaves
+// through the other two sides is pending at their twins. A path that bends does so at a saddle, or
+// at a corner of the boundary; there new windows start, with the vertex as their root.
 //
 // Invariants
 // - Every window stands for real paths: sigma + |root − x| is the length of a path of the surface
@@ -17,12 +17,12 @@
 //   edge are special cases of this trimming. Like them it looks at vertices only, never at other
 //   windows. Xin and Wang's rule about the corner opposite would save 4 to 9% of the windows, and
 //   costs as much as it saves.)
-// - The queue gives halfedges their turn in the order of the nearest point of their pending
-//   windows, give or take one bucket. When the frontier stands at r, every window with a point
+// - The queue gives halfedges out in the order of the nearest point of their pending windows, up
+//   to one bucket. When the frontier stands at r, every window with a point
 //   nearer than r has entered its face, and every vertex nearer than r that geodesics can pass has
 //   been settled: its distance is final, and where it is a saddle its windows are on their way.
-//   Some windows cross earlier than their turn, since their whole halfedge does; what they pass on
-//   is real all the same.
+//   Some windows cross early, together with the rest of their halfedge; what they pass on is real
+//   all the same.
 // - If a vertex becomes nearer after it was settled (possible within one bucket) it is settled
 //   again; what it sent out before is too long, but still real.
 // - A face may be forgotten once its every point is nearer than the frontier and than some vertex:
@@ -69,8 +69,8 @@ struct Arrival {
   Bundle bundle;
 };
 
-/// How the best path ends at a point of a face: in a bundle; else straight from a corner; else
-/// straight from a source within the face.
+/// How the best path ends at a point of a face: in a bundle, straight from a corner, or straight
+/// from a source within the face.
 struct PathEnd {
   double distance{std::numeric_limits<double>::infinity()};
   Bundle bundle;
@@ -148,7 +148,7 @@ class Propagation {
   /// The vertices that a path has reached.
   const std::vector<Index>& reachedVertices() const { return reached_; }
 
-  /// How many windows have entered the face through a halfedge, and are kept; and one of them.
+  /// How many windows have entered the face through a halfedge and are kept; and one of them.
   std::uint32_t enteredCount(Index halfedge) const {
     return gone(lists_[halfedge]) ? 0 : lists_[halfedge].entered;
   }
@@ -163,7 +163,7 @@ class Propagation {
     const WindowList& list = lists_[halfedge];
     if (gone(list)) return false;
     for (const WindowRun* run = list.newest; run != nullptr; run = run->older) {
-      if (run->begin >= list.entered) continue;  // it waits
+      if (run->begin >= list.entered) continue;  // pending
       for (std::uint32_t i = run->count; i-- > 0;) {
         if (visit(run->window(i), run->begin + i)) return true;
       }
@@ -177,7 +177,7 @@ class Propagation {
       return false;
     });
   }
-  /// All of them, by number; `known`: so many are there already.
+  /// Appends them by number; `windows` holds the first `known` already.
   void entered(Index halfedge, std::vector<Window>& windows, std::size_t known = 0) const;
   /// Those of them that reached the opposite corner lie among numbers `first` to `second` − 1.
   std::pair<std::uint32_t, std::uint32_t> apexWindows(Index halfedge) const {
@@ -203,8 +203,8 @@ class Propagation {
   /// passed the point and the face is not forgotten.
   PathEnd pathTo(Index halfedge, Vec2 point) const;
 
-  /// Whether some path to a point of a face is shorter than a length; if it is a window's, `by`
-  /// tells which. The quicker question where the distance itself does not matter.
+  /// Whether some path to a point of a face is shorter than a length; `by` becomes its window, if
+  /// it has one. Quicker than `pathTo` where the distance itself does not matter.
   bool findNearer(Index halfedge, Vec2 point, double length, WindowNumber& by) const;
   /// Whether that of one window of the face is.
   bool isNearer(Index halfedge, Vec2 point, double length, WindowNumber window) const;
@@ -215,8 +215,12 @@ class Propagation {
   /// Windows made and windows that crossed their face, in this propagation.
   std::size_t windowsCreated() const { return created_; }
   std::size_t windowsCrossed() const { return crossed_; }
-  /// Gives up after so many windows have crossed a face, or the visitor has done as much; then
-  /// `gaveUp`.
+  /// From now on no face is forgotten that has a point farther than this; infinite: the front alone
+  /// decides. Until the next run.
+  void keepBeyond(double distance) { keptBeyond_ = distance; }
+
+  /// `run` gives up when the windows that have crossed a face and the visitor's effort exceed this
+  /// number; `gaveUp` is true then. Default: 2^26.
   void setBudget(std::size_t windows) { budget_ = windows; }
   std::size_t budget() const { return budget_; }
   bool gaveUp() const { return gaveUp_; }
@@ -266,10 +270,10 @@ class Propagation {
   /// Whether the windows of a halfedge have been forgotten: the front has passed its face.
   bool gone(const WindowList& list) const { return list.farthest < passed_; }
 
-  /// What is asked of vertices most often, small enough for the cache.
+  /// What is read of vertices most often, small enough for the cache.
   struct Reach {
     bool settled{false};
-    std::uint8_t windows{0};  // that have reached it, nearest or not; at most kMany are counted
+    std::uint8_t windows{0};  // how many have reached it, nearest or not; counted up to kMany
 
     static constexpr std::uint8_t kMany = 2;
   };
@@ -287,7 +291,8 @@ class Propagation {
   WindowTable lists_;             // of the halfedges
   std::vector<Index> reached_;    // vertices to clear
   std::vector<Index> open_;       // vertices that the frontier may not have passed
-  float passed_{0};               // what is nearer than this has no use any more
+  float passed_{0};               // windows nearer than this are needed no longer
+  double keptBeyond_{std::numeric_limits<double>::infinity()};  // but farther ones are
   std::size_t created_{0}, crossed_{0};
   std::size_t budget_{std::size_t{1} << 26};
   bool gaveUp_{false};

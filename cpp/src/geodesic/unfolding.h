@@ -1,5 +1,5 @@
 // The faces laid flat: each halfedge has a planar frame of its own, and crossing a face is one
-// turn.
+// rotation.
 //
 // In the frame of halfedge h its start lies at the origin and its end on the x axis; its face lies
 // above, the face behind it below. Only + − × ÷ √ are used, so every platform gets the same bits.
@@ -98,11 +98,11 @@ class Unfolding {
   /// Unit vector along the face's other side from the start of a halfedge, in its frame.
   Vec2 left(Index halfedge) const { return halfedges_[halfedge].left; }
 
-  /// Asks for what crossing the face of a halfedge needs.
+  /// Prefetches what crossing the face of a halfedge needs.
   void prefetchCrossing(Index halfedge) const {
     prefetch(&halfedges_[3 * faceOfSide(halfedge)], 3);
   }
-  /// Asks for what is known of a vertex; and then, for its fan.
+  /// Prefetches what is known of a vertex; and its fan, which needs that.
   void prefetchVertex(Index vertex) const {
     prefetch(&firstOfFan_[vertex]);
     prefetch(&totalAngle_[vertex]);

@@ -20,7 +20,7 @@ struct Window {
   double distanceTo(Vec2 point) const { return sigma + norm(point - root); }
 
   /// Whether the straight line from the root to a point above the halfedge (of this length) passes
-  /// through the window, give or take kTouch of the edge.
+  /// through the window, up to kTouch of the edge.
   bool covers(double length, Vec2 point) const {
     const Vec2 ray = point - root;
     const double slack = kTouch * length * (std::fabs(ray.x) + std::fabs(ray.y));

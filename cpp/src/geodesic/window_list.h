@@ -39,7 +39,7 @@ struct WindowRun {
 };
 
 /// The windows of one halfedge, numbered in the order of their coming. The first `entered` of them
-/// have crossed its face, the others wait.
+/// have crossed its face, the others are pending.
 struct WindowList {
   WindowRun* newest{nullptr};
   std::uint32_t count{0}, entered{0};
@@ -75,7 +75,7 @@ class WindowPool {
     auto* memory = reinterpret_cast<std::byte*>(block) + block->used;
     return new (memory) WindowRun{nullptr, 0, 0, stride};
   }
-  /// The last run of that side has got so many windows, at least one, which wait. `tight`: it takes
+  /// The last run of that side has got `count` pending windows, at least one. `tight`: it takes
   /// no more memory than they need, where the difference is worth the moving.
   void commit(Side side, WindowRun* run, std::uint32_t count, bool tight) {
     Block* block = current_[static_cast<std::size_t>(side)];

@@ -65,7 +65,7 @@ class WindowTable {
     worthwhile_ = kFew;
   }
 
-  /// Asks for the memory that tells where a list is, before it is needed.
+  /// Fetches the word that locates a list into the cache, before it is needed.
   void prefetchWord(Index halfedge) const { prefetch(&slot_[halfedge]); }
 
   std::size_t memoryBytes() const {

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "girth/sites.h"
+
 namespace girth {
 
 using geodesic::cross;
@@ -21,48 +23,6 @@ using geodesic::Unfolding;
 using geodesic::Vec2;
 
 namespace {
-
-/// Where paths into a face come from, in the plane of the face: the root of a window, or a corner
-/// that sends out paths of its own.
-struct Site {
-  Vec2 root;
-  double sigma;
-  Vec2 left{0, 0}, right{0, 0};  // unit vectors along the bounds of the window; zero: unbounded
-
-  double distanceTo(Vec2 q) const { return sigma + norm(q - root); }
-  /// Whether the window covers a point of this disk.
-  bool meetsDisk(Vec2 centre, double radius) const {
-    return cross(left, centre - root) <= radius && cross(right, centre - root) >= -radius;
-  }
-};
-
-/// The points at which three sites are at one distance: |q − r_i| + σ_i = D for all three (the
-/// problem of Apollonius); up to two of them.
-int meetingPoints(const Site& a, const Site& b, const Site& c, std::array<Vec2, 2>& points) {
-  // With a at the origin and D' = D − σ_a:  |q| = D',  |q − r_i| = D' − s_i.  Subtracting the
-  // squares leaves  2 r_i·q = |r_i|² − s_i² + 2 s_i D'  for i = b, c: linear in q = u + v D'.
-  const Vec2 rb = b.root - a.root, rc = c.root - a.root;
-  const double sb = b.sigma - a.sigma, sc = c.sigma - a.sigma;
-  const double det = 2 * cross(rb, rc);
-  if (det == 0) return 0;
-  const double kb = dot(rb, rb) - sb * sb, kc = dot(rc, rc) - sc * sc;
-  const Vec2 u = (1 / det) * Vec2{kb * rc.y - kc * rb.y, kc * rb.x - kb * rc.x};
-  const Vec2 v = (2 / det) * Vec2{sb * rc.y - sc * rb.y, sc * rb.x - sb * rc.x};
-  // |u + v D'| = D':  (v·v − 1) D'² + 2 u·v D' + u·u = 0.
-  const double p = dot(v, v) - 1, q = dot(u, v), r = dot(u, u);
-  const double discriminant = q * q - p * r;
-  if (discriminant < 0) return 0;
-  const double root = std::sqrt(discriminant);
-  // The stable pair of solutions.
-  const double t = q >= 0 ? -q - root : -q + root;
-  int count = 0;
-  const auto take = [&](double distance) {
-    if (std::isfinite(distance) && distance >= 0) points[count++] = a.root + (u + distance * v);
-  };
-  if (t != 0) take(r / t);
-  if (p != 0) take(t / p);
-  return count;
-}
 
 /// The points of a line at which two sites are at one distance, as places along it.
 /// `a`, `b`: the roots in a frame whose x axis is the line.
@@ -82,25 +42,6 @@ int meetingPlaces(Vec2 a, double sigmaA, Vec2 b, double sigmaB, std::array<doubl
   if (t != 0) places[count++] = a.x + c / t;
   if (p != 0) places[count++] = a.x + t / p;
   return count;
-}
-
-/// The point of a face nearest to one that lies in it up to kTouch; nothing where it is farther
-/// out. (Beyond the tip of a needle, a point beside both sides by as little may be far off.)
-std::optional<Vec2> withinFace(const Propagation& propagation, Index face, Vec2 q) {
-  const Unfolding& unfolding = propagation.unfolding();
-  Vec2 nearest = q;
-  double way = std::numeric_limits<double>::infinity();
-  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const double length = unfolding.crossing(h).length();
-    const Vec2 p = unfolding.toFrame(3 * face, h, q);
-    if (!(p.y >= -kTouch * length)) return std::nullopt;
-    if (p.y >= 0) continue;
-    const Vec2 onSide{std::clamp(p.x, 0.0, length), 0};
-    if (norm(p - onSide) >= way) continue;
-    way = norm(p - onSide);
-    nearest = unfolding.toFrame(h, 3 * face, onSide);
-  }
-  return nearest;
 }
 
 /// Of all cells, the most promising comes first; what cannot hold a farther point is left out.
@@ -176,34 +117,15 @@ class Search {
     std::push_heap(cells_.begin(), cells_.end());
   }
 
-  /// The sites of a face.
   void open(Index face) {
-    const Unfolding& unfolding = propagation_.unfolding();
     std::vector<Site> sites;
-    std::array<Vec2, 3> corners;
-    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      const Crossing c = unfolding.crossing(h);
-      const auto place = [&](Vec2 p) { return unfolding.toFrame(h, 3 * face, p); };
-      corners[h - 3 * face] = place({0, 0});
-      if (propagation_.settled(c.from())) {
-        sites.push_back({place({0, 0}), propagation_.distance(c.from())});
-      }
-      propagation_.eachEntered(h, [&](const geodesic::Window& w) {
-        const Vec2 root = place(w.root);
-        const Vec2 left = place({w.gapFrom, 0}) - root;
-        const Vec2 right = place({c.length() - w.gapTo, 0}) - root;
-        sites.push_back({root, w.sigma, (1 / norm(left)) * left, (1 / norm(right)) * right});
-      });
-    }
-    for (const Propagation::Origin& origin : propagation_.origins()) {
-      if (origin.face == face) sites.push_back({origin.place, 0});
-    }
-    add(corners, sites);
+    findSites(propagation_, face, sites);
+    add(cornersOf(propagation_.unfolding(), face), sites);
   }
 
   void search(const Cell& cell) {
     std::vector<Site> roots;
-    if (differentRoots(cell.sites, roots)) {
+    if (differentRoots(cell.sites, kTie * best_.distance, kFewSites, roots)) {
       testTriples(roots, cell.sites);
       return;
     }
@@ -303,21 +225,6 @@ class Search {
       }
     }
     return distance;
-  }
-
-  /// One site of each root: windows that differ only in the way they pass flat vertices count once.
-  /// False: there are more than a few.
-  bool differentRoots(const std::vector<Site>& all, std::vector<Site>& roots) const {
-    const double slack = kTie * best_.distance;
-    for (const Site& site : all) {
-      const auto known = std::find_if(roots.begin(), roots.end(), [&](const Site& s) {
-        return std::fabs(s.sigma - site.sigma) <= slack && norm(s.root - site.root) <= slack;
-      });
-      if (known != roots.end()) continue;
-      if (roots.size() == kFewSites) return false;
-      roots.push_back(site);
-    }
-    return true;
   }
 
   /// `all`: of the cell, with every window of the roots.

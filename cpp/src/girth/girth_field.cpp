@@ -32,8 +32,11 @@ class Costs {
 /// A solver that reports at its end what all its calls cost.
 class CountedSolver {
  public:
-  CountedSolver(std::shared_ptr<const geodesic::Unfolding> unfolding, std::shared_ptr<Costs> costs)
-      : solver_(SolverFactory::onUnfolding(std::move(unfolding))), costs_(std::move(costs)) {}
+  CountedSolver(std::shared_ptr<const geodesic::Unfolding> unfolding, double persistence,
+                std::shared_ptr<Costs> costs)
+      : solver_(SolverFactory::onUnfolding(std::move(unfolding))), costs_(std::move(costs)) {
+    solver_.setPersistence(persistence);
+  }
   CountedSolver(const CountedSolver&) = delete;
   CountedSolver& operator=(const CountedSolver&) = delete;
   ~CountedSolver() {
@@ -52,13 +55,22 @@ class CountedSolver {
   SearchStatistics statistics_;
 };
 
-VertexFunction<GirthValue> countedFunction(const SurfaceMesh& mesh, GirthMethod method,
+VertexFunction<GirthValue> countedFunction(const SurfaceMesh& mesh, const GirthOptions& options,
                                            const std::shared_ptr<Costs>& costs) {
-  if (method == GirthMethod::Exact) {
+  if (options.method == GirthMethod::Exact) {
     const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
-    return {[unfolding, costs](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
-      const auto solver = std::make_shared<CountedSolver>(unfolding, costs);
+    return {[unfolding, tau = options.persistence,
+             costs](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
+      const auto solver = std::make_shared<CountedSolver>(unfolding, tau, costs);
       return [solver, own = context.ofOneThread()](Vertex v) { return solver->value(v, own); };
+    }};
+  }
+  if (options.persistence != 0) {
+    return {[](const ExecutionContext&) -> VertexEvaluator<GirthValue> {
+      return [](Vertex) -> Result<GirthValue> {
+        return makeError(ErrorCode::InvalidOption, -1,
+                         "only the exact method knows how long saddles last");
+      };
     }};
   }
   const auto stencils = std::make_shared<const geodesic::MarchingStencils>(mesh);
@@ -77,7 +89,21 @@ VertexFunction<GirthValue> countedFunction(const SurfaceMesh& mesh, GirthMethod 
 }  // namespace
 
 VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh, GirthMethod method) {
-  return countedFunction(mesh, method, nullptr);
+  return countedFunction(mesh, {method}, nullptr);
+}
+
+VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh, const GirthOptions& options) {
+  return countedFunction(mesh, options, nullptr);
+}
+
+VertexFunction<Barcode> barcodeFunction(const SurfaceMesh& mesh, const BarcodeOptions& options) {
+  const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
+  return {[unfolding, options](const ExecutionContext& context) -> VertexEvaluator<Barcode> {
+    const auto solver = std::make_shared<GirthSolver>(SolverFactory::onUnfolding(unfolding));
+    return [solver, options, own = context.ofOneThread()](Vertex v) {
+      return solver->barcode(v, options, own);
+    };
+  }};
 }
 
 VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh) {
@@ -107,9 +133,15 @@ GirthField girthFieldOf(const VertexValues<GirthValue>& girth) {
 
 GirthField girthField(const SurfaceMesh& mesh, GirthMethod method, const ExecutionContext& context,
                       const std::function<void(const GirthPartial&)>& onPartial) {
+  return girthField(mesh, GirthOptions{method}, context, onPartial);
+}
+
+GirthField girthField(const SurfaceMesh& mesh, const GirthOptions& options,
+                      const ExecutionContext& context,
+                      const std::function<void(const GirthPartial&)>& onPartial) {
   const auto costs = std::make_shared<Costs>();
   GirthField field =
-      girthFieldOf(evaluateAll(mesh, countedFunction(mesh, method, costs), context, onPartial));
+      girthFieldOf(evaluateAll(mesh, countedFunction(mesh, options, costs), context, onPartial));
   field.statistics = costs->sum();
   return field;
 }

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 
 #include "geodesic/locate.h"
 #include "geodesic/path_tracing.h"
 #include "geodesic/propagation.h"
+#include "girth/barcode.h"
 #include "girth/farthest_point.h"
 #include "girth/loop_search.h"
+#include "girth/persistent_search.h"
 #include "girth/solver_factory.h"
 
 namespace girth {
@@ -42,12 +45,22 @@ struct GirthSolver::State {
   std::shared_ptr<const Unfolding> unfolding;
   Propagation propagation;
   LoopSearch search;
+  /// Where saddles are to last; made when first asked for.
+  std::optional<PersistentSearch> persistent;
+  double persistence{0};     // of value and loop, in model units
+  bool isPersistent{false};  // the last run
 
   explicit State(std::shared_ptr<const Unfolding> shared)
       : unfolding(std::move(shared)), propagation(*unfolding), search(propagation) {}
 
   /// Propagates from a point until its loop is found or the surface is covered.
   std::optional<Error> run(const SurfacePoint& point, Keep keep, const ExecutionContext& context) {
+    if (auto error = checkPersistence(persistence)) return error;
+    isPersistent = persistence > 0;
+    if (isPersistent) {
+      constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+      return runPersistent(point, keep, persistence, kAll, context);
+    }
     const auto source = geodesic::locate(*unfolding, point);
     if (!source) return source.error();
     search.start(context.cancel);
@@ -58,11 +71,47 @@ struct GirthSolver::State {
     return std::nullopt;
   }
 
+  /// The same until a saddle is found that lasts, or so many saddles have been.
+  std::optional<Error> runPersistent(const SurfacePoint& point, Keep keep, double atLeast,
+                                     std::size_t mostSaddles, const ExecutionContext& context) {
+    const auto source = geodesic::locate(*unfolding, point);
+    if (!source) return source.error();
+    if (!persistent) persistent.emplace(propagation, search);
+    persistent->start(atLeast / unfolding->unit(), mostSaddles, context.cancel);
+    propagation.run(std::span(&source.value(), 1), keep, *persistent);
+    if (persistent->cancelled()) {
+      return makeError(ErrorCode::Cancelled, point.element, "cancelled");
+    }
+    return std::nullopt;
+  }
+
+  /// The loop that was found; null: none.
+  const LoopCandidate* found() const {
+    if (!isPersistent) return search.found() ? &search.best() : nullptr;
+    return persistent->found() ? &persistent->saddles()[persistent->decided() - 1].loop : nullptr;
+  }
+  /// Whether the budget was met: in the propagation, among the candidates, or among the maxima.
+  bool gaveUp() const {
+    return propagation.gaveUp() || (!search.found() && std::isfinite(search.unjudged())) ||
+           (isPersistent && (persistent->gaveUp() || std::isfinite(search.unjudged())));
+  }
+  /// No loop is shorter than twice this: the frontier, the next candidate, or the saddle that was
+  /// to be decided next.
+  double reached() const {
+    double reached = std::min(propagation.frontier(), search.unjudged());
+    if (isPersistent && persistent->decided() < persistent->saddles().size()) {
+      const LoopCandidate& next = persistent->saddles()[persistent->decided()].loop;
+      reached = std::min(reached, next.length / 2);
+    }
+    return reached;
+  }
+
   double inModelUnits(double length) const { return length * unfolding->unit(); }
 
   /// The farthest point, with what is left of the budget. Error: CANCELLED.
   Result<FarthestPoint> farthest(const ExecutionContext& context) const {
-    const std::size_t done = propagation.windowsCrossed() + search.effort();
+    const std::size_t done =
+        propagation.windowsCrossed() + (isPersistent ? persistent->effort() : search.effort());
     const std::size_t left = propagation.budget() - std::min(done, propagation.budget());
     // Looking at a path into a face takes half as long as a window that crosses it.
     const FarthestPoint point = farthestPoint(propagation, 2 * left, context);
@@ -73,10 +122,10 @@ struct GirthSolver::State {
   }
 
   Result<GirthValue> value(const ExecutionContext& context) const {
-    if (search.found()) return GirthValue{inModelUnits(search.best().length), LoopKind::Loop};
-    if (propagation.gaveUp()) {
-      return GirthValue{inModelUnits(2 * propagation.frontier()), LoopKind::Unresolved};
+    if (const LoopCandidate* best = found()) {
+      return GirthValue{inModelUnits(best->length), LoopKind::Loop};
     }
+    if (gaveUp()) return GirthValue{inModelUnits(2 * reached()), LoopKind::Unresolved};
     const auto point = farthest(context);
     if (!point) return point.error();
     return GirthValue{inModelUnits(2 * point.value().distance),
@@ -84,31 +133,43 @@ struct GirthSolver::State {
   }
 
   Result<GirthLoop> loop(const ExecutionContext& context) const {
+    if (const LoopCandidate* best = found()) return loopOf(*best);
+    if (gaveUp()) return unresolved(reached());
+    const auto found = this->farthest(context);
+    if (!found) return found.error();
+    const FarthestPoint& farthest = found.value();
+    if (!farthest.complete) return unresolved(farthest.distance);
     GirthLoop result;
     result.base = propagation.source(0);
-    std::vector<SurfacePoint> there, back;  // both run from the midpoint to the source
-    if (search.found()) {
-      const LoopCandidate& best = search.best();
-      result.length = inModelUnits(best.length);
-      result.kind = LoopKind::Loop;
-      result.midpoint = surfacePointAt(*unfolding, best.halfedge, best.midpoint);
-      trace(best.there, best, there);
-      trace(best.back, best, back);
-    } else if (propagation.gaveUp()) {
-      return unresolved(propagation.frontier());
-    } else {
-      const auto found = this->farthest(context);
-      if (!found) return found.error();
-      const FarthestPoint& farthest = found.value();
-      if (!farthest.complete) return unresolved(farthest.distance);
-      result.length = inModelUnits(2 * farthest.distance);
-      result.kind = LoopKind::Antipodal;
-      result.midpoint = surfacePointAt(*unfolding, farthest.halfedge, farthest.point);
-      tracePath(propagation, propagation.pathTo(farthest.halfedge, farthest.point),
-                farthest.halfedge, farthest.point, there);
-      if (!samePoint(there.front(), result.midpoint)) there.insert(there.begin(), result.midpoint);
-      back = there;
-    }
+    result.length = inModelUnits(2 * farthest.distance);
+    result.kind = LoopKind::Antipodal;
+    result.midpoint = surfacePointAt(*unfolding, farthest.halfedge, farthest.point);
+    std::vector<SurfacePoint> there;
+    tracePath(propagation, propagation.pathTo(farthest.halfedge, farthest.point), farthest.halfedge,
+              farthest.point, there);
+    if (!samePoint(there.front(), result.midpoint)) there.insert(there.begin(), result.midpoint);
+    join(there, there, result);
+    return result;
+  }
+
+  /// A loop that was found, with its points.
+  GirthLoop loopOf(const LoopCandidate& best) const {
+    GirthLoop result;
+    result.base = propagation.source(0);
+    result.length = inModelUnits(best.length);
+    result.kind = LoopKind::Loop;
+    result.midpoint = surfacePointAt(*unfolding, best.halfedge, best.midpoint);
+    std::vector<SurfacePoint> there, back;
+    trace(best.there, best, there);
+    trace(best.back, best, back);
+    join(there, std::move(back), result);
+    return result;
+  }
+
+  /// Joins the halves of a loop, which both run from its midpoint to the source, and numbers all of
+  /// its points as the mesh does.
+  void join(const std::vector<SurfacePoint>& there, std::vector<SurfacePoint> back,
+            GirthLoop& result) const {
     // Where the midpoint is a vertex or turning point, both halves begin with it.
     if (back.size() > 1 && samePoint(there.front(), back.front())) back.erase(back.begin());
     result.points.assign(there.rbegin(), there.rend());
@@ -118,6 +179,25 @@ struct GirthSolver::State {
     result.base = unfolding->toMesh(result.base);
     result.midpoint = unfolding->toMesh(result.midpoint);
     for (SurfacePoint& point : result.points) point = unfolding->toMesh(point);
+  }
+
+  /// The bars of the last run.
+  Result<Barcode> barcode(const BarcodeOptions& options, const ExecutionContext& context) const {
+    Barcode result;
+    result.maxPersistence = options.maxPersistence;
+    for (std::size_t i = 0; i < persistent->decided(); ++i) {
+      const PersistentSearch::Saddle& saddle = persistent->saddles()[i];
+      const double birth = saddle.loop.length / 2;
+      if (!(saddle.death > birth)) continue;
+      result.bars.push_back({inModelUnits(birth), inModelUnits(saddle.death)});
+      if (options.loops) result.loops.push_back(loopOf(saddle.loop));
+    }
+    result.rest = {inModelUnits(2 * reached()), LoopKind::Unresolved};
+    if (persistent->found() || persistent->endedEarly() || gaveUp()) return result;
+    const auto point = farthest(context);
+    if (!point) return point.error();
+    result.rest = {inModelUnits(2 * point.value().distance),
+                   point.value().complete ? LoopKind::Antipodal : LoopKind::Unresolved};
     return result;
   }
 
@@ -131,7 +211,7 @@ struct GirthSolver::State {
   }
 
   /// Appends a half of a loop, from its midpoint to the source.
-  void trace(const LoopCandidate::Half& half, const LoopCandidate& loop,
+  void trace(const PathHalf& half, const LoopCandidate& loop,
              std::vector<SurfacePoint>& path) const {
     const Index h = half.bundle.halfedge;
     if (h != kNoIndex) {
@@ -205,12 +285,30 @@ Result<GirthLoop> GirthSolver::loop(const SurfacePoint& point, const ExecutionCo
   return state_->loop(context);
 }
 
+Result<Barcode> GirthSolver::barcode(Vertex vertex, const BarcodeOptions& options,
+                                     const ExecutionContext& context) {
+  return barcode(SurfacePoint::atVertex(vertex), options, context);
+}
+Result<Barcode> GirthSolver::barcode(const SurfacePoint& point, const BarcodeOptions& options,
+                                     const ExecutionContext& context) {
+  if (!(options.maxPersistence >= 0)) return *checkPersistence(options.maxPersistence);
+  state_->isPersistent = true;
+  const Keep keep = options.loops ? Keep::Everything : Keep::Front;
+  if (auto error =
+          state_->runPersistent(point, keep, options.maxPersistence, options.maxSaddles, context)) {
+    return *std::move(error);
+  }
+  return state_->barcode(options, context);
+}
+
+void GirthSolver::setPersistence(double tau) { state_->persistence = tau; }
 void GirthSolver::setBudget(std::size_t windows) { state_->propagation.setBudget(windows); }
 
 SearchStatistics GirthSolver::statistics() const {
   const Propagation& p = state_->propagation;
   return {1, p.windowsCreated(), p.windowsCrossed(),
-          p.memoryBytes() + state_->search.memoryBytes()};
+          p.memoryBytes() + state_->search.memoryBytes() +
+              (state_->persistent ? state_->persistent->memoryBytes() : 0)};
 }
 
 GirthSolver SolverFactory::onUnfolding(std::shared_ptr<const Unfolding> unfolding) {

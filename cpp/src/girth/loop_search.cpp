@@ -20,27 +20,7 @@ using geodesic::Window;
 
 namespace {
 
-/// A gap between arrivals counts as π if it is no smaller than this: a path that ties with another
-/// within kTie may come from a direction as much beside it.
-constexpr double kFullGap = 1e-4;
-
-/// Arrivals at a midpoint whose lengths differ by less than this share arrive together.
-constexpr double kTogether = 1e-9;
-
 bool longer(const LoopCandidate& a, const LoopCandidate& b) { return a.length > b.length; }
-
-/// Directions around a point leave no gap of π or more. On a boundary (`open`) the directions run
-/// from boundary to boundary, and a gap may lie between a boundary and the first of them.
-bool surrounds(std::vector<double>& directions, double total, bool open) {
-  constexpr double gap = kPi - kFullGap;
-  if (directions.empty()) return false;
-  std::sort(directions.begin(), directions.end());
-  for (std::size_t i = 0; i + 1 < directions.size(); ++i) {
-    if (directions[i + 1] - directions[i] >= gap) return false;
-  }
-  if (open) return directions.front() < gap && total - directions.back() < gap;
-  return directions.size() >= 3 && directions.front() + total - directions.back() < gap;
-}
 
 }  // namespace
 
@@ -61,12 +41,10 @@ bool LoopSearch::enough(double frontier) {
          candidates_.front().length / 2 * (1 + kTie) < frontier) {
     if (propagation_->windowsCrossed() + effort() > propagation_->budget()) return false;
     std::pop_heap(candidates_.begin(), candidates_.end(), longer);
-    if (proven(candidates_.back())) {
-      best_ = candidates_.back();
-      found_ = true;
-      return true;
-    }
+    const bool isLoop = proven(candidates_.back());
+    if (isLoop) best_ = candidates_.back();
     candidates_.pop_back();
+    if (isLoop) return found_ = true;
   }
   return cancelled_;
 }
@@ -166,7 +144,7 @@ void LoopSearch::pair(Index halfedge, const Window& a, Index other, const Window
 }
 
 /// The loop that a window and the path to a point of the face make, `atPoint` long; nothing where
-/// it is seen at once that there is none.
+/// there clearly is none.
 std::optional<LoopCandidate> LoopSearch::pairWithPoint(Index halfedge, const Window& window,
                                                        Vec2 point, double atPoint,
                                                        Index vertex) const {
@@ -267,7 +245,7 @@ bool LoopSearch::passesStraight(Index vertex, double leaving) const {
                                             leaving);
 }
 
-/// Most pairs are seen through at once: q lies outside the face, or is nearer over a corner.
+/// Most pairs are refuted at once: q lies outside the face, or is nearer over a corner.
 bool LoopSearch::worthwhile(double length, Index halfedge, Vec2 midpoint) const {
   const Unfolding& unfolding = propagation_->unfolding();
   const double half = length / 2 * (1 - kTie);
@@ -305,75 +283,9 @@ bool LoopSearch::proven(const LoopCandidate& candidate) {
 /// Whether the frontier closes at the midpoint from all sides at once: the paths that arrive there
 /// leave no gap of π in which it could go on.
 bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
-  const Unfolding& unfolding = propagation_->unfolding();
-  const double reach = candidate.length / 2 * (1 + kTogether);
-  const Face face = SurfaceMesh::faceOf(Halfedge(candidate.halfedge));
-  directions_.clear();
-
-  // At a vertex: the arrivals in all of its faces and along its edges.
-  for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
-    const Crossing c = unfolding.crossing(corner);
-    const Vec2 q = unfolding.toFrame(candidate.halfedge, corner, candidate.midpoint);
-    if (norm(q) > kTogether * c.length()) continue;
-    const Index start = unfolding.outgoing(c.from());
-    for (Index out = start;;) {
-      const Crossing side = unfolding.crossing(out);
-      const auto alongEdge = [&](Index neighbour, double length, double direction) {
-        if (propagation_->settled(neighbour) &&
-            propagation_->distance(neighbour) + length <= reach) {
-          directions_.push_back(direction);
-        }
-      };
-      alongEdge(side.to(), side.length(), unfolding.direction(out));
-      const Index opposite = Unfolding::next(out);
-      const Crossing entry = unfolding.crossing(opposite);
-      propagation_->eachEntered(opposite, [&](const Window& w) {
-        if (w.distanceTo(entry.apex()) <= reach && w.covers(entry.length(), entry.apex())) {
-          directions_.push_back(unfolding.directionOf(out, unfolding.toPrevious(opposite, w.root)));
-        }
-      });
-      const Index left = unfolding.turnLeft(out);
-      if (left == kNoIndex) {
-        alongEdge(side.apexVertex(), side.leftLength(), unfolding.totalAngle(c.from()));
-      }
-      if (left == kNoIndex || left == start) break;
-      out = left;
-    }
-    return surrounds(directions_, unfolding.totalAngle(c.from()), unfolding.boundary(c.from()));
-  }
-
-  // Inside the face or on a side of it: as seen from that side.
-  Index base = candidate.halfedge;
-  bool onSide = false;
-  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const Vec2 q = unfolding.toFrame(candidate.halfedge, h, candidate.midpoint);
-    if (q.y <= kTogether * unfolding.crossing(h).length()) {
-      base = h;
-      onSide = true;
-    }
-  }
-  const bool atBoundary = onSide && unfolding.twin(base) == kNoIndex;
-  const Vec2 q = unfolding.toFrame(candidate.halfedge, base, candidate.midpoint);
-  const auto arrive = [&](Vec2 from) {
-    const Vec2 d = from - q;
-    const double angle = angleOf(d.x, std::fabs(d.y));
-    directions_.push_back(d.y < 0 && !atBoundary ? 2 * kPi - angle : angle);
-  };
-  for (const Index h : {base, Unfolding::next(base), Unfolding::previous(base)}) {
-    const Crossing c = unfolding.crossing(h);
-    const Vec2 there = unfolding.toFrame(base, h, q);
-    if (propagation_->settled(c.from()) &&
-        propagation_->distance(c.from()) + norm(there) <= reach) {
-      arrive(unfolding.toFrame(h, base, {0, 0}));
-    }
-    propagation_->eachEntered(h, [&](const Window& w) {
-      if (w.distanceTo(there) <= reach && w.covers(c.length(), there)) {
-        arrive(unfolding.toFrame(h, base, w.root));
-      }
-    });
-  }
-  if (atBoundary) return surrounds(directions_, kPi, true);
-  return surrounds(directions_, 2 * kPi, false);
+  findArrivals(*propagation_, candidate.halfedge, candidate.midpoint,
+               candidate.length / 2 * (1 + kTogether), arrivals_);
+  return arrivals_.surround(kFullGap) && (arrivals_.open || arrivals_.paths.size() >= 3);
 }
 
 }  // namespace girth

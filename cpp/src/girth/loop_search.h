@@ -22,24 +22,22 @@
 
 #include <array>
 #include <atomic>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <vector>
 
 #include "geodesic/propagation.h"
+#include "girth/arrivals.h"
 #include "girth/girth_solver.h"
 
 namespace girth {
 
 /// A straight connection of two paths from p, as yet unproven.
 struct LoopCandidate {
-  /// What a half of it ends with.
-  struct Half {
-    geodesic::Bundle bundle;  ///< a bundle of the face of q; otherwise
-    Index vertex{kNoIndex};   ///< the path to a corner of it; otherwise p itself lies in the face
-  };
   double length{0};
-  Half there, back;
+  /// What its halves end with, in the face of q.
+  PathHalf there, back;
   /// q, in the frame of a halfedge of a face that contains it.
   Index halfedge{0};
   geodesic::Vec2 midpoint;
@@ -52,15 +50,22 @@ class LoopSearch {
 
   void start(const std::atomic<bool>* cancel);
 
+  /// Whether there is a loop. Asked again, whether there is another one: each time the shortest of
+  /// those that are left, no longer than twice the frontier.
   bool enough(double frontier);
   void onCrossing(Index halfedge, std::uint32_t first, const geodesic::CrossingResult& result);
   void onVertex(Index vertex);
 
   bool found() const { return found_; }
   bool cancelled() const { return cancelled_; }
+  /// No loop that has not been judged is shorter than twice this; infinite: none is left.
+  double unjudged() const {
+    return candidates_.empty() ? std::numeric_limits<double>::infinity()
+                               : candidates_.front().length / 2;
+  }
   /// The pairs of windows tried, as a number of windows that could have crossed a face meanwhile.
   std::size_t effort() const { return pairs_ / kPairsPerWindow; }
-  /// The shortest loop; only where found.
+  /// The loop that was found last; after a run that ended with the first, the shortest.
   const LoopCandidate& best() const { return best_; }
   std::size_t memoryBytes() const {
     return candidates_.capacity() * sizeof(LoopCandidate) +
@@ -100,7 +105,7 @@ class LoopSearch {
   const std::atomic<bool>* cancel_{nullptr};
   std::vector<LoopCandidate> candidates_;  // a heap, shortest on top
   std::array<Gathered, 16> gathered_;      // that the new ones are paired with
-  std::vector<double> directions_;         // of the arrivals at a midpoint
+  Arrivals arrivals_;                      // at a midpoint
   geodesic::WindowNumber nearer_;          // what disproved the last candidate
   LoopCandidate best_;
   std::size_t pairs_{0};  // of windows, tried

@@ -73,7 +73,7 @@ std::size_t forEachVertex(const SurfaceMesh& mesh, const ExecutionContext& conte
                           const std::function<void(std::span<const Vertex> vertices)>& onFinished) {
   Work work(coarseToFineOrder(mesh));
   // The calling thread computes too, and reports between two vertices: so callbacks come from it
-  // alone, and where there are no threads it needs none. One that only waited would be woken a
+  // alone, and it works without threads too. One that only waited would be woken a
   // thousand times a second as WebAssembly, and take the others' place each time.
   Reporter reporter(work, context, onFinished);
   auto last = std::chrono::steady_clock::now();

@@ -54,7 +54,6 @@ NearestSearch::NearestSearch(std::vector<std::array<Vec3, 3>> triangles)
     : triangles_(std::move(triangles)), order_(triangles_.size()) {
   if (triangles_.empty()) return;
   for (Index t = 0; t < order_.size(); ++t) order_[t] = t;
-  constexpr Index kLeaf = 4;
   struct Part {
     Index node, begin, end;
   };
@@ -79,7 +78,7 @@ NearestSearch::NearestSearch(std::vector<std::array<Vec3, 3>> triangles)
       widen(low, high, middle(order_[i]));
     }
     nodes_[part.node].box = box;
-    if (part.end - part.begin <= kLeaf) {
+    if (part.end - part.begin <= kInBox) {
       nodes_[part.node].first = part.begin;
       nodes_[part.node].count = part.end - part.begin;
       continue;

@@ -1,6 +1,7 @@
-// The nearest of many triangles or segments to a point.
+// The nearest of many triangles or segments to a point, and other searches among triangles.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -30,7 +31,7 @@ class NearestSearch {
     double distance{std::numeric_limits<double>::infinity()};
   };
 
-  /// The nearest point of the triangles that `accepts` says yes to. `hint` is looked at first.
+  /// The nearest point of the triangles for which `accepts` is true. `hint` is looked at first.
   template <class Accepts>
   Found nearest(const Vec3& p, Accepts&& accepts, Index hint = kNoIndex) const {
     Found found;
@@ -71,14 +72,66 @@ class NearestSearch {
     return nearest(p, [](Index) { return true; });
   }
 
-  const std::array<Vec3, 3>& triangle(Index t) const { return triangles_[t]; }
-  bool empty() const { return triangles_.empty(); }
-
- private:
+  /// A box with sides along the axes.
   struct Box {
     Vec3 low, high;
     double squaredDistance(const Vec3& p) const;
   };
+
+  /// Calls `look(t)` for triangles in boxes that count. `urgency(node, box)` is asked about a box
+  /// when it is found, and again when its turn comes; infinite: it does not count. Of two boxes the
+  /// one with the smaller urgency comes first.
+  template <class Urgency, class Look>
+  void search(Urgency&& urgency, Look&& look) const {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    std::array<Index, 64> stack;
+    std::size_t depth = 0;
+    if (!triangles_.empty()) stack[depth++] = 0;
+    while (depth > 0) {
+      const Index number = stack[--depth];
+      const Node& node = nodes_[number];
+      if (urgency(number, node.box) == never) continue;
+      if (node.count > 0) {
+        // By their numbers: in which order the box has them differs between standard libraries.
+        std::array<Index, kInBox> inBox{};
+        std::copy_n(order_.begin() + node.first, node.count, inBox.begin());
+        std::sort(inBox.begin(), inBox.begin() + node.count);
+        for (Index i = 0; i < node.count; ++i) look(inBox[i]);
+        continue;
+      }
+      const Index left = node.first, right = node.first + 1;
+      const double atLeft = urgency(left, nodes_[left].box),
+                   atRight = urgency(right, nodes_[right].box);
+      // The first one last, and so first from the stack.
+      const bool leftFirst = atLeft <= atRight;
+      if (std::max(atLeft, atRight) < never) stack[depth++] = leftFirst ? right : left;
+      if (std::min(atLeft, atRight) < never) stack[depth++] = leftFirst ? left : right;
+    }
+  }
+
+  /// Something for every box, by its number: `of(t)` of its triangles, put together by `add`.
+  template <class Value, class Of, class Add>
+  std::vector<Value> overBoxes(Of&& of, Add&& add) const {
+    std::vector<Value> values(nodes_.size());
+    for (std::size_t n = nodes_.size(); n-- > 0;) {  // children come after their parents
+      const Node& node = nodes_[n];
+      if (node.count == 0) {
+        values[n] = values[node.first];
+        add(values[n], values[node.first + 1]);
+        continue;
+      }
+      values[n] = of(order_[node.first]);
+      for (Index i = 1; i < node.count; ++i) add(values[n], of(order_[node.first + i]));
+    }
+    return values;
+  }
+
+  const std::array<Vec3, 3>& triangle(Index t) const { return triangles_[t]; }
+  bool empty() const { return triangles_.empty(); }
+
+ private:
+  /// Triangles of a box that has no boxes in it, at most.
+  static constexpr Index kInBox = 4;
   struct Node {
     Box box;
     Index first{0};  ///< of its triangles in `order_`, or its left child; the right one is next

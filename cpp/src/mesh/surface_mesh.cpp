@@ -23,7 +23,7 @@ std::string edgeText(Index a, Index b) {
   return "edge " + std::to_string(a) + "-" + std::to_string(b);
 }
 
-/// Checks what can be said of the arrays alone.
+/// Checks what the arrays alone can show.
 std::optional<Error> findBadElement(std::span<const double> positions,
                                     std::span<const Index> triangles) {
   const std::size_t vertices = positions.size() / 3, faces = triangles.size() / 3;

@@ -16,8 +16,8 @@ struct Eigenpairs {
   std::vector<double> vectors;
 };
 
-/// The `count` lowest pairs of L φ = λ M φ, 1 ≤ count ≤ n, for a connected surface (spectrum.h says
-/// how). Errors: CANCELLED, INTERNAL.
+/// The `count` lowest pairs of L φ = λ M φ, 1 ≤ count ≤ n, for a connected surface (spectrum.h
+/// states how). Errors: CANCELLED, INTERNAL.
 Result<Eigenpairs> lowestEigenpairs(const Laplacian& laplacian, Index count,
                                     const ExecutionContext& context);
 

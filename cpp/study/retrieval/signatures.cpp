@@ -68,7 +68,7 @@ Error notADescriptor(std::string_view text) {
   return error;
 }
 
-/// A plain decimal number of at most a million, without an exponent: no locale has a say in it.
+/// A plain decimal number of at most a million, without an exponent, independent of the locale.
 bool parseWeight(std::string_view text, double& weight) {
   std::uint64_t digits = 0, scale = 1;
   bool point = false;
@@ -351,7 +351,7 @@ double Signatures::distance(std::string_view name, std::size_t one, std::size_t 
   const auto found = content_->columns.find(name);
   if (found == content_->columns.end()) return kNone;
   const Content::Column& column = found->second;
-  // The lower number first: rounding would tell the order otherwise.
+  // The lower number first: rounding depends on the order.
   if (one > two) std::swap(one, two);
   switch (column.row->kind) {
     case Kind::Scalar:

@@ -191,6 +191,12 @@ TEST_F(Command, tipsPartsAndFieldsOfASurface) {
   EXPECT_EQ(field.exitCode, 0) << field.errors;
   EXPECT_EQ(linesOf(contentOf(path("sdf.csv"))).size(), 45u);
   EXPECT_EQ(linesOf(contentOf(path("sdf.csv")))[0], "vertex,sdf");
+  // A square prism of sides 1, 20 long.
+  const Json thickness =
+      Json::parse(run({"field", model, "--field", "thickness", "--json"}).output);
+  EXPECT_EQ(thickness["method"], "sharp below 75 degrees");
+  EXPECT_NEAR(thickness["min"], 1, 1e-9);
+  EXPECT_EQ(run({"field", model, "--field", "thickness", "--sharp", "90"}).exitCode, 1);
   EXPECT_EQ(run({"field", model, "--field", "geoaverage"}).exitCode, 0);
   EXPECT_EQ(run({"field", model, "--field", "nothing"}).exitCode, 1);
   EXPECT_EQ(run({"field", model}).exitCode, 1);

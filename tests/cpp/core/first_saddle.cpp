@@ -149,13 +149,13 @@ class Sets {
 
 }  // namespace
 
-FirstSaddle firstSaddle(const SurfaceMesh& mesh, const TextbookMmp& field, double limit,
-                        double spacing) {
+SampledCycles sampledCycles(const SurfaceMesh& mesh, const TextbookMmp& field, double limit,
+                            double spacing) {
   const Samples samples(mesh, field, limit, spacing);
   const auto vertices = static_cast<Index>(samples.distance.size());
   const auto triangles = static_cast<Index>(samples.triangles.size());
 
-  FirstSaddle result;
+  SampledCycles result;
   result.error = spacing / std::sqrt(3.0);
   result.triangles = triangles;
   for (const double d : samples.distance) {
@@ -206,8 +206,7 @@ FirstSaddle firstSaddle(const SurfaceMesh& mesh, const TextbookMmp& field, doubl
   Sets outside(triangles + vertices), inside(vertices);
   std::vector<bool> bears(sides.size(), false);
   const auto consider = [&](double born, double gone) {
-    const double lasts = std::min(gone, limit) - born;
-    if (lasts > 2 * result.error && !(result.value && *result.value <= born)) result.value = born;
+    if (gone > born) result.cycles.push_back({born, gone});
   };
   const auto bornWith = [&](const Side& side) { return samples.distance[order[side.key >> 32]]; };
   for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -233,6 +232,19 @@ FirstSaddle firstSaddle(const SurfaceMesh& mesh, const TextbookMmp& field, doubl
       inside.join(a, b);
     } else if (!bears[i]) {
       consider(bornWith(sides[i]), kForever);
+    }
+  }
+  return result;
+}
+
+FirstSaddle firstSaddle(const SurfaceMesh& mesh, const TextbookMmp& field, double limit,
+                        double spacing) {
+  const SampledCycles samples = sampledCycles(mesh, field, limit, spacing);
+  FirstSaddle result{{}, samples.error, samples.farthest, samples.triangles};
+  for (const Cycle& cycle : samples.cycles) {
+    const double lasts = std::min(cycle.filled, limit) - cycle.born;
+    if (lasts > 2 * result.error && !(result.value && *result.value <= cycle.born)) {
+      result.value = cycle.born;
     }
   }
   return result;

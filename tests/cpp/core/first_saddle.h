@@ -9,11 +9,29 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "girth/surface_mesh.h"
 #include "textbook_mmp.h"
 
 namespace girth::test {
+
+/// A cycle of the sublevel sets: when it is born, and when it is filled; infinite: never.
+struct Cycle {
+  double born, filled;
+};
+
+/// All cycles that are born below `limit` in a field that has been propagated at least to `limit +
+/// spacing`, as far as samples at the corners of triangles with sides up to `spacing` show them:
+/// the same as those of the field, give or take `error` at both ends, but for cycles that last no
+/// longer than twice that. See FirstSaddle.
+struct SampledCycles {
+  std::vector<Cycle> cycles;
+  double error{0}, farthest{0};
+  std::size_t triangles{0};
+};
+SampledCycles sampledCycles(const SurfaceMesh& mesh, const TextbookMmp& field, double limit,
+                            double spacing);
 
 struct FirstSaddle {
   /// The distance at which the first lasting cycle is born, off by no more than `error`; nothing

@@ -13,6 +13,7 @@
 #include "girth/shape_diameter.h"
 #include "girth/vertex_areas.h"
 #include "mesh/angles.h"
+#include "print_shapes.h"
 #include "shapes.h"
 
 namespace girth {
@@ -155,71 +156,6 @@ TEST(Parts, SmoothingTakesSpecksAway) {
   EXPECT_EQ(partsOf(mesh, girth, diameter, {thresholds, 1}).parts.size(), plain);
 }
 
-TEST(Parts, WeakPlacesAreWhereTheLimitsAreNotMet) {
-  // A rod of radius 1: 2 across.
-  const SurfaceMesh rod = test::prism(test::regularPolygon(24, 2 * kPi / 24), 30, 30).mesh();
-  const std::vector<double> girth = girthField(rod).values;
-  const auto field = shapeDiameter(rod);
-  ASSERT_TRUE(field.ok());
-  const std::vector<double>& diameter = field.value().values;
-  const auto none = findWeakPlaces(rod, girth, diameter, {1.9, 0});
-  ASSERT_TRUE(none.ok());
-  const auto all = findWeakPlaces(rod, girth, diameter, {2.1, 0});
-  ASSERT_TRUE(all.ok());
-  ASSERT_GE(all.value().size(), 1u);
-  EXPECT_EQ(all.value()[0].kind, PartKind::Tube);
-  EXPECT_NEAR(all.value()[0].least, 2, 0.01);
-  for (const WeakPlace& place : none.value()) EXPECT_LT(place.area, 0.1 * rod.area());
-
-  const SurfaceMesh slab = test::box(20, 20, 0.5, 10, 10, 1).mesh();
-  const std::vector<double> slabGirth = girthField(slab).values;
-  const auto slabField = shapeDiameter(slab);
-  ASSERT_TRUE(slabField.ok());
-  const auto walls = findWeakPlaces(slab, slabGirth, slabField.value().values, {0, 1});
-  ASSERT_TRUE(walls.ok());
-  ASSERT_GE(walls.value().size(), 1u);
-  EXPECT_EQ(walls.value()[0].kind, PartKind::Plate);
-  EXPECT_NEAR(walls.value()[0].least, 0.5, 0.05);
-}
-
-TEST(Parts, FromThePassingScaleOnNothingIsTooThin) {
-  const test::Shape shape = test::box(3, 2, 0.5, 6, 4, 1);
-  const PrintLimits limits{1.7, 0.8};
-  const auto check = [&](double scale) {
-    test::Shape scaled = shape;
-    for (double& coordinate : scaled.positions) coordinate *= scale;
-    const SurfaceMesh mesh = scaled.mesh();
-    const std::vector<double> girth = girthField(mesh).values;
-    const auto diameter = shapeDiameter(mesh);
-    const auto places = findWeakPlaces(mesh, girth, diameter.value().values, limits);
-    return std::pair{passingScale(girth, diameter.value().values, limits),
-                     failingShare(mesh, places.value())};
-  };
-  const auto [scale, share] = check(1);
-  ASSERT_GT(scale, 1);
-  EXPECT_GT(share, 0);
-  EXPECT_LE(share, 1);
-  EXPECT_EQ(check(1.001 * scale).second, 0);
-  EXPECT_GT(check(0.999 * scale).second, 0);
-  EXPECT_NEAR(check(2).first, scale / 2, 1e-9);
-  // Bound by the numbers themselves, of each limit its own.
-  EXPECT_EQ(passingScale(std::vector{2 * kPi, kNone}, std::vector{kNone, 4.0}, {3, 2}), 1.5);
-  EXPECT_EQ(passingScale(std::vector{2 * kPi}, std::vector{4.0}, {0, 2}), 0.5);
-  EXPECT_EQ(passingScale(std::vector{2 * kPi}, std::vector{4.0}, {}), 0);
-  EXPECT_TRUE(std::isinf(passingScale(std::vector{1.0}, std::vector{0.0}, {0, 2})));
-}
-
-TEST(Parts, NoWallIsToldWhereItIsATube) {
-  const SurfaceMesh mesh = test::icosphere(2).mesh();
-  const std::vector<double> girth(mesh.vertexCount(), 1.0), diameter(mesh.vertexCount(), 0.3);
-  const auto places = findWeakPlaces(mesh, girth, diameter, {1, 1});
-  ASSERT_TRUE(places.ok());
-  ASSERT_EQ(places.value().size(), 1u);
-  EXPECT_EQ(places.value()[0].kind, PartKind::Tube);
-  EXPECT_EQ(places.value()[0].vertices.size(), mesh.vertexCount());
-  EXPECT_EQ(places.value()[0].least, 1 / kPi);
-}
-
 TEST(Parts, BadInputIsRefused) {
   const SurfaceMesh mesh = test::tetrahedron().mesh();
   const std::vector<double> field(4, 1), few(3, 1);
@@ -228,54 +164,18 @@ TEST(Parts, BadInputIsRefused) {
   EXPECT_FALSE(findParts(mesh, field, field, {{-1, 1}, 0}).ok());
   EXPECT_FALSE(findParts(mesh, field, field, {{1, kNone}, 0}).ok());
   EXPECT_FALSE(findParts(mesh, field, field, {{1, 1}, -1}).ok());
-  EXPECT_FALSE(findWeakPlaces(mesh, field, field, {-1, 0}).ok());
-  EXPECT_FALSE(findWeakPlaces(mesh, field, field, {0, kNone}).ok());
   const double infinite = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(findParts(mesh, field, field, {{infinite, infinite}, 0}).ok());
   // Nothing known at all.
   const std::vector<double> unknown(4, kNone);
   EXPECT_EQ(partsOf(mesh, unknown, unknown, {}).parts[0].kind, PartKind::Unknown);
   EXPECT_EQ(suggestedThresholds(mesh, unknown, unknown).girth, 0);
-  const auto places = findWeakPlaces(mesh, unknown, unknown, {1, 1});
-  ASSERT_TRUE(places.ok());
-  EXPECT_TRUE(places.value().empty());
-}
-
-TEST(Parts, WallsPassOnlyWhereTheyWereMeasured) {
-  const test::Shape box = test::box(2, 2, 1, 2, 2, 1);
-  test::Shape turned = box;
-  for (std::size_t i = 0; i < turned.triangles.size(); i += 3) {
-    std::swap(turned.triangles[i], turned.triangles[i + 1]);
-  }
-  const SurfaceMesh body = box.mesh(), insideOut = turned.mesh();
-  const std::vector<double> measured(body.vertexCount(), 1), none(body.vertexCount(), kNone);
-  std::vector<double> some = none;
-  some[3] = 1;
-  EXPECT_FALSE(whyNotChecked(body, measured, {1, 1}));
-  EXPECT_FALSE(whyNotChecked(body, some, {1, 1}));
-  const std::vector<std::pair<const SurfaceMesh*, const std::vector<double>*>> refused{
-      {&body, &none}, {&insideOut, &none}, {&insideOut, &measured}};
-  for (const auto& [mesh, diameter] : refused) {
-    const auto error = whyNotChecked(*mesh, *diameter, {0, 1});
-    ASSERT_TRUE(error);
-    EXPECT_EQ(error->code, ErrorCode::NoThickness);
-    // Tubes are identified by the girth alone.
-    EXPECT_FALSE(whyNotChecked(*mesh, *diameter, {1, 0}));
-  }
-}
-
-/// Two shapes as one surface.
-test::Shape together(test::Shape shape, const test::Shape& other) {
-  const Index first = shape.vertexCount();
-  shape.positions.insert(shape.positions.end(), other.positions.begin(), other.positions.end());
-  for (const Index v : other.triangles) shape.triangles.push_back(first + v);
-  return shape;
 }
 
 TEST(Parts, OfBodiesThatCrossAreInsideOneAnotherOrHaveNoVolume) {
   const test::Shape ball = test::icosphere(2);
-  const SurfaceMesh crossing = together(ball, test::moved(ball, 1, 0.5, 0.6)).mesh();
-  const SurfaceMesh nested = together(ball, test::moved(ball, 0.5, 0, 0)).mesh();
+  const SurfaceMesh crossing = test::together(ball, test::moved(ball, 1, 0.5, 0.6)).mesh();
+  const SurfaceMesh nested = test::together(ball, test::moved(ball, 0.5, 0, 0)).mesh();
   const SurfaceMesh flat = test::box(2, 2, 1e-12, 6, 6, 1).mesh();
   for (const SurfaceMesh* mesh : {&crossing, &nested, &flat}) {
     const std::vector<double> girth = girthField(*mesh).values;
@@ -285,9 +185,6 @@ TEST(Parts, OfBodiesThatCrossAreInsideOneAnotherOrHaveNoVolume) {
     const PartThresholds thresholds = suggestedThresholds(*mesh, girth, diameter.value().values);
     const Parts parts = partsOf(*mesh, girth, diameter.value().values, {thresholds, 0});
     EXPECT_GE(parts.parts.size(), mesh->componentCount());
-    const auto places = findWeakPlaces(*mesh, girth, diameter.value().values, {0, 0.01});
-    ASSERT_TRUE(places.ok());
-    EXPECT_EQ(places.value().empty(), mesh != &flat) << "only the plate without volume is thin";
   }
 }
 

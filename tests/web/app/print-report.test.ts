@@ -6,15 +6,18 @@ const tube: WeakPlace = {
   kind: 'tube',
   vertices: new Uint32Array([1, 2]),
   area: 20.5,
+  faces: new Uint32Array(),
   least: 2.125,
   thinnest: 2,
 };
 const wall: WeakPlace = {
-  kind: 'plate',
+  kind: 'wall',
   vertices: new Uint32Array([9]),
   area: 4,
+  faces: new Uint32Array([3]),
   least: 0.5,
-  thinnest: -1,
+  thinnest: { face: 3, weights: [0.5, 0.25, 0.25] },
+  opposite: [0, 0, 1],
 };
 const check = { places: [tube, wall], failingShare: 0.1249, passingScale: 1.412 };
 const passed = { places: [], failingShare: 0, passingScale: 0.6149 };

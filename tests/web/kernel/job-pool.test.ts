@@ -232,7 +232,7 @@ describe('the jobs of a mesh', () => {
   }
   const load = ({ kernel }: Awaited<ReturnType<typeof fakeKernel>>) =>
     kernel.load({ positions: new Float64Array(3 * count), indices: new Uint32Array(3) });
-  const fieldOf = (name: 'igf' | 'sdf') =>
+  const fieldOf = (name: 'igf' | 'sdf' | 'thickness') =>
     ({
       name,
       values: Float64Array.from({ length: count }, (_, v) =>
@@ -251,12 +251,13 @@ describe('the jobs of a mesh', () => {
     await mesh.suggestedThresholds(igf, sdf);
     await mesh.parts(igf, sdf, thresholds);
     await mesh.maxima(igf);
-    await mesh.printCheck(igf, sdf, limits);
+    const printed = { igf, thickness: fieldOf('thickness') };
+    await mesh.printCheck(printed, limits);
     await mesh.path(0, 1);
     await mesh.exportField(igf, 'csv');
     await mesh.exportTips(igf, 'json');
     await mesh.exportParts(igf, sdf, thresholds, 'json');
-    await mesh.exportWeakPlaces(igf, sdf, limits, 'json');
+    await mesh.exportWeakPlaces(printed, limits, 'json');
     await mesh.exportLoops([0], 'obj');
     await mesh.difference(igf, mesh, igf);
     const remeshed = await mesh.remesh(4);

@@ -262,10 +262,18 @@ describe('fields', () => {
     });
     const mesh = await kernel.load(anyArrays);
     await mesh.field('sdf', { sdf: { rays: 7 } });
+    await mesh.field('thickness', { thickness: { sharpAngle: 1 } });
     await mesh.field('geofarthest', { distances: 'exact' });
+    const usual = {
+      coneAngle: (2 * Math.PI) / 3,
+      rays: 30,
+      sharpAngle: (5 * Math.PI) / 12,
+      distances: 'fast-marching',
+    };
     expect(asked).toEqual([
-      { name: 'sdf', coneAngle: (2 * Math.PI) / 3, rays: 7, distances: 'fast-marching' },
-      { name: 'geofarthest', coneAngle: (2 * Math.PI) / 3, rays: 30, distances: 'exact' },
+      { name: 'sdf', ...usual, rays: 7 },
+      { name: 'thickness', ...usual, sharpAngle: 1 },
+      { name: 'geofarthest', ...usual, distances: 'exact' },
     ]);
     for (const name of ['toString', 'girth', ''] as unknown as 'igf'[]) {
       expect(await codeOf(mesh.field(name))).toBe('USAGE');
@@ -286,12 +294,14 @@ describe('fields', () => {
       mesh.suggestedThresholds(igf, igf),
       mesh.parts(sdf, igf, thresholds),
       mesh.parts(short, sdf, thresholds),
-      mesh.printCheck(igf, { ...sdf, values: new Float64Array(0) }, limits),
+      mesh.printCheck({ igf, thickness: sdf }, limits),
+      mesh.printCheck({ igf }, limits),
+      mesh.printCheck({ igf: short }, { tubeDiameter: 1, wallThickness: 0 }),
       mesh.exportField(short, 'csv'),
       mesh.exportFields([igf, { ...sdf, kinds: new Uint8Array(3) }], 'csv'),
       mesh.exportTips(sdf, 'json'),
       mesh.exportParts(igf, igf, thresholds, 'json'),
-      mesh.exportWeakPlaces(sdf, sdf, limits, 'json'),
+      mesh.exportWeakPlaces({ igf: sdf }, limits, 'json'),
     ]) {
       expect(await codeOf(refused)).toBe('USAGE');
     }

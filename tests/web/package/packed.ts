@@ -3,13 +3,17 @@
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import {
+  cpSync,
   existsSync,
   mkdirSync,
   mkdtempSync,
+  readFileSync,
   readdirSync,
   renameSync,
   rmSync,
   statSync,
+  symlinkSync,
+  writeFileSync,
 } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -49,6 +53,30 @@ export function packed(): Packed {
     }
   }
   return { folder: join(there, 'package'), tarball: join(there, 'girth.tgz') };
+}
+
+export interface Manifest {
+  version: string;
+  exports: Record<string, string | { types: string; default: string }>;
+  dependencies: Record<string, string>;
+  peerDependencies: Record<string, string>;
+  repository?: { url: string };
+  homepage?: string;
+  bugs?: string;
+}
+
+/** Puts the package into a folder's `node_modules`, with what npm would install beside it. */
+export function install(folder: string): Manifest {
+  const modules = join(folder, 'node_modules');
+  cpSync(packed().folder, join(modules, 'girth'), { recursive: true });
+  const manifest = JSON.parse(
+    readFileSync(join(modules, 'girth/package.json'), 'utf8'),
+  ) as Manifest;
+  for (const name of Object.keys({ ...manifest.dependencies, ...manifest.peerDependencies })) {
+    symlinkSync(join(repository, 'node_modules', name), join(modules, name));
+  }
+  writeFileSync(join(folder, 'package.json'), JSON.stringify({ type: 'module', private: true }));
+  return manifest;
 }
 
 /** Of everything that the package may contain: names, sizes and times. */

@@ -4,16 +4,7 @@
 import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
 import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
-import {
-  cpSync,
-  existsSync,
-  mkdtempSync,
-  readFileSync,
-  readdirSync,
-  rmSync,
-  symlinkSync,
-  writeFileSync,
-} from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -21,21 +12,12 @@ import { publint } from 'publint';
 import { formatMessage } from 'publint/utils';
 import { build, type Rolldown } from 'vite';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { packed } from './packed.js';
+import { install, packed, type Manifest } from './packed.js';
 
 const repository = fileURLToPath(new URL('../../..', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'girth-tarball-'));
 const packageFolder = join(folder, 'node_modules/girth');
 
-interface Manifest {
-  version: string;
-  exports: Record<string, string | { types: string; default: string }>;
-  dependencies: Record<string, string>;
-  peerDependencies: Record<string, string>;
-  repository?: { url: string };
-  homepage?: string;
-  bugs?: string;
-}
 let manifest: Manifest;
 
 /** A page's own code: the kernel with all its types. */
@@ -125,13 +107,8 @@ async function typeCheck(module: string, moduleResolution: string) {
 }
 
 beforeAll(() => {
-  cpSync(packed().folder, packageFolder, { recursive: true });
-  manifest = JSON.parse(readFileSync(join(packageFolder, 'package.json'), 'utf8')) as Manifest;
-  // What npm would install beside it. Nobody has the types of three.js.
-  for (const name of Object.keys({ ...manifest.dependencies, ...manifest.peerDependencies })) {
-    symlinkSync(join(repository, 'node_modules', name), join(folder, 'node_modules', name));
-  }
-  writeFileSync(join(folder, 'package.json'), JSON.stringify({ type: 'module', private: true }));
+  // Nobody has the types of three.js.
+  manifest = install(folder);
   writeFileSync(join(folder, 'kernel.ts'), kernelCode);
   writeFileSync(join(folder, 'element.ts'), elementCode);
 }, 120_000);
@@ -194,7 +171,7 @@ test.concurrent.each([
   expect(await typeCheck(module, moduleResolution)).toEqual({ status: 0, words: '' });
 });
 
-test('on a server it can be imported, and does nothing; a kernel is refused with a code', () => {
+test('on a server it can be imported, and does nothing; what is for pages refuses a kernel with a code', () => {
   const entries = Object.entries(manifest.exports).flatMap(([name, entry]) =>
     typeof entry === 'string' ? [] : [name.replace('.', 'girth')],
   );
@@ -203,7 +180,7 @@ test('on a server it can be imported, and does nothing; a kernel is refused with
     const before = Object.getOwnPropertyNames(globalThis);
     ${entries.map((entry) => `await import('${entry}');`).join('\n')}
     const added = Object.getOwnPropertyNames(globalThis).filter((name) => !before.includes(name));
-    const { createKernel, GirthError } = await import('girth');
+    const { createKernel, GirthError } = await import('girth/girth-kernel.js');
     const { default: manifest } = await import('girth/package.json', { with: { type: 'json' } });
     const error = await createKernel().catch((error) => error);
     console.log(JSON.stringify({
@@ -222,7 +199,7 @@ test('on a server it can be imported, and does nothing; a kernel is refused with
   expect(rest).toEqual({
     isOurs: true,
     code: 'PROGRAM_NOT_LOADED',
-    hint: expect.stringContaining('server') as string,
+    hint: expect.stringContaining("in Node.js, import 'girth'") as string,
     version: manifest.version,
   });
 });

@@ -36,11 +36,16 @@ test.each([
   ['cpp/study', 'studies use core and reading only', /^emscripten|tiny_?gltf/],
   ['cpp/cli', 'the command does not know WebAssembly', /^emscripten|tiny_?gltf/],
   ['cpp/bind', 'the bindings do not know tinygltf', /tiny_?gltf/],
+  [
+    'cpp/python',
+    'the bindings for Python use public headers only',
+    /^emscripten|tiny_?gltf|^Eigen|^Spectra|^(?!girth\/|pybind11\/).*\//,
+  ],
 ])('%s: %s', (folder, _, header) => {
   expect(includes(folder, header)).toEqual([]);
 });
 
-test.each(['cpp/src', 'cpp/study', 'cpp/bind'])('%s touches no files', (folder) => {
+test.each(['cpp/src', 'cpp/study', 'cpp/bind', 'cpp/python'])('%s touches no files', (folder) => {
   expect(includes(folder, files)).toEqual([]);
 });
 

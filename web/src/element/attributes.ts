@@ -106,10 +106,10 @@ export function isOn(element: Element, name: AttributeName): boolean {
 
 /** Characters of a wrong value that are repeated. */
 const mostQuoted = 60;
-/** Wrong attributes that the console has been told of, by any element. */
+/** Wrong attributes that have been reported on the console, by any element. */
 const saidOnConsole = new Set<string>();
 
-/** What is wrong with a value, as it is sent with `error`, and once said on the console; undefined for nothing. */
+/** What is wrong with a value, as it is sent with `error`, and once written on the console; undefined for nothing. */
 export function faultOf(name: AttributeName, text: string): AttributeFault | undefined {
   const allowed = allowedInstead(name, text);
   if (allowed === undefined) return undefined;

@@ -1,7 +1,7 @@
 // Which values the ends of the colour map are.
 //
 // Where nothing is wished for, the colours follow the body of the values: where few places stretch the range,
-// the map ends where the body does, and the legend says what lies beyond.
+// the map ends where the body does, and the legend shows what lies beyond.
 
 import { quantile } from '../view/index.js';
 

@@ -23,7 +23,7 @@ const clickSlack = 5;
 const pairTime = 280;
 /** A second tap within this many CSS pixels of the first one means the first one's loop. */
 const fingerWidth = 24;
-/** So many points of a loop tell where it is on the canvas. */
+/** So many points of a loop show where it is on the canvas. */
 const outlinePoints = 24;
 /** CSS pixels of a cell of the grid in which tags look for room. */
 const cell = 8;
@@ -227,7 +227,7 @@ export class LoopsOnSurface {
     this.#host.picked({ action: 'unpin', loop: pin.loop });
   }
 
-  /** Shows the loop at a point that nothing on the surface points at; undefined: none. `isQuiet`: it is not said. */
+  /** Shows the loop at a point that nothing on the surface points at; undefined: none. `isQuiet`: it is not announced. */
   lookAt(point: SurfacePoint | undefined, isQuiet = false): void {
     this.#isQuiet = isQuiet;
     this.#pointer = undefined;

@@ -11,6 +11,7 @@ import type {
   Parts,
   PartThresholds,
   PrintCheck,
+  PrintFields,
   PrintLimits,
   SpectralOptions,
   Tips,
@@ -108,8 +109,16 @@ export class Model {
   }
 
   async printCheck(limits: PrintLimits): Promise<PrintCheck> {
-    const { igf, sdf } = await this.girthAndDiameter();
-    return this.mesh.printCheck(igf, sdf, limits, this.#watched);
+    return this.mesh.printCheck(await this.printFields(limits), limits, this.#watched);
+  }
+
+  /** The fields that limits need. */
+  async printFields({ tubeDiameter, wallThickness }: PrintLimits): Promise<PrintFields> {
+    const [igf, thickness] = await Promise.all([
+      tubeDiameter > 0 ? this.fields.compute('igf') : undefined,
+      wallThickness > 0 ? this.fields.compute('thickness') : undefined,
+    ]);
+    return { ...(igf && { igf }), ...(thickness && { thickness }) };
   }
 
   async girthAndDiameter() {

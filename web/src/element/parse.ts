@@ -1,4 +1,4 @@
-// What attributes, sources and errors say, in the element's own terms.
+// What attributes, sources and errors mean, in the element's own terms.
 
 import type { FieldName, GirthErrorFields, MeshSource, SpectralOptions } from '../kernel/types.js';
 

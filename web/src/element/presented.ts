@@ -251,7 +251,7 @@ export class Presented {
   }
 }
 
-/** At most so many of the numbers as say where a region is, evenly chosen. */
+/** At most so many of the numbers, evenly chosen: enough to show where a region is. */
 function sampleOf(vertices: ArrayLike<number>): number[] {
   const step = Math.max(1, Math.ceil(vertices.length / enoughPoints));
   return Array.from({ length: Math.ceil(vertices.length / step) }, (_, i) => vertices[i * step]!);

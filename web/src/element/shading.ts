@@ -210,7 +210,7 @@ export class Shading {
     else this.#paintAs(name);
   }
 
-  /** What the legend says of values that colour the surface and are no longer there. */
+  /** The legend's words on values that colour the surface and are no longer there. */
   #keptOf(name: ShownName): ScaleContent | undefined {
     if (this.places || this.#current?.name !== name || this.#isThere(name)) return undefined;
     return this.#content && 'range' in this.#content ? this.#content : undefined;
@@ -370,7 +370,7 @@ export class Shading {
     return this.#colourRange.sharesOf(values, this.#areas, ends);
   }
 
-  /** What is not told by the colours: 'up to 348.6 in 0.6% of the surface'. */
+  /** What the colours do not show: 'up to 348.6 in 0.6% of the surface'. */
   #beyond(name: ShownName, [low, high]: Ends, extent: Ends): string | undefined {
     const isCut = [extent[0] < low, extent[1] > high];
     if (!isCut[0] && !isCut[1]) return undefined;

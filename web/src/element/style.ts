@@ -263,7 +263,7 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   clip-path: inset(50%);
 }
 
-/* What a colour tells keeps it where the system has few colours. */
+/* What is distinguished by a colour keeps it where the system has few colours. */
 @media (forced-colors: active) {
   .legend-bar, .legend-key i, .legend-line, .axes { forced-color-adjust: none; }
   .legend-bar, .legend-key i { outline: 1px solid CanvasText; }

@@ -244,7 +244,7 @@ export abstract class ViewerBase extends ElementOrNone {
     return this.presented?.model.mesh.info;
   }
 
-  /** The unit of lengths: the file's, or where it does not say, the attribute's; '' for none. */
+  /** The unit of lengths: the file's; where it states none, the attribute's; '' for none. */
   get unit(): string {
     return this.info?.unit || unitOf(attributeOf(this, 'unit'));
   }
@@ -256,7 +256,7 @@ export abstract class ViewerBase extends ElementOrNone {
 
   /**
    * Reads a model and shows it, grey at first; the field follows by itself. Where the file cannot
-   * be used the model before stays, the element says why, `error` is sent and the promise rejected.
+   * be used the model before stays, the element shows why, `error` is sent and the promise rejected.
    * A newer call ends an older one.
    */
   async load(
@@ -296,7 +296,7 @@ export abstract class ViewerBase extends ElementOrNone {
   async #loadSrc(): Promise<void> {
     await this.#lifecycle.inView();
     const src = attributeOf(this, 'src');
-    // What went wrong has been said already.
+    // What went wrong has been reported already.
     if (src) await this.load(src).catch(() => undefined);
   }
 

@@ -45,7 +45,7 @@ import { ViewerBase } from './viewer-base.js';
  * Attributes; a value that is none of these counts as if the attribute were not there, is a warning on the
  * console and an `error` with the code INVALID_OPTION:
  * - `src`: address of a model: GLB, glTF with its buffers beside it, OBJ, PLY, STL, OFF, or a zip.
- * - `unit`: the unit of lengths where the file does not say it, for example `mm`.
+ * - `unit`: the unit of lengths where the file does not state it, for example `mm`.
  * - `shown-unit`: the unit that lengths are written in: `um`, `mm`, `cm`, `m`, `km`, `in` or `ft`; by
  *   default the model's own. Files that are exported keep the model's.
  * - `field`: what colours the surface: `igf` (the girth, default), `sdf` (the shape diameter), `geoaverage`
@@ -245,7 +245,7 @@ export class GirthViewer extends ViewerBase {
     return this.require().model.heatMaxima(options);
   }
 
-  /** Marks vertices with diamonds, to be compared with the tips; nothing said: none. */
+  /** Marks vertices with diamonds, to be compared with the tips; without an argument none. */
   showPoints(vertices: ArrayLike<number> = []): void {
     this.require().showPoints(vertices);
   }
@@ -273,17 +273,20 @@ export class GirthViewer extends ViewerBase {
     this.require().setThresholds(wish);
   }
 
-  /** What is too thin to print, and the scale from which on it is not; the fields are computed first. */
+  /**
+   * What is too thin to print or too close together, and the scale from which on nothing is; the fields that the
+   * limits need are computed first.
+   */
   async printCheck(limits: PrintLimits): Promise<PrintCheck> {
     return this.require().model.printCheck(limits);
   }
 
-  /** Colours the surface by kinds of places, with a legend of their own, until told otherwise or until `field` changes. */
+  /** Colours the surface by kinds of places, with a legend of their own, until the next call or until `field` changes. */
   showPlaces(places?: ShownPlaces): void {
     this.require().showPlaces(places);
   }
 
-  /** Shows these vertices as they are and fades the others; nothing said: all as they are. */
+  /** Shows these vertices as they are and fades the others; without an argument all are as they are. */
   mark(vertices?: ArrayLike<number>): void {
     this.require().mark(vertices);
   }
@@ -302,13 +305,13 @@ export class GirthViewer extends ViewerBase {
     return mesh.path(from, to, { signal: life.signal });
   }
 
-  /** Draws a path on the surface, with a dot at its end; nothing said: none. */
+  /** Draws a path on the surface, with a dot at its end; without an argument none. */
   showPath(path?: SurfacePath): void {
     this.require().showPath(path?.polyline);
   }
 
   /**
-   * Shows the loop at a vertex or at a point of a face, as if it were pointed at; nothing said: none. It
+   * Shows the loop at a vertex or at a point of a face, as if it were pointed at; without an argument none. It
    * follows at once, and of many points in quick succession the last one counts. `quiet`: screen readers do
    * not say it.
    */
@@ -462,12 +465,12 @@ export class GirthViewer extends ViewerBase {
     return model.mesh.exportParts(igf, sdf, options, format, { signal, unit: this.unit });
   }
 
-  /** The places that are too thin to print as a file's content. */
+  /** The answer of the print check as a file's content. */
   async exportWeakPlaces(limits: PrintLimits, format: 'json'): Promise<Uint8Array> {
     const { model } = this.require();
-    const { igf, sdf } = await model.girthAndDiameter();
+    const fields = await model.printFields(limits);
     const { signal } = model.life;
-    return model.mesh.exportWeakPlaces(igf, sdf, limits, format, { signal, unit: this.unit });
+    return model.mesh.exportWeakPlaces(fields, limits, format, { signal, unit: this.unit });
   }
 
   /** The pinned loops, oldest first, a file's content for each. */

@@ -1,4 +1,4 @@
-// What the element says to those who cannot see it: what is on the canvas, how it is moved, and what has ended.
+// What the element announces to those who cannot see it: what is on the canvas, how it is moved, and what has ended.
 
 import type { FieldName } from '../kernel/types.js';
 import { fieldTitle, formatLength } from '../view/index.js';

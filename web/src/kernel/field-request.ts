@@ -16,6 +16,7 @@ type Kind = 'length' | 'angle' | 'density' | 'number';
 const kinds: Record<FieldName, Kind> = {
   igf: 'length',
   sdf: 'length',
+  thickness: 'length',
   geoaverage: 'length',
   geofarthest: 'length',
   angle: 'angle',
@@ -50,9 +51,12 @@ export function unitOf(name: FieldName, unit: string): string {
 
 /** The request with defaults for what the caller left out. The core checks the numbers. */
 export function fieldRequest(name: VertexFieldName, options: FieldOptions): FieldRequest {
-  const { sdf: { coneAngle = (2 * Math.PI) / 3, rays = 30 } = {}, distances = 'fast-marching' } =
-    options;
-  return { name, coneAngle, rays, distances };
+  const {
+    sdf: { coneAngle = (2 * Math.PI) / 3, rays = 30 } = {},
+    thickness: { sharpAngle = (5 * Math.PI) / 12 } = {},
+    distances = 'fast-marching',
+  } = options;
+  return { name, coneAngle, rays, sharpAngle, distances };
 }
 
 /** The same for a spectral field. */

@@ -9,6 +9,7 @@ import type { OpenedSurface, JobOperations } from './protocol.js';
 import { SurfaceStore } from './surface-store.js';
 import type { FileWithPath, UnreadableModel } from './types.js';
 import { unpackIfCompressed } from './unpack.js';
+import { workerFiles } from './worker-files.js';
 import { checked, progressTo, serveRequests } from './worker-loop.js';
 
 let module: GirthModule;
@@ -17,27 +18,12 @@ const surfaces = new SurfaceStore<JobSurface>();
 function asSetFile({ path, content }: FileWithPath): SetFile {
   const bytes = () => {
     try {
-      return new Uint8Array(new FileReaderSync().readAsArrayBuffer(content));
+      return workerFiles.bytesOf(content);
     } catch (cause) {
       throw failure('FILE_UNREADABLE', `${path} cannot be read`, { cause });
     }
   };
   return { path, size: content.size, bytes };
-}
-
-/** A file beside an address; undefined where it cannot be fetched. */
-function fetchedBeside(address: string, name: string): Uint8Array | undefined {
-  const request = new XMLHttpRequest();
-  try {
-    const escaped = name.split('/').map(encodeURIComponent).join('/');
-    request.open('GET', new URL(escaped, address), false);
-    request.responseType = 'arraybuffer';
-    request.send();
-  } catch {
-    return undefined;
-  }
-  const isFound = request.status >= 200 && request.status < 300;
-  return isFound ? new Uint8Array(request.response as ArrayBuffer) : undefined;
 }
 
 /** The first of several models that can be read, with those before it and their errors. */
@@ -79,7 +65,7 @@ serveRequests<JobOperations>({
       const name = chosen.path.slice(chosen.path.lastIndexOf('/') + 1);
       const resource = (name: string) =>
         set.resource(chosen.path, name)?.bytes() ??
-        (address === undefined ? undefined : fetchedBeside(address, name));
+        (address === undefined ? undefined : workerFiles.beside(address, name));
       const unpacked = await unpackIfCompressed(chosen.bytes(), resource);
       const prepared = checked(
         module.readSurface(
@@ -154,8 +140,8 @@ serveRequests<JobOperations>({
     return checked(module.maxima(surfaces.get(surface), values, minima));
   },
 
-  printCheck({ surface, fields, limits }) {
-    return checked(module.printCheck(surfaces.get(surface), fields, limits));
+  printCheck({ surface, fields, limits }, report) {
+    return checked(module.printCheck(surfaces.get(surface), fields, limits, progressTo(report)));
   },
 
   writeFields({ surface, model, fields, format }) {
@@ -176,8 +162,10 @@ serveRequests<JobOperations>({
     return checked(module.writeParts(surfaces.get(surface), model, fields, options, format));
   },
 
-  writeWeakPlaces({ surface, model, fields, limits, format }) {
-    return checked(module.writeWeakPlaces(surfaces.get(surface), model, fields, limits, format));
+  writeWeakPlaces({ surface, model, fields, limits, format }, report) {
+    const progress = progressTo(report);
+    const from = surfaces.get(surface);
+    return checked(module.writeWeakPlaces(from, model, fields, limits, format, progress));
   },
 
   writeLoops({ surface, model, points, format }) {

@@ -9,6 +9,7 @@ import { JobPool, type JobNeeds } from './job-pool.js';
 import { LoopQueue } from './loop-queue.js';
 import { MeshOfWorkers } from './mesh.js';
 import type { MeshHost } from './mesh-host.js';
+import { page, type Platform } from './platform.js';
 import { PoolEngine } from './pool-engine.js';
 import type {
   CommonOperations,
@@ -20,7 +21,7 @@ import type {
   SurfaceArrays,
   ThreadsOperations,
 } from './protocol.js';
-import { contentOf, sizeOf } from './source.js';
+import { contentOf, sizeOf, type ContentAt } from './source.js';
 import type { SurfaceSource } from './surface-source.js';
 import { ThreadsEngine } from './threads-engine.js';
 import type {
@@ -51,12 +52,13 @@ export function createKernel(options: KernelOptions = {}): Promise<Kernel> {
   return openKernel(options, moduleWorkers);
 }
 
-/** `createKernel` with workers of the caller's choice. */
+/** `createKernel` with workers of the caller's choice, on a page or elsewhere. */
 export async function openKernel(
   options: KernelOptions,
   factory: WorkerFactory,
+  platform: Platform = page,
 ): Promise<KernelOfWorkers> {
-  const threads = threadsOf(options.threads);
+  const threads = threadsOf(options.threads, platform.cores);
   const models = new JobPool<JobOperations>(() => factory.job());
   // One job at a time, since the next one may need the same spectrum. Any surface's spectrum is heavy.
   const spectral = new JobPool<StudiesOperations>(() => factory.studies(), {
@@ -66,15 +68,15 @@ export async function openKernel(
   const comparing = new JobPool<StudiesOperations>(() => factory.studies());
   const pools = { models, spectral, comparing };
   const interactive = new WorkerClient<SingleOperations>(() => factory.single());
-  const isolated = globalThis.crossOriginIsolated === true;
-  if (options.mode === 'threads' && !isolated) {
+  const { contentAt, sharesMemory } = platform;
+  if (options.mode === 'threads' && !sharesMemory) {
     warnOnce(
       'Girth: this page is not cross-origin isolated; a pool of workers is used instead of threads.',
     );
   }
 
   let host: WorkerClient<ThreadsOperations> | undefined;
-  if (isolated && options.mode !== 'pool') {
+  if (sharesMemory && options.mode !== 'pool') {
     host = new WorkerClient<ThreadsOperations>(() => factory.threads(), threads);
   }
   try {
@@ -88,7 +90,7 @@ export async function openKernel(
     if (host && !hostFailure) {
       const engine = new ThreadsEngine(host, threads);
       void interactive.start().catch(() => undefined);
-      return new KernelOfWorkers('threads', threads, pools, interactive, [host], engine);
+      return new KernelOfWorkers('threads', threads, pools, interactive, [host], engine, contentAt);
     }
     if (hostFailure) {
       warnOnce(
@@ -108,12 +110,13 @@ export async function openKernel(
   );
   // They load while the page fetches its model. A failure is reported when they are needed.
   for (const worker of [interactive, ...pool]) void worker.start().catch(() => undefined);
-  return new KernelOfWorkers('pool', threads, pools, interactive, pool, new PoolEngine(pool));
+  const engine = new PoolEngine(pool);
+  return new KernelOfWorkers('pool', threads, pools, interactive, pool, engine, contentAt);
 }
 
-function threadsOf(wanted: number | 'auto' = 'auto'): number {
-  const cores = wanted === 'auto' ? (globalThis.navigator?.hardwareConcurrency ?? 1) : wanted;
-  const whole = Number.isFinite(cores) ? Math.floor(cores) : 1;
+function threadsOf(wanted: number | 'auto' = 'auto', cores: number): number {
+  const many = wanted === 'auto' ? cores : wanted;
+  const whole = Number.isFinite(many) ? Math.floor(many) : 1;
   return Math.max(1, wanted === 'auto' ? Math.min(whole, mostThreads) : Math.min(whole, 64));
 }
 
@@ -144,6 +147,7 @@ export class KernelOfWorkers implements Kernel, MeshHost {
   readonly #workers: readonly AnyWorker[];
   readonly #engine: FieldEngine;
   readonly #loops: LoopQueue;
+  readonly #contentAt: ContentAt;
   readonly #life = new AbortController();
   /** Settles when the workers have finished the latest field. */
   #fields: Promise<unknown> = Promise.resolve();
@@ -155,6 +159,7 @@ export class KernelOfWorkers implements Kernel, MeshHost {
     interactive: WorkerClient<SingleOperations>,
     computing: readonly AnyWorker[],
     engine: FieldEngine,
+    contentAt: ContentAt,
   ) {
     this.mode = mode;
     this.threads = threads;
@@ -163,12 +168,13 @@ export class KernelOfWorkers implements Kernel, MeshHost {
     this.#workers = [interactive, ...computing];
     this.#engine = engine;
     this.#loops = new LoopQueue(interactive);
+    this.#contentAt = contentAt;
   }
 
   async load(source: MeshSource, options: LoadOptions = {}): Promise<Mesh> {
     const { model, prepare = {}, onProgress } = options;
     const opened = await this.#work([options.signal], async (signal) => {
-      const content = await contentOf(source, signal);
+      const content = await contentOf(source, signal, this.#contentAt);
       return this.#pools.models.run(signal, { passing: sizeOf(content) }, (worker) => {
         const onReport = (report: Report) => {
           if (!signal.aborted && 'progress' in report) onProgress?.(report.progress);

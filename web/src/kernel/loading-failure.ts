@@ -8,17 +8,21 @@ const orCopy = 'or copy the folder dist of the package to this site';
 const allowOrigin = (origin: string) =>
   `let ${origin} send the header Access-Control-Allow-Origin with all files of the package, .wasm too, ${orCopy}`;
 
+/** What to do where the program is a package that Node.js has loaded. */
+export const installAgain =
+  'install the package girth again; a file of it is missing, damaged or of another version';
+
 /** Why `new Worker` has failed. */
 export function workerNotMade(thrown: unknown): GirthError {
   const text = String(thrown);
   const isRefused = thrown instanceof DOMException && thrown.name === 'SecurityError';
   const hint = isRefused
     ? 'let the content security policy of this page allow worker-src'
-    : 'use a browser with workers; on a server, create no kernel';
+    : `use a browser with workers; in Node.js, import 'girth'`;
   return failure('PROGRAM_NOT_LOADED', `a worker cannot be made: ${text}`, { hint, cause: thrown });
 }
 
-/** Why the script of a worker could not be loaded; browsers do not say it. */
+/** Why the script of a worker could not be loaded; browsers do not report it. */
 export async function workerNotLoaded(worker: object): Promise<GirthError> {
   const script = scriptFromElsewhere(worker);
   if (script === undefined) {
@@ -62,7 +66,9 @@ export async function loadedModule<Module>(
       ? `let the content security policy of this page allow script-src 'wasm-unsafe-eval'`
       : isElsewhere(from)
         ? allowOrigin(new URL(from).origin)
-        : 'reload the page; if it stays, the .wasm file is missing on the server, damaged, or of another version';
+        : from.startsWith('file:')
+          ? installAgain
+          : 'reload the page; if it stays, the .wasm file is missing on the server, damaged, or of another version';
     throw failure('PROGRAM_NOT_LOADED', `a WebAssembly module could not be loaded: ${text}`, {
       hint,
       cause: thrown,

@@ -18,6 +18,7 @@ import type {
   GirthAndDiameter,
   JobOperations,
   OpenedSurface,
+  PrintArrays,
   Report,
   StudiesOperations,
   SurfaceWithInput,
@@ -44,6 +45,7 @@ import type {
   Parts,
   PartThresholds,
   PrintCheck,
+  PrintFields,
   PrintLimits,
   RemeshedMesh,
   RemeshOptions,
@@ -75,6 +77,12 @@ const progressOf =
   (report: Report) => {
     if (!signal?.aborted && 'progress' in report) onProgress?.(report.progress);
   };
+
+const wholeLimits = ({ tubeDiameter, wallThickness, gap = 0 }: PrintLimits) => ({
+  tubeDiameter,
+  wallThickness,
+  gap,
+});
 
 /** Stations of a limb's profile, unless more are asked for: as in `limbs.h`. */
 const limbStations = 64;
@@ -208,14 +216,13 @@ export class MeshOfWorkers implements Mesh {
   }
 
   async printCheck(
-    igf: Field,
-    sdf: Field,
-    { tubeDiameter, wallThickness }: PrintLimits,
-    { signal }: CallOptions = {},
+    given: PrintFields,
+    limited: PrintLimits,
+    { signal, onProgress }: WatchedOptions = {},
   ): Promise<PrintCheck> {
-    const fields = this.#girthAndDiameter(igf, sdf);
-    const limits = { tubeDiameter, wallThickness };
-    return this.#ask('printCheck', { fields, limits }, signal);
+    const limits = wholeLimits(limited);
+    const args = { fields: this.#printed(given, limits), limits };
+    return this.#ask('printCheck', args, signal, { onProgress });
   }
 
   exportField(field: Field, format: FieldFormat, options: ExportOptions = {}): Promise<Uint8Array> {
@@ -277,14 +284,13 @@ export class MeshOfWorkers implements Mesh {
   }
 
   async exportWeakPlaces(
-    igf: Field,
-    sdf: Field,
-    { tubeDiameter, wallThickness }: PrintLimits,
+    given: PrintFields,
+    limited: PrintLimits,
     format: 'json',
     { signal, unit }: ExportOptions = {},
   ): Promise<Uint8Array> {
-    const fields = this.#girthAndDiameter(igf, sdf);
-    const limits = { tubeDiameter, wallThickness };
+    const limits = wholeLimits(limited);
+    const fields = this.#printed(given, limits);
     const model = this.#written(unit);
     const { bytes } = await this.#ask('writeWeakPlaces', { model, fields, limits, format }, signal);
     return bytes;
@@ -411,6 +417,19 @@ export class MeshOfWorkers implements Mesh {
 
   #girthAndDiameter(igf: Field, sdf: Field): GirthAndDiameter {
     return { girth: this.#own(igf, 'igf'), diameter: this.#own(sdf, 'sdf') };
+  }
+
+  /** What the limits need of the fields. */
+  #printed({ igf, thickness }: PrintFields, limits: Required<PrintLimits>): PrintArrays {
+    const values = (field: Field | undefined, name: FieldName, isNeeded: boolean) => {
+      if (field) return this.#own(field, name);
+      if (!isNeeded) return new Float64Array(0);
+      throw failure('USAGE', `the field '${name}' is missing`, { hint: `compute '${name}' first` });
+    };
+    return {
+      girth: values(igf, 'igf', limits.tubeDiameter > 0),
+      thickness: values(thickness, 'thickness', limits.wallThickness > 0),
+    };
   }
 
   #written(unit = this.info.unit): WrittenModel {

@@ -67,6 +67,8 @@ export interface FieldRequest {
   coneAngle: number;
   /** Of 'sdf'. */
   rays: number;
+  /** Of 'thickness', as in `ThicknessOptions`. */
+  sharpAngle: number;
   /** Of 'geoaverage' and 'geofarthest'. */
   distances: 'fast-marching' | 'exact';
 }
@@ -80,6 +82,12 @@ export interface SpectralRequest extends Required<SpectralOptions> {
 export interface GirthAndDiameter {
   girth: Float64Array;
   diameter: Float64Array;
+}
+
+/** What limits are checked by, one value per vertex; empty where a limit does not need it. */
+export interface PrintArrays {
+  girth: Float64Array;
+  thickness: Float64Array;
 }
 
 /** Values of some vertices, in the order of the request. */
@@ -160,7 +168,7 @@ export interface JobOperations extends CommonOperations {
   parts: [{ surface: number; fields: GirthAndDiameter; options: Required<PartOptions> }, Parts];
   /** The maxima of values, or their minima. */
   maxima: [{ surface: number; values: Float64Array; minima: boolean }, { maxima: Maximum[] }];
-  printCheck: [{ surface: number; fields: GirthAndDiameter; limits: PrintLimits }, PrintCheck];
+  printCheck: [{ surface: number; fields: PrintArrays; limits: Required<PrintLimits> }, PrintCheck];
   writeFields: [
     { surface: number; model: WrittenModel; fields: readonly NamedField[]; format: FieldFormat },
     { bytes: Uint8Array<ArrayBuffer> },
@@ -193,8 +201,8 @@ export interface JobOperations extends CommonOperations {
     {
       surface: number;
       model: WrittenModel;
-      fields: GirthAndDiameter;
-      limits: PrintLimits;
+      fields: PrintArrays;
+      limits: Required<PrintLimits>;
       format: string;
     },
     { bytes: Uint8Array<ArrayBuffer> },

@@ -7,8 +7,15 @@ import type { FileWithPath, MeshSource } from './types.js';
 /** Content for a worker. The arrays are copies, and may be transferred. */
 export type SourceContent = { files: FileWithPath[]; address?: string } | { arrays: SurfaceArrays };
 
-export async function contentOf(source: MeshSource, signal: AbortSignal): Promise<SourceContent> {
-  if (typeof source === 'string' || source instanceof URL) return fetched(String(source), signal);
+/** Gives the content that an address stands for. Errors: FILE_NOT_FOUND, FILE_UNREADABLE. */
+export type ContentAt = (address: string, signal: AbortSignal) => Promise<SourceContent>;
+
+export async function contentOf(
+  source: MeshSource,
+  signal: AbortSignal,
+  contentAt: ContentAt,
+): Promise<SourceContent> {
+  if (typeof source === 'string' || source instanceof URL) return contentAt(String(source), signal);
   if (source instanceof Blob) return { files: [withPath(source)] };
   if (isList(source)) {
     if (source.length === 0) {
@@ -17,7 +24,9 @@ export async function contentOf(source: MeshSource, signal: AbortSignal): Promis
     return { files: source.map((file) => (file instanceof Blob ? withPath(file) : file)) };
   }
   if ('bytes' in source) {
-    return { files: [{ path: source.name || 'model', content: new Blob([source.bytes]) }] };
+    return {
+      files: [{ path: source.name || 'model', content: new Blob([source.bytes as ArrayBuffer]) }],
+    };
   }
   return {
     arrays: {
@@ -42,7 +51,8 @@ function withPath(content: Blob): FileWithPath {
   return { path: webkitRelativePath || name || 'model', content };
 }
 
-async function fetched(address: string, signal: AbortSignal): Promise<SourceContent> {
+/** What the network has at an address. */
+export const fetched: ContentAt = async (address, signal) => {
   let response: Response;
   let content: Blob;
   const shown = address.length > 120 ? `${address.slice(0, 117)}...` : address;
@@ -64,7 +74,7 @@ async function fetched(address: string, signal: AbortSignal): Promise<SourceCont
   }
   const whole = response.url || address;
   return { files: [{ path: nameOf(whole), content }], address: whole };
-}
+};
 
 /** The last part of an address's path. */
 function nameOf(address: string): string {

@@ -27,9 +27,9 @@ export interface KernelOptions {
   /** Parallel workers or threads, from 1 to 64. Default: 'auto', one per core and at most 8. */
   threads?: number | 'auto';
   /**
-   * 'threads': the threads of one module, on pages that are cross-origin isolated; on other pages the
-   * kernel warns once and takes 'pool'. 'pool': workers with a module each. Default: 'auto', threads where
-   * the page is isolated and a pool elsewhere. Both give the same values, bit for bit.
+   * 'threads': the threads of one module, in Node.js and on pages that are cross-origin isolated; on other
+   * pages the kernel warns once and takes 'pool'. 'pool': workers with a module each. Default: 'auto',
+   * threads where they can be had and a pool elsewhere. Both give the same values, bit for bit.
    */
   mode?: 'auto' | 'threads' | 'pool';
 }
@@ -45,7 +45,7 @@ export interface MeshArrays {
 /** A file's content with its name. */
 export interface NamedBytes {
   /** The file's bytes. They are copied. */
-  bytes: ArrayBuffer;
+  bytes: ArrayBuffer | Uint8Array;
   /** The file's name: 'model.glb'. The format is recognised by the content. */
   name: string;
 }
@@ -59,8 +59,9 @@ export interface FileWithPath {
 }
 
 /**
- * Where a model comes from: a file or zip; an address; bytes with a name; the files of a folder, one of
- * which is the model; or arrays. The buffers of a glTF are found among the files or beside its address.
+ * Where a model comes from: a file or zip; an address, in Node.js also a path; bytes with a name; the files
+ * of a folder, one of which is the model; or arrays. The buffers of a glTF are found among the files or beside
+ * its address; those of a path in its folder and below.
  */
 export type MeshSource =
   Blob | string | URL | NamedBytes | readonly (File | FileWithPath)[] | MeshArrays;
@@ -122,12 +123,14 @@ export interface LoadOptions extends WatchedOptions {
  * Fields that are computed vertex by vertex.
  *
  * - `'igf'`: the girth, in model units.
- * - `'sdf'`: the shape diameter, which is the thickness, in model units (`shape_diameter.h`).
+ * - `'sdf'`: the shape diameter, a mean thickness, in model units (`shape_diameter.h`).
+ * - `'thickness'`: the diameter of the largest ball inside that touches the surface there, in model units
+ *   (`thickness.h`).
  * - `'geoaverage'`, `'geofarthest'`: the mean and the greatest geodesic distance, in model units
  *   (`geodesic_extent.h`).
  * - `'angle'`: the angle between the two ends of the loop at its base, in radians.
  */
-export type VertexFieldName = 'igf' | 'sdf' | 'geoaverage' | 'geofarthest' | 'angle';
+export type VertexFieldName = 'igf' | 'sdf' | 'thickness' | 'geoaverage' | 'geofarthest' | 'angle';
 
 /**
  * Fields that are computed from the surface's spectrum. They come all at once, without partial values.
@@ -159,12 +162,20 @@ export interface ShapeDiameterOptions {
   rays?: number;
 }
 
+/** What the medial thickness takes for a sharp edge. */
+export interface ThicknessOptions {
+  /** Edges sharper than this thin out to nothing; in radians, in (0, π / 2). Default: 5π / 12, which is 75°. */
+  sharpAngle?: number;
+}
+
 /** How a field is computed and reported. Each field reads only the options that concern it. */
 export interface FieldOptions extends WatchedOptions {
   /** Receives new values, coarse to fine: each batch is spread over the whole surface. */
   onPartial?: (partial: PartialField) => void;
   /** Of 'sdf'. */
   sdf?: ShapeDiameterOptions;
+  /** Of 'thickness'. */
+  thickness?: ThicknessOptions;
   /** How 'geoaverage' and 'geofarthest' measure distances. Default: 'fast-marching'. */
   distances?: 'fast-marching' | 'exact';
   /** Of 'hks', 'wks' and 'sihks'. */
@@ -396,31 +407,45 @@ export interface PrintLimits {
   tubeDiameter: number;
   /** The least thickness of a wall; 0: any. */
   wallThickness: number;
+  /** The least distance of surfaces that face each other across empty space; 0: any. Default: 0. */
+  gap?: number;
 }
 
-/** A connected place that is too thin to print (`parts.h`). */
+/** The fields that a check needs: `igf` where tubes are limited, `thickness` where walls are. */
+export interface PrintFields {
+  /** The girth. */
+  igf?: Field;
+  /** The medial thickness, by default options. */
+  thickness?: Field;
+}
+
+/** A connected place that is too thin to print, or too close to another (`print_check.h`). */
 export interface WeakPlace {
-  /** A thin tube, or a thin wall ('plate'). */
-  kind: 'tube' | 'plate';
-  /** Its vertices, in rising order. */
+  /** A thin tube, a thin wall, or a narrow gap. */
+  kind: 'tube' | 'wall' | 'gap';
+  /** Its vertices, in rising order; where only the inside of faces is too thin, their corners. */
   vertices: Uint32Array;
-  /** Sum of its vertices' areas, in squared model units. */
+  /** Of walls and gaps, the faces that are too thin somewhere, in rising order. */
+  faces: Uint32Array;
+  /** In squared model units. */
   area: number;
-  /** The least diameter I / π of the tube, or the least thickness of the wall, in model units. */
+  /** The least diameter of the tube, thickness of the wall or width of the gap, in model units. */
   least: number;
-  /** The vertex where it is thinnest. */
-  thinnest: number;
+  /** Where that is: a vertex, or a point of a face. */
+  thinnest: SurfacePoint;
+  /** Of walls and gaps, the position across from it, in model units. */
+  opposite?: [number, number, number];
 }
 
-/** What a shape has that is too thin to print, how much that is, and what would help (`parts.h`). */
+/** What a shape has that cannot be printed, how much that is, and what would help (`print_check.h`). */
 export interface PrintCheck {
-  /** The places, thinnest first; none where it passes. */
+  /** The places, the worst first; none where it passes. */
   places: WeakPlace[];
   /** The share of the surface's area that is in them, in [0, 1]. */
   failingShare: number;
   /**
-   * The scale from which on it passes: 1.12 where it passes at 112% of its size; below 1 it passes as it is.
-   * 0 where nothing is limited; infinite where something has no thickness at all.
+   * The scale from which on it passes: 1.12 where it passes at 112% of its size; at most 1 where it passes as
+   * it is. 0 where nothing is limited; infinite where something has no thickness at all.
    */
   passingScale: number;
 }
@@ -674,15 +699,14 @@ export interface Mesh {
   /** Finds tubes, plates and body. Errors: USAGE where a threshold or the smoothing is negative or NaN. */
   parts(igf: Field, sdf: Field, parts: PartOptions, options?: CallOptions): Promise<Parts>;
   /**
-   * Finds what is too thin to print, and the scale from which on it is not. Errors: USAGE where a limit is negative or
-   * NaN; NO_THICKNESS where walls are to be checked but no vertex has a thickness, or the surface is
-   * inside out.
+   * Finds what is too thin to print or too close together, and the scale from which on nothing is. Errors: USAGE
+   * where a limit is negative or NaN, or a field that it needs is missing; NO_THICKNESS where walls are to be
+   * checked but no vertex has a thickness, or walls or gaps and the surface is inside out.
    */
   printCheck(
-    igf: Field,
-    sdf: Field,
+    fields: PrintFields,
     limits: PrintLimits,
-    options?: CallOptions,
+    options?: WatchedOptions,
   ): Promise<PrintCheck>;
   /** Finds the maxima of a field along the surface's edges, or its minima, most persistent first. */
   maxima(field: NamedField, options?: MaximaOptions): Promise<Maximum[]>;
@@ -710,8 +734,7 @@ export interface Mesh {
   ): Promise<Uint8Array>;
   /** Writes the weak places as a file (`write_parts.h`). Errors: as of {@link Mesh.printCheck}. */
   exportWeakPlaces(
-    igf: Field,
-    sdf: Field,
+    fields: PrintFields,
     limits: PrintLimits,
     format: 'json',
     options?: ExportOptions,
@@ -810,6 +833,9 @@ export interface Kernel {
    * and those of reading (`read_mesh.h`) and preparing (`prepare_surface.h`); CANCELLED.
    */
   load(source: MeshSource, options?: LoadOptions): Promise<Mesh>;
-  /** Ends all workers. What was asked before fails with CANCELLED. */
+  /**
+   * Ends all workers. What was asked before fails with CANCELLED. A process of Node.js ends without it too: a
+   * kernel keeps it alive only while something that was asked for is not done.
+   */
   dispose(): void;
 }

@@ -80,6 +80,7 @@ declare module '*/girth.mjs' {
 
   type WrittenModel = import('./protocol.js').WrittenModel;
   type GirthAndDiameter = import('./protocol.js').GirthAndDiameter;
+  type PrintArrays = import('./protocol.js').PrintArrays;
 
   interface Bytes {
     bytes: Uint8Array<ArrayBuffer>;
@@ -159,8 +160,9 @@ declare module '*/girth.mjs' {
     ): { length: number; straight: number; polyline: Float32Array<ArrayBuffer> } | Failed;
     printCheck(
       surface: JobSurface,
-      fields: GirthAndDiameter,
-      limits: import('./types.js').PrintLimits,
+      fields: PrintArrays,
+      limits: Required<import('./types.js').PrintLimits>,
+      onProgress: OnProgress,
     ): import('./types.js').PrintCheck | Failed;
     writeFields(
       surface: JobSurface,
@@ -192,9 +194,10 @@ declare module '*/girth.mjs' {
     writeWeakPlaces(
       surface: JobSurface,
       model: WrittenModel,
-      fields: GirthAndDiameter,
-      limits: import('./types.js').PrintLimits,
+      fields: PrintArrays,
+      limits: Required<import('./types.js').PrintLimits>,
       format: string,
+      onProgress: OnProgress,
     ): Bytes | Failed;
     /** A file for each loop. */
     writeLoops(

@@ -91,7 +91,7 @@ export class WorkerClient<T extends CommonOperations> {
               'PROGRAM_NOT_LOADED',
               `a worker has not started within ${longestStart / 1000} s`,
               {
-                hint: 'reload the page; if it stays, its .mjs and .wasm files are of different builds',
+                hint: 'begin again; if it stays, the .mjs and .wasm files are of different builds',
               },
             ),
           ),

@@ -31,7 +31,7 @@ const interpolators: Record<ColormapName, (place: number) => string> = {
  */
 export const colormapNames = Object.keys(interpolators) as ColormapName[];
 
-/** Whether colour-blind eyes can tell its values apart: turbo has the same colours twice for them. */
+/** Whether colour-blind eyes can distinguish its values: turbo has the same colours twice for them. */
 export function isForAllEyes(name: ColormapName): boolean {
   return name !== 'turbo';
 }

@@ -6,6 +6,7 @@ import type { FieldName } from '../kernel/types.js';
 export const fieldNames: readonly FieldName[] = [
   'igf',
   'sdf',
+  'thickness',
   'geoaverage',
   'geofarthest',
   'angle',
@@ -23,6 +24,7 @@ export type ShownName = FieldName | (typeof derivedNames)[number] | 'none';
 const words: Record<ShownName, string> = {
   igf: 'Girth',
   sdf: 'Shape diameter',
+  thickness: 'Thickness',
   geoaverage: 'Mean distance',
   geofarthest: 'Greatest distance',
   angle: 'Angle of the loop',

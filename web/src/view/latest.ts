@@ -4,9 +4,9 @@
 const patience = 120;
 
 /**
- * Runs at most one request at a time and remembers only the newest pending one. A request that a
- * newer one waits for is allowed to finish, so that something is shown while the pointer moves,
- * but is aborted when it takes too long.
+ * Runs at most one request at a time and remembers only the newest pending one. The one that
+ * runs is allowed to finish although a newer one is pending, so that something is shown while the
+ * pointer moves, but is aborted when it takes too long.
  */
 export class Latest<Key, Answer> {
   #running: Running<Key> | undefined;
@@ -25,7 +25,7 @@ export class Latest<Key, Answer> {
     this.#failed = failed;
   }
 
-  /** Asks for `key`; replaces whatever waits. Asking again for what runs already does nothing. */
+  /** Asks for `key`; replaces whatever is pending. Asking again for what runs already does nothing. */
   request(key: Key): void {
     if (this.#running) {
       if (Object.is(this.#running.key, key)) {
@@ -40,7 +40,7 @@ export class Latest<Key, Answer> {
     void this.#run(key);
   }
 
-  /** Forgets what waits and aborts what runs; neither is answered. */
+  /** Forgets what is pending and aborts what runs; neither is answered. */
   clear(): void {
     this.#pending = undefined;
     const running = this.#running;

@@ -11,14 +11,14 @@ export interface ScaleContent {
   colormap: ColormapName;
   /** The values at the ends of the colour map. */
   range: readonly [number, number];
-  /** The field's smallest and largest value: the ends say so where there is more beyond. */
+  /** The field's smallest and largest value: the ends show it where there is more beyond. */
   extent: readonly [number, number];
   format: LengthFormat;
   /** Whether equal factors are equally far apart. */
   log: boolean;
   /** Lines of equal value, evenly spaced between the ends. */
   isolines: number;
-  /** What else there is to say, for example what grey means; '' for nothing. */
+  /** A further remark, for example what grey means; '' for none. */
   note: string;
   /** What lies beyond the ends where they were chosen to follow the body of the values. */
   beyond: string | undefined;

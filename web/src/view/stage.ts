@@ -91,7 +91,7 @@ export class Stage {
     this.#picker = new Picker(canvas, this.#rig.camera, this.#space);
   }
 
-  /** Compiles an object's shaders beside the page's own work, so that its first frame need not wait. */
+  /** Compiles an object's shaders beside the page's own work, so that its first frame is not late. */
   async prepare(object: Object3D): Promise<void> {
     await this.#renderer.compileAsync(object, this.#rig.camera, this.#scene);
   }

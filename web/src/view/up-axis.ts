@@ -72,7 +72,7 @@ export function rotationUp([x, y, z]: readonly [number, number, number]): Rotati
   return new Quaternion().setFromUnitVectors(new Vector3(x, y, z), up);
 }
 
-/** More vertices than these tell no more about the shape. */
+/** More vertices than these show no more of the shape. */
 const enough = 60_000;
 /** What is so near to the ground, as a share of the size, stands on it. */
 const footing = 0.03;

@@ -1,4 +1,4 @@
-// A model's surface from a file, in one line.
+// A model from a file, in one line: its surface, or its triangles as they are.
 #pragma once
 
 #include <string>
@@ -21,5 +21,10 @@ namespace girth::io {
 GIRTH_EXPORT Result<LoadedMesh> loadMesh(const std::string& path,
                                          const PrepareOptions& options = {},
                                          const ExecutionContext& context = {});
+
+/// The model in a file as it is there, nothing repaired: `readModel` of its bytes, with the same
+/// files beside it. Errors: FILE_NOT_FOUND, FILE_UNREADABLE, and those of readModel; each names the
+/// file (Error::file).
+GIRTH_EXPORT Result<ReadModel> loadModel(const std::string& path);
 
 }  // namespace girth::io

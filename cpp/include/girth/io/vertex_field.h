@@ -11,6 +11,7 @@
 #include "girth/girth_field.h"
 #include "girth/io/read_mesh.h"
 #include "girth/shape_diameter.h"
+#include "girth/thickness.h"
 
 namespace girth::io {
 
@@ -46,6 +47,8 @@ GIRTH_EXPORT std::string_view toString(GirthMethod method);
 GIRTH_EXPORT std::string_view toString(DistanceMethod method);
 /// How the shape diameter was computed, in words: "30 rays".
 GIRTH_EXPORT std::string methodText(const ShapeDiameterOptions& options);
+/// How the medial thickness was computed, in words: "sharp below 75 degrees".
+GIRTH_EXPORT std::string methodText(const ThicknessOptions& options);
 
 /// Whether files can hold the fields: USAGE where there is none, where one does not have a value
 /// for each vertex (and a kind, if it has kinds at all), where names are not as above or come

@@ -1,13 +1,13 @@
 // Parts of a shape, and the places that are too thin to print, as JSON.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "girth/export.h"
 #include "girth/io/read_mesh.h"
 #include "girth/parts.h"
+#include "girth/print_check.h"
 
 namespace girth::io {
 
@@ -18,12 +18,11 @@ namespace girth::io {
 GIRTH_EXPORT std::string partsJson(const LoadedMesh& loaded, const Parts& parts,
                                    const PartOptions& options, std::string_view file);
 
-/// One JSON object: `file`, `unit`, `limits` (`tubeDiameter`, `wallThickness`), `passes`,
+/// One JSON object: `file`, `unit`, `limits` (`tubeDiameter`, `wallThickness`, `gap`), `passes`,
 /// `failingShare`, `passingScale` (null where no scale helps) and `places`: of each its `kind`
-/// ("tube" or "wall"), `measure` ("diameter" or "thickness"), `least`, `area`, `thinnest` and
-/// `vertices`. `passingScale`: see parts.h.
-GIRTH_EXPORT std::string weakPlacesJson(const LoadedMesh& loaded, std::span<const WeakPlace> places,
-                                        const PrintLimits& limits, double passingScale,
-                                        std::string_view file);
+/// ("tube", "wall" or "gap"), `measure` ("diameter", "thickness" or "clearance"), `least`, `area`,
+/// `thinnest`, `opposite` (walls and gaps: a position) and `vertices`. As in print_check.h.
+GIRTH_EXPORT std::string printCheckJson(const LoadedMesh& loaded, const PrintCheck& check,
+                                        const PrintLimits& limits, std::string_view file);
 
 }  // namespace girth::io

@@ -51,7 +51,7 @@ struct RobustnessRow {
   /// Where vertices are still the same ones: the share of the area whose girth, as it stands in the
   /// model, changed by at most 5%.
   std::optional<double> unchanged;
-  /// What the paper reports for its own models. It does not say how strong its changes were.
+  /// What the paper reports for its own models. It does not state how strong its changes were.
   std::optional<double> paper;
   /// Why there is no value.
   std::string note;

@@ -77,7 +77,7 @@ struct GIRTH_EXPORT StudyFields {
   const StudyField* find(std::string_view name) const;
 };
 
-/// The surface on which the fields are computed: remeshed and scaled as the parameters say. Errors:
+/// The surface on which the fields are computed: remeshed and scaled by the parameters. Errors:
 /// those of remesh.h; LIMIT_EXCEEDED where the area is no number that can be scaled.
 GIRTH_EXPORT Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh,
                                               const FieldParameters& parameters,

@@ -170,7 +170,7 @@ bool dropCopies(WorkingFaces& faces, bool keepPartitions, PreparationReport& rep
 }  // namespace
 
 void dropDuplicateFaces(WorkingFaces& faces, PreparationReport& report) {
-  // A patch that became single may tell its neighbours otherwise; a few rounds settle that.
+  // A patch that became single may change the answer for its neighbours; a few rounds settle that.
   constexpr int kMostRounds = 8;
   for (int round = 1; dropCopies(faces, round < kMostRounds, report);) ++round;
 }

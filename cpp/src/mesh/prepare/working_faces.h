@@ -29,7 +29,7 @@ struct WorkingFaces {
         {scaledPosition(corner[0]), scaledPosition(corner[1]), scaledPosition(corner[2])});
   }
 
-  /// Keeps the faces that `keep` says yes to, in their order.
+  /// Keeps the faces for which `keep` is true, in their order.
   template <class Keep>
   void filter(Keep&& keep) {
     Index kept = 0;

@@ -10,7 +10,7 @@
 namespace girth::remeshing {
 
 /// The surface that is left, its vertices in the order that they have, with the place of each on
-/// the original as `placeOf` says.
+/// the original, by `placeOf`.
 Result<RemeshedSurface> resultOf(const ChangingMesh& mesh,
                                  const std::function<SurfacePoint(Index)>& placeOf);
 

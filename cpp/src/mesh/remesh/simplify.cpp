@@ -122,7 +122,7 @@ class Simplifier {
   }
 
   /// Collapses edges until there are few enough faces or nothing is left to try; false where it was
-  /// told to stop.
+  /// asked to stop.
   bool collapse() {
     constexpr Index kLookEvery = 1024;
     Index sinceLook = 0;

@@ -1,0 +1,109 @@
+// What is too thin, or too close together, for a printer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/execution.h"
+#include "girth/export.h"
+#include "girth/girth_solver.h"
+#include "girth/surface_mesh.h"
+#include "girth/surface_point.h"
+#include "girth/thickness.h"
+
+namespace girth {
+
+/// What a printer can still make, in model units; 0: any.
+struct PrintLimits {
+  /// The least diameter of a tube.
+  double tubeDiameter{0};
+  /// The least thickness of a wall.
+  double wallThickness{0};
+  /// The least distance between surfaces that face each other across empty space.
+  double gap{0};
+};
+
+/// What is wrong with a place.
+enum class WeakKind : std::uint8_t {
+  Tube,  ///< a tube's diameter
+  Wall,  ///< a wall's thickness
+  Gap,   ///< the clearance
+};
+
+/// "tube", "wall" or "gap".
+GIRTH_EXPORT std::string_view toString(WeakKind kind);
+
+/// A connected place that does not meet a limit.
+struct WeakPlace {
+  WeakKind kind{WeakKind::Tube};  ///< which limit
+  /// Those that do not meet the limit, in rising order; where only the inside of faces does not,
+  /// the corners of these.
+  std::vector<Vertex> vertices;
+  /// Of walls and gaps, the faces that somewhere do not meet the limit, in rising order.
+  std::vector<Face> faces;
+  /// In squared model units; of faces that meet the limit in part, by samples.
+  double area{0};
+  /// The least diameter, thickness or clearance there, in model units.
+  double least{0};
+  /// The point that has it.
+  SurfacePoint thinnest;
+  /// Of walls and gaps, the point of the surface across from it.
+  Vec3 opposite;
+};
+
+/// The answer to a check.
+struct PrintCheck {
+  /// The worst first, in shares of their limits.
+  std::vector<WeakPlace> places;
+  /// The share of the surface's area, in [0, 1], that is in places.
+  double failingShare{0};
+  /// From this scale of the shape on nothing fails: all measures grow with it. 1.12: it passes at
+  /// 112% of its size; at most 1 where it passes as it is, and so far at least it may shrink. 0
+  /// where nothing is limited; infinite where something has no thickness at all.
+  double passingScale{0};
+  /// False after cancelling; then the rest means nothing.
+  bool complete{false};
+};
+
+/// Values at the vertices, NaN where there is none. A field that no limit needs may be empty.
+struct PrintFields {
+  /// The girth; needed where tubes are limited.
+  std::span<const double> girth;
+  /// The medial thickness with the same options as the check's; needed where walls are limited.
+  std::span<const double> thickness;
+};
+
+/// Why a surface must not pass a check, though nothing may be found in it: walls are limited, but
+/// no vertex has a thickness; or walls or gaps are, and the surface is inside out, so that each
+/// would be taken for the other (NO_THICKNESS). Nothing where it can be checked. O(n).
+GIRTH_EXPORT std::optional<Error> whyNotChecked(const SurfaceMesh& mesh, const PrintFields& fields,
+                                                const PrintLimits& limits);
+
+/// Looks for all that does not meet the limits (web/docs/definitions.md, section 5, Definition
+/// 5.7):
+///
+/// - Walls: the medial thickness at the vertices, and its least value within each face.
+/// - Gaps: the same on the other side of the surface.
+/// - Tubes, where the girth is below 2π times the limit: the least width of the cross-section
+///   inside the loop, or the girth by π where that is less. What is longer round is a wall.
+///
+/// What lies below a limit by a millionth of it passes: files hold coordinates in single precision.
+/// `options.side` does not matter. The same for any number of threads. O(n log n) for usual
+/// surfaces, and a loop for every vertex of a tube. Errors: those of whyNotChecked; USAGE where
+/// there are not as many values as vertices, a limit is negative or not a number, or the angle is
+/// out of range.
+GIRTH_EXPORT Result<PrintCheck> checkPrint(const SurfaceMesh& mesh, const PrintFields& fields,
+                                           const PrintLimits& limits,
+                                           const ThicknessOptions& options = {},
+                                           const ExecutionContext& context = {});
+
+/// The least width, in model units, of the cross-section inside a loop: the least distance of two
+/// parallel lines, in the loop's mean plane, with the loop between them. 0 for a loop that goes out
+/// and back. O(points²).
+GIRTH_EXPORT double sectionWidth(const SurfaceMesh& mesh, const GirthLoop& loop);
+
+}  // namespace girth

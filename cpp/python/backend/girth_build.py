@@ -1,0 +1,139 @@
+"""The build backend (PEP 517): CMake compiles the module, the standard library makes the wheel.
+
+Settings, as in ``pip install --config-settings build-dir=build/native ./cpp/python``:
+
+build-dir
+    A build tree of the repository, kept between builds. Default: ``build/python-cp311`` and so on.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+import zipfile
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parent.parent
+REPOSITORY = PACKAGE.parent.parent
+TAG = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+
+METADATA = """\
+Metadata-Version: 2.1
+Name: girth
+Version: {version}
+Summary: The intrinsic girth function of triangle meshes: exact values and shortest geodesic loops
+License: MIT
+Requires-Python: >=3.9
+Requires-Dist: numpy>=1.21
+Provides-Extra: collection
+Requires-Dist: distributed; extra == 'collection'
+Provides-Extra: pyvista
+Requires-Dist: pyvista; extra == 'pyvista'
+"""
+
+
+def _version() -> str:
+    return json.loads((REPOSITORY / "package.json").read_text(encoding="utf8"))["version"]
+
+
+def _has_pybind11() -> bool:
+    """Whether CMake finds pybind11 on the system, as Debian's pybind11-dev puts it there."""
+    folders = [Path(prefix) for prefix in ("/usr", "/usr/local", "/opt/homebrew", sys.prefix)]
+    return any(
+        (folder / place / "cmake/pybind11/pybind11Config.cmake").exists()
+        for folder in folders
+        for place in ("share", "lib")
+    )
+
+
+def get_requires_for_build_wheel(config_settings: dict | None = None) -> list[str]:
+    """What pip is to fetch before: nothing that the system has."""
+    wanted = [] if _has_pybind11() else ["pybind11>=2.10"]
+    wanted += [] if shutil.which("cmake") else ["cmake>=3.25"]
+    return wanted + ([] if shutil.which("ninja") else ["ninja"])
+
+
+def _pybind11_folder() -> list[str]:
+    """Where pip has put pybind11, if it has."""
+    try:
+        import pybind11
+    except ImportError:
+        return []
+    return [f"-Dpybind11_DIR={pybind11.get_cmake_dir()}"]
+
+
+def _compile(settings: dict) -> Path:
+    """Compiles the module and returns its file."""
+    tree = Path(settings.get("build-dir") or f"build/python-{TAG}")
+    tree = tree if tree.is_absolute() else REPOSITORY / tree
+    options = ["-DGIRTH_BUILD_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"]
+    if not (tree / "CMakeCache.txt").exists():
+        options += ["-G", "Ninja", "-DGIRTH_BUILD_TESTS=OFF", "-DGIRTH_BUILD_BENCHMARKS=OFF"]
+        options += ["-DGIRTH_BUILD_COMMAND=OFF", "-DCMAKE_BUILD_TYPE=Release"]
+        if shutil.which("ccache"):
+            options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+    command = ["cmake", "-S", REPOSITORY, "-B", tree, *options, *_pybind11_folder()]
+    subprocess.run(command, check=True)
+    build = ["cmake", "--build", tree, "--target", "girth_python"]
+    subprocess.run([*build, "--parallel", str(os.cpu_count() or 1)], check=True)
+    return tree / "python" / f"_girth{sysconfig.get_config_var('EXT_SUFFIX')}"
+
+
+def _files(module: Path) -> dict[str, bytes]:
+    """What is in the package, by its place in the wheel."""
+    content = {
+        path.relative_to(PACKAGE).as_posix(): path.read_bytes()
+        for path in sorted((PACKAGE / "girth").rglob("*"))
+        if path.is_file() and path.suffix in (".py", ".pyi", ".typed")
+    }
+    content[f"girth/{module.name}"] = module.read_bytes()
+    viewer = REPOSITORY / "dist/girth-viewer.js"
+    if viewer.exists():
+        content["girth/girth-viewer.js"] = viewer.read_bytes()
+    return content
+
+
+def build_wheel(
+    wheel_directory: str,
+    config_settings: dict | None = None,
+    metadata_directory: str | None = None,
+) -> str:
+    """Makes the wheel and returns its name."""
+    version = _version()
+    platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
+    tag = f"{TAG}-{TAG}-{platform}"
+    folder = f"girth-{version}.dist-info"
+    content = _files(_compile(config_settings or {}))
+    content[f"{folder}/LICENSE"] = (REPOSITORY / "LICENSE").read_bytes()
+    content[f"{folder}/METADATA"] = METADATA.format(version=version).encode()
+    wheel = f"Wheel-Version: 1.0\nGenerator: girth_build\nRoot-Is-Purelib: false\nTag: {tag}\n"
+    content[f"{folder}/WHEEL"] = wheel.encode()
+    record = ""
+    for name, data in content.items():
+        digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+        record += f"{name},sha256={digest},{len(data)}\n"
+    content[f"{folder}/RECORD"] = f"{record}{folder}/RECORD,,\n".encode()
+    name = f"girth-{version}-{tag}.whl"
+    with zipfile.ZipFile(Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path, data in content.items():
+            # A fixed date: the same files always make the same wheel.
+            entry = zipfile.ZipInfo(path, (1980, 1, 1, 0, 0, 0))
+            entry.external_attr = 0o644 << 16
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, data)
+    return name
+
+
+class UnsupportedOperation(NotImplementedError):
+    """As PEP 517 names it."""
+
+
+def build_sdist(sdist_directory: str, config_settings: dict | None = None) -> str:
+    """There is none: the sources are those of the whole repository."""
+    raise UnsupportedOperation("install from a clone: pip install ./cpp/python")

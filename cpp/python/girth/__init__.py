@@ -1,0 +1,38 @@
+"""The intrinsic girth function of triangle meshes: exact values and shortest geodesic loops.
+
+>>> import girth
+>>> field = girth.igf(V, F)          # one value for each row of V
+>>> m = girth.load("model.glb")      # or girth.Mesh(V, F), or girth.as_mesh(a trimesh)
+>>> m.tips().apexes
+"""
+
+from girth import _girth, errors, results
+from girth.errors import GirthError, InputError, LimitError
+from girth.mesh import FIELDS, Mesh, as_mesh, compare, igf, load
+from girth.results import Comparison, Field, Girth, Limb, Loop, Part, Parts, Path, Tip, Tips
+
+__version__: str = _girth.version
+
+__all__ = [
+    "FIELDS",
+    "Comparison",
+    "Field",
+    "Girth",
+    "GirthError",
+    "InputError",
+    "Limb",
+    "LimitError",
+    "Loop",
+    "Mesh",
+    "Part",
+    "Parts",
+    "Path",
+    "Tip",
+    "Tips",
+    "as_mesh",
+    "compare",
+    "errors",
+    "igf",
+    "load",
+    "results",
+]

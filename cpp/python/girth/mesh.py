@@ -1,0 +1,732 @@
+"""Meshes, and everything that is computed of one."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Iterable, Optional, Sequence, Union
+
+import numpy as np
+
+from girth import _girth
+from girth._arguments import (
+    Progress,
+    faces_of,
+    one_of,
+    path_of,
+    real_number,
+    running,
+    vertices_of,
+    whole_number,
+)
+from girth._models import arrays_of
+from girth.errors import input_error
+from girth.results import Comparison, Field, Girth, Limb, Loop, Parts, Path, Tips
+
+__all__ = ["FIELDS", "Mesh", "Point", "as_mesh", "compare", "igf", "load"]
+
+#: The fields of `Mesh.field`, and which unit they have: a power of the model's, or radians.
+FIELDS = {
+    "igf": "length",
+    "sdf": "length",
+    "geoaverage": "length",
+    "geofarthest": "length",
+    "angle": "radian",
+    "hks": "per area",
+    "sihks": "",
+    "wks": "per area",
+}
+
+#: A vertex, or a face with the shares of its three vertices.
+Point = Union[int, tuple[int, Sequence[float]]]
+
+_NONE = 255
+
+
+class Mesh:
+    """A triangle mesh as a surface on which lengths are measured.
+
+    The surface is prepared as the reading of files does it: equal vertices become one, faces
+    without area and duplicates are dropped, faces are oriented alike, edges of more than two faces
+    are cut apart; other open edges are boundaries. `report` states what was done. Whatever is
+    computed is numbered by the rows of ``V`` and ``F`` nevertheless.
+
+    Parameters
+    ----------
+    V : array_like of float, shape (n, 3)
+        Positions, in model units. C-contiguous float64 is kept without copying: do not change it
+        afterwards.
+    F : array_like of int, shape (m, 3)
+        Three vertices for each face, counter-clockwise seen from outside.
+    weld : float, optional
+        Vertices no farther apart than this, in model units, also become one.
+    close_holes : bool, optional
+        Fills every boundary curve with faces.
+    components : sequence of int, optional
+        Keeps these connected components only, numbered by their first faces.
+    scale : float, optional
+        Multiplies all positions first.
+    unit : str, optional
+        What lengths are in, such as ``"metre"``; empty where it is not known.
+
+    Raises
+    ------
+    InputError
+        With the codes USAGE (dtype or shape), EMPTY_MESH, NON_FINITE_POSITION (vertex),
+        INDEX_OUT_OF_RANGE (face), INVALID_OPTION or COMPONENT_OUT_OF_RANGE.
+
+    Examples
+    --------
+    >>> m = girth.Mesh(V, F)
+    >>> m.igf().values
+    """
+
+    def __init__(
+        self,
+        V: Any,
+        F: Any,
+        *,
+        weld: float = 0.0,
+        close_holes: bool = False,
+        components: Sequence[int] = (),
+        scale: float = 1.0,
+        unit: str = "",
+    ) -> None:
+        vertices, faces = vertices_of(V), faces_of(F)
+        options = _preparing(weld, close_holes, components, scale)
+        surface = _girth.Surface(vertices, faces, *options, running(None, None))
+        self._set(surface, vertices, faces, options, str(unit))
+
+    @classmethod
+    def _of(
+        cls, surface: "_girth.Surface", vertices: np.ndarray, faces: np.ndarray, options: tuple
+    ) -> "Mesh":
+        mesh = cls.__new__(cls)
+        mesh._set(surface, vertices, faces, options, surface.unit)
+        return mesh
+
+    def _set(
+        self,
+        surface: "_girth.Surface",
+        vertices: np.ndarray,
+        faces: np.ndarray,
+        options: tuple,
+        unit: str,
+    ) -> None:
+        self._surface = surface
+        self._vertices = _read_only(vertices)
+        self._faces = _read_only(faces)
+        self._options = options
+        self._unit = unit
+        self._vertex_of_row = surface.vertex_of_input()
+        self._row_of_vertex = surface.input_of_vertex()
+        own = np.arange(len(self._vertex_of_row))
+        self._is_plain = np.array_equal(self._vertex_of_row, own) and np.array_equal(
+            self._row_of_vertex, own
+        )
+        self._face_of_row: Optional[dict[int, int]] = None
+
+    def __reduce__(self) -> tuple:
+        weld, close_holes, components, scale = self._options
+        return _remade, (
+            np.asarray(self._vertices),
+            np.asarray(self._faces),
+            {
+                "weld": weld,
+                "close_holes": close_holes,
+                "components": components,
+                "scale": scale,
+                "unit": self._unit,
+            },
+        )
+
+    def __repr__(self) -> str:
+        unit = f", in {self._unit}s" if self._unit else ""
+        return (
+            f"<girth.Mesh: {len(self._vertices)} vertices, {len(self._faces)} faces, "
+            f"area {self.area:.6g}{unit}>"
+        )
+
+    @property
+    def vertices(self) -> np.ndarray:
+        """Positions as they were given, float64 of shape (n, 3); not to be written to."""
+        return self._vertices
+
+    @property
+    def faces(self) -> np.ndarray:
+        """Faces as they were given, int64 of shape (m, 3); not to be written to."""
+        return self._faces
+
+    @property
+    def unit(self) -> str:
+        """What lengths are in; empty where it is not known. Files in glTF have metres."""
+        return self._unit
+
+    @property
+    def area(self) -> float:
+        """Area of the surface, in squared model units."""
+        return self._surface.area
+
+    @property
+    def report(self) -> dict[str, int]:
+        """What the preparation did, in counts."""
+        return self._surface.report()
+
+    @property
+    def notes(self) -> list[str]:
+        """What the reader of the file did that one may want to know, in sentences."""
+        return self._surface.notes
+
+    def surface(self) -> "Mesh":
+        """The prepared surface as a mesh of its own: oriented, manifold, each vertex used.
+
+        Returns
+        -------
+        Mesh
+            With other numbers where the preparation changed something.
+        """
+        return Mesh(self._surface.positions(), self._surface.triangles(), unit=self._unit)
+
+    def igf(
+        self,
+        *,
+        method: str = "exact",
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Girth:
+        """The girth at every vertex: the length of the shortest geodesic loop based there.
+
+        Parameters
+        ----------
+        method : {'exact', 'ms'}
+            ``'ms'`` is the paper's approximation by fast marching.
+        threads : int, optional
+            Default: one for each core. The result does not depend on it.
+        progress : callable or bar, optional
+            Called with the finished share in [0, 1], some times a second; or a bar such as
+            ``tqdm(total=1)``. What it raises stops the work.
+
+        Returns
+        -------
+        Girth
+            The values of the command ``girth igf``, to the bit.
+
+        Notes
+        -----
+        The exact girth is computed once and kept. Ctrl-C stops the work within 200 ms.
+        """
+        one_of(method, "method", ("exact", "ms"))
+        values, kinds = self._surface.girth(method, running(threads, progress))
+        return Girth(
+            self, self._by_row(values, np.nan), self._by_row(kinds, _NONE), method, self._unit
+        )
+
+    def loop(
+        self,
+        vertex: Optional[int] = None,
+        *,
+        face: Optional[int] = None,
+        weights: Optional[Sequence[float]] = None,
+    ) -> Loop:
+        """The shortest geodesic loop based at a point.
+
+        Parameters
+        ----------
+        vertex : int, optional
+            A row of `vertices`.
+        face : int, optional
+            A row of `faces` instead.
+        weights : sequence of three floats, optional
+            Where in the face: the shares of its three vertices, which add up to 1. Default: its
+            middle.
+
+        Returns
+        -------
+        Loop
+
+        Raises
+        ------
+        InputError
+            VERTEX_OUT_OF_RANGE or INVALID_POINT.
+        """
+        if (vertex is None) == (face is None):
+            raise input_error("USAGE", "a loop is based at one point", "name a vertex or a face")
+        if vertex is not None and weights is not None:
+            raise input_error("USAGE", "a vertex has no weights", "name a face with the weights")
+        if face is not None:
+            point: Any = (face, (1 / 3, 1 / 3, 1 / 3) if weights is None else weights)
+        else:
+            point = vertex
+        return Loop(self._surface.loop(self._point(point), running(1, None)))
+
+    def tips(self, *, threads: Optional[int] = None, progress: Progress = None) -> Tips:
+        """Where the shape ends: regions cut off by the lines along which the girth jumps.
+
+        Parameters
+        ----------
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        Tips
+            Largest jump first.
+        """
+        return Tips(self, *_girth.tips(self._surface, running(threads, progress)))
+
+    def limbs(
+        self,
+        *,
+        stations: int = 64,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> list[Limb]:
+        """The limbs that the tips end, longest first: how long they are, and how thick all along.
+
+        Parameters
+        ----------
+        stations : int, optional
+            Stations of a profile, 1 to 10,000.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        list of Limb
+        """
+        count = whole_number(stations, "stations")
+        if not 1 <= count <= 10_000:
+            raise input_error("INVALID_OPTION", f"stations is {count}", "choose 1 to 10,000")
+        found = _girth.limbs(self._surface, count, running(threads, progress))
+        return [Limb(self, limb) for limb in found]
+
+    def parts(
+        self,
+        *,
+        girth: Optional[float] = None,
+        thickness: Optional[float] = None,
+        smoothing: float = 0.0,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Parts:
+        """Tubes, plates and body, by girth and thickness.
+
+        Parameters
+        ----------
+        girth, thickness : float, optional
+            What is thin is thinner than `thickness`; of that, tubes have a girth below `girth`. In
+            model units. Default: found from the two fields' distributions.
+        smoothing : float, optional
+            0: plain thresholds. Above: how much a vertex's neighbours count.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        Parts
+            Largest area first.
+        """
+        limits = [
+            -1.0 if value is None else _not_negative(value, name)
+            for name, value in (("girth", girth), ("thickness", thickness))
+        ]
+        found = _girth.parts(
+            self._surface, *limits, _not_negative(smoothing, "smoothing"), running(threads, progress)
+        )
+        return Parts(self, found[0], found[1], self._by_row(found[2], -1), found[3])
+
+    def field(
+        self,
+        name: str,
+        *,
+        rays: int = 30,
+        cone: float = 120.0,
+        exact: bool = False,
+        pairs: int = 300,
+        times: Sequence[float] = (0.002,),
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Field:
+        """A function with one value for each vertex, or several.
+
+        Parameters
+        ----------
+        name : {'igf', 'sdf', 'geoaverage', 'geofarthest', 'angle', 'hks', 'sihks', 'wks'}
+            The girth; the shape diameter (thickness); the mean and the greatest geodesic distance
+            from the vertex; the angle of the loop at the vertex; signatures of heat and waves.
+        rays, cone : optional
+            Of ``'sdf'``: rays sent from each vertex, 1 to 10,000, and the full opening of their
+            cone in degrees.
+        exact : bool, optional
+            Of ``'geoaverage'`` and ``'geofarthest'``: exact distances instead of fast marching.
+        pairs : int, optional
+            Of ``'hks'``, ``'sihks'`` and ``'wks'``: eigenpairs, 2 to 100,000.
+        times : sequence of float, optional
+            Of ``'hks'``: diffusion times as shares of the area.
+        threads, progress
+            As of `igf`; signatures use one thread.
+
+        Returns
+        -------
+        Field
+            Its values have the shape (n,), of signatures (n, d).
+        """
+        one_of(name, "the field", tuple(FIELDS))
+        run = running(threads, progress)
+        if name == "igf":
+            return self.igf(threads=threads, progress=progress)
+        if name == "sdf":
+            angle = real_number(cone, "cone") * np.pi / 180
+            count = whole_number(rays, "rays")
+            values = self._surface.shape_diameter(angle, count if 0 < count < 2**31 else 0, run)
+        elif name == "angle":
+            values = self._surface.angle(run)
+        elif name in ("geoaverage", "geofarthest"):
+            values = self._surface.extent(name == "geofarthest", bool(exact), run)
+        else:
+            count = whole_number(pairs, "pairs")
+            if not 2 <= count <= 100_000:
+                raise input_error("INVALID_OPTION", f"pairs is {count}", "choose 2 to 100,000")
+            shares = [real_number(time, "a time") for time in times]
+            values = self._surface.spectral_field(name, count, shares, run)
+            if name == "hks" and len(shares) == 1:
+                values = values[:, 0]
+        return Field(self, name, self._by_row(values, np.nan), self._unit_of(name))
+
+    def geodesics(
+        self, source: Union[Point, Iterable[Point]], *, radius: float = np.inf
+    ) -> Field:
+        """Exact geodesic distances of all vertices.
+
+        Parameters
+        ----------
+        source : point or sequence of points
+            A vertex, or ``(face, weights)``; of several, each distance is that of the nearest one.
+        radius : float, optional
+            Distances beyond it are infinite.
+
+        Returns
+        -------
+        Field
+            In model units; infinite in other components.
+        """
+        if _is_point(source):
+            sources = [self._point(source)]
+        else:
+            sources = [self._point(one) for one in source]  # type: ignore[union-attr]
+        values = self._surface.distances(sources, real_number(radius, "radius"), running(1, None))
+        return Field(self, "distance", self._by_row(values, np.nan), self._unit)
+
+    def path(self, a: Point, b: Point) -> Path:
+        """A shortest path from one point to another, exact.
+
+        Parameters
+        ----------
+        a, b : point
+            Vertices, or ``(face, weights)``.
+
+        Returns
+        -------
+        Path
+        """
+        return Path(*self._surface.path(self._point(a), self._point(b), running(1, None)))
+
+    def remesh(
+        self, n: int, *, method: str = "fitting", progress: Progress = None
+    ) -> "Mesh":
+        """Another mesh of the surface, of about `n` faces.
+
+        Parameters
+        ----------
+        n : int
+            Faces wanted, from 4 to 100 million; met to within 2% where the shape allows it.
+        method : {'fitting', 'even'}
+            Good at keeping the shape, or triangles of even size.
+        progress
+            As of `igf`.
+
+        Returns
+        -------
+        Mesh
+        """
+        one_of(method, "method", ("fitting", "even"))
+        arrays = self._surface.remesh(
+            whole_number(n, "n"), method == "even", running(None, progress)
+        )
+        return Mesh(*arrays, unit=self._unit)
+
+    def to_pyvista(self) -> Any:
+        """The mesh as PyVista's ``PolyData``; it must be installed."""
+        import pyvista
+
+        corners = np.full((len(self._faces), 1), 3, np.int64)
+        return pyvista.PolyData(
+            np.array(self._vertices), np.hstack([corners, self._faces]).ravel()
+        )
+
+    def _unit_of(self, name: str) -> str:
+        kind = FIELDS[name]
+        if kind == "radian":
+            return "radian"
+        if kind == "" or not self._unit:
+            return ""
+        return self._unit if kind == "length" else f"{self._unit}^-2"
+
+    def _by_row(self, values: np.ndarray, none: Any) -> np.ndarray:
+        """Values of the surface's vertices for the rows of `vertices`."""
+        if self._is_plain:
+            return values
+        rows = np.full((len(self._vertex_of_row),) + values.shape[1:], none, values.dtype)
+        known = self._vertex_of_row >= 0
+        rows[known] = values[self._vertex_of_row[known]]
+        return rows
+
+    def _rows_of(self, vertices: np.ndarray) -> np.ndarray:
+        """The rows of `vertices` that are these vertices of the surface."""
+        if self._is_plain:
+            return vertices
+        chosen = np.zeros(len(self._row_of_vertex) + 1, bool)
+        chosen[vertices] = True
+        return np.flatnonzero(chosen[self._vertex_of_row])
+
+    def _row_of(self, vertex: int) -> int:
+        return int(self._row_of_vertex[vertex]) if vertex >= 0 else -1
+
+    def _point(self, point: Any) -> tuple[int, list[float]]:
+        """A point as the core takes it: (vertex, []) or (face, weights)."""
+        if isinstance(point, tuple):
+            if len(point) != 2:
+                raise input_error("INVALID_POINT", f"{point!r} is no point")
+            return self._face_point(*point)
+        return self._vertex(point), []
+
+    def _vertex(self, vertex: Any) -> int:
+        number = whole_number(vertex, "the vertex", "VERTEX_OUT_OF_RANGE")
+        count = len(self._vertex_of_row)
+        if not 0 <= number < count:
+            raise input_error(
+                "VERTEX_OUT_OF_RANGE",
+                f"there is no vertex {number}",
+                f"vertices are numbered from 0 to {count - 1}",
+                number,
+            )
+        found = int(self._vertex_of_row[number])
+        if found < 0:
+            raise input_error(
+                "VERTEX_OUT_OF_RANGE",
+                f"no face uses vertex {number}",
+                "name a vertex of a face",
+                number,
+            )
+        return found
+
+    def _face_point(self, face: Any, weights: Any) -> tuple[int, list[float]]:
+        number = whole_number(face, "the face", "INVALID_POINT")
+        count = len(self._faces)
+        if not 0 <= number < count:
+            raise input_error(
+                "INVALID_POINT",
+                f"there is no face {number}",
+                f"faces are numbered from 0 to {count - 1}",
+                number,
+            )
+        shares = [real_number(weight, "a weight") for weight in weights]
+        if len(shares) != 3:
+            raise input_error("INVALID_POINT", f"{len(shares)} weights are not three", "", number)
+        if self._face_of_row is None:
+            rows = self._surface.input_of_face().tolist()
+            # Of several faces on one triangle the first.
+            self._face_of_row = {row: i for i, row in reversed(list(enumerate(rows)))}
+        found = self._face_of_row.get(number)
+        if found is None:
+            raise input_error(
+                "INVALID_POINT",
+                f"face {number} was left out",
+                "the mesh's report states what was left out",
+                number,
+            )
+        report = self.report
+        if report["reoriented_faces"] + report["flipped_faces"] == 0:
+            return found, shares
+        # The face may have been turned over: its corners are found by where they come from.
+        given = self._row_of_vertex[self._vertex_of_row[self._faces[number]]].tolist()
+        corners = self._row_of_vertex[self._surface.triangles()[found]].tolist()
+        if sorted(given) != sorted(corners):
+            raise input_error(
+                "INVALID_POINT",
+                f"face {number} had no area and shares that of its neighbour now",
+                "name another face, or a vertex",
+                number,
+            )
+        return found, [shares[given.index(corner)] for corner in corners]
+
+
+def _remade(vertices: np.ndarray, faces: np.ndarray, options: dict) -> Mesh:
+    return Mesh(vertices, faces, **options)
+
+
+def _read_only(array: np.ndarray) -> np.ndarray:
+    view = array.view()
+    view.flags.writeable = False
+    return view
+
+
+def _is_point(value: Any) -> bool:
+    if isinstance(value, tuple):
+        return len(value) == 2 and np.ndim(value[0]) == 0 and np.ndim(value[1]) == 1
+    return np.ndim(value) == 0
+
+
+def _not_negative(value: Any, name: str) -> float:
+    number = real_number(value, name)
+    if not number >= 0:
+        raise input_error("INVALID_OPTION", f"{name} is {number}", "choose a number of at least 0")
+    return number
+
+
+def _preparing(
+    weld: Any, close_holes: Any, components: Any, scale: Any
+) -> tuple[float, bool, list[int], float]:
+    factor = real_number(scale, "scale")
+    if not 0 < factor < np.inf:
+        raise input_error("INVALID_OPTION", f"scale is {factor}", "choose a number above 0")
+    kept = [whole_number(number, "a component") for number in components]
+    for number in kept:
+        if not 0 <= number < 2**32 - 1:
+            raise input_error("COMPONENT_OUT_OF_RANGE", f"there is no component {number}")
+    return real_number(weld, "weld"), bool(close_holes), kept, factor
+
+
+def load(
+    path: Union[str, "os.PathLike[str]"],
+    *,
+    weld: float = 0.0,
+    close_holes: bool = False,
+    components: Sequence[int] = (),
+    scale: float = 1.0,
+) -> Mesh:
+    """Reads a model: GLB, glTF, OBJ, PLY, STL or OFF, recognised by content.
+
+    Parameters
+    ----------
+    path : str or path
+    weld, close_holes, components, scale
+        As of `Mesh`.
+
+    Returns
+    -------
+    Mesh
+        Its vertices and faces are those of the file; polygons are cut into triangles.
+
+    Raises
+    ------
+    InputError
+        Such as FILE_NOT_FOUND, UNKNOWN_FORMAT or MALFORMED_FILE, with the file's name.
+    """
+    options = _preparing(weld, close_holes, components, scale)
+    return Mesh._of(*_girth.load(path_of(path), *options, running(None, None)), options)
+
+
+def as_mesh(model: Any, F: Any = None) -> Mesh:
+    """A mesh of whatever stands for one.
+
+    Parameters
+    ----------
+    model : Mesh, path, (V, F), trimesh.Trimesh, meshio.Mesh, pyvista.PolyData or array_like
+        An array is ``V``, and needs `F`.
+    F : array_like of int, shape (m, 3), optional
+
+    Returns
+    -------
+    Mesh
+    """
+    if F is not None:
+        return Mesh(model, F)
+    if isinstance(model, Mesh):
+        return model
+    if isinstance(model, (str, bytes, os.PathLike)):
+        return load(path_of(model))
+    arrays = arrays_of(model)
+    if arrays is None:
+        raise input_error(
+            "USAGE",
+            f"a {type(model).__name__} is no mesh",
+            "pass a path, (V, F), or a mesh of trimesh, meshio or PyVista",
+        )
+    return Mesh(*arrays)
+
+
+def igf(
+    V: Any,
+    F: Any = None,
+    *,
+    method: str = "exact",
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Girth:
+    """The girth at every vertex of a mesh.
+
+    Parameters
+    ----------
+    V : array_like of float, shape (n, 3), or anything that `as_mesh` takes
+    F : array_like of int, shape (m, 3), optional
+    method, threads, progress
+        As of `Mesh.igf`.
+
+    Returns
+    -------
+    Girth
+        One value for each row of `V`, in model units.
+    """
+    return as_mesh(V, F).igf(method=method, threads=threads, progress=progress)
+
+
+def compare(
+    models: Iterable[Any],
+    descriptors: Sequence[str] = ("igf", "sdf", "geoaverage", "geofarthest"),
+    *,
+    faces: int = 10_000,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Comparison:
+    """How far shapes are apart, whatever their sizes, places and triangles.
+
+    Parameters
+    ----------
+    models : iterable
+        Two or more of whatever `as_mesh` takes.
+    descriptors : sequence of str, optional
+        Names as of the command: ``'igf'``, ``'sdf'``, ``'hks'``, ``'log-igf'``, ``'igf-sdf'`` …, or
+        sums such as ``'2*igf+sdf'``.
+    faces : int, optional
+        Larger models are remeshed to so many; 0: all are taken as they are.
+    threads, progress
+        As of `Mesh.igf`; the progress is that of all models.
+
+    Returns
+    -------
+    Comparison
+        Its matrices are symmetric; without unit, since models are scaled to the area 1.
+    """
+    names = [descriptors] if isinstance(descriptors, str) else [str(name) for name in descriptors]
+    count = whole_number(faces, "faces")
+    if not names:
+        raise input_error("USAGE", "there is no descriptor", "name one, such as igf")
+    if count != 0 and not 4 <= count <= 100_000_000:
+        raise input_error("INVALID_OPTION", f"faces is {count}", "choose 0, or 4 to 100 million")
+    given = list(models)
+    if len(given) < 2:
+        raise input_error(
+            "USAGE", "there is nothing to compare it with", "name two models or more"
+        )
+    run = running(threads, progress)
+    report = run.progress
+    fields = []
+    for number, model in enumerate(given):
+
+        def share(fraction: float, number: int = number) -> None:
+            report((number + fraction) / len(given))
+
+        each = running(threads, None if report is None else share)
+        fields.append(_girth.compared_fields(as_mesh(model)._surface, names, count, each))
+    matrices = _girth.compare(fields, names, running(threads, None))
+    return Comparison(dict(zip(names, matrices)))

@@ -1,0 +1,392 @@
+"""What the functions of Girth return: small classes with arrays.
+
+Vertices are numbered as in the arrays or the file that the mesh was made of, from 0. Lengths are in
+model units.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Iterator, Optional
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from girth.mesh import Mesh
+
+__all__ = [
+    "Comparison",
+    "Contour",
+    "Field",
+    "Girth",
+    "Limb",
+    "Loop",
+    "Part",
+    "Parts",
+    "Path",
+    "Tip",
+    "Tips",
+]
+
+
+def _unit(unit: str) -> str:
+    return f" {unit}" if unit else ""
+
+
+class _Result:
+    """Shows its class and its one line."""
+
+    def __repr__(self) -> str:
+        return f"<girth.{type(self).__name__}: {self._line()}>"
+
+    def _line(self) -> str:
+        raise NotImplementedError
+
+
+class Field(_Result):
+    """Values at the vertices of a mesh.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        Of which they are.
+    name : str
+        Such as ``"sdf"``.
+    values : ndarray of float64, shape (n,), or (n, d) where a vertex has several numbers
+        One for each row of ``mesh.vertices``; NaN where there is none.
+    unit : str
+        Such as ``"metre"``; empty where it is not known.
+    """
+
+    def __init__(self, mesh: "Mesh", name: str, values: np.ndarray, unit: str) -> None:
+        self.mesh = mesh
+        self.name = name
+        self.values = values
+        self.unit = unit
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> np.ndarray:
+        array = self.values if dtype is None else self.values.astype(dtype, copy=False)
+        return array.copy() if copy else array
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """The least and the greatest value; NaN where there is none."""
+        known = self.values[~np.isnan(self.values)]
+        return (float(known.min()), float(known.max())) if known.size else (np.nan, np.nan)
+
+    def _line(self) -> str:
+        least, greatest = self.range
+        shape = f", {self.values.shape[1]} numbers each" if self.values.ndim > 1 else ""
+        unit = _unit(self.unit)
+        return f"{self.name} of {len(self)} vertices{shape}, {least:.4g} to {greatest:.4g}{unit}"
+
+    def to_pyvista(self) -> Any:
+        """The mesh as PyVista's ``PolyData`` with the values as point data of the field's name.
+
+        Returns
+        -------
+        pyvista.PolyData
+
+        Raises
+        ------
+        ImportError
+            Where PyVista is not installed.
+        """
+        polygons = self.mesh.to_pyvista()
+        polygons.point_data[self.name] = self.values
+        return polygons
+
+
+class Girth(Field):
+    """The girth at the vertices of a mesh.
+
+    Attributes
+    ----------
+    mesh, name, values, unit
+        As of `Field`.
+    method : str
+        ``"exact"`` or ``"ms"``.
+    kinds : ndarray of uint8, shape (n,)
+        How each value came about: 0 loop, 1 antipodal, 2 unresolved (the value is a lower bound);
+        255 where there is none.
+    """
+
+    KINDS = ("loop", "antipodal", "unresolved")
+
+    def __init__(
+        self, mesh: "Mesh", values: np.ndarray, kinds: np.ndarray, method: str, unit: str
+    ) -> None:
+        super().__init__(mesh, "igf", values, unit)
+        self.kinds = kinds
+        self.method = method
+
+    def to_pyvista(self) -> Any:
+        """As `Field.to_pyvista`, with the kinds as the point data ``igf_kind``."""
+        polygons = super().to_pyvista()
+        polygons.point_data["igf_kind"] = self.kinds
+        return polygons
+
+
+class Loop(_Result):
+    """The shortest geodesic loop based at a point.
+
+    Attributes
+    ----------
+    length : float
+        The girth there, in model units.
+    kind : str
+        ``"loop"``, ``"antipodal"`` (out to the farthest point and back) or ``"unresolved"``.
+    base, midpoint : ndarray of float64, shape (3,)
+        Where it starts and ends, and its point farthest from there.
+    points : ndarray of float64, shape (k, 3)
+        The polyline from the base round to the base; empty where unresolved.
+    angle : float
+        Between the two ends at the base, in radians; π or more: a closed geodesic.
+    """
+
+    def __init__(self, found: dict) -> None:
+        self.length: float = found["length"]
+        self.kind: str = found["kind"]
+        self.base: np.ndarray = found["base"]
+        self.midpoint: np.ndarray = found["midpoint"]
+        self.points: np.ndarray = found["points"]
+        self.angle: float = found["angle"]
+
+    def _line(self) -> str:
+        return f"{self.kind}, length {self.length:.6g}, {len(self.points)} points"
+
+
+class Path(_Result):
+    """A shortest path between two points.
+
+    Attributes
+    ----------
+    length : float
+        In model units; infinite where the points lie in different components.
+    points : ndarray of float64, shape (k, 3)
+        The polyline; empty where there is none.
+    """
+
+    def __init__(self, length: float, points: np.ndarray) -> None:
+        self.length = length
+        self.points = points
+
+    def _line(self) -> str:
+        return f"length {self.length:.6g}, {len(self.points)} points"
+
+
+class Contour(_Result):
+    """A line along which the girth jumps.
+
+    Attributes
+    ----------
+    points : ndarray of float64, shape (k, 3)
+        In order; the first is not repeated.
+    closed : bool
+        Whether it comes back to its first point.
+    """
+
+    def __init__(self, points: np.ndarray, closed: bool) -> None:
+        self.points = points
+        self.closed = closed
+
+    def _line(self) -> str:
+        return f"{'closed' if self.closed else 'open'}, {len(self.points)} points"
+
+
+class Tip(_Result):
+    """A region that the discontinuity contour cuts off.
+
+    Attributes
+    ----------
+    vertices : ndarray of int64
+        Its vertices, in rising order.
+    contour : list of Contour
+        What cuts it off.
+    area, boundary_length : float
+        Inside the contour, in squared model units; of the contour, in model units.
+    apex : int
+        The vertex farthest from the contour; -1 where it was made by the preparation.
+    apex_distance, jump : float
+        How far that is, and how far the girth rises from outside to inside, in model units.
+    """
+
+    def __init__(self, mesh: "Mesh", found: dict) -> None:
+        self.vertices = mesh._rows_of(found["vertices"])
+        self.contour = [Contour(points, closed) for points, closed in found["contour"]]
+        self.area: float = found["area"]
+        self.boundary_length: float = found["boundary_length"]
+        self.apex = mesh._row_of(found["apex"])
+        self.apex_distance: float = found["apex_distance"]
+        self.jump: float = found["jump"]
+
+    def _line(self) -> str:
+        return f"{len(self.vertices)} vertices, apex {self.apex}, jump {self.jump:.4g}"
+
+
+class Tips(_Result):
+    """The tips of a mesh, largest jump first; a sequence of `Tip`.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        Of which they are.
+    tips : list of Tip
+    arcs : list of Contour
+        Parts of the contour that are no tip's, longest first.
+    """
+
+    def __init__(self, mesh: "Mesh", tips: list, arcs: list) -> None:
+        self.mesh = mesh
+        self.tips = [Tip(mesh, tip) for tip in tips]
+        self.arcs = [Contour(points, False) for points, _, _ in arcs]
+
+    def __len__(self) -> int:
+        return len(self.tips)
+
+    def __getitem__(self, number: int) -> Tip:
+        return self.tips[number]
+
+    def __iter__(self) -> Iterator[Tip]:
+        return iter(self.tips)
+
+    @property
+    def apexes(self) -> np.ndarray:
+        """The apex of each tip, int64."""
+        return np.array([tip.apex for tip in self.tips], np.int64)
+
+    def _line(self) -> str:
+        return f"{len(self)} tips, apexes {self.apexes.tolist()}"
+
+
+class Limb(_Result):
+    """What a tip ends: a finger, an arm, a leg.
+
+    Attributes
+    ----------
+    apex : int
+        The vertex where it begins.
+    tips : list of int
+        The tips that it ends in, by their numbers in `Mesh.tips`.
+    length : float
+        From the apex to its base, along the surface, in model units.
+    end : str
+        Why it ends: ``"spreads"``, ``"slips"``, ``"splits"``, ``"handle"``, ``"boundary"`` or
+        ``"whole"``.
+    narrowest, narrowest_distance, median, base : float
+        The least girth and how far from the apex it is; the median along the limb; the girth at its
+        base. In model units; NaN where there is none.
+    vertices : ndarray of int64
+        What the base cuts off, in rising order.
+    profile : ndarray of float64, shape (stations, 4)
+        Distance from the apex, length of the ring, median and least girth there, in model units.
+    """
+
+    def __init__(self, mesh: "Mesh", found: dict) -> None:
+        self.apex = mesh._row_of(found["apex"])
+        self.tips: list[int] = found["tips"]
+        self.length: float = found["length"]
+        self.end: str = found["end"]
+        self.narrowest: float = found["narrowest"]
+        self.narrowest_distance: float = found["narrowest_distance"]
+        self.median: float = found["median"]
+        self.base: float = found["base"]
+        self.vertices = mesh._rows_of(found["vertices"])
+        self.profile: np.ndarray = found["profile"]
+
+    def _line(self) -> str:
+        return f"apex {self.apex}, length {self.length:.4g}, narrowest {self.narrowest:.4g}"
+
+
+class Part(_Result):
+    """A connected region of one kind.
+
+    Attributes
+    ----------
+    kind : str
+        ``"body"``, ``"tube"``, ``"plate"`` or ``"unknown"``.
+    vertices : ndarray of int64
+        In rising order.
+    area : float
+        In squared model units.
+    median_girth, median_thickness, equivalent_radius : float
+        In model units; NaN where unknown. The radius is that of the round tube of this girth.
+    thinnest : int
+        The vertex of the least girth (tube), otherwise of the least thickness; -1: none.
+    """
+
+    def __init__(self, mesh: "Mesh", found: dict) -> None:
+        self.kind: str = found["kind"]
+        self.vertices = mesh._rows_of(found["vertices"])
+        self.area: float = found["area"]
+        self.median_girth: float = found["median_girth"]
+        self.median_thickness: float = found["median_thickness"]
+        self.equivalent_radius: float = found["equivalent_radius"]
+        self.thinnest = mesh._row_of(found["thinnest"])
+
+    def _line(self) -> str:
+        return f"{self.kind}, {len(self.vertices)} vertices, area {self.area:.4g}"
+
+
+class Parts(_Result):
+    """A mesh divided into tubes, plates and body, largest part first; a sequence of `Part`.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        Of which they are.
+    parts : list of Part
+    labels : ndarray of int64, shape (n,)
+        For each row of ``mesh.vertices`` its part's number; -1 where the vertex was dropped.
+    girth, thickness : float
+        The thresholds that were used, in model units.
+    """
+
+    def __init__(
+        self, mesh: "Mesh", girth: float, thickness: float, labels: np.ndarray, parts: list
+    ) -> None:
+        self.mesh = mesh
+        self.parts = [Part(mesh, part) for part in parts]
+        self.labels = labels
+        self.girth = girth
+        self.thickness = thickness
+
+    def __len__(self) -> int:
+        return len(self.parts)
+
+    def __getitem__(self, number: int) -> Part:
+        return self.parts[number]
+
+    def __iter__(self) -> Iterator[Part]:
+        return iter(self.parts)
+
+    def _line(self) -> str:
+        kinds = [part.kind for part in self.parts]
+        counts = [f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds)]
+        return f"{len(self)} parts ({', '.join(counts)})"
+
+
+class Comparison(_Result):
+    """How far models are apart.
+
+    Attributes
+    ----------
+    descriptors : tuple of str
+        By which they were compared.
+    distances : dict of str to ndarray of float64, shape (models, models)
+        The matrix by each descriptor: symmetric, zeros on the diagonal, NaN where a model has no
+        value at all. Models have the area 1, so that size does not matter.
+    """
+
+    def __init__(self, distances: dict[str, np.ndarray]) -> None:
+        self.distances = distances
+        self.descriptors = tuple(distances)
+
+    def __getitem__(self, descriptor: str) -> np.ndarray:
+        return self.distances[descriptor]
+
+    def _line(self) -> str:
+        models = len(next(iter(self.distances.values())))
+        return f"{models} models by {', '.join(self.descriptors)}"

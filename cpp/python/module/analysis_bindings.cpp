@@ -1,0 +1,155 @@
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "girth/limbs.h"
+#include "girth/parts.h"
+#include "girth/tips.h"
+#include "surface.h"
+#include "working.h"
+
+namespace py = pybind11;
+
+namespace girth::python {
+namespace {
+
+using Shared = std::shared_ptr<Surface>;
+
+/// (places, closed)
+py::tuple lineOf(const SurfaceMesh& mesh, const ContourLine& line) {
+  return py::make_tuple(placesOf(mesh, line.points), line.closed);
+}
+
+py::dict tipOf(const SurfaceMesh& mesh, const Tip& tip) {
+  py::list contour;
+  for (const ContourLine& line : tip.contour) contour.append(lineOf(mesh, line));
+  py::dict result;
+  result["vertices"] = numberArray(tip.vertices);
+  result["contour"] = contour;
+  result["area"] = tip.area;
+  result["boundary_length"] = tip.boundaryLength;
+  result["apex"] = numberOf(tip.apex);
+  result["apex_distance"] = tip.apexDistance;
+  result["jump"] = tip.jump;
+  return result;
+}
+
+/// The girth, and the tips by it.
+Result<Tips> tipsByGirth(const Surface& surface, const ExecutionContext& context) {
+  const auto girth = surface.girth(context);
+  if (!girth) return girth.error();
+  return findTips(surface.mesh(), girth.value()->values, {context.threads, context.cancel, {}});
+}
+
+/// (tips, arcs): the arcs as (line, length, jump).
+py::tuple tipsOf(const Shared& surface, const Running& running) {
+  const Tips found = compute<Tips>(running, [surface](const ExecutionContext& context) {
+    return tipsByGirth(*surface, context);
+  });
+  py::list tips, arcs;
+  for (const Tip& tip : found.tips) tips.append(tipOf(surface->mesh(), tip));
+  for (const OpenArc& arc : found.arcs) {
+    arcs.append(py::make_tuple(placesOf(surface->mesh(), arc.line.points), arc.length, arc.jump));
+  }
+  return py::make_tuple(tips, arcs);
+}
+
+py::dict limbOf(const Limb& limb) {
+  std::vector<double> profile;
+  for (const GirthStation& station : limb.profile) {
+    profile.insert(profile.end(), {station.distance, station.ring, station.median, station.least});
+  }
+  const auto stations = static_cast<py::ssize_t>(limb.profile.size());
+  py::dict result;
+  result["apex"] = numberOf(limb.apex);
+  result["tips"] = std::vector<Index>(limb.tips);
+  result["length"] = limb.length;
+  result["end"] = std::string(toString(limb.end));
+  result["narrowest"] = limb.narrowest;
+  result["narrowest_distance"] = limb.narrowestDistance;
+  result["median"] = limb.median;
+  result["base"] = limb.base;
+  result["vertices"] = numberArray(limb.vertices);
+  result["distances"] = arrayOf(std::vector<double>(limb.distances));
+  result["profile"] = arrayOf(std::move(profile), {stations, 4});
+  return result;
+}
+
+py::list limbsOf(const Shared& surface, Index stations, const Running& running) {
+  const Limbs found =
+      compute<Limbs>(running, [surface, stations](const ExecutionContext& c) -> Result<Limbs> {
+        const auto tips = tipsByGirth(*surface, c);
+        if (!tips) return tips.error();
+        const ExecutionContext quiet{c.threads, c.cancel, {}};
+        const auto girth = surface->girth(quiet);
+        if (!girth) return girth.error();
+        return findLimbs(surface->mesh(), girth.value()->values, tips.value().tips, {stations},
+                         quiet);
+      });
+  py::list limbs;
+  for (const Limb& limb : found.limbs) limbs.append(limbOf(limb));
+  return limbs;
+}
+
+struct FoundParts {
+  PartThresholds thresholds;
+  Parts parts;
+};
+
+/// Thresholds below 0 are found from the fields.
+Result<FoundParts> partsOf(const Surface& surface, PartOptions options,
+                           const ExecutionContext& context) {
+  const auto girth = surface.girth(context);
+  if (!girth) return girth.error();
+  const auto diameter = surface.diameter({context.threads, context.cancel, {}});
+  if (!diameter) return diameter.error();
+  const PartThresholds suggested =
+      suggestedThresholds(surface.mesh(), girth.value()->values, *diameter.value());
+  if (options.thresholds.girth < 0) options.thresholds.girth = suggested.girth;
+  if (options.thresholds.thickness < 0) options.thresholds.thickness = suggested.thickness;
+  auto parts = findParts(surface.mesh(), girth.value()->values, *diameter.value(), options);
+  if (!parts) return parts.error();
+  return FoundParts{options.thresholds, std::move(parts).value()};
+}
+
+/// (threshold of the girth, of the thickness, part of each vertex, parts)
+py::tuple partsByThresholds(const Shared& surface, double girth, double thickness, double smoothing,
+                            const Running& running) {
+  const PartOptions options{{girth, thickness}, smoothing};
+  const auto found =
+      compute<FoundParts>(running, [surface, options](const ExecutionContext& context) {
+        return partsOf(*surface, options, context);
+      });
+  py::list parts;
+  for (const Part& part : found.parts.parts) {
+    py::dict one;
+    one["kind"] = std::string(toString(part.kind));
+    one["vertices"] = numberArray(part.vertices);
+    one["area"] = part.area;
+    one["median_girth"] = part.medianGirth;
+    one["median_thickness"] = part.medianThickness;
+    one["thinnest"] = numberOf(part.thinnest);
+    one["equivalent_radius"] = part.equivalentRadius();
+    parts.append(one);
+  }
+  return py::make_tuple(found.thresholds.girth, found.thresholds.thickness,
+                        numberArray(found.parts.partOf), parts);
+}
+
+}  // namespace
+
+void bindAnalysis(py::module_& module) {
+  module.def("tips", &tipsOf);
+  module.def("limbs", &limbsOf);
+  module.def("parts", &partsByThresholds);
+}
+
+}  // namespace girth::python

@@ -1,0 +1,78 @@
+// Arrays between NumPy and the core: those that come out own the core's memory, nothing is copied.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "girth/elements.h"
+#include "girth/error.h"
+#include "girth/surface_mesh.h"
+#include "girth/surface_point.h"
+
+namespace girth::python {
+
+/// A C-contiguous array, as the Python files of the package hand them over.
+template <class Value>
+using Array = pybind11::array_t<Value, pybind11::array::c_style>;
+
+/// The numbers of an array, valid as long as it.
+template <class Value>
+std::span<const Value> spanOf(const Array<Value>& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+/// An array of a shape that takes over a vector's memory.
+template <class Value>
+Array<Value> arrayOf(std::vector<Value> values, std::vector<pybind11::ssize_t> shape) {
+  auto owner = std::make_unique<std::vector<Value>>(std::move(values));
+  const pybind11::capsule capsule(
+      owner.get(), [](void* memory) { delete static_cast<std::vector<Value>*>(memory); });
+  const Value* const data = owner.release()->data();
+  return Array<Value>(std::move(shape), data, capsule);
+}
+
+/// The same in a row.
+template <class Value>
+Array<Value> arrayOf(std::vector<Value> values) {
+  const auto size = static_cast<pybind11::ssize_t>(values.size());
+  return arrayOf(std::move(values), {size});
+}
+
+/// The numbers of elements; -1: none.
+template <class Numbers>
+Array<std::int64_t> numberArray(const Numbers& elements) {
+  std::vector<std::int64_t> numbers;
+  numbers.reserve(elements.size());
+  for (const Index element : elements) {
+    numbers.push_back(element == kNoIndex ? -1 : static_cast<std::int64_t>(element));
+  }
+  return arrayOf(std::move(numbers));
+}
+
+/// The number of an element; -1: none.
+inline std::int64_t numberOf(Index element) {
+  return element == kNoIndex ? -1 : static_cast<std::int64_t>(element);
+}
+
+/// A point in space, shape (3,).
+inline Array<double> pointArray(const Vec3& point) {
+  return arrayOf(std::vector<double>{point.x, point.y, point.z});
+}
+
+/// Where points of a surface are in space, shape (n, 3).
+inline Array<double> placesOf(const SurfaceMesh& mesh, std::span<const SurfacePoint> points) {
+  std::vector<double> places;
+  places.reserve(3 * points.size());
+  for (const SurfacePoint& point : points) {
+    const Vec3 place = positionOf(mesh, point);
+    places.insert(places.end(), {place.x, place.y, place.z});
+  }
+  return arrayOf(std::move(places), {static_cast<pybind11::ssize_t>(points.size()), 3});
+}
+
+}  // namespace girth::python

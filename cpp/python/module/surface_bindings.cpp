@@ -1,0 +1,328 @@
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "girth/geodesic_extent.h"
+#include "girth/heat_kernel.h"
+#include "girth/io/load_mesh.h"
+#include "girth/remesh.h"
+#include "girth/spectrum.h"
+#include "girth/wave_kernel.h"
+#include "surface.h"
+#include "working.h"
+
+namespace py = pybind11;
+
+namespace girth::python {
+namespace {
+
+using Shared = std::shared_ptr<Surface>;
+
+PrepareOptions prepareOptionsOf(double weld, bool closeHoles, std::vector<Index> components,
+                                double scale) {
+  PrepareOptions options;
+  options.weldDistance = weld;
+  options.closeHoles = closeHoles;
+  options.components = std::move(components);
+  options.scale = scale;
+  return options;
+}
+
+/// Rows of vertices of an integer array; INDEX_OUT_OF_RANGE where one is no vertex.
+std::vector<Index> trianglesOf(const Array<std::int64_t>& faces, std::size_t vertices) {
+  const auto numbers = spanOf(faces);
+  std::vector<Index> triangles(numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] < 0 || static_cast<std::uint64_t>(numbers[i]) >= vertices) {
+      const auto face = static_cast<std::int64_t>(i / 3);
+      Error error = makeError(ErrorCode::IndexOutOfRange, face,
+                              "face " + std::to_string(face) + " names vertex " +
+                                  std::to_string(numbers[i]) + " of " + std::to_string(vertices));
+      error.hint = "vertices are numbered from 0 to the vertex count minus one";
+      throwError(error);
+    }
+    triangles[i] = static_cast<Index>(numbers[i]);
+  }
+  return triangles;
+}
+
+/// The surface of a model that was read, or of arrays.
+Shared surfaceOf(io::ReadModel model, const PrepareOptions& options, const Running& running) {
+  // std::function is copied, and the model is not to be.
+  const auto shared = std::make_shared<io::ReadModel>(std::move(model));
+  auto prepared =
+      compute<PreparedSurface>(running, [shared, options](const ExecutionContext& context) {
+        return prepareSurface(std::move(shared->soup), options, context);
+      });
+  return std::make_shared<Surface>(
+      io::LoadedMesh{std::move(prepared), shared->format, shared->unit, shared->notes});
+}
+
+Shared surfaceOfArrays(const Array<double>& positions, const Array<std::int64_t>& faces,
+                       double weld, bool closeHoles, std::vector<Index> components, double scale,
+                       const Running& running) {
+  const auto numbers = spanOf(positions);
+  if (numbers.size() / 3 >= kNoIndex || faces.size() / 3 >= kNoIndex / 3) {
+    throwError(makeError(ErrorCode::LimitExceeded, -1, "there are too many faces to number"));
+  }
+  io::ReadModel model;
+  model.soup.positions.assign(numbers.begin(), numbers.end());
+  model.soup.triangles = trianglesOf(faces, numbers.size() / 3);
+  return surfaceOf(std::move(model),
+                   prepareOptionsOf(weld, closeHoles, std::move(components), scale), running);
+}
+
+/// A model's surface, and its vertices and faces as they are in the file.
+py::tuple surfaceOfFile(const std::string& path, double weld, bool closeHoles,
+                        std::vector<Index> components, double scale, const Running& running) {
+  auto model = compute<io::ReadModel>(
+      running, [path](const ExecutionContext&) { return io::loadModel(path); });
+  std::vector<double> positions = model.soup.positions;
+  std::vector<std::int64_t> faces(model.soup.triangles.begin(), model.soup.triangles.end());
+  const PrepareOptions options = prepareOptionsOf(weld, closeHoles, std::move(components), scale);
+  Shared surface;
+  try {
+    surface = surfaceOf(std::move(model), options, running);
+  } catch (const ThrownError& thrown) {
+    Error error = thrown;
+    error.file = path;
+    throwError(error);
+  }
+  const auto vertexCount = static_cast<py::ssize_t>(positions.size() / 3);
+  const auto faceCount = static_cast<py::ssize_t>(faces.size() / 3);
+  return py::make_tuple(surface, arrayOf(std::move(positions), {vertexCount, 3}),
+                        arrayOf(std::move(faces), {faceCount, 3}));
+}
+
+py::dict reportOf(const Surface& surface) {
+  const PreparationReport& report = surface.loaded().report;
+  py::dict counts;
+  counts["input_vertices"] = report.inputVertices;
+  counts["input_faces"] = report.inputFaces;
+  counts["welded_vertices"] = report.weldedVertices;
+  counts["degenerate_faces"] = report.degenerateFaces;
+  counts["flipped_faces"] = report.flippedFaces;
+  counts["duplicate_faces"] = report.duplicateFaces;
+  counts["unreferenced_vertices"] = report.unreferencedVertices;
+  counts["reoriented_faces"] = report.reorientedFaces;
+  counts["one_sided_edges"] = report.oneSidedEdges;
+  counts["non_manifold_edges"] = report.nonManifoldEdges;
+  counts["non_manifold_vertices"] = report.nonManifoldVertices;
+  counts["added_vertices"] = report.addedVertices;
+  counts["components"] = report.components;
+  counts["kept_components"] = report.keptComponents;
+  counts["boundary_curves"] = report.boundaryCurves;
+  counts["boundary_edges"] = report.boundaryEdges;
+  counts["closed_holes"] = report.closedHoles;
+  return counts;
+}
+
+Array<double> positionsOf(const SurfaceMesh& mesh) {
+  std::vector<double> positions;
+  positions.reserve(3 * static_cast<std::size_t>(mesh.vertexCount()));
+  for (const Vertex v : mesh.vertices()) {
+    const Vec3& p = mesh.position(v);
+    positions.insert(positions.end(), {p.x, p.y, p.z});
+  }
+  return arrayOf(std::move(positions), {static_cast<py::ssize_t>(mesh.vertexCount()), 3});
+}
+
+Array<std::int64_t> trianglesOf(const SurfaceMesh& mesh) {
+  std::vector<std::int64_t> faces;
+  faces.reserve(3 * static_cast<std::size_t>(mesh.faceCount()));
+  for (const Face face : mesh.faces()) {
+    for (const Vertex v : mesh.faceVertices(face)) faces.push_back(v);
+  }
+  return arrayOf(std::move(faces), {static_cast<py::ssize_t>(mesh.faceCount()), 3});
+}
+
+py::tuple arraysOf(const GirthField& field) {
+  std::vector<std::uint8_t> kinds;
+  kinds.reserve(field.kinds.size());
+  for (const LoopKind kind : field.kinds) kinds.push_back(static_cast<std::uint8_t>(kind));
+  return py::make_tuple(arrayOf(std::vector<double>(field.values)), arrayOf(std::move(kinds)));
+}
+
+py::tuple girthOf(const Shared& surface, const std::string& method, const Running& running) {
+  if (method == "exact") {
+    return arraysOf(*compute<std::shared_ptr<const GirthField>>(
+        running, [surface](const ExecutionContext& context) { return surface->girth(context); }));
+  }
+  return arraysOf(compute<GirthField>(
+      running, [surface](const ExecutionContext& context) -> Result<GirthField> {
+        GirthField field = girthField(surface->mesh(), GirthMethod::Marched, context);
+        if (!field.complete()) return makeError(ErrorCode::Cancelled, -1, "stopped");
+        return field;
+      }));
+}
+
+using Values = std::vector<double>;
+
+Array<double> angleOf(const Shared& surface, const Running& running) {
+  return arrayOf(compute<Values>(running, [surface](const ExecutionContext& c) -> Result<Values> {
+    auto angles = evaluateAll(surface->mesh(), loopAngleFunction(surface->mesh()), c);
+    if (!angles.complete()) return makeError(ErrorCode::Cancelled, -1, "stopped");
+    return std::move(angles.values);
+  }));
+}
+
+Array<double> diameterOf(const Shared& surface, double coneAngle, unsigned rays,
+                         const Running& running) {
+  const ShapeDiameterOptions options{coneAngle, rays};
+  const ShapeDiameterOptions usual;
+  if (coneAngle == usual.coneAngle && rays == usual.rays) {
+    return arrayOf(Values(*compute<std::shared_ptr<const Values>>(
+        running,
+        [surface](const ExecutionContext& context) { return surface->diameter(context); })));
+  }
+  return arrayOf(
+      compute<Values>(running, [surface, options](const ExecutionContext& c) -> Result<Values> {
+        auto field = shapeDiameter(surface->mesh(), options, c);
+        if (!field) return field.error();
+        if (!field.value().complete) return makeError(ErrorCode::Cancelled, -1, "stopped");
+        return std::move(field.value().values);
+      }));
+}
+
+Array<double> extentOf(const Shared& surface, bool farthest, bool exact, const Running& running) {
+  return arrayOf(compute<Values>(
+      running, [surface, farthest, exact](const ExecutionContext& c) -> Result<Values> {
+        GeodesicExtent extent = geodesicExtent(
+            surface->mesh(), exact ? DistanceMethod::Exact : DistanceMethod::FastMarching, c);
+        if (!extent.complete) return makeError(ErrorCode::Cancelled, -1, "stopped");
+        return std::move(farthest ? extent.farthest : extent.average);
+      }));
+}
+
+/// hks, sihks or wks. `times`: of hks, as shares of the area.
+Result<VertexSignatures> signatureOf(const std::string& name, const Spectrum& spectrum,
+                                     Values times) {
+  if (name == "sihks") return scaleInvariantHeatKernelSignature(spectrum);
+  if (name == "wks") return waveKernelSignature(spectrum);
+  const double area = std::accumulate(spectrum.areas.begin(), spectrum.areas.end(), 0.0);
+  for (double& time : times) time *= area;
+  return heatKernelSignature(spectrum, times);
+}
+
+Array<double> spectralFieldOf(const Shared& surface, const std::string& name, Index pairs,
+                              const Values& times, const Running& running) {
+  auto signature = compute<VertexSignatures>(
+      running,
+      [surface, name, pairs, times](const ExecutionContext& c) -> Result<VertexSignatures> {
+        const auto spectrum = laplaceSpectrum(surface->mesh(), {pairs}, c);
+        if (!spectrum) return spectrum.error();
+        return signatureOf(name, spectrum.value(), times);
+      });
+  const auto vertices = static_cast<py::ssize_t>(surface->mesh().vertexCount());
+  const auto dimensions = static_cast<py::ssize_t>(signature.dimensions);
+  return arrayOf(std::move(signature.values), {vertices, dimensions});
+}
+
+/// A vertex where `weights` has no numbers, otherwise a point of a face.
+SurfacePoint pointOf(std::int64_t element, const Values& weights) {
+  const auto number =
+      element >= 0 && element < std::int64_t{kNoIndex} ? static_cast<Index>(element) : kNoIndex;
+  if (weights.size() != 3) return SurfacePoint::atVertex(Vertex(number));
+  return SurfacePoint::inFace(Face(number), {weights[0], weights[1], weights[2]});
+}
+
+/// As Python passes points: (number, weights).
+using Point = std::pair<std::int64_t, Values>;
+
+py::dict loopAt(const Shared& surface, const Point& at, const Running& running) {
+  const SurfacePoint point = pointOf(at.first, at.second);
+  const auto loop = compute<GirthLoop>(running, [surface, point](const ExecutionContext& context) {
+    return surface->loop(point, context);
+  });
+  const SurfaceMesh& mesh = surface->mesh();
+  py::dict result;
+  result["length"] = loop.length;
+  result["kind"] = std::string(toString(loop.kind));
+  result["angle"] = loop.angle;
+  result["base"] = pointArray(positionOf(mesh, point));
+  result["midpoint"] = pointArray(positionOf(mesh, loop.midpoint));
+  result["points"] = placesOf(mesh, loop.points);
+  return result;
+}
+
+Array<double> distancesFrom(const Shared& surface, const std::vector<Point>& from, double radius,
+                            const Running& running) {
+  std::vector<SurfacePoint> sources;
+  for (const Point& at : from) sources.push_back(pointOf(at.first, at.second));
+  return arrayOf(
+      compute<Values>(running, [surface, sources, radius](const ExecutionContext& context) {
+        return surface->distances(sources, radius, context);
+      }));
+}
+
+py::tuple pathBetween(const Shared& surface, const Point& from, const Point& to,
+                      const Running& running) {
+  const SurfacePoint start = pointOf(from.first, from.second);
+  const SurfacePoint end = pointOf(to.first, to.second);
+  const auto path =
+      compute<GeodesicPath>(running, [surface, start, end](const ExecutionContext& context) {
+        return surface->path(start, end, context);
+      });
+  return py::make_tuple(path.length, placesOf(surface->mesh(), path.points));
+}
+
+/// Vertices and faces of another mesh of the surface.
+py::tuple remeshed(const Shared& surface, std::int64_t faces, bool even, const Running& running) {
+  RemeshOptions options;
+  options.faces = faces >= 0 && faces < std::int64_t{kNoIndex} ? static_cast<Index>(faces) : 0;
+  options.method = even ? RemeshMethod::Even : RemeshMethod::Fitting;
+  const auto result =
+      compute<RemeshedSurface>(running, [surface, options](const ExecutionContext& context) {
+        return remesh(surface->mesh(), options, context);
+      });
+  return py::make_tuple(positionsOf(result.mesh), trianglesOf(result.mesh));
+}
+
+}  // namespace
+
+void bindSurface(py::module_& module) {
+  py::class_<Running>(module, "Running")
+      .def(py::init([](unsigned threads, py::object progress) {
+             return Running{threads, std::move(progress)};
+           }),
+           py::arg("threads"), py::arg("progress"))
+      .def_readonly("progress", &Running::progress);
+  module.def("load", &surfaceOfFile);
+  py::class_<Surface, Shared>(module, "Surface")
+      .def(py::init(&surfaceOfArrays))
+      .def_property_readonly("unit", [](const Surface& s) { return s.loaded().unit; })
+      .def_property_readonly("notes", [](const Surface& s) { return s.loaded().notes; })
+      .def_property_readonly("vertex_count",
+                             [](const Surface& s) { return s.mesh().vertexCount(); })
+      .def_property_readonly("face_count", [](const Surface& s) { return s.mesh().faceCount(); })
+      .def_property_readonly("area", [](const Surface& s) { return s.mesh().area(); })
+      .def("report", &reportOf)
+      .def("vertex_of_input",
+           [](const Surface& s) { return numberArray(s.loaded().vertexOfInput); })
+      .def("input_of_vertex",
+           [](const Surface& s) { return numberArray(s.loaded().inputOfVertex); })
+      .def("input_of_face", [](const Surface& s) { return numberArray(s.loaded().inputOfFace); })
+      .def("positions", [](const Surface& s) { return positionsOf(s.mesh()); })
+      .def("triangles", [](const Surface& s) { return trianglesOf(s.mesh()); })
+      .def("girth", &girthOf)
+      .def("angle", &angleOf)
+      .def("shape_diameter", &diameterOf)
+      .def("extent", &extentOf)
+      .def("spectral_field", &spectralFieldOf)
+      .def("loop", &loopAt)
+      .def("distances", &distancesFrom)
+      .def("path", &pathBetween)
+      .def("remesh", &remeshed);
+}
+
+}  // namespace girth::python

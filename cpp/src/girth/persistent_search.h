@@ -1,0 +1,87 @@
+// The saddles of the distance from p that last, while the disk grows: the loop search goes on from
+// each saddle until it is known whether a side of its loop is filled in time
+// (web/docs/definitions.md, section 2).
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "girth/local_maxima.h"
+#include "girth/loop_search.h"
+#include "girth/saddle_tree.h"
+
+namespace girth {
+
+/// A visitor of Propagation::run that ends with the first saddle of more than a certain
+/// persistence.
+class PersistentSearch {
+ public:
+  /// The propagation that it will visit; `search` is the search of that propagation.
+  PersistentSearch(geodesic::Propagation& propagation, LoopSearch& search)
+      : propagation_(&propagation),
+        search_(&search),
+        maximaSearch_(propagation),
+        courses_(propagation) {}
+
+  /// `persistence`: in the unit of the unfolding. `mostSaddles`: the search ends when so many have
+  /// been decided.
+  void start(double persistence, std::size_t mostSaddles, const std::atomic<bool>* cancel);
+
+  bool enough(double frontier);
+  void onCrossing(Index halfedge, std::uint32_t first, const geodesic::CrossingResult& result) {
+    search_->onCrossing(halfedge, first, result);
+  }
+  void onVertex(Index vertex) { search_->onVertex(vertex); }
+  std::size_t effort() const { return search_->effort() + work_ / 2; }
+
+  /// A saddle of the distance from p.
+  struct Saddle {
+    LoopCandidate loop;
+    /// When a side of the loop was filled: only of those that are decided; infinite: not up to
+    /// the persistence that was asked for, or never.
+    double death;
+  };
+  /// Those that were met, in the order of their heights.
+  const std::vector<Saddle>& saddles() const { return saddles_; }
+  /// So many of them, the first ones, have been decided: it is known whether they last.
+  std::size_t decided() const { return decided_; }
+  /// Whether the last one decided lasts.
+  bool found() const { return found_; }
+  /// Whether there are more saddles than were to be decided.
+  bool endedEarly() const { return endedEarly_; }
+  bool cancelled() const { return search_->cancelled() || cancelled_; }
+  /// Whether the budget did not suffice to look for the maxima.
+  bool gaveUp() const { return gaveUp_; }
+  std::size_t memoryBytes() const;
+
+ private:
+  void add(const LoopCandidate& loop);
+  bool divides(const LoopCandidate& loop);
+  double directionOf(const LoopCandidate& loop, const PathHalf& half) const;
+  bool measure(double frontier);
+  void findBoundaries();
+
+  geodesic::Propagation* propagation_;
+  LoopSearch* search_;
+  MaximaSearch maximaSearch_;
+  Courses courses_;
+  const std::atomic<bool>* cancel_{nullptr};
+  double persistence_{0};
+  std::size_t mostSaddles_{0};
+  std::vector<Saddle> saddles_;
+  std::vector<SaddleEnds> ends_;  // of the saddles
+  /// Saddles at vertices, with the gaps on one side of their loops: there may be several.
+  struct AtVertex {
+    Index vertex;
+    std::size_t gaps;
+  };
+  std::vector<AtVertex> atVertices_;
+  std::vector<LocalMaximum> maxima_;
+  std::vector<Course> boundaries_;
+  Arrivals arrivals_;
+  double measured_{0};  // everything is known up to here
+  std::size_t decided_{0}, work_{0};
+  bool found_{false}, endedEarly_{false}, cancelled_{false}, gaveUp_{false};
+};
+
+}  // namespace girth

@@ -1,0 +1,103 @@
+#include "girth/sites.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace girth {
+
+using geodesic::cross;
+using geodesic::Crossing;
+using geodesic::dot;
+using geodesic::kTouch;
+using geodesic::norm;
+using geodesic::Propagation;
+using geodesic::Unfolding;
+using geodesic::Vec2;
+
+void findSites(const Propagation& propagation, Index face, std::vector<Site>& sites) {
+  const Unfolding& unfolding = propagation.unfolding();
+  sites.clear();
+  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+    const Crossing c = unfolding.crossing(h);
+    const auto place = [&](Vec2 p) { return unfolding.toFrame(h, 3 * face, p); };
+    if (propagation.settled(c.from())) {
+      sites.push_back({place({0, 0}), propagation.distance(c.from())});
+    }
+    propagation.eachEntered(h, [&](const geodesic::Window& w) {
+      const Vec2 root = place(w.root);
+      const Vec2 left = place({w.gapFrom, 0}) - root;
+      const Vec2 right = place({c.length() - w.gapTo, 0}) - root;
+      sites.push_back({root, w.sigma, (1 / norm(left)) * left, (1 / norm(right)) * right});
+    });
+  }
+  for (const Propagation::Origin& origin : propagation.origins()) {
+    if (origin.face == face) sites.push_back({origin.place, 0});
+  }
+}
+
+bool differentRoots(const std::vector<Site>& sites, double slack, std::size_t most,
+                    std::vector<Site>& roots) {
+  for (const Site& site : sites) {
+    const auto known = std::find_if(roots.begin(), roots.end(), [&](const Site& s) {
+      return std::fabs(s.sigma - site.sigma) <= slack && norm(s.root - site.root) <= slack;
+    });
+    if (known != roots.end()) continue;
+    if (roots.size() == most) return false;
+    roots.push_back(site);
+  }
+  return true;
+}
+
+std::array<Vec2, 3> cornersOf(const Unfolding& unfolding, Index face) {
+  std::array<Vec2, 3> corners;
+  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+    corners[h - 3 * face] = unfolding.toFrame(h, 3 * face, {0, 0});
+  }
+  return corners;
+}
+
+int meetingPoints(const Site& a, const Site& b, const Site& c, std::array<Vec2, 2>& points) {
+  // With a at the origin and D' = D − σ_a:  |q| = D',  |q − r_i| = D' − s_i.  Subtracting the
+  // squares leaves  2 r_i·q = |r_i|² − s_i² + 2 s_i D'  for i = b, c: linear in q = u + v D'.
+  const Vec2 rb = b.root - a.root, rc = c.root - a.root;
+  const double sb = b.sigma - a.sigma, sc = c.sigma - a.sigma;
+  const double det = 2 * cross(rb, rc);
+  if (det == 0) return 0;
+  const double kb = dot(rb, rb) - sb * sb, kc = dot(rc, rc) - sc * sc;
+  const Vec2 u = (1 / det) * Vec2{kb * rc.y - kc * rb.y, kc * rb.x - kb * rc.x};
+  const Vec2 v = (2 / det) * Vec2{sb * rc.y - sc * rb.y, sc * rb.x - sb * rc.x};
+  // |u + v D'| = D':  (v·v − 1) D'² + 2 u·v D' + u·u = 0.
+  const double p = dot(v, v) - 1, q = dot(u, v), r = dot(u, u);
+  const double discriminant = q * q - p * r;
+  if (discriminant < 0) return 0;
+  const double root = std::sqrt(discriminant);
+  // The stable pair of solutions.
+  const double t = q >= 0 ? -q - root : -q + root;
+  int count = 0;
+  const auto take = [&](double distance) {
+    if (std::isfinite(distance) && distance >= 0) points[count++] = a.root + (u + distance * v);
+  };
+  if (t != 0) take(r / t);
+  if (p != 0) take(t / p);
+  return count;
+}
+
+std::optional<Vec2> withinFace(const Propagation& propagation, Index face, Vec2 q) {
+  const Unfolding& unfolding = propagation.unfolding();
+  Vec2 nearest = q;
+  double way = std::numeric_limits<double>::infinity();
+  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+    const double length = unfolding.crossing(h).length();
+    const Vec2 p = unfolding.toFrame(3 * face, h, q);
+    if (!(p.y >= -kTouch * length)) return std::nullopt;
+    if (p.y >= 0) continue;
+    const Vec2 onSide{std::clamp(p.x, 0.0, length), 0};
+    if (norm(p - onSide) >= way) continue;
+    way = norm(p - onSide);
+    nearest = unfolding.toFrame(h, 3 * face, onSide);
+  }
+  return nearest;
+}
+
+}  // namespace girth

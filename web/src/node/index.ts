@@ -1,0 +1,15 @@
+// What `import ... from 'girth'` is in Node.js: the same names and types as on a page (kernel/index.ts).
+
+import { openKernel } from '../kernel/kernel.js';
+import type { Kernel, KernelOptions } from '../kernel/types.js';
+import { nodeWorkers } from './kernel-workers.js';
+import { node } from './platform.js';
+
+export { GirthError } from '../kernel/errors.js';
+export { version } from '../kernel/version.js';
+export type * from '../kernel/types.js';
+
+/** Starts the workers, and waits until one of them can read models. Errors: as on a page (kernel/kernel.ts). */
+export function createKernel(options: KernelOptions = {}): Promise<Kernel> {
+  return openKernel(options, nodeWorkers, node);
+}
