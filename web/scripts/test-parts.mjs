@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { buildNative, buildPackage, buildPage, buildWasm } from './build.mjs';
+import { buildDocs, buildNative, buildWasm } from './build.mjs';
 import { replayFuzzers, runFuzzers } from './fuzz.mjs';
 import { lint, lintNative } from './lint.mjs';
 import { installPythonPackage, runPythonTests } from './python.mjs';
@@ -132,12 +132,9 @@ export const parts = {
   'compile-wasm': { title: 'compile wasm', run: buildWasm },
   lint: { title: 'lint', run: () => lint({ changedOnly: true }) },
   bundle: {
-    title: 'bundle page and package',
+    title: 'bundle page, package, docs',
     needs: ['compile-wasm'],
-    run: async () => {
-      await buildPage();
-      await buildPackage();
-    },
+    run: buildDocs,
   },
   web: { title: 'web', needs: ['bundle'], run: (count) => vitest('web', count) },
   native: {

@@ -1,0 +1,85 @@
+// The pages of the documentation, in the order in which they are offered: where each document lies in the
+// repository, and where on the site.
+
+/**
+ * @typedef {object} Page
+ * @property {string} file the document, relative to the top of the repository
+ * @property {string} url relative to the top of the site
+ * @property {string} [label] in the list of pages, where the document's title is too long for it
+ */
+
+/**
+ * @typedef {object} Section
+ * @property {string} title
+ * @property {Page[]} pages
+ * @property {{ url: string, label: string }[]} [others] made by other generators
+ */
+
+/**
+ * A document of web/docs: its place on the site is that in the folder.
+ * @param {string} name
+ * @param {string} [label]
+ * @returns {Page}
+ */
+const document = (name, label) => ({
+  file: `web/docs/${name}.md`,
+  url: `${name.replace(/(^|\/)README$/, '$1index')}.html`,
+  ...(label ? { label } : {}),
+});
+
+/** @type {Section[]} */
+export const sections = [
+  {
+    title: 'Using it',
+    pages: [
+      document('README', 'Start'),
+      { file: 'README.md', url: 'readme.html', label: 'Everything on one page' },
+      document('choosing', 'Choosing'),
+      document('outputs', 'Outputs'),
+      document('print-check', 'The print check'),
+      document('python', 'Python'),
+      document('embedding', 'Embedding'),
+    ],
+  },
+  {
+    title: 'What it computes',
+    pages: [
+      document('definitions', 'Definitions'),
+      // Made of the table of codes (errors.mjs).
+      { file: 'errors', url: 'errors.html' },
+    ],
+    others: [
+      { url: 'reference/cpp/index.html', label: 'C++ reference' },
+      { url: 'reference/js/index.html', label: 'JavaScript reference' },
+    ],
+  },
+  {
+    title: 'Studies',
+    pages: [
+      document('robustness', 'Robustness'),
+      document('retrieval', 'Shape retrieval'),
+      document('bench/paper', 'Timings'),
+      { file: 'cpp/bench/README.md', url: 'benchmarks.html', label: 'Benchmarks' },
+    ],
+  },
+  {
+    title: 'How it is made',
+    pages: [
+      { file: 'ARCHITECTURE.md', url: 'architecture.html' },
+      document('decisions/README'),
+      document('decisions/definition-of-the-answer'),
+      document('decisions/exactness-to-the-bit'),
+      document('decisions/two-ways-of-being-parallel'),
+      document('decisions/remeshing-defaults'),
+      document('decisions/tinygltf-behind-guards'),
+      document('decisions/what-outlives-what'),
+      { file: 'CONTRIBUTING.md', url: 'contributing.html' },
+      { file: 'tests/fuzz/README.md', url: 'fuzzing.html', label: 'Fuzzing' },
+      { file: 'SECURITY.md', url: 'security.html' },
+      { file: 'CHANGELOG.md', url: 'changes.html' },
+    ],
+  },
+];
+
+/** All of them, in order. */
+export const pages = sections.flatMap((section) => section.pages);
