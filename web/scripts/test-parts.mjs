@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { buildDocs, buildNative, buildWasm } from './build.mjs';
+import { buildDocs, buildNative, buildSavedPage, buildWasm } from './build.mjs';
 import { replayFuzzers, runFuzzers } from './fuzz.mjs';
 import { lint, lintNative } from './lint.mjs';
 import { installPythonPackage, runPythonTests } from './python.mjs';
@@ -102,7 +102,8 @@ function ctest(count) {
 }
 
 /** @param {Count} count */
-function pytest(count) {
+async function pytest(count) {
+  await buildSavedPage();
   installPythonPackage();
   const report = join(reports, 'pytest.xml');
   try {
@@ -110,6 +111,7 @@ function pytest(count) {
   } finally {
     countJunit(report, count);
   }
+  vitest('python', count);
 }
 
 /**
@@ -153,8 +155,7 @@ export const parts = {
   },
   python: {
     title: 'Python package',
-    // The package shows models by the element.
-    needs: ['compile-native', 'bundle'],
+    needs: ['compile-native'],
     background: true,
     run: pytest,
   },

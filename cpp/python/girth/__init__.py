@@ -7,6 +7,7 @@
 """
 
 from girth import _girth, errors, results
+from girth._show import Shown, show
 from girth.errors import GirthError, InputError, LimitError
 from girth.mesh import FIELDS, Mesh, as_mesh, compare, igf, load
 from girth.results import Comparison, Field, Girth, Limb, Loop, Part, Parts, Path, Tip, Tips
@@ -27,6 +28,7 @@ __all__ = [
     "Part",
     "Parts",
     "Path",
+    "Shown",
     "Tip",
     "Tips",
     "as_mesh",
@@ -35,4 +37,5 @@ __all__ = [
     "igf",
     "load",
     "results",
+    "show",
 ]
