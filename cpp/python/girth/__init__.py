@@ -6,7 +6,7 @@
 >>> m.tips().apexes
 """
 
-from girth import _girth, errors, results
+from girth import _girth, collection, errors, results
 from girth._show import Shown, show
 from girth.errors import GirthError, InputError, LimitError
 from girth.mesh import FIELDS, Mesh, as_mesh, compare, igf, load
@@ -32,6 +32,7 @@ __all__ = [
     "Tip",
     "Tips",
     "as_mesh",
+    "collection",
     "compare",
     "errors",
     "igf",

@@ -86,6 +86,7 @@ def distribution(values: _Floats, weights: _Floats) -> tuple[_Floats, _Floats]: 
 def transport_distances(
     own_values: _Floats,
     own_shares: _Floats,
+    own_number: int,
     values: _Floats,
     shares: _Floats,
     offsets: _Numbers,
