@@ -26,6 +26,7 @@ class Surface:
         weld: float,
         close_holes: bool,
         components: Sequence[int],
+        min_component: float,
         scale: float,
         running: Running,
     ) -> None: ...
@@ -66,6 +67,7 @@ def load(
     weld: float,
     close_holes: bool,
     components: Sequence[int],
+    min_component: float,
     scale: float,
     running: Running,
 ) -> tuple[Surface, _Floats, _Numbers]: ...

@@ -64,6 +64,8 @@ class Mesh:
         Fills every boundary curve with faces.
     components : sequence of int, optional
         Keeps these connected components only, numbered by their first faces.
+    min_component : float, optional
+        Leaves out components whose area is less than this share of the largest one's, from 0 to 1.
     scale : float, optional
         Multiplies all positions first.
     unit : str, optional
@@ -89,11 +91,12 @@ class Mesh:
         weld: float = 0.0,
         close_holes: bool = False,
         components: Sequence[int] = (),
+        min_component: float = 0.0,
         scale: float = 1.0,
         unit: str = "",
     ) -> None:
         vertices, faces = vertices_of(V), faces_of(F)
-        options = _preparing(weld, close_holes, components, scale)
+        options = _preparing(weld, close_holes, components, min_component, scale)
         surface = _girth.Surface(vertices, faces, *options, running(None, None))
         self._set(surface, vertices, faces, options, str(unit))
 
@@ -127,7 +130,7 @@ class Mesh:
         self._face_of_row: Optional[dict[int, int]] = None
 
     def __reduce__(self) -> tuple:
-        weld, close_holes, components, scale = self._options
+        weld, close_holes, components, min_component, scale = self._options
         return _remade, (
             np.asarray(self._vertices),
             np.asarray(self._faces),
@@ -135,6 +138,7 @@ class Mesh:
                 "weld": weld,
                 "close_holes": close_holes,
                 "components": components,
+                "min_component": min_component,
                 "scale": scale,
                 "unit": self._unit,
             },
@@ -598,8 +602,8 @@ def _not_negative(value: Any, name: str) -> float:
 
 
 def _preparing(
-    weld: Any, close_holes: Any, components: Any, scale: Any
-) -> tuple[float, bool, list[int], float]:
+    weld: Any, close_holes: Any, components: Any, min_component: Any, scale: Any
+) -> tuple[float, bool, list[int], float, float]:
     factor = real_number(scale, "scale")
     if not 0 < factor < np.inf:
         raise input_error("INVALID_OPTION", f"scale is {factor}", "choose a number above 0")
@@ -607,7 +611,8 @@ def _preparing(
     for number in kept:
         if not 0 <= number < 2**32 - 1:
             raise input_error("COMPONENT_OUT_OF_RANGE", f"there is no component {number}")
-    return real_number(weld, "weld"), bool(close_holes), kept, factor
+    share = real_number(min_component, "min_component")
+    return real_number(weld, "weld"), bool(close_holes), kept, share, factor
 
 
 def load(
@@ -616,6 +621,7 @@ def load(
     weld: float = 0.0,
     close_holes: bool = False,
     components: Sequence[int] = (),
+    min_component: float = 0.0,
     scale: float = 1.0,
 ) -> Mesh:
     """Reads a model: GLB, glTF, OBJ, PLY, STL or OFF, recognised by content.
@@ -623,7 +629,7 @@ def load(
     Parameters
     ----------
     path : str or path
-    weld, close_holes, components, scale
+    weld, close_holes, components, min_component, scale
         As of `Mesh`.
 
     Returns
@@ -636,7 +642,7 @@ def load(
     InputError
         Such as FILE_NOT_FOUND, UNKNOWN_FORMAT or MALFORMED_FILE, with the file's name.
     """
-    options = _preparing(weld, close_holes, components, scale)
+    options = _preparing(weld, close_holes, components, min_component, scale)
     return Mesh._of(*_girth.load(path_of(path), *options, running(None, None)), options)
 
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mesh/face_shape.h"
+
 namespace girth::remeshing {
 
 namespace {
@@ -23,11 +25,13 @@ double leastAngleMeasure(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
+bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c) { return FaceShape({a, b, c}).hasArea(); }
+
 bool facesAs(const Vec3& before, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 after = cross(b - a, c - a);
   const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
   if (norm(after) < kThin * longest * longest) {
-    return norm(after) > norm(before) && dot(before, after) > 0;
+    return norm(after) > norm(before) && dot(before, after) > 0 && hasArea(a, b, c);
   }
   return dot(before, after) > kTurned * norm(before) * norm(after);
 }

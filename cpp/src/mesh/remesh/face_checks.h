@@ -5,6 +5,9 @@
 
 namespace girth::remeshing {
 
+/// Whether a triangle has an area that a face of a surface may have.
+bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// Whether a triangle faces as one of this area vector did and has area; a thin one must have more.
 bool facesAs(const Vec3& before, const Vec3& a, const Vec3& b, const Vec3& c);
 

@@ -177,6 +177,13 @@ class IsotropicRemesher {
     return at;
   }
 
+  /// The nearest point of the lines of a vertex's component.
+  NearestSearch::Found nearestOnLines(const Vec3& place, Index vertex) const {
+    return lines_.nearest(place, [&](Index segment) {
+      return componentOf(original_, halfedgeOfSegment_[segment] / 3) == mesh_.component(vertex);
+    });
+  }
+
   /// 0: a vertex is free; 2: it may move along a line; otherwise it stays.
   Index linesAt(Index vertex) const {
     if (vertex < corner_.size() && corner_[vertex] != 0) return 3;
@@ -209,7 +216,9 @@ class IsotropicRemesher {
       const Entry entry = queue.top();
       queue.pop();
       if (mesh_.length(entry.halfedge) != entry.length) continue;  // halved meanwhile
-      const Index m = mesh_.split(entry.halfedge, splittingPoint(entry.halfedge));
+      const auto place = splittingPoint(entry.halfedge);
+      if (!place) continue;
+      const Index m = mesh_.split(entry.halfedge, *place);
       // Also the sides of the faces around, some of which have new numbers.
       mesh_.forEachOutgoing(m, [&](Index h) {
         push(h);
@@ -244,12 +253,14 @@ class IsotropicRemesher {
   /// The middle of an edge; of a line, the point of the line there.
   Vec3 middleOf(Index h) const {
     const Vec3 middle = 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
-    return mesh_.isLine(h) ? lines_.nearest(middle).position : middle;
+    return mesh_.isLine(h) ? nearestOnLines(middle, mesh_.from(h)).position : middle;
   }
 
   /// The middle of an edge where its faces come apart into such as face alike; else the straight
-  /// one: a line that bends back may come to lie on the other sides of the faces.
-  Vec3 splittingPoint(Index h) const {
+  /// one: a line that bends back may come to lie on the other sides of the faces. Nothing where
+  /// the edge has to stay whole: a half of the thinnest faces has no area.
+  std::optional<Vec3> splittingPoint(Index h) const {
+    if (!mesh_.canSplit(h)) return std::nullopt;
     const Vec3 middle = middleOf(h);
     const auto comesApart = [&](Index side) {
       const Vec3 before = mesh_.areaVector(side / 3), apex = mesh_.position(mesh_.apex(side));
@@ -258,7 +269,14 @@ class IsotropicRemesher {
     };
     const Index twin = mesh_.twin(h);
     if (comesApart(h) && (twin == kNoIndex || comesApart(twin))) return middle;
-    return 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
+    const Vec3 straight = 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
+    const auto halvesHaveArea = [&](Index side) {
+      const Vec3& apex = mesh_.position(mesh_.apex(side));
+      return hasArea(mesh_.position(mesh_.from(side)), straight, apex) &&
+             hasArea(straight, mesh_.position(mesh_.to(side)), apex);
+    };
+    if (halvesHaveArea(h) && (twin == kNoIndex || halvesHaveArea(twin))) return straight;
+    return std::nullopt;
   }
 
   bool tryCollapse(Index h, double longest) {
@@ -332,7 +350,7 @@ class IsotropicRemesher {
         mesh_.forEachNeighbour(v, [&](Index w, bool line) {
           if (line) middle = middle + 0.5 * mesh_.position(w);
         });
-        place = lines_.nearest(middle).position;
+        place = nearestOnLines(middle, v).position;
       }
       if (keepsFacing(mesh_, v, place, v)) mesh_.setPosition(v, place);
     }
@@ -341,7 +359,12 @@ class IsotropicRemesher {
   /// The nearest point of the original that faces as the vertex does.
   Vec3 onSurface(Index v, const Vec3& place, const Vec3& normal) {
     const auto found = search_.nearest(
-        place, [&](Index f) { return dot(faceNormals_[f], normal) > 0; }, hints_[v]);
+        place,
+        [&](Index f) {
+          return dot(faceNormals_[f], normal) > 0 &&
+                 componentOf(original_, f) == mesh_.component(v);
+        },
+        hints_[v]);
     if (found.triangle == kNoIndex) return mesh_.position(v);
     hints_[v] = found.triangle;
     return found.position;
@@ -389,9 +412,11 @@ class IsotropicRemesher {
 
   void splitLongest(Index count) {
     const auto edges = edgesByLength();
-    for (auto edge = edges.rbegin(); edge != edges.rend() && count > 0; ++edge, --count) {
-      const Index h = edge->second;
-      mesh_.split(h, splittingPoint(h));
+    for (auto edge = edges.rbegin(); edge != edges.rend() && count > 0; ++edge) {
+      const auto place = splittingPoint(edge->second);
+      if (!place) continue;
+      mesh_.split(edge->second, *place);
+      --count;
     }
   }
 
@@ -400,11 +425,11 @@ class IsotropicRemesher {
   SurfacePoint placeOf(Index v) const {
     const Vec3& p = mesh_.position(v);
     if (mesh_.linesAt(v) > 0 && !lines_.empty()) {
-      const auto found = lines_.nearest(p);
+      const auto found = nearestOnLines(p, v);
       return SurfacePoint::onHalfedge(Halfedge(halfedgeOfSegment_[found.triangle]),
                                       1 - found.weights[0]);
     }
-    const auto found = nearestFacing(search_, faceNormals_, mesh_, v, hints_[v]);
+    const auto found = nearestFacing(original_, search_, faceNormals_, mesh_, v, hints_[v]);
     return SurfacePoint::inFace(Face(found.triangle), found.weights);
   }
 

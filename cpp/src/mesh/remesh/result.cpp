@@ -25,15 +25,16 @@ Result<RemeshedSurface> resultOf(const ChangingMesh& mesh,
   return RemeshedSurface{std::move(surface).value(), std::move(onOriginal)};
 }
 
-NearestSearch::Found nearestFacing(const NearestSearch& original,
+NearestSearch::Found nearestFacing(const SurfaceMesh& original, const NearestSearch& search,
                                    const std::vector<Vec3>& faceNormals, const ChangingMesh& mesh,
                                    Index vertex, Index hint) {
   Vec3 normal;
   mesh.forEachOutgoing(vertex, [&](Index h) { normal = normal + mesh.areaVector(h / 3); });
   const Vec3& place = mesh.position(vertex);
-  const auto found = original.nearest(
-      place, [&](Index f) { return dot(faceNormals[f], normal) > 0; }, hint);
-  return found.triangle == kNoIndex ? original.nearest(place) : found;
+  const auto isOwn = [&](Index f) { return componentOf(original, f) == mesh.component(vertex); };
+  const auto found = search.nearest(
+      place, [&](Index f) { return dot(faceNormals[f], normal) > 0 && isOwn(f); }, hint);
+  return found.triangle == kNoIndex ? search.nearest(place, isOwn) : found;
 }
 
 }  // namespace girth::remeshing

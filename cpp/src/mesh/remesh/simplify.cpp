@@ -53,7 +53,7 @@ class Simplifier {
     widenAngles(mesh_, kHardlyTurned);
     const NearestSearch search = searchOf(original_);
     auto result = resultOf(mesh_, [&](Index v) {
-      const auto found = nearestFacing(search, faceNormals_, mesh_, v);
+      const auto found = nearestFacing(original_, search, faceNormals_, mesh_, v);
       return SurfacePoint::inFace(Face(found.triangle), found.weights);
     });
     if (context_.onProgress) context_.onProgress(1);
