@@ -98,6 +98,23 @@ test.each(documents)('%s', (document) => {
   });
 });
 
+/** What README's first program leaves to the reader. */
+const left = `const file = 'model.glb';
+  const { signal } = new AbortController();
+  const [onProgress, onPartial] = [() => {}, () => {}];`;
+
+test('README.md: its programs in JavaScript', () => {
+  run(command, ['remesh', 'octopus.glb', '--faces', '1500', '-o', 'model.glb']);
+  const programs = blocksOf('README.md').filter(({ language }) => language === 'js');
+  expect(programs).toHaveLength(2);
+  const [first = '', second = ''] = programs.map(({ text }) => text);
+  for (const program of [`${left}\n${first}`, second]) {
+    const done = run(process.execPath, ['--input-type=module', '--eval', program]);
+    expect(done.status, `${program}\n${done.output}`).toBe(0);
+  }
+  expect(readFileSync(join(folder, 'values.csv'), 'utf8')).toMatch(/^vertex,igf,kind\n/);
+});
+
 /** What the captions of figures say of the loop at a vertex. */
 const claims = [
   { page: 'girth', model: 'dumbbell', vertex: 806, kind: 'loop', says: '130 mm' },
