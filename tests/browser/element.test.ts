@@ -287,7 +287,7 @@ test('a wrong attribute is one warning on the console and an error on each eleme
   for (const [name, [wrong]] of Object.entries(attributes)) {
     expect(said.filter((text) => text.includes(` ${name}="${wrong}" `))).toHaveLength(1);
   }
-  expect(said.join()).toContain('field can be igf, sdf, geoaverage,');
+  expect(said.join()).toContain('field can be igf, sdf, thickness, ');
 
   type Heard = [id: string, detail: ErrorDetail][];
   const heard = await page.evaluate(() => (globalThis as unknown as { heard: Heard }).heard);

@@ -1,4 +1,4 @@
-// Builds what is stale: `build.mjs [native] [wasm] [examples] [page] [package] [docs]`, everything by default.
+// Builds what is stale: `build.mjs [native] [wasm] [examples] [page] [package] [docs] [shown]`, everything by default.
 
 import { cpSync, existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -163,6 +163,23 @@ export async function buildDocs() {
   });
 }
 
+/** What the element has of the kernel's sources, beside types. */
+const usedOfKernel = ['abort', 'crc', 'errors', 'worker-from-elsewhere'];
+
+/** What pages run that `girth.show` of the Python package saves: the element without the kernel, in one file. */
+export async function buildSavedPage() {
+  await refresh({
+    name: 'saved-page',
+    inputs: [
+      ...[...configuration, 'package.json', 'web/vite.shown.config.ts', 'web/src/element'],
+      ...['web/src/view', ...usedOfKernel.map((name) => `web/src/kernel/${name}.ts`)],
+    ],
+    outputs: ['build/shown/girth-shown.js'],
+    make: () =>
+      runTool('vite', ['build', '--config', 'web/vite.shown.config.ts', '--logLevel', 'warn']),
+  });
+}
+
 const builds = {
   native: () => buildNative(),
   wasm: buildWasm,
@@ -170,6 +187,7 @@ const builds = {
   page: buildPage,
   package: buildPackage,
   docs: buildDocs,
+  shown: buildSavedPage,
 };
 
 async function main() {

@@ -4,6 +4,7 @@
 
 #include "commands/common_options.h"
 #include "model/model_options.h"
+#include "model/persistence.h"
 
 namespace girth::cli {
 
@@ -31,6 +32,7 @@ void addComparisonOptions(OptionTable& table, ComparisonOptions& options) {
   table.onFlag(
       "--exact", [&] { options.fields.distances = DistanceMethod::Exact; },
       "geoaverage, geofarthest: exact distances, not by fast marching");
+  addPersistenceShareOption(table, options.fields.persistence, "igf");
   table
       .add("--bins N", options.signatures.bins,
            "Compare one-dimensional fields as histograms of so many bins (the paper: 512); by "

@@ -16,6 +16,7 @@
 #include "girth/persistent_maxima.h"
 #include "model/computing.h"
 #include "model/loading.h"
+#include "model/persistence.h"
 #include "model/spectral_field.h"
 #include "process/output.h"
 #include "process/progress_line.h"
@@ -42,6 +43,8 @@ struct Options {
   double sharpDegrees{75};
   /// Of geoaverage and geofarthest: by windows instead of fast marching.
   bool exactDistances{false};
+  /// Of angle, as typed: a length or a share.
+  std::string persistence;
   SpectralFieldOptions spectral;
   /// How many of the most persistent maxima to list.
   std::uint32_t maxima{0};
@@ -71,9 +74,13 @@ Result<std::vector<ComputedField>> compute(const Options& options, const io::Loa
   ProgressLine progress(options.model);
   const ExecutionContext context = watched(options.threads, progress);
   if (options.field == "angle") {
-    auto angles = evaluateAll(mesh, loopAngleFunction(mesh), context);
+    const auto persistence = persistenceOf(options.persistence, loaded);
+    if (!persistence) return persistence.error();
+    auto angles = evaluateAll(mesh, loopAngleFunction(mesh, persistence.value()), context);
     if (!angles.complete()) return stopped;
-    return std::vector<ComputedField>{{"angle", "exact", "radian", std::move(angles.values)}};
+    return std::vector<ComputedField>{
+        {"angle", io::methodText(GirthOptions{GirthMethod::Exact, persistence.value()}), "radian",
+         std::move(angles.values)}};
   }
   const DistanceMethod distances =
       options.exactDistances ? DistanceMethod::Exact : DistanceMethod::FastMarching;
@@ -226,6 +233,7 @@ Run add(OptionTable& table) {
       .range(1, 89);
   table.add("--exact", options->exactDistances,
             "geoaverage, geofarthest: exact distances, not by fast marching");
+  addPersistenceOption(table, options->persistence, "angle");
   addSpectralFieldOptions(table, options->spectral);
   table
       .add("--maxima N", options->maxima,

@@ -14,6 +14,7 @@
 #include "commands/common_options.h"
 #include "commands/table.h"
 #include "girth/girth_field.h"
+#include "girth/io/write_barcodes.h"
 #include "girth/io/write_field.h"
 #include "girth/parallel.h"
 #include "girth/study/naive_girth.h"
@@ -21,6 +22,7 @@
 #include "model/computing.h"
 #include "model/loading.h"
 #include "model/partial_field.h"
+#include "model/persistence.h"
 #include "process/files.h"
 #include "process/jobs.h"
 #include "process/output.h"
@@ -48,6 +50,10 @@ struct Options {
   /// Go on from what a stopped run has left beside the output.
   bool resume{false};
   bool positions{false};
+  /// As typed: a length or a share.
+  std::string persistence;
+  /// Where the saddles of all vertices go.
+  Output barcodes{"", "", false, {".json", ".csv", ".npy"}};
 };
 
 using Clock = std::chrono::steady_clock;
@@ -95,6 +101,19 @@ std::string methodText(const Options& options) {
   return options.naive ? "naive" : std::string(io::toString(options.method));
 }
 
+/// What the summary is about.
+struct Work {
+  const std::string& model;
+  const io::LoadedMesh& loaded;
+  /// In the model's unit.
+  double persistence;
+};
+
+/// The method with its persistence: values of equal texts belong together.
+std::string particulars(const Options& options, double persistence) {
+  return options.naive ? methodText(options) : io::methodText({options.method, persistence});
+}
+
 struct Timing {
   double reading{0}, computing{0};
 };
@@ -108,15 +127,16 @@ double nanosecondsPerWindow(const GirthField& field, const Options& options, con
          static_cast<double>(field.statistics.windowsCrossed);
 }
 
-void printJson(const std::string& model, const io::LoadedMesh& loaded, const GirthField& field,
-               const Options& options, const Timing& timing) {
+void printJson(const Work& work, const GirthField& field, const Options& options,
+               const Timing& timing) {
   const Summary summary = summarize(field);
   const auto number = [&](double value) {
     return summary.computed > 0 ? io::formatNumber(value) : std::string("null");
   };
-  std::string text = "{\"file\":" + io::jsonString(model) +
+  std::string text = "{\"file\":" + io::jsonString(work.model) +
                      ",\"field\":\"igf\",\"method\":" + io::jsonString(methodText(options)) +
-                     ",\"unit\":" + io::jsonString(loaded.unit) +
+                     ",\"persistence\":" + io::formatNumber(work.persistence) +
+                     ",\"unit\":" + io::jsonString(work.loaded.unit) +
                      ",\"vertices\":" + std::to_string(field.values.size()) +
                      ",\"computed\":" + std::to_string(summary.computed) +
                      ",\"complete\":" + (field.complete() ? "true" : "false") +
@@ -138,13 +158,14 @@ void printJson(const std::string& model, const io::LoadedMesh& loaded, const Gir
   std::fputs((text + "}\n").c_str(), stdout);
 }
 
-void printText(const std::string& model, const io::LoadedMesh& loaded, const GirthField& field,
-               const Options& options, const Timing& timing) {
+void printText(const Work& work, const GirthField& field, const Options& options,
+               const Timing& timing) {
   const Summary summary = summarize(field);
-  const std::string unit = unitSuffix(loaded.unit);
-  std::printf("%s: %u faces, girth at %zu of %zu vertices in %s\n", model.c_str(),
-              loaded.mesh.faceCount(), summary.computed, field.values.size(),
-              readableTime(timing.computing).c_str());
+  const std::string unit = unitSuffix(work.loaded.unit);
+  std::printf("%s: %u faces, girth at %zu of %zu vertices in %s%s\n", work.model.c_str(),
+              work.loaded.mesh.faceCount(), summary.computed, field.values.size(),
+              readableTime(timing.computing).c_str(),
+              persistenceText(work.persistence, work.loaded).c_str());
   if (summary.computed > 0) {
     std::printf("  min %s, median %s, max %s%s\n", readable(summary.least).c_str(),
                 readable(summary.median).c_str(), readable(summary.greatest).c_str(), unit.c_str());
@@ -172,12 +193,19 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Gir
   }
 }
 
-Result<std::string> contentFor(const std::string& format, const std::string& model,
-                               const io::LoadedMesh& loaded, const GirthField& girth,
-                               const Options& options) {
-  io::VertexField field = io::girthVertexField(girth, options.method, loaded.unit);
-  field.method = methodText(options);
-  return io::fieldFile(loaded, std::span(&field, 1), format, model, columnsOf(options.positions));
+Result<std::string> contentFor(const Work& work, const GirthField& girth, const Options& options) {
+  io::VertexField field = io::girthVertexField(girth, options.method, work.loaded.unit);
+  field.method = particulars(options, work.persistence);
+  return io::fieldFile(work.loaded, std::span(&field, 1), options.output.ending().substr(1),
+                       work.model, columnsOf(options.positions));
+}
+
+std::string barcodesFor(const Work& work, std::span<const Barcode> barcodes,
+                        const Options& options) {
+  const std::string ending = options.barcodes.ending();
+  if (ending == ".csv") return io::barcodesCsv(work.loaded, barcodes);
+  if (ending == ".npy") return io::barcodesNpy(work.loaded, barcodes);
+  return io::barcodesJson(work.loaded, barcodes, work.model);
 }
 
 /// The field of a remeshed surface at the vertices of the original.
@@ -209,7 +237,8 @@ VertexFunction<GirthValue> withKnown(const GirthField& known,
 
 /// The girth of a surface, going on from what a stopped run has left, where there is something.
 Result<GirthField> compute(const std::string& model, const SurfaceMesh& mesh,
-                           const PartialField& partial, const Options& options) {
+                           const PartialField& partial, const Options& options,
+                           double persistence) {
   std::optional<GirthField> known;
   if (options.resume && isFile(partial.path())) {
     auto read = partial.read();
@@ -220,13 +249,21 @@ Result<GirthField> compute(const std::string& model, const SurfaceMesh& mesh,
   }
   ProgressLine progress(model);
   const ExecutionContext context = watched(options.threads, progress);
+  const GirthOptions girth{options.method, persistence};
   if (!known) {
-    return options.naive ? study::naiveGirthField(mesh, context)
-                         : girthField(mesh, options.method, context);
+    return options.naive ? study::naiveGirthField(mesh, context) : girthField(mesh, girth, context);
   }
   const auto function =
-      options.naive ? study::naiveGirthFunction(mesh) : girthFunction(mesh, options.method);
+      options.naive ? study::naiveGirthFunction(mesh) : girthFunction(mesh, girth);
   return girthFieldOf(evaluateAll(mesh, withKnown(*known, function), context));
+}
+
+/// I_tau at all vertices, read off their barcodes.
+GirthField girthOf(std::span<const Barcode> barcodes, double persistence) {
+  VertexValues<GirthValue> girth;
+  for (const Barcode& barcode : barcodes) girth.values.push_back(barcode.girth(persistence));
+  girth.computed = barcodes.size();
+  return girthFieldOf(girth);
 }
 
 /// Keeps what there is of a field whose computation was stopped.
@@ -243,18 +280,26 @@ int reportStopped(const std::string& model, const GirthField& field, const Parti
   return reportError(model, error);
 }
 
+std::optional<Error> writeResult(const Output& output, const Result<std::string>& content) {
+  if (!content) return content.error();
+  return writeOutput(output, content.value());
+}
+
 int runOne(const std::string& model, const Options& options) {
   Timing timing;
   const auto readingStart = Clock::now();
   const auto loaded = loadModel(model, options.preparing);
   if (!loaded) return reportError(model, loaded.error());
+  const auto persistence = persistenceOf(options.persistence, loaded.value());
+  if (!persistence) return reportError(model, persistence.error());
+  const Work work{model, loaded.value(), persistence.value()};
   timing.reading = secondsSince(readingStart);
 
   const auto computingStart = Clock::now();
   std::optional<RemeshedSurface> remeshed;
-  std::vector<Vertex> rows = loaded.value().vertexOfInput;
+  std::vector<Vertex> rows = work.loaded.vertexOfInput;
   if (options.faces > 0) {
-    auto result = remeshModel(model, loaded.value().mesh, {options.faces});
+    auto result = remeshModel(model, work.loaded.mesh, {options.faces});
     if (!result) return reportError(model, result.error());
     remeshed = std::move(result).value();
   }
@@ -262,31 +307,62 @@ int runOne(const std::string& model, const Options& options) {
     rows.clear();
     for (const Vertex v : remeshed->mesh.vertices()) rows.push_back(v);
   }
-  const SurfaceMesh& mesh = remeshed ? remeshed->mesh : loaded.value().mesh;
-  const std::string method = methodText(options);
+  const SurfaceMesh& mesh = remeshed ? remeshed->mesh : work.loaded.mesh;
+  const std::string method = particulars(options, work.persistence);
   const PartialField partial(options.output.path, mesh, rows, method);
-  auto computed = compute(model, mesh, partial, options);
+  std::vector<Barcode> barcodes;
+  if (options.barcodes.isWanted()) {
+    auto found = computeBarcodes(model, mesh, work.persistence, options.threads);
+    if (!found) return reportError(model, found.error());
+    barcodes = std::move(found).value();
+  }
+  // Of the loops that have no persistence at all, which I counts, bars know nothing.
+  const bool isRead = !barcodes.empty() && work.persistence > 0;
+  auto computed = isRead ? girthOf(barcodes, work.persistence)
+                         : compute(model, mesh, partial, options, work.persistence);
   if (!computed) return reportError(partial.path(), computed.error());
   GirthField& field = computed.value();
   if (!field.complete()) return reportStopped(model, field, partial, options);
-  if (remeshed) field = carriedBack(field, remeshed->mesh, loaded.value().mesh);
+  if (remeshed) field = carriedBack(field, remeshed->mesh, work.loaded.mesh);
   timing.computing = secondsSince(computingStart);
 
   if (options.output.isWanted()) {
-    const auto content =
-        contentFor(options.output.ending().substr(1), model, loaded.value(), field, options);
-    if (!content) return reportError(options.output.path, content.error());
-    if (auto error = writeOutput(options.output, content.value())) {
+    if (auto error = writeResult(options.output, contentFor(work, field, options))) {
       return reportError(options.output.path, *error);
     }
     if (options.output.isFile()) removeFile(partial.path());
   }
+  if (options.barcodes.isWanted()) {
+    if (auto error = writeResult(options.barcodes, barcodesFor(work, barcodes, options))) {
+      return reportError(options.barcodes.path, *error);
+    }
+  }
   if (options.json) {
-    printJson(model, loaded.value(), field, options, timing);
+    printJson(work, field, options, timing);
   } else if (hasSummary()) {
-    printText(model, loaded.value(), field, options, timing);
+    printText(work, field, options, timing);
   }
   return 0;
+}
+
+/// Checks what is asked for together.
+std::optional<Error> checkPersistent(const Options& options) {
+  const bool isExact = !options.naive && options.method == GirthMethod::Exact;
+  if (!isExact && !(options.persistence.empty() && options.barcodes.path.empty())) {
+    return usageError("only the exact method knows how long saddles last", "leave --method out");
+  }
+  if (!options.barcodes.isWanted()) return std::nullopt;
+  if (options.models.size() > 1) {
+    return usageError("the saddles of several models do not go into one file",
+                      "compute them one by one");
+  }
+  if (options.barcodes.isStandardOutput()) {
+    return usageError("--barcode writes a file", "name one that ends with .json, .csv or .npy");
+  }
+  if (options.output.isFile() && options.output.path == options.barcodes.path) {
+    return usageError("-o and --barcode name the same file", "name two");
+  }
+  return checkOutput(options.barcodes, options.models, options.json);
 }
 
 /// Checks that what a stopped run has left is gone on from, or given up by the user's own words.
@@ -328,6 +404,9 @@ Result<std::vector<Options>> optionsOfEach(const Options& options) {
 }
 
 int run(const Options& options) {
+  if (const auto error = checkPersistent(options)) {
+    return reportError(options.barcodes.path, *error);
+  }
   const auto each = optionsOfEach(options);
   if (!each) return reportError(options.output.path, each.error());
   for (const Options& one : each.value()) {
@@ -363,10 +442,17 @@ Run add(OptionTable& table) {
            "values are carried back")
       .range(4, kMostFaces);
   addRefineOption(table, options->preparing);
+  addPersistenceOption(table, options->persistence);
+  table
+      .add("--barcode FILE", options->barcodes.path,
+           "Also write every saddle of every vertex, where it is born and where it dies, as far as "
+           "--persistence needs them, without it all: .json, .csv or .npy")
+      .excludes("--faces");
   table
       .add("--resume", options->resume,
            "Go on from what a stopped run has left beside the output, FILE.partial.csv")
-      .needs("--output");
+      .needs("--output")
+      .excludes("--barcode");
   addPositionsOption(table, options->positions);
   addModelOptions(table, options->preparing);
   addThreadsOption(table, options->threads);
@@ -380,6 +466,11 @@ Run add(OptionTable& table) {
       "takes half to three quarters of the time of exact, for values off by 1.5% at the median, "
       "and by more than 46% at one vertex of 20 of a coarse model: for comparing with the "
       "paper. naive is for checking.");
+  table.note("Noise",
+             "The girth is the first loop, however shallow the saddle that it lies on: on a rough "
+             "scan that "
+             "may be a wrinkle. --persistence passes over saddles that do not last. Start with the "
+             "height of the noise; 2% takes about half as long again.");
   table.note(
       "What else there is",
       "girth field has thickness (sdf), centricity, angles and signatures; girth loop the loop "
@@ -392,6 +483,8 @@ Run add(OptionTable& table) {
                 "Of many models, four at a time: values/NAME.csv, and a JSON object for each.");
   table.example("girth igf scan.ply --faces 10000 -o values.csv",
                 "Of a large model: computed on 10,000 triangles, carried back to its vertices.");
+  table.example("girth igf scan.ply --persistence 2% -o values.csv",
+                "Of a rough model: loops round wrinkles and dents are passed over.");
   return [options] { return run(*options); };
 }
 

@@ -12,6 +12,7 @@
 #include "girth/tips.h"
 #include "model/computing.h"
 #include "model/loading.h"
+#include "model/persistence.h"
 #include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
@@ -24,17 +25,19 @@ struct Options {
   ModelOptions preparing;
   Output output;
   unsigned threads{0};
+  std::string persistence;
   unsigned stations{LimbOptions{}.stations};
   bool profiles{false};
   bool json{false};
 };
 
-void printText(const std::string& model, const io::LoadedMesh& loaded, const Limbs& limbs) {
+void printText(const std::string& model, const io::LoadedMesh& loaded, const Limbs& limbs,
+               double persistence) {
   const std::size_t count = limbs.limbs.size(), none = limbs.tipsWithoutLimb.size();
   std::printf("%s: %zu limb%s", model.c_str(), count, count == 1 ? "" : "s");
   if (none > 0)
     std::printf(", %zu tip%s that end%s none", none, none == 1 ? "" : "s", none == 1 ? "s" : "");
-  std::printf("\n");
+  std::printf("%s\n", persistenceText(persistence, loaded).c_str());
   if (count == 0) return;
   std::printf("  %4s %12s %12s %12s %12s  %-9s %s\n", "limb", "length", "narrowest", "median",
               "base", "end", "apex vertex");
@@ -60,7 +63,9 @@ int run(const Options& options) {
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
   const SurfaceMesh& mesh = loaded.value().mesh;
-  const auto found = computeTips(options.model, mesh, options.threads);
+  const auto persistence = persistenceOf(options.persistence, loaded.value());
+  if (!persistence) return reportError("", persistence.error());
+  const auto found = computeTips(options.model, mesh, persistence.value(), options.threads);
   if (!found) return reportError(options.model, found.error());
   const auto limbs = [&] {
     ProgressLine progress(options.model);
@@ -69,7 +74,9 @@ int run(const Options& options) {
   }();
   if (!limbs) return reportError(options.model, limbs.error());
 
-  const auto json = [&] { return io::limbsJson(loaded.value(), limbs.value(), options.model); };
+  const auto json = [&] {
+    return io::limbsJson(loaded.value(), limbs.value(), options.model, persistence.value());
+  };
   if (options.output.isWanted()) {
     const std::string content = ending == ".json" ? json()
                                 : options.profiles
@@ -82,7 +89,7 @@ int run(const Options& options) {
   if (options.json) {
     std::fputs(json().c_str(), stdout);
   } else if (hasSummary()) {
-    printText(options.model, loaded.value(), limbs.value());
+    printText(options.model, loaded.value(), limbs.value(), persistence.value());
   }
   return 0;
 }
@@ -96,6 +103,7 @@ Run add(OptionTable& table) {
             "Write the profiles as .csv: a row for each station of each limb");
   table.add("--stations N", options->stations, "Stations of each profile. Default: 64")
       .range(1, 10'000);
+  addPersistenceOption(table, options->persistence);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth limbs hand.glb", "Length and girth of each finger.");
   table.example("girth limbs hand.glb --profiles -o fingers.csv",

@@ -13,6 +13,7 @@
 #include "girth/girth_field.h"
 #include "girth/io/write_loop.h"
 #include "model/loading.h"
+#include "model/persistence.h"
 #include "process/output.h"
 #include "process/report.h"
 #include "text/number_text.h"
@@ -30,6 +31,8 @@ struct Options {
   /// The point's shares of the face's three vertices.
   std::array<double, 3> weights{1.0 / 3, 1.0 / 3, 1.0 / 3};
   Output output;
+  /// As typed: a length or a share.
+  std::string persistence;
   bool json{false};
 };
 
@@ -40,14 +43,16 @@ std::string placeText(const Options& options) {
   return text;
 }
 
-void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const Options& options) {
+void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const Options& options,
+               double persistence) {
   constexpr double kDegrees = 57.29577951308232;
   const std::string unit = unitSuffix(loaded.unit);
   const Vec3 middle = positionOf(loaded.mesh, loop.midpoint);
   const auto row = [](const char* name, const std::string& value) {
     std::printf("  %-10s %s\n", name, value.c_str());
   };
-  std::printf("%s: loop at %s\n", options.model.c_str(), placeText(options).c_str());
+  std::printf("%s: loop at %s%s\n", options.model.c_str(), placeText(options).c_str(),
+              persistenceText(persistence, loaded).c_str());
   row("length", readable(loop.length) + unit);
   row("kind", loop.kind == LoopKind::Loop ? "loop: around the surface"
               : loop.kind == LoopKind::Antipodal
@@ -59,8 +64,9 @@ void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const Option
 }
 
 Result<std::string> contentFor(const std::string& extension, const io::LoadedMesh& loaded,
-                               const GirthLoop& loop, const std::string& model) {
-  if (extension == ".json") return io::loopJson(loaded, loop, model, true);
+                               const GirthLoop& loop, const std::string& model,
+                               double persistence) {
+  if (extension == ".json") return io::loopJson(loaded, loop, model, true, persistence);
   if (extension == ".obj") return io::loopObj(loaded, loop);
   if (extension == ".glb") return io::loopGlb(loaded, loop);
   return io::loopCsv(loaded, loop);
@@ -150,19 +156,26 @@ int run(const Options& options) {
   if (!loaded) return reportError(options.model, loaded.error());
   const auto base = basePoint(loaded.value(), options);
   if (!base) return reportError(options.model, base.error());
-  const auto loop = GirthSolver(loaded.value().mesh).loop(base.value());
+  const auto persistence = persistenceOf(options.persistence, loaded.value());
+  if (!persistence) return reportError("", persistence.error());
+  GirthSolver solver(loaded.value().mesh);
+  solver.setPersistence(persistence.value());
+  const auto loop = solver.loop(base.value());
   if (!loop) return reportError(options.model, loop.error());
   if (options.output.isWanted()) {
-    const auto content = contentFor(extension, loaded.value(), loop.value(), options.model);
+    const auto content =
+        contentFor(extension, loaded.value(), loop.value(), options.model, persistence.value());
     if (!content) return reportError(options.output.path, content.error());
     if (auto error = writeOutput(options.output, content.value())) {
       return reportError(options.output.path, *error);
     }
   }
   if (options.json) {
-    std::fputs(io::loopJson(loaded.value(), loop.value(), options.model, false).c_str(), stdout);
+    const std::string json =
+        io::loopJson(loaded.value(), loop.value(), options.model, false, persistence.value());
+    std::fputs(json.c_str(), stdout);
   } else if (hasSummary()) {
-    printText(loaded.value(), loop.value(), options);
+    printText(loaded.value(), loop.value(), options, persistence.value());
   }
   return 0;
 }
@@ -197,6 +210,7 @@ Run add(OptionTable& table) {
       .needs("--face");
   addOutputOptions(table, options->output, {".json", ".obj", ".glb", ".csv"},
                    "Write the loop: .json, .obj or .glb (a polyline) or .csv (x,y,z)");
+  addPersistenceOption(table, options->persistence);
   addModelOptions(table, options->preparing);
   table.add("--json", options->json, "Print the summary as JSON");
   table.example("girth loop model.glb 120 -o loop.obj", "The loop at vertex 120, as a polyline.");

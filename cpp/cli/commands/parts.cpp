@@ -1,4 +1,5 @@
 // girth parts: tubes and plates, and what is too thin to print.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -16,6 +17,7 @@
 #include "girth/print_check.h"
 #include "model/computing.h"
 #include "model/loading.h"
+#include "model/persistence.h"
 #include "process/exit_codes.h"
 #include "process/output.h"
 #include "process/report.h"
@@ -33,6 +35,8 @@ struct Options {
   /// Lengths as typed, with or without a unit. Empty: found from the fields (thresholds), or not
   /// checked (limits).
   std::string girth, diameter, minTube, minWall, minGap;
+  /// Of the girth, as typed: a length or a share.
+  std::string persistence;
   double smoothing{0};
   bool positions{false};
 };
@@ -48,13 +52,14 @@ std::string placeText(const io::LoadedMesh& loaded, const SurfacePoint& point) {
 }
 
 void printParts(const std::string& model, const io::LoadedMesh& loaded, const Parts& parts,
-                const PartOptions& options) {
+                const PartOptions& options, double persistence) {
   constexpr std::size_t kShown = 20;
   const std::string unit = unitSuffix(loaded.unit);
-  std::printf("%s: %zu part%s; thin: thickness below %s%s; tubes: girth below %s%s\n",
+  std::printf("%s: %zu part%s; thin: thickness below %s%s; tubes: girth below %s%s%s\n",
               model.c_str(), parts.parts.size(), parts.parts.size() == 1 ? "" : "s",
               readable(options.thresholds.thickness).c_str(), unit.c_str(),
-              readable(options.thresholds.girth).c_str(), unit.c_str());
+              readable(options.thresholds.girth).c_str(), unit.c_str(),
+              persistenceText(persistence, loaded).c_str());
   std::printf("  %4s %-8s %12s %12s %12s %12s  %s\n", "part", "kind", "area", "girth", "thickness",
               "radius", "thinnest at vertex");
   for (std::size_t i = 0; i < parts.parts.size() && i < kShown; ++i) {
@@ -96,23 +101,34 @@ std::string limitedWords(const PrintLimits& limits, bool given) {
   return text;
 }
 
+/// "passes from 112% of this size"; where no scale helps, how many places have nothing between
+/// their faces.
+std::string remedyWords(const PrintCheck& check) {
+  const std::string remedy = "passes from " + percentFrom(check.passingScale) + " of this size";
+  if (std::isfinite(check.passingScale)) return remedy;
+  const auto count = std::count_if(check.places.begin(), check.places.end(),
+                                   [](const WeakPlace& place) { return place.least == 0; });
+  return remedy + ": at " + std::to_string(count) + (count == 1 ? " place" : " places") +
+         " faces meet in a sharp edge or lie on each other";
+}
+
 void printCheck(const std::string& model, const io::LoadedMesh& loaded, const PrintCheck& check,
-                const PrintLimits& limits) {
+                const PrintLimits& limits, double persistence) {
   static constexpr std::array kMeasures{"diameter", "thickness", "clearance"};
   const std::string unit = unitSuffix(loaded.unit);
   const std::vector<WeakPlace>& places = check.places;
   const std::string unchecked = limitedWords(limits, false);
-  const std::string rest = unchecked.empty() ? "" : "; not checked: " + unchecked;
+  const std::string rest = (unchecked.empty() ? "" : "; not checked: " + unchecked) +
+                           persistenceText(persistence, loaded);
   const std::string fault = limits.gap > 0 ? "too thin or too close" : "too thin";
   if (places.empty()) {
     std::printf("%s: passes: nothing is %s, down to %s of this size%s\n", model.c_str(),
                 fault.c_str(), percentFrom(check.passingScale).c_str(), rest.c_str());
     return;
   }
-  std::printf("%s: fails: %zu place%s %s, %s of the surface; passes from %s of this size%s\n",
-              model.c_str(), places.size(), places.size() == 1 ? "" : "s", fault.c_str(),
-              percent(check.failingShare).c_str(), percentFrom(check.passingScale).c_str(),
-              rest.c_str());
+  std::printf("%s: fails: %zu place%s %s, %s of the surface; %s%s\n", model.c_str(), places.size(),
+              places.size() == 1 ? "" : "s", fault.c_str(), percent(check.failingShare).c_str(),
+              remedyWords(check).c_str(), rest.c_str());
   std::printf("  %-5s %-9s %12s %12s %10s  %s\n", "kind", "measure", "least", "area", "vertex",
               "at");
   for (const WeakPlace& place : places) {
@@ -135,7 +151,7 @@ std::optional<Error> readLength(const std::string& text, const std::string& unit
 
 std::string verticesFor(const Options& options, const io::LoadedMesh& loaded,
                         const GirthField& girth, const ShapeDiameterField& diameter,
-                        const Parts& parts) {
+                        const Parts& parts, double persistence) {
   static constexpr std::array kKinds{PartKind::Body, PartKind::Tube, PartKind::Plate,
                                      PartKind::Unknown};
   std::vector<std::string_view> words;
@@ -143,6 +159,7 @@ std::string verticesFor(const Options& options, const io::LoadedMesh& loaded,
   std::vector<double> numbers(parts.partOf.begin(), parts.partOf.end()), kinds;
   for (const PartKind kind : parts.kinds) kinds.push_back(static_cast<double>(kind));
   io::VertexField igf = io::girthVertexField(girth, GirthMethod::Exact, loaded.unit);
+  igf.method = io::methodText(GirthOptions{GirthMethod::Exact, persistence});
   igf.kindName = "loop_kind";
   const std::array<io::VertexField, 4> fields{
       igf, io::VertexField{"sdf", diameter.values, loaded.unit, "", {}},
@@ -159,11 +176,13 @@ struct Wanted {
   /// τ1 and τ2 where they are given.
   std::optional<double> girth, thickness;
   PrintLimits limits;
+  /// Of the girth.
+  double persistence{0};
   /// Whether limits are to be checked.
   bool checks{false};
 };
 
-Result<Wanted> wantedOf(const Options& options, const std::string& unit) {
+Result<Wanted> wantedOf(const Options& options, const io::LoadedMesh& model) {
   Wanted wanted;
   wanted.parts.smoothing = options.smoothing;
   wanted.checks = !options.minTube.empty() || !options.minWall.empty() || !options.minGap.empty();
@@ -173,8 +192,11 @@ Result<Wanted> wantedOf(const Options& options, const std::string& unit) {
                                      {&options.minTube, &wanted.limits.tubeDiameter},
                                      {&options.minWall, &wanted.limits.wallThickness},
                                      {&options.minGap, &wanted.limits.gap}}) {
-    if (auto error = readLength(*text, unit, *length)) return *std::move(error);
+    if (auto error = readLength(*text, model.unit, *length)) return *std::move(error);
   }
+  const auto persistence = persistenceOf(options.persistence, model);
+  if (!persistence) return persistence.error();
+  wanted.persistence = persistence.value();
   if (!options.girth.empty()) wanted.girth = girth;
   if (!options.diameter.empty()) wanted.thickness = thickness;
   return wanted;
@@ -183,11 +205,12 @@ Result<Wanted> wantedOf(const Options& options, const std::string& unit) {
 /// The fields of a model, each computed when it is first needed.
 class Fields {
  public:
-  Fields(const Options& options, const SurfaceMesh& mesh) : options_(options), mesh_(mesh) {}
+  Fields(const Options& options, const SurfaceMesh& mesh, double persistence)
+      : options_(options), mesh_(mesh), persistence_(persistence) {}
 
   std::optional<Error> needGirth() {
     if (girth.has_value()) return std::nullopt;
-    auto computed = computeGirth(options_.model, mesh_, options_.threads);
+    auto computed = computeGirth(options_.model, mesh_, persistence_, options_.threads);
     if (!computed) return computed.error();
     girth = std::move(computed).value();
     return std::nullopt;
@@ -212,6 +235,7 @@ class Fields {
  private:
   const Options& options_;
   const SurfaceMesh& mesh_;
+  double persistence_;
 };
 
 Result<PrintCheck> check(const Options& options, const io::LoadedMesh& model, const Wanted& wanted,
@@ -249,11 +273,11 @@ int run(const Options& options) {
   if (!loaded) return reportError(options.model, loaded.error());
   const io::LoadedMesh& model = loaded.value();
   // The typed lengths are checked before long work.
-  auto read = wantedOf(options, model.unit);
+  auto read = wantedOf(options, model);
   if (!read) return reportError("", read.error());
   Wanted& wanted = read.value();
 
-  Fields fields(options, model.mesh);
+  Fields fields(options, model.mesh, wanted.persistence);
   PrintCheck checked;
   if (wanted.checks) {
     auto found = check(options, model, wanted, fields);
@@ -267,12 +291,15 @@ int run(const Options& options) {
     if (!found) return reportError(options.model, found.error());
     parts = std::move(found).value();
   }
-  const std::string json = wanted.checks
-                               ? io::printCheckJson(model, checked, wanted.limits, options.model)
-                               : io::partsJson(model, parts, wanted.parts, options.model);
+  const std::string json =
+      wanted.checks
+          ? io::printCheckJson(model, checked, wanted.limits, options.model, wanted.persistence)
+          : io::partsJson(model, parts, wanted.parts, options.model, wanted.persistence);
   if (options.output.isWanted()) {
-    const std::string content =
-        writesVertices ? verticesFor(options, model, *fields.girth, *fields.diameter, parts) : json;
+    const std::string content = writesVertices
+                                    ? verticesFor(options, model, *fields.girth, *fields.diameter,
+                                                  parts, wanted.persistence)
+                                    : json;
     if (auto error = writeOutput(options.output, content)) {
       return reportError(options.output.path, *error);
     }
@@ -282,9 +309,9 @@ int run(const Options& options) {
   } else if (!hasSummary()) {
     // The exit code reports it.
   } else if (wanted.checks) {
-    printCheck(options.model, model, checked, wanted.limits);
+    printCheck(options.model, model, checked, wanted.limits, wanted.persistence);
   } else {
-    printParts(options.model, model, parts, wanted.parts);
+    printParts(options.model, model, parts, wanted.parts, wanted.persistence);
   }
   return checked.places.empty() ? 0 : kCheckFails;
 }
@@ -318,6 +345,7 @@ Run add(OptionTable& table) {
   addOutputOptions(table, options->output, {".json", ".csv", ".ply"},
                    "Write the answer: .json, or every vertex with its part: .csv, .ply");
   addPositionsOption(table, options->positions);
+  addPersistenceOption(table, options->persistence);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth parts chair.glb -o parts.json",
                 "Tubes, plates and body, by thresholds that the model's own values suggest.");
@@ -329,7 +357,8 @@ Run add(OptionTable& table) {
              "times the limit: the least width of the section inside the loop, and girth / pi. "
              "Edges sharper than 75 degrees are thin. Nothing is passed that is thinner than its "
              "limit by more than a millionth; overhangs, strength and what the surface does not "
-             "show are not looked at.");
+             "show are not looked at. With --persistence, tubes are not either that stand out no "
+             "farther than it.");
   return [options] { return run(*options); };
 }
 

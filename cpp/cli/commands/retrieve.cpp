@@ -7,6 +7,7 @@
 
 #include "commands/comparison_options.h"
 #include "commands/table.h"
+#include "girth/study/surface_changes.h"
 #include "process/report.h"
 #include "study/retrieval.h"
 #include "text/number_text.h"
@@ -68,6 +69,11 @@ Run add(OptionTable& table) {
           "One-dimensional fields: per cent of the collection's area whose values are "
           "distinguished, the greatest rest counting alike; 95 by default, 100: all")
       .range(1, kPercent);
+  table
+      .add("--noise EDGES", options->fields.noise,
+           "Move every vertex of every model by up to so many mean edges first: how well shapes "
+           "are found again in rough scans; 0 by default")
+      .range(0, study::kMostNoise);
   table.add("--cache DIR", options->cache,
             "The folder in which computed fields are kept; cache in the report's folder by "
             "default. Several processes may share it");

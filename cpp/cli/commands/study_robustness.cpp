@@ -11,6 +11,7 @@
 #include "girth/study/robustness.h"
 #include "girth/study/write_robustness.h"
 #include "model/loading.h"
+#include "model/persistence.h"
 #include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
@@ -36,8 +37,11 @@ std::string cell(const std::optional<double>& value, const char* format, double 
   return text;
 }
 
-void print(const std::string& model, const std::vector<study::RobustnessRow>& rows) {
-  std::printf("%s: how far the girth moves, as distributions (equation 1)\n", model.c_str());
+void print(const std::string& model, const std::vector<study::RobustnessRow>& rows,
+           double persistence) {
+  std::printf(
+      "%s: how far the girth moves, as distributions (equation 1)%s\n", model.c_str(),
+      persistence > 0 ? (", persistence " + readable(100 * persistence) + "%").c_str() : "");
   std::printf("  %-6s %-34s %7s %10s %10s %10s\n", "figure", "change", "faces", "difference",
               "the paper", "unchanged");
   for (const study::RobustnessRow& row : rows) {
@@ -82,7 +86,7 @@ int run(const Options& options) {
   if (options.json) {
     std::fputs(json().c_str(), stdout);
   } else if (hasSummary()) {
-    print(options.model, rows->value());
+    print(options.model, rows->value(), options.study.persistence);
   }
   return 0;
 }
@@ -105,7 +109,13 @@ Run add(OptionTable& table) {
       .add("--stretch FACTOR", options->study.stretch,
            "How much longer uneven triangles are in one direction; 4 by default")
       .range(1, 100);
+  table
+      .add("--noise EDGES,...", options->study.noise,
+           "How far vertices are moved at most, in mean edges; 0.25,0.5 by default")
+      .separated()
+      .range(0, study::kMostNoise);
   table.add("--seed N", options->study.seed, "Of the noise; 1 by default");
+  addPersistenceShareOption(table, options->study.persistence, "");
   addOutputOptions(table, options->output, {".csv", ".json"}, "Write the table: .csv or .json");
   addModelOptions(table, options->preparing);
   addThreadsOption(table, options->threads);
@@ -114,6 +124,8 @@ Run add(OptionTable& table) {
                 "Other triangles, noise, humps and topology.");
   table.example("girth study robustness horse0.off --poses horse5.off horse6.off",
                 "And other poses of the same thing.");
+  table.example("girth study robustness scan.ply --noise 0.5,1,2 --persistence 2%",
+                "The persistent girth, under noise of up to two edges.");
   return [options] { return run(*options); };
 }
 

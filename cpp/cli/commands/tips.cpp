@@ -8,11 +8,13 @@
 #include "commands/common_options.h"
 #include "commands/table.h"
 #include "girth/io/write_tips.h"
+#include "girth/study/surface_changes.h"
 #include "girth/study/tip_stability.h"
 #include "girth/study/write_tip_trials.h"
 #include "girth/tips.h"
 #include "model/computing.h"
 #include "model/loading.h"
+#include "model/persistence.h"
 #include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
@@ -25,14 +27,19 @@ struct Options {
   ModelOptions preparing;
   Output output;
   unsigned threads{0};
+  std::string persistence;
   bool stability{false};
+  /// Of the trials, in mean edge lengths.
+  std::vector<double> noise{study::TipTrialOptions{}.noise};
   bool json{false};
 };
 
-void printText(const std::string& model, const io::LoadedMesh& loaded, const Tips& tips) {
+void printText(const std::string& model, const io::LoadedMesh& loaded, const Tips& tips,
+               double persistence) {
   const std::string unit = unitSuffix(loaded.unit);
-  std::printf("%s: %zu tip%s, %zu open arc%s\n", model.c_str(), tips.tips.size(),
-              tips.tips.size() == 1 ? "" : "s", tips.arcs.size(), tips.arcs.size() == 1 ? "" : "s");
+  std::printf("%s: %zu tip%s, %zu open arc%s%s\n", model.c_str(), tips.tips.size(),
+              tips.tips.size() == 1 ? "" : "s", tips.arcs.size(), tips.arcs.size() == 1 ? "" : "s",
+              persistenceText(persistence, loaded).c_str());
   if (!tips.tips.empty()) {
     std::printf("  %4s %12s %12s %12s %12s  %s\n", "tip", "jump", "area", "boundary", "to apex",
                 "apex vertex");
@@ -81,20 +88,26 @@ int run(const Options& options) {
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
   const SurfaceMesh& mesh = loaded.value().mesh;
-  const auto found = computeTips(options.model, mesh, options.threads);
+  const auto persistence = persistenceOf(options.persistence, loaded.value());
+  if (!persistence) return reportError("", persistence.error());
+  const auto found = computeTips(options.model, mesh, persistence.value(), options.threads);
   if (!found) return reportError(options.model, found.error());
   const Tips& tips = found.value().tips;
 
   std::vector<study::TipTrial> trials;
   if (options.stability) {
     ProgressLine progress(options.model);
-    auto tried = study::tipTrials(mesh, tips.tips, {}, watched(options.threads, progress));
+    study::TipTrialOptions trial;
+    trial.persistence = persistence.value();
+    trial.noise = options.noise;
+    auto tried = study::tipTrials(mesh, tips.tips, trial, watched(options.threads, progress));
     if (!tried) return reportError(options.model, tried.error());
     trials = std::move(tried).value();
   }
 
   const auto json = [&] {
-    return io::tipsJson(loaded.value(), tips, options.model, study::tipTrialsJson(trials));
+    return io::tipsJson(loaded.value(), tips, options.model, study::tipTrialsJson(trials),
+                        persistence.value());
   };
   if (options.output.isWanted()) {
     if (auto error = writeOutput(
@@ -105,7 +118,7 @@ int run(const Options& options) {
   if (options.json) {
     std::fputs(json().c_str(), stdout);
   } else if (hasSummary()) {
-    printText(options.model, loaded.value(), tips);
+    printText(options.model, loaded.value(), tips, persistence.value());
     if (options.stability) printTrials(tips, trials);
   }
   return 0;
@@ -120,6 +133,13 @@ Run add(OptionTable& table) {
             "Also find the tips with each triangle cut into four, and with noise of 5, 10 and 25% "
             "of the mean edge length, and print which are found again; takes about twelve times as "
             "long");
+  table
+      .add("--noise EDGES,...", options->noise,
+           "Other amounts of noise, in mean edge lengths, as in 0.5,1")
+      .separated()
+      .range(0, study::kMostNoise)
+      .needs("--stability");
+  addPersistenceOption(table, options->persistence);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth tips hand.glb -o tips.json", "Where the shape ends, each with its contour.");
   table.example("girth tips hand.glb --stability",

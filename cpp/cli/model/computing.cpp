@@ -16,16 +16,27 @@ Error cancelled() { return makeError(ErrorCode::Cancelled, -1, "stopped before i
 }  // namespace
 
 Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh,
-                                unsigned threads) {
+                                double persistence, unsigned threads) {
   ProgressLine progress(model);
-  GirthField field = girthField(mesh, GirthMethod::Exact, watched(threads, progress));
+  GirthField field =
+      girthField(mesh, {GirthMethod::Exact, persistence}, watched(threads, progress));
   if (!field.complete()) return cancelled();
   return field;
 }
 
+Result<std::vector<Barcode>> computeBarcodes(const std::string& model, const SurfaceMesh& mesh,
+                                             double persistence, unsigned threads) {
+  BarcodeOptions options;
+  if (persistence > 0) options.maxPersistence = persistence;
+  ProgressLine progress(model);
+  auto barcodes = evaluateAll(mesh, barcodeFunction(mesh, options), watched(threads, progress));
+  if (!barcodes.complete()) return cancelled();
+  return std::move(barcodes.values);
+}
+
 Result<GirthAndTips> computeTips(const std::string& model, const SurfaceMesh& mesh,
-                                 unsigned threads) {
-  auto girth = computeGirth(model, mesh, threads);
+                                 double persistence, unsigned threads) {
+  auto girth = computeGirth(model, mesh, persistence, threads);
   if (!girth) return girth.error();
   auto tips = findTips(mesh, girth.value().values, {0, &catchInterrupts(), {}});
   if (!tips) return tips.error();

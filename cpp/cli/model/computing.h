@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "girth/girth_field.h"
 #include "girth/print_check.h"
@@ -13,9 +14,14 @@
 
 namespace girth::cli {
 
-/// The girth at all vertices. `model`: for the progress line. Errors: CANCELLED.
+/// The girth at all vertices, I_tau for a persistence of more than 0. `model`: for the progress
+/// line. Errors: CANCELLED.
 Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh,
-                                unsigned threads);
+                                double persistence, unsigned threads);
+
+/// The saddles of all vertices up to a persistence; 0: all that there are. Errors: CANCELLED.
+Result<std::vector<Barcode>> computeBarcodes(const std::string& model, const SurfaceMesh& mesh,
+                                             double persistence, unsigned threads);
 
 /// The girth at all vertices, and the tips that it shows.
 struct GirthAndTips {
@@ -25,7 +31,7 @@ struct GirthAndTips {
 
 /// Errors: those of findTips, CANCELLED.
 Result<GirthAndTips> computeTips(const std::string& model, const SurfaceMesh& mesh,
-                                 unsigned threads);
+                                 double persistence, unsigned threads);
 
 /// The shape diameter at all vertices. Errors: those of shapeDiameter, CANCELLED. Prints a note
 /// on standard error where the surface is inside out, or vertices have no value.

@@ -93,9 +93,11 @@ GIRTH_EXPORT VertexFunction<Barcode> barcodeFunction(const SurfaceMesh& mesh,
 VertexFunction<Barcode> barcodeFunction(const SurfaceMesh&&, const BarcodeOptions&) = delete;
 
 /// The angle at v between the two ends of the loop through it (GirthLoop::angle), in radians; NaN
-/// where the loop is unresolved.
-GIRTH_EXPORT VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh);
+/// where the loop is unresolved. `persistence`: tau, in model units, where the loop of I_tau is
+/// meant; INVALID_OPTION where it is none (`checkPersistence`).
+GIRTH_EXPORT VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh,
+                                                      double persistence = 0);
 /// The mesh must outlive the function: keep it in a variable.
-VertexFunction<double> loopAngleFunction(const SurfaceMesh&&) = delete;
+VertexFunction<double> loopAngleFunction(const SurfaceMesh&&, double persistence = 0) = delete;
 
 }  // namespace girth

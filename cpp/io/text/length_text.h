@@ -25,4 +25,9 @@ GIRTH_EXPORT Result<TypedLength> parseLength(std::string_view text);
 /// Where `unit` is empty, because it is not known, none can be typed. Error: USAGE.
 GIRTH_EXPORT Result<double> lengthInUnit(std::string_view text, std::string_view unit);
 
+/// The same, or a share of `whole`, a length in that unit: "2%" is 0.02 times as long. Error:
+/// USAGE.
+GIRTH_EXPORT Result<double> lengthOrShare(std::string_view text, std::string_view unit,
+                                          double whole);
+
 }  // namespace girth::io

@@ -26,6 +26,10 @@ std::string inputsJson(const LoadedMesh& loaded, const std::vector<Vertex>& vert
   return "[" + text + "]";
 }
 
+std::string persistenceJson(double persistence) {
+  return persistence == 0 ? "" : ",\"persistence\":" + formatNumber(persistence);
+}
+
 std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point) {
   const SurfaceMesh& mesh = loaded.mesh;
   std::array<Vertex, 3> vertices{};

@@ -18,6 +18,9 @@ std::string inputText(const LoadedMesh& loaded, Vertex vertex);
 /// Vertices of the surface as a JSON array of the file's; those made here are left out.
 std::string inputsJson(const LoadedMesh& loaded, const std::vector<Vertex>& vertices);
 
+/// `,"persistence":0.5`: of the girth that something was found by; nothing where it is 0.
+std::string persistenceJson(double persistence);
+
 /// `position`, and the `vertices` of the file (one, the two of an edge, or the three of a face)
 /// that the point lies between, with their `weights`.
 std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point);

@@ -33,6 +33,12 @@ std::string_view toString(GirthMethod method) {
   return "ms";
 }
 
+std::string methodText(const GirthOptions& options) {
+  const std::string method(toString(options.method));
+  return options.persistence == 0 ? method
+                                  : method + ", persistence " + formatNumber(options.persistence);
+}
+
 std::string_view toString(DistanceMethod method) {
   return method == DistanceMethod::Exact ? "exact" : "fast marching";
 }

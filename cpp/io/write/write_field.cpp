@@ -13,6 +13,7 @@
 #include "text/json_text.h"
 #include "text/number_text.h"
 #include "write/glb_writer.h"
+#include "write/npy.h"
 
 namespace girth::io {
 namespace {
@@ -180,15 +181,7 @@ std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fie
 }
 
 std::string fieldNpy(const LoadedMesh& loaded, const VertexField& field) {
-  std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" +
-                       std::to_string(loaded.vertexOfInput.size()) + ",), }";
-  // The values begin at a multiple of 64 bytes.
-  constexpr std::size_t kPreamble = 10;
-  while ((kPreamble + header.size() + 1) % 64 != 0) header += ' ';
-  header += '\n';
-  std::string content("\x93NUMPY\x01\x00", 8);
-  appendBytes(content, header.size(), 2);
-  content += header;
+  std::string content = npyHeader(std::to_string(loaded.vertexOfInput.size()) + ",");
   content.reserve(content.size() + 8 * loaded.vertexOfInput.size());
   for (const Vertex vertex : loaded.vertexOfInput) {
     appendDouble(content, vertex == kNoIndex ? std::numeric_limits<double>::quiet_NaN()

@@ -44,9 +44,10 @@ std::string cell(double value) { return std::isnan(value) ? std::string() : form
 
 }  // namespace
 
-std::string limbsJson(const LoadedMesh& loaded, const Limbs& limbs, std::string_view file) {
-  std::string text =
-      "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) + ",\"limbs\":[";
+std::string limbsJson(const LoadedMesh& loaded, const Limbs& limbs, std::string_view file,
+                      double persistence) {
+  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+                     persistenceJson(persistence) + ",\"limbs\":[";
   for (std::size_t i = 0; i < limbs.limbs.size(); ++i) {
     text += (i == 0 ? "\n" : ",\n") + limbJson(loaded, limbs.limbs[i]);
   }

@@ -10,7 +10,7 @@
 namespace girth::io {
 
 std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::string_view file,
-                     bool withPoints) {
+                     bool withPoints, double persistence) {
   const std::string vertex = loop.base.kind == SurfacePoint::Kind::AtVertex
                                  ? inputText(loaded, loop.base.vertex())
                                  : "null";
@@ -18,7 +18,8 @@ std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::strin
       "{\"file\":" + jsonString(file) + ",\"vertex\":" + vertex +
       ",\"base\":" + pointJson(loaded, loop.base) + ",\"length\":" + formatNumber(loop.length) +
       ",\"kind\":" + jsonString(toString(loop.kind)) + ",\"angle\":" + formatNumber(loop.angle) +
-      ",\"unit\":" + jsonString(loaded.unit) + ",\"midpoint\":" + pointJson(loaded, loop.midpoint);
+      ",\"unit\":" + jsonString(loaded.unit) + persistenceJson(persistence) +
+      ",\"midpoint\":" + pointJson(loaded, loop.midpoint);
   if (withPoints) {
     text += ",\"points\":[";
     for (std::size_t i = 0; i < loop.points.size(); ++i) {

@@ -52,8 +52,9 @@ std::string placeJson(const LoadedMesh& loaded, const WeakPlace& place) {
 }  // namespace
 
 std::string partsJson(const LoadedMesh& loaded, const Parts& parts, const PartOptions& options,
-                      std::string_view file) {
+                      std::string_view file, double persistence) {
   std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+                     persistenceJson(persistence) +
                      ",\"thresholds\":{\"girth\":" + numberJson(options.thresholds.girth) +
                      ",\"thickness\":" + numberJson(options.thresholds.thickness) +
                      "},\"smoothing\":" + formatNumber(options.smoothing) + ",\"parts\":[";
@@ -64,8 +65,9 @@ std::string partsJson(const LoadedMesh& loaded, const Parts& parts, const PartOp
 }
 
 std::string printCheckJson(const LoadedMesh& loaded, const PrintCheck& check,
-                           const PrintLimits& limits, std::string_view file) {
+                           const PrintLimits& limits, std::string_view file, double persistence) {
   std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+                     persistenceJson(persistence) +
                      ",\"limits\":{\"tubeDiameter\":" + formatNumber(limits.tubeDiameter) +
                      ",\"wallThickness\":" + formatNumber(limits.wallThickness) +
                      ",\"gap\":" + formatNumber(limits.gap) +

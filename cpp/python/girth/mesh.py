@@ -28,6 +28,7 @@ __all__ = ["FIELDS", "Mesh", "Point", "as_mesh", "compare", "igf", "load"]
 FIELDS = {
     "igf": "length",
     "sdf": "length",
+    "thickness": "length",
     "geoaverage": "length",
     "geofarthest": "length",
     "angle": "radian",
@@ -340,6 +341,7 @@ class Mesh:
         *,
         rays: int = 30,
         cone: float = 120.0,
+        sharp: float = 75.0,
         exact: bool = False,
         pairs: int = 300,
         times: Sequence[float] = (0.002,),
@@ -350,12 +352,15 @@ class Mesh:
 
         Parameters
         ----------
-        name : {'igf', 'sdf', 'geoaverage', 'geofarthest', 'angle', 'hks', 'sihks', 'wks'}
-            The girth; the shape diameter (thickness); the mean and the greatest geodesic distance
+        name : {'igf', 'sdf', 'thickness', 'geoaverage', 'geofarthest', 'angle', 'hks', 'sihks', 'wks'}
+            The girth; the shape diameter, a mean thickness; the medial thickness; the mean and the greatest geodesic distance
             from the vertex; the angle of the loop at the vertex; signatures of heat and waves.
         rays, cone : optional
             Of ``'sdf'``: rays sent from each vertex, 1 to 10,000, and the full opening of their
             cone in degrees.
+        sharp : float, optional
+            Of ``'thickness'``: faces that meet at less than this angle, in degrees within the body,
+            face each other; above 0 and below 90.
         exact : bool, optional
             Of ``'geoaverage'`` and ``'geofarthest'``: exact distances instead of fast marching.
         pairs : int, optional
@@ -378,6 +383,8 @@ class Mesh:
             angle = real_number(cone, "cone") * np.pi / 180
             count = whole_number(rays, "rays")
             values = self._surface.shape_diameter(angle, count if 0 < count < 2**31 else 0, run)
+        elif name == "thickness":
+            values = self._surface.thickness(real_number(sharp, "sharp") * np.pi / 180, run)
         elif name == "angle":
             values = self._surface.angle(run)
         elif name in ("geoaverage", "geofarthest"):
@@ -479,6 +486,13 @@ class Mesh:
         known = self._vertex_of_row >= 0
         rows[known] = values[self._vertex_of_row[known]]
         return rows
+
+    def _at_vertices(self, values: np.ndarray, none: Any) -> np.ndarray:
+        """Values of the rows of `vertices` for the surface's vertices."""
+        known = self._row_of_vertex >= 0
+        result = np.full(len(known), none, values.dtype)
+        result[known] = values[self._row_of_vertex[known]]
+        return result
 
     def _rows_of(self, vertices: np.ndarray) -> np.ndarray:
         """The rows of `vertices` that are these vertices of the surface."""

@@ -17,6 +17,8 @@
 #include "girth/io/load_mesh.h"
 #include "girth/remesh.h"
 #include "girth/spectrum.h"
+#include "girth/thickness.h"
+#include "girth/vertex_areas.h"
 #include "girth/wave_kernel.h"
 #include "surface.h"
 #include "working.h"
@@ -194,6 +196,18 @@ Array<double> diameterOf(const Shared& surface, double coneAngle, unsigned rays,
       }));
 }
 
+Array<double> thicknessOf(const Shared& surface, double sharpAngle, const Running& running) {
+  ThicknessOptions options;
+  options.sharpAngle = sharpAngle;
+  return arrayOf(
+      compute<Values>(running, [surface, options](const ExecutionContext& c) -> Result<Values> {
+        auto field = medialThickness(surface->mesh(), options, c);
+        if (!field) return field.error();
+        if (!field.value().complete) return makeError(ErrorCode::Cancelled, -1, "stopped");
+        return std::move(field.value().values);
+      }));
+}
+
 Array<double> extentOf(const Shared& surface, bool farthest, bool exact, const Running& running) {
   return arrayOf(compute<Values>(
       running, [surface, farthest, exact](const ExecutionContext& c) -> Result<Values> {
@@ -314,9 +328,11 @@ void bindSurface(py::module_& module) {
       .def("input_of_face", [](const Surface& s) { return numberArray(s.loaded().inputOfFace); })
       .def("positions", [](const Surface& s) { return positionsOf(s.mesh()); })
       .def("triangles", [](const Surface& s) { return trianglesOf(s.mesh()); })
+      .def("areas", [](const Surface& s) { return arrayOf(vertexAreas(s.mesh())); })
       .def("girth", &girthOf)
       .def("angle", &angleOf)
       .def("shape_diameter", &diameterOf)
+      .def("thickness", &thicknessOf)
       .def("extent", &extentOf)
       .def("spectral_field", &spectralFieldOf)
       .def("loop", &loopAt)

@@ -106,10 +106,11 @@ VertexFunction<Barcode> barcodeFunction(const SurfaceMesh& mesh, const BarcodeOp
   }};
 }
 
-VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh) {
+VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh, double persistence) {
   const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
-  return {[unfolding](const ExecutionContext& context) -> VertexEvaluator<double> {
+  return {[unfolding, persistence](const ExecutionContext& context) -> VertexEvaluator<double> {
     const auto solver = std::make_shared<GirthSolver>(SolverFactory::onUnfolding(unfolding));
+    solver->setPersistence(persistence);
     return [solver, own = context.ofOneThread()](Vertex v) -> Result<double> {
       const auto loop = solver->loop(v, own);
       if (!loop) return loop.error();

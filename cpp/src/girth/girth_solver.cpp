@@ -77,7 +77,11 @@ struct GirthSolver::State {
     const auto source = geodesic::locate(*unfolding, point);
     if (!source) return source.error();
     if (!persistent) persistent.emplace(propagation, search);
-    persistent->start(atLeast / unfolding->unit(), mostSaddles, context.cancel);
+    // A finite length stays one: a saddle that never dies lasts longer.
+    constexpr double kGreatest = std::numeric_limits<double>::max();
+    const double scaled =
+        std::isinf(atLeast) ? atLeast : std::min(atLeast / unfolding->unit(), kGreatest);
+    persistent->start(scaled, mostSaddles, context.cancel);
     propagation.run(std::span(&source.value(), 1), keep, *persistent);
     if (persistent->cancelled()) {
       return makeError(ErrorCode::Cancelled, point.element, "cancelled");

@@ -8,6 +8,7 @@
 
 #include "girth/girth_field.h"
 #include "girth/remesh.h"
+#include "girth/study/surface_changes.h"
 #include "girth/vertex_areas.h"
 
 namespace girth::study {
@@ -34,9 +35,10 @@ Result<SurfaceMesh> scaled(const SurfaceMesh& mesh, double factor) {
   return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Boundary);
 }
 
-Result<std::vector<StudyField>> girthOf(const SurfaceMesh& surface, GirthMethod method,
+Result<std::vector<StudyField>> girthOf(const SurfaceMesh& surface, const GirthOptions& options,
                                         const char* name, const ExecutionContext& context) {
-  GirthField field = girthField(surface, method, context);
+  if (auto error = checkPersistence(options.persistence)) return *std::move(error);
+  GirthField field = girthField(surface, options, context);
   if (!field.complete()) return stopped();
   return std::vector<StudyField>{{name, 1, std::move(field.values)}};
 }
@@ -97,9 +99,11 @@ Result<std::vector<StudyField>> compute(const SurfaceMesh& surface, FieldGroup g
                                         const ExecutionContext& context) {
   switch (group) {
     case FieldGroup::Girth:
-      return girthOf(surface, GirthMethod::Exact, "igf", context);
+      return girthOf(surface,
+                     {GirthMethod::Exact, parameters.persistence * std::sqrt(surface.area())},
+                     "igf", context);
     case FieldGroup::MarchedGirth:
-      return girthOf(surface, GirthMethod::Marched, "igf-ms", context);
+      return girthOf(surface, {GirthMethod::Marched}, "igf-ms", context);
     case FieldGroup::Diameter: {
       auto field = shapeDiameter(surface, parameters.diameter, context);
       if (!field) return field.error();
@@ -154,11 +158,17 @@ const StudyField* StudyFields::find(std::string_view name) const {
 
 Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh, const FieldParameters& parameters,
                                  const ExecutionContext& context) {
-  std::vector<SurfaceMesh> remeshed;  // one or none
+  std::vector<SurfaceMesh> remeshed;  // one or none, with other triangles or positions
   if (parameters.faces > 0 && mesh.faceCount() > parameters.faces) {
     auto surface = remesh(mesh, {parameters.faces, RemeshMethod::Even}, context);
     if (!surface) return surface.error();
     remeshed.push_back(std::move(surface.value().mesh));
+  }
+  if (parameters.noise != 0) {
+    constexpr std::uint64_t kSeed = 1;
+    auto noisy = withNoise(remeshed.empty() ? mesh : remeshed.front(), parameters.noise, kSeed);
+    if (!noisy) return noisy.error();
+    remeshed.assign(1, std::move(noisy).value());
   }
   const SurfaceMesh& surface = remeshed.empty() ? mesh : remeshed.front();
   if (!parameters.unitArea) return surface;
@@ -183,6 +193,10 @@ std::string parametersText(FieldGroup group, const FieldParameters& parameters) 
   std::string text = "fields 1 " + std::string(toString(group)) + " faces " +
                      std::to_string(parameters.faces) +
                      (parameters.unitArea ? " area 1" : " own area");
+  if (parameters.noise != 0) text += " noise " + exactText(parameters.noise);
+  if (group == FieldGroup::Girth && parameters.persistence != 0) {
+    text += " persistence " + exactText(parameters.persistence);
+  }
   if (group == FieldGroup::Diameter) {
     text += " cone " + exactText(parameters.diameter.coneAngle) + " rays " +
             std::to_string(parameters.diameter.rays);

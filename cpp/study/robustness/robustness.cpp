@@ -9,6 +9,7 @@
 #include "girth/girth_field.h"
 #include "girth/remesh.h"
 #include "girth/vertex_areas.h"
+#include "text/number_text.h"
 
 namespace girth::study {
 
@@ -114,9 +115,9 @@ std::vector<Plan> plansFor(const SurfaceMesh& model, std::span<const NamedSurfac
       [&](const SurfaceMesh&, const ExecutionContext& context) {
         return evenly(model, 2 * options.faces, context);
       });
-  for (const auto& [amount, text] : {std::pair(0.25, "a quarter"), {0.5, "half"}}) {
-    add("8d", std::string("noise of ") + text + " of the mean edge", 1.2e-2, same,
-        [&options, amount = amount](const SurfaceMesh& even, const ExecutionContext&) {
+  for (const double amount : options.noise) {
+    add("8d", "noise of " + io::formatNumber(amount) + " mean edges", 1.2e-2, same,
+        [&options, amount](const SurfaceMesh& even, const ExecutionContext&) {
           return withNoise(even, amount, options.seed);
         })
         .sameVertices = true;
@@ -143,7 +144,8 @@ std::vector<Plan> plansFor(const SurfaceMesh& model, std::span<const NamedSurfac
 /// Computes girths one after the other, with one progress for all.
 class Run {
  public:
-  Run(const ExecutionContext& context, double total) : context_(context), total_(total) {}
+  Run(const ExecutionContext& context, double persistence, double total)
+      : context_(context), persistence_(persistence), total_(total) {}
 
   /// What a field of so many faces costs, in the unit of `total`.
   static double costOf(double faces) { return faces * std::sqrt(faces); }
@@ -157,7 +159,8 @@ class Run {
       if (context_.onProgress)
         context_.onProgress(std::min(1.0, (done_ + fraction * cost) / total_));
     };
-    GirthField field = girthField(mesh, GirthMethod::Exact, inner);
+    const double tau = persistence_ * std::sqrt(mesh.area());
+    GirthField field = girthField(mesh, {GirthMethod::Exact, tau}, inner);
     done_ += cost;
     if (!field.complete()) return std::nullopt;
     return Measured{std::move(mesh), std::move(field.values)};
@@ -171,6 +174,7 @@ class Run {
 
  private:
   const ExecutionContext& context_;
+  double persistence_;  // over the square root of the area
   double total_, done_{0};
 };
 
@@ -184,10 +188,11 @@ Result<std::vector<RobustnessRow>> robustnessStudy(const SurfaceMesh& model,
   if (!(options.stretch >= 1 && options.stretch <= 100)) {
     return makeError(ErrorCode::InvalidOption, -1, "triangles can be drawn out 1 to 100 times");
   }
+  if (auto error = checkPersistence(options.persistence)) return *std::move(error);
   std::vector<Plan> plans = plansFor(model, poses, options);
   double total = Run::costOf(model.faceCount()) + Run::costOf(options.faces);
   for (const Plan& plan : plans) total += Run::costOf(plan.faces);
-  Run run(context, total);
+  Run run(context, options.persistence, total);
 
   auto even = evenly(model, options.faces, run.quiet());
   if (!even) return even.error();

@@ -94,7 +94,9 @@ Result<SurfaceMesh> remeshedUnevenly(const SurfaceMesh& mesh, Index faces, doubl
 }
 
 Result<SurfaceMesh> withNoise(const SurfaceMesh& mesh, double amount, std::uint64_t seed) {
-  if (!(amount >= 0 && amount <= 1)) return optionError("noise is 0 to 1 mean edge lengths");
+  if (!(amount >= 0 && amount <= kMostNoise)) {
+    return optionError("noise is 0 to 4 mean edge lengths");
+  }
   Random random(seed);
   std::vector<Vec3> positions = positionsOf(mesh);
   for (Vec3& p : positions) {

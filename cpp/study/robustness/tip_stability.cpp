@@ -16,13 +16,13 @@ bool isInside(const Tip& tip, Vertex vertex) {
 }
 
 /// The tips of a changed surface; its girth takes up the progress from `begin` to `end`.
-Result<Tips> tipsOfChanged(const SurfaceMesh& changed, const ExecutionContext& context,
-                           double begin, double end) {
+Result<Tips> tipsOfChanged(const SurfaceMesh& changed, double persistence,
+                           const ExecutionContext& context, double begin, double end) {
   ExecutionContext within = context;
   if (context.onProgress) {
     within.onProgress = [&](double done) { context.onProgress(begin + done * (end - begin)); };
   }
-  const GirthField girth = girthField(changed, GirthMethod::Exact, within);
+  const GirthField girth = girthField(changed, {GirthMethod::Exact, persistence}, within);
   if (!girth.complete()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
   return findTips(changed, girth.values, context);
 }
@@ -52,6 +52,7 @@ Index TipTrial::foundAgain() const {
 Result<std::vector<TipTrial>> tipTrials(const SurfaceMesh& mesh, std::span<const Tip> tips,
                                         const TipTrialOptions& options,
                                         const ExecutionContext& context) {
+  if (auto error = checkPersistence(options.persistence)) return *std::move(error);
   std::vector<TipTrial> trials;
   // Four times the faces take about eight times as long.
   constexpr double kFiner = 8;
@@ -59,7 +60,8 @@ Result<std::vector<TipTrial>> tipTrials(const SurfaceMesh& mesh, std::span<const
   const auto finer = subdivided(mesh);
   TipTrial cut;
   if (finer) {
-    const auto found = tipsOfChanged(finer.value().mesh, context, 0, kFiner / all);
+    const auto found =
+        tipsOfChanged(finer.value().mesh, options.persistence, context, 0, kFiner / all);
     if (!found) return found.error();
     compare(
         tips, found.value(),
@@ -78,7 +80,8 @@ Result<std::vector<TipTrial>> tipTrials(const SurfaceMesh& mesh, std::span<const
     const auto noisy = withNoise(mesh, options.noise[i], options.seed + i);
     if (noisy) {
       const double begin = kFiner + static_cast<double>(i);
-      const auto found = tipsOfChanged(noisy.value(), context, begin / all, (begin + 1) / all);
+      const auto found = tipsOfChanged(noisy.value(), options.persistence, context, begin / all,
+                                       (begin + 1) / all);
       if (!found) return found.error();
       compare(
           tips, found.value(),

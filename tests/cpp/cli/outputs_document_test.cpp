@@ -55,7 +55,7 @@ TEST_F(Command, outputsAreAsDocumented) {
     std::vector<std::string> arguments{output.words[1], model};
     std::string file;
     for (std::size_t i = 2; i < output.words.size(); ++i) {
-      const bool isFile = output.words[i - 1] == "-o";
+      const bool isFile = output.words[i - 1] == "-o" || output.words[i - 1] == "--barcode";
       if (output.words[i] == "other.obj") {
         arguments.push_back(model);
         continue;

@@ -39,6 +39,20 @@ TEST(Barcode, HasTwoBarsWithoutEndOnATorus) {
   }
 }
 
+// Whatever the unit of the model, a length is one: no finite tau passes over what never dies.
+TEST(Barcode, KeepsHandlesForAnyTau) {
+  for (const double scale : {1e-9, 1.0, 1e9}) {
+    const SurfaceMesh mesh = moved(torus(3, 1, 12, 8), scale, 0, 0).mesh();
+    GirthSolver solver(mesh);
+    for (const double tau : {1e3 * scale, 1e300, std::numeric_limits<double>::max()}) {
+      solver.setPersistence(tau);
+      const GirthValue value = solver.value(Vertex(0)).value();
+      EXPECT_EQ(value.kind, LoopKind::Loop) << tau;
+      EXPECT_EQ(value.length, barcodeOf(solver, Vertex(0)).girth(tau).length);
+    }
+  }
+}
+
 TEST(Barcode, IsEmptyOnARegularSphere) {
   const SurfaceMesh mesh = octasphere(2).mesh();
   GirthSolver solver(mesh);

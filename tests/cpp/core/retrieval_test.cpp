@@ -602,6 +602,10 @@ TEST(StudyFields, LargerSurfacesAreRemeshedSmallerOnesAreNot) {
   parameters.diameter.rays = 31;
   EXPECT_NE(parametersText(FieldGroup::Diameter, {}),
             parametersText(FieldGroup::Diameter, parameters));
+  FieldParameters persistent;
+  persistent.persistence = 0.02;
+  EXPECT_NE(parametersText(FieldGroup::Girth, {}), parametersText(FieldGroup::Girth, persistent));
+  EXPECT_EQ(parametersText(FieldGroup::Extent, {}), parametersText(FieldGroup::Extent, persistent));
   EXPECT_EQ(parametersText(FieldGroup::Girth, {}), parametersText(FieldGroup::Girth, parameters))
       << "the girth does not depend on rays";
 }

@@ -60,6 +60,7 @@ TEST(SurfaceChanges, NoiseIsAsStrongAsItSays) {
   EXPECT_EQ(again.value().position(Vertex(5)).x, noisy.value().position(Vertex(5)).x);
   EXPECT_NE(other.value().position(Vertex(5)).x, noisy.value().position(Vertex(5)).x);
   EXPECT_EQ(codeOf(withNoise(mesh, -0.1, 1)), ErrorCode::InvalidOption);
+  EXPECT_EQ(codeOf(withNoise(mesh, 4.1, 1)), ErrorCode::InvalidOption);
   EXPECT_EQ(codeOf(withNoise(mesh, std::numeric_limits<double>::quiet_NaN(), 1)),
             ErrorCode::InvalidOption);
 }

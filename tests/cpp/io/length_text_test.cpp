@@ -34,6 +34,23 @@ TEST(LengthText, keepsTheUnitThatWasTyped) {
   EXPECT_EQ(parseLength("900").value().unit, nullptr);
 }
 
+TEST(LengthText, readsSharesAsThePageDoes) {
+  std::ifstream file(GIRTH_TEST_DATA "/shares.json");
+  const auto cases = nlohmann::json::parse(file);
+  ASSERT_GT(cases.size(), 10u);
+  for (const auto& one : cases) {
+    const auto text = one["text"].get<std::string>();
+    const Result<double> length = lengthOrShare(text, "mm", one["whole"].get<double>());
+    ASSERT_EQ(length.ok(), one.contains("length")) << text;
+    if (length) {
+      EXPECT_EQ(length.value(), one["length"].get<double>()) << text;
+    } else {
+      EXPECT_NE(length.error().message.find(one["fault"].get<std::string>()), std::string::npos)
+          << length.error().message;
+    }
+  }
+}
+
 TEST(NumberText, isReadAsOnThePage) {
   std::ifstream file(GIRTH_TEST_DATA "/numbers.json");
   const auto cases = nlohmann::json::parse(file);

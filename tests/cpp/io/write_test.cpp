@@ -13,6 +13,7 @@
 #include <string>
 
 #include "documents.h"
+#include "girth/io/write_barcodes.h"
 #include "girth/io/write_field.h"
 #include "girth/io/write_loop.h"
 #include "girth/io/write_mesh.h"
@@ -440,6 +441,48 @@ TEST(WriteField, glbOfNumbersThatFloatsDoNotHold) {
   for (const float value : floatsOf(glb.value(), attributes["_WILD"])) {
     EXPECT_TRUE(std::isfinite(value));
   }
+}
+
+TEST(WriteBarcodes, allFormats) {
+  const LoadedMesh loaded = sample();
+  const double never = std::numeric_limits<double>::infinity();
+  std::vector<Barcode> barcodes(loaded.mesh.vertexCount());
+  for (Barcode& barcode : barcodes) barcode.rest = {7, LoopKind::Antipodal};
+  barcodes[1].bars = {{1, 1.25}, {2, never}};
+  for (Barcode& barcode : barcodes) barcode.maxPersistence = 0.5;
+  const Json json = Json::parse(barcodesJson(loaded, barcodes, "sample.obj"));
+  EXPECT_EQ(json["file"], "sample.obj");
+  EXPECT_EQ(json["maxPersistence"], 0.5);
+  const std::size_t inputs = loaded.vertexOfInput.size();
+  EXPECT_EQ(json["vertices"], inputs);
+  std::string rows = "vertex,birth,death\n";
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < inputs; ++i) {
+    const Vertex vertex = loaded.vertexOfInput[i];
+    if (vertex == Vertex::none) {
+      EXPECT_TRUE(json["bars"][i].is_null() && json["rest"][i].is_null());
+      EXPECT_TRUE(json["restKind"][i].is_null());
+      continue;
+    }
+    const bool has = vertex == Vertex(1);
+    EXPECT_EQ(json["bars"][i], has ? Json::parse("[[1,1.25],[2,null]]") : Json::array());
+    EXPECT_EQ(json["rest"][i], 7);
+    EXPECT_EQ(json["restKind"][i], "antipodal");
+    if (!has) continue;
+    rows += std::to_string(i) + ",1,1.25\n" + std::to_string(i) + ",2,\n";
+    const auto number = static_cast<double>(i);
+    numbers.insert(numbers.end(), {number, 1, 1.25, number, 2, never});
+  }
+  EXPECT_GE(numbers.size(), 6u);
+  EXPECT_EQ(barcodesCsv(loaded, barcodes), rows);
+  const std::string npy = barcodesNpy(loaded, barcodes);
+  EXPECT_TRUE(contains(npy, "'shape': (" + std::to_string(numbers.size() / 3) + ", 3), }"));
+  ASSERT_EQ(npy.size() % 64, 8 * numbers.size() % 64);
+  std::vector<double> read(numbers.size());
+  std::memcpy(read.data(), npy.data() + npy.size() - 8 * read.size(), 8 * read.size());
+  EXPECT_EQ(read, numbers);
+  for (Barcode& barcode : barcodes) barcode.maxPersistence = never;
+  EXPECT_TRUE(Json::parse(barcodesJson(loaded, barcodes, ""))["maxPersistence"].is_null());
 }
 
 TEST(WriteMesh, everyFormatIsReadAgain) {

@@ -48,6 +48,7 @@ const rules = {
   unit: lengthUnit,
   'shown-unit': lengthUnit,
   field: oneOf([...fieldNames, ...derivedNames, 'none']),
+  'field-title': { allowed: 'words for the legend', accepts: () => true },
   colormap: oneOf(colormapNames),
   range: {
     allowed: 'auto, two rising numbers as in 1 2.5, or two rising shares as in 5% 95%',

@@ -36,6 +36,8 @@ const spreadBudget = 5;
 /** What the element's attributes ask for. */
 export interface ShadingWishes {
   name: ShownName;
+  /** What the legend calls it; '' for its usual name. */
+  title: string;
   /** Undefined: as fits the field. */
   colormap: ColormapName | undefined;
   /** Undefined: the body of the values. */
@@ -114,6 +116,11 @@ export class Shading {
   get name(): ShownName {
     const { name } = this.wishes;
     return this.#isThere(name) ? name : this.#painted;
+  }
+
+  /** What that is called. */
+  get title(): string {
+    return this.wishes.title || fieldTitle(this.name);
   }
 
   /** Whether there are values to show, be it of a part of the surface. */
@@ -282,7 +289,7 @@ export class Shading {
       return;
     }
     if (name === 'none') return;
-    const title = fieldTitle(name);
+    const { title } = this;
     if (name === 'kind' || name === 'parts') {
       if (name === 'kind' ? !this.#model.fields.get('igf')?.field : !this.parts) return;
       const used = name === 'kind' ? this.#usedGirthKinds() : partKinds;

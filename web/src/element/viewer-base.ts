@@ -205,6 +205,7 @@ export abstract class ViewerBase extends ElementOrNone {
         // Percentages ask for the vertices' areas.
         void this.#showField();
         break;
+      case 'field-title':
       case 'colormap':
       case 'log':
       case 'isolines':
@@ -447,6 +448,7 @@ export abstract class ViewerBase extends ElementOrNone {
     const colormap = attributeOf(this, 'colormap');
     return {
       name: isShownName(field) ? field : 'igf',
+      title: attributeOf(this, 'field-title') ?? '',
       colormap: isColormapName(colormap) ? colormap : undefined,
       range: parseRange(attributeOf(this, 'range')),
       log: isOn(this, 'log'),

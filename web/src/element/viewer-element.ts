@@ -53,6 +53,7 @@ import { ViewerBase } from './viewer-base.js';
  *   and `sihks` (one number of the heat, wave and scale-invariant heat kernel signatures), `kind` (of the
  *   loop), `tips` (how far the girth rises at the tip that a place is in), `parts` (tubes, plates and
  *   body) or `none`.
+ * - `field-title`: what the legend calls the field; by default its usual name.
  * - `colormap`: `viridis` (default), `cividis`, `plasma`, `magma`, `turbo`, or `rdbu`, which diverges and is
  *   the default where values have both signs.
  * - `range`: `auto` (default), the body of the values, without what few places stretch it by; two numbers, the values at the ends of the colour map; or two percentages as

@@ -43,6 +43,9 @@ struct GIRTH_EXPORT VertexField {
 /// "exact" or "ms".
 GIRTH_EXPORT std::string_view toString(GirthMethod method);
 
+/// How the girth was computed, in words: "exact", "ms", or "exact, persistence 0.5", in the model's
+/// unit.
+GIRTH_EXPORT std::string methodText(const GirthOptions& options);
 /// How distances were computed, in words: "exact" or "fast marching".
 GIRTH_EXPORT std::string_view toString(DistanceMethod method);
 /// How the shape diameter was computed, in words: "30 rays".

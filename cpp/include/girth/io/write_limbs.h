@@ -14,9 +14,9 @@ namespace girth::io {
 /// `tips`). Of a limb: `length`, `narrowest`, `narrowestDistance`, `median`, `base`, `end`, `tips`,
 /// `apex` (as a point of `loopJson`), `vertices` (of the file), and `profile`: stations with
 /// `distance`, `ring`, `median`, `least` and the point `place` of the least. Numbers that there are
-/// none of are null.
+/// none of are null. `persistence`: that of the girth, behind `unit`, where it is not 0.
 GIRTH_EXPORT std::string limbsJson(const LoadedMesh& loaded, const Limbs& limbs,
-                                   std::string_view file);
+                                   std::string_view file, double persistence = 0);
 
 /// `limb,length,narrowest,narrowestDistance,median,base,end,apex,unit` and a row for each limb;
 /// `apex` is a vertex of the file. Numbers that there are none of are empty.

@@ -13,9 +13,10 @@ namespace girth::io {
 /// One line of JSON: `file`, `vertex` (the base's number in the file; null where the base is none),
 /// `length`, `kind`, `angle` in radians, `unit`, and as points `base`, `midpoint` and, if wanted,
 /// `points`: each with its `position` and the `vertices` of the file (one, the two of an edge, or
-/// the three of a face) that it lies between, with their `weights`.
+/// the three of a face) that it lies between, with their `weights`. `persistence`: tau, where the
+/// loop is that of I_tau; behind `unit`, where it is not 0.
 GIRTH_EXPORT std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop,
-                                  std::string_view file, bool withPoints);
+                                  std::string_view file, bool withPoints, double persistence = 0);
 
 /// The polyline as an OBJ line element, closed.
 GIRTH_EXPORT std::string loopObj(const LoadedMesh& loaded, const GirthLoop& loop);

@@ -14,15 +14,18 @@ namespace girth::io {
 /// One JSON object: `file`, `unit`, `thresholds` (`girth`, `thickness`), `smoothing` and `parts`:
 /// of each its `kind`, `area`, `medianGirth`, `medianThickness`, `equivalentRadius` (tubes only),
 /// `thinnest` (as a point of `loopJson`, or null) and `vertices` (of the file). Numbers that are
-/// not finite come out as null.
+/// not finite come out as null. `persistence`: that of the girth, behind `unit`, where it is not 0.
 GIRTH_EXPORT std::string partsJson(const LoadedMesh& loaded, const Parts& parts,
-                                   const PartOptions& options, std::string_view file);
+                                   const PartOptions& options, std::string_view file,
+                                   double persistence = 0);
 
 /// One JSON object: `file`, `unit`, `limits` (`tubeDiameter`, `wallThickness`, `gap`), `passes`,
 /// `failingShare`, `passingScale` (null where no scale helps) and `places`: of each its `kind`
 /// ("tube", "wall" or "gap"), `measure` ("diameter", "thickness" or "clearance"), `least`, `area`,
 /// `thinnest`, `opposite` (walls and gaps: a position) and `vertices`. As in print_check.h.
+/// `persistence`: as above.
 GIRTH_EXPORT std::string printCheckJson(const LoadedMesh& loaded, const PrintCheck& check,
-                                        const PrintLimits& limits, std::string_view file);
+                                        const PrintLimits& limits, std::string_view file,
+                                        double persistence = 0);
 
 }  // namespace girth::io

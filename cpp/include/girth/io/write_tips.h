@@ -14,9 +14,9 @@ namespace girth::io {
 /// `boundaryLength`, `jump`, `apex` (as a point of `loopJson`), `apexDistance`, `vertices` (of the
 /// file), and `contour`: lines with `closed` and `points` [x,y,z]. Of an arc: `length`, `jump` and
 /// `line`. `trials`, a JSON array (study::tipTrialsJson), becomes the member `trials`; empty:
-/// there is none.
+/// there is none. `persistence`: that of the girth, behind `unit`, where it is not 0.
 GIRTH_EXPORT std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_view file,
-                                  std::string_view trials = {});
+                                  std::string_view trials = {}, double persistence = 0);
 
 /// The contours as OBJ line elements: one object a tip (`o tip_1`, …) and one an arc (`o arc_1`,
 /// …).

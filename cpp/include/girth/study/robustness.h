@@ -29,6 +29,11 @@ struct RobustnessOptions {
   std::vector<Index> sizes{2'000, 5'000, 10'000, 20'000, 50'000};
   /// How uneven the uneven triangles are (surface_changes.h).
   double stretch{4};
+  /// How strong the noise of Figure 8d is, a row for each, in mean edge lengths (withNoise).
+  std::vector<double> noise{0.25, 0.5};
+  /// tau of all girths over the square root of each surface's area (girth/barcode.h); 0: the girth
+  /// itself.
+  double persistence{0};
   /// Of the random noise; the same seed always gives the same surfaces.
   std::uint64_t seed{1};
   /// The humps of Figure 8e.
@@ -66,7 +71,7 @@ struct NamedSurface {
 /// Computes the exact girth of the model, and of a dozen changes of it, and compares the
 /// distributions. `poses`: the same thing in other poses. Time: that of as many girth fields. The
 /// same bits for any number of threads. Errors: those of remesh for the even mesh;
-/// INVALID_OPTION (stretch); CANCELLED.
+/// INVALID_OPTION (stretch, noise, persistence); CANCELLED.
 GIRTH_EXPORT Result<std::vector<RobustnessRow>> robustnessStudy(
     const SurfaceMesh& model, std::span<const NamedSurface> poses,
     const RobustnessOptions& options = {}, const ExecutionContext& context = {});

@@ -43,6 +43,11 @@ struct FieldParameters {
   Index faces{10'000};
   /// Whether surfaces are scaled to area 1.
   bool unitArea{true};
+  /// Every vertex is moved by up to so many mean edge lengths (withNoise), once the surface has
+  /// been remeshed: how well shapes are found again in rough scans.
+  double noise{0};
+  /// Of igf: tau over the square root of the area (girth/barcode.h); 0: the girth itself.
+  double persistence{0};
   /// Of the shape diameter.
   ShapeDiameterOptions diameter;
   /// Of geoaverage and geofarthest.
@@ -78,7 +83,7 @@ struct GIRTH_EXPORT StudyFields {
 };
 
 /// The surface on which the fields are computed: remeshed and scaled by the parameters. Errors:
-/// those of remesh.h; LIMIT_EXCEEDED where the area is no number that can be scaled.
+/// those of remesh.h and withNoise; LIMIT_EXCEEDED where the area is no number that can be scaled.
 GIRTH_EXPORT Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh,
                                               const FieldParameters& parameters,
                                               const ExecutionContext& context = {});
@@ -87,7 +92,7 @@ GIRTH_EXPORT Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh,
 /// (4π · 300) to 4 ln 10 / 4π times the area in equal ratios: what Sun et al. 2009 choose, with the
 /// eigenvalues 1 and 300 that a surface of that area has on average (Weyl's law); at each time it
 /// is divided by its mean over the surface, so that all times count alike. Costs and errors: those
-/// of the fields; CANCELLED.
+/// of the fields; INVALID_OPTION (checkPersistence); CANCELLED.
 GIRTH_EXPORT Result<StudyFields> studyFields(const SurfaceMesh& surface, FieldGroup group,
                                              const FieldParameters& parameters,
                                              const ExecutionContext& context = {});

@@ -25,9 +25,12 @@ GIRTH_EXPORT Result<SurfaceMesh> remeshedUnevenly(const SurfaceMesh& mesh, Index
                                                   double stretch,
                                                   const ExecutionContext& context = {});
 
+/// The strongest noise, in mean edge lengths.
+inline constexpr double kMostNoise = 4;
+
 /// Every vertex moved in a random direction, by a random distance of up to `amount` times the mean
 /// edge length. The same `seed` always gives the same surface. Faces may come to intersect. O(n).
-/// Errors: INVALID_OPTION (amount: 0 to 1); DEGENERATE_FACE where a face loses its area.
+/// Errors: INVALID_OPTION (amount: 0 to kMostNoise); DEGENERATE_FACE where a face loses its area.
 GIRTH_EXPORT Result<SurfaceMesh> withNoise(const SurfaceMesh& mesh, double amount,
                                            std::uint64_t seed);
 

@@ -41,13 +41,15 @@ struct TipTrialOptions {
   std::vector<double> noise{0.05, 0.1, 0.25};
   /// Of the noise; the same seed always gives the same surfaces.
   std::uint64_t seed{1};
+  /// tau of the girth that tips are found by, in model units (girth/barcode.h).
+  double persistence{0};
 };
 
 /// Finds the tips of changed copies of a surface: first with each triangle cut into four, then with
 /// noise. The paper (section 6.2) warns that small changes may move the contour much; this reports
 /// which tips are reliable. `tips`: those of the surface. Time: that of the girth of one surface
 /// with four times the faces and of as many others as there are amounts of noise. The same bits for
-/// any number of threads. Errors: INVALID_OPTION (withNoise); CANCELLED.
+/// any number of threads. Errors: INVALID_OPTION (withNoise, checkPersistence); CANCELLED.
 GIRTH_EXPORT Result<std::vector<TipTrial>> tipTrials(const SurfaceMesh& mesh,
                                                      std::span<const Tip> tips,
                                                      const TipTrialOptions& options = {},

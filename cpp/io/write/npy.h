@@ -1,0 +1,13 @@
+// Arrays of doubles as NumPy reads them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace girth::io {
+
+/// What stands before the doubles, which follow in the order of C: format version 1.0, dtype '<f8'.
+/// `shape`: as Python has it between the parentheses, "5," or "5, 3".
+std::string npyHeader(std::string_view shape);
+
+}  // namespace girth::io
