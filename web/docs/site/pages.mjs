@@ -30,23 +30,42 @@ const document = (name, label) => ({
 /** @type {Section[]} */
 export const sections = [
   {
-    title: 'Using it',
+    title: 'Begin',
     pages: [
       document('README', 'Start'),
+      document('girth', 'What the girth is'),
+      document('tutorials/page', 'The page'),
+      document('tutorials/command', 'The command'),
+      document('tutorials/javascript', 'JavaScript'),
+      document('tutorials/cpp', 'C++'),
+      document('tutorials/python', 'Python'),
+      document('tutorials/element', 'The element'),
+    ],
+  },
+  {
+    title: 'How to',
+    pages: [
+      document('how-to/check-a-print'),
+      document('how-to/find-tips'),
+      document('how-to/part-tubes-and-plates'),
+      document('how-to/compare-shapes'),
+      document('how-to/study-a-collection'),
+      document('how-to/embed-on-a-static-host', 'Embed on a static host'),
+      document('how-to/live-under-a-strict-policy'),
+    ],
+  },
+  {
+    title: 'Look up',
+    pages: [
       { file: 'README.md', url: 'readme.html', label: 'Everything on one page' },
       document('choosing', 'Choosing'),
       document('outputs', 'Outputs'),
       document('print-check', 'The print check'),
-      document('python', 'Python'),
+      document('python', 'Python, all calls'),
       document('embedding', 'Embedding'),
-    ],
-  },
-  {
-    title: 'What it computes',
-    pages: [
-      document('definitions', 'Definitions'),
       // Made of the table of codes (errors.mjs).
       { file: 'errors', url: 'errors.html' },
+      document('definitions', 'Definitions'),
     ],
     others: [
       { url: 'reference/cpp/index.html', label: 'C++ reference' },
@@ -56,6 +75,8 @@ export const sections = [
   {
     title: 'Studies',
     pages: [
+      document('algorithm', 'How it is computed'),
+      document('results', 'Results'),
       document('robustness', 'Robustness'),
       document('retrieval', 'Shape retrieval'),
       document('bench/paper', 'Timings'),
