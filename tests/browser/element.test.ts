@@ -21,6 +21,7 @@ const script = '<script type="module" src="girth/dist/girth-viewer.js"></script>
 
 /** Of each attribute that has not any value: a wrong one and a right one. */
 const attributes = {
+  loading: ['later', 'lazy'],
   unit: ['furlong', 'mm'],
   'shown-unit': ['px', 'cm'],
   field: ['foo', 'sdf'],
@@ -276,7 +277,7 @@ test('a wrong attribute is one warning on the console and an error on each eleme
   const viewer = page.locator('#a');
   await fieldComplete(viewer);
   const names = Object.keys(attributes);
-  expect(names.concat('src').sort()).toEqual(
+  expect(names.concat('src', 'poster', 'field-title').sort()).toEqual(
     await viewer.evaluate((element) =>
       (element.constructor as typeof GirthViewer).observedAttributes.slice().sort(),
     ),

@@ -169,6 +169,11 @@ export class LoopsOnSurface {
     const loop =
       shown && isSame(shown.base, point) ? shown : await this.#model.mesh.loop(point, { signal });
     signal.throwIfAborted();
+    return this.keep(loop);
+  }
+
+  /** Keeps a loop that is known on the surface. */
+  keep(loop: Loop): PinnedLoop {
     const already = this.#pins.find((pin) => isSame(pin.loop.base, loop.base));
     if (already) return { id: already.id, name: already.name, loop };
     const id = this.#nextPin++;
