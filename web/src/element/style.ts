@@ -158,6 +158,8 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   .legend-line { inset-inline: calc(100% * var(--place)) auto; inset-block: 0; inline-size: 1px; block-size: auto; }
   .legend-key { display: flex; flex-wrap: wrap; gap: 2px 14px; margin-block-start: -5px; }
   .legend-note { margin: -5px 0 0; max-inline-size: 8rem; }
+  /* Beside the bar on the canvas. */
+  .message:not([hidden]) { inset-inline-end: 60px; }
 }
 
 .status {
@@ -193,7 +195,7 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
 
 .message {
   position: absolute;
-  inset-block-start: 12px;
+  inset-block-start: calc(var(--girth-top, 0px) + 12px);
   inset-inline: 12px;
   margin-inline: auto;
   max-inline-size: 34rem;
@@ -210,6 +212,11 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
 }
 .message p { margin: 0; padding-block: 4px; overflow-wrap: anywhere; }
 .message p + p { padding-block-start: 0; color: var(--girth-quiet); }
+
+/* Where there is no room for both, the message comes first: it can be dismissed. */
+@media (max-width: 720px) and (max-height: 560px) {
+  .legend:has(~ .message:not([hidden])) { visibility: hidden; }
+}
 
 .readout {
   position: absolute;

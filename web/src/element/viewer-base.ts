@@ -122,30 +122,18 @@ export abstract class ViewerBase extends ElementOrNone {
 
   /** Called by the browser when the element comes onto a page: it can draw from now on. */
   connectedCallback(): void {
-    try {
-      this.stage = new Stage(this.#canvas, {
-        beforeFrame: () => this.presented?.spread() ?? false,
-        afterFrame: () => {
-          this.presented?.loops.place();
-          this.#controls.place();
-        },
-        touched: () => this.#controls.touched(),
-        rested: () => this.#send('camera', null),
-      });
-    } catch {
-      this.#message.show(
-        '',
-        {
-          code: 'NO_WEBGL',
-          element: -1,
-          message: 'this browser cannot draw surfaces: WebGL 2 is switched off or missing',
-          hint: 'switch on hardware acceleration in its settings, or use another browser',
-        },
-        false,
-      );
-      return;
-    }
+    this.stage = new Stage(this.#canvas, {
+      beforeFrame: () => this.presented?.spread() ?? false,
+      afterFrame: () => {
+        this.presented?.loops.place();
+        this.#controls.place();
+      },
+      touched: () => this.#controls.touched(),
+      rested: () => this.#send('camera', null),
+      graphicsChanged: () => this.#message.showGraphics(stage.graphics),
+    });
     const { stage } = this;
+    this.#message.showGraphics(stage.graphics);
     this.#lifecycle.attach();
     this.#stopWatching = watchSurroundings(this, {
       resized: (width, height) => {
@@ -302,6 +290,7 @@ export abstract class ViewerBase extends ElementOrNone {
 
   #present(model: Model, origin: Original | undefined): Presented {
     this.#message.clear();
+    this.#message.showGraphics(this.stage!.graphics);
     const { unreadable, name } = model.mesh.info;
     if (!origin) this.#message.showPassedOver(unreadable, name);
     // The unit of what is shown is the model's own, which is not there yet.

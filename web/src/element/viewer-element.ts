@@ -35,6 +35,7 @@ import type { PinnedLoop } from './loops-on-surface.js';
 import type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
 import type { ShownField, ShownPlaces } from './shading.js';
 import { withDensity } from './png-density.js';
+import { requireGraphics } from './no-graphics.js';
 import { type FigureOptions, figure } from './snapshot.js';
 import type { TipsChoice } from './tips-on-surface.js';
 import { ViewerBase } from './viewer-base.js';
@@ -397,10 +398,12 @@ export class GirthViewer extends ViewerBase {
   /**
    * The picture as it is now, as a PNG: with a transparent background; or with the legend, on the element's
    * paper, unless that is to be transparent too; larger than on the screen, with a scale bar, for print.
+   * Rejected with NO_WEBGL where there is no picture.
    */
   async snapshot(options: FigureOptions = {}): Promise<Blob> {
     const { stage, presented } = this;
     if (!stage) throw new Error('the element is not on a page');
+    requireGraphics(stage.graphics);
     const { width, dotsPerInch } = options;
     const parts = {
       legend: presented?.shading.legend,
@@ -415,9 +418,10 @@ export class GirthViewer extends ViewerBase {
   /**
    * A picture of one place as a PNG with a transparent background: the camera looks at it from where it
    * is seen best, its loop is drawn if it is given, and the rest of the surface is faded. What is on the
-   * element stays as it is.
+   * element stays as it is. Rejected with NO_WEBGL where there is no picture.
    */
   async snapshotOf(picture: PlacePicture): Promise<Blob> {
+    if (this.stage) requireGraphics(this.stage.graphics);
     return blobOf(this.require().pictureOf(picture));
   }
 
