@@ -62,6 +62,7 @@ export const sections = [
       document('outputs', 'Outputs'),
       document('print-check', 'The print check'),
       document('python', 'Python, all calls'),
+      document('collections', 'Collections in Python'),
       document('embedding', 'Embedding'),
       // Made of the table of codes (errors.mjs).
       { file: 'errors', url: 'errors.html' },
