@@ -1,5 +1,7 @@
 // The pages of the documentation, in the order in which they are offered: where each document lies in the
-// repository, and where on the site.
+// repository, and where on the site. Documents of web/docs that have no place in this list stand at its end.
+
+import { filesBelow } from '../../scripts/stale.mjs';
 
 /**
  * @typedef {object} Page
@@ -28,7 +30,7 @@ const document = (name, label) => ({
 });
 
 /** @type {Section[]} */
-export const sections = [
+const placed = [
   {
     title: 'Begin',
     pages: [
@@ -62,7 +64,7 @@ export const sections = [
       document('outputs', 'Outputs'),
       document('print-check', 'The print check'),
       document('python', 'Python, all calls'),
-      document('collections', 'Collections in Python'),
+      document('collections', 'Collections'),
       document('embedding', 'Embedding'),
       // Made of the table of codes (errors.mjs).
       { file: 'errors', url: 'errors.html' },
@@ -102,6 +104,16 @@ export const sections = [
     ],
   },
 ];
+
+/** Whether a document has its place. */
+const hasPlace = (/** @type {string} */ file) =>
+  placed.some((section) => section.pages.some((page) => page.file === file));
+
+const others = filesBelow('web/docs')
+  .filter((file) => file.endsWith('.md') && !hasPlace(file))
+  .map((file) => document(file.slice('web/docs/'.length, -'.md'.length)));
+
+export const sections = others.length > 0 ? [...placed, { title: 'More', pages: others }] : placed;
 
 /** All of them, in order. */
 export const pages = sections.flatMap((section) => section.pages);
