@@ -74,8 +74,7 @@ def test_a_second_run_computes_nothing(files, tmp_path, count):
     assert not [path for path in store.rglob("*") if path.name.startswith(".")]
 
 
-def test_what_was_written_before_a_stop_is_kept(files, tmp_path, monkeypatch, count):
-    monkeypatch.setattr(_collection, "SECONDS_BETWEEN", 0)
+def test_what_was_written_before_a_stop_is_kept(files, tmp_path, count):
     seen = []
 
     def stop(fraction):
@@ -84,7 +83,8 @@ def test_what_was_written_before_a_stop_is_kept(files, tmp_path, monkeypatch, co
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt), ThreadPoolExecutor(1) as pool:
-        collection.fields(files, client=pool, store=tmp_path / "store", faces=0, batch=1, progress=stop)
+        options = {"store": tmp_path / "store", "faces": 0, "batch": 1, "save_every": 0}
+        collection.fields(files, client=pool, progress=stop, **options)
     before = len(count)
     assert 5 <= before < 11
     found = collection.fields(files, store=tmp_path / "store", faces=0)
@@ -249,6 +249,8 @@ def test_workers_of_another_version(files, monkeypatch):
         lambda f: collection.fields(f, faces=3),
         lambda f: collection.fields(f, batch=0),
         lambda f: collection.fields(f, retries=-1),
+        lambda f: collection.fields(f, save_every=-1),
+        lambda f: collection.fields(f, save_every=np.nan),
         lambda f: collection.fields(f, client="scheduler:8786"),
         lambda f: collection.fields(str(f[0])),
         lambda f: collection.fields(f, faces=0).distances("sdf"),

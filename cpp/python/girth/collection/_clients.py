@@ -17,6 +17,13 @@ Task = tuple[Any, ...]
 Done = tuple[Task, Any, Optional[BaseException]]
 
 
+def cores() -> int:
+    """The cores that this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
 class Work:
     """Calls of one function whose results come as they are finished; more can be added meanwhile.
 
@@ -34,7 +41,7 @@ class Work:
 
     def __iter__(self) -> Iterator[Done]:
         if self._client is None:
-            with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+            with ThreadPoolExecutor(cores()) as pool:
                 yield from self._by_executor(pool)
         elif _is_dask(self._client):
             yield from self._by_dask(self._client)

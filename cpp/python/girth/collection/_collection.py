@@ -9,16 +9,14 @@ from typing import Any, Iterable, NamedTuple, Optional, Sequence, Union
 import numpy as np
 
 from girth import _girth
-from girth._arguments import Progress, reporter, whole_number
+from girth._arguments import Progress, real_number, reporter, whole_number
 from girth.collection._clients import Work
 from girth.collection._search import Distributions, Index, block_of, nearest_of
 from girth.collection._store import NAMES, Group, Store, groups_of
 from girth.collection._tasks import computed, keys_of
 from girth.errors import GirthError, LimitError, input_error
 
-#: Results are written at least so often: this is lost where the program is killed.
-SECONDS_BETWEEN = 5.0
-#: And in files of about this size.
+#: Results are also written when there are so many bytes of them.
 BYTES_BETWEEN = 2**26
 
 #: Errors that may go away by themselves: a file server that does not answer, a full memory.
@@ -300,6 +298,7 @@ def fields(
     faces: int = 10_000,
     retries: int = 2,
     batch: int = 4,
+    save_every: float = 5.0,
     progress: Progress = None,
 ) -> Collection:
     """The fields of many models, as shapes are compared by them.
@@ -325,6 +324,9 @@ def fields(
         How often a model is tried again whose file could not be read or whose worker was lost.
     batch : int, optional
         Models of a task: more have less overhead, and more is done again where a worker is lost.
+    save_every : float, optional
+        Results are written at least so often, in seconds: no more is lost where the program is
+        killed. 0: each at once.
     progress
         As of `girth.igf`.
 
@@ -341,8 +343,8 @@ def fields(
 
     Notes
     -----
-    Results are written every 5 seconds, and when the work is stopped by Ctrl-C. A store that
-    cannot be written to stops nothing: `Collection.unsaved` states why, and the results are there.
+    What is computed is also written when the work is stopped by Ctrl-C. A store that cannot be
+    written to stops nothing: `Collection.unsaved` states why, and the results are there.
     """
     names = [names] if isinstance(names, str) else list(names)
     if not names:
@@ -353,11 +355,15 @@ def fields(
     again, size = whole_number(retries, "retries"), whole_number(batch, "batch")
     if again < 0 or size < 1:
         raise input_error("INVALID_OPTION", "retries is below 0, or batch below 1")
+    interval = real_number(save_every, "save_every")
+    if not interval >= 0:
+        raise input_error("INVALID_OPTION", f"save_every is {interval}", "choose 0 seconds or more")
     if isinstance(files, (str, bytes, os.PathLike)):
         raise input_error("USAGE", "files is one path", "pass a list of paths")
     models = list(files)
     run = _Run(models, client, Store(store, groups_of(names, most_faces)), most_faces, again, size)
     run.report = reporter(progress)
+    run.save_every = interval
     try:
         run.find_keys()
         run.compute()
@@ -389,6 +395,7 @@ class _Run:
         self.failed: dict[int, GirthError] = {}
         self.computed: set[int] = set()
         self.report: Any = None
+        self.save_every = 0.0
         self._tries: dict[int, int] = {}
 
     def _batches(self, numbers: Sequence[int], size: int) -> Iterable[list[int]]:
@@ -466,7 +473,7 @@ class _Run:
                 for group, one in zip(missing[number], found):
                     self.store.add(group, self.keys[number], one)
                 self.computed.add(number)
-            late = time.monotonic() - saved > SECONDS_BETWEEN
+            late = time.monotonic() - saved >= self.save_every
             if late or self.store.unsaved[1] > BYTES_BETWEEN:
                 self.store.save()
                 saved = time.monotonic()
