@@ -161,10 +161,13 @@ py::tuple arraysOf(const GirthField& field) {
   return py::make_tuple(arrayOf(std::vector<double>(field.values)), arrayOf(std::move(kinds)));
 }
 
-py::tuple girthOf(const Shared& surface, const std::string& method, const Running& running) {
+py::tuple girthOf(const Shared& surface, const std::string& method, double persistence,
+                  const Running& running) {
   if (method == "exact") {
     return arraysOf(*compute<std::shared_ptr<const GirthField>>(
-        running, [surface](const ExecutionContext& context) { return surface->girth(context); }));
+        running, [surface, persistence](const ExecutionContext& context) {
+          return surface->girth(persistence, context);
+        }));
   }
   return arraysOf(compute<GirthField>(
       running, [surface](const ExecutionContext& context) -> Result<GirthField> {
@@ -259,12 +262,7 @@ SurfacePoint pointOf(std::int64_t element, const Values& weights) {
 /// As Python passes points: (number, weights).
 using Point = std::pair<std::int64_t, Values>;
 
-py::dict loopAt(const Shared& surface, const Point& at, const Running& running) {
-  const SurfacePoint point = pointOf(at.first, at.second);
-  const auto loop = compute<GirthLoop>(running, [surface, point](const ExecutionContext& context) {
-    return surface->loop(point, context);
-  });
-  const SurfaceMesh& mesh = surface->mesh();
+py::dict loopDict(const SurfaceMesh& mesh, const SurfacePoint& point, const GirthLoop& loop) {
   py::dict result;
   result["length"] = loop.length;
   result["kind"] = std::string(toString(loop.kind));
@@ -273,6 +271,38 @@ py::dict loopAt(const Shared& surface, const Point& at, const Running& running) 
   result["midpoint"] = pointArray(positionOf(mesh, loop.midpoint));
   result["points"] = placesOf(mesh, loop.points);
   return result;
+}
+
+py::dict loopAt(const Shared& surface, const Point& at, double persistence,
+                const Running& running) {
+  const SurfacePoint point = pointOf(at.first, at.second);
+  const auto loop =
+      compute<GirthLoop>(running, [surface, point, persistence](const ExecutionContext& context) {
+        return surface->loop(point, persistence, context);
+      });
+  return loopDict(surface->mesh(), point, loop);
+}
+
+/// (births, deaths, loops, rest, kind of the rest)
+py::tuple barcodeAt(const Shared& surface, const Point& at, double maxPersistence,
+                    std::size_t maxSaddles, bool loops, const Running& running) {
+  const SurfacePoint point = pointOf(at.first, at.second);
+  const BarcodeOptions options{maxPersistence, maxSaddles, loops};
+  const auto barcode =
+      compute<Barcode>(running, [surface, point, options](const ExecutionContext& context) {
+        return surface->barcode(point, options, context);
+      });
+  Values births, deaths;
+  for (const SaddleBar& bar : barcode.bars) {
+    births.push_back(bar.birth);
+    deaths.push_back(bar.death);
+  }
+  py::list found;
+  for (const GirthLoop& loop : barcode.loops) {
+    found.append(loopDict(surface->mesh(), point, loop));
+  }
+  return py::make_tuple(arrayOf(std::move(births)), arrayOf(std::move(deaths)), found,
+                        barcode.rest.length, std::string(toString(barcode.rest.kind)));
 }
 
 Array<double> distancesFrom(const Shared& surface, const std::vector<Point>& from, double radius,
@@ -342,6 +372,7 @@ void bindSurface(py::module_& module) {
       .def("extent", &extentOf)
       .def("spectral_field", &spectralFieldOf)
       .def("loop", &loopAt)
+      .def("barcode", &barcodeAt)
       .def("distances", &distancesFrom)
       .def("path", &pathBetween)
       .def("remesh", &remeshed);
