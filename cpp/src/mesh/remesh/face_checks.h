@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/remesh/changing_mesh.h"
+#include "mesh/remesh/lookout.h"
 
 namespace girth::remeshing {
 
@@ -20,7 +21,7 @@ bool keepsFacing(const ChangingMesh& mesh, Index vertex, const Vec3& place, Inde
 bool flipsSmoothly(const ChangingMesh& mesh, Index h, double cosine);
 
 /// Flips edges where that makes the smallest of six angles larger, and faces as before within
-/// `cosine`.
-void widenAngles(ChangingMesh& mesh, double cosine);
+/// `cosine`. What is left undone when it is stopped does no harm.
+void widenAngles(ChangingMesh& mesh, double cosine, Lookout& lookout);
 
 }  // namespace girth::remeshing
