@@ -72,7 +72,7 @@ async function meshOf(
     ...{ exportField: refused, exportFields: refused, exportLoops: refused, exportTips: refused },
     ...{ exportLimbs: refused, exportParts: refused, exportWeakPlaces: refused, parts: refused },
     ...{ suggestedThresholds: refused, printCheck: refused, heatMaxima: refused, remesh: refused },
-    difference: refused,
+    ...{ barcode: refused, barcodes: refused, difference: refused },
     dispose: () => undefined,
   };
 }

@@ -83,6 +83,8 @@ export function shownMesh(content: ShownContent): Mesh {
     exportWeakPlaces: isNotThere,
     remesh: isNotThere,
     difference: isNotThere,
+    barcode: isNotThere,
+    barcodes: isNotThere,
   };
 }
 
