@@ -14,11 +14,9 @@
 
 namespace girth {
 
-using geodesic::cross;
 using geodesic::Crossing;
 using geodesic::dot;
 using geodesic::kTie;
-using geodesic::kTouch;
 using geodesic::norm;
 using geodesic::Propagation;
 using geodesic::Unfolding;
