@@ -66,25 +66,6 @@ Result<std::string> contentFor(const std::string& extension, const io::LoadedMes
   return io::loopCsv(loaded, loop);
 }
 
-/// The vertex of the surface that a number of the file means.
-Result<Index> surfaceVertex(const io::LoadedMesh& loaded, std::int64_t vertex) {
-  const std::size_t count = loaded.vertexOfInput.size();
-  if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= count) {
-    Error error = makeError(ErrorCode::VertexOutOfRange, vertex,
-                            "there is no vertex " + std::to_string(vertex));
-    error.hint = "its vertices are numbered from 0 to " + std::to_string(count - 1);
-    return error;
-  }
-  const Index found = loaded.vertexOfInput[static_cast<std::size_t>(vertex)];
-  if (found == kNoIndex) {
-    Error error = makeError(ErrorCode::VertexOutOfRange, vertex,
-                            "no face uses vertex " + std::to_string(vertex));
-    error.hint = "name a vertex of a face";
-    return error;
-  }
-  return found;
-}
-
 /// The shares of a face's corners as they stand on the surface, where it may have been turned over
 /// since it was read.
 Result<std::array<double, 3>> sharesOnSurface(const io::LoadedMesh& loaded, Index face,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bytes/append.h"
 #include "girth/io/length_unit.h"
@@ -37,7 +38,10 @@ class Bounds {
 
 }  // namespace
 
-GlbWriter::GlbWriter() { model_.buffers.resize(1); }
+GlbWriter::GlbWriter() {
+  model_.buffers.resize(1);
+  model_.scenes.resize(1);
+}
 
 int GlbWriter::addAccessor(std::size_t begin, std::size_t count, int type, int componentType,
                            int target) {
@@ -108,19 +112,24 @@ void GlbWriter::addTriangles(const SurfaceMesh& mesh) {
                                    TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, kIndices);
 }
 
-Result<std::string> GlbWriter::file(int mode, std::string_view unit, const std::string& extras) {
+void GlbWriter::endMesh(int mode, std::string_view unit, const std::string& extras,
+                        const std::string& name) {
   primitive_.mode = mode;
   tinygltf::Mesh mesh;
-  mesh.primitives.push_back(primitive_);
+  mesh.primitives.push_back(std::exchange(primitive_, {}));
   mesh.extras = valueOf(extras);
-  model_.meshes.push_back(std::move(mesh));
   tinygltf::Node node;
-  node.mesh = 0;
+  node.name = name;
+  node.mesh = static_cast<int>(model_.meshes.size());
+  model_.meshes.push_back(std::move(mesh));
   const LengthUnit* known = findLengthUnit(unit);
   if (known != nullptr && known->metres != 1) node.scale.assign(3, known->metres);
+  model_.scenes[0].nodes.push_back(static_cast<int>(model_.nodes.size()));
   model_.nodes.push_back(std::move(node));
-  model_.scenes.resize(1);
-  model_.scenes[0].nodes.push_back(0);
+}
+
+Result<std::string> GlbWriter::file() {
+  if (bytes().empty()) model_.buffers.clear();
   model_.defaultScene = 0;
   model_.asset.generator = "Girth";
   return glbOf(model_);

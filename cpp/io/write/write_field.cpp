@@ -258,8 +258,9 @@ Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexFie
     writer.addValues("_" + capitals(field.kindName), kinds);
   }
   writer.addTriangles(mesh);
-  return writer.file(TINYGLTF_MODE_TRIANGLES, loaded.unit,
-                     "{\"unit\":" + jsonString(loaded.unit) + ",\"fields\":{" + about + "}}");
+  writer.endMesh(TINYGLTF_MODE_TRIANGLES, loaded.unit,
+                 "{\"unit\":" + jsonString(loaded.unit) + ",\"fields\":{" + about + "}}");
+  return writer.file();
 }
 
 Result<std::string> fieldFile(const LoadedMesh& loaded, std::span<const VertexField> fields,

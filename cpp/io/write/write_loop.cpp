@@ -19,27 +19,15 @@ std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::strin
       ",\"base\":" + pointJson(loaded, loop.base) + ",\"length\":" + formatNumber(loop.length) +
       ",\"kind\":" + jsonString(toString(loop.kind)) + ",\"angle\":" + formatNumber(loop.angle) +
       ",\"unit\":" + jsonString(loaded.unit) + ",\"midpoint\":" + pointJson(loaded, loop.midpoint);
-  if (withPoints) {
-    text += ",\"points\":[";
-    for (std::size_t i = 0; i < loop.points.size(); ++i) {
-      text += (i == 0 ? "\n" : ",\n") + pointJson(loaded, loop.points[i]);
-    }
-    text += "]";
-  }
+  if (withPoints) text += ",\"points\":" + pointsJson(loaded, loop.points);
   return text + "}\n";
 }
 
 std::string loopObj(const LoadedMesh& loaded, const GirthLoop& loop) {
-  const std::vector<Vec3> points = polyline(loaded.mesh, loop);
   std::string text;
-  std::string line = "l";
-  // The last point is the first one again.
-  const std::size_t distinct = points.empty() ? 0 : points.size() - 1;
-  for (std::size_t i = 0; i < distinct; ++i) {
-    text += "v " + pointText(points[i], ' ') + "\n";
-    line += " " + std::to_string(i + 1);
-  }
-  return text + line + " 1\n";
+  std::size_t count = 0;
+  appendClosedLine(loaded, loop.points, count, text);
+  return text;
 }
 
 std::string loopCsv(const LoadedMesh& loaded, const GirthLoop& loop) {
@@ -53,10 +41,11 @@ Result<std::string> loopGlb(const LoadedMesh& loaded, const GirthLoop& loop) {
   if (points.empty()) return makeError(ErrorCode::EmptyMesh, -1, "the loop has no points");
   GlbWriter writer;
   writer.addPositions(points);
-  return writer.file(
+  writer.endMesh(
       TINYGLTF_MODE_LINE_STRIP, loaded.unit,
       "{\"length\":" + formatNumber(loop.length) + ",\"kind\":" + jsonString(toString(loop.kind)) +
           ",\"angle\":" + formatNumber(loop.angle) + ",\"unit\":" + jsonString(loaded.unit) + "}");
+  return writer.file();
 }
 
 }  // namespace girth::io
