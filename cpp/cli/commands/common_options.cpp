@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "girth/parallel.h"
+#include "text/length_text.h"
 
 namespace girth::cli {
 
@@ -17,6 +18,26 @@ void addMeasuringOptions(OptionTable& table, ModelOptions& preparing, unsigned& 
   addModelOptions(table, preparing);
   addThreadsOption(table, threads);
   table.add("--json", json, "Print everything as JSON");
+}
+
+void addLengthOption(OptionTable& table, const char* declaration, std::string& length,
+                     const char* text) {
+  // An empty one is a slip, such as a variable of a script that is not set: not the same as none.
+  table.onValue(
+      declaration,
+      [&length](const std::string& typed) {
+        length = typed;
+        return std::string(typed.empty() ? "the length is missing" : "");
+      },
+      text);
+}
+
+std::optional<Error> readLength(const std::string& text, const std::string& unit, double& length) {
+  if (text.empty()) return std::nullopt;
+  const auto read = io::lengthInUnit(text, unit);
+  if (!read) return read.error();
+  length = read.value();
+  return std::nullopt;
 }
 
 void addJobsOption(OptionTable& table, unsigned& jobs) {

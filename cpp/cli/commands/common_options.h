@@ -1,6 +1,10 @@
 // Options that several commands have.
 #pragma once
 
+#include <optional>
+#include <string>
+
+#include "girth/error.h"
 #include "girth/io/write_field.h"
 #include "model/model_options.h"
 #include "options/option_table.h"
@@ -14,6 +18,13 @@ void addThreadsOption(OptionTable& table, unsigned& threads);
 /// prepared, `--threads` and `--json`.
 void addMeasuringOptions(OptionTable& table, ModelOptions& preparing, unsigned& threads,
                          bool& json);
+
+/// Adds an option for a length as it is typed, with or without a unit.
+void addLengthOption(OptionTable& table, const char* declaration, std::string& length,
+                     const char* text);
+
+/// Reads such a length in a unit; leaves `length` as it is where none was given. Error: USAGE.
+std::optional<Error> readLength(const std::string& text, const std::string& unit, double& length);
 
 /// Adds `--jobs`, for commands that take many models.
 void addJobsOption(OptionTable& table, unsigned& jobs);

@@ -21,7 +21,6 @@
 #include "process/exit_codes.h"
 #include "process/output.h"
 #include "process/report.h"
-#include "text/length_text.h"
 
 namespace girth::cli {
 namespace {
@@ -138,15 +137,6 @@ void printCheck(const std::string& model, const io::LoadedMesh& loaded, const Pr
                 placeText(loaded, place.thinnest).c_str(), unit.c_str());
   }
   printUnits(loaded.unit);
-}
-
-/// Reads a length where one was given.
-std::optional<Error> readLength(const std::string& text, const std::string& unit, double& length) {
-  if (text.empty()) return std::nullopt;
-  const auto read = io::lengthInUnit(text, unit);
-  if (!read) return read.error();
-  length = read.value();
-  return std::nullopt;
 }
 
 std::string verticesFor(const Options& options, const io::LoadedMesh& loaded,
@@ -319,29 +309,21 @@ int run(const Options& options) {
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
   table.add("MODEL", options->model, "The model to read").required();
-  const auto length = [&table](const char* declaration, std::string& target, const char* text) {
-    // An empty one is a slip, such as a variable of a script that is not set: not the same as none.
-    table.onValue(
-        declaration,
-        [&target](const std::string& typed) {
-          target = typed;
-          return std::string(typed.empty() ? "the length is missing" : "");
-        },
-        text);
-  };
-  length("--girth LENGTH", options->girth, "Tubes have a girth below this length (tau 1)");
-  length("--thickness LENGTH", options->diameter,
-         "Tubes and plates are thinner than this length (tau 2)");
+  addLengthOption(table, "--girth LENGTH", options->girth,
+                  "Tubes have a girth below this length (tau 1)");
+  addLengthOption(table, "--thickness LENGTH", options->diameter,
+                  "Tubes and plates are thinner than this length (tau 2)");
   table
       .add("--smooth WEIGHT", options->smoothing,
            "What all neighbours of a vertex count against its own kind; 0 by default")
       .range(0, 1e6);
-  length("--min-tube LENGTH", options->minTube,
-         "List tubes thinner than this diameter, as in 3mm; ends with 4 if there are any");
-  length("--min-wall LENGTH", options->minWall,
-         "List walls thinner than this, as in 1mm; ends with 4 if there are any");
-  length("--min-gap LENGTH", options->minGap,
-         "List gaps between facing surfaces narrower than this, as in 0.5mm; ends with 4 likewise");
+  addLengthOption(table, "--min-tube LENGTH", options->minTube,
+                  "List tubes thinner than this diameter, as in 3mm; ends with 4 if there are any");
+  addLengthOption(table, "--min-wall LENGTH", options->minWall,
+                  "List walls thinner than this, as in 1mm; ends with 4 if there are any");
+  addLengthOption(
+      table, "--min-gap LENGTH", options->minGap,
+      "List gaps between facing surfaces narrower than this, as in 0.5mm; ends with 4 likewise");
   addOutputOptions(table, options->output, {".json", ".csv", ".ply"},
                    "Write the answer: .json, or every vertex with its part: .csv, .ply");
   addPositionsOption(table, options->positions);

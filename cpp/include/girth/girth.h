@@ -3,6 +3,7 @@
 #pragma once
 
 #include "girth/barcode.h"
+#include "girth/cut_surface.h"
 #include "girth/distribution.h"
 #include "girth/elements.h"
 #include "girth/error.h"
@@ -17,6 +18,7 @@
 #include "girth/heat_kernel.h"
 #include "girth/heat_maxima.h"
 #include "girth/limbs.h"
+#include "girth/necks.h"
 #include "girth/parallel.h"
 #include "girth/parts.h"
 #include "girth/persistent_maxima.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bytes/append.h"
 #include "girth/io/length_unit.h"
@@ -122,6 +123,7 @@ void GlbWriter::endMesh(int mode, const std::string& extras, const std::string& 
 }
 
 Result<std::string> GlbWriter::file(std::string_view unit) {
+  if (bytes().empty()) model_.buffers.clear();
   const LengthUnit* known = findLengthUnit(unit);
   model_.scenes.resize(1);
   for (std::size_t i = 0; i < model_.nodes.size(); ++i) {

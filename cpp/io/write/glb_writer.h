@@ -1,4 +1,4 @@
-// Puts together a GLB file: a surface, and lines on it.
+// Puts together a GLB file: surfaces, and lines on them.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,8 @@ class GlbWriter {
   void endMesh(int mode, const std::string& extras, const std::string& name = {});
 
   /// The whole file; to be called once. `unit`: that of the positions; where it is known, the nodes
-  /// scale it to metres. Error: LIMIT_EXCEEDED where the file would pass 4 GB.
+  /// scale it to metres. Without any mesh it is an empty scene. Error: LIMIT_EXCEEDED where the
+  /// file would pass 4 GB.
   Result<std::string> file(std::string_view unit);
 
  private:

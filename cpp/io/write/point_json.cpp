@@ -59,4 +59,23 @@ std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point) {
          numbers + "],\"weights\":[" + weights + "]}";
 }
 
+std::string pointsJson(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    text += (i == 0 ? "\n" : ",\n") + pointJson(loaded, points[i]);
+  }
+  return text + "]";
+}
+
+void appendClosedLine(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points,
+                      std::size_t& count, std::string& obj) {
+  std::string line = "l";
+  const std::size_t first = count + 1;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    obj += "v " + pointText(positionOf(loaded.mesh, points[i]), ' ') + "\n";
+    line += " " + std::to_string(++count);
+  }
+  obj += line + " " + std::to_string(first) + "\n";
+}
+
 }  // namespace girth::io

@@ -1,6 +1,7 @@
 // Points and vertices of a surface as text, in the numbers of the file.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,13 @@ std::string persistenceJson(double persistence);
 /// `position`, and the `vertices` of the file (one, the two of an edge, or the three of a face)
 /// that the point lies between, with their `weights`.
 std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point);
+
+/// Points as a JSON array, one a line.
+std::string pointsJson(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points);
+
+/// Appends a closed polyline as vertices and a line element of OBJ; the last point equals the
+/// first. `count`: of the vertices that stand before it and, from now on, with it.
+void appendClosedLine(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points,
+                      std::size_t& count, std::string& obj);
 
 }  // namespace girth::io

@@ -20,27 +20,15 @@ std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::strin
       ",\"kind\":" + jsonString(toString(loop.kind)) + ",\"angle\":" + formatNumber(loop.angle) +
       ",\"unit\":" + jsonString(loaded.unit) + persistenceJson(persistence) +
       ",\"midpoint\":" + pointJson(loaded, loop.midpoint);
-  if (withPoints) {
-    text += ",\"points\":[";
-    for (std::size_t i = 0; i < loop.points.size(); ++i) {
-      text += (i == 0 ? "\n" : ",\n") + pointJson(loaded, loop.points[i]);
-    }
-    text += "]";
-  }
+  if (withPoints) text += ",\"points\":" + pointsJson(loaded, loop.points);
   return text + "}\n";
 }
 
 std::string loopObj(const LoadedMesh& loaded, const GirthLoop& loop) {
-  const std::vector<Vec3> points = polyline(loaded.mesh, loop);
   std::string text;
-  std::string line = "l";
-  // The last point is the first one again.
-  const std::size_t distinct = points.empty() ? 0 : points.size() - 1;
-  for (std::size_t i = 0; i < distinct; ++i) {
-    text += "v " + pointText(points[i], ' ') + "\n";
-    line += " " + std::to_string(i + 1);
-  }
-  return text + line + " 1\n";
+  std::size_t count = 0;
+  appendClosedLine(loaded, loop.points, count, text);
+  return text;
 }
 
 std::string loopCsv(const LoadedMesh& loaded, const GirthLoop& loop) {

@@ -26,16 +26,19 @@ class HoleFiller {
     scale_ = scaleFor(extent);
   }
 
-  HoleFillings run() {
+  HoleFillings run(const std::function<bool(Halfedge)>& isWanted) {
     std::vector<bool> walked(mesh_.halfedgeCount(), false);
     for (const Halfedge h : mesh_.halfedges()) {
       if (mesh_.twin(h) != kNoIndex || walked[h]) continue;
       std::vector<Index> curve;
+      bool isFilled = true;
       for (Halfedge boundary = h; !walked[boundary];
            boundary = mesh_.outgoing(mesh_.to(boundary))) {
         walked[boundary] = true;
         curve.push_back(mesh_.from(boundary));
+        isFilled = isFilled && (!isWanted || isWanted(boundary));
       }
+      if (!isFilled) continue;
       // The other side of the boundary: the filling's faces run against them.
       std::reverse(curve.begin(), curve.end());
       fill(curve);
@@ -155,8 +158,9 @@ class HoleFiller {
 
 }  // namespace
 
-HoleFillings fillHoles(const SurfaceMesh& mesh, bool fansOnly) {
-  return HoleFiller(mesh, fansOnly).run();
+HoleFillings fillHoles(const SurfaceMesh& mesh, bool fansOnly,
+                       const std::function<bool(Halfedge)>& isWanted) {
+  return HoleFiller(mesh, fansOnly).run(isWanted);
 }
 
 }  // namespace girth::prepare

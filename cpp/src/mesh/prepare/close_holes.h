@@ -1,6 +1,7 @@
 // Faces for boundary curves.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "girth/prepare_surface.h"
@@ -19,7 +20,8 @@ struct HoleFillings {
 /// area (Barequet and Sharir 1995), without new vertices; a longer one, or one for which there is
 /// none that stays manifold, with a fan round its middle. A curve for which neither gives faces
 /// with area is left. Fillings of several curves may use the same diagonal; with `fansOnly` there
-/// are none.
-HoleFillings fillHoles(const SurfaceMesh& mesh, bool fansOnly = false);
+/// are none. Where `isWanted` is given, only curves are filled that consist of wanted halfedges.
+HoleFillings fillHoles(const SurfaceMesh& mesh, bool fansOnly = false,
+                       const std::function<bool(Halfedge)>& isWanted = {});
 
 }  // namespace girth::prepare

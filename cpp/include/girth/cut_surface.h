@@ -1,0 +1,80 @@
+// A surface cut along curves: necks, handles, contours, loops.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/export.h"
+#include "girth/surface_mesh.h"
+#include "girth/surface_point.h"
+
+namespace girth {
+
+/// A curve on a surface: points in order, each two neighbours in one face, where it runs straight.
+/// Closed if the last point equals the first.
+using SurfaceCurve = std::vector<SurfacePoint>;
+
+/// How surfaces are cut.
+struct CutOptions {
+  /// Closes the rims that cutting made: each with the triangulation of least area, one of more than
+  /// 100 edges with a fan round its middle.
+  bool cap{false};
+};
+
+/// What is left of a surface that was cut.
+struct CutSurface {
+  /// All parts in one; they are its components, where the cuts divide the surface.
+  SurfaceMesh mesh;
+  /// For each vertex the point of the uncut surface that it stands at; vertices of caps, which come
+  /// last, have none.
+  std::vector<SurfacePoint> points;
+  /// For each face the face of the uncut surface that it is a piece of; none for those of caps.
+  std::vector<Face> faces;
+};
+
+/// Points nearer to a vertex than this share of their edge are moved to it.
+inline constexpr double kLeastCutShare = 1e-6;
+
+/// Cuts along curves: each face is divided along what runs through it, with new vertices on its
+/// edges where a curve crosses them and inside it where a curve turns; nothing else is moved. Along
+/// the curves every vertex has a copy on each side, and so the surface has a boundary there. Curves
+/// may touch each other and themselves, and run along edges and along the boundary, where nothing
+/// is cut; they must not cross. A curve that is not closed is a slit.
+///
+/// No edge is made that is shorter than a millionth (kLeastCutShare) of the one that it is a part
+/// of: a point nearer to a vertex is moved there, and two points of an edge nearer to each other
+/// become one. Divided faces are triangulated with the best shaped ears first.
+///
+/// O(n log n + k²) for k pieces of curves in one face. Errors: INVALID_POINT (element: the point's
+/// place in its curve) where a point is none of the surface or two neighbours lie in no common
+/// face; INVALID_OPTION where curves cross, and where one lies inside a single face (element: the
+/// face); LIMIT_EXCEEDED (too many faces to number).
+GIRTH_EXPORT Result<CutSurface> cutSurface(const SurfaceMesh& mesh,
+                                           std::span<const SurfaceCurve> curves,
+                                           const CutOptions& options = {});
+
+/// What a closed curve separates a component into.
+struct CurveSide {
+  double area{0};  ///< in squared model units
+  /// Enclosed by this side and the cone over the curve from the mean of its points, in cubed model
+  /// units: negative where the surface faces inwards. NaN where the side has a boundary.
+  double volume{0};
+};
+
+/// The sides of a curve, the larger area first; one where it does not separate its component. The
+/// same errors.
+GIRTH_EXPORT Result<std::vector<CurveSide>> sidesOf(const SurfaceMesh& mesh,
+                                                    const SurfaceCurve& curve);
+
+/// One of the components of a surface, as a surface of its own.
+struct SurfaceComponent {
+  SurfaceMesh mesh;              ///< the component
+  std::vector<Vertex> vertices;  ///< for each vertex its number in the whole, in rising order
+  std::vector<Face> faces;       ///< for each face the same
+};
+
+/// The components of a surface, in its numbering of them. O(n log n).
+GIRTH_EXPORT std::vector<SurfaceComponent> componentsOf(const SurfaceMesh& mesh);
+
+}  // namespace girth

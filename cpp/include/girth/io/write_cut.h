@@ -1,0 +1,39 @@
+// A surface that was cut as a file's content: GLB, OBJ, JSON or CSV.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "girth/cut_surface.h"
+#include "girth/export.h"
+#include "girth/io/read_mesh.h"
+
+namespace girth::io {
+
+/// What cutting made of a model: its parts, the largest area first, which outputs number from 1.
+struct CutModel {
+  std::vector<SurfaceComponent> parts;  ///< vertices and faces are those of the cut surface
+  std::vector<Face> faces;              ///< of the cut surface: CutSurface::faces
+};
+
+/// The parts of a surface that was cut.
+GIRTH_EXPORT CutModel cutModel(const CutSurface& cut);
+
+/// Each part as a node `part_1`, ... with its triangles, positions rounded to floats. glTF is in
+/// metres, as in meshFile. Error: LIMIT_EXCEEDED where the file would pass 4 GB.
+GIRTH_EXPORT Result<std::string> cutGlb(const LoadedMesh& loaded, const CutModel& model);
+
+/// Each part as an object `part_1`, ...
+GIRTH_EXPORT std::string cutObj(const CutModel& model);
+
+/// One JSON object: `file`, `unit` and `parts`. Of a part: `area`, `volume` (null where it has a
+/// boundary), `faces`, `vertices`, `genus` and `boundaries`.
+GIRTH_EXPORT std::string cutJson(const LoadedMesh& loaded, const CutModel& model,
+                                 std::string_view file);
+
+/// `face,part` and a row for every face of the file that is on the surface: the part that has most
+/// of its area.
+GIRTH_EXPORT std::string cutCsv(const LoadedMesh& loaded, const CutModel& model);
+
+}  // namespace girth::io

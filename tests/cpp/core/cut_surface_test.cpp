@@ -1,0 +1,203 @@
+// Cutting: areas add up, Euler characteristics are right, rims lie on the curve, caps close, and
+// what cannot be cut is refused.
+#include "girth/cut_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "girth/girth_field.h"
+#include "girth/necks.h"
+#include "lathe.h"
+#include "mesh/angles.h"
+#include "mesh/vector.h"
+#include "shapes.h"
+
+namespace girth {
+namespace {
+
+using test::lathe;
+using test::Ring;
+using test::Shape;
+
+CutSurface cut(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& curves, bool cap = false) {
+  auto result = cutSurface(mesh, curves, {cap});
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().text());
+  if (result.ok()) return std::move(result).value();
+  return CutSurface{test::tetrahedron().mesh(), {}, {}};
+}
+
+int eulerCharacteristic(const SurfaceMesh& mesh) {
+  return static_cast<int>(mesh.vertexCount()) - static_cast<int>(mesh.edgeCount()) +
+         static_cast<int>(mesh.faceCount());
+}
+
+double volumeOf(const SurfaceMesh& mesh) {
+  double volume = 0;
+  for (const Face f : mesh.faces()) {
+    const auto corners = mesh.faceVertices(f);
+    volume += dot(mesh.position(corners[0]),
+                  cross(mesh.position(corners[1]), mesh.position(corners[2]))) /
+              6;
+  }
+  return volume;
+}
+
+/// What must hold for every cut without caps.
+void expectConsistent(const SurfaceMesh& mesh, const CutSurface& parts) {
+  EXPECT_NEAR(parts.mesh.area(), mesh.area(), 1e-9 * mesh.area());
+  // Cutting along closed curves leaves the characteristic as it is, also where they touch
+  // boundaries.
+  EXPECT_EQ(eulerCharacteristic(parts.mesh), eulerCharacteristic(mesh));
+  ASSERT_EQ(parts.points.size(), parts.mesh.vertexCount());
+  ASSERT_EQ(parts.faces.size(), parts.mesh.faceCount());
+  std::vector<double> areas(mesh.faceCount(), 0);
+  for (const Face f : parts.mesh.faces()) {
+    ASSERT_NE(parts.faces[f], Face::none);
+    areas[parts.faces[f]] += parts.mesh.area(f);
+  }
+  for (const Face f : mesh.faces()) EXPECT_NEAR(areas[f], mesh.area(f), 1e-9 * mesh.area(f));
+  for (const Vertex v : parts.mesh.vertices()) {
+    EXPECT_EQ(norm(positionOf(mesh, parts.points[v]) - parts.mesh.position(v)), 0);
+  }
+}
+
+SurfaceCurve loopAt(const SurfaceMesh& mesh, const SurfacePoint& point) {
+  return GirthSolver(mesh).loop(point).value().points;
+}
+
+TEST(CutSurface, anHourglassAtItsNeck) {
+  const SurfaceMesh mesh = lathe({{0, 2}, {3, 1}, {7, 2.5}}, 6).mesh();
+  const Necks necks = findNecks(mesh, girthField(mesh).values).value();
+  ASSERT_EQ(necks.necks.size(), 1u);
+  const CutSurface parts = cut(mesh, {necks.necks[0].points});
+  expectConsistent(mesh, parts);
+  // Along edges: nothing new but the copies.
+  EXPECT_EQ(parts.mesh.faceCount(), mesh.faceCount());
+  EXPECT_EQ(parts.mesh.vertexCount(), mesh.vertexCount() + 6);
+  EXPECT_EQ(parts.mesh.componentCount(), 2u);
+
+  const CutSurface bodies = cut(mesh, {necks.necks[0].points}, true);
+  EXPECT_EQ(bodies.mesh.componentCount(), 2u);
+  for (Index c = 0; c < 2; ++c) EXPECT_EQ(bodies.mesh.boundaryCount(c), 0u);
+  EXPECT_NEAR(volumeOf(bodies.mesh), volumeOf(mesh), 1e-9);
+  EXPECT_NEAR(bodies.mesh.area(), mesh.area() + 2 * necks.necks[0].area, 1e-9);
+
+  const auto sides = sidesOf(mesh, necks.necks[0].points).value();
+  const auto components = componentsOf(bodies.mesh);
+  ASSERT_EQ(sides.size(), 2u);
+  ASSERT_EQ(components.size(), 2u);
+  EXPECT_GT(sides[0].area, sides[1].area);
+  EXPECT_NEAR(sides[0].area + sides[1].area, mesh.area(), 1e-9);
+  std::vector<double> volumes{volumeOf(components[0].mesh), volumeOf(components[1].mesh)};
+  std::sort(volumes.begin(), volumes.end());
+  EXPECT_NEAR(sides[0].volume, volumes[1], 1e-9);
+  EXPECT_NEAR(sides[1].volume, volumes[0], 1e-9);
+  for (const SurfaceComponent& component : components) {
+    for (const Vertex v : component.mesh.vertices()) {
+      EXPECT_EQ(norm(component.mesh.position(v) - bodies.mesh.position(component.vertices[v])), 0);
+    }
+    EXPECT_EQ(component.faces.size(), component.mesh.faceCount());
+  }
+}
+
+TEST(CutSurface, acrossFaces) {
+  // A bar whose neck in the middle crosses every face of a ring.
+  const SurfaceMesh mesh = lathe({{0, 2}, {3, 1}, {6, 1}, {9, 2}}, 7).mesh();
+  const Necks necks = findNecks(mesh, girthField(mesh).values).value();
+  ASSERT_EQ(necks.necks.size(), 1u);
+  const SurfaceCurve& curve = necks.necks[0].points;
+  const CutSurface parts = cut(mesh, {curve});
+  expectConsistent(mesh, parts);
+  EXPECT_EQ(parts.mesh.componentCount(), 2u);
+  // Each crossed face becomes a triangle and a quadrilateral.
+  EXPECT_EQ(parts.mesh.faceCount(), mesh.faceCount() + 2 * 14);
+  for (const Vertex v : parts.mesh.vertices()) {
+    EXPECT_EQ(parts.mesh.isBoundary(v), std::fabs(parts.mesh.position(v).z - 4.5) < 1e-9);
+  }
+}
+
+TEST(CutSurface, aTorusAlongAMeridianIsATube) {
+  const SurfaceMesh mesh = test::torus(4, 1, 9, 8).mesh();
+  const SurfaceCurve meridian = loopAt(mesh, SurfacePoint::inFace(Face{5}, {0.2, 0.3, 0.5}));
+  const CutSurface parts = cut(mesh, {meridian});
+  expectConsistent(mesh, parts);
+  EXPECT_EQ(parts.mesh.componentCount(), 1u);
+  EXPECT_EQ(parts.mesh.genus(0), 0u);
+  EXPECT_EQ(parts.mesh.boundaryCount(0), 2u);
+  EXPECT_EQ(sidesOf(mesh, meridian).value().size(), 1u);
+  EXPECT_EQ(cut(mesh, {meridian}, true).mesh.boundaryCount(0), 0u);
+  // Twice along the same curve is once.
+  EXPECT_EQ(cut(mesh, {meridian, meridian}).mesh.faceCount(), parts.mesh.faceCount());
+}
+
+TEST(CutSurface, manyLoopsOfUnevenSurfaces) {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    const Shape shape = test::perturbed(
+        test::subdivided(lathe({{0, 1}, {2, 2}, {5, 1}, {8, 2}, {9, 1}}, 6)), 0.1, seed);
+    const SurfaceMesh mesh = shape.mesh();
+    test::Random random(seed);
+    for (int k = 0; k < 20; ++k) {
+      const auto face = Face(random.below(mesh.faceCount()));
+      double a = random(), b = random();
+      if (a + b > 1) a = 1 - a, b = 1 - b;
+      GirthSolver solver(mesh);
+      const GirthLoop loop = solver.loop(SurfacePoint::inFace(face, {a, b, 1 - a - b})).value();
+      if (loop.kind != LoopKind::Loop) continue;
+      const CutSurface parts = cut(mesh, {loop.points});
+      expectConsistent(mesh, parts);
+      EXPECT_EQ(parts.mesh.componentCount(), 2u);
+    }
+  }
+}
+
+TEST(CutSurface, pointsNearVerticesAreMovedToThem) {
+  const SurfaceMesh mesh = lathe({{0, 1}, {2, 1}, {4, 1}}, 5).mesh();
+  SurfaceCurve curve;
+  for (Index i = 0; i <= 5; ++i) {
+    // Just beside the corners of the middle ring, on the edges that lead up from them.
+    const Vertex v(5 + i % 5);
+    for (const Halfedge h : mesh.halfedges()) {
+      if (mesh.from(h) == v && mesh.to(h) == v + 5) {
+        curve.push_back(SurfacePoint::onHalfedge(h, 1e-7));
+        break;
+      }
+    }
+  }
+  ASSERT_EQ(curve.size(), 6u);
+  const CutSurface parts = cut(mesh, {curve});
+  expectConsistent(mesh, parts);
+  EXPECT_EQ(parts.mesh.faceCount(), mesh.faceCount());
+  EXPECT_EQ(parts.mesh.componentCount(), 2u);
+}
+
+TEST(CutSurface, whatCannotBeCut) {
+  const SurfaceMesh mesh = test::torus(4, 1, 9, 8).mesh();
+  const auto refused = [&](const SurfaceCurve& curve) {
+    const auto result = cutSurface(mesh, std::span(&curve, 1));
+    EXPECT_FALSE(result.ok());
+    return result.ok() ? ErrorCode::Internal : result.error().code;
+  };
+  const auto vertex = [](Index v) { return SurfacePoint::atVertex(Vertex(v)); };
+  EXPECT_EQ(refused({vertex(0), vertex(9999), vertex(0)}), ErrorCode::InvalidPoint);
+  EXPECT_EQ(refused({vertex(0), vertex(30), vertex(0)}), ErrorCode::InvalidPoint);
+  EXPECT_EQ(refused({SurfacePoint::inFace(Face{0}, {std::nan(""), 0.5, 0.5}), vertex(0)}),
+            ErrorCode::InvalidPoint);
+  EXPECT_EQ(refused({SurfacePoint::inFace(Face{0}, {0.2, 0.2, 0.6}),
+                     SurfacePoint::inFace(Face{0}, {0.6, 0.2, 0.2}),
+                     SurfacePoint::inFace(Face{0}, {0.2, 0.6, 0.2}),
+                     SurfacePoint::inFace(Face{0}, {0.2, 0.2, 0.6})}),
+            ErrorCode::InvalidOption);
+  // Two ways through one face that cross each other.
+  const std::vector<SurfaceCurve> crossing{
+      {SurfacePoint::onHalfedge(Halfedge{0}, 0.2), SurfacePoint::onHalfedge(Halfedge{1}, 0.8)},
+      {SurfacePoint::onHalfedge(Halfedge{0}, 0.8), SurfacePoint::onHalfedge(Halfedge{2}, 0.2)}};
+  EXPECT_EQ(cutSurface(mesh, crossing).error().code, ErrorCode::InvalidOption);
+  // No curve, or one of a single point, cuts nothing.
+  EXPECT_EQ(cut(mesh, {}).mesh.faceCount(), mesh.faceCount());
+  EXPECT_EQ(cut(mesh, {{vertex(3), vertex(3)}}).mesh.vertexCount(), mesh.vertexCount());
+}
+
+}  // namespace
+}  // namespace girth
