@@ -8,6 +8,7 @@ import {
   findLengthUnit,
   lengthUnits,
   lookNames,
+  readLengthOrShare,
   upNames,
 } from '../view/index.js';
 import { mostIsolines, parseRange } from './parse.js';
@@ -55,6 +56,10 @@ const rules = {
   },
   isolines: wholeNumber(0, mostIsolines),
   log: flag,
+  persistence: {
+    allowed: 'a length as in 0.5 or 3mm, or a share of the square root of the area as in 2%',
+    accepts: (text) => 'length' in readLengthOrShare(text, 'm', 1),
+  },
   time: {
     allowed: 'a number above 0',
     accepts: (text) => Number(text) > 0 && Number.isFinite(Number(text)),

@@ -12,6 +12,7 @@ import {
   findLengthUnit,
   isColormapName,
   isShownName,
+  readLengthOrShare,
 } from '../view/index.js';
 import { type AttributeName, attributeNames, attributeOf, faultOf, isOn } from './attributes.js';
 import { CanvasControls } from './canvas-controls.js';
@@ -211,6 +212,9 @@ export abstract class ViewerBase extends ElementOrNone {
         this.#restyle(false);
         this.#sendChange();
         break;
+      case 'persistence':
+        this.#forgetGirth();
+        break;
       case 'time':
         this.#choose('hks');
         break;
@@ -390,7 +394,26 @@ export abstract class ViewerBase extends ElementOrNone {
     void this.#showField();
   }
 
+  /** Another persistence is wanted: what was made of the girth no longer counts. */
+  #forgetGirth(): void {
+    const { presented } = this;
+    if (!presented) return;
+    presented.model.forgetGirth();
+    const { signal } = presented.model.life;
+    presented.loops.renew().catch((error: unknown) => {
+      if (!signal.aborted) this.#fail('', error);
+    });
+    if (!presented.model.fields.computing) this.#status.clear();
+    this.#restyle(true);
+    void this.#showField();
+  }
+
   readonly #fieldsHost: FieldsHost = {
+    persistence: ({ area, unit }) => {
+      const text = attributeOf(this, 'persistence') ?? '0';
+      const read = readLengthOrShare(text, unit || this.unit, Math.sqrt(area));
+      return 'length' in read ? read.length : 0;
+    },
     spectral: (name) => parseSpectral(name, (attribute) => attributeOf(this, attribute)),
     received: (state, partial) => {
       if (!this.#isPresent(state)) return;
