@@ -59,6 +59,12 @@ export default defineConfig(
       },
     },
   },
+  {
+    files: ['web/docs/site/client/*.js'],
+    languageOptions: {
+      globals: { document: 'readonly', fetch: 'readonly', IntersectionObserver: 'readonly' },
+    },
+  },
   { plugins: { '@typescript-eslint': tseslint.plugin } },
   forbid(['web/src/kernel/**'], three, {
     regex: '^node:|/(node|view|element|app)/',

@@ -6,6 +6,7 @@
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { leanThree } from './scripts/lean-three.mjs';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
 
@@ -25,6 +26,7 @@ export default defineConfig(({ mode }) => {
   };
   return {
     root: path('src'),
+    plugins: mode === 'viewer' ? [leanThree()] : [],
     base: './',
     publicDir: false,
     build: {

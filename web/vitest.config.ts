@@ -1,5 +1,5 @@
 // The tests of the web side: `web` runs in Node.js, `browser` drives Chromium; `node` runs the package in Node.js, beside
-// the command. `bench` is no test: it measures.
+// the command; `python` opens what the Python package saves. `bench` is no test: it measures.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
@@ -37,6 +37,14 @@ export default defineConfig({
           include: ['tests/node/**/*.test.ts'],
           testTimeout: 120_000,
           hookTimeout: 120_000,
+        },
+      },
+      {
+        root,
+        test: {
+          name: 'python',
+          include: ['tests/python/**/*.test.ts'],
+          ...inBrowser,
         },
       },
       {

@@ -21,6 +21,7 @@ const script = '<script type="module" src="girth/dist/girth-viewer.js"></script>
 
 /** Of each attribute that has not any value: a wrong one and a right one. */
 const attributes = {
+  loading: ['later', 'lazy'],
   unit: ['furlong', 'mm'],
   'shown-unit': ['px', 'cm'],
   field: ['foo', 'sdf'],
@@ -308,7 +309,7 @@ test('a wrong attribute is one warning on the console and an error on each eleme
   const viewer = page.locator('#a');
   await fieldComplete(viewer);
   const names = Object.keys(attributes);
-  expect(names.concat('src').sort()).toEqual(
+  expect(names.concat('src', 'poster', 'field-title').sort()).toEqual(
     await viewer.evaluate((element) =>
       (element.constructor as typeof GirthViewer).observedAttributes.slice().sort(),
     ),
@@ -319,7 +320,7 @@ test('a wrong attribute is one warning on the console and an error on each eleme
   for (const [name, [wrong]] of Object.entries(attributes)) {
     expect(said.filter((text) => text.includes(` ${name}="${wrong}" `))).toHaveLength(1);
   }
-  expect(said.join()).toContain('field can be igf, sdf, geoaverage,');
+  expect(said.join()).toContain('field can be igf, sdf, thickness, ');
 
   type Heard = [id: string, detail: ErrorDetail][];
   const heard = await page.evaluate(() => (globalThis as unknown as { heard: Heard }).heard);

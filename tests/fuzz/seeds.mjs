@@ -111,6 +111,11 @@ const ply = {
     'ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n' +
     'property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n' +
     `${vertexLines}9 0 1 2 3 -1 1 2 3 0\n`,
+  undeclared: plyHeader('ascii') + vertexLines + faceLines.replaceAll('\n', ' 3 255 0 0\n'),
+  splats:
+    'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n' +
+    'property float z\nproperty float opacity\nproperty float scale_0\nproperty float rot_0\n' +
+    'end_header\n0 0 0 1 1 1\n',
   points:
     'ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n' +
     `property float z\nend_header\n${vertexLines}`,
@@ -145,6 +150,7 @@ const stl = {
   capitals: `SOLID A\n${facets.join('').toUpperCase()}ENDSOLID\nsolid b\nendsolid b\n`,
   square:
     'solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n',
+  behind: `solid\n${facets.join('').replaceAll('endfacet', 'endfacet part 7')}endsolid\n`,
   binary: binaryStl('seed'),
   solid: binaryStl('solid'),
   trailing: joined(binaryStl('seed'), 'more'),

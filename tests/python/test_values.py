@@ -154,10 +154,12 @@ def test_the_bits_of_the_command(model, command):
     mesh = girth.load(model)
     assert_same_bits(mesh.igf().values, command("igf", model, output=".npy"))
     assert_same_bits(mesh.igf(method="ms").values, command("igf", model, "--method", "ms", output=".npy"))
-    for name in ("sdf", "geoaverage", "geofarthest", "angle", "hks"):
+    for name in ("sdf", "thickness", "geoaverage", "geofarthest", "angle", "hks"):
         assert_same_bits(mesh.field(name).values, command("field", model, "--field", name, output=".npy"))
     exact = command("field", model, "--field", "geofarthest", "--exact", output=".npy")
     assert_same_bits(mesh.field("geofarthest", exact=True).values, exact)
+    blunt = command("field", model, "--field", "thickness", "--sharp", 30, output=".npy")
+    assert_same_bits(mesh.field("thickness", sharp=30).values, blunt)
 
 
 def test_the_persistent_girth_of_the_command(model, command):

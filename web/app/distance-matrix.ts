@@ -1,6 +1,7 @@
 // The distances between models as a table of numbers and colours: one grid, through which arrow keys go.
 
-import { colourAt, make } from '../src/element/index.js';
+import { make } from '../src/element/index.js';
+import { colourAt } from '../src/element/plots.js';
 
 /** Short and of equal width: '0.0123'. */
 export function distanceWords(distance: number | undefined): string {

@@ -5,7 +5,6 @@ import {
   type GirthViewer,
   type ShownName,
   colormapNames,
-  colourAt,
   derivedNames,
   fieldNames,
   fieldTitle,
@@ -28,6 +27,7 @@ import {
   placesWithin,
   quantile,
   shareWithin,
+  colourAt,
 } from '../src/element/plots.js';
 import type { PageState } from './address-state.js';
 import { CategoryShares } from './category-shares.js';

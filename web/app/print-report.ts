@@ -115,9 +115,10 @@ export function answerWords(
     return `Passes: nothing is ${fault}, down to ${ofSize(passingScale, 'this size')}.`;
   }
   const count = places.length === 1 ? 'one place is' : `${formatCount(places.length)} places are`;
+  const bare = places.filter(({ least }) => least === 0).length;
   const remedy = Number.isFinite(passingScale)
     ? `Passes from ${ofSize(passingScale, 'this size')}.`
-    : 'It passes at no size: somewhere it has no thickness.';
+    : `It passes at no size: ${bare === 1 ? 'at one place' : `at ${formatCount(bare)} places`} faces meet in a sharp edge or lie on each other.`;
   return `Fails: ${count} ${fault}, ${shareWords(failingShare)} of the surface. ${remedy}`;
 }
 

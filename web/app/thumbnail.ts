@@ -1,13 +1,8 @@
 // A small picture of a surface that is not on the stage, coloured by a field.
 
 import type { Field, Mesh } from '../src/kernel/index.js';
-import {
-  type ColormapName,
-  colourAt,
-  rotationUp,
-  upAxisOf,
-  uprightPositions,
-} from '../src/element/index.js';
+import { type ColormapName, rotationUp, upAxisOf, uprightPositions } from '../src/element/index.js';
+import { colourAt } from '../src/element/plots.js';
 
 const width = 72;
 const height = 54;

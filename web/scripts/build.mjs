@@ -1,4 +1,4 @@
-// Builds what is stale: `build.mjs [native] [wasm] [examples] [page] [package]`, everything by default.
+// Builds what is stale: `build.mjs [native] [wasm] [examples] [page] [package] [docs] [shown]`, everything by default.
 
 import { cpSync, existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -6,6 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { compilerCache, compilerCacheEnvironment } from './compiler-cache.mjs';
 import { copyDecoders } from './decoders.mjs';
 import { emscriptenEnvironment, findEmscripten } from './emscripten.mjs';
+import { buildReference } from './reference.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
 import { setUp } from './setup.mjs';
 import { refresh } from './stale.mjs';
@@ -141,12 +142,52 @@ export async function buildPackage() {
   });
 }
 
+/** The documentation, beside the page whose figures it shows and which links to it, with the references. */
+export async function buildDocs() {
+  await buildPage();
+  await buildPackage();
+  await buildReference();
+  await refresh({
+    name: 'docs',
+    inputs: [
+      ...[...configuration, 'web/docs', 'web/app/icon.svg', 'web/app/public/examples', 'dist'],
+      ...['README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'SECURITY.md', 'CHANGELOG.md'],
+      ...['cpp/bench/README.md', 'tests/fuzz/README.md', 'cpp/include/girth/error_codes.def'],
+      ...['build/reference/cpp/index.html', 'build/reference/js/index.html'],
+    ],
+    outputs: ['build/page/docs/index.html', 'build/page/docs/site/search.json'],
+    make: () => {
+      rmSync(join(repository, 'build/page/docs'), { recursive: true, force: true });
+      runTool('eleventy', ['--config=web/docs/site/eleventy.config.mjs', '--quiet']);
+    },
+  });
+}
+
+/** What the element has of the kernel's sources, beside types. */
+const usedOfKernel = ['abort', 'crc', 'errors', 'worker-from-elsewhere'];
+
+/** What pages run that `girth.show` of the Python package saves: the element without the kernel, in one file. */
+export async function buildSavedPage() {
+  await refresh({
+    name: 'saved-page',
+    inputs: [
+      ...[...configuration, 'package.json', 'web/vite.shown.config.ts', 'web/src/element'],
+      ...['web/src/view', ...usedOfKernel.map((name) => `web/src/kernel/${name}.ts`)],
+    ],
+    outputs: ['build/shown/girth-shown.js'],
+    make: () =>
+      runTool('vite', ['build', '--config', 'web/vite.shown.config.ts', '--logLevel', 'warn']),
+  });
+}
+
 const builds = {
   native: () => buildNative(),
   wasm: buildWasm,
   examples: buildExamples,
   page: buildPage,
   package: buildPackage,
+  docs: buildDocs,
+  shown: buildSavedPage,
 };
 
 async function main() {

@@ -1,5 +1,7 @@
-// `npm start [-- --port N] [--host H] [--no-isolation]`: sets up, builds what is stale, serves the page.
+// `npm start [-- --port N] [--host H] [--no-isolation]`: sets up, builds what is stale, serves the page, and
+// meanwhile builds the documentation, which it serves below.
 
+import { spawn } from 'node:child_process';
 import { parseArgs } from 'node:util';
 import { buildPage } from './build.mjs';
 import { Complaint, repository, script } from './run.mjs';
@@ -49,6 +51,16 @@ async function main() {
   ]) {
     console.log(`Girth is at ${url}`);
   }
+  // A program of its own, so that this one can answer.
+  const docs = spawn(process.execPath, ['web/scripts/build.mjs', 'docs'], {
+    cwd: repository,
+    stdio: 'inherit',
+  });
+  docs.on('close', (code) => {
+    const [url = ''] = server.resolvedUrls?.local ?? [];
+    if (code === 0) console.log(`Its documentation is at ${url}docs/`);
+    else console.error('girth: the documentation could not be built; the page works without it');
+  });
 }
 
 await script(main);

@@ -5,12 +5,13 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { buildNative, buildPackage, buildPage, buildWasm } from './build.mjs';
+import { buildDocs, buildNative, buildSavedPage, buildWasm } from './build.mjs';
 import { replayFuzzers, runFuzzers } from './fuzz.mjs';
 import { lint, lintNative } from './lint.mjs';
-import { installPythonPackage, runPythonTests } from './python.mjs';
+import { installPythonPackage, runClusterTests, runPythonTests } from './python.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
 import { testWithSanitizers } from './sanitizers.mjs';
+import { setUpClusters } from './setup.mjs';
 import { testSharedLibraries } from './shared-libraries.mjs';
 import { filesBelow, hashOf } from './stale.mjs';
 
@@ -102,11 +103,24 @@ function ctest(count) {
 }
 
 /** @param {Count} count */
-function pytest(count) {
+async function pytest(count) {
+  await buildSavedPage();
   installPythonPackage();
   const report = join(reports, 'pytest.xml');
   try {
     runPythonTests(report);
+  } finally {
+    countJunit(report, count);
+  }
+  vitest('python', count);
+}
+
+/** @param {Count} count */
+function clusters(count) {
+  setUpClusters();
+  const report = join(reports, 'pytest-clusters.xml');
+  try {
+    runClusterTests(report);
   } finally {
     countJunit(report, count);
   }
@@ -132,12 +146,9 @@ export const parts = {
   'compile-wasm': { title: 'compile wasm', run: buildWasm },
   lint: { title: 'lint', run: () => lint({ changedOnly: true }) },
   bundle: {
-    title: 'bundle page and package',
+    title: 'bundle page, package, docs',
     needs: ['compile-wasm'],
-    run: async () => {
-      await buildPage();
-      await buildPackage();
-    },
+    run: buildDocs,
   },
   web: { title: 'web', needs: ['bundle'], run: (count) => vitest('web', count) },
   native: {
@@ -156,8 +167,7 @@ export const parts = {
   },
   python: {
     title: 'Python package',
-    // The package shows models by the element.
-    needs: ['compile-native', 'bundle'],
+    needs: ['compile-native'],
     background: true,
     run: pytest,
   },
@@ -201,6 +211,11 @@ export const longParts = {
     run: () => testWithSanitizers('thread'),
   },
   shared: { title: 'shared libraries', run: testSharedLibraries },
+  clusters: {
+    title: 'collections on Dask, Slurm and Snakemake',
+    needs: ['python'],
+    run: clusters,
+  },
   long: { title: 'long tests', run: () => run('node', ['web/scripts/test-long.mjs']) },
   'other-browsers': {
     title: 'Firefox and WebKit',

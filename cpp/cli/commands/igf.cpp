@@ -14,16 +14,19 @@
 #include "commands/common_options.h"
 #include "commands/table.h"
 #include "girth/girth_field.h"
+#include "girth/girth_solver.h"
 #include "girth/io/write_barcodes.h"
 #include "girth/io/write_field.h"
 #include "girth/parallel.h"
 #include "girth/study/naive_girth.h"
+#include "girth/tips.h"
 #include "girth/transfer.h"
 #include "model/computing.h"
 #include "model/loading.h"
 #include "model/partial_field.h"
 #include "model/persistence.h"
 #include "process/files.h"
+#include "process/interrupt.h"
 #include "process/jobs.h"
 #include "process/output.h"
 #include "process/progress_line.h"
@@ -50,6 +53,10 @@ struct Options {
   /// Go on from what a stopped run has left beside the output.
   bool resume{false};
   bool positions{false};
+  /// Vertices, in the file's numbering, whose loops are written beside the values.
+  std::vector<std::uint32_t> loops;
+  /// Write the tips beside the values.
+  bool tips{false};
   /// As typed: a length or a share.
   std::string persistence;
   /// Where the saddles of all vertices go.
@@ -193,9 +200,46 @@ void printText(const Work& work, const GirthField& field, const Options& options
   }
 }
 
+/// The vertices of the surface whose loops are wanted.
+Result<std::vector<Vertex>> basesOf(const io::LoadedMesh& loaded, const Options& options) {
+  std::vector<Vertex> bases;
+  for (const std::uint32_t number : options.loops) {
+    const auto vertex = surfaceVertex(loaded, number);
+    if (!vertex) return vertex.error();
+    bases.push_back(vertex.value());
+  }
+  return bases;
+}
+
+/// The surface with its values, loops and tips.
+Result<std::string> figureContent(const Work& work, const io::VertexField& field,
+                                  const Options& options) {
+  const io::LoadedMesh& loaded = work.loaded;
+  const auto bases = basesOf(loaded, options);
+  if (!bases) return bases.error();
+  const ExecutionContext context{options.threads, &catchInterrupts(), {}};
+  GirthSolver solver(loaded.mesh);
+  solver.setPersistence(work.persistence);
+  std::vector<GirthLoop> loops;
+  for (const Vertex base : bases.value()) {
+    auto loop = solver.loop(base, context);
+    if (!loop) return loop.error();
+    loops.push_back(std::move(loop).value());
+  }
+  std::optional<Tips> tips;
+  if (options.tips) {
+    auto found = findTips(loaded.mesh, field.values, context);
+    if (!found) return found.error();
+    tips = std::move(found).value();
+  }
+  if (auto error = io::checkFields(loaded, std::span(&field, 1))) return *std::move(error);
+  return io::fieldGlb(loaded, std::span(&field, 1), std::nullopt, {loops, tips ? &*tips : nullptr});
+}
+
 Result<std::string> contentFor(const Work& work, const GirthField& girth, const Options& options) {
   io::VertexField field = io::girthVertexField(girth, options.method, work.loaded.unit);
   field.method = particulars(options, work.persistence);
+  if (options.output.ending() == ".glb") return figureContent(work, field, options);
   return io::fieldFile(work.loaded, std::span(&field, 1), options.output.ending().substr(1),
                        work.model, columnsOf(options.positions));
 }
@@ -294,6 +338,10 @@ int runOne(const std::string& model, const Options& options) {
   if (!persistence) return reportError(model, persistence.error());
   const Work work{model, loaded.value(), persistence.value()};
   timing.reading = secondsSince(readingStart);
+  // Not only after everything is computed.
+  if (const auto bases = basesOf(loaded.value(), options); !bases) {
+    return reportError(model, bases.error());
+  }
 
   const auto computingStart = Clock::now();
   std::optional<RemeshedSurface> remeshed;
@@ -414,6 +462,12 @@ int run(const Options& options) {
       return reportError(one.output.path, *error);
     }
     if (const auto error = checkPartial(one)) return reportError(one.output.path, *error);
+    const bool hasLines = one.tips || !one.loops.empty();
+    if (hasLines && one.output.ending() != ".glb") {
+      return reportError(one.output.path, usageError("only .glb holds loops and tips",
+                                                     "write -o figure.glb, or use girth loop and "
+                                                     "girth tips for other files"));
+    }
   }
   return forEachJob(options.models, options.jobs,
                     [&](std::size_t i) { return runOne(options.models[i], each.value()[i]); });
@@ -454,6 +508,14 @@ Run add(OptionTable& table) {
       .needs("--output")
       .excludes("--barcode");
   addPositionsOption(table, options->positions);
+  table
+      .add("--loops VERTICES", options->loops,
+           "Write the loops at these vertices too, numbered as in the file from 0, with commas "
+           "between; .glb only")
+      .separated()
+      .needs("--output");
+  table.add("--tips", options->tips, "Write the tips too, where the shape ends; .glb only")
+      .needs("--output");
   addModelOptions(table, options->preparing);
   addThreadsOption(table, options->threads);
   addJobsOption(table, options->jobs);
@@ -479,6 +541,10 @@ Run add(OptionTable& table) {
                 "The girth at every vertex of the file: vertex, igf, kind.");
   table.example("girth igf model.glb -o model_girth.glb",
                 "The same as a model that any viewer shows in colours.");
+  table.example(
+      "girth igf model.glb -o figure.glb --loops 12,88 --tips",
+      "A figure for a page: the element shows it with two loops and the tips, and computes "
+      "nothing.");
   table.example("girth igf *.off --jobs 4 --json -o values/ --format csv",
                 "Of many models, four at a time: values/NAME.csv, and a JSON object for each.");
   table.example("girth igf scan.ply --faces 10000 -o values.csv",

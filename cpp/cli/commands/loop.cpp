@@ -58,6 +58,7 @@ void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const Option
               : loop.kind == LoopKind::Antipodal
                   ? "antipodal: out to the farthest point and back"
                   : "unresolved: given up, the length is a lower bound");
+  if (loop.kind == LoopKind::Unresolved) row("at most", readable(loop.atMost) + unit);
   row("angle", readable(loop.angle * kDegrees) + "°");
   row("midpoint", readable(middle.x) + " " + readable(middle.y) + " " + readable(middle.z) + unit);
   row("points", std::to_string(loop.points.size()));
@@ -70,25 +71,6 @@ Result<std::string> contentFor(const std::string& extension, const io::LoadedMes
   if (extension == ".obj") return io::loopObj(loaded, loop);
   if (extension == ".glb") return io::loopGlb(loaded, loop);
   return io::loopCsv(loaded, loop);
-}
-
-/// The vertex of the surface that a number of the file means.
-Result<Index> surfaceVertex(const io::LoadedMesh& loaded, std::int64_t vertex) {
-  const std::size_t count = loaded.vertexOfInput.size();
-  if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= count) {
-    Error error = makeError(ErrorCode::VertexOutOfRange, vertex,
-                            "there is no vertex " + std::to_string(vertex));
-    error.hint = "its vertices are numbered from 0 to " + std::to_string(count - 1);
-    return error;
-  }
-  const Index found = loaded.vertexOfInput[static_cast<std::size_t>(vertex)];
-  if (found == kNoIndex) {
-    Error error = makeError(ErrorCode::VertexOutOfRange, vertex,
-                            "no face uses vertex " + std::to_string(vertex));
-    error.hint = "name a vertex of a face";
-    return error;
-  }
-  return found;
 }
 
 /// The shares of a face's corners as they stand on the surface, where it may have been turned over
@@ -119,9 +101,9 @@ Result<std::array<double, 3>> sharesOnSurface(const io::LoadedMesh& loaded, Inde
 /// The point of the surface that was asked for.
 Result<SurfacePoint> basePoint(const io::LoadedMesh& loaded, const Options& options) {
   if (options.vertex) {
-    const Result<Index> vertex = surfaceVertex(loaded, *options.vertex);
+    const Result<Vertex> vertex = surfaceVertex(loaded, *options.vertex);
     if (!vertex) return vertex.error();
-    return SurfacePoint::atVertex(Vertex(vertex.value()));
+    return SurfacePoint::atVertex(vertex.value());
   }
   const Index count = loaded.report.inputFaces;
   if (*options.face < 0 || *options.face >= std::int64_t{count}) {

@@ -1,4 +1,5 @@
 // girth parts: tubes and plates, and what is too thin to print.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -100,6 +101,17 @@ std::string limitedWords(const PrintLimits& limits, bool given) {
   return text;
 }
 
+/// "passes from 112% of this size"; where no scale helps, how many places have nothing between
+/// their faces.
+std::string remedyWords(const PrintCheck& check) {
+  const std::string remedy = "passes from " + percentFrom(check.passingScale) + " of this size";
+  if (std::isfinite(check.passingScale)) return remedy;
+  const auto count = std::count_if(check.places.begin(), check.places.end(),
+                                   [](const WeakPlace& place) { return place.least == 0; });
+  return remedy + ": at " + std::to_string(count) + (count == 1 ? " place" : " places") +
+         " faces meet in a sharp edge or lie on each other";
+}
+
 void printCheck(const std::string& model, const io::LoadedMesh& loaded, const PrintCheck& check,
                 const PrintLimits& limits, double persistence) {
   static constexpr std::array kMeasures{"diameter", "thickness", "clearance"};
@@ -114,10 +126,9 @@ void printCheck(const std::string& model, const io::LoadedMesh& loaded, const Pr
                 fault.c_str(), percentFrom(check.passingScale).c_str(), rest.c_str());
     return;
   }
-  std::printf("%s: fails: %zu place%s %s, %s of the surface; passes from %s of this size%s\n",
-              model.c_str(), places.size(), places.size() == 1 ? "" : "s", fault.c_str(),
-              percent(check.failingShare).c_str(), percentFrom(check.passingScale).c_str(),
-              rest.c_str());
+  std::printf("%s: fails: %zu place%s %s, %s of the surface; %s%s\n", model.c_str(), places.size(),
+              places.size() == 1 ? "" : "s", fault.c_str(), percent(check.failingShare).c_str(),
+              remedyWords(check).c_str(), rest.c_str());
   std::printf("  %-5s %-9s %12s %12s %10s  %s\n", "kind", "measure", "least", "area", "vertex",
               "at");
   for (const WeakPlace& place : places) {

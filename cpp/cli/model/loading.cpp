@@ -111,6 +111,7 @@ Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& op
 
   PrepareOptions prepare;
   prepare.closeHoles = options.closeHoles;
+  prepare.minComponent = options.minComponent;
   prepare.scale = options.scale;
   if (!options.height.empty()) {
     const auto scale = scaleToHeight(options, read, read.unit);
@@ -151,6 +152,24 @@ Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& op
   }
   return io::LoadedMesh{std::move(prepared).value(), read.format, std::move(read.unit),
                         std::move(read.notes)};
+}
+
+Result<Vertex> surfaceVertex(const io::LoadedMesh& loaded, std::int64_t vertex) {
+  const std::size_t count = loaded.vertexOfInput.size();
+  if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= count) {
+    Error error = makeError(ErrorCode::VertexOutOfRange, vertex,
+                            "there is no vertex " + std::to_string(vertex));
+    error.hint = "its vertices are numbered from 0 to " + std::to_string(count - 1);
+    return error;
+  }
+  const Index found = loaded.vertexOfInput[static_cast<std::size_t>(vertex)];
+  if (found == kNoIndex) {
+    Error error = makeError(ErrorCode::VertexOutOfRange, vertex,
+                            "no face uses vertex " + std::to_string(vertex));
+    error.hint = "name a vertex of a face";
+    return error;
+  }
+  return Vertex(found);
 }
 
 std::string numberInFile(const io::LoadedMesh& loaded, Index vertex) {

@@ -1,6 +1,7 @@
 // Models read from files.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "girth/io/read_mesh.h"
@@ -13,6 +14,10 @@ Result<io::ReadModel> readModelFile(const std::string& path, const std::string& 
 
 /// Reads and prepares a model. Errors: those of openModel and io::readMesh, USAGE.
 Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options);
+
+/// The vertex of the surface that a number of the file means. Error: VERTEX_OUT_OF_RANGE where
+/// there is none.
+Result<Vertex> surfaceVertex(const io::LoadedMesh& loaded, std::int64_t vertex);
 
 /// The number of a vertex in its file, for people: "(made here)" where the file has none.
 std::string numberInFile(const io::LoadedMesh& loaded, Index vertex);

@@ -46,14 +46,21 @@ class ObjReader {
     return makeError(code, line, "line " + std::to_string(line) + ": " + message);
   }
 
+  Error tooFew(std::size_t coordinates) const {
+    if (coordinates != 2) {
+      return failure(ErrorCode::MalformedFile, line_, "a vertex with fewer than three coordinates");
+    }
+    Error error = failure(ErrorCode::MalformedFile, line_,
+                          "a vertex of two coordinates, but OBJ has three: x, y and z");
+    error.hint = "write a third one into each line \"v\": 0, if it is a drawing in the plane";
+    return error;
+  }
+
   std::optional<Error> readVertex() {
     std::array<double, 3> position;
     for (double& coordinate : position) {
       const std::string_view word = words_.nextOnLine();
-      if (word.empty()) {
-        return failure(ErrorCode::MalformedFile, line_,
-                       "a vertex with fewer than three coordinates");
-      }
+      if (word.empty()) return tooFew(static_cast<std::size_t>(&coordinate - position.data()));
       const auto number = parseNumber(word);
       if (!number) {
         return failure(ErrorCode::MalformedFile, line_, inQuotes(word) + " is not a number");

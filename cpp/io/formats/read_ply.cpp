@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "bytes/cursor.h"
 #include "formats/polygon_soup.h"
 #include "text/number_text.h"
+#include "text/passed_text.h"
 #include "text/quoted_name.h"
 #include "text/words.h"
 
@@ -273,8 +275,11 @@ class AsciiBody {
   /// In text, nothing can be passed over unread.
   bool skipAll(const Element&) { return false; }
   bool endElement() {
+    // Most programs read line by line, so that more values than declared do no harm to them.
     const std::string_view word = words_.nextOnLine();
-    if (!word.empty()) return fail(word, " is more than the header's properties on one line");
+    if (word.empty()) return true;
+    passed_.add(word, place());
+    words_.skipLine();
     return true;
   }
 
@@ -284,6 +289,7 @@ class AsciiBody {
   }
   /// What went wrong; empty: the file ended.
   const std::string& problem() const { return problem_; }
+  const PassedText& passed() const { return passed_; }
 
  private:
   bool fail(std::string_view word, const char* what) {
@@ -293,6 +299,7 @@ class AsciiBody {
   Words words_;
   std::int64_t lineBefore_;
   std::string problem_;
+  PassedText passed_;  ///< behind the values that the header declares
 };
 
 /// What stands behind the header, as numbers of fixed size.
@@ -370,6 +377,8 @@ class BinaryBody {
     return false;
   }
   const std::string& problem() const { return problem_; }
+  /// Bytes have no lines that could hold more.
+  static PassedText passed() { return {}; }
 
  private:
   template <class Stored, class Value>
@@ -414,9 +423,13 @@ class BodyReader {
         element.name == "vertex" || element.name == "face" || element.name == "tristrips";
     const std::string which = (known ? std::string(element.name) : inQuotes(element.name)) + " " +
                               std::to_string(number) + " of " + std::to_string(element.count);
-    const std::string what = body_.problem().empty()
-                                 ? "the file ends before " + which + " is complete"
-                                 : body_.problem() + " (in " + which + ")";
+    std::string what = body_.problem().empty() ? "the file ends before " + which + " is complete"
+                                               : body_.problem() + " (in " + which + ")";
+    // Two elements on one line look like one with too many values.
+    if (const PassedText passed = body_.passed(); passed.lines() > 0) {
+      what += "; the first line with more values than the header declares is " +
+              std::to_string(passed.firstLine());
+    }
     return malformed(body_.place(), body_.placeText() + ": " + what);
   }
 
@@ -577,6 +590,9 @@ class BodyReader {
       model_.notes.push_back(std::to_string(lines_) +
                              " faces with fewer than three corners were left out.");
     }
+    if (const PassedText passed = body_.passed(); passed.lines() > 0) {
+      model_.notes.push_back(passed.note());
+    }
     model_.soup.triangles = std::move(*triangles);
     model_.format = Format::Ply;
     return std::move(model_);
@@ -590,6 +606,21 @@ class BodyReader {
   std::uint64_t lines_{0};
 };
 
+/// How many Gaussians a file of splats holds; none where it is no such file. Splats have an
+/// opacity, and a scale and a rotation for each axis; or all of it packed, in chunks of 256.
+std::optional<std::uint64_t> splatCount(const Header& header) {
+  const Element* vertices = header.find("vertex");
+  if (vertices == nullptr) return std::nullopt;
+  const auto hasAll = [&](std::initializer_list<std::string_view> names) {
+    return std::all_of(names.begin(), names.end(),
+                       [&](std::string_view name) { return vertices->find(name).has_value(); });
+  };
+  const bool isPlain = hasAll({"opacity", "scale_0", "rot_0"});
+  const bool isPacked = header.find("chunk") != nullptr && hasAll({"packed_position"});
+  if (!isPlain && !isPacked) return std::nullopt;
+  return vertices->count;
+}
+
 /// What keeps a file with a sound header from being a surface.
 std::optional<Error> checkKind(const Header& header) {
   const auto countOf = [&](std::string_view name) {
@@ -597,6 +628,15 @@ std::optional<Error> checkKind(const Header& header) {
     return element == nullptr ? 0 : element->count;
   };
   if (countOf("face") > 0 || countOf("tristrips") > 0) return std::nullopt;
+  if (const auto splats = splatCount(header)) {
+    Error error = makeError(
+        ErrorCode::EmptyMesh, -1,
+        "it holds Gaussian splats, " + std::to_string(*splats) + " of them, and no surface");
+    error.hint =
+        "make a mesh of the scene first: by the program that made the splats, or by one that "
+        "extracts meshes from them, such as SuGaR or 2D Gaussian Splatting";
+    return error;
+  }
   const bool grid = header.find("range_grid") != nullptr;
   Error error = makeError(
       ErrorCode::EmptyMesh, -1,

@@ -11,6 +11,7 @@
 #include "bytes/cursor.h"
 #include "formats/polygon_soup.h"
 #include "text/number_text.h"
+#include "text/passed_text.h"
 #include "text/quoted_name.h"
 #include "text/words.h"
 
@@ -54,6 +55,9 @@ class AsciiReader {
   Result<ReadModel> read() {
     while (true) {
       const std::string_view word = words_.next();
+      const std::int64_t line = words_.line();
+      const bool beginsLine = line != lastLine_;
+      lastLine_ = line;
       std::optional<Error> error;
       if (word.empty()) {
         if (inLoop_) error = failure("the file ends within a facet");
@@ -72,7 +76,11 @@ class AsciiReader {
         solids_ += open_ ? 1 : 0;
         words_.skipLine();
       } else if (!isKeyword(word, "loop")) {
-        error = failure(inQuotes(word) + " is no keyword of STL");
+        if (beginsLine) {
+          error = failure(inQuotes(word) + " is no keyword of STL");
+        } else {
+          passed_.add(word, line);
+        }
       }
       if (error) return *error;
       if (word.empty()) return finish();
@@ -110,6 +118,7 @@ class AsciiReader {
                              inQuotes(word) + " is not a finite number");
       }
       coordinate = *number;
+      lastLine_ = words_.line();
     }
     std::vector<double>& positions = model_.soup.positions;
     const std::size_t vertex = positions.size() / 3;
@@ -139,6 +148,7 @@ class AsciiReader {
     if (solids_ > 1) {
       model_.notes.push_back("Its " + std::to_string(solids_) + " solids were put together.");
     }
+    if (passed_.lines() > 0) model_.notes.push_back(passed_.note());
     if (open_) model_.notes.push_back("It has no \"endsolid\": it may be cut off.");
     return std::move(model_);
   }
@@ -149,6 +159,8 @@ class AsciiReader {
   bool inLoop_{false};
   bool open_{false};  ///< a solid that has not ended
   std::size_t solids_{0};
+  std::int64_t lastLine_{0};  ///< of the last word
+  PassedText passed_;         ///< behind keywords and their numbers
 };
 
 std::uint64_t triangleCount(std::span<const std::byte> bytes) {

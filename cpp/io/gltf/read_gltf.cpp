@@ -19,6 +19,7 @@
 #include "gltf/fault.h"
 #include "gltf/glb_container.h"
 #include "gltf/notes.h"
+#include "gltf/scene_size.h"
 #include "gltf/skin.h"
 #include "gltf/soup_budget.h"
 #include "gltf/tinygltf_model.h"
@@ -128,12 +129,32 @@ class SceneWalk {
     return roots;
   }
 
+  /// Makes room for meshes that are placed again, or says that there are too many.
+  std::optional<Error> allowFor(const SceneSizes& sizes) {
+    const SceneSize &placed = sizes.placed, &once = sizes.once;
+    if (placed.triangles > std::max(once.triangles, kMostPlacedTriangles)) {
+      const bool isBeyond = placed.triangles == std::numeric_limits<std::uint64_t>::max();
+      Error error = makeError(
+          ErrorCode::LimitExceeded, -1,
+          "its scene has " + (isBeyond ? "more than 10^19" : std::to_string(placed.triangles)) +
+              " triangles, made of " + std::to_string(once.triangles) +
+              " by placing meshes again; at most " + std::to_string(kMostPlacedTriangles) +
+              " are read");
+      error.hint = "export the model with fewer instances, or with a simpler mesh";
+      return error;
+    }
+    budget_.allowAgain(placed.elements - std::min(placed.elements, once.elements),
+                       std::min(placed.triangles, kMostPlacedTriangles));
+    return std::nullopt;
+  }
+
   /// Depth first, children in order, without recursion: a chain of nodes may be as long as the
   /// file. A node with several parents is placed under each.
   std::optional<Error> walk() {
     std::string rootPlace;
     auto roots = rootNodes(rootPlace);
     if (!roots) return roots.error();
+    if (auto error = allowFor(sceneSizes(document_, roots.value()))) return error;
     struct Visit {
       std::uint32_t node;
       GltfReference parent;
@@ -208,13 +229,7 @@ class SceneWalk {
     notes_.instances += instances.value().size();
     for (const Transform& instance : instances.value()) {
       placement.world = world.after(instance);
-      auto error = addMesh(*mesh, placement);
-      if (error && error->code == ErrorCode::LimitExceeded) {
-        error->message = place + ": its " + std::to_string(instances.value().size()) +
-                         " instances make the model far larger than its file";
-        error->hint = "export the model with fewer instances";
-      }
-      if (error) return error;
+      if (auto error = addMesh(*mesh, placement)) return error;
     }
     return std::nullopt;
   }

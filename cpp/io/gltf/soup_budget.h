@@ -1,16 +1,28 @@
 // How large a model may become while it is read.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace girth::io {
 
-/// Counts down vertices and triangles. A few bytes of glTF can ask for one mesh at a million nodes;
-/// what is made from a file stays in proportion to the file.
+/// The most triangles that a scene may have by placing its meshes more than once. In memory of 32
+/// bits, that of WebAssembly, fewer have room.
+constexpr std::uint64_t kMostPlacedTriangles = sizeof(void*) == 4 ? 3'000'000 : 10'000'000;
+
+/// Counts down vertices and triangles. What is stored once stays in proportion to the file; what is
+/// placed again, in proportion to the triangles that the scene says it has.
 class SoupBudget {
  public:
-  /// Makes room for what so many bytes may describe, instances included.
+  /// Makes room for what so many bytes may describe.
   void allowFor(std::uint64_t bytes) { left_ += 4 * bytes; }
+
+  /// Makes room for so many elements of meshes that are placed again, as far as their triangles
+  /// need them: three corners each, and three vertices with joints and weights. At most
+  /// kMostPlacedTriangles.
+  void allowAgain(std::uint64_t elements, std::uint64_t triangles) {
+    left_ += std::min(elements, 12 * triangles);
+  }
 
   /// Whether there is room for `count` more; if so they are taken.
   bool take(std::uint64_t count) {
@@ -20,7 +32,7 @@ class SoupBudget {
   }
 
  private:
-  // Small files may place a small mesh many times.
+  // Small files may hold much that is not written down: zeros, fans, packed meshes.
   std::uint64_t left_{4'000'000};
 };
 

@@ -108,19 +108,26 @@ void GlbWriter::addTriangles(const SurfaceMesh& mesh) {
                                    TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, kIndices);
 }
 
-Result<std::string> GlbWriter::file(int mode, std::string_view unit, const std::string& extras) {
+void GlbWriter::endMesh(int mode, const std::string& extras, const std::string& name) {
   primitive_.mode = mode;
+  tinygltf::Node node;
+  node.name = name;
+  node.mesh = static_cast<int>(model_.meshes.size());
   tinygltf::Mesh mesh;
-  mesh.primitives.push_back(primitive_);
+  mesh.primitives.push_back(std::move(primitive_));
   mesh.extras = valueOf(extras);
   model_.meshes.push_back(std::move(mesh));
-  tinygltf::Node node;
-  node.mesh = 0;
-  const LengthUnit* known = findLengthUnit(unit);
-  if (known != nullptr && known->metres != 1) node.scale.assign(3, known->metres);
   model_.nodes.push_back(std::move(node));
+  primitive_ = {};
+}
+
+Result<std::string> GlbWriter::file(std::string_view unit) {
+  const LengthUnit* known = findLengthUnit(unit);
   model_.scenes.resize(1);
-  model_.scenes[0].nodes.push_back(0);
+  for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
+    if (known != nullptr && known->metres != 1) model_.nodes[i].scale.assign(3, known->metres);
+    model_.scenes[0].nodes.push_back(static_cast<int>(i));
+  }
   model_.defaultScene = 0;
   model_.asset.generator = "Girth";
   return glbOf(model_);

@@ -1,4 +1,4 @@
-// Puts together a GLB file of one mesh.
+// Puts together a GLB file: a surface, and lines on it.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@
 
 namespace girth::io {
 
-/// A file with one node, one mesh and one primitive, valid by the rules of glTF 2.0.
+/// A file of meshes with one primitive each, every one in a node of its own, valid by the rules of
+/// glTF 2.0. What is added belongs to the mesh that endMesh ends.
 class GlbWriter {
  public:
   GlbWriter();
@@ -29,10 +30,13 @@ class GlbWriter {
   /// Three vertices a triangle.
   void addTriangles(const SurfaceMesh& mesh);
 
-  /// The whole file; to be called once. `mode`: TINYGLTF_MODE_... `extras`: of the mesh, one object
-  /// of JSON. `unit`: that of the positions; where it is known, the node scales it to metres.
-  /// Error: LIMIT_EXCEEDED where the file would pass 4 GB.
-  Result<std::string> file(int mode, std::string_view unit, const std::string& extras);
+  /// Ends a mesh. `mode`: TINYGLTF_MODE_... `extras`: of the mesh, one object of JSON. `name`: of
+  /// its node; empty for none.
+  void endMesh(int mode, const std::string& extras, const std::string& name = {});
+
+  /// The whole file; to be called once. `unit`: that of the positions; where it is known, the nodes
+  /// scale it to metres. Error: LIMIT_EXCEEDED where the file would pass 4 GB.
+  Result<std::string> file(std::string_view unit);
 
  private:
   using Bytes = std::vector<unsigned char>;

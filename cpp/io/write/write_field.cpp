@@ -14,6 +14,7 @@
 #include "text/number_text.h"
 #include "write/glb_writer.h"
 #include "write/npy.h"
+#include "write/point_json.h"
 
 namespace girth::io {
 namespace {
@@ -103,6 +104,68 @@ std::vector<std::uint16_t> coloursOf(const VertexField& field, const ColourRange
     channels.insert(channels.end(), {colour[0], colour[1], colour[2], kOpaque});
   }
   return channels;
+}
+
+/// The loop of a vertex as a line, with what it measures.
+void addLoop(GlbWriter& writer, const SurfaceMesh& mesh, const GirthLoop& loop) {
+  const std::vector<Vec3> points = polyline(mesh, loop);
+  if (points.empty()) return;  // unresolved
+  const std::string vertex = std::to_string(Index(loop.base.vertex()));
+  const Vec3 middle = positionOf(mesh, loop.midpoint);
+  writer.addPositions(points);
+  writer.endMesh(TINYGLTF_MODE_LINE_STRIP,
+                 "{\"loop\":{\"vertex\":" + vertex + ",\"length\":" + formatNumber(loop.length) +
+                     ",\"kind\":" + jsonString(girth::toString(loop.kind)) + ",\"angle\":" +
+                     formatNumber(loop.angle) + ",\"midpoint\":[" + pointText(middle, ',') + "]}}",
+                 "loop " + vertex);
+}
+
+/// The members `tips` and `crossedEdges` of a surface's extras.
+std::string tipsMembers(const Tips& tips) {
+  std::string text;
+  for (const Tip& tip : tips.tips) {
+    std::string vertices;
+    for (const Vertex v : tip.vertices) {
+      vertices += (vertices.empty() ? "" : ",") + std::to_string(Index(v));
+    }
+    text += std::string(text.empty() ? "" : ",") + "{\"vertices\":[" + vertices +
+            "],\"area\":" + formatNumber(tip.area) +
+            ",\"boundaryLength\":" + formatNumber(tip.boundaryLength) +
+            ",\"apex\":" + std::to_string(Index(tip.apex)) +
+            ",\"apexDistance\":" + formatNumber(tip.apexDistance) +
+            ",\"jump\":" + formatNumber(tip.jump) + "}";
+  }
+  return ",\"tips\":[" + text + "],\"crossedEdges\":" + std::to_string(tips.crossedEdges);
+}
+
+/// A line of a contour; a closed one ends with its first point.
+void addContour(GlbWriter& writer, const SurfaceMesh& mesh, const ContourLine& line,
+                const std::string& extras, const std::string& name) {
+  std::vector<Vec3> points;
+  points.reserve(line.points.size() + 1);
+  for (const SurfacePoint& point : line.points) points.push_back(positionOf(mesh, point));
+  if (points.empty()) return;
+  if (line.closed) points.push_back(points.front());
+  writer.addPositions(points);
+  writer.endMesh(TINYGLTF_MODE_LINE_STRIP, extras, name);
+}
+
+void addContours(GlbWriter& writer, const SurfaceMesh& mesh, const Tips& tips) {
+  for (std::size_t i = 0; i < tips.tips.size(); ++i) {
+    for (const ContourLine& line : tips.tips[i].contour) {
+      addContour(writer, mesh, line,
+                 "{\"contour\":{\"tip\":" + std::to_string(i) +
+                     ",\"closed\":" + (line.closed ? "true" : "false") + "}}",
+                 "tip " + std::to_string(i + 1));
+    }
+  }
+  for (std::size_t i = 0; i < tips.arcs.size(); ++i) {
+    const OpenArc& arc = tips.arcs[i];
+    addContour(writer, mesh, arc.line,
+               "{\"arc\":{\"length\":" + formatNumber(arc.length) +
+                   ",\"jump\":" + formatNumber(arc.jump) + "}}",
+               "arc " + std::to_string(i + 1));
+  }
 }
 
 }  // namespace
@@ -230,7 +293,7 @@ std::string fieldPly(const LoadedMesh& loaded, std::span<const VertexField> fiel
 }
 
 Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexField> fields,
-                             std::optional<ColourRange> range) {
+                             std::optional<ColourRange> range, const LinesOnSurface& lines) {
   const SurfaceMesh& mesh = loaded.mesh;
   GlbWriter writer;
   std::vector<Vec3> positions;
@@ -251,8 +314,12 @@ Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexFie
     writer.addValues("_" + capitals(field.kindName), kinds);
   }
   writer.addTriangles(mesh);
-  return writer.file(TINYGLTF_MODE_TRIANGLES, loaded.unit,
-                     "{\"unit\":" + jsonString(loaded.unit) + ",\"fields\":{" + about + "}}");
+  writer.endMesh(TINYGLTF_MODE_TRIANGLES,
+                 "{\"unit\":" + jsonString(loaded.unit) + ",\"fields\":{" + about + "}" +
+                     (lines.tips == nullptr ? "" : tipsMembers(*lines.tips)) + "}");
+  for (const GirthLoop& loop : lines.loops) addLoop(writer, mesh, loop);
+  if (lines.tips != nullptr) addContours(writer, mesh, *lines.tips);
+  return writer.file(loaded.unit);
 }
 
 Result<std::string> fieldFile(const LoadedMesh& loaded, std::span<const VertexField> fields,

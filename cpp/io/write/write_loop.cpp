@@ -54,10 +54,11 @@ Result<std::string> loopGlb(const LoadedMesh& loaded, const GirthLoop& loop) {
   if (points.empty()) return makeError(ErrorCode::EmptyMesh, -1, "the loop has no points");
   GlbWriter writer;
   writer.addPositions(points);
-  return writer.file(
-      TINYGLTF_MODE_LINE_STRIP, loaded.unit,
-      "{\"length\":" + formatNumber(loop.length) + ",\"kind\":" + jsonString(toString(loop.kind)) +
-          ",\"angle\":" + formatNumber(loop.angle) + ",\"unit\":" + jsonString(loaded.unit) + "}");
+  writer.endMesh(TINYGLTF_MODE_LINE_STRIP, "{\"length\":" + formatNumber(loop.length) +
+                                               ",\"kind\":" + jsonString(toString(loop.kind)) +
+                                               ",\"angle\":" + formatNumber(loop.angle) +
+                                               ",\"unit\":" + jsonString(loaded.unit) + "}");
+  return writer.file(loaded.unit);
 }
 
 }  // namespace girth::io

@@ -104,7 +104,8 @@ Result<std::string> glbFile(const SurfaceMesh& mesh, std::string_view unit) {
   for (const Vertex v : mesh.vertices()) positions.push_back(mesh.position(v));
   writer.addPositions(positions);
   writer.addTriangles(mesh);
-  return writer.file(TINYGLTF_MODE_TRIANGLES, unit, "{\"unit\":" + jsonString(unit) + "}");
+  writer.endMesh(TINYGLTF_MODE_TRIANGLES, "{\"unit\":" + jsonString(unit) + "}");
+  return writer.file(unit);
 }
 
 }  // namespace

@@ -93,9 +93,10 @@ def _files(module: Path) -> dict[str, bytes]:
         if path.is_file() and path.suffix in (".py", ".pyi", ".typed")
     }
     content[f"girth/{module.name}"] = module.read_bytes()
-    viewer = REPOSITORY / "dist/girth-viewer.js"
+    # What `girth.show` needs; made by `npm run build:shown`, where there is Node.js.
+    viewer = REPOSITORY / "build/shown/girth-shown.js"
     if viewer.exists():
-        content["girth/girth-viewer.js"] = viewer.read_bytes()
+        content["girth/girth-shown.js"] = viewer.read_bytes()
     return content
 
 

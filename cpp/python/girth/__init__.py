@@ -6,7 +6,8 @@
 >>> m.tips().apexes
 """
 
-from girth import _girth, errors, results
+from girth import _girth, collection, errors, results
+from girth._show import Shown, show
 from girth.errors import GirthError, InputError, LimitError
 from girth.mesh import FIELDS, Mesh, as_mesh, compare, igf, load
 from girth.results import (
@@ -40,12 +41,15 @@ __all__ = [
     "Part",
     "Parts",
     "Path",
+    "Shown",
     "Tip",
     "Tips",
     "as_mesh",
+    "collection",
     "compare",
     "errors",
     "igf",
     "load",
     "results",
+    "show",
 ]

@@ -26,6 +26,7 @@ class Surface:
         weld: float,
         close_holes: bool,
         components: Sequence[int],
+        min_component: float,
         scale: float,
         running: Running,
     ) -> None: ...
@@ -45,11 +46,13 @@ class Surface:
     def input_of_face(self) -> _Numbers: ...
     def positions(self) -> _Floats: ...
     def triangles(self) -> _Numbers: ...
+    def areas(self) -> _Floats: ...
     def girth(
         self, method: str, persistence: float, running: Running
     ) -> tuple[_Floats, NDArray[np.uint8]]: ...
     def angle(self, running: Running) -> _Floats: ...
     def shape_diameter(self, cone: float, rays: int, running: Running) -> _Floats: ...
+    def thickness(self, sharp_angle: float, running: Running) -> _Floats: ...
     def extent(self, farthest: bool, exact: bool, running: Running) -> _Floats: ...
     def spectral_field(
         self, name: str, pairs: int, times: Sequence[float], running: Running
@@ -69,6 +72,7 @@ def load(
     weld: float,
     close_holes: bool,
     components: Sequence[int],
+    min_component: float,
     scale: float,
     running: Running,
 ) -> tuple[Surface, _Floats, _Numbers]: ...
@@ -98,6 +102,7 @@ def distribution(values: _Floats, weights: _Floats) -> tuple[_Floats, _Floats]: 
 def transport_distances(
     own_values: _Floats,
     own_shares: _Floats,
+    own_number: int,
     values: _Floats,
     shares: _Floats,
     offsets: _Numbers,

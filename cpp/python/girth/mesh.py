@@ -28,6 +28,7 @@ __all__ = ["FIELDS", "Mesh", "Point", "as_mesh", "compare", "igf", "load"]
 FIELDS = {
     "igf": "length",
     "sdf": "length",
+    "thickness": "length",
     "geoaverage": "length",
     "geofarthest": "length",
     "angle": "radian",
@@ -63,6 +64,8 @@ class Mesh:
         Fills every boundary curve with faces.
     components : sequence of int, optional
         Keeps these connected components only, numbered by their first faces.
+    min_component : float, optional
+        Leaves out components whose area is less than this share of the largest one's, from 0 to 1.
     scale : float, optional
         Multiplies all positions first.
     unit : str, optional
@@ -88,11 +91,12 @@ class Mesh:
         weld: float = 0.0,
         close_holes: bool = False,
         components: Sequence[int] = (),
+        min_component: float = 0.0,
         scale: float = 1.0,
         unit: str = "",
     ) -> None:
         vertices, faces = vertices_of(V), faces_of(F)
-        options = _preparing(weld, close_holes, components, scale)
+        options = _preparing(weld, close_holes, components, min_component, scale)
         surface = _girth.Surface(vertices, faces, *options, running(None, None))
         self._set(surface, vertices, faces, options, str(unit))
 
@@ -126,7 +130,7 @@ class Mesh:
         self._face_of_row: Optional[dict[int, int]] = None
 
     def __reduce__(self) -> tuple:
-        weld, close_holes, components, scale = self._options
+        weld, close_holes, components, min_component, scale = self._options
         return _remade, (
             np.asarray(self._vertices),
             np.asarray(self._faces),
@@ -134,6 +138,7 @@ class Mesh:
                 "weld": weld,
                 "close_holes": close_holes,
                 "components": components,
+                "min_component": min_component,
                 "scale": scale,
                 "unit": self._unit,
             },
@@ -412,6 +417,7 @@ class Mesh:
         *,
         rays: int = 30,
         cone: float = 120.0,
+        sharp: float = 75.0,
         exact: bool = False,
         pairs: int = 300,
         times: Sequence[float] = (0.002,),
@@ -422,12 +428,15 @@ class Mesh:
 
         Parameters
         ----------
-        name : {'igf', 'sdf', 'geoaverage', 'geofarthest', 'angle', 'hks', 'sihks', 'wks'}
-            The girth; the shape diameter (thickness); the mean and the greatest geodesic distance
+        name : {'igf', 'sdf', 'thickness', 'geoaverage', 'geofarthest', 'angle', 'hks', 'sihks', 'wks'}
+            The girth; the shape diameter, a mean thickness; the medial thickness; the mean and the greatest geodesic distance
             from the vertex; the angle of the loop at the vertex; signatures of heat and waves.
         rays, cone : optional
             Of ``'sdf'``: rays sent from each vertex, 1 to 10,000, and the full opening of their
             cone in degrees.
+        sharp : float, optional
+            Of ``'thickness'``: faces that meet at less than this angle, in degrees within the body,
+            face each other; above 0 and below 90.
         exact : bool, optional
             Of ``'geoaverage'`` and ``'geofarthest'``: exact distances instead of fast marching.
         pairs : int, optional
@@ -450,6 +459,8 @@ class Mesh:
             angle = real_number(cone, "cone") * np.pi / 180
             count = whole_number(rays, "rays")
             values = self._surface.shape_diameter(angle, count if 0 < count < 2**31 else 0, run)
+        elif name == "thickness":
+            values = self._surface.thickness(real_number(sharp, "sharp") * np.pi / 180, run)
         elif name == "angle":
             values = self._surface.angle(run)
         elif name in ("geoaverage", "geofarthest"):
@@ -551,6 +562,13 @@ class Mesh:
         known = self._vertex_of_row >= 0
         rows[known] = values[self._vertex_of_row[known]]
         return rows
+
+    def _at_vertices(self, values: np.ndarray, none: Any) -> np.ndarray:
+        """Values of the rows of `vertices` for the surface's vertices."""
+        known = self._row_of_vertex >= 0
+        result = np.full(len(known), none, values.dtype)
+        result[known] = values[self._row_of_vertex[known]]
+        return result
 
     def _rows_of(self, vertices: np.ndarray) -> np.ndarray:
         """The rows of `vertices` that are these vertices of the surface."""
@@ -663,8 +681,8 @@ def _persistence(value: Any) -> float:
 
 
 def _preparing(
-    weld: Any, close_holes: Any, components: Any, scale: Any
-) -> tuple[float, bool, list[int], float]:
+    weld: Any, close_holes: Any, components: Any, min_component: Any, scale: Any
+) -> tuple[float, bool, list[int], float, float]:
     factor = real_number(scale, "scale")
     if not 0 < factor < np.inf:
         raise input_error("INVALID_OPTION", f"scale is {factor}", "choose a number above 0")
@@ -672,7 +690,8 @@ def _preparing(
     for number in kept:
         if not 0 <= number < 2**32 - 1:
             raise input_error("COMPONENT_OUT_OF_RANGE", f"there is no component {number}")
-    return real_number(weld, "weld"), bool(close_holes), kept, factor
+    share = real_number(min_component, "min_component")
+    return real_number(weld, "weld"), bool(close_holes), kept, share, factor
 
 
 def load(
@@ -681,6 +700,7 @@ def load(
     weld: float = 0.0,
     close_holes: bool = False,
     components: Sequence[int] = (),
+    min_component: float = 0.0,
     scale: float = 1.0,
 ) -> Mesh:
     """Reads a model: GLB, glTF, OBJ, PLY, STL or OFF, recognised by content.
@@ -688,7 +708,7 @@ def load(
     Parameters
     ----------
     path : str or path
-    weld, close_holes, components, scale
+    weld, close_holes, components, min_component, scale
         As of `Mesh`.
 
     Returns
@@ -701,7 +721,7 @@ def load(
     InputError
         Such as FILE_NOT_FOUND, UNKNOWN_FORMAT or MALFORMED_FILE, with the file's name.
     """
-    options = _preparing(weld, close_holes, components, scale)
+    options = _preparing(weld, close_holes, components, min_component, scale)
     return Mesh._of(*_girth.load(path_of(path), *options, running(None, None)), options)
 
 

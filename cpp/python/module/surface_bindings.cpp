@@ -17,6 +17,8 @@
 #include "girth/io/load_mesh.h"
 #include "girth/remesh.h"
 #include "girth/spectrum.h"
+#include "girth/thickness.h"
+#include "girth/vertex_areas.h"
 #include "girth/wave_kernel.h"
 #include "surface.h"
 #include "working.h"
@@ -29,11 +31,12 @@ namespace {
 using Shared = std::shared_ptr<Surface>;
 
 PrepareOptions prepareOptionsOf(double weld, bool closeHoles, std::vector<Index> components,
-                                double scale) {
+                                double minComponent, double scale) {
   PrepareOptions options;
   options.weldDistance = weld;
   options.closeHoles = closeHoles;
   options.components = std::move(components);
+  options.minComponent = minComponent;
   options.scale = scale;
   return options;
 }
@@ -69,8 +72,8 @@ Shared surfaceOf(io::ReadModel model, const PrepareOptions& options, const Runni
 }
 
 Shared surfaceOfArrays(const Array<double>& positions, const Array<std::int64_t>& faces,
-                       double weld, bool closeHoles, std::vector<Index> components, double scale,
-                       const Running& running) {
+                       double weld, bool closeHoles, std::vector<Index> components,
+                       double minComponent, double scale, const Running& running) {
   const auto numbers = spanOf(positions);
   if (numbers.size() / 3 >= kNoIndex || faces.size() / 3 >= kNoIndex / 3) {
     throwError(makeError(ErrorCode::LimitExceeded, -1, "there are too many faces to number"));
@@ -79,17 +82,20 @@ Shared surfaceOfArrays(const Array<double>& positions, const Array<std::int64_t>
   model.soup.positions.assign(numbers.begin(), numbers.end());
   model.soup.triangles = trianglesOf(faces, numbers.size() / 3);
   return surfaceOf(std::move(model),
-                   prepareOptionsOf(weld, closeHoles, std::move(components), scale), running);
+                   prepareOptionsOf(weld, closeHoles, std::move(components), minComponent, scale),
+                   running);
 }
 
 /// A model's surface, and its vertices and faces as they are in the file.
 py::tuple surfaceOfFile(const std::string& path, double weld, bool closeHoles,
-                        std::vector<Index> components, double scale, const Running& running) {
+                        std::vector<Index> components, double minComponent, double scale,
+                        const Running& running) {
   auto model = compute<io::ReadModel>(
       running, [path](const ExecutionContext&) { return io::loadModel(path); });
   std::vector<double> positions = model.soup.positions;
   std::vector<std::int64_t> faces(model.soup.triangles.begin(), model.soup.triangles.end());
-  const PrepareOptions options = prepareOptionsOf(weld, closeHoles, std::move(components), scale);
+  const PrepareOptions options =
+      prepareOptionsOf(weld, closeHoles, std::move(components), minComponent, scale);
   Shared surface;
   try {
     surface = surfaceOf(std::move(model), options, running);
@@ -120,6 +126,8 @@ py::dict reportOf(const Surface& surface) {
   counts["non_manifold_vertices"] = report.nonManifoldVertices;
   counts["added_vertices"] = report.addedVertices;
   counts["components"] = report.components;
+  counts["sliver_components"] = report.sliverComponents;
+  counts["doubled_components"] = report.doubledComponents;
   counts["kept_components"] = report.keptComponents;
   counts["boundary_curves"] = report.boundaryCurves;
   counts["boundary_edges"] = report.boundaryEdges;
@@ -191,6 +199,18 @@ Array<double> diameterOf(const Shared& surface, double coneAngle, unsigned rays,
   return arrayOf(
       compute<Values>(running, [surface, options](const ExecutionContext& c) -> Result<Values> {
         auto field = shapeDiameter(surface->mesh(), options, c);
+        if (!field) return field.error();
+        if (!field.value().complete) return makeError(ErrorCode::Cancelled, -1, "stopped");
+        return std::move(field.value().values);
+      }));
+}
+
+Array<double> thicknessOf(const Shared& surface, double sharpAngle, const Running& running) {
+  ThicknessOptions options;
+  options.sharpAngle = sharpAngle;
+  return arrayOf(
+      compute<Values>(running, [surface, options](const ExecutionContext& c) -> Result<Values> {
+        auto field = medialThickness(surface->mesh(), options, c);
         if (!field) return field.error();
         if (!field.value().complete) return makeError(ErrorCode::Cancelled, -1, "stopped");
         return std::move(field.value().values);
@@ -344,9 +364,11 @@ void bindSurface(py::module_& module) {
       .def("input_of_face", [](const Surface& s) { return numberArray(s.loaded().inputOfFace); })
       .def("positions", [](const Surface& s) { return positionsOf(s.mesh()); })
       .def("triangles", [](const Surface& s) { return trianglesOf(s.mesh()); })
+      .def("areas", [](const Surface& s) { return arrayOf(vertexAreas(s.mesh())); })
       .def("girth", &girthOf)
       .def("angle", &angleOf)
       .def("shape_diameter", &diameterOf)
+      .def("thickness", &thicknessOf)
       .def("extent", &extentOf)
       .def("spectral_field", &spectralFieldOf)
       .def("loop", &loopAt)

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
@@ -160,6 +161,30 @@ TEST_F(Command, standardOutputTakesOneResult) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
     EXPECT_EQ(outcome.output.find("vertex"), std::string::npos) << outcome.output;
+  }
+}
+
+TEST_F(Command, aFigureHasLoopsAndTipsInIt) {
+  const std::string model = kData + "/prism.obj", figure = path("figure.glb");
+  ASSERT_EQ(run({"igf", model, "-o", figure, "--loops", "3,20", "--tips", "-q"}).exitCode, 0);
+  const std::string content = contentOf(figure);
+  EXPECT_TRUE(contains(content, "\"loop 3\"")) << "the prism's vertices keep their numbers";
+  EXPECT_TRUE(contains(content, "\"loop 20\""));
+  EXPECT_TRUE(contains(content, "\"crossedEdges\""));
+  // It is still the same surface.
+  const auto length = [&](const std::string& file) {
+    return nlohmann::json::parse(run({"loop", file, "3", "--json"}).output)["length"].get<double>();
+  };
+  EXPECT_NEAR(length(figure) / length(model), 1, 1e-6);
+
+  const Outcome missing = run({"igf", model, "-o", path("other.glb"), "--loops", "3,5000"});
+  EXPECT_EQ(missing.exitCode, 1);
+  EXPECT_TRUE(contains(missing.errors, "VERTEX_OUT_OF_RANGE")) << missing.errors;
+  EXPECT_TRUE(contains(missing.errors, "there is no vertex 5000")) << missing.errors;
+  for (const char* option : {"--loops=3", "--tips"}) {
+    const Outcome text = run({"igf", model, "-o", path("values.csv"), option});
+    EXPECT_EQ(text.exitCode, 1) << option;
+    EXPECT_TRUE(contains(text.errors, "only .glb holds loops and tips")) << text.errors;
   }
 }
 

@@ -1,6 +1,6 @@
 // Files from everywhere: each becomes a surface or a coded error, and soon.
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 
 #include "documents.h"
@@ -26,12 +26,13 @@ TEST(Corpus, everyFileIsASurfaceOrACodedError) {
       if (!isModel(entry.path())) continue;
       const auto bytes = contentOf(entry.path());
       if (!bytes) continue;
-      const auto start = std::chrono::steady_clock::now();
+      // Of the processor: what else the machine does has no part in it.
+      const std::clock_t start = std::clock();
       const auto result = readMesh(*bytes, entry.path().string(), [&](std::string_view name) {
         return contentOf(entry.path().parent_path() / std::string(name));
       });
-      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-      EXPECT_LT(time.count(), 20) << entry.path();
+      const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+      EXPECT_LT(seconds, 20) << entry.path();
       if (result) {
         ++surfaces;
         continue;

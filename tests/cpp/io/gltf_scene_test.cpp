@@ -135,16 +135,48 @@ TEST(GltfScene, instancesOfDifferentNumber) {
       << messageOf(model);
 }
 
-TEST(GltfScene, tooManyInstances) {
-  Extended tiny;
-  tiny.add(std::string(), accessorOf(5126, 900000, "VEC3"));
+/// A tetrahedron and so many instances of it, all in the same place: nothing of them is written.
+std::string instancesInOnePlace(std::size_t count) {
+  TinyGltf tiny;
   tiny.accessors = std::string(kPositions) + "," + kIndices + "," +
-                   R"({"componentType":5126,"count":900000,"type":"VEC3"})";
+                   R"({"componentType":5126,"count":)" + std::to_string(count) +
+                   R"(,"type":"VEC3"})";
   tiny.nodes =
       R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":2}}}})";
-  const auto model = modelOf(tiny.file(), "tiny.glb");
+  return tiny.file();
+}
+
+TEST(GltfScene, instancesAreBoundedByTheirTriangles) {
+  const auto many = modelOf(instancesInOnePlace(300'000), "tiny.glb");
+  ASSERT_TRUE(many.ok()) << messageOf(many);
+  EXPECT_EQ(many.value().soup.triangles.size(), 3u * 1'200'000);
+  const auto model = modelOf(instancesInOnePlace(2'500'001), "tiny.glb");
   EXPECT_EQ(codeOf(model), "LIMIT_EXCEEDED");
-  EXPECT_TRUE(contains(messageOf(model), "900000 instances")) << messageOf(model);
+  EXPECT_TRUE(contains(messageOf(model), "10000004 triangles, made of 4")) << messageOf(model);
+  EXPECT_TRUE(contains(messageOf(model), "at most 10000000 are read")) << messageOf(model);
+  EXPECT_TRUE(contains(model.error().hint, "fewer instances")) << model.error().hint;
+}
+
+TEST(GltfScene, aMeshPlacedByManyNodesIsBoundedToo) {
+  // Each node doubles what is below it.
+  const auto doubled = [](int times) {
+    TinyGltf tiny;
+    tiny.nodes = "";
+    for (int i = 0; i < times; ++i) {
+      const std::string next = std::to_string(i + 1);
+      tiny.nodes += R"({"children":[)" + next + "," + next + "]},";
+    }
+    tiny.nodes += R"({"mesh":0})";
+    return modelOf(tiny.file(), "tiny.glb");
+  };
+  const auto model = doubled(10);
+  ASSERT_TRUE(model.ok()) << messageOf(model);
+  EXPECT_EQ(model.value().soup.triangles.size(), 3u * 4 * 1024);
+  for (const int times : {22, 63, 200}) {
+    const auto large = doubled(times);
+    EXPECT_EQ(codeOf(large), "LIMIT_EXCEEDED");
+    EXPECT_TRUE(contains(messageOf(large), "triangles, made of 4")) << messageOf(large);
+  }
 }
 
 TEST(GltfScene, skinInItsBindPose) {

@@ -172,6 +172,13 @@ TEST(BadObj, codesAndLines) {
   }
 }
 
+TEST(BadObj, twoCoordinatesAreNamed) {
+  const auto flat = read("v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n", "flat.obj");
+  EXPECT_EQ(messageOf(flat), "line 1: a vertex of two coordinates, but OBJ has three: x, y and z");
+  EXPECT_TRUE(contains(flat.error().hint, "write a third one")) << flat.error().hint;
+  EXPECT_TRUE(contains(messageOf(read("v 0\n", "flat.obj")), "fewer than three"));
+}
+
 TEST(BadObj, emptyFiles) {
   EXPECT_EQ(codeOf(read("", "a.obj")), "EMPTY_FILE");
   EXPECT_EQ(codeOf(read(" \n\t\r\n", "a.obj")), "EMPTY_FILE");

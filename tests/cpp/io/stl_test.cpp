@@ -1,4 +1,5 @@
 // What the STL reader understands and what it refuses.
+#include <array>
 #include <limits>
 
 #include "documents.h"
@@ -104,6 +105,39 @@ TEST(Stl, asciiInOddClothes) {
     ASSERT_TRUE(soup.ok()) << text << messageOf(soup);
     EXPECT_EQ(soup.value().triangles.size(), 6u) << text;
   }
+}
+
+TEST(Stl, textBehindKeywordsIsPassedOver) {
+  const std::string whole = "solid\n" + kTwoFacets + "endsolid\n";
+  const auto with = [&](const std::string& before, const std::string& after) {
+    std::string text = whole;
+    text.replace(text.find(before), before.size(), after);
+    return modelOf(text, "a.stl");
+  };
+  for (const auto& [before, after, word] :
+       {std::array<const char*, 3>{"endfacet\n", "endfacet part7\n",
+                                   "line 8 was passed over: \"part7\"."},
+        std::array<const char*, 3>{"endloop\n", "endloop 1 2\n", "line 7 was passed over: \"1\"."},
+        std::array<const char*, 3>{"outer loop\n", "outer loop # a\n",
+                                   "line 3 was passed over: \"#\"."},
+        std::array<const char*, 3>{"vertex 1 0 0\n", "vertex 1 0 0 0.5 0.5 0.5\n",
+                                   "line 5 was passed over: \"0.5\"."}}) {
+    const auto model = with(before, after);
+    ASSERT_TRUE(model.ok()) << after << messageOf(model);
+    EXPECT_EQ(model.value().soup.triangles.size(), 6u) << after;
+    ASSERT_EQ(model.value().notes.size(), 1u) << after;
+    EXPECT_EQ(model.value().notes[0], std::string("Extra text on ") + word);
+  }
+  std::string each = whole;
+  for (std::size_t at = each.find("endfacet"); at != each.npos;
+       at = each.find("endfacet", at + 1)) {
+    each.insert(at + 8, " end");
+  }
+  const auto model = modelOf(each, "a.stl");
+  ASSERT_TRUE(model.ok()) << messageOf(model);
+  EXPECT_EQ(
+      model.value().notes,
+      std::vector<std::string>{"Extra text on 2 lines was passed over, first \"end\" on line 8."});
 }
 
 TEST(Stl, severalSolids) {

@@ -419,6 +419,68 @@ TEST(WriteField, glb) {
   EXPECT_EQ(again.value().mesh.faceVertices(Face(2)), loaded.mesh.faceVertices(Face(2)));
 }
 
+TEST(WriteField, glbWithLoopsAndTips) {
+  const GirthField girth = sampleField();
+  LoadedMesh loaded = sample();
+  loaded.unit = "millimetre";
+  GirthLoop loop;
+  loop.length = 2.5;
+  loop.base = SurfacePoint::atVertex(Vertex(2));
+  loop.midpoint = SurfacePoint::atVertex(Vertex(1));
+  loop.points = {loop.base, loop.midpoint, loop.base};
+  GirthLoop unresolved = loop;
+  unresolved.points.clear();
+  Tip tip;
+  tip.vertices = {Vertex(0), Vertex(3)};
+  tip.apex = Vertex(3);
+  tip.jump = 0.5;
+  const auto at = [](Index v) { return SurfacePoint::atVertex(Vertex(v)); };
+  tip.contour = {{{at(0), at(1), at(2)}, true}};
+  Tips tips;
+  tips.tips = {tip};
+  tips.arcs = {{{{at(1), at(3)}, false}, 4, 0.25}};
+  tips.crossedEdges = 5;
+  const std::vector<GirthLoop> loops{loop, unresolved};
+  const auto glb = fieldGlb(loaded, fieldsOf(girth), std::nullopt, {loops, &tips});
+  ASSERT_TRUE(glb.ok());
+  const std::string& file = glb.value();
+  const Json document = jsonOf(file);
+  ASSERT_EQ(document["nodes"].size(), 4u);
+  EXPECT_EQ(document["scenes"][0]["nodes"], Json::parse("[0,1,2,3]"));
+  for (const Json& node : document["nodes"]) {
+    EXPECT_EQ(node["scale"], Json::parse("[0.001,0.001,0.001]"));
+  }
+  const Json& surface = document["meshes"][0]["extras"];
+  EXPECT_EQ(surface["crossedEdges"], 5);
+  EXPECT_EQ(surface["tips"][0]["vertices"], Json::parse("[0,3]"));
+  EXPECT_EQ(surface["tips"][0]["apex"], 3);
+  EXPECT_EQ(surface["tips"][0]["jump"], 0.5);
+  EXPECT_EQ(document["nodes"][1]["name"], "loop 2");
+  const Json& aboutLoop = document["meshes"][1]["extras"]["loop"];
+  EXPECT_EQ(aboutLoop["vertex"], 2);
+  EXPECT_EQ(aboutLoop["length"], 2.5);
+  EXPECT_EQ(aboutLoop["kind"], "loop");
+  EXPECT_EQ(aboutLoop["midpoint"].size(), 3u);
+  EXPECT_EQ(document["nodes"][2]["name"], "tip 1");
+  EXPECT_EQ(document["meshes"][2]["extras"]["contour"], Json::parse(R"({"tip":0,"closed":true})"));
+  EXPECT_EQ(document["nodes"][3]["name"], "arc 1");
+  EXPECT_EQ(document["meshes"][3]["extras"]["arc"], Json::parse(R"({"length":4,"jump":0.25})"));
+  // Three points and the first one again.
+  const auto positions = [&](std::size_t mesh) {
+    const Json& primitive = document["meshes"][mesh]["primitives"][0];
+    EXPECT_EQ(primitive["mode"], 3);
+    return floatsOf(file, primitive["attributes"]["POSITION"]).size() / 3;
+  };
+  EXPECT_EQ(positions(1), 3u);
+  EXPECT_EQ(positions(2), 4u);
+  EXPECT_EQ(positions(3), 2u);
+  // Lines are no surface.
+  const auto again = read(file, "figure.glb");
+  ASSERT_TRUE(again.ok()) << messageOf(again);
+  EXPECT_EQ(again.value().mesh.vertexCount(), 4u);
+  EXPECT_EQ(again.value().vertexOfInput.size(), 4u);
+}
+
 TEST(WriteField, glbInOtherUnits) {
   LoadedMesh loaded = sample();
   loaded.unit = "millimetre";

@@ -80,6 +80,9 @@ test('the answer says of how much, and what would help', () => {
   expect(answerWords(one)).toBe(
     'Fails: one place is too thin, <1% of the surface. Passes from 12.4 times this size.',
   );
-  expect(answerWords({ ...one, passingScale: Infinity })).toContain('passes at no size');
+  const edge = { ...wall, least: 0 };
+  expect(answerWords({ ...one, places: [wall, edge], passingScale: Infinity })).toContain(
+    'It passes at no size: at one place faces meet in a sharp edge or lie on each other.',
+  );
   expect(answerWords(passed)).toContain('Passes');
 });

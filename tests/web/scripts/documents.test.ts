@@ -4,6 +4,7 @@
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { basename, dirname, join, normalize } from 'node:path';
 import { expect, test } from 'vitest';
+import { anchorsOf } from '../../../web/docs/site/anchors.mjs';
 import { repository } from '../../../web/scripts/run.mjs';
 
 const notOurs = /^(build.*|dist|node_modules|\.git|wasm)$/;
@@ -26,26 +27,11 @@ interface Document {
   anchors: Set<string>;
 }
 
-/** The name that GitHub gives a heading. */
-function anchorOf(heading: string): string {
-  return heading
-    .replace(/\[([^\]]*)\]\([^)]*\)/g, '$1')
-    .toLowerCase()
-    .replace(/[^\p{L}\p{N}\p{M}_ -]/gu, '')
-    .replace(/ /g, '-');
-}
-
 /** A document by its path in the repository. */
 function read(path: string): Document {
   const prose = text(path).replace(/^( *)(```|~~~)[^]*?^\1\2.*$/gm, '');
-  const anchors = new Set<string>();
-  for (const [, heading = ''] of prose.matchAll(/^#{1,6} +(.*?) *#*$/gm)) {
-    const anchor = anchorOf(heading);
-    let name = anchor;
-    for (let copy = 1; anchors.has(name); ++copy) name = `${anchor}-${copy}`;
-    anchors.add(name);
-  }
-  return { prose, anchors };
+  const headings = [...prose.matchAll(/^#{1,6} +(.*?) *#*$/gm)].map(([, heading = '']) => heading);
+  return { prose, anchors: new Set(anchorsOf(headings)) };
 }
 
 const documents = filesBelow('.', '.md');

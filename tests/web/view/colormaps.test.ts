@@ -1,11 +1,6 @@
 import { expect, test } from 'vitest';
-import {
-  colormapNames,
-  colormapSize,
-  colormapTable,
-  colourAt,
-  isColormapName,
-} from '../../../web/src/view/colormaps.js';
+import { colormapNames, isColormapName } from '../../../web/src/view/colormap-names.js';
+import { colormapSize, colormapTable, colourAt } from '../../../web/src/view/colormaps.js';
 
 test('viridis is the first and ends in its known colours', () => {
   expect(colormapNames[0]).toBe('viridis');

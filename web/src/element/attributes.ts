@@ -1,16 +1,11 @@
 // What each attribute of the element can be. Any other value counts as if the attribute were not there.
 
 import type { GirthErrorFields } from '../kernel/types.js';
-import {
-  colormapNames,
-  derivedNames,
-  fieldNames,
-  findLengthUnit,
-  lengthUnits,
-  lookNames,
-  readLengthOrShare,
-  upNames,
-} from '../view/index.js';
+import { colormapNames } from '../view/colormap-names.js';
+import { derivedNames, fieldNames, isGivenName, isShownName } from '../view/field-words.js';
+import { findLengthUnit, lengthUnits, readLengthOrShare } from '../view/length-text.js';
+import { lookNames } from '../view/look.js';
+import { upNames } from '../view/up-axis.js';
 import { mostIsolines, parseRange } from './parse.js';
 
 interface Rule {
@@ -46,9 +41,15 @@ const lengthUnit: Rule = {
 
 const rules = {
   src: { allowed: 'the address of a model', accepts: () => true },
+  loading: oneOf(['eager', 'lazy']),
+  poster: { allowed: 'the address of a picture', accepts: () => true },
   unit: lengthUnit,
   'shown-unit': lengthUnit,
-  field: oneOf([...fieldNames, ...derivedNames, 'none']),
+  field: {
+    allowed: listed([...fieldNames, ...derivedNames, 'none', 'values of the file as in _heat']),
+    accepts: (text) => isShownName(text) || isGivenName(text.toLowerCase()),
+  },
+  'field-title': { allowed: 'words for the legend', accepts: () => true },
   colormap: oneOf(colormapNames),
   range: {
     allowed: 'auto, two rising numbers as in 1 2.5, or two rising shares as in 5% 95%',

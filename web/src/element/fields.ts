@@ -8,7 +8,15 @@ import type {
   PartialField,
   SpectralOptions,
 } from '../kernel/types.js';
-import { type Adjacency, FieldPreview, TimeLeft } from '../view/index.js';
+import {
+  type Adjacency,
+  FieldPreview,
+  type GivenName,
+  type ShownName,
+  TimeLeft,
+  isFieldName,
+} from '../view/index.js';
+import type { GivenField } from './given-fields.js';
 
 /** One field, as far as it is computed. */
 export interface FieldState {
@@ -35,12 +43,20 @@ export interface FieldsHost {
 
 export class Fields {
   readonly #states = new Map<FieldName, FieldState>();
+  readonly #given = new Map<string, GivenField>();
   readonly #mesh: Mesh;
   readonly #adjacency: Adjacency;
   readonly #host: FieldsHost;
 
-  constructor(mesh: Mesh, adjacency: Adjacency, host: FieldsHost) {
+  /** `given`: what the model's file has for the surface's vertices. */
+  constructor(
+    mesh: Mesh,
+    adjacency: Adjacency,
+    host: FieldsHost,
+    given: readonly GivenField[] = [],
+  ) {
     this.#mesh = mesh;
+    for (const field of given) this.#given.set(field.name, field);
     this.#adjacency = adjacency;
     this.#host = host;
   }
@@ -54,6 +70,20 @@ export class Fields {
     return this.#states.get(name);
   }
 
+  /** What the model's file has of a name, as far as nothing else is known of that. */
+  givenOf(name: ShownName): GivenField | undefined {
+    // What is computed is exact; and files have the usual numbers of signatures.
+    if (isFieldName(name) && (this.#states.get(name)?.field || this.spectralOf(name))) {
+      return undefined;
+    }
+    return this.#given.get(name);
+  }
+
+  /** The names of what the model's file has, in its order. */
+  get givenNames(): (FieldName | GivenName)[] {
+    return [...this.#given.values()].map(({ name }) => name);
+  }
+
   /** Of the fields that are being computed, the one that was asked for first. */
   get computing(): FieldName | undefined {
     return [...this.#states.values()].find(({ running }) => running)?.name;
@@ -64,6 +94,7 @@ export class Fields {
     const state = this.#states.get(name);
     return (
       state?.field?.values ??
+      this.#given.get(name)?.values ??
       state?.preview?.values ??
       new Float64Array(this.#mesh.info.vertexCount).fill(NaN)
     );
@@ -72,7 +103,7 @@ export class Fields {
   /** The computed share of the vertices. */
   shareOf(name: FieldName): number {
     const state = this.#states.get(name);
-    if (state?.field) return 1;
+    if (state?.field || this.#given.has(name)) return 1;
     return (state?.preview?.computed ?? 0) / this.#mesh.info.vertexCount;
   }
 
@@ -107,6 +138,7 @@ export class Fields {
   forget(name: FieldName): void {
     const state = this.#states.get(name);
     this.#states.delete(name);
+    this.#given.delete(name);
     state?.running?.abort.abort();
   }
 

@@ -35,43 +35,46 @@ export type { TipsChoice } from './tips-on-surface.js';
 export { make } from './dom.js';
 export { sentence } from './sentence.js';
 export { useKernel } from './shared-kernel.js';
+export type { CameraView, ScreenPoint } from '../view/index.js';
+export { type Category, girthKinds, partKinds } from '../view/categories.js';
 export {
-  type CameraView,
-  type Category,
   type ColormapName,
-  type LengthFormat,
-  type LengthUnit,
-  type ReadLength,
-  type Rotation,
-  type ScreenPoint,
-  type Look,
-  type ShownName,
-  type UpAxis,
-  type UpName,
   colormapNames,
-  colourAt,
+  isColormapName,
+  isForAllEyes,
+} from '../view/colormap-names.js';
+export {
+  type ShownName,
   derivedNames,
   fieldNames,
   fieldTitle,
+  isFieldName,
+  isShownName,
+} from '../view/field-words.js';
+export {
+  type LengthUnit,
+  type ReadLength,
   findLengthUnit,
+  lengthUnits,
+  readLength,
+  typedUnit,
+} from '../view/length-text.js';
+export { type Look, lookNames } from '../view/look.js';
+export {
+  type LengthFormat,
   formatCount,
   formatLength,
   formatNumber,
-  girthKinds,
-  isColormapName,
-  isFieldName,
-  isForAllEyes,
-  isShownName,
-  isUpName,
   lengthFormat,
-  lengthUnits,
-  lookNames,
-  partKinds,
   placeIn,
-  readLength,
+} from '../view/numbers.js';
+export {
+  type Rotation,
+  type UpAxis,
+  type UpName,
+  isUpName,
   rotationUp,
-  typedUnit,
   upAxisOf,
   upNames,
   uprightPositions,
-} from '../view/index.js';
+} from '../view/up-axis.js';

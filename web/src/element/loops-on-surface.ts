@@ -172,6 +172,11 @@ export class LoopsOnSurface {
         ? shown
         : await this.#model.mesh.loop(point, { signal, persistence });
     signal.throwIfAborted();
+    return this.keep(loop);
+  }
+
+  /** Keeps a loop that is known on the surface. */
+  keep(loop: Loop): PinnedLoop {
     const already = this.#pins.find((pin) => isSame(pin.loop.base, loop.base));
     if (already) return { id: already.id, name: already.name, loop };
     const id = this.#nextPin++;

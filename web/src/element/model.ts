@@ -5,6 +5,7 @@ import { failure } from '../kernel/errors.js';
 import type {
   FieldName,
   Limbs,
+  Loop,
   Maximum,
   Mesh,
   PartOptions,
@@ -19,11 +20,33 @@ import type {
 } from '../kernel/types.js';
 import { Surface, buildAdjacency, inSlices, splitCreases } from '../view/index.js';
 import { Fields, type FieldsHost } from './fields.js';
+import type { GivenField } from './given-fields.js';
 
 /** Sizes that the 32-bit numbers of drawing can hold, with room for what is computed of them. */
 const drawnSizes = [1e-30, 1e30] as const;
 /** Edges sharper than this stay visible as creases, in radians. */
 const creaseAngle = (38 * Math.PI) / 180;
+
+/** What a model's file has besides its surface. */
+export interface FileContent {
+  /** Values at the surface's vertices. */
+  fields: readonly GivenField[];
+  /** Loops at vertices. */
+  loops: readonly Loop[];
+  tips: Tips | undefined;
+  /** The unit that lengths are written in, unless another one is wished for; '' for the model's. */
+  ownUnit: string;
+  /** Nothing else can be computed of it: that takes the kernel, which has not read it. */
+  isAll: boolean;
+}
+
+const onlySurface: FileContent = {
+  fields: [],
+  loops: [],
+  tips: undefined,
+  ownUnit: '',
+  isAll: false,
+};
 
 export class Model {
   /** Aborted when the model goes. */
@@ -32,16 +55,24 @@ export class Model {
   readonly mesh: Mesh;
   readonly surface: Surface;
   readonly fields: Fields;
+  /** What its file has besides the surface. */
+  readonly file: FileContent;
 
   /** Made by `Model.of`. */
-  constructor(mesh: Mesh, surface: Surface, fields: Fields) {
+  constructor(mesh: Mesh, surface: Surface, fields: Fields, file: FileContent) {
     this.mesh = mesh;
+    this.file = file;
     this.surface = surface;
     this.fields = fields;
   }
 
   /** Makes a mesh ready to draw, in slices of time. */
-  static async of(mesh: Mesh, host: FieldsHost, signal: AbortSignal): Promise<Model> {
+  static async of(
+    mesh: Mesh,
+    host: FieldsHost,
+    signal: AbortSignal,
+    file: FileContent = onlySurface,
+  ): Promise<Model> {
     const { positions, indices, boundary } = mesh.geometry;
     checkSize(Math.max(...mesh.info.size));
     const adjacency = await inSlices(
@@ -50,7 +81,7 @@ export class Model {
     );
     const creased = await inSlices(splitCreases(positions, indices, creaseAngle), signal);
     const surface = new Surface(positions, indices, boundary, adjacency, creased);
-    return new Model(mesh, surface, new Fields(mesh, adjacency, host));
+    return new Model(mesh, surface, new Fields(mesh, adjacency, host, file.fields), file);
   }
 
   /** The girth is to be another one: what was made of it no longer counts. */
@@ -66,6 +97,8 @@ export class Model {
   }
 
   tips(): Promise<Tips> {
+    const { tips } = this.file;
+    if (tips && this.file.isAll) return Promise.resolve(tips);
     return this.#once('tips', async () =>
       this.mesh.tips(await this.fields.compute('igf'), this.#watched),
     );

@@ -9,6 +9,7 @@ import {
   type Place,
   PointMarks,
   type Stage,
+  isFieldName,
   lengthFormat,
 } from '../view/index.js';
 import type { FieldState } from './fields.js';
@@ -140,12 +141,12 @@ export class Presented {
 
   /** The values that fields have at a vertex, of those that are computed there. */
   valuesAt(vertex: number): Partial<Record<FieldName, number>> {
-    const known = [...this.model.fields.all].filter(
-      ({ field, preview }: FieldState) => field ?? preview?.isComputed(vertex),
-    );
-    return Object.fromEntries(
-      known.map(({ name }) => [name, this.model.fields.valuesOf(name)[vertex]!]),
-    );
+    const { fields } = this.model;
+    const computed = [...fields.all]
+      .filter(({ field, preview }: FieldState) => field ?? preview?.isComputed(vertex))
+      .map(({ name }) => name);
+    const known = new Set([...fields.givenNames.filter(isFieldName), ...computed]);
+    return Object.fromEntries([...known].map((name) => [name, fields.valuesOf(name)[vertex]!]));
   }
 
   get thresholds(): Required<PartsWish> | undefined {

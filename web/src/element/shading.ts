@@ -1,9 +1,12 @@
 // What colours the surface of a model: a field, its range and its lines, or categories; and the legend.
 
-import type { FieldName, Parts, PartThresholds, PartialField, Tips } from '../kernel/types.js';
+import { failure } from '../kernel/errors.js';
+import type { Field, Parts, PartThresholds, PartialField, Tips } from '../kernel/types.js';
 import {
   type Category,
   type ColormapName,
+  type FieldPreview,
+  type GivenName,
   type LegendContent,
   type LengthFormat,
   type ScaleContent,
@@ -16,12 +19,14 @@ import {
   formatLength,
   girthKinds,
   isFieldName,
+  isGivenName,
   lengthFormat,
   partKinds,
   shareWithin,
 } from '../view/index.js';
 import { ColourRange, type Ends } from './colour-range.js';
 import type { FieldState } from './fields.js';
+import type { GivenField } from './given-fields.js';
 import type { Model } from './model.js';
 import type { RangeChoice } from './parse.js';
 
@@ -36,6 +41,8 @@ const spreadBudget = 5;
 /** What the element's attributes ask for. */
 export interface ShadingWishes {
   name: ShownName;
+  /** What the legend calls it; '' for its usual name. */
+  title: string;
   /** Undefined: as fits the field. */
   colormap: ColormapName | undefined;
   /** Undefined: the body of the values. */
@@ -116,17 +123,39 @@ export class Shading {
     return this.#isThere(name) ? name : this.#painted;
   }
 
+  /** What that is called. */
+  get title(): string {
+    return this.wishes.title || fieldTitle(this.name);
+  }
+
   /** Whether there are values to show, be it of a part of the surface. */
   #isThere(name: ShownName): boolean {
     const { fields } = this.#model;
     if (name === 'none') return true;
     if (name === 'tips') return !!this.#tips;
-    if (name === 'kind') return !!fields.get('igf')?.field;
+    if (name === 'kind') return this.#kinds.length > 0;
     if (name === 'parts') {
       return !!this.parts && !!fields.get('igf')?.field && !!fields.get('sdf')?.field;
     }
-    const { field, preview } = fields.get(name) ?? {};
+    const { field, preview } = this.#knownOf(name);
     return !!field || !!preview?.computed;
+  }
+
+  /** What is known of a name: a whole field, computed or as the model's file has it; or what there is of it so far. */
+  #knownOf(name: ShownName): { field?: Field | GivenField; preview?: FieldPreview } {
+    const { fields } = this.#model;
+    const given = fields.givenOf(name);
+    if (given) return { field: given };
+    const { field, preview } = (isFieldName(name) && fields.get(name)) || {};
+    return { ...(field && { field }), ...(preview && { preview }) };
+  }
+
+  /** Whether what is wished for can be shown without computing anything. */
+  get isReady(): boolean {
+    const { name } = this.wishes;
+    if (name === 'kind') return this.#kinds.length > 0;
+    if (name === 'tips') return this.#model.file.tips !== undefined;
+    return name === 'none' || !!this.#knownOf(name).field;
   }
 
   /** Computes what is to be shown, unless it is there. */
@@ -134,7 +163,11 @@ export class Shading {
     const model = this.#model;
     const { name, range } = this.wishes;
     if (name === 'none') return;
-    if (isFieldName(name)) await model.fields.compute(name);
+    if (isGivenName(name)) {
+      if (!this.#knownOf(name).field) throw this.#notGiven(name);
+    } else if (this.isReady && name !== 'tips') {
+      // As the model's file has it.
+    } else if (isFieldName(name)) await model.fields.compute(name);
     else if (name === 'kind') await model.fields.compute('igf');
     else if (name === 'tips') this.#keepTips(await model.tips());
     else {
@@ -158,14 +191,16 @@ export class Shading {
   formatOf(name: ShownName): LengthFormat {
     const largest = this.#extentOf(name)?.[1] ?? 2 * this.#model.surface.bounds.radius;
     const { unit, shownUnit } = this.wishes;
-    return lengthFormat(largest, fieldUnit(name, unit), shownUnit);
+    const own = isGivenName(name) ? this.#knownOf(name).field?.unit : undefined;
+    return lengthFormat(largest, own ?? fieldUnit(name, unit), shownUnit);
   }
 
   /** Takes new values and colours their vertices. */
   receive(state: FieldState, partial: PartialField): void {
     const { preview } = state;
     if (!preview) return;
-    const isShown = (): boolean => state.name === this.name && !this.places;
+    const isGiven = this.#model.fields.givenOf(state.name) !== undefined;
+    const isShown = (): boolean => state.name === this.name && !this.places && !isGiven;
     const wasShown = preview.computed > 0 && isShown();
     preview.receive(partial, (vertex) => {
       if (wasShown) this.#paintVertex(vertex, preview.shown[vertex]!, computedWeight);
@@ -194,7 +229,7 @@ export class Shading {
 
   get #preview() {
     const { name } = this;
-    return isFieldName(name) && !this.places ? this.#model.fields.get(name)?.preview : undefined;
+    return this.places ? undefined : this.#knownOf(name).preview;
   }
 
   #paintVertex(vertex: number, value: number, weight: number): void {
@@ -217,20 +252,20 @@ export class Shading {
   }
 
   #paintAs(name: ShownName): void {
-    const { surface, fields } = this.#model;
+    const { surface } = this.#model;
     if (this.places) {
       surface.setCategories(this.places.kinds, this.places.categories);
       surface.shadeBy('categories');
     } else if (name === 'kind') {
-      const kinds = fields.get('igf')?.field?.kinds;
-      if (kinds) surface.setCategories(kinds, girthKinds);
-      surface.shadeBy(kinds ? 'categories' : 'plain');
+      const kinds = this.#kinds;
+      if (kinds.length > 0) surface.setCategories(kinds, girthKinds);
+      surface.shadeBy(kinds.length > 0 ? 'categories' : 'plain');
     } else if (name === 'parts') {
       this.#paintParts();
     } else if (name === 'tips') {
       this.#paintScalar(this.#tips?.jumps, () => computedWeight);
-    } else if (isFieldName(name)) {
-      const { field, preview } = fields.get(name) ?? {};
+    } else if (isFieldName(name) || isGivenName(name)) {
+      const { field, preview } = this.#knownOf(name);
       this.#paintScalar(field?.values ?? preview?.shown, (vertex) =>
         !preview || preview.isComputed(vertex) ? computedWeight : borrowedWeight,
       );
@@ -282,9 +317,9 @@ export class Shading {
       return;
     }
     if (name === 'none') return;
-    const title = fieldTitle(name);
+    const { title } = this;
     if (name === 'kind' || name === 'parts') {
-      if (name === 'kind' ? !this.#model.fields.get('igf')?.field : !this.parts) return;
+      if (name === 'kind' ? this.#kinds.length === 0 : !this.parts) return;
       const used = name === 'kind' ? this.#usedGirthKinds() : partKinds;
       const colormap = wished ?? 'viridis';
       const none = { range: undefined, extent: undefined, log: false };
@@ -324,16 +359,28 @@ export class Shading {
     };
   }
 
+  /** Of the girth, where it is whole; otherwise empty. */
+  get #kinds(): Uint8Array {
+    return this.#knownOf('igf').field?.kinds ?? new Uint8Array(0);
+  }
+
+  #notGiven(name: GivenName): Error {
+    const known = this.#model.fields.givenNames;
+    const { length } = known;
+    return failure('USAGE', `the model has no values called ${name}`, {
+      hint: length > 0 ? `it has ${known.join(', ')}` : 'only GLB files have values in them',
+    });
+  }
+
   #usedGirthKinds() {
-    const kinds = this.#model.fields.get('igf')!.field!.kinds;
+    const kinds = this.#kinds;
     return girthKinds.filter((_, number) => kinds.includes(number));
   }
 
   #extentOf(name: ShownName): readonly [number, number] | undefined {
     if (name === 'tips') return this.#tips?.highest ? [0, this.#tips.highest] : undefined;
-    if (!isFieldName(name)) return undefined;
-    const state = this.#model.fields.get(name);
-    const range = state?.field?.range ?? state?.preview?.range;
+    const { field, preview } = this.#knownOf(name);
+    const range = field?.range ?? preview?.range;
     return range && Number.isNaN(range[0]) ? undefined : range;
   }
 
@@ -352,8 +399,8 @@ export class Shading {
   /** The extent without what few places stretch it by. */
   #bodyOf(name: ShownName, extent: Ends): Ends {
     // Angles have the same meaning everywhere, and most of the surface is in no tip.
-    if (!isFieldName(name) || name === 'angle') return extent;
-    const { field, preview } = this.#model.fields.get(name) ?? {};
+    if (name === 'tips' || name === 'angle') return extent;
+    const { field, preview } = this.#knownOf(name);
     const values = field?.values ?? preview?.values;
     if (!values) return extent;
     const count = field ? values.length : preview!.computed;
@@ -362,10 +409,7 @@ export class Shading {
 
   /** The values below which the wished shares of the surface lie; the extent until the field is whole. */
   #endsOf(name: ShownName, extent: Ends, { ends }: RangeChoice): Ends {
-    const values =
-      name === 'tips'
-        ? this.#tips?.jumps
-        : this.#model.fields.get(name as FieldName)?.field?.values;
+    const values = name === 'tips' ? this.#tips?.jumps : this.#knownOf(name).field?.values;
     if (!values || !this.#areas) return extent;
     return this.#colourRange.sharesOf(values, this.#areas, ends);
   }
@@ -379,7 +423,7 @@ export class Shading {
       isCut[0] ? `from ${formatLength(extent[0], format)}` : '',
       isCut[1] ? `up to ${formatLength(extent[1], format)}` : '',
     ];
-    const values = this.#model.fields.get(name as FieldName)?.field?.values;
+    const values = this.#knownOf(name).field?.values;
     if (!values) return words.filter(Boolean).join(', ');
     const share = 100 * (1 - shareWithin(values, this.#areas, [low, high]));
     const percent = share < 0.1 ? 'less than 0.1' : share.toFixed(1);
@@ -390,7 +434,7 @@ export class Shading {
   #noteOf(name: ShownName): string {
     if (name === 'tips') return this.#tips?.made.tips.length === 0 ? 'no tips' : '';
     const source = name === 'parts' ? 'sdf' : name;
-    const field = isFieldName(source) ? this.#model.fields.get(source)?.field : undefined;
+    const { field } = this.#knownOf(source);
     if (!field) return '';
     const { note, withoutValue } = field;
     if (withoutValue === 0) return note;

@@ -1,39 +1,8 @@
-// The element's style. A page may set the custom properties on the element.
+// The style of what is drawn on the surface and beside it.
 
 import { canvasBarStyle } from './canvas-bar-style.js';
 
 export const style = /* css */ `
-:host {
-  --girth-paper: #fbfbfa;
-  --girth-ink: #1c1d21;
-  --girth-quiet: #5d6069;
-  --girth-line: #d9dade;
-  --girth-accent: #c2410c;
-  --girth-on-accent: #ffffff;
-  display: block;
-  position: relative;
-  min-block-size: 12rem;
-  aspect-ratio: 4 / 3;
-  overflow: hidden;
-  container-type: inline-size;
-  background: var(--girth-backdrop, var(--girth-paper));
-  color: var(--girth-ink);
-  font: 13px/1.4 system-ui, sans-serif;
-  font-variant-numeric: tabular-nums;
-}
-@media (prefers-color-scheme: dark) {
-  :host {
-    --girth-paper: #16171a;
-    --girth-ink: #ededf0;
-    --girth-quiet: #b0b3bc;
-    --girth-backdrop: radial-gradient(ellipse at 50% 45%, #3b3e46, #1d1f23 80%);
-    --girth-line: #33353b;
-    --girth-accent: #ff9466;
-    --girth-on-accent: #1c1d21;
-  }
-}
-:host([hidden]), [hidden] { display: none !important; }
-
 canvas {
   position: absolute;
   inset: 0;
@@ -46,20 +15,6 @@ canvas {
 canvas:active { cursor: grabbing; }
 canvas.picking { cursor: crosshair; }
 canvas:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: -3px; }
-
-button {
-  font: inherit;
-  color: inherit;
-  background: none;
-  border: 0;
-  border-radius: 6px;
-  cursor: pointer;
-  padding: 0 8px;
-  min-block-size: 28px;
-}
-button:hover { background: color-mix(in srgb, currentColor 12%, transparent); }
-button:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: 1px; }
-button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
 
 .plate {
   background: color-mix(in srgb, var(--girth-paper) 86%, transparent);
@@ -158,6 +113,8 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
   .legend-line { inset-inline: calc(100% * var(--place)) auto; inset-block: 0; inline-size: 1px; block-size: auto; }
   .legend-key { display: flex; flex-wrap: wrap; gap: 2px 14px; margin-block-start: -5px; }
   .legend-note { margin: -5px 0 0; max-inline-size: 8rem; }
+  /* Beside the bar on the canvas. */
+  .message:not([hidden]) { inset-inline-end: 60px; }
 }
 
 .status {
@@ -191,25 +148,10 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
 .partial { display: flex; align-items: center; gap: 8px; padding-inline: 12px 4px; block-size: 36px; white-space: nowrap; }
 .partial button { color: var(--girth-accent); font-weight: 600; }
 
-.message {
-  position: absolute;
-  inset-block-start: 12px;
-  inset-inline: 12px;
-  margin-inline: auto;
-  max-inline-size: 34rem;
-  inline-size: fit-content;
-  display: flex;
-  align-items: flex-start;
-  gap: 8px;
-  padding: 10px 8px 10px 14px;
-  background: var(--girth-paper);
-  border: 1px solid var(--girth-line);
-  border-inline-start: 3px solid var(--girth-accent);
-  border-radius: 8px;
-  box-shadow: 0 6px 24px rgb(0 0 0 / 0.14);
+/* Where there is no room for both, the message comes first: it can be dismissed. */
+@media (max-width: 720px) and (max-height: 560px) {
+  .legend:has(~ .message:not([hidden])) { visibility: hidden; }
 }
-.message p { margin: 0; padding-block: 4px; overflow-wrap: anywhere; }
-.message p + p { padding-block-start: 0; color: var(--girth-quiet); }
 
 .readout {
   position: absolute;

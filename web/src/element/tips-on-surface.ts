@@ -19,6 +19,7 @@ const dash = 0.035;
 
 export class TipsOnSurface {
   #marks: TipMarks | undefined;
+  #shown: { all: Tips; choice: TipsChoice } | undefined;
   readonly #stage: Stage;
   readonly #model: Model;
 
@@ -27,8 +28,16 @@ export class TipsOnSurface {
     this.#model = model;
   }
 
-  show({ tips, arcs }: Tips, { leastJump = 0, selected }: TipsChoice): void {
+  /** What is drawn, and how; undefined for nothing. */
+  get shown(): { all: Tips; choice: TipsChoice } | undefined {
+    return this.#shown;
+  }
+
+  show(all: Tips, choice: TipsChoice): void {
     this.clear();
+    const { tips, arcs } = all;
+    const { leastJump = 0, selected } = choice;
+    this.#shown = { all, choice };
     const { surface } = this.#model;
     const isShown = ({ jump }: { jump: number }): boolean => jump >= leastJump;
     const chosen = selected === undefined ? undefined : tips[selected];
@@ -55,6 +64,7 @@ export class TipsOnSurface {
     if (!this.#marks) return;
     this.#stage.remove(this.#marks);
     this.#marks = undefined;
+    this.#shown = undefined;
     this.#model.surface.tint([], undefined);
     this.#stage.invalidate();
   }

@@ -21,23 +21,16 @@ import type {
   Tips,
   WatchedOptions,
 } from '../kernel/types.js';
-import {
-  type CameraView,
-  type LengthFormat,
-  type ScreenPoint,
-  type ShownName,
-  type UpAxis,
-  isFieldName,
-  lengthFormat,
-} from '../view/index.js';
+import type { CameraView, LengthFormat, ScreenPoint, ShownName, UpAxis } from '../view/index.js';
+import { isFieldName } from '../view/field-words.js';
+import { lengthFormat } from '../view/numbers.js';
 import type { GirthViewerEventMap, GirthViewerListener } from './events.js';
 import type { PinnedLoop } from './loops-on-surface.js';
-import type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
+import type { PartsWish, PlaceOnSurface, PlacePicture, Presented } from './presented.js';
 import type { ShownField, ShownPlaces } from './shading.js';
-import { withDensity } from './png-density.js';
-import { type FigureOptions, figure } from './snapshot.js';
+import type { FigureOptions } from './snapshot.js';
 import type { TipsChoice } from './tips-on-surface.js';
-import { ViewerBase } from './viewer-base.js';
+import { ViewerShell } from './viewer-shell.js';
 
 /**
  * `<girth-viewer src="model.glb"></girth-viewer>`
@@ -45,6 +38,10 @@ import { ViewerBase } from './viewer-base.js';
  * Attributes; a value that is none of these counts as if the attribute were not there, is a warning on the
  * console and an `error` with the code INVALID_OPTION:
  * - `src`: address of a model: GLB, glTF with its buffers beside it, OBJ, PLY, STL, OFF, or a zip.
+ * - `loading`: `lazy` fetches nothing but a small script before the element is near the view; by default,
+ *   `eager`, the script that draws comes at once, and only the model waits for the view.
+ * - `poster`: address of a picture that is shown until the surface is drawn, and where it cannot be drawn.
+ *   An element in the slot `poster` serves as well. What is in the slot `caption` stands below the surface.
  * - `unit`: the unit of lengths where the file does not state it, for example `mm`.
  * - `shown-unit`: the unit that lengths are written in: `um`, `mm`, `cm`, `m`, `km`, `in` or `ft`; by
  *   default the model's own. Files that are exported keep the model's.
@@ -56,6 +53,7 @@ import { ViewerBase } from './viewer-base.js';
  * - `persistence`: passes over loops whose saddles last no longer than this, as noise makes them: a length in
  *   model units or with a unit, as in `0.5` or `3mm`, or a share of the square root of the area, as in `2%`.
  *   It holds for the girth, for what is made of it and for loops; pinned ones are computed anew.
+ * - `field-title`: what the legend calls the field; by default its usual name.
  * - `colormap`: `viridis` (default), `cividis`, `plasma`, `magma`, `turbo`, or `rdbu`, which diverges and is
  *   the default where values have both signs.
  * - `range`: `auto` (default), the body of the values, without what few places stretch it by; two numbers, the values at the ends of the colour map; or two percentages as
@@ -91,7 +89,7 @@ import { ViewerBase } from './viewer-base.js';
  * Nothing is fetched for `src` or computed before the element is in view, and no field before it is asked
  * for, by the attribute or by a method. All elements of a page share one kernel.
  */
-export class GirthViewer extends ViewerBase {
+export class GirthViewer extends ViewerShell {
   #tipsTurn = 0;
 
   /** Calls a function or an object with each event of a name; see {@link GirthViewerEvents}. */
@@ -141,7 +139,7 @@ export class GirthViewer extends ViewerBase {
 
   /** How the element writes lengths: those of loops, and the girth. */
   get lengthFormat(): LengthFormat {
-    return this.presented?.lengthFormat ?? lengthFormat(1, this.unit, this.shownUnit);
+    return this.core?.lengthFormat ?? lengthFormat(1, this.unit, this.shownUnit);
   }
 
   /** How the element writes the values of a field. */
@@ -164,16 +162,17 @@ export class GirthViewer extends ViewerBase {
    * place of that which it was made of.
    */
   async remesh(faces: number): Promise<MeshInfo> {
-    const { mesh, fields } = this.require().model;
-    const from = this.madeFrom ?? { mesh, field: fields.get('igf')?.field };
+    const { mesh, fields } = (await this.#whole()).model;
+    const from = this.core?.madeFrom ?? { mesh, field: fields.get('igf')?.field };
     const { name } = from.mesh.info;
     const words = `Remeshing ${name || 'the model'} …`;
-    return this.bring(words, name, (watched) => from.mesh.remesh(faces, watched), from);
+    const core = await this.needed();
+    return core.bring(words, name, (watched) => from.mesh.remesh(faces, watched), from);
   }
 
   /** What the surface was remeshed from; undefined where it was not. */
   get original(): MeshInfo | undefined {
-    return this.madeFrom?.mesh.info;
+    return this.core?.madeFrom?.mesh.info;
   }
 
   /**
@@ -181,11 +180,17 @@ export class GirthViewer extends ViewerBase {
    * undefined where one of the two is not computed.
    */
   async differenceToOriginal(): Promise<number | undefined> {
-    const { madeFrom: before } = this;
+    const before = this.core?.madeFrom;
     const { mesh, fields, life } = this.require().model;
     const field = fields.get('igf')?.field;
     if (!before?.field || !field) return undefined;
     return mesh.difference(field, before.mesh, before.field, { signal: life.signal });
+  }
+
+  /** The model, read by the kernel, which can compute. */
+  async #whole(): Promise<Presented> {
+    this.require();
+    return this.core!.whole();
   }
 
   // ---- fields, tips and parts
@@ -200,7 +205,10 @@ export class GirthViewer extends ViewerBase {
   /** A whole field; computed now, in view of the user, unless it is there. Cancelling rejects. */
   async fieldOf(name: FieldName): Promise<Field> {
     if (!isFieldName(name)) throw new RangeError(`no field is called ${String(name)}`);
-    return this.require().model.fields.compute(name);
+    const { fields, file } = this.require().model;
+    const given = fields.givenOf(name);
+    if (file.isAll && given) return { ...given, name };
+    return (await this.#whole()).model.fields.compute(name);
   }
 
   /** The computed share of a field's vertices. */
@@ -215,17 +223,20 @@ export class GirthViewer extends ViewerBase {
 
   /** The tips; the girth is computed first unless it is there. */
   async tips(): Promise<Tips> {
-    return this.require().model.tips();
+    const { model } = this.require();
+    return model.file.tips ? model.tips() : (await this.#whole()).model.tips();
   }
 
   /** Draws the tips' contours and apexes and tints their regions, or no longer. */
   async showTips(choice: TipsChoice): Promise<void> {
-    const presented = this.require();
+    const { tips: drawn } = this.require();
     const turn = ++this.#tipsTurn;
     if (!choice.shown) {
-      presented.tips.clear();
+      drawn.clear();
       return;
     }
+    const { model } = this.require();
+    const presented = model.file.tips ? this.require() : await this.#whole();
     const tips = await presented.model.tips();
     if (this.presented === presented && turn === this.#tipsTurn) presented.tips.show(tips, choice);
   }
@@ -235,17 +246,17 @@ export class GirthViewer extends ViewerBase {
    * there. Of several calls at a time, the first one has the progress and can stop it.
    */
   async limbs(options: WatchedOptions = {}): Promise<Limbs> {
-    return this.require().model.limbs(options);
+    return (await this.#whole()).model.limbs(options);
   }
 
   /** Where a field is greatest, or least, among its surroundings; most persistent first. */
   async maxima(name: FieldName, options: { minima?: boolean } = {}): Promise<Maximum[]> {
-    return this.require().model.maxima(name, options.minima ?? false);
+    return (await this.#whole()).model.maxima(name, options.minima ?? false);
   }
 
   /** Where heat stays longest, most persistent first: the paper's comparison with the tips. */
   async heatMaxima(options: SpectralOptions = {}): Promise<Maximum[]> {
-    return this.require().model.heatMaxima(options);
+    return (await this.#whole()).model.heatMaxima(options);
   }
 
   /** Marks vertices with diamonds, to be compared with the tips; without an argument none. */
@@ -255,12 +266,12 @@ export class GirthViewer extends ViewerBase {
 
   /** Thresholds to start from; girth and shape diameter are computed first. */
   async suggestedThresholds(): Promise<PartThresholds> {
-    return this.require().model.suggestedThresholds();
+    return (await this.#whole()).model.suggestedThresholds();
   }
 
   /** Tubes, plates and body as connected parts; girth and shape diameter are computed first. */
   async parts(options: PartOptions): Promise<Parts> {
-    return this.require().model.parts(options);
+    return (await this.#whole()).model.parts(options);
   }
 
   /** The thresholds that colour the surface by parts; undefined until they were first chosen. */
@@ -281,7 +292,7 @@ export class GirthViewer extends ViewerBase {
    * limits need are computed first.
    */
   async printCheck(limits: PrintLimits): Promise<PrintCheck> {
-    return this.require().model.printCheck(limits);
+    return (await this.#whole()).model.printCheck(limits);
   }
 
   /** Colours the surface by kinds of places, with a legend of their own, until the next call or until `field` changes. */
@@ -298,13 +309,13 @@ export class GirthViewer extends ViewerBase {
 
   /** The exact loop at a vertex of the surface, or at a point of one of its faces. */
   async loop(point: SurfacePoint): Promise<Loop> {
-    const { mesh, life, fields } = this.require().model;
+    const { mesh, life, fields } = (await this.#whole()).model;
     return mesh.loop(point, { signal: life.signal, persistence: fields.persistence });
   }
 
   /** The shortest path between two points, and how far they are apart in space. */
   async path(from: SurfacePoint, to: SurfacePoint): Promise<SurfacePath> {
-    const { mesh, life } = this.require().model;
+    const { mesh, life } = (await this.#whole()).model;
     return mesh.path(from, to, { signal: life.signal });
   }
 
@@ -329,7 +340,7 @@ export class GirthViewer extends ViewerBase {
 
   /** Computes the loop at a vertex or at a point of a face, and keeps it on the surface. */
   async pin(point: SurfacePoint): Promise<PinnedLoop> {
-    return this.require().loops.pin(point);
+    return (await this.#whole()).loops.pin(point);
   }
 
   /** Calls a pinned loop by a name, '' for none; nothing happens where there is none of that id. */
@@ -346,7 +357,7 @@ export class GirthViewer extends ViewerBase {
 
   /** Back to the first view of the model. */
   resetView(): void {
-    this.stage?.resetView();
+    this.core?.stage?.resetView();
   }
 
   /** Which way is up, and how that is known; undefined before the first model. */
@@ -372,17 +383,17 @@ export class GirthViewer extends ViewerBase {
 
   /** Whether the camera is where `resetView` puts it. */
   get isAtHome(): boolean {
-    return this.stage?.isHome ?? false;
+    return this.core?.stage?.isHome ?? false;
   }
 
   /** From where the surface is seen; undefined before the first model. */
   get camera(): CameraView | undefined {
-    return this.stage?.view;
+    return this.core?.stage?.view;
   }
 
   /** Looks from there at once; what lies beyond the limits of moving by hand is brought within. */
   set camera(view: CameraView) {
-    this.stage?.lookFrom(view);
+    this.core?.stage?.lookFrom(view);
   }
 
   /** Moves the camera to where a place is seen well: smoothly, unless the system asks for less motion. */
@@ -394,41 +405,34 @@ export class GirthViewer extends ViewerBase {
   /** Where a point of the surface is on the element, in CSS pixels from its top left corner. */
   screenPosition(point: SurfacePoint): ScreenPoint {
     const { surface } = this.require().model;
-    return this.stage!.project(surface.positionOf(point));
+    return this.core!.stage!.project(surface.positionOf(point));
   }
 
   /**
    * The picture as it is now, as a PNG: with a transparent background; or with the legend, on the element's
    * paper, unless that is to be transparent too; larger than on the screen, with a scale bar, for print.
+   * Rejected with NO_WEBGL where there is no picture.
    */
   async snapshot(options: FigureOptions = {}): Promise<Blob> {
-    const { stage, presented } = this;
-    if (!stage) throw new Error('the element is not on a page');
-    const { width, dotsPerInch } = options;
-    const parts = {
-      legend: presented?.shading.legend,
-      labels: presented?.loops.labels ?? [],
-      scale: stage.pixelsPerUnit,
-      format: this.lengthFormat,
-    };
-    const blob = await blobOf(figure(stage.picture(width), parts, options, this));
-    return dotsPerInch === undefined ? blob : withDensity(blob, dotsPerInch);
+    const core = await this.needed();
+    return core.snapshot(options);
   }
 
   /**
    * A picture of one place as a PNG with a transparent background: the camera looks at it from where it
    * is seen best, its loop is drawn if it is given, and the rest of the surface is faded. What is on the
-   * element stays as it is.
+   * element stays as it is. Rejected with NO_WEBGL where there is no picture.
    */
   async snapshotOf(picture: PlacePicture): Promise<Blob> {
-    return blobOf(this.require().pictureOf(picture));
+    const core = await this.needed();
+    return core.snapshotOf(picture);
   }
 
   // ---- files, in the element's unit
 
   /** A field as a file's content; computed first unless it is there. */
   async exportField(format: FieldFormat, name: FieldName = 'igf'): Promise<Uint8Array> {
-    const { mesh, life } = this.require().model;
+    const { mesh, life } = (await this.#whole()).model;
     const { unit } = this;
     return mesh.exportField(await this.fieldOf(name), format, { signal: life.signal, unit });
   }
@@ -438,7 +442,7 @@ export class GirthViewer extends ViewerBase {
     fields: readonly (FieldName | NamedField)[],
     format: FieldFormat,
   ): Promise<Uint8Array> {
-    const { mesh, life } = this.require().model;
+    const { mesh, life } = (await this.#whole()).model;
     const { unit } = this;
     const whole = await Promise.all(
       fields.map(async (field) => (typeof field === 'string' ? this.fieldOf(field) : field)),
@@ -448,21 +452,21 @@ export class GirthViewer extends ViewerBase {
 
   /** The tips as a file's content. */
   async exportTips(format: 'json' | 'obj'): Promise<Uint8Array> {
-    const { mesh, life } = this.require().model;
+    const { mesh, life } = (await this.#whole()).model;
     const { unit } = this;
     return mesh.exportTips(await this.fieldOf('igf'), format, { signal: life.signal, unit });
   }
 
   /** The limbs as a file's content: everything, or a row for each. */
   async exportLimbs(format: 'json' | 'csv'): Promise<Uint8Array> {
-    const { mesh, life } = this.require().model;
+    const { mesh, life } = (await this.#whole()).model;
     const { unit } = this;
     return mesh.exportLimbs(await this.fieldOf('igf'), format, { signal: life.signal, unit });
   }
 
   /** The parts as a file's content. */
   async exportParts(options: PartOptions, format: 'json'): Promise<Uint8Array> {
-    const { model } = this.require();
+    const { model } = await this.#whole();
     const { igf, sdf } = await model.girthAndDiameter();
     const { signal } = model.life;
     return model.mesh.exportParts(igf, sdf, options, format, { signal, unit: this.unit });
@@ -470,7 +474,7 @@ export class GirthViewer extends ViewerBase {
 
   /** The answer of the print check as a file's content. */
   async exportWeakPlaces(limits: PrintLimits, format: 'json'): Promise<Uint8Array> {
-    const { model } = this.require();
+    const { model } = await this.#whole();
     const fields = await model.printFields(limits);
     const { signal } = model.life;
     return model.mesh.exportWeakPlaces(fields, limits, format, { signal, unit: this.unit });
@@ -478,18 +482,9 @@ export class GirthViewer extends ViewerBase {
 
   /** The pinned loops, oldest first, a file's content for each. */
   async exportLoops(format: LoopFormat): Promise<Uint8Array[]> {
-    const { mesh, life, fields } = this.require().model;
+    const { mesh, life, fields } = (await this.#whole()).model;
     const points = this.pinned.map(({ loop }) => loop.base);
     const { persistence } = fields;
     return mesh.exportLoops(points, format, { signal: life.signal, unit: this.unit, persistence });
   }
-}
-
-function blobOf(canvas: HTMLCanvasElement): Promise<Blob> {
-  return new Promise((resolve, reject) => {
-    canvas.toBlob(
-      (blob) => (blob ? resolve(blob) : reject(new Error('the picture is empty'))),
-      'image/png',
-    );
-  });
 }

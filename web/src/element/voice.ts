@@ -17,7 +17,7 @@ export class Voice {
   /** Calls a canvas by what is on it: the model and its field. */
   call(canvas: HTMLCanvasElement, presented: Presented | undefined): void {
     if (!presented) return;
-    const field = fieldTitle(presented.shading.name);
+    const field = presented.shading.title;
     const what = presented.model.mesh.info.name || 'Surface';
     canvas.setAttribute('aria-label', field ? `${what}, coloured by: ${field}` : what);
   }
@@ -27,6 +27,6 @@ export class Voice {
     const format = shading.formatOf(name);
     const [low, high] = range.map((value) => formatLength(value, format));
     const words = Number.isNaN(range[0]) ? 'no values' : `from ${low} to ${high}`;
-    this.#live.textContent = `${fieldTitle(name)}: computed, ${words}.`;
+    this.#live.textContent = `${shading.name === name ? shading.title : fieldTitle(name)}: computed, ${words}.`;
   }
 }

@@ -82,6 +82,11 @@ export interface PrepareOptions {
   closeHoles?: boolean;
   /** Keeps only these components, numbered as in {@link MeshInfo.parts}. Default: all. */
   components?: readonly number[];
+  /**
+   * Leaves out components whose area is less than this share of the largest one's, from 0 to 1, as in 1e-6.
+   * Default: 0, none.
+   */
+  minComponent?: number;
 }
 
 /** Options of every call. */
@@ -610,6 +615,10 @@ export interface PreparationReport {
   addedVertices: number;
   /** Connected components of what came out. */
   components: number;
+  /** Components of less than a millionth of the largest one's area. */
+  sliverComponents: number;
+  /** Closed components that hold nothing: two sheets on each other. */
+  doubledComponents: number;
   /** Components that were kept. */
   keptComponents: number;
   /** Boundary curves of the kept components, after holes were closed. */

@@ -2,7 +2,7 @@
 // both refuse the same files.
 
 export class UnpackBudget {
-  // Small files may place a small mesh many times.
+  // Small files may hold much that is not written down.
   #left = 4_000_000;
 
   /** Allows as much as so many bytes may describe. */

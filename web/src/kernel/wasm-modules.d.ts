@@ -51,6 +51,7 @@ declare module '*/girth.mjs' {
     weldDistance: number;
     closeHoles: boolean;
     components: Uint32Array;
+    minComponent: number;
   }
 
   type OnProgress = (fraction: number) => void;

@@ -8,12 +8,10 @@ import {
   interpolateTurbo,
   interpolateViridis,
 } from 'd3-scale-chromatic';
+import type { ColormapName } from './colormap-names.js';
 
 /** Entries of a colour table. */
 export const colormapSize = 256;
-
-/** The name of a colour map. */
-export type ColormapName = 'viridis' | 'cividis' | 'plasma' | 'magma' | 'turbo' | 'rdbu';
 
 const interpolators: Record<ColormapName, (place: number) => string> = {
   viridis: interpolateViridis,
@@ -24,22 +22,6 @@ const interpolators: Record<ColormapName, (place: number) => string> = {
   // Blue below the middle, red above.
   rdbu: (place) => interpolateRdBu(1 - place),
 };
-
-/**
- * The names, the default first. All but turbo and the diverging `rdbu`, which is for values on both sides
- * of 0, also read in order of lightness.
- */
-export const colormapNames = Object.keys(interpolators) as ColormapName[];
-
-/** Whether colour-blind eyes can distinguish its values: turbo has the same colours twice for them. */
-export function isForAllEyes(name: ColormapName): boolean {
-  return name !== 'turbo';
-}
-
-/** Whether there is a colour map of that name. */
-export function isColormapName(name: string | null | undefined): name is ColormapName {
-  return name !== null && name !== undefined && Object.hasOwn(interpolators, name);
-}
 
 /** sRGB bytes of a CSS colour as d3 writes it: `#rrggbb` or `rgb(r, g, b)`. */
 function parseColour(css: string): [number, number, number] {

@@ -18,10 +18,13 @@ export const fieldNames: readonly FieldName[] = [
 /** What is made of fields: the girth's kinds, the rise at the tip that a place is in, tubes and plates. */
 export const derivedNames = ['kind', 'tips', 'parts'] as const;
 
-/** What can colour a surface. */
-export type ShownName = FieldName | (typeof derivedNames)[number] | 'none';
+/** Values that only the model's file has: their attribute's name, in small letters. */
+export type GivenName = `_${string}`;
 
-const words: Record<ShownName, string> = {
+/** What can colour a surface. */
+export type ShownName = FieldName | (typeof derivedNames)[number] | GivenName | 'none';
+
+const words: Record<Exclude<ShownName, GivenName>, string> = {
   igf: 'Girth',
   sdf: 'Shape diameter',
   thickness: 'Thickness',
@@ -42,14 +45,21 @@ export function isFieldName(name: string): name is FieldName {
   return (fieldNames as readonly string[]).includes(name);
 }
 
-/** Whether something of that name can colour a surface. */
-export function isShownName(name: string | null): name is ShownName {
-  return name !== null && Object.hasOwn(words, name);
+/** Whether a name is of values that only files have. */
+export function isGivenName(name: string): name is GivenName {
+  return /^_[a-z0-9_]{1,60}$/.test(name);
 }
 
-/** A field's name in words, for a legend. */
+/** Whether something of that name can colour a surface. */
+export function isShownName(name: string | null): name is ShownName {
+  return name !== null && (Object.hasOwn(words, name) || isGivenName(name));
+}
+
+/** A field's name in words, for a legend; that of values of a file as it is there: 'Wall temperature'. */
 export function fieldTitle(name: ShownName): string {
-  return words[name];
+  if (!isGivenName(name)) return words[name];
+  const text = name.replaceAll('_', ' ').trim() || name;
+  return text[0]!.toUpperCase() + text.slice(1);
 }
 
 /** The unit of a field's values, where that of lengths is `unit`. */

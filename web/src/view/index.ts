@@ -5,19 +5,21 @@ export { type Category, girthKinds, partKinds } from './categories.js';
 export {
   type ColormapName,
   colormapNames,
-  colourAt,
   isColormapName,
   isForAllEyes,
-} from './colormaps.js';
+} from './colormap-names.js';
+export { colourAt } from './colormaps.js';
 export { type CameraView, type StraightName, straightDirections } from './camera-view.js';
 export { splitCreases } from './creases.js';
 export {
+  type GivenName,
   type ShownName,
   derivedNames,
   fieldNames,
   fieldTitle,
   fieldUnit,
   isFieldName,
+  isGivenName,
   isShownName,
 } from './field-words.js';
 export { FieldPreview } from './field-preview.js';
@@ -49,9 +51,10 @@ export type { Place } from './place-view.js';
 export { PointMarks } from './point-marks.js';
 export { quantile, shareWithin } from './plots/distribution.js';
 export { type Box, Silhouette } from './silhouette.js';
+export { type Graphics } from './renderer.js';
 export { Stage } from './stage.js';
 export { Surface, borrowedWeight, computedWeight } from './surface.js';
-export { type Look, lookNames } from './surface-shader.js';
+export { type Look, lookNames } from './look.js';
 export { TimeLeft, formatSeconds } from './time-left.js';
 export { inSlices } from './time-slices.js';
 export { TipMarks } from './tip-marks.js';

@@ -1,7 +1,8 @@
 // The legend of a field: the colour map with numbers and the unit, or the categories with their names.
 
 import type { Category } from './categories.js';
-import { type ColormapName, colormapStops, colourAt } from './colormaps.js';
+import type { ColormapName } from './colormap-names.js';
+import { colormapStops, colourAt } from './colormaps.js';
 import { type LengthFormat, formatNumber, placeIn, roundTicks } from './numbers.js';
 import { logTicks } from './plots/density.js';
 

@@ -12,7 +12,6 @@ import {
   Scene,
   Vector2,
   Vector3,
-  WebGLRenderer,
 } from 'three';
 import type { FacePoint } from '../kernel/types.js';
 import { CameraRig } from './camera-rig.js';
@@ -31,6 +30,7 @@ import { FrameScheduler } from './frame-scheduler.js';
 import type { GroundShadow } from './ground-shadow.js';
 import { Picker, type ScreenPoint } from './picker.js';
 import { type Place, viewOfPlace } from './place-view.js';
+import { type Graphics, type Renderer, rendererFor } from './renderer.js';
 import { Silhouette } from './silhouette.js';
 import type { Surface } from './surface.js';
 import { SurfaceSpace } from './surface-space.js';
@@ -45,12 +45,15 @@ export interface StageEvents {
   touched(): void;
   /** The camera was moved and has come to rest. */
   rested(): void;
+  /** The browser has taken the graphics away, or has given them back. */
+  graphicsChanged(): void;
 }
 
 export class Stage {
   readonly #canvas: HTMLCanvasElement;
   readonly #events: StageEvents;
-  readonly #renderer: WebGLRenderer;
+  readonly #renderer: Renderer;
+  #graphics: Graphics;
   readonly #scene = new Scene();
   readonly #space = new SurfaceSpace();
   readonly #onSurface = new Group();
@@ -62,15 +65,21 @@ export class Stage {
   #shadow: GroundShadow | undefined;
   #upright: Rotation = new Quaternion();
   #turnsAtHome = false;
+  #isDisposed = false;
   #width = 1;
   #height = 1;
 
-  /** Throws where the browser has no WebGL 2. */
   constructor(canvas: HTMLCanvasElement, events: StageEvents) {
     this.#canvas = canvas;
     this.#events = events;
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
-    this.#renderer.setClearColor(0x000000, 0);
+    const made = rendererFor(canvas, (graphics) => {
+      if (this.#isDisposed) return;
+      this.#graphics = graphics;
+      this.invalidate();
+      events.graphicsChanged();
+    });
+    this.#renderer = made.renderer;
+    this.#graphics = made.graphics;
     this.#scene.add(this.#space.group);
     this.#space.group.add(this.#onSurface);
     this.#frames = new FrameScheduler({
@@ -89,6 +98,11 @@ export class Stage {
       rested: () => events.rested(),
     });
     this.#picker = new Picker(canvas, this.#rig.camera, this.#space);
+  }
+
+  /** Whether there is a picture; without one everything else works. */
+  get graphics(): Graphics {
+    return this.#graphics;
   }
 
   /** Compiles an object's shaders beside the page's own work, so that its first frame is not late. */
@@ -358,6 +372,7 @@ export class Stage {
   }
 
   dispose(): void {
+    this.#isDisposed = true;
     this.#frames.stop();
     for (const overlay of this.#overlays) overlay.dispose();
     this.#overlays.clear();

@@ -9,11 +9,6 @@ import { colormapSize } from './colormaps.js';
 export const shadingModes = { scalar: 1, categories: 2, thresholds: 3 } as const;
 export type ShadingMode = keyof typeof shadingModes | 'plain';
 
-/** How the surface is drawn: light that is smooth over its faces, light on each face, or to be seen through. */
-export const lookNames = ['smooth', 'flat', 'transparent'] as const;
-/** One of these ways. */
-export type Look = (typeof lookNames)[number];
-
 /** As many categories as there are components in an attribute. */
 export const mostCategories = 4;
 

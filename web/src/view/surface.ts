@@ -21,18 +21,19 @@ import {
   Vector2,
   Vector3,
 } from 'three';
-import { MeshBVH } from 'three-mesh-bvh';
+import type { MeshBVH } from 'three-mesh-bvh';
 import type { FacePoint, SurfacePoint } from '../kernel/types.js';
 import type { Adjacency } from './adjacency.js';
 import { weightsIn } from './barycentric.js';
 import type { Category } from './categories.js';
-import { type ColormapName, colormapSize, colormapTable } from './colormaps.js';
+import type { ColormapName } from './colormap-names.js';
+import { colormapSize, colormapTable } from './colormaps.js';
 import type { CreasedSurface } from './creases.js';
 import { DrawnVertices } from './drawn-vertices.js';
 import { longWay } from './long-way.js';
+import type { Look } from './look.js';
 import type { Silhouette } from './silhouette.js';
 import {
-  type Look,
   type ShadingMode,
   fragmentShader,
   mostCategories,
@@ -347,11 +348,15 @@ export class Surface {
       this.#indices.length / 3 > manyFaces
         ? await this.#buildInWorker(opening).catch(() => undefined)
         : undefined;
+    const { MeshBVH } = await import('three-mesh-bvh');
     if (!this.#disposed) this.#hierarchy = built ?? new MeshBVH(this.#picked, hierarchyOptions);
   }
 
   async #buildInWorker(opening: <Made>(make: () => Made) => Made): Promise<MeshBVH> {
-    const { GenerateMeshBVHWorker } = await import('three-mesh-bvh/worker');
+    const [{ MeshBVH }, { GenerateMeshBVHWorker }] = await Promise.all([
+      import('three-mesh-bvh'),
+      import('three-mesh-bvh/worker'),
+    ]);
     const worker = opening(() => new GenerateMeshBVHWorker());
     try {
       // The worker takes the arrays it is given away from this page: hand it copies.

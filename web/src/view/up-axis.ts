@@ -5,8 +5,6 @@
 // of the TOSCA models, whose z axis points up in all poses, 64 are guessed right. A rod that lies askew to all
 // three axes, such as a figure on tiptoe, stands on its end.
 
-import { Quaternion, Vector3 } from 'three';
-
 /** The directions that can be chosen, the usual ones first. */
 export const upNames = ['y', 'z', '-y', '-z', 'x', '-x'] as const;
 /** A direction of the file's coordinates. */
@@ -66,10 +64,11 @@ export interface Rotation {
 
 /** Turns a direction of the file upwards, to y; what is to the right stays there for y and z, flipped or not. */
 export function rotationUp([x, y, z]: readonly [number, number, number]): Rotation {
-  const up = new Vector3(0, 1, 0);
   // From straight below there is no shortest way.
-  if (y < -0.999) return new Quaternion(1, 0, 0, 0);
-  return new Quaternion().setFromUnitVectors(new Vector3(x, y, z), up);
+  if (y < -0.999) return { x: 1, y: 0, z: 0, w: 0 };
+  // About the axis across both, by half of the angle between them.
+  const length = Math.hypot(z, x, y + 1);
+  return { x: -z / length, y: 0, z: x / length, w: (y + 1) / length };
 }
 
 /** More vertices than these show no more of the shape. */
@@ -82,13 +81,21 @@ const rodCosine = Math.cos(Math.PI / 6);
 
 type Point = readonly [number, number, number];
 
+const minus = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const cross = (a: Point, b: Point): Point => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
 /** A guess from the shape alone. */
 export function guessedUp(
   positions: Float32Array,
   indices: Uint32Array,
 ): Pick<UpAxis, 'direction' | 'name'> {
   const points = sampled(positions);
-  const [low, high] = [Array<number>(3).fill(Infinity), Array<number>(3).fill(-Infinity)];
+  const low: [number, number, number] = [Infinity, Infinity, Infinity];
+  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
   for (const point of points) {
     point.forEach((x, k) => {
       low[k] = Math.min(low[k]!, x);
@@ -104,12 +111,12 @@ export function guessedUp(
     return { direction: [sign * x, sign * y, sign * z], name: undefined };
   }
   const standing = (up: 1 | 2): number => {
-    const height = high[up]! - low[up]!;
+    const height = high[up] - low[up];
     const across = (3 - up) as 1 | 2;
-    const plan = points.map((point) => [point[0], point[across], point[up] - low[up]!] as const);
+    const plan = points.map((point) => [point[0], point[across], point[up] - low[up]] as const);
     const feet = plan.filter(([, , above]) => above < footing * size);
     const span = Math.sqrt(spread(feet) / (spread(plan) || 1));
-    return height / size + span + (middle[up]! - low[up]!) / (height || 1);
+    return height / size + span + (middle[up]! - low[up]) / (height || 1);
   };
   const name = standing(2) > standing(1) ? 'z' : 'y';
   return { direction: directions[name], name };
@@ -143,21 +150,21 @@ function spread(points: readonly Point[]): number {
 }
 
 /** The middle of the surface, its longest axis, and how much longer that is than the next one. */
-function momentsOf(positions: Float32Array, indices: Uint32Array, origin: readonly number[]) {
+function momentsOf(positions: Float32Array, indices: Uint32Array, origin: Point) {
   const step = 3 * Math.max(1, Math.floor(indices.length / 3 / enough));
   const middle = [0, 0, 0];
   const second = [0, 1, 2].map(() => [0, 0, 0]);
-  const corners = [new Vector3(), new Vector3(), new Vector3()] as const;
-  const [one, other] = [new Vector3(), new Vector3()];
-  const shift = new Vector3().fromArray(origin);
   let area = 0;
   for (let i = 0; i < indices.length; i += step) {
-    corners.forEach((corner, k) => corner.fromArray(positions, 3 * indices[i + k]!).sub(shift));
-    const [a, b, c] = corners;
-    const weight = one.subVectors(b, a).cross(other.subVectors(c, a)).length();
+    const corner = (k: number): Point => {
+      const at = 3 * indices[i + k]!;
+      return minus([positions[at]!, positions[at + 1]!, positions[at + 2]!], origin);
+    };
+    const [a, b, c] = [corner(0), corner(1), corner(2)];
+    const weight = Math.hypot(...cross(minus(b, a), minus(c, a)));
     area += weight;
-    const sum = a.clone().add(b).add(c).toArray();
-    const places = [...corners.map((corner) => corner.toArray()), sum];
+    const sum: Point = [a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2]];
+    const places = [a, b, c, sum];
     for (let k = 0; k < 3; ++k) {
       middle[k]! += (weight * sum[k]!) / 3;
       // Exact for a triangle: a twelfth of the products of the corners and of their sum.
@@ -197,9 +204,13 @@ function greatestOf(matrix: readonly (readonly number[])[]): [[number, number, n
 export function uprightPositions(positions: Float32Array, rotation: Rotation): Float32Array {
   if (rotation.w === 1) return positions;
   const turned = new Float32Array(positions.length);
-  const point = new Vector3();
+  const { w } = rotation;
+  const axis: Point = [rotation.x, rotation.y, rotation.z];
   for (let i = 0; i < positions.length; i += 3) {
-    point.fromArray(positions, i).applyQuaternion(rotation).toArray(turned, i);
+    const point: Point = [positions[i]!, positions[i + 1]!, positions[i + 2]!];
+    const once = cross(axis, point);
+    const twice = cross(axis, once);
+    for (let k = 0; k < 3; ++k) turned[i + k] = point[k]! + 2 * (w * once[k]! + twice[k]!);
   }
   return turned;
 }

@@ -9,8 +9,10 @@
 
 #include "girth/error.h"
 #include "girth/export.h"
+#include "girth/girth_solver.h"
 #include "girth/io/read_mesh.h"
 #include "girth/io/vertex_field.h"
+#include "girth/tips.h"
 
 namespace girth::io {
 
@@ -51,6 +53,12 @@ struct ColourRange {
   double high{1};  ///< its last colour
 };
 
+/// Lines that a GLB has beside the surface. Does not own them.
+struct LinesOnSurface {
+  std::span<const GirthLoop> loops;  ///< of vertices; those that are unresolved are left out
+  const Tips* tips{nullptr};         ///< null: none
+};
+
 /// The surface as GLB with, for every vertex of the *surface*: each field as an attribute of its
 /// name in capitals behind an underscore (`_IGF`), kinds as `_KIND`, and `COLOR_0`: the first field
 /// in the colours of viridis between the ends of `range`, by default its least and greatest value,
@@ -62,10 +70,18 @@ struct ColourRange {
 /// known ("millimetre", ...) is scaled by its node; positions and fields stay in the model's unit.
 /// Units and methods stand in the mesh's `extras`.
 ///
+/// Each line is a mesh of its own, a line strip in a node called `loop 12`, `tip 1` or `arc 1`, so
+/// that any viewer shows it: readModel leaves them out. In their `extras`, a loop has `loop` with
+/// `vertex` (of the surface), `length`, `kind`, `angle` and `midpoint`; the contour of a tip has
+/// `contour` with the number of the `tip`, from 0, and whether it is `closed`; what cuts no tip off
+/// has `arc` with `length` and `jump`. With tips, the surface's `extras` have `tips`, of each its
+/// `vertices`, `area`, `boundaryLength`, `apex`, `apexDistance` and `jump`, and `crossedEdges`.
+///
 /// Error: LIMIT_EXCEEDED where the file would pass 4 GB.
 GIRTH_EXPORT Result<std::string> fieldGlb(const LoadedMesh& loaded,
                                           std::span<const VertexField> fields,
-                                          std::optional<ColourRange> range = std::nullopt);
+                                          std::optional<ColourRange> range = std::nullopt,
+                                          const LinesOnSurface& lines = {});
 
 /// The fields as a file of the format "csv", "json", "npy", "ply" or "glb": what the functions
 /// above return. `file`: what JSON calls the model. `columns`: of CSV and JSON.

@@ -11,6 +11,8 @@ export {
   quantile,
   shareWithin,
 } from './distribution.js';
+export { type ColormapName } from '../colormap-names.js';
+export { colourAt } from '../colormaps.js';
 export type { ValueRange } from './brush-range.js';
 export {
   type BarColour,

@@ -1,34 +1,50 @@
-// The element on its page: its attributes, a model that comes and goes, and what is computed of it.
+// What the element draws and computes: a model that comes and goes, as the attributes ask for it. It is fetched
+// when it is first needed; what is there before is in `viewer-shell.ts`.
 
-import type { Field, FieldName, LoadOptions, Mesh, MeshInfo, MeshSource } from '../kernel/types.js';
+import type {
+  Field,
+  FieldName,
+  GirthErrorFields,
+  LoadOptions,
+  Mesh,
+  MeshInfo,
+  MeshSource,
+  Tips,
+} from '../kernel/types.js';
 import { openWorker } from '../kernel/worker-from-elsewhere.js';
 import {
   type Box,
+  type CameraView,
   Legend,
+  type LengthFormat,
   type ShownName,
   Stage,
   fieldTitle,
   fieldUnit,
-  findLengthUnit,
   isColormapName,
   isShownName,
+  lengthFormat,
   readLengthOrShare,
 } from '../view/index.js';
-import { type AttributeName, attributeNames, attributeOf, faultOf, isOn } from './attributes.js';
+import { attributeOf, isOn } from './attributes.js';
 import { CanvasControls } from './canvas-controls.js';
 import { make } from './dom.js';
 import type { GirthViewerEvents } from './events.js';
 import type { FieldState, FieldsHost } from './fields.js';
 import { Lifecycle } from './lifecycle.js';
-import { MessageBox } from './message-box.js';
-import { Model } from './model.js';
+import type { MessageBox } from './message-box.js';
+import { noGraphics, requireGraphics } from './no-graphics.js';
+import { type FileContent, Model } from './model.js';
+import { openModel, openToCompute, tipsCarriedTo } from './open-model.js';
 import { fieldsOf, nameOf, parseRange, parseSpectral, parseVertices } from './parse.js';
-import { pageParsed } from './page-parsed.js';
-import { Presented } from './presented.js';
+import { type PlacePicture, Presented } from './presented.js';
 import type { ShadingWishes } from './shading.js';
 import { sharedKernel } from './shared-kernel.js';
+import { withDensity } from './png-density.js';
 import { StatusBar } from './status-bar.js';
+import { type FigureOptions, figure } from './snapshot.js';
 import { style } from './style.js';
+import type { TipsChoice } from './tips-on-surface.js';
 import { watchSurroundings } from './surroundings.js';
 import { Voice } from './voice.js';
 import { Work, type Watched } from './work.js';
@@ -39,23 +55,48 @@ const legendHeight = 92;
 /** Of the status, with its margin, at the bottom; CSS pixels. */
 const statusHeight = 56;
 
-/** The symbol of a unit of length; '' for none. */
-const unitOf = (text: string | null): string => findLengthUnit(text ?? '')?.symbol ?? '';
-
 /** What a remeshed surface was made of. */
 export interface Original {
   mesh: Mesh;
   field: Field | undefined;
 }
 
-/** On a server, which renders pages but has no elements, a class that nobody makes one of. */
-const ElementOrNone = globalThis.HTMLElement ?? class {};
+/** A loop to be pinned again. */
+interface Pinned {
+  base: number;
+  name: string;
+}
 
-/** See `GirthViewer`, which adds what can be asked of the element. */
-export abstract class ViewerBase extends ElementOrNone {
-  /** The attributes that the element follows; see `GirthViewer`. */
-  static readonly observedAttributes: readonly string[] = attributeNames;
+/** What was shown of a model as its file has it, and is shown of the mesh that the kernel has read. */
+interface Continued {
+  mesh: Mesh;
+  /** Undefined: as at first. */
+  view: CameraView | undefined;
+  pins: readonly Pinned[];
+  tips: { all: Tips; choice: TipsChoice } | undefined;
+}
 
+/** The element, as what is drawn in it knows it. */
+export interface ViewerHost {
+  /** Has the attributes, and sends the events. */
+  readonly element: HTMLElement;
+  /** Where the surface is drawn. */
+  readonly frame: HTMLElement;
+  readonly message: MessageBox;
+  /** The unit of lengths: the model's, or the attribute's; '' for none. */
+  unitOf(): string;
+  /** The unit that lengths are written in; '' for the model's. */
+  shownUnitOf(): string;
+  /** The first picture of a model is there. */
+  drawn(): void;
+  /** The browser cannot draw surfaces. */
+  undrawable(error: GirthErrorFields): void;
+  /** Whether there is a picture to be seen in place of the surface. */
+  readonly hasPoster: boolean;
+}
+
+export class ViewerCore {
+  readonly #host: ViewerHost;
   #canvas = make('canvas', {
     tabindex: '0',
     role: 'application',
@@ -64,10 +105,9 @@ export abstract class ViewerBase extends ElementOrNone {
     'aria-describedby': 'keys',
   });
   readonly #legend = new Legend(() => {
-    this.setAttribute('range', '0% 100%');
+    this.#element.setAttribute('range', '0% 100%');
     this.#send('view', null);
   });
-  readonly #message = new MessageBox();
   readonly #voice = new Voice();
   readonly #status = new StatusBar({
     cancel: () => this.cancel(),
@@ -79,7 +119,7 @@ export abstract class ViewerBase extends ElementOrNone {
     new Work(this.#status),
     {
       prepare: async (mesh, signal) => {
-        const model = await Model.of(mesh, this.#fieldsHost, signal);
+        const model = await Model.of(mesh, this.#fieldsHost, signal, this.#contents.get(mesh));
         await this.stage?.prepare(model.surface.object);
         return model;
       },
@@ -96,59 +136,67 @@ export abstract class ViewerBase extends ElementOrNone {
     },
   );
 
-  protected stage: Stage | undefined;
+  /** What the surface is drawn on, while the element is on a page. */
+  stage: Stage | undefined;
   readonly #reported = new WeakSet<object>();
+  /** What files have besides the surface, by the meshes that were made of them. */
+  readonly #contents = new WeakMap<Mesh, FileContent>();
+  /** Where the kernel can read a model that is shown as its file has it. */
+  readonly #addresses = new WeakMap<Mesh, URL>();
+  #reading: Promise<Presented> | undefined;
+  /** What is shown of a model goes on with what the kernel makes of it. */
+  #continued: Continued | undefined;
   #pointedVertex: number | undefined;
+  /** The model that is shown as its file has it, once somebody has come near it. */
+  #approachedBy: Model | undefined;
   readonly #controls: CanvasControls;
   #stopWatching: (() => void) | undefined;
   #attached = new AbortController();
 
-  constructor() {
-    super();
-    const host = { element: this, stage: () => this.stage, presented: () => this.presented };
-    this.#controls = new CanvasControls(host);
-    const root = this.attachShadow({ mode: 'open' });
+  constructor(host: ViewerHost) {
+    this.#host = host;
+    const { element, frame } = host;
+    this.#controls = new CanvasControls({
+      element,
+      stage: () => this.stage,
+      presented: () => this.presented,
+    });
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(style);
-    root.adoptedStyleSheets = [sheet];
-    root.append(
+    const root = element.shadowRoot!;
+    root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
+    frame.prepend(
       this.#canvas,
       this.#legend.element,
       this.#status.element,
       this.#controls.element,
-      this.#message.element,
       ...this.#voice.elements,
     );
   }
 
-  /** Called by the browser when the element comes onto a page: it can draw from now on. */
-  connectedCallback(): void {
-    try {
-      this.stage = new Stage(this.#canvas, {
-        beforeFrame: () => this.presented?.spread() ?? false,
-        afterFrame: () => {
-          this.presented?.loops.place();
-          this.#controls.place();
-        },
-        touched: () => this.#controls.touched(),
-        rested: () => this.#send('camera', null),
-      });
-    } catch {
-      this.#message.show(
-        '',
-        {
-          code: 'NO_WEBGL',
-          element: -1,
-          message: 'this browser cannot draw surfaces: WebGL 2 is switched off or missing',
-          hint: 'switch on hardware acceleration in its settings, or use another browser',
-        },
-        false,
-      );
-      return;
-    }
-    const { stage } = this;
+  get #element(): HTMLElement {
+    return this.#host.element;
+  }
+
+  /** The element is on a page: it can draw from now on. */
+  attach(): void {
+    if (this.stage) return;
+    const stage = new Stage(this.#canvas, {
+      beforeFrame: () => this.presented?.spread() ?? false,
+      afterFrame: () => {
+        this.#controls.place();
+        if (!this.presented) return;
+        this.presented.loops.place();
+        if (stage.graphics !== 'missing') this.#host.drawn();
+      },
+      touched: () => this.#controls.touched(),
+      rested: () => this.#send('camera', null),
+      graphicsChanged: () => this.#host.message.showGraphics(stage.graphics),
+    });
+    this.stage = stage;
+    if (stage.graphics === 'missing') this.#host.undrawable(noGraphics.missing);
     this.#lifecycle.attach();
-    this.#stopWatching = watchSurroundings(this, {
+    this.#stopWatching = watchSurroundings(this.#host.frame, {
       resized: (width, height) => {
         const bottom = width <= narrow ? legendHeight : 0;
         stage.resize(width, height, this.#headHeight, bottom, window.devicePixelRatio);
@@ -164,16 +212,21 @@ export abstract class ViewerBase extends ElementOrNone {
     });
     this.#attached = new AbortController();
     this.#controls.attach(this.#canvas, this.#attached.signal);
-    if (this.hasAttribute('src')) void this.#loadSrc();
+    for (const type of ['pointerenter', 'pointerdown', 'focus']) {
+      const { signal } = this.#attached;
+      this.#canvas.addEventListener(type, () => this.#approached(), { signal });
+    }
+    if (this.#element.hasAttribute('src')) void this.#loadSrc();
   }
 
-  /** Called by the browser when the element leaves its page: all work ends, and all memory is let go. */
-  disconnectedCallback(): void {
+  /** The element has left its page: all work ends, and all memory is let go. */
+  detach(): void {
     this.#stopWatching?.();
     this.#stopWatching = undefined;
     this.#attached.abort();
     this.#lifecycle.detach();
-    this.stage?.dispose();
+    if (!this.stage) return;
+    this.stage.dispose();
     this.stage = undefined;
     // A lost context cannot be had again from the same canvas.
     const fresh = this.#canvas.cloneNode() as HTMLCanvasElement;
@@ -181,11 +234,8 @@ export abstract class ViewerBase extends ElementOrNone {
     this.#canvas = fresh;
   }
 
-  /** Called by the browser when one of `observedAttributes` has changed. */
-  attributeChangedCallback(name: string, before: string | null, value: string | null): void {
-    if (before === value) return;
-    const fault = value === null ? undefined : faultOf(name as AttributeName, value);
-    if (fault) void pageParsed().then(() => this.#send('error', fault));
+  /** An attribute has changed. */
+  follow(name: string, value: string | null): void {
     switch (name) {
       case 'src':
         if (value !== null && this.stage) void this.#loadSrc();
@@ -206,6 +256,7 @@ export abstract class ViewerBase extends ElementOrNone {
         // Percentages ask for the vertices' areas.
         void this.#showField();
         break;
+      case 'field-title':
       case 'colormap':
       case 'log':
       case 'isolines':
@@ -234,28 +285,19 @@ export abstract class ViewerBase extends ElementOrNone {
     this.stage?.invalidate();
   }
 
-  protected get presented(): Presented | undefined {
+  /** The model that is shown, and all about it; undefined before the first. */
+  get presented(): Presented | undefined {
     return this.#lifecycle.shown;
   }
 
   /** What the shown surface was remeshed from; undefined where it was not. */
-  protected get madeFrom(): Original | undefined {
+  get madeFrom(): Original | undefined {
     return this.#lifecycle.origin;
   }
 
   /** The model that is shown; undefined before the first. */
   get info(): MeshInfo | undefined {
     return this.presented?.model.mesh.info;
-  }
-
-  /** The unit of lengths: the file's; where it states none, the attribute's; '' for none. */
-  get unit(): string {
-    return this.info?.unit || unitOf(attributeOf(this, 'unit'));
-  }
-
-  /** The unit that lengths are written in: the attribute's where it is one, otherwise ''. */
-  get shownUnit(): string {
-    return unitOf(attributeOf(this, 'shown-unit'));
   }
 
   /**
@@ -267,22 +309,101 @@ export abstract class ViewerBase extends ElementOrNone {
     source: MeshSource,
     options: Pick<LoadOptions, 'model' | 'prepare'> = {},
   ): Promise<MeshInfo> {
+    this.#continued = undefined;
     const name = nameOf(source);
-    const address = typeof source === 'string' ? new URL(source, this.baseURI) : source;
+    const address = typeof source === 'string' ? new URL(source, this.#element.baseURI) : source;
     return this.bring(`Reading ${name || 'the model'} …`, name, async (watched) => {
       const kernel = await sharedKernel();
       return kernel.load(address, { ...options, ...watched });
     });
   }
 
+  /** The same of an address, but as it is where the file has its values in it. */
+  async #open(src: string): Promise<void> {
+    this.#continued = undefined;
+    const address = new URL(src, this.#element.baseURI);
+    const name = nameOf(address);
+    await this.bring(`Reading ${name || 'the model'} …`, name, async (watched) => {
+      const { mesh, content } = await openModel(address, watched);
+      if (content) this.#contents.set(mesh, content);
+      this.#addresses.set(mesh, address);
+      return mesh;
+    });
+  }
+
+  /**
+   * The model that is shown, so that all can be computed of it: one that is shown as its file has it is read
+   * by the kernel first, and takes its own place.
+   */
+  async whole(): Promise<Presented> {
+    const presented = this.require();
+    const { file } = presented.model;
+    if (!file.isAll) return presented;
+    this.#reading ??= this.#goOn(presented).finally(() => (this.#reading = undefined));
+    return this.#reading;
+  }
+
+  async #goOn({ model, loops, tips }: Presented): Promise<Presented> {
+    const { name, unit } = model.mesh.info;
+    const address = this.#addresses.get(model.mesh)!;
+    await this.bring(`Reading ${name} …`, name, async (watched) => {
+      const { mesh, content } = await openToCompute(address, model.file, unit, watched);
+      if (content) this.#contents.set(mesh, content);
+      const shown = tips.shown && {
+        all: tipsCarriedTo(tips.shown.all, mesh.vertexOfInput),
+        choice: tips.shown.choice,
+      };
+      this.#continued = {
+        mesh,
+        view: this.stage?.isHome ? undefined : this.stage?.view,
+        pins: loops.pinned.map(({ loop, name }) => ({
+          base: mesh.vertexOfInput[loop.base as number]!,
+          name,
+        })),
+        tips: shown,
+      };
+      return mesh;
+    });
+    return this.require();
+  }
+
   /** Makes another mesh ready to draw and shows it, with words and a cross meanwhile. */
-  protected async bring(
+  async bring(
     words: string,
     name: string,
     read: (watched: Watched) => Promise<Mesh>,
     origin?: Original,
   ): Promise<MeshInfo> {
     return (await this.#lifecycle.load({ words, name, read, origin })).info;
+  }
+
+  /** How lengths are written: those of loops, and the girth. */
+  get lengthFormat(): LengthFormat {
+    return (
+      this.presented?.lengthFormat ?? lengthFormat(1, this.#host.unitOf(), this.#host.shownUnitOf())
+    );
+  }
+
+  /** The picture as it is now, as a PNG; see `GirthViewer.snapshot`. */
+  async snapshot(options: FigureOptions): Promise<Blob> {
+    const { stage, presented } = this;
+    if (!stage) throw new Error('the element is not on a page');
+    requireGraphics(stage.graphics);
+    const { width, dotsPerInch } = options;
+    const parts = {
+      legend: presented?.shading.legend,
+      labels: presented?.loops.labels ?? [],
+      scale: stage.pixelsPerUnit,
+      format: this.lengthFormat,
+    };
+    const blob = await blobOf(figure(stage.picture(width), parts, options, this.#element));
+    return dotsPerInch === undefined ? blob : withDensity(blob, dotsPerInch);
+  }
+
+  /** A picture of one place; see `GirthViewer.snapshotOf`. */
+  async snapshotOf(picture: PlacePicture): Promise<Blob> {
+    if (this.stage) requireGraphics(this.stage.graphics);
+    return blobOf(this.require().pictureOf(picture));
   }
 
   /** Does what a key means for the surface, as if it had the focus; false where it means nothing. */
@@ -299,20 +420,20 @@ export abstract class ViewerBase extends ElementOrNone {
 
   async #loadSrc(): Promise<void> {
     await this.#lifecycle.inView();
-    const src = attributeOf(this, 'src');
+    const src = attributeOf(this.#element, 'src');
     // What went wrong has been reported already.
-    if (src) await this.load(src).catch(() => undefined);
+    if (src) await this.#open(src).catch(() => undefined);
   }
 
   #present(model: Model, origin: Original | undefined): Presented {
-    this.#message.clear();
+    this.#host.message.clear();
+    if (!this.#host.hasPoster) this.#host.message.showGraphics(this.stage!.graphics);
     const { unreadable, name } = model.mesh.info;
-    if (!origin) this.#message.showPassedOver(unreadable, name);
-    // The unit of what is shown is the model's own, which is not there yet.
-    const wishes = { ...this.#wishes, unit: model.mesh.info.unit || this.#wishes.unit };
-    const up = attributeOf(this, 'up');
+    if (!origin) this.#host.message.showPassedOver(unreadable, name);
+    const wishes = this.#wishesFor(model);
+    const up = attributeOf(this.#element, 'up');
     const presented = new Presented(this.stage!, this.#canvas, model, wishes, up, {
-      followsPointer: () => attributeOf(this, 'loop') !== 'none',
+      followsPointer: () => attributeOf(this.#element, 'loop') !== 'none',
       pointed: (vertex) => this.#pointed(vertex),
       picked: (detail) => this.#send('pick', detail),
       failed: (error) => this.#fail('', error),
@@ -328,7 +449,7 @@ export abstract class ViewerBase extends ElementOrNone {
 
   /** What lies on the canvas beside the surface: what the page writes on top, and the element's own. */
   #furniture(): Box[] {
-    const { left, top, width, height } = this.getBoundingClientRect();
+    const { left, top, width, height } = this.#host.frame.getBoundingClientRect();
     const own = [...this.#legend.pieces, ...this.#status.element.children, this.#controls.element];
     const boxes = own.map((element) => {
       const box = element.getBoundingClientRect();
@@ -342,37 +463,83 @@ export abstract class ViewerBase extends ElementOrNone {
 
   /** The height at the top where the page writes something, in CSS pixels. */
   get #headHeight(): number {
-    return Number.parseFloat(getComputedStyle(this).getPropertyValue('--girth-top')) || 0;
+    return Number.parseFloat(getComputedStyle(this.#element).getPropertyValue('--girth-top')) || 0;
   }
 
   #greet(presented: Presented): void {
+    const { mesh, file } = presented.model;
     this.#controls.greet();
-    this.#send('load', { info: presented.model.mesh.info });
-    void this.#afterShowing(presented);
+    const continued = this.#continued?.mesh === mesh ? this.#continued : undefined;
+    this.#continued = undefined;
+    if (!continued) this.#send('load', { info: mesh.info });
+    if (continued?.view) this.stage!.lookFrom(continued.view);
+    if (continued?.tips) presented.tips.show(continued.tips.all, continued.tips.choice);
+    else if (file.tips) presented.tips.show(file.tips, { shown: true });
+    void this.#afterShowing(presented, continued?.pins ?? []);
     void this.#showField();
   }
 
   /** What may come after the first picture. */
-  async #afterShowing({ model, loops, standing }: Presented): Promise<void> {
+  async #afterShowing(presented: Presented, pins: readonly Pinned[]): Promise<void> {
+    const { model, loops, standing } = presented;
     const { signal } = model.life;
     try {
       await new Promise((resolve) => setTimeout(resolve));
       signal.throwIfAborted();
-      await model.surface.prepareToPick((make) => openWorker(make, import.meta.url));
+      // What is shown as its file has it waits for a pointer.
+      if (!model.file.isAll) await this.#prepareToPick(model);
       signal.throwIfAborted();
       await standing.castShadow();
       await loops.prepare();
       signal.throwIfAborted();
-      for (const vertex of parseVertices(attributeOf(this, 'loop'))) await loops.pin(vertex);
+      for (const { base, name } of pins) loops.rename((await loops.pin(base)).id, name);
+      await this.#pinWanted(presented);
     } catch (error) {
       if (!signal.aborted) this.#fail('', error);
     }
+  }
+
+  #prepareToPick(model: Model): Promise<void> {
+    return model.surface.prepareToPick((make) => openWorker(make, import.meta.url));
+  }
+
+  /** Pins the loops that the attribute names; without it, those that the file has. */
+  async #pinWanted({ model, loops }: Presented): Promise<void> {
+    const wish = attributeOf(this.#element, 'loop');
+    const vertices = parseVertices(wish);
+    const known = new Map(model.file.loops.map((loop) => [loop.base, loop]));
+    if (wish !== 'none' && vertices.length === 0) known.forEach((loop) => loops.keep(loop));
+    if (model.file.isAll && vertices.some((vertex) => !known.has(vertex))) {
+      // There the attribute is followed again.
+      await this.whole().catch(() => undefined);
+      return;
+    }
+    for (const vertex of vertices) {
+      const loop = known.get(vertex);
+      if (loop) loops.keep(loop);
+      else await loops.pin(vertex);
+    }
+  }
+
+  /** A pointer or the focus has come to the surface: loops can be asked for. */
+  #approached(): void {
+    const { model } = this.presented ?? {};
+    if (!model?.file.isAll || this.#approachedBy === model) return;
+    this.#approachedBy = model;
+    // What goes wrong is reported where it does.
+    if (attributeOf(this.#element, 'loop') === 'none') void this.#prepareToPick(model);
+    else void this.whole().catch(() => undefined);
   }
 
   /** Computes what the attributes ask for, and shows it. */
   async #showField(): Promise<void> {
     const { presented } = this;
     if (!presented) return;
+    if (presented.model.file.isAll && !presented.shading.isReady) {
+      // There the field is asked for again.
+      await this.whole().catch(() => undefined);
+      return;
+    }
     await this.#lifecycle.colour(
       this.#wishes.name,
       () => presented.shading.prepare(),
@@ -410,11 +577,11 @@ export abstract class ViewerBase extends ElementOrNone {
 
   readonly #fieldsHost: FieldsHost = {
     persistence: ({ area, unit }) => {
-      const text = attributeOf(this, 'persistence') ?? '0';
-      const read = readLengthOrShare(text, unit || this.unit, Math.sqrt(area));
+      const text = attributeOf(this.#element, 'persistence') ?? '0';
+      const read = readLengthOrShare(text, unit || this.#host.unitOf(), Math.sqrt(area));
       return 'length' in read ? read.length : 0;
     },
-    spectral: (name) => parseSpectral(name, (attribute) => attributeOf(this, attribute)),
+    spectral: (name) => parseSpectral(name, (attribute) => attributeOf(this.#element, attribute)),
     received: (state, partial) => {
       if (!this.#isPresent(state)) return;
       this.presented!.shading.receive(state, partial);
@@ -466,16 +633,25 @@ export abstract class ViewerBase extends ElementOrNone {
 
   /** What the attributes ask for. */
   get #wishes(): ShadingWishes {
-    const field = attributeOf(this, 'field');
-    const colormap = attributeOf(this, 'colormap');
+    return this.#wishesFor(this.presented?.model);
+  }
+
+  /** What they ask for of a model, which need not be shown yet. */
+  #wishesFor(model: Model | undefined): ShadingWishes {
+    const field = attributeOf(this.#element, 'field')?.toLowerCase() ?? null;
+    const given = model?.fields.givenNames ?? [];
+    const usual = given.includes('igf') ? 'igf' : (given[0] ?? 'igf');
+    const colormap = attributeOf(this.#element, 'colormap');
     return {
-      name: isShownName(field) ? field : 'igf',
+      name: isShownName(field) ? field : usual,
+      title: attributeOf(this.#element, 'field-title') ?? '',
       colormap: isColormapName(colormap) ? colormap : undefined,
-      range: parseRange(attributeOf(this, 'range')),
-      log: isOn(this, 'log'),
-      isolines: Number(attributeOf(this, 'isolines') ?? 0),
-      unit: this.unit,
-      shownUnit: this.shownUnit,
+      range: parseRange(attributeOf(this.#element, 'range')),
+      log: isOn(this.#element, 'log'),
+      isolines: Number(attributeOf(this.#element, 'isolines') ?? 0),
+      // That of a model goes before the attribute's.
+      unit: model?.mesh.info.unit || this.#host.unitOf(),
+      shownUnit: this.#host.shownUnitOf() || (model?.file.ownUnit ?? ''),
     };
   }
 
@@ -490,7 +666,8 @@ export abstract class ViewerBase extends ElementOrNone {
 
   // ---- odds and ends
 
-  protected require(): Presented {
+  /** The model that is shown; throws where there is none. */
+  require(): Presented {
     if (!this.presented) throw new Error('no model is loaded');
     return this.presented;
   }
@@ -503,7 +680,7 @@ export abstract class ViewerBase extends ElementOrNone {
   }
 
   #sendField(name: FieldName, range: [number, number], share: number): void {
-    const unit = fieldUnit(name, this.unit);
+    const unit = fieldUnit(name, this.#host.unitOf());
     this.#send('field', { name, range, unit, share });
     if (share === 1) this.#voice.computed(name, range, this.require());
   }
@@ -519,7 +696,7 @@ export abstract class ViewerBase extends ElementOrNone {
     name: Name,
     detail: GirthViewerEvents[Name]['detail'],
   ): void {
-    this.dispatchEvent(new CustomEvent(name, { detail }));
+    this.#element.dispatchEvent(new CustomEvent(name, { detail }));
   }
 
   /** Says what went wrong, once; that something was cancelled is no news. */
@@ -530,7 +707,16 @@ export abstract class ViewerBase extends ElementOrNone {
       if (this.#reported.has(error)) return;
       this.#reported.add(error);
     }
-    this.#message.show(name, fields, this.presented !== undefined);
+    this.#host.message.show(name, fields, this.presented !== undefined);
     this.#send('error', fields);
   }
+}
+
+function blobOf(canvas: HTMLCanvasElement): Promise<Blob> {
+  return new Promise((resolve, reject) => {
+    canvas.toBlob(
+      (blob) => (blob ? resolve(blob) : reject(new Error('the picture is empty'))),
+      'image/png',
+    );
+  });
 }

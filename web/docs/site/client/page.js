@@ -1,0 +1,7 @@
+// What a page of the documentation does beyond being read.
+
+import { startFigures } from './figures.js';
+import { startSearch } from './search.js';
+
+startSearch();
+startFigures();
