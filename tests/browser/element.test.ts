@@ -29,6 +29,7 @@ const attributes = {
   range: ['zz', '5% 95%'],
   isolines: ['many', '10'],
   log: ['false', ''],
+  persistence: ['-1%', '2%'],
   time: ['soon', '0.01'],
   energy: ['1000', '40'],
   component: ['0', '2'],
@@ -63,6 +64,7 @@ const pages = {
     for (const viewer of document.querySelectorAll('girth-viewer')) {
       viewer.addEventListener('error', ({ detail }) => heard.push([viewer.id, detail]));
     }`,
+  '/noise.html': `${head}${script}<girth-viewer src="dumbbell.glb" persistence="3%"></girth-viewer>`,
   '/still.html': `${head}${script}<girth-viewer src="dumbbell.glb" field="none" loop="none"></girth-viewer>`,
 };
 
@@ -194,6 +196,36 @@ test('fields, tips and parts of a real model, and a picture of its thinnest plac
   expect(found.picture).toBeGreaterThan(5000);
   expect(found.rows).toMatch(/^vertex,igf,kind,sdf/);
   expect(complaints).toEqual([]);
+});
+
+test('persistence: of the girth, of loops and of pinned ones', async () => {
+  await open('/noise.html');
+  await fieldComplete(page.locator('girth-viewer'));
+  const result = await page.evaluate(async () => {
+    const viewer = document.querySelector<GirthViewer>('girth-viewer')!;
+    const persistent = await viewer.fieldOf('igf');
+    const vertex = 7;
+    const { id } = await viewer.pin(vertex);
+    const lengthOf = () => viewer.pinned.find((one) => one.id === id)!.loop.length;
+    const lengths = [lengthOf(), (await viewer.loop(vertex)).length];
+    viewer.removeAttribute('persistence');
+    const plain = await viewer.fieldOf('igf');
+    const loop = await viewer.loop(vertex);
+    while (lengthOf() !== loop.length) await new Promise((resolve) => setTimeout(resolve, 10));
+    return {
+      tau: [persistent.persistence, 0.03 * Math.sqrt(viewer.info!.area)],
+      plainTau: plain.persistence ?? 0,
+      ofPoint: [persistent.values[vertex], ...lengths],
+      plainOfPoint: [plain.values[vertex], loop.length],
+      isLess: persistent.values.some((value, v) => value < plain.values[v]!),
+      isMore: persistent.values.some((value, v) => value > plain.values[v]!),
+    };
+  });
+  expect(result.tau[0]).toBeCloseTo(result.tau[1]!, 12);
+  expect(result.plainTau).toBe(0);
+  expect(new Set(result.ofPoint).size).toBe(1);
+  expect(new Set(result.plainOfPoint).size).toBe(1);
+  expect(result).toMatchObject({ isLess: false, isMore: true });
 });
 
 test('nothing is fetched or computed before the element is in view', async () => {

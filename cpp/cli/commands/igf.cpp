@@ -528,11 +528,11 @@ Run add(OptionTable& table) {
       "takes half to three quarters of the time of exact, for values off by 1.5% at the median, "
       "and by more than 46% at one vertex of 20 of a coarse model: for comparing with the "
       "paper. naive is for checking.");
-  table.note("Noise",
-             "The girth is the first loop, however shallow the saddle that it lies on: on a rough "
-             "scan that "
-             "may be a wrinkle. --persistence passes over saddles that do not last. Start with the "
-             "height of the noise; 2% takes about half as long again.");
+  table.note(
+      "Noise",
+      "The girth is the first loop, however shallow the saddle that it lies on: on a rough "
+      "scan that may be a wrinkle. --persistence passes over saddles that do not last. Start "
+      "with the height of the noise; 2% of 10,000 triangles takes five times as long.");
   table.note(
       "What else there is",
       "girth field has thickness (sdf), centricity, angles and signatures; girth loop the loop "

@@ -13,6 +13,7 @@ const values: Partial<Record<AttributeName, { right: string[]; wrong: string[] }
   colormap: { right: ['viridis', 'rdbu'], wrong: ['rainbow'] },
   range: { right: ['auto', '1 2', '5% 95%'], wrong: ['zz', '2 1', '-1% 5%'] },
   isolines: { right: ['0', '12', '100'], wrong: ['many', '-3', '7.6', '1e9', '101'] },
+  persistence: { right: ['0', '0.5', '3 mm', '2%'], wrong: ['-1', '-2%', 'some', '2 parsec', '%'] },
   time: { right: ['0.002', '1e-3'], wrong: ['soon', '0', '-1', '1e999', ' '] },
   energy: { right: ['1', '100'], wrong: ['0', '101', '2.5'] },
   component: { right: ['1', '19'], wrong: ['20', 'x'] },

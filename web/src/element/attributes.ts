@@ -3,7 +3,7 @@
 import type { GirthErrorFields } from '../kernel/types.js';
 import { colormapNames } from '../view/colormap-names.js';
 import { derivedNames, fieldNames, isGivenName, isShownName } from '../view/field-words.js';
-import { findLengthUnit, lengthUnits } from '../view/length-text.js';
+import { findLengthUnit, lengthUnits, readLengthOrShare } from '../view/length-text.js';
 import { lookNames } from '../view/look.js';
 import { upNames } from '../view/up-axis.js';
 import { mostIsolines, parseRange } from './parse.js';
@@ -57,6 +57,10 @@ const rules = {
   },
   isolines: wholeNumber(0, mostIsolines),
   log: flag,
+  persistence: {
+    allowed: 'a length as in 0.5 or 3mm, or a share of the square root of the area as in 2%',
+    accepts: (text) => 'length' in readLengthOrShare(text, 'm', 1),
+  },
   time: {
     allowed: 'a number above 0',
     accepts: (text) => Number(text) > 0 && Number.isFinite(Number(text)),

@@ -1,6 +1,13 @@
 // The fields of one model: each is computed when it is first asked for, kept, and known in part meanwhile.
 
-import type { Field, FieldName, Mesh, PartialField, SpectralOptions } from '../kernel/types.js';
+import type {
+  Field,
+  FieldName,
+  Mesh,
+  MeshInfo,
+  PartialField,
+  SpectralOptions,
+} from '../kernel/types.js';
 import {
   type Adjacency,
   FieldPreview,
@@ -25,6 +32,8 @@ export interface FieldState {
 export interface FieldsHost {
   /** Which number of its signature a field is to be; undefined: the usual one. */
   spectral(name: FieldName): SpectralOptions | undefined;
+  /** How long saddles must last to count, in model units; 0: all do. */
+  persistence(info: MeshInfo): number;
   /** New values, not yet in the state's preview. */
   received(state: FieldState, partial: PartialField): void;
   progressed(name: FieldName, fraction: number, secondsLeft: number | undefined): void;
@@ -120,6 +129,11 @@ export class Fields {
     return this.#host.spectral(name);
   }
 
+  /** How long saddles must last to count, in model units. */
+  get persistence(): number {
+    return this.#host.persistence(this.#mesh.info);
+  }
+
   /** Lets go of a field that is now to be another number of its signature. */
   forget(name: FieldName): void {
     const state = this.#states.get(name);
@@ -138,11 +152,13 @@ export class Fields {
     const { signal } = abort;
     const timeLeft = new TimeLeft(performance.now());
     const spectral = this.spectralOf(name);
+    const { persistence } = this;
     let failure: unknown;
     try {
       this.#host.progressed(name, 0, undefined);
       const field = await this.#mesh.field(name, {
         signal,
+        persistence,
         ...(spectral ? { spectral } : {}),
         onProgress: (fraction) => {
           if (signal.aborted) return;

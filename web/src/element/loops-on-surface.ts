@@ -137,7 +137,7 @@ export class LoopsOnSurface {
     this.#format = format;
     this.#host = host;
     this.#request = new Latest(
-      (point, signal) => model.mesh.loop(point, { signal }),
+      (point, signal) => model.mesh.loop(point, { signal, persistence: model.fields.persistence }),
       (_point, loop) => this.#show(loop),
       (_point, error) => host.failed(error),
     );
@@ -165,9 +165,12 @@ export class LoopsOnSurface {
 
   async pin(point: SurfacePoint): Promise<PinnedLoop> {
     const { signal } = this.#model.life;
+    const { persistence } = this.#model.fields;
     const shown = this.#hover?.loop;
     const loop =
-      shown && isSame(shown.base, point) ? shown : await this.#model.mesh.loop(point, { signal });
+      shown && isSame(shown.base, point)
+        ? shown
+        : await this.#model.mesh.loop(point, { signal, persistence });
     signal.throwIfAborted();
     return this.keep(loop);
   }
@@ -196,6 +199,29 @@ export class LoopsOnSurface {
     this.#live.textContent = `Loop ${id} pinned: ${formatLength(loop.length, this.#format)}`;
     this.#host.picked({ action: 'pin', loop });
     return { id, name: pin.name, loop };
+  }
+
+  /** Computes the pinned loops anew, each in its place: another persistence is wanted. */
+  async renew(): Promise<void> {
+    this.clear();
+    const { life, mesh, fields } = this.#model;
+    const { persistence } = fields;
+    for (const pin of [...this.#pins]) {
+      const loop = await mesh.loop(pin.loop.base, { signal: life.signal, persistence });
+      // A newer wish has its own loops, and one that was removed needs none.
+      if (persistence !== fields.persistence) return;
+      if (!this.#pins.includes(pin)) continue;
+      this.#stage.remove(pin.band);
+      pin.loop = loop;
+      pin.band = new LoopBand(loop, pinnedStyle);
+      pin.midpoint = this.#pointOf(loop.midpoint);
+      pin.outline = this.#outlineOf(loop);
+      pin.seen = [];
+      pin.tag.setLoop(loop, this.#format);
+      this.#placedFor = '';
+      this.#stage.add(pin.band);
+      this.#host.picked({ action: 'pin', loop });
+    }
   }
 
   /** Calls a pinned loop by a name; nothing happens where there is none of that id. */

@@ -84,6 +84,13 @@ export class Model {
     return new Model(mesh, surface, new Fields(mesh, adjacency, host, file.fields), file);
   }
 
+  /** The girth is to be another one: what was made of it no longer counts. */
+  forgetGirth(): void {
+    this.fields.forget('igf');
+    this.fields.forget('angle');
+    for (const name of this.#kept.keys()) if (name !== 'areas') this.#kept.delete(name);
+  }
+
   /** The area that each vertex stands for. */
   areas(): Promise<Float64Array> {
     return this.#once('areas', () => this.mesh.vertexAreas(this.#watched));

@@ -105,7 +105,7 @@ export class PinTag {
   #spot: { left: number; top: number } | undefined;
   #end = { x: 0, y: 0 };
   readonly number: number;
-  readonly #loop: Loop;
+  #loop: Loop;
 
   constructor(number: number, loop: Loop, remove: () => void) {
     this.number = number;
@@ -124,6 +124,12 @@ export class PinTag {
   setFormat(format: LengthFormat): void {
     this.#length.textContent = formatLength(this.#loop.length, format);
     this.#size = undefined;
+  }
+
+  /** Another loop of the same point. */
+  setLoop(loop: Loop, format: LengthFormat): void {
+    this.#loop = loop;
+    this.setFormat(format);
   }
 
   /** In CSS pixels. */

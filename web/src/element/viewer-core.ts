@@ -24,6 +24,7 @@ import {
   isColormapName,
   isShownName,
   lengthFormat,
+  readLengthOrShare,
 } from '../view/index.js';
 import { attributeOf, isOn } from './attributes.js';
 import { CanvasControls } from './canvas-controls.js';
@@ -261,6 +262,9 @@ export class ViewerCore {
       case 'isolines':
         this.#restyle(false);
         this.#sendChange();
+        break;
+      case 'persistence':
+        this.#forgetGirth();
         break;
       case 'time':
         this.#choose('hks');
@@ -557,7 +561,26 @@ export class ViewerCore {
     void this.#showField();
   }
 
+  /** Another persistence is wanted: what was made of the girth no longer counts. */
+  #forgetGirth(): void {
+    const { presented } = this;
+    if (!presented) return;
+    presented.model.forgetGirth();
+    const { signal } = presented.model.life;
+    presented.loops.renew().catch((error: unknown) => {
+      if (!signal.aborted) this.#fail('', error);
+    });
+    if (!presented.model.fields.computing) this.#status.clear();
+    this.#restyle(true);
+    void this.#showField();
+  }
+
   readonly #fieldsHost: FieldsHost = {
+    persistence: ({ area, unit }) => {
+      const text = attributeOf(this.#element, 'persistence') ?? '0';
+      const read = readLengthOrShare(text, unit || this.#host.unitOf(), Math.sqrt(area));
+      return 'length' in read ? read.length : 0;
+    },
     spectral: (name) => parseSpectral(name, (attribute) => attributeOf(this.#element, attribute)),
     received: (state, partial) => {
       if (!this.#isPresent(state)) return;

@@ -50,6 +50,9 @@ import { ViewerShell } from './viewer-shell.js';
  *   and `sihks` (one number of the heat, wave and scale-invariant heat kernel signatures), `kind` (of the
  *   loop), `tips` (how far the girth rises at the tip that a place is in), `parts` (tubes, plates and
  *   body) or `none`.
+ * - `persistence`: passes over loops whose saddles last no longer than this, as noise makes them: a length in
+ *   model units or with a unit, as in `0.5` or `3mm`, or a share of the square root of the area, as in `2%`.
+ *   It holds for the girth, for what is made of it and for loops; pinned ones are computed anew.
  * - `field-title`: what the legend calls the field; by default its usual name.
  * - `colormap`: `viridis` (default), `cividis`, `plasma`, `magma`, `turbo`, or `rdbu`, which diverges and is
  *   the default where values have both signs.
@@ -306,8 +309,8 @@ export class GirthViewer extends ViewerShell {
 
   /** The exact loop at a vertex of the surface, or at a point of one of its faces. */
   async loop(point: SurfacePoint): Promise<Loop> {
-    const { mesh, life } = (await this.#whole()).model;
-    return mesh.loop(point, { signal: life.signal });
+    const { mesh, life, fields } = (await this.#whole()).model;
+    return mesh.loop(point, { signal: life.signal, persistence: fields.persistence });
   }
 
   /** The shortest path between two points, and how far they are apart in space. */
@@ -479,8 +482,9 @@ export class GirthViewer extends ViewerShell {
 
   /** The pinned loops, oldest first, a file's content for each. */
   async exportLoops(format: LoopFormat): Promise<Uint8Array[]> {
-    const { mesh, life } = (await this.#whole()).model;
+    const { mesh, life, fields } = (await this.#whole()).model;
     const points = this.pinned.map(({ loop }) => loop.base);
-    return mesh.exportLoops(points, format, { signal: life.signal, unit: this.unit });
+    const { persistence } = fields;
+    return mesh.exportLoops(points, format, { signal: life.signal, unit: this.unit, persistence });
   }
 }

@@ -31,6 +31,7 @@ export {
   findLengthUnit,
   lengthUnits,
   readLength,
+  readLengthOrShare,
   typedUnit,
 } from './length-text.js';
 export { Legend, type LegendContent, type ScaleContent } from './legend.js';
