@@ -6,6 +6,7 @@
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { listBundledPackages } from './scripts/bundled-packages.mjs';
 import { leanThree } from './scripts/lean-three.mjs';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
@@ -26,7 +27,7 @@ export default defineConfig(({ mode }) => {
   };
   return {
     root: path('src'),
-    plugins: mode === 'viewer' ? [leanThree()] : [],
+    plugins: [listBundledPackages(mode), ...(mode === 'viewer' ? [leanThree()] : [])],
     base: './',
     publicDir: false,
     build: {
@@ -47,6 +48,6 @@ export default defineConfig(({ mode }) => {
         },
       },
     },
-    worker: { format: 'es' },
+    worker: { format: 'es', plugins: () => [listBundledPackages(`${mode}-worker`)] },
   };
 });

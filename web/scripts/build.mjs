@@ -109,14 +109,22 @@ export async function buildPackage() {
     name: 'package',
     inputs: [
       ...[...configuration, 'package.json', 'web/vite.package.config.ts', 'web/src'],
-      'web/scripts/bundle-types.mjs',
+      ...[
+        'bundle-types',
+        'bundled-packages',
+        'element-manifest',
+        'lean-three',
+        'package-papers',
+      ].map((name) => `web/scripts/${name}.mjs`),
     ],
     outputs: [
       ...['dist/kernel/index.js', 'dist/node/index.js', 'dist/girth-kernel.js', 'dist/element.js'],
       ...['dist/girth-viewer.js', 'dist/plots.js'],
     ],
     make: async () => {
-      rmSync(join(repository, 'dist'), { recursive: true, force: true });
+      for (const folder of ['dist', 'build/bundled']) {
+        rmSync(join(repository, folder), { recursive: true, force: true });
+      }
       // Not bundled: whoever bundles the package recognises the workers and the modules by the way
       // in which the kernel names them. Node.js takes them as they are.
       runTool('tsc', ['--build', 'web/tsconfig.kernel.json']);
@@ -138,6 +146,8 @@ export async function buildPackage() {
       for (const mode of ['element', 'kernel', 'viewer', 'plots']) {
         runTool('vite', [...vite, '--mode', mode]);
       }
+      const { writePackagePapers } = await import('./package-papers.mjs');
+      writePackagePapers(join(repository, 'dist'));
     },
   });
 }
