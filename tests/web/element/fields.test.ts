@@ -23,6 +23,7 @@ function drawn() {
   const ended: { name: FieldName; whole: boolean; code: string | undefined }[] = [];
   const fields = new Fields(mesh, adjacency, {
     spectral: (name) => (name === 'hks' ? { time: 0.5 } : undefined),
+    persistence: () => 0,
     received: ({ preview }, partial) => preview!.receive(partial, () => undefined),
     progressed: () => undefined,
     ended: ({ name, field }: FieldState, error) =>
