@@ -44,12 +44,12 @@ class Simplifier {
   Result<RemeshedSurface> run() {
     // What could not be collapsed may be later: its neighbours have changed. After some rounds only
     // as long as that is much.
-    constexpr int kRounds = 16;
+    constexpr int kFullRounds = 16;
     constexpr Index kLittle = 256;  // of so many faces, one
     Index before = kNoIndex;
     for (int round = 0; mesh_.faceCount() > wanted_; ++round) {
       const Index gone = before - mesh_.faceCount();
-      if (gone == 0 || (round > kRounds && gone < before / kLittle)) break;
+      if (gone == 0 || (round > kFullRounds && gone < before / kLittle)) break;
       before = mesh_.faceCount();
       queue_ = {};
       for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
