@@ -54,12 +54,12 @@ class ModelOptions : public Command {
 
 TEST_F(ModelOptions, areThoseOfEveryCommandThatReadsAModel) {
   const Helps commands = readingCommands();
-  EXPECT_EQ(commands.size(), 13u);
+  EXPECT_EQ(commands.size(), 15u);
   for (const auto& [name, help] : commands) {
-    for (const char* option : {"  --weld LENGTH ", "  --close-holes ", "  --component N ",
-                               "  --min-component SHARE ",
-                               "  --unit UNIT ", "  --in UNIT ", "  --scale N ",
-                               "  --height LENGTH ", "  --up AXIS ", "  --entry NAME "}) {
+    for (const char* option :
+         {"  --weld LENGTH ", "  --close-holes ", "  --component N ", "  --min-component SHARE ",
+          "  --unit UNIT ", "  --in UNIT ", "  --scale N ", "  --height LENGTH ", "  --up AXIS ",
+          "  --entry NAME "}) {
       EXPECT_TRUE(contains(help, option)) << name << option;
     }
   }
@@ -78,6 +78,8 @@ TEST_F(ModelOptions, reachTheModelInEveryCommand) {
       {"tips", {"tips", prism}},
       {"limbs", {"limbs", prism}},
       {"parts", {"parts", prism}},
+      {"necks", {"necks", prism}},
+      {"cut", {"cut", prism, "--necks", "-o", path("c.glb")}},
       {"retrieve", {"retrieve", path("shapes"), "-o", path("report"), "--descriptors", "igf"}},
       {"signature", {"signature", prism, "-o", path("s.csv")}},
       {"compare", {"compare", prism, prism}},
