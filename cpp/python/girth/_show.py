@@ -307,7 +307,7 @@ def _surface(mesh: Mesh, name: str) -> dict[str, Any]:
 
 
 def _loop(mesh: Mesh, vertex: int, content: dict[str, Any]) -> dict[str, Any]:
-    found = mesh._surface.loop((vertex, []), running(1, None))
+    found = mesh._surface.loop((vertex, []), 0.0, running(1, None))
     origin = np.array(content["origin"])
     return {
         "length": found["length"],

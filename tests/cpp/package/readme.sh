@@ -48,7 +48,21 @@ if [ -x "$prefix/bin/girth" ]; then
   mkdir command && cd command || exit 1
   PATH=$prefix/bin:$PATH
   girth remesh ../model.obj --refine 400 -q -o model.glb && girth remesh model.glb --faces 300 -q -o model.stl &&
-    girth remesh model.glb --faces 200 -q -o a.obj && girth remesh model.glb --faces 200 --even -q -o b.obj || failed=1
+    girth remesh model.glb --faces 200 -q -o a.obj && girth remesh model.glb --faces 200 --even -q -o b.obj &&
+    girth remesh model.glb --faces 200 -q -o scan.ply && cp model.stl vessel.stl || failed=1
+  # An hourglass: three rings of six, the middle one half as wide, and a lid on each end.
+  awk 'BEGIN {
+    for (ring = 0; ring < 3; ++ring) for (i = 0; i < 6; ++i) {
+      r = ring == 1 ? 0.5 : 1; a = i * 3.14159265358979 / 3
+      printf "v %.9f %.9f %d\n", r * cos(a), r * sin(a), 2 * ring
+    }
+    for (ring = 0; ring < 2; ++ring) for (i = 0; i < 6; ++i) {
+      a = 6 * ring + i + 1; b = 6 * ring + (i + 1) % 6 + 1
+      print "f", a, b, b + 6, a + 6
+    }
+    print "f 6 5 4 3 2 1\nf 13 14 15 16 17 18"
+  }' > hourglass.obj
+  girth remesh hourglass.obj --faces 100 -q -o figure.stl || failed=1
   mkdir -p folder/thin folder/thick && cp a.obj b.obj folder/thin && cp a.obj model.stl folder/thick
   blocks sh "$source/README.md" lines-
   grep -h '^girth ' lines-* | sed 's/ *#.*//' > lines
