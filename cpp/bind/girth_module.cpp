@@ -9,9 +9,11 @@
 
 #include "boundary.h"
 #include "described.h"
+#include "girth/barcode.h"
 #include "girth/girth_solver.h"
 #include "girth/io/vertex_field.h"
 #include "girth/vertex_function.h"
+#include "surface_point.h"
 #include "vertex_functions.h"
 
 using emscripten::val;
@@ -23,6 +25,9 @@ namespace {
 std::string methodOf(const FieldRequest& request) {
   if (request.name == "sdf") return io::methodText(request.shapeDiameter);
   if (request.name == "thickness") return io::methodText(request.thickness);
+  if (request.name == "igf" || request.name == "angle") {
+    return io::methodText(GirthOptions{GirthMethod::Exact, request.persistence});
+  }
   const bool isExtent = request.name == "geoaverage" || request.name == "geofarthest";
   return std::string(io::toString(isExtent ? request.distances : DistanceMethod::Exact));
 }
@@ -38,7 +43,8 @@ std::string noteOf(const FieldRequest& request, const SurfaceMesh& mesh, Index w
   return budgetNote(withoutValue, mesh.vertexCount());
 }
 
-using AnyEvaluator = std::variant<VertexEvaluator<GirthValue>, VertexEvaluator<double>>;
+using AnyEvaluator =
+    std::variant<VertexEvaluator<GirthValue>, VertexEvaluator<double>, VertexEvaluator<Barcode>>;
 
 /// A surface, with a solver and an evaluator that are made when they are first needed.
 class Surface {
@@ -90,12 +96,42 @@ class Surface {
     });
   }
 
-  /// The loop at a vertex, as `FoundLoop` of wasm-modules.d.ts, or an error.
-  val loopAtVertex(Index vertex) { return loop(SurfacePoint::atVertex(Vertex(vertex))); }
+  /// The loop at a point, as `FoundLoop` of wasm-modules.d.ts, or an error.
+  val loop(const val& point, double persistence) {
+    return guarded([&] {
+      solver().setPersistence(persistence);
+      const Result<GirthLoop> found = solver().loop(pointOf(point));
+      return found ? loopOf(found.value()) : toJs(found.error());
+    });
+  }
 
-  /// The loop at a point of a face, given by the weights of the face's vertices.
-  val loopInFace(Index face, double a, double b, double c) {
-    return loop(SurfacePoint::inFace(Face(face), {a, b, c}));
+  /// The saddles of the distance from a point: {bars, loops, rest, restKind}, or an error. Births
+  /// and deaths are in turn.
+  val barcode(const val& point, double maxPersistence, double maxSaddles, bool withLoops) {
+    return guarded([&] {
+      BarcodeOptions options{maxPersistence};
+      // A number that is no count becomes 0.
+      const bool isCount = maxSaddles >= 0;
+      if (!isCount) options.maxSaddles = 0;
+      if (isCount && maxSaddles < kMostSaddles) {
+        options.maxSaddles = static_cast<std::size_t>(maxSaddles);
+      }
+      options.loops = withLoops;
+      const Result<Barcode> found = solver().barcode(pointOf(point), options);
+      if (!found) return toJs(found.error());
+      std::vector<double> bars;
+      for (const SaddleBar& bar : found.value().bars) {
+        bars.insert(bars.end(), {bar.birth, bar.death});
+      }
+      val loops = val::array();
+      for (const GirthLoop& one : found.value().loops) loops.call<void>("push", loopOf(one));
+      val result = val::object();
+      result.set("bars", copyOut<double>("Float64Array", bars));
+      result.set("loops", loops);
+      result.set("rest", found.value().rest.length);
+      result.set("restKind", std::string(toString(found.value().rest.kind)));
+      return result;
+    });
   }
 
   /// All vertices, coarse to fine, as Uint32Array.
@@ -105,21 +141,23 @@ class Surface {
   }
 
  private:
-  val loop(const SurfacePoint& base) {
-    return guarded([&] {
-      if (!solver_) solver_.emplace(mesh_);
-      const Result<GirthLoop> found = solver_->loop(base);
-      if (!found) return toJs(found.error());
-      const GirthLoop& girth = found.value();
-      const Vec3 q = positionOf(mesh_, girth.midpoint);
-      val result = val::object();
-      result.set("length", girth.length);
-      result.set("kind", std::string(toString(girth.kind)));
-      result.set("polyline", drawnPoints(polyline(mesh_, girth), origin_));
-      result.set("midpoint", tripleOf({q.x - origin_.x, q.y - origin_.y, q.z - origin_.z}));
-      result.set("angle", girth.angle);
-      return result;
-    });
+  static constexpr double kMostSaddles = 1e9;
+
+  GirthSolver& solver() {
+    if (!solver_) solver_.emplace(mesh_);
+    return *solver_;
+  }
+
+  /// `FoundLoop` of wasm-modules.d.ts.
+  val loopOf(const GirthLoop& girth) const {
+    const Vec3 q = positionOf(mesh_, girth.midpoint);
+    val result = val::object();
+    result.set("length", girth.length);
+    result.set("kind", std::string(toString(girth.kind)));
+    result.set("polyline", drawnPoints(polyline(mesh_, girth), origin_));
+    result.set("midpoint", tripleOf({q.x - origin_.x, q.y - origin_.y, q.z - origin_.z}));
+    result.set("angle", girth.angle);
+    return result;
   }
 
   SurfaceMesh mesh_;
@@ -135,8 +173,8 @@ EMSCRIPTEN_BINDINGS(girth) {
       .smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
       .function("values", &Surface::values)
       .function("about", &Surface::about)
-      .function("loopAtVertex", &Surface::loopAtVertex)
-      .function("loopInFace", &Surface::loopInFace)
+      .function("loop", &Surface::loop)
+      .function("barcode", &Surface::barcode)
       .function("order", &Surface::order);
   emscripten::function("exactSurface", &exactSurface<Surface>);
 }

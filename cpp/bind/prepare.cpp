@@ -22,6 +22,7 @@ PrepareOptions optionsOf(const val& options) {
   prepare.weldDistance = options["weldDistance"].as<double>();
   prepare.closeHoles = options["closeHoles"].as<bool>();
   prepare.components = copyIn<Index>(options["components"]);
+  prepare.minComponent = options["minComponent"].as<double>();
   return prepare;
 }
 
@@ -50,6 +51,8 @@ val accountOf(const PreparationReport& report) {
   result.set("nonManifoldVertices", report.nonManifoldVertices);
   result.set("addedVertices", report.addedVertices);
   result.set("components", report.components);
+  result.set("sliverComponents", report.sliverComponents);
+  result.set("doubledComponents", report.doubledComponents);
   result.set("keptComponents", report.keptComponents);
   result.set("boundaryCurves", report.boundaryCurves);
   result.set("boundaryEdges", report.boundaryEdges);

@@ -22,11 +22,14 @@ struct FieldRequest {
   ShapeDiameterOptions shapeDiameter;
   ThicknessOptions thickness;
   DistanceMethod distances{DistanceMethod::FastMarching};
+  /// Of the girth and its angle: tau, in model units. Of barcodes: up to which persistence.
+  double persistence{0};
 
   bool operator==(const FieldRequest& other) const {
     return name == other.name && shapeDiameter.coneAngle == other.shapeDiameter.coneAngle &&
            shapeDiameter.rays == other.shapeDiameter.rays &&
-           thickness.sharpAngle == other.thickness.sharpAngle && distances == other.distances;
+           thickness.sharpAngle == other.thickness.sharpAngle && distances == other.distances &&
+           persistence == other.persistence;
   }
 };
 
@@ -38,15 +41,22 @@ inline FieldRequest requestOf(const emscripten::val& request) {
           {request["coneAngle"].as<double>(), isCount ? static_cast<unsigned>(rays) : 0},
           {request["sharpAngle"].as<double>(), ThicknessSide::Inside},
           request["distances"].as<std::string>() == "exact" ? DistanceMethod::Exact
-                                                            : DistanceMethod::FastMarching};
+                                                            : DistanceMethod::FastMarching,
+          request["persistence"].as<double>()};
 }
 
-/// A function with lengths and their kinds, or with plain numbers.
-using AnyFunction = std::variant<VertexFunction<GirthValue>, VertexFunction<double>>;
+/// A function with lengths and their kinds, with plain numbers, or with barcodes.
+using AnyFunction =
+    std::variant<VertexFunction<GirthValue>, VertexFunction<double>, VertexFunction<Barcode>>;
 
 inline Result<AnyFunction> functionOf(const SurfaceMesh& mesh, const FieldRequest& request) {
-  if (request.name == "igf") return AnyFunction(girthFunction(mesh));
-  if (request.name == "angle") return AnyFunction(loopAngleFunction(mesh));
+  if (auto error = checkPersistence(request.persistence)) return *std::move(error);
+  const double persistence = request.persistence;
+  if (request.name == "igf") {
+    return AnyFunction(girthFunction(mesh, {GirthMethod::Exact, persistence}));
+  }
+  if (request.name == "angle") return AnyFunction(loopAngleFunction(mesh, persistence));
+  if (request.name == "barcode") return AnyFunction(barcodeFunction(mesh, {persistence}));
   if (request.name == "sdf") {
     auto function = shapeDiameterFunction(mesh, request.shapeDiameter);
     if (!function) return function.error();
@@ -66,19 +76,31 @@ inline Result<AnyFunction> functionOf(const SurfaceMesh& mesh, const FieldReques
   return makeError(ErrorCode::Usage, -1, "there is no field '" + request.name + "'");
 }
 
-/// Values as JavaScript receives them. Only the girth has `kinds`.
+/// Values as JavaScript receives them (`PartialField` of types.ts). Only the girth has `kinds`. Of
+/// barcodes the values are those of the rest, with how many bars each has, and births and deaths in
+/// turn.
 struct ValueArrays {
   std::vector<double> values;
   std::vector<std::uint8_t> kinds;
+  std::vector<Index> counts;
+  std::vector<double> bars;
 
   void add(double value) { values.push_back(value); }
   void add(const GirthValue& girth) {
     values.push_back(girth.length);
     kinds.push_back(static_cast<std::uint8_t>(girth.kind));
   }
+  void add(const Barcode& barcode) {
+    add(barcode.rest);
+    counts.push_back(static_cast<Index>(barcode.bars.size()));
+    for (const SaddleBar& bar : barcode.bars) bars.insert(bars.end(), {bar.birth, bar.death});
+  }
   void setIn(emscripten::val& object) const {
     object.set("values", copyOut<double>("Float64Array", values));
     object.set("kinds", copyOut<std::uint8_t>("Uint8Array", kinds));
+    if (counts.empty()) return;
+    object.set("counts", copyOut<Index>("Uint32Array", counts));
+    object.set("bars", copyOut<double>("Float64Array", bars));
   }
 };
 

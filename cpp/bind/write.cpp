@@ -44,17 +44,20 @@ Error unknownFormat(const char* what, const std::string& format) {
                    std::string(what) + " are not written as '" + format + "'");
 }
 
-Result<std::string> loopFile(const io::LoadedMesh& loaded, const GirthLoop& loop,
-                             const std::string& format, const std::string& name) {
-  if (format == "obj") return io::loopObj(loaded, loop);
-  if (format == "glb") return io::loopGlb(loaded, loop);
-  if (format == "json") return io::loopJson(loaded, loop, name, true);
-  return unknownFormat("loops", format);
-}
-
 /// Of a `WrittenModel` of protocol.ts.
 std::string nameOf(const val& model) { return model["name"].as<std::string>(); }
 std::string unitOf(const val& model) { return model["unit"].as<std::string>(); }
+double persistenceOf(const val& model) { return model["persistence"].as<double>(); }
+
+Result<std::string> loopFile(const io::LoadedMesh& loaded, const GirthLoop& loop,
+                             const std::string& format, const val& model) {
+  if (format == "obj") return io::loopObj(loaded, loop);
+  if (format == "glb") return io::loopGlb(loaded, loop);
+  if (format == "json") {
+    return io::loopJson(loaded, loop, nameOf(model), true, persistenceOf(model));
+  }
+  return unknownFormat("loops", format);
+}
 
 /// {bytes} of a file with fields, or an error.
 val writeFields(JobSurface& surface, const val& model, const val& list, const std::string& format) {
@@ -74,11 +77,12 @@ val writeLoops(JobSurface& surface, const val& model, const val& points,
   return guarded([&] {
     const io::LoadedMesh& loaded = surface.inUnit(unitOf(model));
     GirthSolver solver(loaded.mesh);
+    solver.setPersistence(persistenceOf(model));
     val files = val::array();
     for (unsigned i = 0; i < points["length"].as<unsigned>(); ++i) {
       const Result<GirthLoop> loop = solver.loop(pointOf(points[i]));
       if (!loop) return toJs(loop.error());
-      const Result<std::string> file = loopFile(loaded, loop.value(), format, nameOf(model));
+      const Result<std::string> file = loopFile(loaded, loop.value(), format, model);
       if (!file) return toJs(file.error());
       files.call<void>("push", fileOf(file)["bytes"]);
     }
@@ -95,8 +99,9 @@ val writeTips(JobSurface& surface, const val& model, const val& girth, const std
     if (format != "json" && format != "obj") return toJs(unknownFormat("tips", format));
     const Result<Tips> tips = findTips(loaded.mesh, copyIn<double>(girth));
     if (!tips) return toJs(tips.error());
-    return fileOf(format == "json" ? io::tipsJson(loaded, tips.value(), nameOf(model))
-                                   : io::tipsObj(loaded, tips.value()));
+    return fileOf(format == "json"
+                      ? io::tipsJson(loaded, tips.value(), nameOf(model), {}, persistenceOf(model))
+                      : io::tipsObj(loaded, tips.value()));
   });
 }
 
@@ -109,8 +114,9 @@ val writeLimbs(JobSurface& surface, const val& model, const val& girth, double s
     const Result<Limbs> limbs =
         limbsByGirth(loaded.mesh, copyIn<double>(girth), stations, reportingTo(onProgress));
     if (!limbs) return toJs(limbs.error());
-    return fileOf(format == "json" ? io::limbsJson(loaded, limbs.value(), nameOf(model))
-                                   : io::limbsCsv(loaded, limbs.value()));
+    return fileOf(format == "json"
+                      ? io::limbsJson(loaded, limbs.value(), nameOf(model), persistenceOf(model))
+                      : io::limbsCsv(loaded, limbs.value()));
   });
 }
 
@@ -124,7 +130,8 @@ val writeParts(JobSurface& surface, const val& model, const val& fields, const v
     const PartOptions wanted = partOptionsOf(options);
     const Result<Parts> parts = findParts(loaded.mesh, values.girth, values.diameter, wanted);
     if (!parts) return toJs(parts.error());
-    return fileOf(io::partsJson(loaded, parts.value(), wanted, nameOf(model)));
+    return fileOf(
+        io::partsJson(loaded, parts.value(), wanted, nameOf(model), persistenceOf(model)));
   });
 }
 
@@ -137,7 +144,8 @@ val writeWeakPlaces(JobSurface& surface, const val& model, const val& fields, co
     const PrintLimits wanted = limitsOf(limits);
     const auto check = printCheckOf(loaded.mesh, fields, wanted, reportingTo(onProgress));
     if (!check) return toJs(check.error());
-    return fileOf(io::printCheckJson(loaded, check.value(), wanted, nameOf(model)));
+    return fileOf(
+        io::printCheckJson(loaded, check.value(), wanted, nameOf(model), persistenceOf(model)));
   });
 }
 

@@ -1,6 +1,7 @@
 // The documentation in Chromium: its figures are live, or pictures where they cannot be; it can be searched, printed and
 // read by everybody, and asks no one else for anything.
 
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
@@ -61,7 +62,7 @@ test('a figure becomes live, and nothing comes from elsewhere', async () => {
 
 test.each(['light', 'dark'] as const)('axe has no complaint: %s', async (colorScheme) => {
   const { page } = await openPage(start(), { colorScheme });
-  for (const address of ['', 'definitions.html', 'errors.html', 'decisions/index.html']) {
+  for (const address of ['', 'girth.html', 'definitions.html', 'how-to/check-a-print.html']) {
     await page.goto(start() + address);
     expect(await complaintsOfAxe(page), address).toEqual([]);
   }
@@ -77,8 +78,30 @@ test('the search finds words, by the keyboard alone', async () => {
   expect(await complaintsOfAxe(page)).toEqual([]);
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
-  await page.waitForURL(/definitions\.html#.*persist/);
+  await page.waitForURL(/\.html#.*persist/);
   expect(complaints).toEqual([]);
+});
+
+test('what the tutorial of the element says to write does what it says', async () => {
+  const text = readFileSync(join(repository, 'web/docs/tutorials/element.md'), 'utf8');
+  const [page = '', viewer = '', script = ''] = [...text.matchAll(/^```html\n([^]*?)^```$/gm)].map(
+    ([, block = '']) => block,
+  );
+  const whole = page.replace('</body>', `${viewer}${script}</body>`);
+  const docs = join(repository, 'build/page/docs');
+  const host = await serve(join(docs, 'models'), {
+    pages: { '/': whole },
+    folders: { '/girth/': join(docs, 'girth') },
+  });
+  const { page: opened, complaints } = await openPage(host.url);
+  const thinnest = opened.locator('#thinnest');
+  await expect.poll(() => thinnest.textContent()).toBe('0.130 m');
+  const second = opened.locator('girth-viewer').nth(1);
+  await expect
+    .poll(() => second.evaluate((element) => element.shadowRoot!.textContent))
+    .toMatch(/Loop 1 pinned: 0\.1299\sm/);
+  expect(complaints).toEqual([]);
+  await host.close();
 });
 
 test('without WebGL figures are pictures, and the element is not fetched', async () => {

@@ -107,6 +107,87 @@ for (const mode of ['threads', 'pool'] as const) {
       },
     );
 
+    test('igf with a persistence: the same bits as the command, also read off barcodes', async () => {
+      for (const [text, percent] of [
+        [bulbs, 5],
+        [torus(24, 16), 3],
+      ] as const) {
+        const words = ['--persistence', `${percent}%`];
+        const native = column(written(text, 'csv', 'igf', ...words), 'igf');
+        const plain = column(written(text, 'csv', 'igf'), 'igf');
+        const result = await page.evaluate(
+          async ([text, percent]) => {
+            const kernel = await girth.createKernel({ threads: 2 });
+            const mesh = await kernel.load(girth.obj(text));
+            const persistence = (percent / 100) * Math.sqrt(mesh.info.area);
+            const field = await girth.watchedField(mesh, { persistence });
+            const barcodes = await mesh.barcodes({ maxPersistence: 2 * persistence });
+            const read = barcodes.girth(persistence);
+            const at = 5;
+            const { length } = await mesh.loop(at, { persistence });
+            const barcode = await mesh.barcode(at, { maxPersistence: persistence, loops: true });
+            const { bars, loops } = barcode;
+            const answer = {
+              field,
+              read: { values: Array.from(read.values), kinds: Array.from(read.kinds) },
+              method: read.method,
+              atPoint: [length, field.values[at]],
+              births: bars.map(({ birth }) => 2 * birth),
+              lengths: loops.map((loop) => loop.length),
+              ofAll: Array.from(barcodes.bars.slice(2 * barcodes.offsets[at]!)).slice(0, 2),
+              first: bars[0] && [bars[0].birth, bars[0].death],
+              refused: await girth.refusal(Promise.resolve().then(() => barcodes.girth(0))),
+            };
+            kernel.dispose();
+            return answer;
+          },
+          [text, percent] as const,
+        );
+        const { field, read, atPoint, births, lengths } = result;
+        expect(differing(field.values, native)).toBe(0);
+        expect(native.some((value, v) => value > plain[v]!)).toBe(text === bulbs);
+        expect(field).toMatchObject({ reportedOnce: true, wrong: 0, withoutValue: 0 });
+        expect(field.method).toMatch(/^exact, persistence 0\.\d+$/);
+        expect(result.method).toBe(field.method);
+        expect(differing(read.values, native)).toBe(0);
+        expect(read.kinds).toEqual(field.kinds);
+        expect(atPoint[0]).toBe(atPoint[1]);
+        expect(births).toEqual(lengths);
+        if (result.first) expect(result.ofAll[0]).toBe(result.first[0]);
+        expect(result.refused.code).toBe('USAGE');
+      }
+    });
+
+    test('a persistence that is none is refused', async () => {
+      const codes = await page.evaluate(
+        async (text) => {
+          const kernel = await girth.createKernel({ threads: 2 });
+          const mesh = await kernel.load(girth.obj(text));
+          const codes = [];
+          for (const persistence of [-1, NaN, Infinity]) {
+            codes.push((await girth.refusal(mesh.field('igf', { persistence }))).code);
+            codes.push((await girth.refusal(mesh.loop(0, { persistence }))).code);
+            const maxPersistence = persistence;
+            codes.push((await girth.refusal(mesh.barcodes({ maxPersistence }))).code);
+          }
+          for (const maxPersistence of [-1, NaN]) {
+            codes.push((await girth.refusal(mesh.barcode(0, { maxPersistence }))).code);
+          }
+          codes.push((await girth.refusal(mesh.barcode(1e9))).code);
+          const whole = await mesh.barcode(0);
+          const none = await mesh.barcode(0, { maxSaddles: 0 });
+          kernel.dispose();
+          return { codes, whole: whole.rest.kind, none: none.bars.length };
+        },
+        torus(8, 6),
+      );
+      expect(codes.codes).toEqual([
+        ...new Array<string>(11).fill('INVALID_OPTION'),
+        'VERTEX_OUT_OF_RANGE',
+      ]);
+      expect(codes).toMatchObject({ whole: 'antipodal', none: 0 });
+    });
+
     test('angle: that of the loops', async () => {
       const result = await page.evaluate(async (text) => {
         const kernel = await girth.createKernel({ threads: 2 });

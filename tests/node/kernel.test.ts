@@ -92,6 +92,9 @@ test.each(['threads', 'pool'])(
       writeFileSync(name + '.csv', await mesh.exportField(await mesh.field(name), 'csv'));
     }
     const { length } = await mesh.loop(7);
+    const persistence = 0.03 * Math.sqrt(mesh.info.area);
+    const persistent = await mesh.field('igf', { persistence });
+    writeFileSync('persistent.csv', await mesh.exportField(persistent, 'csv'));
     console.log(JSON.stringify([kernel.mode, kernel.threads, length]));
     kernel.dispose();
   `);
@@ -99,6 +102,8 @@ test.each(['threads', 'pool'])(
     const atSeven = Number(girth.split('\n')[8]!.split(',')[1]);
     expect(answer).toEqual([mode, 3, atSeven]);
     expect(readFileSync(inFolder('igf.csv'), 'utf8')).toBe(girth);
+    const persistent = written('igf', 'torus.obj', '--persistence', '3%');
+    expect(readFileSync(inFolder('persistent.csv'), 'utf8')).toBe(persistent);
     for (const name of ['sdf', 'geofarthest']) {
       const theirs = written('field', 'torus.obj', '--field', name);
       expect(readFileSync(inFolder(`${name}.csv`), 'utf8')).toBe(theirs);

@@ -162,6 +162,26 @@ def test_the_bits_of_the_command(model, command):
     assert_same_bits(mesh.field("thickness", sharp=30).values, blunt)
 
 
+def test_the_persistent_girth_of_the_command(model, command):
+    mesh = girth.load(model)
+    tau = 0.02 * mesh.area**0.5
+    field = mesh.igf(persistence=tau)
+    assert field.persistence == tau and len(field.mesh.tips(persistence=tau)) >= 0
+    theirs = command("igf", model, "--persistence", "2%", output=".npy")
+    assert_same_bits(field.values, theirs)
+    assert_same_bits(mesh.igf(persistence=tau).values, theirs)
+    assert_same_bits(mesh.igf().values, command("igf", model, output=".npy"))
+    assert (field.values >= mesh.igf().values)[~np.isnan(field.values)].all()
+    for vertex in (0, 20):
+        barcode = mesh.barcode(vertex, max_persistence=tau, loops=True)
+        assert len(barcode) == len(barcode.births) == len(barcode.loops)
+        assert [2 * birth for birth in barcode.births] == [loop.length for loop in barcode.loops]
+        assert barcode.girth(tau)[0] == field.values[vertex]
+        assert mesh.loop(vertex, persistence=tau).length == field.values[vertex]
+        assert (mesh.barcode(vertex).births[: len(barcode)] == barcode.births).all()
+        assert len(mesh.barcode(vertex, max_saddles=1)) <= 1
+
+
 def test_the_same_arrays_as_the_file(model):
     mesh = girth.load(model)
     again = girth.Mesh(mesh.vertices, mesh.faces)

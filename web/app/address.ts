@@ -1,6 +1,7 @@
 // The page's address holds what is shown, so that a link reproduces it and 'back' goes back to it.
 
 import { type PageState, readState, writeState } from './address-state.js';
+import { UndoSteps } from './undo-steps.js';
 
 /** Milliseconds after a change until it is in the address: many changes come together. */
 const delay = 250;
@@ -11,16 +12,27 @@ function withoutMoves({ camera, range, panel, values, ...rest }: PageState): Pag
   return rest;
 }
 
+/** Of a state as text. */
+const addressOf = (text: string): string =>
+  text === '' ? location.pathname + location.search : `#${text}`;
+
 export class Address {
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** How many tasks are still applying what the address holds. */
   #holders = 0;
   /** What needs no writing: the state as it came about by itself, or was written last. */
   #known = '';
+  /** A step is being undone or redone: what comes about is that step. */
+  #isRestoring = false;
+  readonly #steps: UndoSteps;
   readonly #read: () => PageState;
+  readonly #apply: (state: PageState) => void;
 
-  constructor(read: () => PageState, apply: (state: PageState) => void) {
+  /** `stepped`: whether there is something to undo or to redo may be another now. */
+  constructor(read: () => PageState, apply: (state: PageState) => void, stepped: () => void) {
     this.#read = read;
+    this.#apply = apply;
+    this.#steps = new UndoSteps(stepped);
     window.addEventListener('popstate', () => {
       clearTimeout(this.#timer);
       apply(this.state);
@@ -44,12 +56,54 @@ export class Address {
     ++this.#holders;
     clearTimeout(this.#timer);
     await work.catch(() => undefined);
-    if (--this.#holders === 0) this.changed();
+    if (--this.#holders > 0) return;
+    this.#isRestoring = false;
+    this.changed();
   }
 
   /** What is shown now did not come about by hand. */
   settle(): void {
     this.#known = writeState(this.#read());
+    this.#step(this.#known);
+  }
+
+  get canUndo(): boolean {
+    return this.#steps.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return this.#steps.canRedo;
+  }
+
+  /** Shows what was shown before the last change of anything that the address holds: the camera, too. */
+  undo(): void {
+    // What has just been changed is the step to undo.
+    this.#flush();
+    this.#restore(this.#steps.undo());
+  }
+
+  /** Shows what was undone last. */
+  redo(): void {
+    this.#flush();
+    this.#restore(this.#steps.redo());
+  }
+
+  #restore(text: string | undefined): void {
+    if (text === undefined) return;
+    this.#isRestoring = true;
+    history.replaceState(null, '', addressOf(text));
+    this.#apply(readState(text));
+  }
+
+  #step(text: string): void {
+    if (this.#isRestoring) this.#steps.correct(text);
+    else this.#steps.take(text);
+    this.#isRestoring = false;
+  }
+
+  /** Writes a change at once that was to be written before long. */
+  #flush(): void {
+    if (this.#timer !== undefined) this.#write();
   }
 
   /** What is shown has changed: writes it before long. */
@@ -60,15 +114,23 @@ export class Address {
   }
 
   #write(): void {
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
     if (this.#holders > 0) return;
     const before = this.state;
     const now = this.#read();
     const text = writeState(now);
-    if (text === this.#known || text === writeState(before)) return;
+    if (text === this.#known) return;
+    if (text === writeState(before)) {
+      // What the address asks for has come about bit by bit.
+      this.#steps.correct(text);
+      return;
+    }
     this.#known = text;
-    const address = text === '' ? location.pathname + location.search : `#${text}`;
-    const isStep = writeState(withoutMoves(now)) !== writeState(withoutMoves(before));
-    if (isStep) history.pushState(null, '', address);
-    else history.replaceState(null, '', address);
+    const isStep =
+      !this.#isRestoring && writeState(withoutMoves(now)) !== writeState(withoutMoves(before));
+    this.#step(text);
+    if (isStep) history.pushState(null, '', addressOf(text));
+    else history.replaceState(null, '', addressOf(text));
   }
 }

@@ -5,3 +5,5 @@ import { useKernel } from '../src/element/index.js';
 
 export const kernel: Promise<Kernel> = createKernel({ threads: 'auto' });
 useKernel(kernel);
+// Whoever uses it reports why it did not start.
+kernel.catch(() => undefined);

@@ -33,6 +33,7 @@ import type { ModelScale } from './size-choice.js';
 import { explainTerms } from './terms.js';
 import { TipsPanel } from './tips-panel.js';
 import { Tour } from './tour.js';
+import { offerUndo } from './undo-buttons.js';
 
 const viewer = byId<GirthViewer>('viewer');
 const invitation = byId('invitation');
@@ -150,8 +151,13 @@ async function go(state: PageState): Promise<void> {
   const example = examples.all.find(({ name }) => name === state.model) ?? examples.all[0];
   const isAddress = state.model?.includes(':') ?? false;
   if (state.file !== undefined && state.model === undefined) {
-    // A link cannot have a file in it: wait for it.
     wanted = state;
+    const before = session.openedBefore(state.file);
+    if (before) {
+      await session.open({ ...before, prepare: preparationOf(state), remeshed: undefined });
+      return;
+    }
+    // A link cannot have a file in it: wait for it.
     invitation.hidden = true;
     missing.show(state, !viewer.info);
     return;
@@ -163,7 +169,12 @@ async function go(state: PageState): Promise<void> {
   else if (example) await openExample(example, prepare);
 }
 
-const address = new Address(read, (state) => void address.during(go(state)));
+const address: Address = new Address(
+  read,
+  (state) => void address.during(go(state)),
+  () => showUndo(),
+);
+const showUndo = offerUndo(address);
 
 // ---- opening models
 

@@ -33,8 +33,6 @@ export function explainColours(viewer: GirthViewer, isPrint: () => boolean): () 
     line.textContent = meaning ? `Colours: ${meaning}` : '';
   };
   for (const event of ['fieldchange', 'field', 'progress']) viewer.addEventListener(event, write);
-  // An error lies in the same place.
-  viewer.addEventListener('error', () => (line.textContent = ''));
   return write;
 }
 

@@ -53,6 +53,9 @@ export function repairs(report: PreparationReport, format: LengthFormat): string
   say(report.nonManifoldEdges, ...edges, 'cut where more than two faces meet');
   say(report.nonManifoldVertices, ...vertices, 'cut where parts only touch');
   say(report.addedVertices, ...vertices, 'made by cutting');
+  const components = ['component', 'components'] as const;
+  say(report.sliverComponents, ...components, 'of less than a millionth of the largest one’s area');
+  say(report.doubledComponents, ...components, 'with nothing inside: two sheets on each other');
   if (report.keptComponents < report.components) {
     lines.push(
       `${formatCount(report.keptComponents)} of ${formatCount(report.components)} components kept`,

@@ -3,6 +3,7 @@
 import {
   type Category,
   type GirthViewer,
+  type PlacePicture,
   formatLength,
   make,
   sentence,
@@ -401,19 +402,29 @@ export class PrintPanel {
     const known = pictures.get(place);
     if (known) return known;
     const loop = place.kind === 'tube' ? await viewer.loop(place.thinnest) : undefined;
-    const picture = await viewer.snapshotOf({
+    const picture = await this.#pictureOf({
       vertices: place.vertices,
       ...(loop ? { loop } : {}),
     });
-    const made = { place, loop: loop?.length, picture: await dataAddress(picture) };
+    const made = { place, loop: loop?.length, picture };
     pictures.set(place, made);
     return made;
   }
 
   /** The whole shape, as it is coloured now. */
-  async #overview({ vertexCount }: MeshInfo): Promise<string> {
+  #overview({ vertexCount }: MeshInfo): Promise<string | undefined> {
     const vertices = Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex);
-    return dataAddress(await this.#viewer.snapshotOf({ vertices, width: 960, height: 640 }));
+    return this.#pictureOf({ vertices, width: 960, height: 640 });
+  }
+
+  /** As an address; undefined where the browser gives no 3D graphics: the check holds without pictures. */
+  async #pictureOf(wanted: PlacePicture): Promise<string | undefined> {
+    try {
+      return await dataAddress(await this.#viewer.snapshotOf(wanted));
+    } catch (error) {
+      if (error instanceof Error && 'code' in error && error.code === 'NO_WEBGL') return undefined;
+      throw error;
+    }
   }
 
   async #save(ending: 'html' | 'json'): Promise<void> {

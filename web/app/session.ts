@@ -28,6 +28,8 @@ export class Session {
   opened: Opened | undefined;
   /** What will be shown when the element has it. */
   #next: Opened | undefined;
+  /** Files that were dropped or chosen on this visit, by the names that links have for them. */
+  readonly #files = new Map<string, Opened>();
   readonly #viewer: GirthViewer;
 
   constructor(viewer: GirthViewer) {
@@ -73,6 +75,11 @@ export class Session {
     void this.open({ ...opened, prepare, remeshed: undefined });
   }
 
+  /** The file of that name, where it was opened before on this visit: no link can have it. */
+  openedBefore(file: string): Opened | undefined {
+    return this.#files.get(file);
+  }
+
   /** How many times as large as its file the model is. */
   get scale(): number {
     return this.opened?.prepare.scale ?? 1;
@@ -100,6 +107,7 @@ export class Session {
     const next = this.#next;
     const { opened } = this;
     this.opened = next;
+    if (next?.link.file !== undefined) this.#files.set(next.link.file, next);
     return opened?.source !== next?.source || opened?.model !== next?.model;
   }
 

@@ -1,6 +1,7 @@
 // The link to what is shown.
 
 import { make } from '../src/element/index.js';
+import { copyText } from './clipboard.js';
 import { byId } from './dom.js';
 import { Draft } from './draft.js';
 
@@ -16,12 +17,11 @@ export function offerLink(link: () => string, fileName: () => string | undefined
   address.addEventListener('focus', () => address.select());
   copy.addEventListener('click', () => {
     address.select();
-    navigator.clipboard.writeText(shown.text).then(
-      () => (said.textContent = 'Copied.'),
-      () =>
-        (said.textContent =
-          'This browser does not let pages copy: copy the link from the line above.'),
-    );
+    void copyText(shown.text).then((isCopied) => {
+      said.textContent = isCopied
+        ? 'Copied.'
+        : 'This browser does not let pages copy: copy the link from the line above.';
+    });
   });
   sheet.addEventListener('beforetoggle', (event) => {
     if (event.newState !== 'open') return;

@@ -1,6 +1,7 @@
 // What can be done with a table: to the clipboard in one click, or a CSV file.
 
 import { make } from '../src/element/index.js';
+import { copyText } from './clipboard.js';
 import { Draft } from './draft.js';
 import { saveFile } from './save-file.js';
 import { type Table, csvOf, tsvOf } from './table-text.js';
@@ -40,11 +41,10 @@ export class TableActions {
     this.forget();
     const table = this.#source.table();
     const text = tsvOf(table);
-    try {
-      await navigator.clipboard.writeText(text);
+    if (await copyText(text)) {
       const rows = table.length - 1;
       this.#said.textContent = `Copied: ${rows === 1 ? 'one row' : `${rows} rows`}.`;
-    } catch {
+    } else {
       this.#shown.show(text);
       this.#text.hidden = false;
       this.#text.focus();

@@ -59,9 +59,12 @@ await script(async () => {
           for (const [key, value] of Object.entries(attributes)) viewer.setAttribute(key, value);
           await import(script);
           await customElements.whenDefined('girth-viewer');
-          const complete = new Promise((done) => viewer.addEventListener('field', done));
           await viewer.load(source);
-          await complete;
+          const { field } = attributes;
+          await viewer.fieldOf('igf');
+          if (field === 'tips') await viewer.tips();
+          else if (field === 'parts') await viewer.parts(await viewer.suggestedThresholds());
+          else await viewer.fieldOf(field);
         },
         {
           source: `${address}models/${model}.glb`,
@@ -69,7 +72,7 @@ await script(async () => {
           attributes,
         },
       );
-      // Loops, tips and parts come a little later than the colours.
+      // What is shown comes a little later than what is computed.
       await page.waitForTimeout(1500);
       const base64 = await viewer.evaluate(pictureOf, { width, height });
       const bytes = Buffer.from(base64, 'base64');

@@ -31,12 +31,15 @@ export function installPythonPackage(tree = 'build/native') {
   );
 }
 
+/** Tests that take long or need other programs. */
+const long = 'tests/python/long';
+
 /**
  * Runs tests of tests/python.
  * @param {string} report where the results go, as JUnit's XML
- * @param {string[]} files of the tests; by default those of `npm test`
+ * @param {string[]} files what is run; by default the tests of `npm test`
  */
-export function runPythonTests(report, files = ['tests/python']) {
+export function runPythonTests(report, files = ['tests/python', `--ignore=${long}`]) {
   rmSync(report, { force: true });
   run(
     installedPython,
@@ -47,3 +50,9 @@ export function runPythonTests(report, files = ['tests/python']) {
     { env: { ...process.env, PYTHONDONTWRITEBYTECODE: '1' } },
   );
 }
+
+/**
+ * Runs the tests of collections on several machines, as far as one machine can be several.
+ * @param {string} report where the results go, as JUnit's XML
+ */
+export const runClusterTests = (report) => runPythonTests(report, [long]);

@@ -58,8 +58,9 @@ function checkElsewhere() {
   }
 }
 
-function installDebianPackages() {
-  const wanted = readFileSync(new URL('debian-packages.txt', import.meta.url), 'utf8')
+/** @param {string} list the file that names them */
+function installDebianPackages(list) {
+  const wanted = readFileSync(new URL(list, import.meta.url), 'utf8')
     .split('\n')
     .filter((line) => line !== '' && !line.startsWith('#'));
   const states = outputOf('dpkg-query', ['-W', '-f', '${Package} ${db:Status-Status}\n']) ?? '';
@@ -105,9 +106,14 @@ function npmPackagesAreFresh() {
 
 /** Installs what is missing, or says what is. */
 export function setUp() {
-  if (isDebian()) installDebianPackages();
+  if (isDebian()) installDebianPackages('debian-packages.txt');
   else checkElsewhere();
   if (!npmPackagesAreFresh()) run('npm', ['ci', '--no-audit', '--no-fund']);
+}
+
+/** Installs what clusters are tested with, where that is Debian's. */
+export function setUpClusters() {
+  if (isDebian()) installDebianPackages('debian-packages-clusters.txt');
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await script(setUp);

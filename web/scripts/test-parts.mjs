@@ -8,9 +8,10 @@ import { pathToFileURL } from 'node:url';
 import { buildDocs, buildNative, buildSavedPage, buildWasm } from './build.mjs';
 import { replayFuzzers, runFuzzers } from './fuzz.mjs';
 import { lint, lintNative } from './lint.mjs';
-import { installPythonPackage, runPythonTests } from './python.mjs';
+import { installPythonPackage, runClusterTests, runPythonTests } from './python.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
 import { testWithSanitizers } from './sanitizers.mjs';
+import { setUpClusters } from './setup.mjs';
 import { testSharedLibraries } from './shared-libraries.mjs';
 import { filesBelow, hashOf } from './stale.mjs';
 
@@ -114,6 +115,17 @@ async function pytest(count) {
   vitest('python', count);
 }
 
+/** @param {Count} count */
+function clusters(count) {
+  setUpClusters();
+  const report = join(reports, 'pytest-clusters.xml');
+  try {
+    runClusterTests(report);
+  } finally {
+    countJunit(report, count);
+  }
+}
+
 /**
  * What the tests of page and element look at, and what they know of C++: its interface. The values that the core computes
  * are the matter of its own tests and of the kernel's.
@@ -199,6 +211,11 @@ export const longParts = {
     run: () => testWithSanitizers('thread'),
   },
   shared: { title: 'shared libraries', run: testSharedLibraries },
+  clusters: {
+    title: 'collections on Dask, Slurm and Snakemake',
+    needs: ['python'],
+    run: clusters,
+  },
   long: { title: 'long tests', run: () => run('node', ['web/scripts/test-long.mjs']) },
   'other-browsers': {
     title: 'Firefox and WebKit',

@@ -117,6 +117,10 @@ std::vector<std::string> stepsDone(const PreparationReport& report, const std::s
   step(report.oneSidedEdges, "edge", "edges", "cut, as the surface has one side only");
   step(report.nonManifoldEdges, "edge", "edges", "with more than two faces cut apart");
   step(report.nonManifoldVertices, "vertex", "vertices", "where parts only touched cut apart");
+  step(report.sliverComponents, "component", "components",
+       "of less than a millionth of the largest one's area (--min-component leaves them out)");
+  step(report.doubledComponents, "component", "components",
+       "closed, with nothing inside: two sheets on each other");
   if (report.keptComponents < report.components) {
     steps.push_back(std::to_string(report.keptComponents) + " of " +
                     counted(report.components, "component", "components") + " kept");

@@ -58,6 +58,7 @@ void printText(const io::LoadedMesh& loaded, const GirthLoop& loop, const Option
               : loop.kind == LoopKind::Antipodal
                   ? "antipodal: out to the farthest point and back"
                   : "unresolved: given up, the length is a lower bound");
+  if (loop.kind == LoopKind::Unresolved) row("at most", readable(loop.atMost) + unit);
   row("angle", readable(loop.angle * kDegrees) + "°");
   row("midpoint", readable(middle.x) + " " + readable(middle.y) + " " + readable(middle.z) + unit);
   row("points", std::to_string(loop.points.size()));

@@ -111,6 +111,7 @@ Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& op
 
   PrepareOptions prepare;
   prepare.closeHoles = options.closeHoles;
+  prepare.minComponent = options.minComponent;
   prepare.scale = options.scale;
   if (!options.height.empty()) {
     const auto scale = scaleToHeight(options, read, read.unit);

@@ -12,6 +12,11 @@ void addModelOptions(OptionTable& table, ModelOptions& options) {
   table.add("--component N", options.components,
             "Keep this component only: its number in girth info, or largest; may be given several "
             "times");
+  table
+      .add("--min-component SHARE", options.minComponent,
+           "Leave out components of a smaller share of the largest one's area, as in 1e-6; by "
+           "default none")
+      .range(0, 1);
   std::vector<std::string> units;
   for (const io::LengthUnit& unit : io::lengthUnits()) units.emplace_back(unit.symbol);
   table
@@ -52,6 +57,7 @@ std::string preparationText(const ModelOptions& options) {
   add("--weld", options.weldDistance);
   if (options.closeHoles) text += text.empty() ? "--close-holes" : " --close-holes";
   for (const std::string& component : options.components) add("--component", component);
+  if (options.minComponent > 0) add("--min-component", io::formatNumber(options.minComponent));
   add("--unit", options.unit);
   add("--in", options.shownUnit);
   if (options.scale != 1) add("--scale", io::formatNumber(options.scale));

@@ -19,6 +19,8 @@ struct ModelOptions {
   std::string entry;
   /// Components to keep, by their numbers in `girth info`, or "largest"; empty: all.
   std::vector<std::string> components;
+  /// Components of a smaller share of the largest one's area are left out; 0: none.
+  double minComponent{0};
   /// The unit of the file's numbers, as a symbol such as "mm". Empty: the one the file states.
   std::string unit;
   /// The unit that lengths come out in. Empty: that of the file's numbers.
@@ -32,7 +34,7 @@ struct ModelOptions {
   std::string up;
 };
 
-/// Adds `--weld`, `--close-holes`, `--component`, `--unit`, `--in`, `--scale`, `--height`,
+/// Adds `--weld`, `--close-holes`, `--component`, `--min-component`, `--unit`, `--in`, `--scale`, `--height`,
 /// `--up` and `--entry`.
 void addModelOptions(OptionTable& table, ModelOptions& options);
 

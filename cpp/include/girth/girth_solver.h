@@ -1,6 +1,7 @@
 // The intrinsic girth function at single points, and the loop that measures it.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,7 @@ enum class LoopKind : std::uint8_t {
   /// The frontier vanished at one farthest point without a loop before: the "loop" is out and back
   /// again.
   Antipodal = 1,
-  /// The budget was met first. The length is a lower bound.
+  /// The budget was met first. The length is a lower bound, and `atMost` one from above.
   Unresolved = 2,
 };
 
@@ -29,18 +30,23 @@ GIRTH_EXPORT std::string_view toString(LoopKind kind);
 
 /// The girth at a point.
 struct GirthValue {
-  /// I(p), in model units.
+  /// I(p), in model units; where unresolved, no more than I(p).
   double length{0};
   /// How it came about.
   LoopKind kind{LoopKind::Loop};
+  /// I(p) is no more than this, in model units: the length itself, or, where unresolved, twice a
+  /// distance that no point of the component exceeds. Infinite where nobody has looked.
+  double atMost{std::numeric_limits<double>::infinity()};
 };
 
 /// The shortest geodesic loop based at a point.
 struct GirthLoop {
-  /// I(p), in model units.
+  /// I(p), in model units; where unresolved, no more than I(p).
   double length{0};
   /// How it came about.
   LoopKind kind{LoopKind::Loop};
+  /// As in GirthValue.
+  double atMost{std::numeric_limits<double>::infinity()};
   /// The point p where the loop starts and ends.
   SurfacePoint base;
   /// The loop from p round to p: p, the edges it crosses and vertices it passes in order, p.

@@ -27,6 +27,10 @@ struct PrepareOptions {
   /// Keeps these components only, numbered by their first face of the input, from 0 (the index into
   /// PreparedSurface::parts); empty: all.
   std::vector<Index> components;
+  /// Leaves out components whose area is less than this share of the largest one's, in [0, 1]; of
+  /// those that `components` keeps, if it names any. 0: none. Drawings and exports leave crumbs
+  /// behind; 1e-6 leaves out most of them.
+  double minComponent{0};
 };
 
 /// A boundary curve that was filled.
@@ -82,7 +86,13 @@ struct PreparationReport {
   Index addedVertices{0};
   /// Connected components of what came out.
   Index components{0};
-  /// How many of them are kept.
+  /// How many of them are slivers: of less than a millionth of the largest one's area.
+  Index sliverComponents{0};
+  /// How many of them are closed and hold nothing: two sheets on each other, such as cutting edges
+  /// of many faces leaves behind. The volume inside, divided by half the area, is below a millionth
+  /// of the component's extent.
+  Index doubledComponents{0};
+  /// How many are kept.
   Index keptComponents{0};
   /// Boundary curves of the kept components (web/docs/definitions.md, section 2), counted after
   /// holes were closed.
@@ -132,7 +142,8 @@ struct PreparedSurface {
 ///
 /// Errors: EMPTY_MESH (nothing is left, and why), NON_FINITE_POSITION (vertex of the input),
 /// INDEX_OUT_OF_RANGE (triangle of the input), INVALID_OPTION (a distance that is negative or not a
-/// number), COMPONENT_OUT_OF_RANGE, LIMIT_EXCEEDED (too many faces to number), CANCELLED.
+/// number, a share outside of its range), COMPONENT_OUT_OF_RANGE, LIMIT_EXCEEDED (too many faces to
+/// number), CANCELLED.
 GIRTH_EXPORT Result<PreparedSurface> prepareSurface(TriangleSoup soup,
                                                     const PrepareOptions& options = {},
                                                     const ExecutionContext& context = {});

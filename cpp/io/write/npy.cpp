@@ -2,8 +2,6 @@
 
 #include <cstddef>
 
-#include "bytes/append.h"
-
 namespace girth::io {
 
 std::string npyHeader(std::string_view shape) {
@@ -14,7 +12,8 @@ std::string npyHeader(std::string_view shape) {
   while ((kPreamble + header.size() + 1) % 64 != 0) header += ' ';
   header += '\n';
   std::string content("\x93NUMPY\x01\x00", 8);
-  appendBytes(content, header.size(), 2);
+  content += static_cast<char>(header.size() & 0xFF);
+  content += static_cast<char>(header.size() >> 8);
   return content + header;
 }
 

@@ -22,6 +22,8 @@ std::string reportJson(const PreparationReport& report) {
         {"nonManifoldVertices", report.nonManifoldVertices},
         {"addedVertices", report.addedVertices},
         {"components", report.components},
+        {"sliverComponents", report.sliverComponents},
+        {"doubledComponents", report.doubledComponents},
         {"keptComponents", report.keptComponents},
         {"boundaryCurves", report.boundaryCurves},
         {"boundaryEdges", report.boundaryEdges},

@@ -6,16 +6,29 @@
 >>> m.tips().apexes
 """
 
-from girth import _girth, errors, results
+from girth import _girth, collection, errors, results
 from girth._show import Shown, show
 from girth.errors import GirthError, InputError, LimitError
 from girth.mesh import FIELDS, Mesh, as_mesh, compare, igf, load
-from girth.results import Comparison, Field, Girth, Limb, Loop, Part, Parts, Path, Tip, Tips
+from girth.results import (
+    Barcode,
+    Comparison,
+    Field,
+    Girth,
+    Limb,
+    Loop,
+    Part,
+    Parts,
+    Path,
+    Tip,
+    Tips,
+)
 
 __version__: str = _girth.version
 
 __all__ = [
     "FIELDS",
+    "Barcode",
     "Comparison",
     "Field",
     "Girth",
@@ -32,6 +45,7 @@ __all__ = [
     "Tip",
     "Tips",
     "as_mesh",
+    "collection",
     "compare",
     "errors",
     "igf",

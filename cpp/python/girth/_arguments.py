@@ -104,10 +104,11 @@ def running(threads: Optional[int], progress: Progress) -> "_girth.Running":
             f"threads is {count}",
             f"choose 1 to {MOST_THREADS}, or None for one on each core",
         )
-    return _girth.Running(count, _reporter(progress))
+    return _girth.Running(count, reporter(progress))
 
 
-def _reporter(progress: Progress) -> Optional[Callable[[float], object]]:
+def reporter(progress: Progress) -> Optional[Callable[[float], object]]:
+    """What is called with the finished share; None where nobody asks for it."""
     if progress is None or callable(progress):
         return progress
     if not hasattr(progress, "update"):

@@ -20,7 +20,7 @@ from girth._arguments import (
 )
 from girth._models import arrays_of
 from girth.errors import input_error
-from girth.results import Comparison, Field, Girth, Limb, Loop, Parts, Path, Tips
+from girth.results import Barcode, Comparison, Field, Girth, Limb, Loop, Parts, Path, Tips
 
 __all__ = ["FIELDS", "Mesh", "Point", "as_mesh", "compare", "igf", "load"]
 
@@ -64,6 +64,8 @@ class Mesh:
         Fills every boundary curve with faces.
     components : sequence of int, optional
         Keeps these connected components only, numbered by their first faces.
+    min_component : float, optional
+        Leaves out components whose area is less than this share of the largest one's, from 0 to 1.
     scale : float, optional
         Multiplies all positions first.
     unit : str, optional
@@ -89,11 +91,12 @@ class Mesh:
         weld: float = 0.0,
         close_holes: bool = False,
         components: Sequence[int] = (),
+        min_component: float = 0.0,
         scale: float = 1.0,
         unit: str = "",
     ) -> None:
         vertices, faces = vertices_of(V), faces_of(F)
-        options = _preparing(weld, close_holes, components, scale)
+        options = _preparing(weld, close_holes, components, min_component, scale)
         surface = _girth.Surface(vertices, faces, *options, running(None, None))
         self._set(surface, vertices, faces, options, str(unit))
 
@@ -127,7 +130,7 @@ class Mesh:
         self._face_of_row: Optional[dict[int, int]] = None
 
     def __reduce__(self) -> tuple:
-        weld, close_holes, components, scale = self._options
+        weld, close_holes, components, min_component, scale = self._options
         return _remade, (
             np.asarray(self._vertices),
             np.asarray(self._faces),
@@ -135,6 +138,7 @@ class Mesh:
                 "weld": weld,
                 "close_holes": close_holes,
                 "components": components,
+                "min_component": min_component,
                 "scale": scale,
                 "unit": self._unit,
             },
@@ -191,6 +195,7 @@ class Mesh:
         self,
         *,
         method: str = "exact",
+        persistence: float = 0.0,
         threads: Optional[int] = None,
         progress: Progress = None,
     ) -> Girth:
@@ -200,6 +205,10 @@ class Mesh:
         ----------
         method : {'exact', 'ms'}
             ``'ms'`` is the paper's approximation by fast marching.
+        persistence : float, optional
+            tau, in model units: loops whose saddles last no longer are passed over, as noise makes
+            them. ``0.02 * mesh.area ** 0.5`` is the command's ``--persistence 2%``. Only with
+            ``'exact'``.
         threads : int, optional
             Default: one for each core. The result does not depend on it.
         progress : callable or bar, optional
@@ -213,13 +222,18 @@ class Mesh:
 
         Notes
         -----
-        The exact girth is computed once and kept. Ctrl-C stops the work within 200 ms.
+        The exact girth is computed once and kept, and the latest one with a persistence. Ctrl-C
+        stops the work within 200 ms.
         """
         one_of(method, "method", ("exact", "ms"))
-        values, kinds = self._surface.girth(method, running(threads, progress))
-        return Girth(
-            self, self._by_row(values, np.nan), self._by_row(kinds, _NONE), method, self._unit
-        )
+        tau = _persistence(persistence)
+        if tau != 0 and method != "exact":
+            raise input_error(
+                "INVALID_OPTION", "only the exact method knows how long saddles last"
+            )
+        values, kinds = self._surface.girth(method, tau, running(threads, progress))
+        kinds = self._by_row(kinds, _NONE)
+        return Girth(self, self._by_row(values, np.nan), kinds, method, self._unit, tau)
 
     def loop(
         self,
@@ -227,6 +241,7 @@ class Mesh:
         *,
         face: Optional[int] = None,
         weights: Optional[Sequence[float]] = None,
+        persistence: float = 0.0,
     ) -> Loop:
         """The shortest geodesic loop based at a point.
 
@@ -239,6 +254,8 @@ class Mesh:
         weights : sequence of three floats, optional
             Where in the face: the shares of its three vertices, which add up to 1. Default: its
             middle.
+        persistence : float, optional
+            As of `igf`.
 
         Returns
         -------
@@ -247,24 +264,79 @@ class Mesh:
         Raises
         ------
         InputError
-            VERTEX_OUT_OF_RANGE or INVALID_POINT.
+            VERTEX_OUT_OF_RANGE, INVALID_POINT or INVALID_OPTION.
         """
+        point = self._base("a loop", vertex, face, weights)
+        tau = _persistence(persistence)
+        return Loop(self._surface.loop(point, tau, running(1, None)))
+
+    def barcode(
+        self,
+        vertex: Optional[int] = None,
+        *,
+        face: Optional[int] = None,
+        weights: Optional[Sequence[float]] = None,
+        max_persistence: float = np.inf,
+        max_saddles: Optional[int] = None,
+        loops: bool = False,
+    ) -> Barcode:
+        """The saddles of the distance from a point: where they are born, and where they die.
+
+        Parameters
+        ----------
+        vertex, face, weights
+            As of `loop`.
+        max_persistence : float, optional
+            Up to which persistence it is wanted, in model units. The less, the sooner it is there.
+        max_saddles : int, optional
+            No more than these, the first ones. Default: all.
+        loops : bool, optional
+            With the loop of each.
+
+        Returns
+        -------
+        Barcode
+
+        Raises
+        ------
+        InputError
+            VERTEX_OUT_OF_RANGE, INVALID_POINT or INVALID_OPTION.
+        """
+        point = self._base("a barcode", vertex, face, weights)
+        most = 2**63 - 1 if max_saddles is None else whole_number(max_saddles, "max_saddles")
+        if most < 0:
+            raise input_error("INVALID_OPTION", f"max_saddles is {most}", "choose 0 or more")
+        longest = _not_negative(max_persistence, "max_persistence")
+        found = self._surface.barcode(point, longest, most, bool(loops), running(1, None))
+        return Barcode(longest, found)
+
+    def _base(
+        self,
+        what: str,
+        vertex: Optional[int],
+        face: Optional[int],
+        weights: Optional[Sequence[float]],
+    ) -> Any:
         if (vertex is None) == (face is None):
-            raise input_error("USAGE", "a loop is based at one point", "name a vertex or a face")
+            raise input_error("USAGE", f"{what} is based at one point", "name a vertex or a face")
         if vertex is not None and weights is not None:
             raise input_error("USAGE", "a vertex has no weights", "name a face with the weights")
-        if face is not None:
-            point: Any = (face, (1 / 3, 1 / 3, 1 / 3) if weights is None else weights)
-        else:
-            point = vertex
-        return Loop(self._surface.loop(self._point(point), running(1, None)))
+        if face is None:
+            return self._point(vertex)
+        return self._point((face, (1 / 3, 1 / 3, 1 / 3) if weights is None else weights))
 
-    def tips(self, *, threads: Optional[int] = None, progress: Progress = None) -> Tips:
+    def tips(
+        self,
+        *,
+        persistence: float = 0.0,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Tips:
         """Where the shape ends: regions cut off by the lines along which the girth jumps.
 
         Parameters
         ----------
-        threads, progress
+        persistence, threads, progress
             As of `igf`.
 
         Returns
@@ -272,12 +344,13 @@ class Mesh:
         Tips
             Largest jump first.
         """
-        return Tips(self, *_girth.tips(self._surface, running(threads, progress)))
+        return Tips(self, *_girth.tips(self._surface, _persistence(persistence), running(threads, progress)))
 
     def limbs(
         self,
         *,
         stations: int = 64,
+        persistence: float = 0.0,
         threads: Optional[int] = None,
         progress: Progress = None,
     ) -> list[Limb]:
@@ -287,7 +360,7 @@ class Mesh:
         ----------
         stations : int, optional
             Stations of a profile, 1 to 10,000.
-        threads, progress
+        persistence, threads, progress
             As of `igf`.
 
         Returns
@@ -297,7 +370,8 @@ class Mesh:
         count = whole_number(stations, "stations")
         if not 1 <= count <= 10_000:
             raise input_error("INVALID_OPTION", f"stations is {count}", "choose 1 to 10,000")
-        found = _girth.limbs(self._surface, count, running(threads, progress))
+        tau = _persistence(persistence)
+        found = _girth.limbs(self._surface, count, tau, running(threads, progress))
         return [Limb(self, limb) for limb in found]
 
     def parts(
@@ -306,6 +380,7 @@ class Mesh:
         girth: Optional[float] = None,
         thickness: Optional[float] = None,
         smoothing: float = 0.0,
+        persistence: float = 0.0,
         threads: Optional[int] = None,
         progress: Progress = None,
     ) -> Parts:
@@ -318,7 +393,7 @@ class Mesh:
             model units. Default: found from the two fields' distributions.
         smoothing : float, optional
             0: plain thresholds. Above: how much a vertex's neighbours count.
-        threads, progress
+        persistence, threads, progress
             As of `igf`.
 
         Returns
@@ -330,8 +405,9 @@ class Mesh:
             -1.0 if value is None else _not_negative(value, name)
             for name, value in (("girth", girth), ("thickness", thickness))
         ]
+        weight, tau = _not_negative(smoothing, "smoothing"), _persistence(persistence)
         found = _girth.parts(
-            self._surface, *limits, _not_negative(smoothing, "smoothing"), running(threads, progress)
+            self._surface, *limits, weight, tau, running(threads, progress)
         )
         return Parts(self, found[0], found[1], self._by_row(found[2], -1), found[3])
 
@@ -597,9 +673,16 @@ def _not_negative(value: Any, name: str) -> float:
     return number
 
 
+def _persistence(value: Any) -> float:
+    number = _not_negative(value, "persistence")
+    if np.isinf(number):
+        raise input_error("INVALID_OPTION", "persistence is inf", "choose a length")
+    return number
+
+
 def _preparing(
-    weld: Any, close_holes: Any, components: Any, scale: Any
-) -> tuple[float, bool, list[int], float]:
+    weld: Any, close_holes: Any, components: Any, min_component: Any, scale: Any
+) -> tuple[float, bool, list[int], float, float]:
     factor = real_number(scale, "scale")
     if not 0 < factor < np.inf:
         raise input_error("INVALID_OPTION", f"scale is {factor}", "choose a number above 0")
@@ -607,7 +690,8 @@ def _preparing(
     for number in kept:
         if not 0 <= number < 2**32 - 1:
             raise input_error("COMPONENT_OUT_OF_RANGE", f"there is no component {number}")
-    return real_number(weld, "weld"), bool(close_holes), kept, factor
+    share = real_number(min_component, "min_component")
+    return real_number(weld, "weld"), bool(close_holes), kept, share, factor
 
 
 def load(
@@ -616,6 +700,7 @@ def load(
     weld: float = 0.0,
     close_holes: bool = False,
     components: Sequence[int] = (),
+    min_component: float = 0.0,
     scale: float = 1.0,
 ) -> Mesh:
     """Reads a model: GLB, glTF, OBJ, PLY, STL or OFF, recognised by content.
@@ -623,7 +708,7 @@ def load(
     Parameters
     ----------
     path : str or path
-    weld, close_holes, components, scale
+    weld, close_holes, components, min_component, scale
         As of `Mesh`.
 
     Returns
@@ -636,7 +721,7 @@ def load(
     InputError
         Such as FILE_NOT_FOUND, UNKNOWN_FORMAT or MALFORMED_FILE, with the file's name.
     """
-    options = _preparing(weld, close_holes, components, scale)
+    options = _preparing(weld, close_holes, components, min_component, scale)
     return Mesh._of(*_girth.load(path_of(path), *options, running(None, None)), options)
 
 

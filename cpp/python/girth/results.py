@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from girth.mesh import Mesh
 
 __all__ = [
+    "Barcode",
     "Comparison",
     "Contour",
     "Field",
@@ -108,6 +109,8 @@ class Girth(Field):
         As of `Field`.
     method : str
         ``"exact"`` or ``"ms"``.
+    persistence : float
+        tau, where it is that of `Mesh.igf`; otherwise 0.
     kinds : ndarray of uint8, shape (n,)
         How each value came about: 0 loop, 1 antipodal, 2 unresolved (the value is a lower bound);
         255 where there is none.
@@ -116,11 +119,18 @@ class Girth(Field):
     KINDS = ("loop", "antipodal", "unresolved")
 
     def __init__(
-        self, mesh: "Mesh", values: np.ndarray, kinds: np.ndarray, method: str, unit: str
+        self,
+        mesh: "Mesh",
+        values: np.ndarray,
+        kinds: np.ndarray,
+        method: str,
+        unit: str,
+        persistence: float = 0.0,
     ) -> None:
         super().__init__(mesh, "igf", values, unit)
         self.kinds = kinds
         self.method = method
+        self.persistence = persistence
 
     def to_pyvista(self) -> Any:
         """As `Field.to_pyvista`, with the kinds as the point data ``igf_kind``."""
@@ -156,6 +166,62 @@ class Loop(_Result):
 
     def _line(self) -> str:
         return f"{self.kind}, length {self.length:.6g}, {len(self.points)} points"
+
+
+class Barcode(_Result):
+    """The saddles of the distance from a point, by their distance, and how long they last.
+
+    Attributes
+    ----------
+    births, deaths : ndarray of float64, shape (k,)
+        Where each saddle is, and where a side of its loop has been filled: distances from the
+        point, in model units. A death is infinite where the loop cuts nothing off, or where nothing
+        is filled up to `max_persistence` behind the birth. The last saddle is the first that lasts
+        longer than that.
+    loops : list of Loop
+        Of each saddle, where they were asked for; otherwise empty.
+    max_persistence : float
+        Persistence is known up to this, in model units.
+    rest : float
+        Twice the greatest distance, where all saddles are listed; otherwise a lower bound of it.
+    rest_kind : str
+        ``"antipodal"`` or ``"unresolved"``: a lower bound.
+    """
+
+    def __init__(self, max_persistence: float, found: tuple) -> None:
+        self.births: np.ndarray = found[0]
+        self.deaths: np.ndarray = found[1]
+        self.loops = [Loop(loop) for loop in found[2]]
+        self.rest: float = found[3]
+        self.rest_kind: str = found[4]
+        self.max_persistence = max_persistence
+
+    def __len__(self) -> int:
+        return len(self.births)
+
+    def girth(self, persistence: float) -> tuple[float, str]:
+        """The persistent girth at the point, and its kind, read off the saddles.
+
+        Parameters
+        ----------
+        persistence : float
+            tau, above 0, in model units: saddles that last no longer do not count.
+
+        Returns
+        -------
+        length : float
+        kind : str
+            As of `Loop`; ``"unresolved"``: the length is a lower bound.
+        """
+        lasting = np.flatnonzero(self.deaths - self.births > persistence)
+        if not len(lasting):
+            return self.rest, self.rest_kind
+        first = lasting[0]
+        is_known = persistence <= self.max_persistence or np.isfinite(self.deaths[first])
+        return 2 * float(self.births[first]), "loop" if is_known else "unresolved"
+
+    def _line(self) -> str:
+        return f"{len(self)} saddles, up to the persistence {self.max_persistence:.4g}"
 
 
 class Path(_Result):

@@ -43,17 +43,19 @@ py::dict tipOf(const SurfaceMesh& mesh, const Tip& tip) {
 }
 
 /// The girth, and the tips by it.
-Result<Tips> tipsByGirth(const Surface& surface, const ExecutionContext& context) {
-  const auto girth = surface.girth(context);
+Result<Tips> tipsByGirth(const Surface& surface, double persistence,
+                         const ExecutionContext& context) {
+  const auto girth = surface.girth(persistence, context);
   if (!girth) return girth.error();
   return findTips(surface.mesh(), girth.value()->values, {context.threads, context.cancel, {}});
 }
 
 /// (tips, arcs): the arcs as (line, length, jump).
-py::tuple tipsOf(const Shared& surface, const Running& running) {
-  const Tips found = compute<Tips>(running, [surface](const ExecutionContext& context) {
-    return tipsByGirth(*surface, context);
-  });
+py::tuple tipsOf(const Shared& surface, double persistence, const Running& running) {
+  const Tips found =
+      compute<Tips>(running, [surface, persistence](const ExecutionContext& context) {
+        return tipsByGirth(*surface, persistence, context);
+      });
   py::list tips, arcs;
   for (const Tip& tip : found.tips) tips.append(tipOf(surface->mesh(), tip));
   for (const OpenArc& arc : found.arcs) {
@@ -83,13 +85,14 @@ py::dict limbOf(const Limb& limb) {
   return result;
 }
 
-py::list limbsOf(const Shared& surface, Index stations, const Running& running) {
-  const Limbs found =
-      compute<Limbs>(running, [surface, stations](const ExecutionContext& c) -> Result<Limbs> {
-        const auto tips = tipsByGirth(*surface, c);
+py::list limbsOf(const Shared& surface, Index stations, double persistence,
+                 const Running& running) {
+  const Limbs found = compute<Limbs>(
+      running, [surface, stations, persistence](const ExecutionContext& c) -> Result<Limbs> {
+        const auto tips = tipsByGirth(*surface, persistence, c);
         if (!tips) return tips.error();
         const ExecutionContext quiet{c.threads, c.cancel, {}};
-        const auto girth = surface->girth(quiet);
+        const auto girth = surface->girth(persistence, quiet);
         if (!girth) return girth.error();
         return findLimbs(surface->mesh(), girth.value()->values, tips.value().tips, {stations},
                          quiet);
@@ -105,9 +108,9 @@ struct FoundParts {
 };
 
 /// Thresholds below 0 are found from the fields.
-Result<FoundParts> partsOf(const Surface& surface, PartOptions options,
+Result<FoundParts> partsOf(const Surface& surface, PartOptions options, double persistence,
                            const ExecutionContext& context) {
-  const auto girth = surface.girth(context);
+  const auto girth = surface.girth(persistence, context);
   if (!girth) return girth.error();
   const auto diameter = surface.diameter({context.threads, context.cancel, {}});
   if (!diameter) return diameter.error();
@@ -122,11 +125,11 @@ Result<FoundParts> partsOf(const Surface& surface, PartOptions options,
 
 /// (threshold of the girth, of the thickness, part of each vertex, parts)
 py::tuple partsByThresholds(const Shared& surface, double girth, double thickness, double smoothing,
-                            const Running& running) {
+                            double persistence, const Running& running) {
   const PartOptions options{{girth, thickness}, smoothing};
-  const auto found =
-      compute<FoundParts>(running, [surface, options](const ExecutionContext& context) {
-        return partsOf(*surface, options, context);
+  const auto found = compute<FoundParts>(
+      running, [surface, options, persistence](const ExecutionContext& context) {
+        return partsOf(*surface, options, persistence, context);
       });
   py::list parts;
   for (const Part& part : found.parts.parts) {

@@ -163,11 +163,12 @@ Distribution distributionFrom(const Array<double>& values, const Array<double>& 
   return {{numbers.begin(), numbers.end()}, {parts.begin(), parts.end()}};
 }
 
-/// The exact distances of one distribution from some of those that lie behind each other in
-/// `values` and `shares`: number i from offsets[i] to offsets[i + 1].
+/// The exact distances of one distribution, of the number `own`, from some of those that lie behind
+/// each other in `values` and `shares`: number i from offsets[i] to offsets[i + 1]. In each pair
+/// the lower number comes first, as in the matrices of `compared`: the order shows in the last bit.
 Array<double> transportDistances(const Array<double>& ownValues, const Array<double>& ownShares,
-                                 const Array<double>& values, const Array<double>& shares,
-                                 const Array<std::int64_t>& offsets,
+                                 std::int64_t ownNumber, const Array<double>& values,
+                                 const Array<double>& shares, const Array<std::int64_t>& offsets,
                                  const Array<std::int64_t>& wanted) {
   const Distribution own = distributionFrom(ownValues, ownShares);
   std::vector<double> distances;
@@ -178,8 +179,9 @@ Array<double> transportDistances(const Array<double>& ownValues, const Array<dou
       const auto size = static_cast<std::size_t>(offsets.data()[i + 1]) - begin;
       const auto numbers = spanOf(values).subspan(begin, size);
       const auto parts = spanOf(shares).subspan(begin, size);
-      distances.push_back(earthMoversDistance(
-          own, {{numbers.begin(), numbers.end()}, {parts.begin(), parts.end()}}));
+      const Distribution other{{numbers.begin(), numbers.end()}, {parts.begin(), parts.end()}};
+      distances.push_back(i < ownNumber ? earthMoversDistance(other, own)
+                                        : earthMoversDistance(own, other));
     }
   }
   return arrayOf(std::move(distances));

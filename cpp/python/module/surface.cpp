@@ -30,16 +30,21 @@ auto withSolver(std::mutex& mutex, std::optional<Solver>& kept, const SurfaceMes
 
 Surface::Surface(io::LoadedMesh loaded) : loaded_(std::move(loaded)) {}
 
-Result<std::shared_ptr<const GirthField>> Surface::girth(const ExecutionContext& context) const {
+Result<std::shared_ptr<const GirthField>> Surface::girth(double persistence,
+                                                         const ExecutionContext& context) const {
+  if (auto error = checkPersistence(persistence)) return *std::move(error);
   {
     const std::lock_guard lock(fields_);
-    if (girth_) return girth_;
+    if (persistence == 0 && girth_) return girth_;
+    if (persistence == persistence_ && persistentGirth_) return persistentGirth_;
   }
-  auto field = std::make_shared<const GirthField>(girthField(mesh(), GirthMethod::Exact, context));
+  auto field = std::make_shared<const GirthField>(
+      girthField(mesh(), {GirthMethod::Exact, persistence}, context));
   if (!field->complete()) return stopped();
   const std::lock_guard lock(fields_);
-  girth_ = field;
-  return girth_;
+  if (persistence == 0) return girth_ = field;
+  persistence_ = persistence;
+  return persistentGirth_ = field;
 }
 
 Result<std::shared_ptr<const std::vector<double>>> Surface::diameter(
@@ -56,9 +61,18 @@ Result<std::shared_ptr<const std::vector<double>>> Surface::diameter(
   return diameter_;
 }
 
-Result<GirthLoop> Surface::loop(const SurfacePoint& point, const ExecutionContext& context) const {
+Result<GirthLoop> Surface::loop(const SurfacePoint& point, double persistence,
+                                const ExecutionContext& context) const {
+  return withSolver(loops_, loopSolver_, mesh(), [&](GirthSolver& solver) {
+    solver.setPersistence(persistence);
+    return solver.loop(point, context);
+  });
+}
+
+Result<Barcode> Surface::barcode(const SurfacePoint& point, const BarcodeOptions& options,
+                                 const ExecutionContext& context) const {
   return withSolver(loops_, loopSolver_, mesh(),
-                    [&](GirthSolver& solver) { return solver.loop(point, context); });
+                    [&](GirthSolver& solver) { return solver.barcode(point, options, context); });
 }
 
 Result<std::vector<double>> Surface::distances(const std::vector<SurfacePoint>& sources,

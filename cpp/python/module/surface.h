@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "girth/barcode.h"
 #include "girth/geodesic_solver.h"
 #include "girth/girth_field.h"
 #include "girth/girth_solver.h"
@@ -27,14 +28,20 @@ class Surface {
   /// The surface.
   const SurfaceMesh& mesh() const { return loaded_.mesh; }
 
-  /// The girth, computed once. Errors: CANCELLED.
-  Result<std::shared_ptr<const GirthField>> girth(const ExecutionContext& context) const;
+  /// The girth, computed once; I_tau for a persistence of more than 0, of which the latest is kept.
+  /// Errors: INVALID_OPTION, CANCELLED.
+  Result<std::shared_ptr<const GirthField>> girth(double persistence,
+                                                  const ExecutionContext& context) const;
   /// The shape diameter by the default rays, computed once. Errors: CANCELLED.
   Result<std::shared_ptr<const std::vector<double>>> diameter(
       const ExecutionContext& context) const;
 
   /// The loop at a point. Errors: as of GirthSolver.
-  Result<GirthLoop> loop(const SurfacePoint& point, const ExecutionContext& context) const;
+  Result<GirthLoop> loop(const SurfacePoint& point, double persistence,
+                         const ExecutionContext& context) const;
+  /// The saddles of the distance from a point. Errors: as of GirthSolver.
+  Result<Barcode> barcode(const SurfacePoint& point, const BarcodeOptions& options,
+                          const ExecutionContext& context) const;
   /// Distances from sources. Errors: as of GeodesicSolver.
   Result<std::vector<double>> distances(const std::vector<SurfacePoint>& sources, double radius,
                                         const ExecutionContext& context) const;
@@ -45,7 +52,8 @@ class Surface {
  private:
   io::LoadedMesh loaded_;
   mutable std::mutex fields_;
-  mutable std::shared_ptr<const GirthField> girth_;
+  mutable std::shared_ptr<const GirthField> girth_, persistentGirth_;
+  mutable double persistence_{0};  // of the latter
   mutable std::shared_ptr<const std::vector<double>> diameter_;
   /// A thread that finds the kept solver in use makes one for itself.
   mutable std::mutex loops_, geodesics_;

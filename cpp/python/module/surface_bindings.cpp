@@ -31,11 +31,12 @@ namespace {
 using Shared = std::shared_ptr<Surface>;
 
 PrepareOptions prepareOptionsOf(double weld, bool closeHoles, std::vector<Index> components,
-                                double scale) {
+                                double minComponent, double scale) {
   PrepareOptions options;
   options.weldDistance = weld;
   options.closeHoles = closeHoles;
   options.components = std::move(components);
+  options.minComponent = minComponent;
   options.scale = scale;
   return options;
 }
@@ -71,8 +72,8 @@ Shared surfaceOf(io::ReadModel model, const PrepareOptions& options, const Runni
 }
 
 Shared surfaceOfArrays(const Array<double>& positions, const Array<std::int64_t>& faces,
-                       double weld, bool closeHoles, std::vector<Index> components, double scale,
-                       const Running& running) {
+                       double weld, bool closeHoles, std::vector<Index> components,
+                       double minComponent, double scale, const Running& running) {
   const auto numbers = spanOf(positions);
   if (numbers.size() / 3 >= kNoIndex || faces.size() / 3 >= kNoIndex / 3) {
     throwError(makeError(ErrorCode::LimitExceeded, -1, "there are too many faces to number"));
@@ -81,17 +82,20 @@ Shared surfaceOfArrays(const Array<double>& positions, const Array<std::int64_t>
   model.soup.positions.assign(numbers.begin(), numbers.end());
   model.soup.triangles = trianglesOf(faces, numbers.size() / 3);
   return surfaceOf(std::move(model),
-                   prepareOptionsOf(weld, closeHoles, std::move(components), scale), running);
+                   prepareOptionsOf(weld, closeHoles, std::move(components), minComponent, scale),
+                   running);
 }
 
 /// A model's surface, and its vertices and faces as they are in the file.
 py::tuple surfaceOfFile(const std::string& path, double weld, bool closeHoles,
-                        std::vector<Index> components, double scale, const Running& running) {
+                        std::vector<Index> components, double minComponent, double scale,
+                        const Running& running) {
   auto model = compute<io::ReadModel>(
       running, [path](const ExecutionContext&) { return io::loadModel(path); });
   std::vector<double> positions = model.soup.positions;
   std::vector<std::int64_t> faces(model.soup.triangles.begin(), model.soup.triangles.end());
-  const PrepareOptions options = prepareOptionsOf(weld, closeHoles, std::move(components), scale);
+  const PrepareOptions options =
+      prepareOptionsOf(weld, closeHoles, std::move(components), minComponent, scale);
   Shared surface;
   try {
     surface = surfaceOf(std::move(model), options, running);
@@ -122,6 +126,8 @@ py::dict reportOf(const Surface& surface) {
   counts["non_manifold_vertices"] = report.nonManifoldVertices;
   counts["added_vertices"] = report.addedVertices;
   counts["components"] = report.components;
+  counts["sliver_components"] = report.sliverComponents;
+  counts["doubled_components"] = report.doubledComponents;
   counts["kept_components"] = report.keptComponents;
   counts["boundary_curves"] = report.boundaryCurves;
   counts["boundary_edges"] = report.boundaryEdges;
@@ -155,10 +161,13 @@ py::tuple arraysOf(const GirthField& field) {
   return py::make_tuple(arrayOf(std::vector<double>(field.values)), arrayOf(std::move(kinds)));
 }
 
-py::tuple girthOf(const Shared& surface, const std::string& method, const Running& running) {
+py::tuple girthOf(const Shared& surface, const std::string& method, double persistence,
+                  const Running& running) {
   if (method == "exact") {
     return arraysOf(*compute<std::shared_ptr<const GirthField>>(
-        running, [surface](const ExecutionContext& context) { return surface->girth(context); }));
+        running, [surface, persistence](const ExecutionContext& context) {
+          return surface->girth(persistence, context);
+        }));
   }
   return arraysOf(compute<GirthField>(
       running, [surface](const ExecutionContext& context) -> Result<GirthField> {
@@ -253,12 +262,7 @@ SurfacePoint pointOf(std::int64_t element, const Values& weights) {
 /// As Python passes points: (number, weights).
 using Point = std::pair<std::int64_t, Values>;
 
-py::dict loopAt(const Shared& surface, const Point& at, const Running& running) {
-  const SurfacePoint point = pointOf(at.first, at.second);
-  const auto loop = compute<GirthLoop>(running, [surface, point](const ExecutionContext& context) {
-    return surface->loop(point, context);
-  });
-  const SurfaceMesh& mesh = surface->mesh();
+py::dict loopDict(const SurfaceMesh& mesh, const SurfacePoint& point, const GirthLoop& loop) {
   py::dict result;
   result["length"] = loop.length;
   result["kind"] = std::string(toString(loop.kind));
@@ -267,6 +271,38 @@ py::dict loopAt(const Shared& surface, const Point& at, const Running& running) 
   result["midpoint"] = pointArray(positionOf(mesh, loop.midpoint));
   result["points"] = placesOf(mesh, loop.points);
   return result;
+}
+
+py::dict loopAt(const Shared& surface, const Point& at, double persistence,
+                const Running& running) {
+  const SurfacePoint point = pointOf(at.first, at.second);
+  const auto loop =
+      compute<GirthLoop>(running, [surface, point, persistence](const ExecutionContext& context) {
+        return surface->loop(point, persistence, context);
+      });
+  return loopDict(surface->mesh(), point, loop);
+}
+
+/// (births, deaths, loops, rest, kind of the rest)
+py::tuple barcodeAt(const Shared& surface, const Point& at, double maxPersistence,
+                    std::size_t maxSaddles, bool loops, const Running& running) {
+  const SurfacePoint point = pointOf(at.first, at.second);
+  const BarcodeOptions options{maxPersistence, maxSaddles, loops};
+  const auto barcode =
+      compute<Barcode>(running, [surface, point, options](const ExecutionContext& context) {
+        return surface->barcode(point, options, context);
+      });
+  Values births, deaths;
+  for (const SaddleBar& bar : barcode.bars) {
+    births.push_back(bar.birth);
+    deaths.push_back(bar.death);
+  }
+  py::list found;
+  for (const GirthLoop& loop : barcode.loops) {
+    found.append(loopDict(surface->mesh(), point, loop));
+  }
+  return py::make_tuple(arrayOf(std::move(births)), arrayOf(std::move(deaths)), found,
+                        barcode.rest.length, std::string(toString(barcode.rest.kind)));
 }
 
 Array<double> distancesFrom(const Shared& surface, const std::vector<Point>& from, double radius,
@@ -336,6 +372,7 @@ void bindSurface(py::module_& module) {
       .def("extent", &extentOf)
       .def("spectral_field", &spectralFieldOf)
       .def("loop", &loopAt)
+      .def("barcode", &barcodeAt)
       .def("distances", &distancesFrom)
       .def("path", &pathBetween)
       .def("remesh", &remeshed);

@@ -32,9 +32,11 @@ struct Sum {
 /// Lets a propagation run to its end, or until cancelled.
 struct UntilCancelled {
   const ExecutionContext& context;
-  bool enough(double) const { return context.cancelled(); }
+  bool enough(double) const { return interrupted(); }
+  bool interrupted() const { return context.cancelled(); }
   void onCrossing(Index, std::uint32_t, const geodesic::CrossingResult&) {}
   void onVertex(Index) {}
+  void restart() {}
   std::size_t effort() const { return 0; }
 };
 

@@ -11,10 +11,17 @@
 namespace girth::geodesic {
 
 /// Items come out bucket by bucket, and in the order they were pushed within one. Nothing is pushed
-/// below the current bucket: such keys count as the current one. O(1) each.
+/// below the current bucket: such keys count as the current one. O(1) each, and O(log n) where the
+/// bucket is far ahead, as across edges far longer than most.
 class BucketQueue {
  public:
   explicit BucketQueue(double width) : inverseWidth_(1 / width), width_(width), ring_(kRing) {}
+
+  /// From now on buckets are so wide. Only where empty and at the beginning.
+  void setWidth(double width) {
+    inverseWidth_ = 1 / width;
+    width_ = width;
+  }
 
   void clear() {
     if (size_ > 0) {
@@ -37,7 +44,8 @@ class BucketQueue {
     if (bucket - current_ < kRing) {
       ring_[bucket % kRing].push_back(item);
     } else {
-      far_.push_back({bucket, item});
+      far_.push_back({bucket, item, pushedFar_++});
+      std::push_heap(far_.begin(), far_.end(), later);
     }
     ++size_;
   }
@@ -55,8 +63,9 @@ class BucketQueue {
       ring_[current_ % kRing].clear();
       position_ = 0;
       ++current_;
-      if (far_.size() == size_) current_ = nearestFar();  // nothing in the ring: skip the void
-      if (!far_.empty()) bringNear();
+      // Nothing in the ring: skip the void.
+      if (far_.size() == size_) current_ = far_.front().bucket;
+      while (!far_.empty() && far_.front().bucket - current_ < kRing) bringNear();
     } while (bucketDone());
   }
 
@@ -84,26 +93,25 @@ class BucketQueue {
   struct Far {
     std::uint32_t bucket;
     Index item;
+    std::uint64_t number;  ///< in the order in which they were pushed
   };
-
-  std::uint32_t nearestFar() const {
-    return std::min_element(far_.begin(), far_.end(),
-                            [](const Far& a, const Far& b) { return a.bucket < b.bucket; })
-        ->bucket;
+  static bool later(const Far& a, const Far& b) {
+    return a.bucket != b.bucket ? a.bucket > b.bucket : a.number > b.number;
   }
 
+  /// The nearest of those far ahead enters the ring.
   void bringNear() {
-    const auto isFar = [&](const Far& far) { return far.bucket - current_ >= kRing; };
-    const auto middle = std::stable_partition(far_.begin(), far_.end(), isFar);
-    for (auto it = middle; it != far_.end(); ++it) ring_[it->bucket % kRing].push_back(it->item);
-    far_.erase(middle, far_.end());
+    std::pop_heap(far_.begin(), far_.end(), later);
+    ring_[far_.back().bucket % kRing].push_back(far_.back().item);
+    far_.pop_back();
   }
 
   double inverseWidth_, width_;
   std::uint32_t current_{0};
   std::size_t size_{0}, position_{0};
   std::vector<std::vector<Index>> ring_;
-  std::vector<Far> far_;
+  std::vector<Far> far_;  ///< a heap, the nearest on top
+  std::uint64_t pushedFar_{0};
 };
 
 }  // namespace girth::geodesic

@@ -25,12 +25,11 @@ class Until {
  public:
   Until(Limit limit, const ExecutionContext& context) : limit_(limit), context_(context) {}
 
-  bool enough(double frontier) {
-    cancelled_ = context_.cancelled();
-    return cancelled_ || frontier > limit_();
-  }
+  bool enough(double frontier) { return interrupted() || frontier > limit_(); }
+  bool interrupted() { return cancelled_ = context_.cancelled(); }
   void onCrossing(Index, std::uint32_t, const CrossingResult&) {}
   void onVertex(Index) {}
+  void restart() {}
   std::size_t effort() const { return 0; }
   bool cancelled() const { return cancelled_; }
 

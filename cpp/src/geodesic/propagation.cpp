@@ -38,11 +38,24 @@ bool trim(Vec2 root, double lead, double& gap) {
 Propagation::Propagation(const Unfolding& unfolding, double bucketWidth)
     : unfolding_(&unfolding),
       kernel_(crossingKernels().front()),
+      widthInEdges_(bucketWidth),
       queue_(bucketWidth * unfolding.meanEdgeLength()),
       distance_(unfolding.vertexCount(), kInfinity),
       reach_(unfolding.vertexCount()),
       arrival_(unfolding.vertexCount()),
       lists_(unfolding.halfedgeCount()) {}
+
+/// Small components beside large ones would otherwise lie in one bucket as a whole.
+double Propagation::bucketWidth() const {
+  constexpr double kFarShorter = 1.0 / 16;
+  double edge = unfolding_->meanEdgeLength();
+  for (const SurfacePoint& source : sources_) {
+    const double own =
+        unfolding_->meanEdgeLengthAround(unfolding_->crossing(unfolding_->home(source)).from());
+    if (own < kFarShorter * unfolding_->meanEdgeLength()) edge = lesser(edge, own);
+  }
+  return widthInEdges_ * edge;
+}
 
 void Propagation::clear() {
   constexpr std::size_t kAhead = 12;

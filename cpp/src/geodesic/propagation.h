@@ -89,8 +89,8 @@ enum class Keep : std::uint8_t {
 /// touched. Lengths are in `unfolding.unit()`, vertices, halfedges and faces in its numbers.
 class Propagation {
  public:
-  /// `bucketWidth`: of the queue, in mean edge lengths. It decides how much is done in what order,
-  /// and nothing else.
+  /// `bucketWidth`: of the queue, in mean edge lengths, those of the sources' components where
+  /// these are far shorter than most. It decides how much is done in what order, and nothing else.
   explicit Propagation(const Unfolding& unfolding, double bucketWidth = kBucketWidth);
 
   /// Grows from the sources until the surface is covered or `visitor` has seen enough:
@@ -99,34 +99,18 @@ class Propagation {
   ///                                         windows `first`, … of the halfedge enter its face
   ///   void visitor.onVertex(Index vertex)   a vertex that geodesics can pass is settled
   ///   std::size_t visitor.effort()          what it has done itself, in windows, for the budget
+  ///   bool visitor.interrupted()            stop at once? Asked in the midst of a bucket, too
+  ///   void visitor.restart()                all of this begins anew, in narrower buckets: where
+  ///   the
+  ///                                         surface is far thinner than its edges are long, paths
+  ///                                         wind round it within one
   template <class Visitor>
   void run(std::span<const SurfacePoint> sources, Keep keep, Visitor& visitor) {
-    start(sources, keep, [&](Index vertex) { visitor.onVertex(vertex); });
-    while (!queue_.empty()) {
-      if (queue_.bucketDone()) {
-        queue_.advance();
-        if (visitor.enough(queue_.frontier())) return;
-        if (crossed_ + visitor.effort() > budget_) {
-          gaveUp_ = true;
-          return;
-        }
-        if (pool_.grown()) forgetPassed();
-      }
-      const Index item = queue_.pop();
-      lookAhead();
-      if ((item & kVertexItem) != 0) {
-        const Index vertex = item & ~kVertexItem;
-        if (reach_[vertex].settled) continue;
-        settle(vertex);
-        visitor.onVertex(vertex);
-      } else if (lists_[item].bucket == queue_.current()) {
-        const std::uint32_t first = lists_[item].entered;
-        const CrossingResult result = crossFace(item);
-        visitor.onCrossing(item, first, result);
-        if (keep_ == Keep::Nothing) lists_.close(item);
-      }
+    for (double narrowing = 1;; narrowing *= kNarrower) {
+      start(sources, keep, narrowing, [&](Index vertex) { visitor.onVertex(vertex); });
+      if (grow(visitor, narrowing > kNarrowest)) return;
+      visitor.restart();
     }
-    visitor.enough(std::numeric_limits<double>::infinity());
   }
 
   const Unfolding& unfolding() const { return *unfolding_; }
@@ -230,13 +214,56 @@ class Propagation {
 
  private:
   static constexpr double kBucketWidth = 0.25;
+  static constexpr std::size_t kLookEvery = 4096;  // windows and items: some 0.1 ms
+  // Windows for each vertex that has been reached. On usual surfaces a bucket holds a few.
+  static constexpr std::size_t kMostInBucket = 256;
+  static constexpr double kNarrower = 1.0 / 16, kNarrowest = 1e-12;
   static constexpr Index kVertexItem = 0x80000000u;
 
+  /// Grows until there is an end; false: a bucket holds too much, and may be `divided`.
+  template <class Visitor>
+  bool grow(Visitor& visitor, bool divided) {
+    std::size_t popped = 0, looked = 0, bucketBegin = 0;
+    const auto isTooMuch = [&] { return gaveUp_ = crossed_ + visitor.effort() > budget_; };
+    while (!queue_.empty()) {
+      if (queue_.bucketDone()) {
+        queue_.advance();
+        if (visitor.enough(queue_.frontier())) return true;
+        if (isTooMuch()) return true;
+        if (pool_.grown()) forgetPassed();
+        bucketBegin = crossed_;
+      } else if (crossed_ + ++popped >= looked + kLookEvery) {
+        looked = crossed_ + popped;
+        if (visitor.interrupted() || isTooMuch()) return true;
+        if (divided && crossed_ - bucketBegin > kLookEvery + kMostInBucket * reached_.size()) {
+          return false;
+        }
+      }
+      const Index item = queue_.pop();
+      lookAhead();
+      if ((item & kVertexItem) != 0) {
+        const Index vertex = item & ~kVertexItem;
+        if (reach_[vertex].settled) continue;
+        settle(vertex);
+        visitor.onVertex(vertex);
+      } else if (lists_[item].bucket == queue_.current()) {
+        const std::uint32_t first = lists_[item].entered;
+        const CrossingResult result = crossFace(item);
+        visitor.onCrossing(item, first, result);
+        if (keep_ == Keep::Nothing) lists_.close(item);
+      }
+    }
+    visitor.enough(std::numeric_limits<double>::infinity());
+    return true;
+  }
+
   template <class OnVertex>
-  void start(std::span<const SurfacePoint> sources, Keep keep, OnVertex onVertex) {
+  void start(std::span<const SurfacePoint> sources, Keep keep, double narrowing,
+             OnVertex onVertex) {
     clear();
     keep_ = keep;
     sources_.assign(sources.begin(), sources.end());
+    queue_.setWidth(narrowing * bucketWidth());
     for (Index i = 0; i < sources_.size(); ++i) startFrom(i);
     for (Index i = 0; i < sources_.size(); ++i) {
       if (sources_[i].kind == SurfacePoint::Kind::AtVertex) {
@@ -245,6 +272,7 @@ class Propagation {
       }
     }
   }
+  double bucketWidth() const;
   void lookAhead() const;
   void clear();
   void startFrom(Index source);
@@ -280,6 +308,7 @@ class Propagation {
 
   const Unfolding* unfolding_;
   CrossingKernel kernel_;
+  double widthInEdges_;
   BucketQueue queue_;
   WindowPool pool_;
   Keep keep_{Keep::Everything};

@@ -24,6 +24,15 @@ Unfolding::Unfolding(const SurfaceMesh& mesh) : mesh_(&mesh) {
   unit_ = std::ldexp(1.0, exponent);
   meanEdgeLength_ = mesh.meanEdgeLength() / unit_;
 
+  componentEdge_.resize(mesh.componentCount(), 0);
+  std::vector<double> edges(mesh.componentCount(), 0);
+  for (const Halfedge h : mesh.halfedges()) {
+    const Index component = mesh.componentOf(mesh.from(h));
+    componentEdge_[component] += mesh.length(h) / unit_;
+    ++edges[component];
+  }
+  for (Index c = 0; c < mesh.componentCount(); ++c) componentEdge_[c] /= edges[c];
+
   // Coordinates are divided before they are added, so that the largest do not overflow.
   std::vector<Vec3> points(mesh.vertexCount());
   for (const Vertex v : mesh.vertices()) points[v] = (1 / unit_) * mesh.position(v);

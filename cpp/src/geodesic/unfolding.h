@@ -71,6 +71,10 @@ class Unfolding {
   /// The frames measure in `unit()` model units, a power of two near the mean edge length.
   double unit() const { return unit_; }
   double meanEdgeLength() const { return meanEdgeLength_; }
+  /// Of the component of a vertex alone.
+  double meanEdgeLengthAround(Index vertex) const {
+    return componentEdge_[mesh_->componentOf(Vertex(meshVertex_[vertex]))];
+  }
 
   Index vertexCount() const { return static_cast<Index>(totalAngle_.size()); }
   Index halfedgeCount() const { return static_cast<Index>(halfedges_.size()); }
@@ -172,6 +176,7 @@ class Unfolding {
  private:
   const SurfaceMesh* mesh_;
   double unit_, meanEdgeLength_;
+  std::vector<double> componentEdge_;  // the mean edge length of each component
   std::vector<FlatHalfedge> halfedges_;
   std::vector<Index> fans_;        // of all vertices, one behind the other
   std::vector<Index> firstOfFan_;  // of the vertices, and the end

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -53,7 +55,7 @@ class Search {
   /// A face to be searched, if its corners leave room for a farther point.
   void offer(Index face) {
     const double bound = propagation_.farthestWithin(face);
-    if (bound > best_.distance) push({bound, face, {}, {}, {}, Bound::Face});
+    if (bound > worthwhile()) push({bound, face, {}, {}, {}, Bound::Face});
   }
 
   /// False: the limit was met, or the work cancelled.
@@ -94,8 +96,12 @@ class Search {
     bool operator<(const Cell& other) const { return bound < other.bound; }
   };
 
+  /// What cannot be farther than this need not be looked at: the maximum is no less, or a point
+  /// there ties with the best.
+  double worthwhile() const { return std::max(atLeast_, best_.distance * (1 + kTie)); }
+
   bool searchCells(std::size_t mostWork, const ExecutionContext& context) {
-    while (!cells_.empty() && cells_.front().bound > atLeast_) {
+    while (!cells_.empty() && cells_.front().bound > worthwhile()) {
       if (work_ > mostWork || kept_ > kMostKept || context.cancelled()) return false;
       std::pop_heap(cells_.begin(), cells_.end());
       const Cell cell = std::move(cells_.back());
@@ -186,7 +192,7 @@ class Search {
       atLeast_ = atCentre;
       sample_ = {atCentre, 3 * face_, centre};
     }
-    if (atCentre + radius <= atLeast_) return;
+    if (atCentre + radius <= worthwhile()) return;
     const double slack = kTie * best_.distance;
     const double margin = radius * (1 + 1e-6) + slack;
     // The distance changes by no more than the way walked. That from one root is convex: where its
@@ -203,7 +209,7 @@ class Search {
         cell.nearest = *nearest;
       }
     }
-    if (cell.bound <= atLeast_) return;
+    if (cell.bound <= worthwhile()) return;
     for (const Site& site : sites) {
       if (site.distanceTo(centre) <= atCentre + 2 * margin && site.meetsDisk(centre, margin)) {
         cell.sites.push_back(site);
@@ -318,6 +324,47 @@ FarthestPoint farthestPoint(const Propagation& propagation, std::size_t mostWork
   best.complete = search.run(mostWork, context);
   best.atMost = search.atMost();
   return best;
+}
+
+double noPointIsFarther(const Propagation& propagation) {
+  const Unfolding& unfolding = propagation.unfolding();
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  std::vector<double> distance(unfolding.vertexCount(), kUnknown);
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto reach = [&](Index vertex, double length) {
+    if (!(length < distance[vertex])) return;
+    distance[vertex] = length;
+    queue.emplace(length, vertex);
+  };
+  for (const Index v : propagation.reachedVertices()) reach(v, propagation.distance(v));
+  for (const Propagation::Origin& origin : propagation.origins()) {
+    for (Index h = 3 * origin.face; h < 3 * origin.face + 3; ++h) {
+      reach(unfolding.crossing(h).from(),
+            norm(unfolding.toFrame(3 * origin.face, h, origin.place)));
+    }
+  }
+  double farthest = 0;
+  while (!queue.empty()) {
+    const auto [length, vertex] = queue.top();
+    queue.pop();
+    if (length > distance[vertex]) continue;
+    for (const Index h : unfolding.fan(vertex)) {
+      const Crossing c = unfolding.crossing(h);
+      reach(c.to(), length + c.length());
+      reach(c.apexVertex(), length + c.leftLength());
+    }
+  }
+  // From the corner that is best for it, no point of a face is beyond the longer of its two sides.
+  for (Index h = 0; h < unfolding.halfedgeCount(); h += 3) {
+    const Crossing c = unfolding.crossing(h);
+    const double bound =
+        std::min({distance[c.from()] + std::max(c.length(), c.leftLength()),
+                  distance[c.to()] + std::max(c.length(), c.rightLength()),
+                  distance[c.apexVertex()] + std::max(c.leftLength(), c.rightLength())});
+    if (std::isfinite(bound)) farthest = std::max(farthest, bound);
+  }
+  return farthest;
 }
 
 }  // namespace girth

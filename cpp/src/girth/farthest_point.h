@@ -31,4 +31,9 @@ FarthestPoint farthestPoint(const geodesic::Propagation& propagation,
                             std::size_t mostWork = std::numeric_limits<std::size_t>::max(),
                             const ExecutionContext& context = {});
 
+/// A distance that no point of the component is beyond, after a propagation that may have stopped
+/// on the way: over vertices that it has reached, along edges to the others, and into faces from
+/// their corners. O(n log n).
+double noPointIsFarther(const geodesic::Propagation& propagation);
+
 }  // namespace girth

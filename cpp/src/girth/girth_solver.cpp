@@ -127,25 +127,30 @@ struct GirthSolver::State {
 
   Result<GirthValue> value(const ExecutionContext& context) const {
     if (const LoopCandidate* best = found()) {
-      return GirthValue{inModelUnits(best->length), LoopKind::Loop};
+      const double length = inModelUnits(best->length);
+      return GirthValue{length, LoopKind::Loop, length};
     }
-    if (gaveUp()) return GirthValue{inModelUnits(2 * reached()), LoopKind::Unresolved};
+    if (gaveUp()) {
+      return GirthValue{inModelUnits(2 * reached()), LoopKind::Unresolved,
+                        inModelUnits(2 * noPointIsFarther(propagation))};
+    }
     const auto point = farthest(context);
     if (!point) return point.error();
-    return GirthValue{inModelUnits(2 * point.value().distance),
-                      point.value().complete ? LoopKind::Antipodal : LoopKind::Unresolved};
+    const double length = inModelUnits(2 * point.value().distance);
+    if (point.value().complete) return GirthValue{length, LoopKind::Antipodal, length};
+    return GirthValue{length, LoopKind::Unresolved, inModelUnits(2 * point.value().atMost)};
   }
 
   Result<GirthLoop> loop(const ExecutionContext& context) const {
     if (const LoopCandidate* best = found()) return loopOf(*best);
-    if (gaveUp()) return unresolved(reached());
+    if (gaveUp()) return unresolved(reached(), noPointIsFarther(propagation));
     const auto found = this->farthest(context);
     if (!found) return found.error();
     const FarthestPoint& farthest = found.value();
-    if (!farthest.complete) return unresolved(farthest.distance);
+    if (!farthest.complete) return unresolved(farthest.distance, farthest.atMost);
     GirthLoop result;
     result.base = propagation.source(0);
-    result.length = inModelUnits(2 * farthest.distance);
+    result.length = result.atMost = inModelUnits(2 * farthest.distance);
     result.kind = LoopKind::Antipodal;
     result.midpoint = surfacePointAt(*unfolding, farthest.halfedge, farthest.point);
     std::vector<SurfacePoint> there;
@@ -160,7 +165,7 @@ struct GirthSolver::State {
   GirthLoop loopOf(const LoopCandidate& best) const {
     GirthLoop result;
     result.base = propagation.source(0);
-    result.length = inModelUnits(best.length);
+    result.length = result.atMost = inModelUnits(best.length);
     result.kind = LoopKind::Loop;
     result.midpoint = surfacePointAt(*unfolding, best.halfedge, best.midpoint);
     std::vector<SurfacePoint> there, back;
@@ -205,10 +210,12 @@ struct GirthSolver::State {
     return result;
   }
 
-  /// No loop is shorter than twice this distance; that is all that is known.
-  GirthLoop unresolved(double distance) const {
+  /// No loop is shorter than twice `distance`, and no point farther than `farthest`; that is all
+  /// that is known.
+  GirthLoop unresolved(double distance, double farthest) const {
     GirthLoop result;
     result.length = inModelUnits(2 * distance);
+    result.atMost = inModelUnits(2 * farthest);
     result.kind = LoopKind::Unresolved;
     result.midpoint = result.base = unfolding->toMesh(propagation.source(0));
     return result;

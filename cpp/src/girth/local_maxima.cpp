@@ -38,20 +38,29 @@ double distanceAmong(const std::vector<Site>& sites, Vec2 q, double slack, const
   return distance;
 }
 
-/// Whether there is a direction in which the distance from every site rises, in all of a triangle.
-/// It is looked for from `direction` on, and turned towards the rays that it leaves behind.
+/// How far a point lies in a direction before all of a triangle: of a corner of it, before the
+/// rest.
+double before(Vec2 point, const std::array<Vec2, 3>& corners, Vec2 direction) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec2 corner : corners) {
+    if (corner.x != point.x || corner.y != point.y) least = std::min(least, dot(corner, direction));
+  }
+  return least - dot(point, direction);
+}
+
+/// Whether there is a direction in which the distance from every site rises, in all of a triangle
+/// but a corner that is a site itself. It is looked for from `direction` on, and turned towards the
+/// rays that it leaves behind.
 bool goOnTogether(const std::vector<Site>& sites, const std::array<Vec2, 3>& corners,
                   Vec2 direction) {
   constexpr int kMostTurns = 8;
   const Vec2 centre = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
   direction = (1 / norm(direction)) * direction;
   for (int turn = 0; turn < kMostTurns; ++turn) {
-    const double least = std::min(
-        {dot(corners[0], direction), dot(corners[1], direction), dot(corners[2], direction)});
     const Site* behind = nullptr;
     double most = 0;
     for (const Site& site : sites) {
-      const double by = dot(site.root, direction) - least;
+      const double by = -before(site.root, corners, direction);
       if (by < 0) continue;
       const Vec2 ray = centre - site.root;
       const double share = by / std::max(norm(ray), 1e-300);
@@ -142,6 +151,21 @@ void MaximaSearch::tryVertex(Index vertex) {
   if (arrivals_.surround(kNoGap)) add(distance, vertex, out, {0, 0});
 }
 
+/// Whether paths to the corner at which a halfedge starts go on into its face.
+bool MaximaSearch::sendsInto(Index out) const {
+  const Unfolding& unfolding = propagation_->unfolding();
+  const Index corner = unfolding.crossing(out).from();
+  if (!propagation_->settled(corner)) return false;
+  if (unfolding.boundary(corner) || propagation_->isSource(corner)) return true;
+  if (!unfolding.saddle(corner)) return false;
+  const geodesic::Arrival& arrival = propagation_->arrival(corner);
+  if (arrival.onwardsFrom == kNoIndex) return true;
+  for (Index at = arrival.onwardsFrom; at != out; at = unfolding.turnLeft(at)) {
+    if (at == arrival.onwardsTo || at == kNoIndex) return false;
+  }
+  return true;
+}
+
 /// Whether there is a direction in which all paths into the face go on, so that the distance rises
 /// in that direction everywhere. Most faces are seen through so.
 bool MaximaSearch::allFromOneSide(Index face) {
@@ -160,13 +184,9 @@ bool MaximaSearch::allFromOneSide(Index face) {
   const Vec2 rising{d1 * e2.y - d2 * e1.y, d2 * e1.x - d1 * e2.x};
   const double least =
       std::min({dot(corners[0], rising), dot(corners[1], rising), dot(corners[2], rising)});
-  const auto goesOn = [&](Vec2 root) { return dot(root, rising) < least; };
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const Index corner = unfolding.crossing(h).from();
-    const bool sendsPaths =
-        propagation_->settled(corner) &&
-        (unfolding.saddle(corner) || unfolding.boundary(corner) || propagation_->isSource(corner));
-    if (sendsPaths && !goesOn(corners[h - 3 * face])) return false;
+    const Vec2 corner = corners[h - 3 * face];
+    if (!(before(corner, corners, rising) > 0) && sendsInto(h)) return false;
     if (propagation_->enteredCount(h) == 0) continue;
     work_ += propagation_->enteredCount(h) / 4;
     const Vec2 x = unfolding.toFrame(h, 3 * face, {1, 0}) - corners[h - 3 * face];
@@ -186,6 +206,13 @@ void MaximaSearch::tryFace(Index face) {
   if (allFromOneSide(face)) return;
   findSites(*propagation_, face, sites_);
   work_ += sites_.size();
+  // Other corners only bound distances from above.
+  bounds_.clear();
+  std::erase_if(sites_, [&](const Site& site) {
+    if (site.corner == kNoIndex || sendsInto(3 * face + site.corner)) return false;
+    bounds_.push_back(site);
+    return true;
+  });
   face_ = face;
   tried_.clear();
   cells_.clear();
@@ -200,8 +227,10 @@ void MaximaSearch::tryCell(Cell cell) {
   for (const Vec2 corner : corners) radius = std::max(radius, norm(corner - centre));
   const Site* nearest = nullptr;
   const double slack = kTie * high_, usual = std::isfinite(slack) ? slack : kTie * low_;
-  const double atCentre = distanceAmong(cell.sites, centre, usual, nearest);
-  if (nearest == nullptr || atCentre + radius < low_ || atCentre - radius > high_) return;
+  double atCentre = distanceAmong(cell.sites, centre, usual, nearest);
+  if (nearest == nullptr) return;
+  for (const Site& bound : bounds_) atCentre = std::min(atCentre, bound.distanceTo(centre));
+  if (atCentre + radius < low_ || atCentre - radius > high_) return;
 
   // What can be nearest somewhere in the cell.
   const double margin = radius * (1 + 1e-6) + kTie * atCentre;
@@ -258,7 +287,10 @@ void MaximaSearch::tryTriples(const std::vector<Site>& roots, const Cell& cell, 
           const double there = roots[i].distanceTo(q);
           const Site* nearest = nullptr;
           const double distance = distanceAmong(cell.sites, q, kTie * there, nearest);
-          if (std::fabs(distance - there) <= 1e-9 * there) tryPoint(q, distance);
+          const bool isBounded = std::any_of(
+              bounds_.begin(), bounds_.end(),
+              [&](const Site& bound) { return bound.distanceTo(q) < there * (1 - 1e-9); });
+          if (!isBounded && std::fabs(distance - there) <= 1e-9 * there) tryPoint(q, distance);
         }
       }
     }

@@ -48,6 +48,7 @@ class MaximaSearch {
   };
 
   void tryVertex(Index vertex);
+  bool sendsInto(Index out) const;
   bool allFromOneSide(Index face);
   void tryFace(Index face);
   void tryCell(Cell cell);
@@ -63,6 +64,7 @@ class MaximaSearch {
   std::vector<LocalMaximum>* maxima_{nullptr};
   Index face_{0};
   std::vector<Site> sites_, roots_;
+  std::vector<Site> bounds_;  // corners that send no paths into the face
   std::vector<Cell> cells_;
   std::vector<geodesic::Vec2> tried_;  // points of the face
   Arrivals arrivals_;

@@ -34,10 +34,7 @@ void LoopSearch::start(const std::atomic<bool>* cancel) {
 }
 
 bool LoopSearch::enough(double frontier) {
-  const auto cancelled = [this] {
-    return cancelled_ = cancel_ != nullptr && cancel_->load(std::memory_order_relaxed);
-  };
-  while (!cancelled() && !candidates_.empty() &&
+  while (!interrupted() && !candidates_.empty() &&
          candidates_.front().length / 2 * (1 + kTie) < frontier) {
     if (propagation_->windowsCrossed() + effort() > propagation_->budget()) return false;
     std::pop_heap(candidates_.begin(), candidates_.end(), longer);
@@ -47,6 +44,10 @@ bool LoopSearch::enough(double frontier) {
     if (isLoop) return found_ = true;
   }
   return cancelled_;
+}
+
+bool LoopSearch::interrupted() {
+  return cancelled_ = cancel_ != nullptr && cancel_->load(std::memory_order_relaxed);
 }
 
 void LoopSearch::onCrossing(Index halfedge, std::uint32_t first, const CrossingResult& result) {
@@ -92,6 +93,8 @@ void LoopSearch::pairAcross(Index halfedge, std::uint32_t first, Index other) {
   const double otherLength = unfolding.crossing(other).length();
   const std::vector<Window>* others = nullptr;
   for (std::uint32_t i = first; i < propagation_->enteredCount(halfedge); ++i) {
+    // What is left undone does not count: the propagation gives up, or is cancelled, next.
+    if (interrupted() || effort() > propagation_->budget()) return;
     const Window a = propagation_->window(halfedge, i);
     // The window as seen from the other side: its root must lie beyond the face.
     const Vec2 root = unfolding.toFrame(halfedge, other, a.root);

@@ -53,6 +53,9 @@ class LoopSearch {
   /// Whether there is a loop. Asked again, whether there is another one: each time the shortest of
   /// those that are left, no longer than twice the frontier.
   bool enough(double frontier);
+  /// Whether the work has been cancelled.
+  bool interrupted();
+  void restart() { start(cancel_); }
   void onCrossing(Index halfedge, std::uint32_t first, const geodesic::CrossingResult& result);
   void onVertex(Index vertex);
 

@@ -28,6 +28,8 @@ class PersistentSearch {
   void start(double persistence, std::size_t mostSaddles, const std::atomic<bool>* cancel);
 
   bool enough(double frontier);
+  bool interrupted() { return search_->interrupted(); }
+  void restart() { start(persistence_, mostSaddles_, cancel_); }
   void onCrossing(Index halfedge, std::uint32_t first, const geodesic::CrossingResult& result) {
     search_->onCrossing(halfedge, first, result);
   }

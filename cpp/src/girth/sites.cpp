@@ -22,7 +22,8 @@ void findSites(const Propagation& propagation, Index face, std::vector<Site>& si
     const Crossing c = unfolding.crossing(h);
     const auto place = [&](Vec2 p) { return unfolding.toFrame(h, 3 * face, p); };
     if (propagation.settled(c.from())) {
-      sites.push_back({place({0, 0}), propagation.distance(c.from())});
+      sites.push_back(
+          {place({0, 0}), propagation.distance(c.from()), {0, 0}, {0, 0}, h - 3 * face});
     }
     propagation.eachEntered(h, [&](const geodesic::Window& w) {
       const Vec2 root = place(w.root);

@@ -17,6 +17,8 @@ struct Site {
   double sigma;
   geodesic::Vec2 left{0, 0},
       right{0, 0};  // unit vectors along the bounds of the window; zero: unbounded
+  /// Of a corner, its number; none: it is no corner.
+  Index corner{kNoIndex};
 
   double distanceTo(geodesic::Vec2 q) const { return sigma + norm(q - root); }
   /// Whether the window covers a point of this disk.

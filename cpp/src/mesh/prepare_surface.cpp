@@ -1,6 +1,7 @@
 #include "girth/prepare_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
 #include <optional>
@@ -12,12 +13,41 @@
 #include "mesh/prepare/join_faces.h"
 #include "mesh/prepare/split_vertices.h"
 #include "mesh/prepare/weld_vertices.h"
+#include "mesh/vector.h"
 
 namespace girth {
 
 namespace {
 
 using prepare::WorkingFaces;
+
+/// Components of a smaller share of the largest one's area are slivers.
+constexpr double kSliver = 1e-6;
+
+/// What a component holds inside, as its faces are added: at a scale near 1.
+struct Inside {
+  explicit Inside(const Vec3& somewhere) : origin(somewhere) {}
+
+  void add(const WorkingFaces& faces, Index face) {
+    std::array<Vec3, 3> corner;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corner[k] = faces.scaledPosition(faces.triangles[3 * std::size_t{face} + k]) - origin;
+      radius = std::max(radius, norm(corner[k]));
+    }
+    sixfoldVolume += dot(corner[0], cross(corner[1], corner[2]));
+  }
+
+  /// Whether two sheets lie on each other.
+  bool isNothing(double area) const {
+    constexpr double kThinnest = 1e-6;
+    return !isOpen && std::fabs(sixfoldVolume) / 3 < kThinnest * area * radius;
+  }
+
+  Vec3 origin;
+  double sixfoldVolume{0};
+  double radius{0};
+  bool isOpen{false};
+};
 
 std::string countText(std::size_t count, const char* one, const char* many) {
   return count == 1 ? std::string("the only ") + one : "all " + std::to_string(count) + " " + many;
@@ -32,6 +62,10 @@ std::optional<Error> findBadElement(const TriangleSoup& soup, const PrepareOptio
   if (!(options.weldDistance >= 0) || std::isinf(options.weldDistance)) {
     return makeError(ErrorCode::InvalidOption, -1,
                      "the distance to weld within is no number of at least 0");
+  }
+  if (!(options.minComponent >= 0 && options.minComponent <= 1)) {
+    return makeError(ErrorCode::InvalidOption, -1,
+                     "the share of the largest component is no number from 0 to 1");
   }
   if (soup.positions.size() % 3 != 0 || soup.triangles.size() % 3 != 0) {
     return makeError(ErrorCode::EmptyMesh, -1, "the arrays are not whole triples");
@@ -151,6 +185,7 @@ class Preparation {
       const auto number = static_cast<Index>(parts_.size());
       SurfacePart part;
       part.firstFace = kNoIndex;
+      Inside inside(faces_.scaledPosition(faces_.triangles[3 * std::size_t{seed}]));
       front.assign(1, seed);
       partOfFace_[seed] = number;
       while (!front.empty()) {
@@ -158,19 +193,34 @@ class Preparation {
         front.pop_back();
         ++part.faces;
         part.area += faces_.shape(f).doubleArea / 2;
+        inside.add(faces_, f);
         part.firstFace = std::min(part.firstFace, faces_.inputOfFace[f]);
         for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-          if (joined.twin[h] == kNoIndex) continue;
+          if (joined.twin[h] == kNoIndex) {
+            inside.isOpen = true;
+            continue;
+          }
           const Index g = joined.twin[h] / 3;
           if (partOfFace_[g] != kNoIndex) continue;
           partOfFace_[g] = number;
           front.push_back(g);
         }
       }
+      if (inside.isNothing(part.area)) ++report_.doubledComponents;
       part.area = part.area / faces_.scale / faces_.scale;
       parts_.push_back(part);
     }
     report_.components = static_cast<Index>(parts_.size());
+    const double largest = largestArea();
+    for (const SurfacePart& part : parts_) {
+      report_.sliverComponents += part.area < kSliver * largest ? 1 : 0;
+    }
+  }
+
+  double largestArea() const {
+    double largest = 0;
+    for (const SurfacePart& part : parts_) largest = std::max(largest, part.area);
+    return largest;
   }
 
   std::optional<Error> chooseParts() {
@@ -184,7 +234,15 @@ class Preparation {
       }
       chosen[part] = true;
     }
+    const double least = options_.minComponent * largestArea();
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      if (parts_[part].area < least) chosen[part] = false;
+    }
     report_.keptComponents = static_cast<Index>(std::count(chosen.begin(), chosen.end(), true));
+    if (report_.keptComponents == 0) {
+      return makeError(ErrorCode::EmptyMesh, -1,
+                       "the components that were chosen are smaller than those that are kept");
+    }
     if (report_.keptComponents < parts_.size()) {
       faces_.filter([&](Index f) { return chosen[partOfFace_[f]]; });
     }

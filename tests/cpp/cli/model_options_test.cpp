@@ -57,6 +57,7 @@ TEST_F(ModelOptions, areThoseOfEveryCommandThatReadsAModel) {
   EXPECT_EQ(commands.size(), 13u);
   for (const auto& [name, help] : commands) {
     for (const char* option : {"  --weld LENGTH ", "  --close-holes ", "  --component N ",
+                               "  --min-component SHARE ",
                                "  --unit UNIT ", "  --in UNIT ", "  --scale N ",
                                "  --height LENGTH ", "  --up AXIS ", "  --entry NAME "}) {
       EXPECT_TRUE(contains(help, option)) << name << option;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "girth/girth.h"
@@ -232,6 +233,102 @@ TEST(BadInput, ABudgetEndsTheWork) {
   distances.setBudget(50);
   EXPECT_EQ(distances.distances(SurfacePoint::atVertex(Vertex(0))).error().code,
             ErrorCode::LimitExceeded);
+}
+
+TEST(BadInput, WhatABudgetLeavesIsBoundedFromBothSides) {
+  for (const Shape& shape : {perturbed(octasphere(3), 0.3, 1), box(1, 1, 4, 2, 2, 8),
+                             perturbed(torus(3, 1, 16, 9), 0.2, 2), pyramid(40, 1, 3)}) {
+    const SurfaceMesh mesh = shape.mesh();
+    GirthSolver whole(mesh), poor(mesh);
+    std::vector<SurfacePoint> points{SurfacePoint::inFace(Face(1), {0.2, 0.3, 0.5})};
+    for (Index v = 0; v < mesh.vertexCount(); v += 11) {
+      points.push_back(SurfacePoint::atVertex(Vertex(v)));
+    }
+    for (const SurfacePoint& point : points) {
+      const GirthValue exact = whole.value(point).value();
+      EXPECT_EQ(exact.atMost, exact.length);
+      bool isResolved = false;
+      for (std::size_t budget = 1; budget < 1u << 26 && !isResolved; budget *= 3) {
+        poor.setBudget(budget);
+        const GirthValue value = poor.value(point).value();
+        const GirthLoop loop = poor.loop(point).value();
+        isResolved = value.kind != LoopKind::Unresolved;
+        for (const auto& [length, atMost] :
+             {std::pair(value.length, value.atMost), std::pair(loop.length, loop.atMost)}) {
+          EXPECT_LE(length, exact.length * (1 + 1e-12)) << "budget " << budget;
+          EXPECT_GE(atMost, exact.length * (1 - 1e-12)) << "budget " << budget;
+          EXPECT_LT(atMost, 20 * exact.length) << "budget " << budget;
+        }
+      }
+      EXPECT_TRUE(isResolved);
+    }
+  }
+}
+
+TEST(BadInput, ABudgetEndsTheWorkAmongVeryShortEdges) {
+  // The tip of a cone whose rings shrink: all of its small faces lie nearer to each other than most
+  // edges are long, and are worked on together.
+  Shape shape;
+  constexpr Index around = 24, rings = 24;
+  for (Index r = 0; r < rings; ++r) {
+    for (Index i = 0; i < around; ++i) {
+      const double radius = std::pow(0.4, r) * (1 + 0.3 * std::sin(7.0 * i + r));
+      const double angle = 2 * M_PI * i / around;
+      shape.add(radius * std::cos(angle), radius * std::sin(angle), 2 * radius);
+    }
+  }
+  const Index tip = shape.add(0, 0, 0), base = shape.add(0, 0, 9);
+  for (Index i = 0; i < around; ++i) {
+    const Index j = (i + 1) % around;
+    shape.face(base, i, j);
+    for (Index r = 0; r + 1 < rings; ++r) {
+      const Index a = r * around, b = a + around;
+      shape.face(a + j, a + i, b + i);
+      shape.face(a + j, b + i, b + j);
+    }
+    shape.face(tip, (rings - 1) * around + j, (rings - 1) * around + i);
+  }
+  const SurfaceMesh mesh = shape.mesh();
+  GirthSolver solver(mesh);
+  solver.setBudget(100);
+  const auto value = solver.value(Vertex(tip));
+  ASSERT_TRUE(value.ok());
+  EXPECT_EQ(value.value().kind, LoopKind::Unresolved);
+  EXPECT_LT(solver.statistics().windowsCrossed, 10'000u);
+}
+
+TEST(BadInput, TubesFarThinnerThanTheirEdgesAreLong) {
+  // Before the first bucket of the queue ends, paths could wind round them a hundred thousand
+  // times.
+  for (const double side : {1e-3, 1e-5}) {
+    const Shape tube = prism(regularPolygon(4, side), 1, 1);
+    const SurfaceMesh mesh = tube.mesh();
+    GirthSolver solver(mesh);
+    for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+      if (mesh.length(Halfedge(h)) < 0.5) continue;
+      const auto value = solver.value(SurfacePoint::onHalfedge(Halfedge(h), 0.4)).value();
+      EXPECT_EQ(value.kind, LoopKind::Loop) << side;
+      EXPECT_NEAR(value.length / side, 4, 1e-7) << side;
+      EXPECT_LT(solver.statistics().windowsCrossed, 20'000u) << side;
+      break;
+    }
+  }
+}
+
+TEST(BadInput, SmallComponentsCostNoMoreBesideLargeOnes) {
+  const Shape small = moved(perturbed(torus(3, 1, 24, 12), 0.1, 1), 1e-6, 0, 3);
+  Shape both = small;
+  const Shape large = box(1, 1, 1, 12, 12, 12);
+  for (std::size_t i = 0; i < large.positions.size(); ++i)
+    both.positions.push_back(large.positions[i]);
+  for (const Index v : large.triangles) both.triangles.push_back(v + small.vertexCount());
+  const SurfaceMesh alone = small.mesh(), beside = both.mesh();
+  GirthSolver one(alone), two(beside);
+  for (Index v = 0; v < small.vertexCount(); v += 37) {
+    const double length = one.value(Vertex(v)).value().length;
+    EXPECT_NEAR(two.value(Vertex(v)).value().length / length, 1, 1e-9);
+    EXPECT_LE(two.statistics().windowsCrossed, 2 * one.statistics().windowsCrossed + 100);
+  }
 }
 
 }  // namespace

@@ -33,6 +33,8 @@ struct Spread {
   Spread(const Shape& shape, Vertex from) : mesh(shape.mesh()) {
     struct Everywhere {
       bool enough(double) { return false; }
+      bool interrupted() { return false; }
+      void restart() {}
       void onCrossing(Index, std::uint32_t, const geodesic::CrossingResult&) {}
       void onVertex(Index) {}
       std::size_t effort() const { return 0; }

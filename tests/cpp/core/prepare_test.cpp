@@ -10,6 +10,7 @@
 #include <string>
 
 #include "girth/prepare_surface.h"
+#include "random_soups.h"
 #include "shapes.h"
 
 namespace girth::test {
@@ -595,6 +596,46 @@ TEST(Prepare, ComponentsCanBeChosen) {
   EXPECT_EQ(codeOf(prepareSurface(soupOf(shape), options)), "COMPONENT_OUT_OF_RANGE");
 }
 
+TEST(Prepare, SliversAndDoubledComponentsAreCounted) {
+  // A cube; two far smaller ones, the second a sliver; four faces that lie on each other, and a
+  // plate that is thin, but has two sides.
+  Shape shape = cubesAt({{0, 0, 0}});
+  const auto add = [&](const Shape& other) {
+    const Index first = shape.vertexCount();
+    shape.positions.insert(shape.positions.end(), other.positions.begin(), other.positions.end());
+    for (const Index v : other.triangles) shape.triangles.push_back(v + first);
+  };
+  add(moved(cubesAt({{1500, 0, 0}}), 2e-3, 0, 0));
+  add(moved(cubesAt({{50'000, 0, 0}}), 1e-4, 0, 0));
+  add({{6, 0, 0, 7, 0, 0, 6.3, 0.01, 0, 6.5, 0.0033, 0}, {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2}});
+  add(moved(box(1, 1, 1e-3, 1, 1, 1), 1, 0, 9));
+  const PreparedSurface all = prepared(shape);
+  EXPECT_EQ(all.report.components, 5u);
+  EXPECT_EQ(all.report.sliverComponents, 1u);
+  EXPECT_EQ(all.report.doubledComponents, 1u);
+  EXPECT_EQ(all.report.keptComponents, 5u) << "nothing is left out unless it is asked for";
+
+  PrepareOptions options;
+  options.minComponent = 1e-7;
+  EXPECT_EQ(prepared(shape, options).report.keptComponents, 4u);
+  options.minComponent = 0.01;
+  const PreparedSurface some = prepared(shape, options);
+  EXPECT_EQ(some.report.keptComponents, 2u);
+  EXPECT_EQ(some.report.components, 5u);
+  EXPECT_EQ(some.vertexOfInput[8], kNoIndex);
+  options.minComponent = 1;
+  EXPECT_EQ(prepared(shape, options).report.keptComponents, 1u);
+  options.components = {1};
+  EXPECT_EQ(codeOf(prepareSurface(soupOf(shape), options)), "EMPTY_MESH");
+  options.components = {};
+  for (const double share : {-1e-9, 1.5, std::nan("")}) {
+    options.minComponent = share;
+    EXPECT_EQ(codeOf(prepareSurface(soupOf(shape), options)), "INVALID_OPTION") << share;
+  }
+  // An open sheet has no inside, and is no doubled one.
+  EXPECT_EQ(prepared({{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}}).report.doubledComponents, 0u);
+}
+
 TEST(Prepare, HolesCanBeClosed) {
   PrepareOptions options;
   options.closeHoles = true;
@@ -681,33 +722,6 @@ TEST(Prepare, ProgressEndsAtOne) {
 }
 
 // --- Any triangles -------------------------------------------------------------------------------
-
-/// Triangles at random over a few places of a small grid: much coincides, lines up and crosses.
-Shape randomSoup(std::uint64_t seed) {
-  Random random(seed);
-  Shape shape;
-  const Index grid = 2 + random.below(4), vertices = 4 + random.below(20);
-  const double jitter = random() < 0.3 ? 0.5 : 0;
-  for (Index i = 0; i < vertices; ++i) {
-    const auto coordinate = [&] { return random.below(grid) + jitter * random(); };
-    const double x = coordinate(), y = coordinate(), z = random() < 0.3 ? 0 : coordinate();
-    shape.add(x, y, z);
-  }
-  const Index faces = 1 + random.below(60);
-  for (Index i = 0; i < faces; ++i) {
-    if (i > 0 && random() < 0.1) {  // a copy, turned somehow
-      const Index f = random.below(i);
-      const Index* v = &shape.triangles[3 * std::size_t{f}];
-      const Index k = random.below(3), a = v[k], b = v[(k + 1) % 3], c = v[(k + 2) % 3];
-      random() < 0.5 ? shape.face(a, b, c) : shape.face(a, c, b);
-    } else {
-      const Index a = random.below(vertices), b = random.below(vertices),
-                  c = random.below(vertices);
-      shape.face(a, b, c);
-    }
-  }
-  return shape;
-}
 
 TEST(Prepare, AnyTrianglesBecomeASurface) {
   std::size_t surfaces = 0, flips = 0, oneSided = 0;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "girth/field_difference.h"
 #include "girth/girth_field.h"
@@ -12,6 +13,7 @@
 #include "girth/remesh.h"
 #include "girth/transfer.h"
 #include "random_meshes.h"
+#include "random_soups.h"
 
 namespace girth::test {
 namespace {
@@ -262,6 +264,71 @@ TEST(Remesh, AnyRandomSurface) {
   }
 }
 
+/// The component of the original that a point lies on.
+Index componentOf(const SurfaceMesh& mesh, const SurfacePoint& point) {
+  const Index halfedge =
+      point.kind == SurfacePoint::Kind::InFace ? 3 * point.element : point.element;
+  return mesh.componentOf(point.kind == SurfacePoint::Kind::AtVertex
+                              ? Vertex(point.element)
+                              : mesh.from(Halfedge(halfedge)));
+}
+
+/// That each component has become one of the same topology, which lies on it.
+void expectSameComponents(const SurfaceMesh& original, const RemeshedSurface& out) {
+  const SurfaceMesh& mesh = out.mesh;
+  ASSERT_EQ(mesh.componentCount(), original.componentCount());
+  std::vector<Index> origin(mesh.componentCount(), kNoIndex);
+  for (const Vertex v : mesh.vertices()) {
+    Index& from = origin[mesh.componentOf(v)];
+    const Index here = componentOf(original, out.onOriginal[v]);
+    if (from == kNoIndex) from = here;
+    ASSERT_EQ(from, here) << "vertex " << v;
+  }
+  for (Index c = 0; c < mesh.componentCount(); ++c) {
+    EXPECT_EQ(mesh.genus(c), original.genus(origin[c])) << "component " << origin[c];
+    EXPECT_EQ(mesh.boundaryCount(c), original.boundaryCount(origin[c]))
+        << "component " << origin[c];
+  }
+  std::sort(origin.begin(), origin.end());
+  EXPECT_EQ(std::unique(origin.begin(), origin.end()), origin.end());
+}
+
+void expectRemeshable(std::uint64_t seed, Index most) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Shape shape = randomLeftovers(seed, most);
+  const auto prepared = prepareSurface({shape.positions, shape.triangles});
+  if (!prepared) return;
+  const SurfaceMesh& mesh = prepared.value().mesh;
+  // Few and many, fewer and more than there are.
+  Random random(seed + 1);
+  const auto faces = static_cast<Index>(4 * std::pow(most, random()));
+  for (const RemeshMethod method : {RemeshMethod::Fitting, RemeshMethod::Even}) {
+    const auto out = remesh(mesh, {faces, method});
+    ASSERT_TRUE(out.ok()) << out.error().message << ", " << mesh.faceCount() << " to " << faces;
+    expectSameComponents(mesh, out.value());
+  }
+}
+
+TEST(Remesh, WhateverModelsLeaveBehind) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    expectRemeshable(seed, 600);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Remesh, ComponentsOfTwoFacesStayAsTheyAre) {
+  Shape shape = icosphere(1);
+  for (Index i = 0; i < 3; ++i) shape.add(5 + (i == 1), i == 2, 0);
+  shape.face(42, 43, 44);
+  shape.face(42, 44, 43);
+  const SurfaceMesh mesh = shape.mesh();
+  for (const RemeshMethod method : {RemeshMethod::Fitting, RemeshMethod::Even}) {
+    const RemeshedSurface out = remeshed(mesh, 3000, method);
+    expectSameComponents(mesh, out);
+    EXPECT_GT(out.mesh.faceCount(), 2000u);
+  }
+}
+
 TEST(Remesh, OfAnySizeAndShape) {
   for (const double scale : {1e-250, 1e-70, 1e70, 1e250}) {
     SCOPED_TRACE(scale);
@@ -301,6 +368,17 @@ TEST(Remesh, StopsAndSaysWhatIsWrong) {
   EXPECT_EQ(remesh(mesh, {1000}, context).error().code, ErrorCode::Cancelled);
   const SurfaceMesh dense = icosphere(5).mesh();
   EXPECT_EQ(remesh(dense, {1000}, context).error().code, ErrorCode::Cancelled);
+  // In the midst, too.
+  for (const RemeshMethod method : {RemeshMethod::Fitting, RemeshMethod::Even}) {
+    std::atomic<bool> later{false};
+    ExecutionContext begun;
+    begun.cancel = &later;
+    begun.onProgress = [&](double fraction) {
+      EXPECT_LT(fraction, 1);
+      later = true;
+    };
+    EXPECT_EQ(remesh(dense, {1000, method}, begun).error().code, ErrorCode::Cancelled);
+  }
   double last = 0;
   ExecutionContext watched;
   watched.onProgress = [&](double fraction) {

@@ -19,7 +19,7 @@ blocks() {
 }
 
 blocks cpp "$source/README.md" README-
-for document in "$source"/web/docs/*.md "$source"/web/docs/decisions/*.md; do
+for document in "$source"/web/docs/*.md "$source"/web/docs/*/*.md; do
   blocks cpp "$document" "$(basename "$document" .md)-"
 done
 [ -f README-2 ] || { echo 'wrong: README has no two programs in C++'; failed=1; }

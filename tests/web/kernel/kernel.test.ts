@@ -269,6 +269,7 @@ describe('fields', () => {
       rays: 30,
       sharpAngle: (5 * Math.PI) / 12,
       distances: 'fast-marching',
+      persistence: 0,
     };
     expect(asked).toEqual([
       { name: 'sdf', ...usual, rays: 7 },

@@ -5,7 +5,6 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { basename, dirname, join, normalize } from 'node:path';
 import { expect, test } from 'vitest';
 import { anchorsOf } from '../../../web/docs/site/anchors.mjs';
-import { pages } from '../../../web/docs/site/pages.mjs';
 import { repository } from '../../../web/scripts/run.mjs';
 
 const notOurs = /^(build.*|dist|node_modules|\.git|wasm)$/;
@@ -79,13 +78,6 @@ test.each(documents)('%s: paths of the repository exist', (path) => {
     ([, name]) => name!,
   );
   expect(named.filter((name) => !matches(name))).toEqual([]);
-});
-
-test('every document of web/docs is a page of the documentation', () => {
-  const missing = filesBelow('web/docs', '.md').filter(
-    (path) => !pages.some(({ file }) => file === path),
-  );
-  expect(missing).toEqual([]);
 });
 
 test('the citation is of the latest release', () => {

@@ -5,32 +5,29 @@ import { type Borrower, type Drawer, RendererPool } from '../../../web/src/view/
 
 interface Fake {
   drawer: Drawer;
-  isLost: boolean;
   dispose: ReturnType<typeof vi.fn>;
-  restore: () => void;
+  change: (graphics: Drawer['graphics']) => void;
 }
 
 let made: Fake[];
 let pool: RendererPool;
 
-function fake(): Drawer {
-  const [dispose, isLost] = [vi.fn(), false];
-  const one: Fake = { drawer: undefined as never, isLost, dispose, restore: () => undefined };
-  const renderer = {
-    dispose,
-    forceContextLoss: () => undefined,
-    getContext: () => ({ isContextLost: () => one.isLost }),
+function fake(changed: (drawer: Drawer) => void): Drawer {
+  const dispose = vi.fn();
+  const renderer = { dispose, forceContextLoss: () => undefined };
+  const drawer = { renderer, canvas: {}, graphics: 'drawing' } as unknown as Drawer;
+  const change = (graphics: Drawer['graphics']): void => {
+    drawer.graphics = graphics;
+    changed(drawer);
   };
-  const canvas = { addEventListener: (_: string, heard: () => void) => (one.restore = heard) };
-  one.drawer = { renderer, canvas } as unknown as Drawer;
-  made.push(one);
-  return one.drawer;
+  made.push({ drawer, dispose, change });
+  return drawer;
 }
 
 class Stage implements Borrower {
   isResting = false;
   yielded = 0;
-  restored = vi.fn();
+  graphicsChanged = vi.fn();
   yield(): void {
     ++this.yielded;
     pool.giveBack(this);
@@ -85,10 +82,11 @@ test('what nobody needs is let go of; with the last stage all of it', () => {
 test('a context that the browser took is not lent again; given back, its stage draws anew', () => {
   const [a, b] = stages(2) as [Stage, Stage];
   pool.lend(a);
-  made[0]!.restore();
-  expect(a.restored).toHaveBeenCalledTimes(1);
+  made[0]!.change('lost');
+  made[0]!.change('drawing');
+  expect(a.graphicsChanged).toHaveBeenCalledTimes(2);
   pool.giveBack(a);
-  made[0]!.isLost = true;
+  made[0]!.change('lost');
   expect(pool.lend(b)).not.toBe(made[0]!.drawer);
   expect(made[0]!.dispose).toHaveBeenCalled();
 });

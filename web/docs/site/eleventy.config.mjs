@@ -7,6 +7,7 @@ import { repository } from '../../scripts/run.mjs';
 import { errorsPage } from './errors.mjs';
 import { figures } from './figures.mjs';
 import { amendMarkdown, sourceAddress } from './markdown.mjs';
+import { makeModels } from './models.mjs';
 import { pages, sections } from './pages.mjs';
 import { searchIndex } from './search-index.mjs';
 
@@ -70,7 +71,7 @@ export default function (config) {
 
   config.on(
     'eleventy.after',
-    (/** @type {{ results: { url: string, content: string }[] }} */ { results }) => {
+    async (/** @type {{ results: { url: string, content: string }[] }} */ { results }) => {
       const built = results.map(({ url, content }) => ({ url: url.replace(/^\//, ''), content }));
       /** @type {(from: string, to: string) => void} */
       const copy = (from, to) => {
@@ -84,8 +85,12 @@ export default function (config) {
       copy('web/docs/images', 'images');
       copy('build/reference', 'reference');
       const models = new Set(Object.values(figures).map(({ model }) => model));
+      mkdirSync(join(repository, output, 'models'), { recursive: true });
+      const made = await makeModels();
       for (const model of models) {
-        copy(`web/app/public/examples/${model}.glb`, `models/${model}.glb`);
+        const to = `models/${model}.glb`;
+        if (model in made) writeFileSync(join(repository, output, to), made[model] ?? '');
+        else copy(`web/app/public/examples/${model}.glb`, to);
       }
       for (const part of ['girth-viewer.js', 'girth-kernel.js', 'assets']) {
         copy(posix.join('dist', part), posix.join('girth/dist', part));

@@ -1,5 +1,7 @@
 // The pages of the documentation, in the order in which they are offered: where each document lies in the
-// repository, and where on the site.
+// repository, and where on the site. Documents of web/docs that have no place in this list stand at its end.
+
+import { filesBelow } from '../../scripts/stale.mjs';
 
 /**
  * @typedef {object} Page
@@ -28,25 +30,45 @@ const document = (name, label) => ({
 });
 
 /** @type {Section[]} */
-export const sections = [
+const placed = [
   {
-    title: 'Using it',
+    title: 'Begin',
     pages: [
       document('README', 'Start'),
+      document('girth', 'What the girth is'),
+      document('tutorials/page', 'The page'),
+      document('tutorials/command', 'The command'),
+      document('tutorials/javascript', 'JavaScript'),
+      document('tutorials/cpp', 'C++'),
+      document('tutorials/python', 'Python'),
+      document('tutorials/element', 'The element'),
+    ],
+  },
+  {
+    title: 'How to',
+    pages: [
+      document('how-to/check-a-print'),
+      document('how-to/find-tips'),
+      document('how-to/part-tubes-and-plates'),
+      document('how-to/compare-shapes'),
+      document('how-to/study-a-collection'),
+      document('how-to/embed-on-a-static-host', 'Embed on a static host'),
+      document('how-to/live-under-a-strict-policy'),
+    ],
+  },
+  {
+    title: 'Look up',
+    pages: [
       { file: 'README.md', url: 'readme.html', label: 'Everything on one page' },
       document('choosing', 'Choosing'),
       document('outputs', 'Outputs'),
       document('print-check', 'The print check'),
-      document('python', 'Python'),
+      document('python', 'Python, all calls'),
+      document('collections', 'Collections'),
       document('embedding', 'Embedding'),
-    ],
-  },
-  {
-    title: 'What it computes',
-    pages: [
-      document('definitions', 'Definitions'),
       // Made of the table of codes (errors.mjs).
       { file: 'errors', url: 'errors.html' },
+      document('definitions', 'Definitions'),
     ],
     others: [
       { url: 'reference/cpp/index.html', label: 'C++ reference' },
@@ -56,6 +78,8 @@ export const sections = [
   {
     title: 'Studies',
     pages: [
+      document('algorithm', 'How it is computed'),
+      document('results', 'Results'),
       document('robustness', 'Robustness'),
       document('retrieval', 'Shape retrieval'),
       document('bench/paper', 'Timings'),
@@ -80,6 +104,16 @@ export const sections = [
     ],
   },
 ];
+
+/** Whether a document has its place. */
+const hasPlace = (/** @type {string} */ file) =>
+  placed.some((section) => section.pages.some((page) => page.file === file));
+
+const others = filesBelow('web/docs')
+  .filter((file) => file.endsWith('.md') && !hasPlace(file))
+  .map((file) => document(file.slice('web/docs/'.length, -'.md'.length)));
+
+export const sections = others.length > 0 ? [...placed, { title: 'More', pages: others }] : placed;
 
 /** All of them, in order. */
 export const pages = sections.flatMap((section) => section.pages);

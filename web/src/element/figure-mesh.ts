@@ -2,11 +2,12 @@
 // loads the file anew, by the kernel.
 
 import { failure } from '../kernel/errors.js';
-import type { Mesh, MeshInfo, PreparationReport } from '../kernel/types.js';
+import type { Mesh, MeshInfo } from '../kernel/types.js';
 import { inSlices } from '../view/index.js';
 import { type FigureFile, readFigure } from './figure-file.js';
 import { givenFields } from './given-fields.js';
 import type { FileContent } from './model.js';
+import { nothingPrepared } from './nothing-prepared.js';
 import { countSurface, vertexAreasOf } from './surface-counts.js';
 
 /** Surfaces farther from the origin than so many times their size are left to the kernel, which moves them. */
@@ -20,13 +21,6 @@ export interface Figure {
   /** Of lengths: 'm', or '' where the file states that it is not known. */
   unit: string;
 }
-
-const nothingDone: PreparationReport = {
-  ...{ inputVertices: 0, inputFaces: 0, weldedVertices: 0, degenerateFaces: 0, flippedFaces: 0 },
-  ...{ duplicateFaces: 0, unreferencedVertices: 0, reorientedFaces: 0, oneSidedEdges: 0 },
-  ...{ nonManifoldEdges: 0, nonManifoldVertices: 0, addedVertices: 0, components: 0 },
-  ...{ keptComponents: 0, boundaryCurves: 0, boundaryEdges: 0, closedHoles: 0, holes: [] },
-};
 
 /** What a file's bytes have in them; undefined where they have no values. */
 export async function figureOf(
@@ -57,7 +51,7 @@ async function meshOf(
     ...{ name, models: [name], unreadable: [], format: 'GLB', notes: [], unit },
     ...{ vertexCount, faceCount },
     report: {
-      ...nothingDone,
+      ...nothingPrepared,
       inputVertices: vertexCount,
       inputFaces: faceCount,
       components: counts.components,
@@ -78,7 +72,7 @@ async function meshOf(
     ...{ exportField: refused, exportFields: refused, exportLoops: refused, exportTips: refused },
     ...{ exportLimbs: refused, exportParts: refused, exportWeakPlaces: refused, parts: refused },
     ...{ suggestedThresholds: refused, printCheck: refused, heatMaxima: refused, remesh: refused },
-    difference: refused,
+    ...{ difference: refused, barcode: refused, barcodes: refused },
     dispose: () => undefined,
   };
 }

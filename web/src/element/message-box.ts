@@ -1,7 +1,9 @@
 // What went wrong, in words, where the user looks.
 
 import type { GirthErrorFields, UnreadableModel } from '../kernel/types.js';
+import type { Graphics } from '../view/index.js';
 import { make } from './dom.js';
+import { noGraphics } from './no-graphics.js';
 import { sentence } from './sentence.js';
 
 /** Names of models that cannot be read that are written out; of further ones only the number. */
@@ -54,7 +56,14 @@ export class MessageBox {
     this.#remedy.textContent = `${shown} is shown instead.`;
   }
 
+  /** Why there is no picture; once there is one, that is no longer said. */
+  showGraphics(graphics: Graphics): void {
+    if (graphics !== 'drawing') this.show('', noGraphics[graphics], false);
+    else if (this.element.dataset['code'] === noGraphics.lost.code) this.clear();
+  }
+
   clear(): void {
     this.element.hidden = true;
+    delete this.element.dataset['code'];
   }
 }

@@ -56,7 +56,7 @@ button.cross { inline-size: 28px; padding: 0; font-size: 15px; line-height: 1; }
 
 .message {
   position: absolute;
-  inset-block-start: 12px;
+  inset-block-start: calc(var(--girth-top, 0px) + 12px);
   inset-inline: 12px;
   margin-inline: auto;
   max-inline-size: 34rem;

@@ -2,6 +2,7 @@
 
 import { cancelled } from '../kernel/errors.js';
 import type { Field, FieldName, Loop, Mesh, MeshInfo } from '../kernel/types.js';
+import { nothingPrepared } from './nothing-prepared.js';
 
 /** What is shown. */
 export interface ShownContent {
@@ -46,24 +47,10 @@ export function shownMesh(content: ShownContent): Mesh {
     size: content.size,
     unit: content.unit,
     report: {
+      ...nothingPrepared,
       inputVertices: positions.length / 3,
       inputFaces: indices.length / 3,
-      weldedVertices: 0,
-      degenerateFaces: 0,
-      flippedFaces: 0,
-      duplicateFaces: 0,
-      unreferencedVertices: 0,
-      reorientedFaces: 0,
-      oneSidedEdges: 0,
-      nonManifoldEdges: 0,
-      nonManifoldVertices: 0,
-      addedVertices: 0,
-      components: 0,
-      keptComponents: 0,
-      boundaryCurves: 0,
       boundaryEdges: boundary.length / 2,
-      closedHoles: 0,
-      holes: [],
     },
     notes: [],
   };

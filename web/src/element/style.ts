@@ -113,6 +113,8 @@ canvas:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: -
   .legend-line { inset-inline: calc(100% * var(--place)) auto; inset-block: 0; inline-size: 1px; block-size: auto; }
   .legend-key { display: flex; flex-wrap: wrap; gap: 2px 14px; margin-block-start: -5px; }
   .legend-note { margin: -5px 0 0; max-inline-size: 8rem; }
+  /* Beside the bar on the canvas. */
+  .message:not([hidden]) { inset-inline-end: 60px; }
 }
 
 .status {
@@ -145,6 +147,11 @@ canvas:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: -
 .left { min-inline-size: 11ch; color: var(--girth-quiet); white-space: nowrap; }
 .partial { display: flex; align-items: center; gap: 8px; padding-inline: 12px 4px; block-size: 36px; white-space: nowrap; }
 .partial button { color: var(--girth-accent); font-weight: 600; }
+
+/* Where there is no room for both, the message comes first: it can be dismissed. */
+@media (max-width: 720px) and (max-height: 560px) {
+  .legend:has(~ .message:not([hidden])) { visibility: hidden; }
+}
 
 .readout {
   position: absolute;

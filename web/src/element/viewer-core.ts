@@ -32,6 +32,7 @@ import type { GirthViewerEvents } from './events.js';
 import type { FieldState, FieldsHost } from './fields.js';
 import { Lifecycle } from './lifecycle.js';
 import type { MessageBox } from './message-box.js';
+import { noGraphics, requireGraphics } from './no-graphics.js';
 import { type FileContent, Model } from './model.js';
 import { openModel, openToCompute, tipsCarriedTo } from './open-model.js';
 import { fieldsOf, nameOf, parseRange, parseSpectral, parseVertices } from './parse.js';
@@ -89,6 +90,8 @@ export interface ViewerHost {
   drawn(): void;
   /** The browser cannot draw surfaces. */
   undrawable(error: GirthErrorFields): void;
+  /** Whether there is a picture to be seen in place of the surface. */
+  readonly hasPoster: boolean;
 }
 
 export class ViewerCore {
@@ -177,28 +180,20 @@ export class ViewerCore {
   /** The element is on a page: it can draw from now on. */
   attach(): void {
     if (this.stage) return;
-    try {
-      this.stage = new Stage(this.#canvas, {
-        beforeFrame: () => this.presented?.spread() ?? false,
-        afterFrame: () => {
-          this.#controls.place();
-          if (!this.presented) return;
-          this.presented.loops.place();
-          this.#host.drawn();
-        },
-        touched: () => this.#controls.touched(),
-        rested: () => this.#send('camera', null),
-      });
-    } catch {
-      this.#host.undrawable({
-        code: 'NO_WEBGL',
-        element: -1,
-        message: 'this browser cannot draw surfaces: WebGL 2 is switched off or missing',
-        hint: 'switch on hardware acceleration in its settings, or use another browser',
-      });
-      return;
-    }
-    const { stage } = this;
+    const stage = new Stage(this.#canvas, {
+      beforeFrame: () => this.presented?.spread() ?? false,
+      afterFrame: () => {
+        this.#controls.place();
+        if (!this.presented) return;
+        this.presented.loops.place();
+        if (stage.graphics !== 'missing') this.#host.drawn();
+      },
+      touched: () => this.#controls.touched(),
+      rested: () => this.#send('camera', null),
+      graphicsChanged: () => this.#host.message.showGraphics(stage.graphics),
+    });
+    this.stage = stage;
+    if (stage.graphics === 'missing') this.#host.undrawable(noGraphics.missing);
     this.#lifecycle.attach();
     this.#stopWatching = watchSurroundings(this.#host.frame, {
       resized: (width, height) => {
@@ -385,6 +380,7 @@ export class ViewerCore {
   async snapshot(options: FigureOptions): Promise<Blob> {
     const { stage, presented } = this;
     if (!stage) throw new Error('the element is not on a page');
+    requireGraphics(stage.graphics);
     const { width, dotsPerInch } = options;
     const parts = {
       legend: presented?.shading.legend,
@@ -398,6 +394,7 @@ export class ViewerCore {
 
   /** A picture of one place; see `GirthViewer.snapshotOf`. */
   async snapshotOf(picture: PlacePicture): Promise<Blob> {
+    if (this.stage) requireGraphics(this.stage.graphics);
     return blobOf(this.require().pictureOf(picture));
   }
 
@@ -422,6 +419,7 @@ export class ViewerCore {
 
   #present(model: Model, origin: Original | undefined): Presented {
     this.#host.message.clear();
+    if (!this.#host.hasPoster) this.#host.message.showGraphics(this.stage!.graphics);
     const { unreadable, name } = model.mesh.info;
     if (!origin) this.#host.message.showPassedOver(unreadable, name);
     const wishes = this.#wishesFor(model);

@@ -408,6 +408,7 @@ export class GirthViewer extends ViewerShell {
   /**
    * The picture as it is now, as a PNG: with a transparent background; or with the legend, on the element's
    * paper, unless that is to be transparent too; larger than on the screen, with a scale bar, for print.
+   * Rejected with NO_WEBGL where there is no picture.
    */
   async snapshot(options: FigureOptions = {}): Promise<Blob> {
     const core = await this.needed();
@@ -417,7 +418,7 @@ export class GirthViewer extends ViewerShell {
   /**
    * A picture of one place as a PNG with a transparent background: the camera looks at it from where it
    * is seen best, its loop is drawn if it is given, and the rest of the surface is faded. What is on the
-   * element stays as it is.
+   * element stays as it is. Rejected with NO_WEBGL where there is no picture.
    */
   async snapshotOf(picture: PlacePicture): Promise<Blob> {
     const core = await this.needed();

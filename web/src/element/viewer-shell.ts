@@ -168,6 +168,7 @@ export abstract class ViewerShell extends ElementOrNone {
   }
 
   #host() {
+    const hasPoster = () => this.#hasPoster;
     return {
       element: this,
       frame: this.#frame,
@@ -176,6 +177,9 @@ export abstract class ViewerShell extends ElementOrNone {
       shownUnitOf: () => this.shownUnit,
       drawn: () => this.#setStandIn(false),
       undrawable: (error: GirthErrorFields) => void this.#report(error),
+      get hasPoster() {
+        return hasPoster();
+      },
     };
   }
 

@@ -32,7 +32,7 @@ export const isSpectral = (name: FieldName): name is SpectralFieldName =>
   name === 'hks' || name === 'wks' || name === 'sihks';
 
 /** Whether each value has a kind. */
-export const hasKinds = ({ name }: FieldRequest) => name === 'igf';
+export const hasKinds = ({ name }: FieldRequest) => name === 'igf' || name === 'barcode';
 
 /** Throws where there is no such field. */
 export function checkName(name: string): void {
@@ -55,9 +55,16 @@ export function fieldRequest(name: VertexFieldName, options: FieldOptions): Fiel
     sdf: { coneAngle = (2 * Math.PI) / 3, rays = 30 } = {},
     thickness: { sharpAngle = (5 * Math.PI) / 12 } = {},
     distances = 'fast-marching',
+    persistence = 0,
   } = options;
-  return { name, coneAngle, rays, sharpAngle, distances };
+  return { name, coneAngle, rays, sharpAngle, distances, persistence };
 }
+
+/** The request for the barcodes of all vertices. */
+export const barcodeRequest = (maxPersistence: number): FieldRequest => ({
+  ...fieldRequest('igf', { persistence: maxPersistence }),
+  name: 'barcode',
+});
 
 /** The same for a spectral field. */
 export function spectralRequest(

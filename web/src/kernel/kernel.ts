@@ -1,12 +1,13 @@
 // A kernel and its workers. Nothing is computed on the page's own thread.
 
 import { linked, untilAborted } from './abort.js';
+import { BarcodeRun } from './barcodes.js';
 import { compareShapes } from './compare.js';
 import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
-import { hasKinds } from './field-request.js';
+import { barcodeRequest, hasKinds } from './field-request.js';
 import { FieldRun, summaryOf, type FieldEngine } from './field-run.js';
 import { JobPool, type JobNeeds } from './job-pool.js';
-import { LoopQueue } from './loop-queue.js';
+import { LoopQueue, type PointArguments, type PointOperation } from './loop-queue.js';
 import { MeshOfWorkers } from './mesh.js';
 import type { MeshHost } from './mesh-host.js';
 import { page, type Platform } from './platform.js';
@@ -35,7 +36,7 @@ import type {
   LoadOptions,
   Mesh,
   MeshSource,
-  SurfacePoint,
+  WatchedOptions,
 } from './types.js';
 import { WorkerClient } from './worker-client.js';
 import { moduleWorkers, type WorkerFactory } from './workers.js';
@@ -203,27 +204,52 @@ export class KernelOfWorkers implements Kernel, MeshHost {
     request: FieldRequest,
     options: FieldOptions,
   ): Promise<Omit<Field, 'unit'>> {
-    const { life } = surface;
     const run = new FieldRun(surface.arrays.positions.length / 3, hasKinds(request), options);
-    return this.#work([options.signal, life], async (signal) => {
-      // An aborted caller keeps what is finished; a disposed mesh does not.
-      signal.addEventListener('abort', () => {
-        if (options.signal?.aborted && !life.aborted) run.flush();
-      });
-      const finished = this.#fields.then(async () => {
-        if (!signal.aborted) await this.#engine.compute(surface, request, run, signal);
-      });
-      this.#fields = finished.catch(() => undefined);
-      await finished;
-      if (signal.aborted) throw cancelled();
+    return this.#work([options.signal, surface.life], async (signal) => {
+      await this.#compute(surface, request, run, signal, options.signal);
       const { values, kinds } = run;
       const { range, withoutValue } = summaryOf(values);
       const about = await this.#interactive.requestOn(surface, 'about', {
         field: request,
         withoutValue,
       });
-      return { name: request.name, values, kinds, range, withoutValue, ...about };
+      const { name, persistence } = request;
+      if (name === 'barcode') throw failure('USAGE', 'barcodes are no field');
+      const found = { name, values, kinds, range, withoutValue, ...about };
+      return persistence === 0 ? found : { ...found, persistence };
     });
+  }
+
+  barcodes(
+    surface: SurfaceSource,
+    maxPersistence: number,
+    options: WatchedOptions,
+  ): Promise<BarcodeRun> {
+    const run = new BarcodeRun(surface.arrays.positions.length / 3, options);
+    return this.#work([options.signal, surface.life], async (signal) => {
+      await this.#compute(surface, barcodeRequest(maxPersistence), run, signal, options.signal);
+      return run;
+    });
+  }
+
+  /** Computes a field when those before it are finished. `asked`: the signal of who has asked for it. */
+  async #compute(
+    surface: SurfaceSource,
+    request: FieldRequest,
+    run: FieldRun,
+    signal: AbortSignal,
+    asked: AbortSignal | undefined,
+  ): Promise<void> {
+    // An aborted caller keeps what is finished; a disposed mesh does not.
+    signal.addEventListener('abort', () => {
+      if (asked?.aborted && !surface.life.aborted) run.flush();
+    });
+    const finished = this.#fields.then(async () => {
+      if (!signal.aborted) await this.#engine.compute(surface, request, run, signal);
+    });
+    this.#fields = finished.catch(() => undefined);
+    await finished;
+    if (signal.aborted) throw cancelled();
   }
 
   job<R>(
@@ -255,9 +281,14 @@ export class KernelOfWorkers implements Kernel, MeshHost {
     );
   }
 
-  loop(surface: SurfaceSource, point: SurfacePoint, options: CallOptions) {
+  atPoint<K extends PointOperation>(
+    surface: SurfaceSource,
+    operation: K,
+    args: PointArguments<K>,
+    options: CallOptions,
+  ) {
     return this.#work([options.signal, surface.life], (signal) =>
-      this.#loops.loop(surface, point, signal),
+      this.#loops.answer(surface, operation, args, signal),
     );
   }
 

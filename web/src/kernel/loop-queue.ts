@@ -1,34 +1,43 @@
-// Requests for loops, which follow the pointer. The worker receives one at a time, the latest first.
-// Requests that were aborted before that are dropped.
+// Requests for loops and barcodes, which follow the pointer. The worker receives one at a time, the latest
+// first. Requests that were aborted before that are dropped.
 
-import type { Answer, SingleOperations } from './protocol.js';
-import type { SurfacePoint } from './types.js';
+import type { Answer, Arguments, SingleOperations } from './protocol.js';
 import type { SurfaceSource } from './surface-source.js';
 import type { WorkerClient } from './worker-client.js';
 
-type FoundLoop = Answer<SingleOperations, 'loop'>;
+/** What is answered of a point. */
+export type PointOperation = 'loop' | 'barcode';
+/** What an operation needs besides the surface. */
+export type PointArguments<K extends PointOperation> = Omit<
+  Arguments<SingleOperations, K>,
+  'surface'
+>;
 
-interface PendingLoop {
-  surface: SurfaceSource;
-  point: SurfacePoint;
+interface Pending {
   signal: AbortSignal;
-  resolve(loop: FoundLoop): void;
-  reject(error: unknown): void;
+  /** Settles when the worker has answered. */
+  ask(): Promise<void>;
 }
 
 export class LoopQueue {
   readonly #worker: WorkerClient<SingleOperations>;
-  #pending: PendingLoop[] = [];
+  #pending: Pending[] = [];
   #running = false;
 
   constructor(worker: WorkerClient<SingleOperations>) {
     this.#worker = worker;
   }
 
-  /** The loop. The promise never settles where the signal fires before the request is sent. */
-  loop(surface: SurfaceSource, point: SurfacePoint, signal: AbortSignal): Promise<FoundLoop> {
+  /** The answer. The promise never settles where the signal fires before the request is sent. */
+  answer<K extends PointOperation>(
+    surface: SurfaceSource,
+    operation: K,
+    args: PointArguments<K>,
+    signal: AbortSignal,
+  ): Promise<Answer<SingleOperations, K>> {
     return new Promise((resolve, reject) => {
-      this.#pending.push({ surface, point, signal, resolve, reject });
+      const ask = () => this.#worker.requestOn(surface, operation, args).then(resolve, reject);
+      this.#pending.push({ signal, ask });
       void this.#run();
     });
   }
@@ -36,17 +45,11 @@ export class LoopQueue {
   async #run(): Promise<void> {
     if (this.#running) return;
     this.#running = true;
-    for (let next; (next = this.#newest());) {
-      const { surface, point } = next;
-      await this.#worker.requestOn(surface, 'loop', { point }).then(
-        (loop) => next.resolve(loop),
-        (error: unknown) => next.reject(error),
-      );
-    }
+    for (let next; (next = this.#newest());) await next.ask();
     this.#running = false;
   }
 
-  #newest(): PendingLoop | undefined {
+  #newest(): Pending | undefined {
     this.#pending = this.#pending.filter(({ signal }) => !signal.aborted);
     return this.#pending.pop();
   }

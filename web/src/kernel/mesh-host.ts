@@ -1,6 +1,8 @@
 // What a mesh asks of the kernel that made it.
 
+import type { BarcodeRun } from './barcodes.js';
 import type { JobNeeds } from './job-pool.js';
+import type { PointArguments, PointOperation } from './loop-queue.js';
 import type {
   Answer,
   FieldRequest,
@@ -10,7 +12,7 @@ import type {
   SurfaceArrays,
 } from './protocol.js';
 import type { SurfaceSource } from './surface-source.js';
-import type { CallOptions, Field, FieldOptions, SurfacePoint } from './types.js';
+import type { CallOptions, Field, FieldOptions, WatchedOptions } from './types.js';
 import type { WorkerClient } from './worker-client.js';
 
 /** All promises fail with CANCELLED when a surface's life ends or the kernel is disposed of. */
@@ -23,11 +25,19 @@ export interface MeshHost {
     request: FieldRequest,
     options: FieldOptions,
   ): Promise<Omit<Field, 'unit'>>;
-  loop(
+  /** The barcodes of all vertices, in the same way. */
+  barcodes(
     surface: SurfaceSource,
-    point: SurfacePoint,
+    maxPersistence: number,
+    options: WatchedOptions,
+  ): Promise<BarcodeRun>;
+  /** What is answered of a point: its loop, or its barcode. */
+  atPoint<K extends PointOperation>(
+    surface: SurfaceSource,
+    operation: K,
+    args: PointArguments<K>,
     options: CallOptions,
-  ): Promise<Answer<SingleOperations, 'loop'>>;
+  ): Promise<Answer<SingleOperations, K>>;
   /** Runs a job in a worker of its own. The worker is ended when the signal fires. */
   job<R>(
     needs: JobNeeds,

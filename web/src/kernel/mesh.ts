@@ -27,6 +27,10 @@ import type {
 import { checkedPoint } from './surface-point.js';
 import { bytesOf, type SurfaceSource } from './surface-source.js';
 import type {
+  Barcode,
+  BarcodeOptions,
+  Barcodes,
+  BarcodesOptions,
   CallOptions,
   ExportOptions,
   Field,
@@ -37,6 +41,7 @@ import type {
   Limbs,
   Loop,
   LoopFormat,
+  LoopOptions,
   MaximaOptions,
   Maximum,
   Mesh,
@@ -49,6 +54,7 @@ import type {
   PrintLimits,
   RemeshedMesh,
   RemeshOptions,
+  SaddleBar,
   SpectralFieldName,
   SpectralOptions,
   SurfacePath,
@@ -140,11 +146,41 @@ export class MeshOfWorkers implements Mesh {
     return { name, values, kinds, range, method, withoutValue, note };
   }
 
-  async loop(point: SurfacePoint, options: CallOptions = {}): Promise<Loop> {
+  async loop(
+    point: SurfacePoint,
+    { persistence = 0, ...options }: LoopOptions = {},
+  ): Promise<Loop> {
     const { unit } = this.info;
     const base = checkedPoint(point, this.info);
-    const found = await this.#host.loop(this.surface, base, options);
+    const args = { point: base, persistence };
+    const found = await this.#host.atPoint(this.surface, 'loop', args, options);
     return { ...found, base, unit };
+  }
+
+  async barcode(
+    point: SurfacePoint,
+    {
+      maxPersistence = Infinity,
+      maxSaddles = Infinity,
+      loops: withLoops = false,
+      ...options
+    }: BarcodeOptions = {},
+  ): Promise<Barcode> {
+    const { unit } = this.info;
+    const base = checkedPoint(point, this.info);
+    const args = { point: base, maxPersistence, maxSaddles, loops: withLoops };
+    const found = await this.#host.atPoint(this.surface, 'barcode', args, options);
+    const bars = Array.from({ length: found.bars.length / 2 }, (_, i): SaddleBar => {
+      return { birth: found.bars[2 * i]!, death: found.bars[2 * i + 1]! };
+    });
+    const loops = found.loops.map((loop): Loop => ({ ...loop, base, unit }));
+    const rest = { length: found.rest, kind: found.restKind };
+    return { bars, loops, maxPersistence, rest, unit };
+  }
+
+  async barcodes({ maxPersistence, ...options }: BarcodesOptions): Promise<Barcodes> {
+    const run = await this.#host.barcodes(this.surface, maxPersistence, options);
+    return run.barcodes(maxPersistence, this.info.unit);
   }
 
   async path(
@@ -254,7 +290,7 @@ export class MeshOfWorkers implements Mesh {
     { signal, unit }: ExportOptions = {},
   ): Promise<Uint8Array> {
     const girth = this.#own(igf, 'igf');
-    const model = this.#written(unit);
+    const model = this.#written(unit, igf.persistence);
     const { bytes } = await this.#ask('writeTips', { model, girth, format }, signal);
     return bytes;
   }
@@ -264,7 +300,8 @@ export class MeshOfWorkers implements Mesh {
     format: 'json' | 'csv',
     { signal, unit, onProgress, stations = limbStations }: ExportOptions & LimbOptions = {},
   ): Promise<Uint8Array> {
-    const args = { model: this.#written(unit), girth: this.#own(igf, 'igf'), stations, format };
+    const girth = this.#own(igf, 'igf');
+    const args = { model: this.#written(unit, igf.persistence), girth, stations, format };
     const { bytes } = await this.#ask('writeLimbs', args, signal, { onProgress });
     return bytes;
   }
@@ -278,7 +315,7 @@ export class MeshOfWorkers implements Mesh {
   ): Promise<Uint8Array> {
     const fields = this.#girthAndDiameter(igf, sdf);
     const options = whole(parts);
-    const model = this.#written(unit);
+    const model = this.#written(unit, igf.persistence);
     const { bytes } = await this.#ask('writeParts', { model, fields, options, format }, signal);
     return bytes;
   }
@@ -291,7 +328,7 @@ export class MeshOfWorkers implements Mesh {
   ): Promise<Uint8Array> {
     const limits = wholeLimits(limited);
     const fields = this.#printed(given, limits);
-    const model = this.#written(unit);
+    const model = this.#written(unit, given.igf?.persistence);
     const { bytes } = await this.#ask('writeWeakPlaces', { model, fields, limits, format }, signal);
     return bytes;
   }
@@ -299,10 +336,10 @@ export class MeshOfWorkers implements Mesh {
   async exportLoops(
     points: readonly SurfacePoint[],
     format: LoopFormat,
-    { signal, unit }: ExportOptions = {},
+    { signal, unit, persistence }: ExportOptions & LoopOptions = {},
   ): Promise<Uint8Array[]> {
     const checked = points.map((point) => checkedPoint(point, this.info));
-    const args = { model: this.#written(unit), points: checked, format };
+    const args = { model: this.#written(unit, persistence), points: checked, format };
     const { files } = await this.#ask('writeLoops', args, signal);
     return files;
   }
@@ -432,8 +469,8 @@ export class MeshOfWorkers implements Mesh {
     };
   }
 
-  #written(unit = this.info.unit): WrittenModel {
-    return { name: this.info.name, unit: unitName(unit) };
+  #written(unit = this.info.unit, persistence = 0): WrittenModel {
+    return { name: this.info.name, unit: unitName(unit), persistence };
   }
 
   dispose(): void {

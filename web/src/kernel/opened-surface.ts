@@ -6,10 +6,12 @@ import type { MeshInfo, PrepareOptions } from './types.js';
 
 /** The options in the module's form. Numbers that no component can have stay invalid. */
 export function moduleOptions(options: PrepareOptions): ModuleOptions {
-  const { scale = 1, weldDistance = 0, closeHoles = false, components = [] } = options;
+  const { scale = 1, weldDistance = 0, closeHoles = false, minComponent = 0 } = options;
+  const { components = [] } = options;
   const none = 0xffffffff;
   const number = (n: number) => (Number.isInteger(n) && n >= 0 && n < none ? n : none);
-  return { scale, weldDistance, closeHoles, components: Uint32Array.from(components, number) };
+  const kept = Uint32Array.from(components, number);
+  return { scale, weldDistance, closeHoles, components: kept, minComponent };
 }
 
 export function openedSurface(

@@ -54,13 +54,13 @@ export class PoolEngine implements FieldEngine {
           while (next < order.length && !failed && !signal.aborted) {
             const size = chunkSize(speed, order.length - next, this.#workers.length);
             const vertices = order.slice(next, (next += size));
-            const { values, kinds, milliseconds } = await worker.requestOn(surface, 'values', {
+            const { milliseconds, ...found } = await worker.requestOn(surface, 'values', {
               field,
               vertices,
             });
             if (signal.aborted) return;
             speed = size / Math.max(milliseconds, 0.1);
-            run.add({ vertices, values, kinds });
+            run.add({ vertices, ...found });
           }
         } catch (thrown) {
           failed = true;

@@ -10,6 +10,7 @@ import type {
   Limbs,
   Loop,
   LoopFormat,
+  LoopKind,
   Maximum,
   MeshInfo,
   NamedField,
@@ -58,11 +59,15 @@ export interface WrittenModel {
   name: string;
   /** By its name, for example 'metre'; or ''. */
   unit: string;
+  /** Of the girth that what is written was found by. */
+  persistence: number;
 }
 
 /** A vertex field, with all that its values depend on besides the surface. */
 export interface FieldRequest {
-  name: VertexFieldName;
+  name: VertexFieldName | 'barcode';
+  /** Of 'igf' and 'angle': tau, in model units. Of barcodes: up to which persistence. */
+  persistence: number;
   /** Of 'sdf', as in `ShapeDiameterOptions`. */
   coneAngle: number;
   /** Of 'sdf'. */
@@ -90,8 +95,29 @@ export interface PrintArrays {
   thickness: Float64Array;
 }
 
+/** A loop as a worker finds it. */
+export type FoundLoop = Omit<Loop, 'base' | 'unit'>;
+
+/** A barcode as a worker finds it. */
+export interface FoundBarcode {
+  /** Births and deaths in turn. */
+  bars: Float64Array<ArrayBuffer>;
+  /** Of each bar, where they were asked for. */
+  loops: FoundLoop[];
+  rest: number;
+  restKind: LoopKind;
+}
+
+/** Finished values, of barcodes with their bars. */
+export interface FinishedValues extends PartialField {
+  /** How many bars each has. */
+  counts?: Uint32Array;
+  /** Births and deaths in turn. */
+  bars?: Float64Array;
+}
+
 /** Values of some vertices, in the order of the request. */
-export interface Values {
+export interface Values extends Omit<FinishedValues, 'vertices'> {
   values: Float64Array<ArrayBuffer>;
   /** Of the girth, the kind of each value. Empty for other fields. */
   kinds: Uint8Array<ArrayBuffer>;
@@ -130,7 +156,18 @@ export interface SingleOperations extends CommonOperations {
     Pick<Field, 'method' | 'note'>,
   ];
   /** The loop at a point. */
-  loop: [{ surface: number; point: SurfacePoint }, Omit<Loop, 'base' | 'unit'>];
+  loop: [{ surface: number; point: SurfacePoint; persistence: number }, FoundLoop];
+  /** The saddles of the distance from a point. */
+  barcode: [
+    {
+      surface: number;
+      point: SurfacePoint;
+      maxPersistence: number;
+      maxSaddles: number;
+      loops: boolean;
+    },
+    FoundBarcode,
+  ];
 }
 
 /** A worker for jobs: it reads models, and analyses, remeshes and writes surfaces. */
@@ -276,7 +313,7 @@ export interface Request {
 }
 
 /** A worker's report on its present request. */
-export type Report = { partial: PartialField } | { progress: number };
+export type Report = { partial: FinishedValues } | { progress: number };
 
 /** Worker to page. After a `fatal` error the worker must be ended. */
 export type Reply =

@@ -3,9 +3,8 @@
 
 import createModule, { type GirthThreadsModule, type Surface } from './wasm/girth-threads.mjs';
 import { loadedModule } from './loading-failure.js';
-import type { ThreadsOperations } from './protocol.js';
+import type { FinishedValues, ThreadsOperations } from './protocol.js';
 import { SurfaceStore } from './surface-store.js';
-import type { PartialField } from './types.js';
 import { workerFromAnywhere } from './worker-from-elsewhere.js';
 import { checked, serveRequests } from './worker-loop.js';
 
@@ -29,7 +28,7 @@ serveRequests<ThreadsOperations>({
   },
 
   field({ surface, field, threads }, report) {
-    const onPartial = (partial: PartialField) => report({ partial });
+    const onPartial = (partial: FinishedValues) => report({ partial });
     return checked(surfaces.get(surface).field(field, threads, onPartial));
   },
 

@@ -82,6 +82,11 @@ export interface PrepareOptions {
   closeHoles?: boolean;
   /** Keeps only these components, numbered as in {@link MeshInfo.parts}. Default: all. */
   components?: readonly number[];
+  /**
+   * Leaves out components whose area is less than this share of the largest one's, from 0 to 1, as in 1e-6.
+   * Default: 0, none.
+   */
+  minComponent?: number;
 }
 
 /** Options of every call. */
@@ -172,6 +177,11 @@ export interface ThicknessOptions {
 export interface FieldOptions extends WatchedOptions {
   /** Receives new values, coarse to fine: each batch is spread over the whole surface. */
   onPartial?: (partial: PartialField) => void;
+  /**
+   * Of 'igf' and 'angle': tau, in model units, at least 0. Loops whose saddles last no longer are passed over,
+   * as noise makes them (`barcode.h`). Default: 0, the girth itself.
+   */
+  persistence?: number;
   /** Of 'sdf'. */
   sdf?: ShapeDiameterOptions;
   /** Of 'thickness'. */
@@ -231,6 +241,8 @@ export interface Field {
   withoutValue: number;
   /** What a user should know of the values, in sentences: 'the surface is inside out: ...'; or ''. */
   note: string;
+  /** Of 'igf' and 'angle', where it is not 0: the persistence, in model units. */
+  persistence?: number;
 }
 
 /** A field to write or to analyse. It need not have been computed by the kernel. */
@@ -479,6 +491,90 @@ export interface Loop {
   unit: string;
 }
 
+/** Options of {@link Mesh.loop}. */
+export interface LoopOptions extends CallOptions {
+  /** As of {@link FieldOptions}: the first loop whose saddle lasts longer, in model units. Default: 0. */
+  persistence?: number;
+}
+
+/**
+ * A saddle of the distance from a point: where the growing disk touches itself, and what it cuts off begins to
+ * be filled (`barcode.h`).
+ */
+export interface SaddleBar {
+  /** Its distance from the point, in model units: half the length of its loop. */
+  birth: number;
+  /**
+   * The distance at which a side of the loop has been filled, in model units. Infinite where the loop cuts
+   * nothing off, or neither side is filled up to `maxPersistence` behind the birth.
+   */
+  death: number;
+}
+
+/** The saddles of the distance from a point. */
+export interface Barcode {
+  /** By their births. The last one may be the first that lasts longer than `maxPersistence`. */
+  bars: SaddleBar[];
+  /** The loop of each bar, where they were asked for; otherwise empty. */
+  loops: Loop[];
+  /** Persistence is known up to this, in model units. */
+  maxPersistence: number;
+  /**
+   * The girth for a persistence that no bar has: twice the greatest distance, in model units; where that is
+   * not known, a lower bound.
+   */
+  rest: { length: number; kind: LoopKind };
+  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  unit: string;
+}
+
+/**
+ * How far a barcode is computed.
+ * @experimental
+ */
+export interface BarcodeOptions extends CallOptions {
+  /** Up to which persistence it is wanted, in model units. Default: infinite. The less, the sooner. */
+  maxPersistence?: number;
+  /** No more bars than these, the first ones. Default: all. */
+  maxSaddles?: number;
+  /** With the loop of each. Default: false. */
+  loops?: boolean;
+}
+
+/**
+ * How far the barcodes of all vertices are computed.
+ * @experimental
+ */
+export interface BarcodesOptions extends WatchedOptions {
+  /** Up to which persistence they are wanted, in model units; finite. */
+  maxPersistence: number;
+}
+
+/**
+ * The saddles at all vertices, from which the persistent girth is read for any persistence up to
+ * `maxPersistence`.
+ * @experimental
+ */
+export interface Barcodes {
+  /** In model units. */
+  maxPersistence: number;
+  /** The bars of vertex v are those from `offsets[v]` to before `offsets[v + 1]`. */
+  offsets: Uint32Array;
+  /** Birth and death of each bar in turn, in model units. */
+  bars: Float64Array;
+  /** One per vertex: the girth where no bar is long enough, in model units. */
+  rest: Float64Array;
+  /** One per vertex, as `kinds` of {@link Field}: 1: `rest` is that, 2: a lower bound. */
+  restKinds: Uint8Array;
+  /** The model's unit. */
+  unit: string;
+  /**
+   * The field 'igf' with this persistence, the same bits as {@link Mesh.field}; linear in the vertices. Throws
+   * USAGE unless it is above 0 and at most `maxPersistence`.
+   */
+  girth(persistence: number): Field;
+}
+
 /** A shortest path between two points of a surface, and how far they are apart in space. */
 export interface SurfacePath {
   /** Along the surface, in the unit `unit`; infinite where the points lie in different components. */
@@ -519,6 +615,10 @@ export interface PreparationReport {
   addedVertices: number;
   /** Connected components of what came out. */
   components: number;
+  /** Components of less than a millionth of the largest one's area. */
+  sliverComponents: number;
+  /** Closed components that hold nothing: two sheets on each other. */
+  doubledComponents: number;
   /** Components that were kept. */
   keptComponents: number;
   /** Boundary curves of the kept components, after holes were closed. */
@@ -646,9 +746,22 @@ export interface Mesh {
   field(name: FieldName, options?: FieldOptions): Promise<Field>;
   /**
    * Finds the loop at a vertex or at a point of a face. It is answered at once, also while a field is
-   * computed; of several requests the latest goes first. Errors: VERTEX_OUT_OF_RANGE, INVALID_POINT.
+   * computed; of several requests the latest goes first. Errors: VERTEX_OUT_OF_RANGE, INVALID_POINT,
+   * INVALID_OPTION.
    */
-  loop(point: SurfacePoint, options?: CallOptions): Promise<Loop>;
+  loop(point: SurfacePoint, options?: LoopOptions): Promise<Loop>;
+  /**
+   * Finds the saddles of the distance from a point, and how long each lasts; answered as {@link Mesh.loop} is.
+   * Errors: VERTEX_OUT_OF_RANGE, INVALID_POINT; INVALID_OPTION where `maxPersistence` is negative or NaN.
+   * @experimental
+   */
+  barcode(point: SurfacePoint, options?: BarcodeOptions): Promise<Barcode>;
+  /**
+   * Finds the saddles at all vertices, in the order of fields and by all workers. Errors: INVALID_OPTION where
+   * `maxPersistence` is negative or not finite.
+   * @experimental
+   */
+  barcodes(options: BarcodesOptions): Promise<Barcodes>;
   /**
    * Finds a shortest path from one point to another (`geodesic_solver.h`). Errors: VERTEX_OUT_OF_RANGE,
    * INVALID_POINT; LIMIT_EXCEEDED where it would take more than 67 million windows.
@@ -677,7 +790,7 @@ export interface Mesh {
   exportLoops(
     points: readonly SurfacePoint[],
     format: LoopFormat,
-    options?: ExportOptions,
+    options?: ExportOptions & LoopOptions,
   ): Promise<Uint8Array[]>;
   /**
    * Computes the area that each vertex stands for, in squared model units; distributions are weighted by

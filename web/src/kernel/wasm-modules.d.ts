@@ -12,25 +12,24 @@ interface Failed {
 }
 
 declare module '*/girth.mjs' {
-  export interface FoundLoop {
-    length: number;
-    kind: 'loop' | 'antipodal' | 'unresolved';
-    polyline: Float32Array<ArrayBuffer>;
-    midpoint: [number, number, number];
-    angle: number;
-  }
+  type Point = import('./types.js').SurfacePoint;
 
   export interface Surface {
     values(
       field: import('./protocol.js').FieldRequest,
       vertices: Uint32Array,
-    ): { values: Float64Array<ArrayBuffer>; kinds: Uint8Array<ArrayBuffer> } | Failed;
+    ): Omit<import('./protocol.js').Values, 'milliseconds'> | Failed;
     about(
       field: import('./protocol.js').FieldRequest,
       withoutValue: number,
     ): { method: string; note: string } | Failed;
-    loopAtVertex(vertex: number): FoundLoop | Failed;
-    loopInFace(face: number, a: number, b: number, c: number): FoundLoop | Failed;
+    loop(point: Point, persistence: number): import('./protocol.js').FoundLoop | Failed;
+    barcode(
+      point: Point,
+      maxPersistence: number,
+      maxSaddles: number,
+      withLoops: boolean,
+    ): import('./protocol.js').FoundBarcode | Failed;
     order(): Uint32Array<ArrayBuffer> | Failed;
     delete(): void;
   }
@@ -52,6 +51,7 @@ declare module '*/girth.mjs' {
     weldDistance: number;
     closeHoles: boolean;
     components: Uint32Array;
+    minComponent: number;
   }
 
   type OnProgress = (fraction: number) => void;
@@ -216,11 +216,7 @@ declare module '*/girth-threads.mjs' {
     field(
       field: import('./protocol.js').FieldRequest,
       threads: number,
-      onPartial: (partial: {
-        vertices: Uint32Array<ArrayBuffer>;
-        values: Float64Array<ArrayBuffer>;
-        kinds: Uint8Array<ArrayBuffer>;
-      }) => void,
+      onPartial: (partial: import('./protocol.js').FinishedValues) => void,
     ): { complete: boolean } | Failed;
     delete(): void;
   }

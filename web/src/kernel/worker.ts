@@ -27,21 +27,21 @@ serveRequests<SingleOperations>({
 
   values({ surface, field, vertices }) {
     const from = performance.now();
-    const { values, kinds } = checked(surfaces.get(surface).values(field, vertices));
-    return { values, kinds, milliseconds: performance.now() - from };
+    const found = checked(surfaces.get(surface).values(field, vertices));
+    return { ...found, milliseconds: performance.now() - from };
   },
 
   about({ surface, field, withoutValue }) {
     return checked(surfaces.get(surface).about(field, withoutValue));
   },
 
-  loop({ surface: number, point }) {
-    const surface = surfaces.get(number);
-    return checked(
-      typeof point === 'number'
-        ? surface.loopAtVertex(point)
-        : surface.loopInFace(point.face, ...point.weights),
-    );
+  loop({ surface, point, persistence }) {
+    return checked(surfaces.get(surface).loop(point, persistence));
+  },
+
+  barcode({ surface, point, maxPersistence, maxSaddles, loops }) {
+    const found = surfaces.get(surface).barcode(point, maxPersistence, maxSaddles, loops);
+    return checked(found);
   },
 
   drop({ surface }) {

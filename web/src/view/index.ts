@@ -50,6 +50,7 @@ export type { Place } from './place-view.js';
 export { PointMarks } from './point-marks.js';
 export { quantile, shareWithin } from './plots/distribution.js';
 export { type Box, Silhouette } from './silhouette.js';
+export { type Graphics } from './renderer.js';
 export { Stage } from './stage.js';
 export { Surface, borrowedWeight, computedWeight } from './surface.js';
 export { type Look, lookNames } from './look.js';

@@ -22,6 +22,13 @@ export const lengthUnits: readonly LengthUnit[] = [
   { symbol: 'ft', name: 'foot', metres: 0.3048 },
 ];
 
+/** A number of at least 0; a comma may stand for the point. NaN: it is none. */
+function amountOf(digits: string): number {
+  const plain = digits.replace(',', '.');
+  const number = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
+  return number >= 0 && number <= greatest ? number : NaN;
+}
+
 /** A length that was read, or why it could not be. */
 export type ReadLength =
   | {
@@ -40,11 +47,12 @@ export function findLengthUnit(symbolOrName: string): LengthUnit | undefined {
   return lengthUnits.find(({ symbol, name }) => symbol === symbolOrName || name === symbolOrName);
 }
 
+/** With plain spaces for the narrow and unbreakable ones that stand before units. */
+const withPlainSpaces = (text: string): string => text.replace(/[\u202f\u2009\u00a0\t]/g, ' ');
+
 /** The number and the unit of what was typed, as text. */
 function taken(text: string): { digits: string; unit: string } {
-  // Narrow and unbreakable spaces stand before units.
-  const plain = text.replace(/[\u202f\u2009\u00a0\t]/g, ' ');
-  const [, digits = '', unit = ''] = /^ *(.*?) *([a-z]*) *$/is.exec(plain) ?? [];
+  const [, digits = '', unit = ''] = /^ *(.*?) *([a-z]*) *$/is.exec(withPlainSpaces(text)) ?? [];
   return { digits, unit };
 }
 
@@ -60,10 +68,8 @@ export function typedUnit(text: string): LengthUnit | undefined {
  */
 export function readLength(text: string, unit: string): ReadLength {
   const { digits, unit: typed } = taken(text);
-  const plain = digits.replace(',', '.');
-  const isNumber = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain);
-  const number = isNumber ? Number(plain) : NaN;
-  if (!(number >= 0) || number > greatest) {
+  const number = amountOf(digits);
+  if (Number.isNaN(number)) {
     return { fault: `“${text}” is not a length: type a number from 0 on, such as 1.5 or 3 mm` };
   }
   if (typed === '') return { length: number };
@@ -76,4 +82,16 @@ export function readLength(text: string, unit: string): ReadLength {
     };
   }
   return { length: (number * from.metres) / to.metres };
+}
+
+/** The same, or a share of `whole`, a length in that unit: '2%' is 0.02 times as long. */
+export function readLengthOrShare(text: string, unit: string, whole: number): ReadLength {
+  const [, digits] = /^ *(.*?) *% *$/s.exec(withPlainSpaces(text)) ?? [];
+  if (digits === undefined) return readLength(text, unit);
+  const percent = amountOf(digits);
+  if (Number.isNaN(percent)) {
+    return { fault: `“${text}” is not a share: type a number before the sign, as in 2%` };
+  }
+  const length = (percent / 100) * whole;
+  return length <= greatest ? { length } : { fault: `“${text}” is too long: type a smaller share` };
 }

@@ -2,15 +2,17 @@
 // there are many, and what they showed is blank from then on. So a stage that has to do without keeps a picture of
 // what it has drawn.
 
-import { WebGLRenderer } from 'three';
+import { type Graphics, type Renderer, rendererFor } from './renderer.js';
 
 /** So many contexts are alive at most. */
 export const mostContexts = 8;
 
 /** A context with its canvas. */
 export interface Drawer {
-  readonly renderer: WebGLRenderer;
+  readonly renderer: Renderer;
   readonly canvas: HTMLCanvasElement;
+  /** Whether it draws: the browser may take a context away, or have none. */
+  graphics: Graphics;
 }
 
 /** Who draws. */
@@ -19,18 +21,19 @@ export interface Borrower {
   readonly isResting: boolean;
   /** Keeps a picture and gives the drawer back. */
   yield(): void;
-  /** The browser had taken the context away and has given it back: what it showed is gone. */
-  restored(): void;
+  /** The browser has taken the context away, or has given it back. */
+  graphicsChanged(): void;
 }
 
 export class RendererPool {
   /** Whoever drew longest ago comes first. */
   readonly #lent = new Map<Borrower, Drawer>();
   readonly #idle: Drawer[] = [];
-  readonly #make: () => Drawer;
+  readonly #make: (changed: (drawer: Drawer) => void) => Drawer;
   readonly #most: number;
 
-  constructor(make: () => Drawer, most: number) {
+  /** `make` calls back when what it has made no longer draws, or draws again. */
+  constructor(make: (changed: (drawer: Drawer) => void) => Drawer, most: number) {
     this.#make = make;
     this.#most = most;
   }
@@ -40,9 +43,11 @@ export class RendererPool {
     return this.#lent.size + this.#idle.length;
   }
 
-  /** Throws where the browser has no WebGL 2. */
-  check(): void {
+  /** Whether the browser has WebGL 2. */
+  check(): Graphics {
     if (this.size === 0) this.#idle.push(this.#made());
+    const [drawer] = [...this.#idle, ...this.#lent.values()];
+    return drawer!.graphics === 'missing' ? 'missing' : 'drawing';
   }
 
   /** A drawer, until it is given back: the one that it has already, or another one. */
@@ -74,7 +79,7 @@ export class RendererPool {
 
   #free(): Drawer {
     for (let drawer = this.#idle.pop(); drawer; drawer = this.#idle.pop()) {
-      if (!drawer.renderer.getContext().isContextLost()) return drawer;
+      if (drawer.graphics !== 'lost') return drawer;
       drawer.renderer.dispose();
     }
     if (this.#lent.size < this.#most) return this.#made();
@@ -84,19 +89,20 @@ export class RendererPool {
   }
 
   #made(): Drawer {
-    const drawer = this.#make();
-    drawer.canvas.addEventListener('webglcontextrestored', () => {
-      for (const [borrower, held] of this.#lent) if (held === drawer) borrower.restored();
+    return this.#make((drawer) => {
+      for (const [borrower, held] of this.#lent) if (held === drawer) borrower.graphicsChanged();
     });
-    return drawer;
   }
 }
 
 /** Those of the page. */
-export const renderers = new RendererPool(() => {
+export const renderers = new RendererPool((changed) => {
   const canvas = document.createElement('canvas');
   Object.assign(canvas.style, { display: 'block', inlineSize: '100%', blockSize: '100%' });
-  const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
-  renderer.setClearColor(0x000000, 0);
-  return { renderer, canvas };
+  const { renderer, graphics } = rendererFor(canvas, (graphics) => {
+    drawer.graphics = graphics;
+    changed(drawer);
+  });
+  const drawer: Drawer = { renderer, canvas, graphics };
+  return drawer;
 }, mostContexts);

@@ -15,7 +15,6 @@ import {
   Quaternion,
   Scene,
   Vector3,
-  type WebGLRenderer,
 } from 'three';
 import type { FacePoint } from '../kernel/types.js';
 import { CameraRig } from './camera-rig.js';
@@ -35,6 +34,7 @@ import type { GroundShadow } from './ground-shadow.js';
 import { Picker, type ScreenPoint } from './picker.js';
 import { type Place, viewOfPlace } from './place-view.js';
 import { type Borrower, type Drawer, renderers } from './renderer-pool.js';
+import type { Graphics, Renderer } from './renderer.js';
 import { Silhouette } from './silhouette.js';
 import type { Surface } from './surface.js';
 import { SurfaceSpace } from './surface-space.js';
@@ -49,6 +49,8 @@ export interface StageEvents {
   touched(): void;
   /** The camera was moved and has come to rest. */
   rested(): void;
+  /** The browser has taken the graphics away, or has given them back. */
+  graphicsChanged(): void;
 }
 
 export class Stage implements Borrower {
@@ -60,6 +62,8 @@ export class Stage implements Borrower {
   #drawer: Drawer | undefined;
   #isResting = true;
   #ratio = 1;
+  /** As it was when the stage was made. */
+  readonly #atFirst: Graphics;
   readonly #scene = new Scene();
   readonly #space = new SurfaceSpace();
   readonly #onSurface = new Group();
@@ -71,14 +75,14 @@ export class Stage implements Borrower {
   #shadow: GroundShadow | undefined;
   #upright: Rotation = new Quaternion();
   #turnsAtHome = false;
+  #isDisposed = false;
   #width = 1;
   #height = 1;
 
-  /** Throws where the browser has no WebGL 2. */
   constructor(canvas: HTMLCanvasElement, events: StageEvents) {
     this.#canvas = canvas;
     this.#events = events;
-    renderers.check();
+    this.#atFirst = renderers.check();
     Object.assign(this.#seat.style, { position: 'absolute', inset: '0', pointerEvents: 'none' });
     canvas.before(this.#seat);
     this.#scene.add(this.#space.group);
@@ -99,6 +103,11 @@ export class Stage implements Borrower {
       rested: () => events.rested(),
     });
     this.#picker = new Picker(canvas, this.#rig.camera, this.#space);
+  }
+
+  /** Whether there is a picture; without one everything else works. */
+  get graphics(): Graphics {
+    return this.#drawer?.graphics ?? this.#atFirst;
   }
 
   /** Compiles an object's shaders beside the page's own work, so that its first frame is not late. */
@@ -368,6 +377,7 @@ export class Stage implements Borrower {
   }
 
   dispose(): void {
+    this.#isDisposed = true;
     this.#frames.stop();
     for (const overlay of this.#overlays) overlay.dispose();
     this.#overlays.clear();
@@ -400,12 +410,14 @@ export class Stage implements Borrower {
     renderers.giveBack(this);
   }
 
-  restored(): void {
+  graphicsChanged(): void {
+    if (this.#isDisposed) return;
     this.invalidate();
+    this.#events.graphicsChanged();
   }
 
   /** What draws; borrowed now unless it is here. */
-  #held(): WebGLRenderer {
+  #held(): Renderer {
     const drawer = renderers.lend(this);
     if (drawer !== this.#drawer) {
       this.#drawer = drawer;
@@ -416,7 +428,7 @@ export class Stage implements Borrower {
     return drawer.renderer;
   }
 
-  #fit(renderer: WebGLRenderer): void {
+  #fit(renderer: Renderer): void {
     renderer.setPixelRatio(this.#ratio);
     renderer.setSize(this.#width, this.#height, false);
   }

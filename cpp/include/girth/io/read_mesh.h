@@ -61,7 +61,9 @@ using ResourceReader = std::function<std::optional<std::vector<std::byte>>(std::
 
 /// Reads bytes. The format is recognised by content; `name` only breaks ties and is used in
 /// messages. Touches no file system. Any bytes are safe to read: nothing is trusted, and memory
-/// stays in proportion to the bytes.
+/// stays in proportion to the bytes; where glTF places meshes again, to the triangles of the scene,
+/// of which there may be 10 million (3 million in WebAssembly), or as many as the file stores.
+/// Extra text at the end of a line of STL or PLY is passed over, and a note says so.
 ///
 /// glTF: all meshes of the scene are merged, with world transforms applied (mirrored ones keep
 /// their outside); buffers come from the file, from data: URIs, or through `resources`, which is

@@ -7,11 +7,13 @@ ChangingMesh::ChangingMesh(const SurfaceMesh& mesh)
       from_(mesh.halfedgeCount()),
       twin_(mesh.halfedgeCount()),
       outgoing_(mesh.vertexCount()),
+      component_(mesh.vertexCount()),
       line_(mesh.halfedgeCount(), 0),
       faces_(mesh.faceCount()) {
   for (const Vertex v : mesh.vertices()) {
     positions_[v] = mesh.position(v);
     outgoing_[v] = mesh.outgoing(v);
+    component_[v] = mesh.componentOf(v);
   }
   for (const Halfedge h : mesh.halfedges()) {
     from_[h] = mesh.from(h);
@@ -70,6 +72,7 @@ Index ChangingMesh::split(Index h, const Vec3& position) {
   const auto m = static_cast<Index>(positions_.size());
   positions_.push_back(position);
   outgoing_.push_back(kNoIndex);
+  component_.push_back(component_[from_[h]]);
   // The face (a, b, c) becomes (a, m, c) and (m, b, c); the one beyond, (b, a, d), becomes
   // (m, a, d) and (b, m, d).
   const Index b = to(h), c = apex(h), t = twin_[h], n = next(h);

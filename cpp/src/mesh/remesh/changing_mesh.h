@@ -78,7 +78,13 @@ class ChangingMesh {
   /// How many lines end at a vertex: 0 inside, 2 on a line, otherwise a corner.
   Index linesAt(Index vertex) const;
 
-  /// Puts a vertex onto an edge.
+  /// The component of the original surface that a vertex belongs to.
+  Index component(Index vertex) const { return component_[vertex]; }
+
+  /// Whether a vertex can be put onto an edge. On a component of two faces, which share their three
+  /// vertices, it would have two edges to the same neighbour.
+  bool canSplit(Index h) const { return twin_[h] == kNoIndex || apex(h) != apex(twin_[h]); }
+  /// Puts a vertex onto an edge. Only where canSplit.
   Index split(Index h, const Vec3& position);
   /// Whether the two ends of an edge can become one without a change of topology.
   bool canCollapse(Index h) const;
@@ -96,7 +102,7 @@ class ChangingMesh {
   void join(Index h, Index g);
 
   std::vector<Vec3> positions_;
-  std::vector<Index> from_, twin_, outgoing_;
+  std::vector<Index> from_, twin_, outgoing_, component_;
   std::vector<std::uint8_t> line_;
   Index faces_{0};
 };

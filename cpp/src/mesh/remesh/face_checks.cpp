@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mesh/face_shape.h"
+
 namespace girth::remeshing {
 
 namespace {
@@ -23,11 +25,13 @@ double leastAngleMeasure(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
+bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c) { return FaceShape({a, b, c}).hasArea(); }
+
 bool facesAs(const Vec3& before, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 after = cross(b - a, c - a);
   const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
   if (norm(after) < kThin * longest * longest) {
-    return norm(after) > norm(before) && dot(before, after) > 0;
+    return norm(after) > norm(before) && dot(before, after) > 0 && hasArea(a, b, c);
   }
   return dot(before, after) > kTurned * norm(before) * norm(after);
 }
@@ -56,11 +60,11 @@ bool flipsSmoothly(const ChangingMesh& mesh, Index h, double cosine) {
   return leastAngleMeasure(d, b, c) > 0.05 && leastAngleMeasure(c, a, d) > 0.05;
 }
 
-void widenAngles(ChangingMesh& mesh, double cosine) {
+void widenAngles(ChangingMesh& mesh, double cosine, Lookout& lookout) {
   constexpr int kMostPasses = 3;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     bool any = false;
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
+    for (Index h = 0; h < mesh.halfedgeCount() && !lookout.stopped(); ++h) {
       if (!mesh.isFirstOfEdge(h) || mesh.twin(h) == kNoIndex || !mesh.canFlip(h)) continue;
       const Vec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h)),
                  &c = mesh.position(mesh.apex(h)), &d = mesh.position(mesh.apex(mesh.twin(h)));

@@ -2,8 +2,12 @@
 #pragma once
 
 #include "mesh/remesh/changing_mesh.h"
+#include "mesh/remesh/lookout.h"
 
 namespace girth::remeshing {
+
+/// Whether a triangle has an area that a face of a surface may have.
+bool hasArea(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Whether a triangle faces as one of this area vector did and has area; a thin one must have more.
 bool facesAs(const Vec3& before, const Vec3& a, const Vec3& b, const Vec3& c);
@@ -17,7 +21,7 @@ bool keepsFacing(const ChangingMesh& mesh, Index vertex, const Vec3& place, Inde
 bool flipsSmoothly(const ChangingMesh& mesh, Index h, double cosine);
 
 /// Flips edges where that makes the smallest of six angles larger, and faces as before within
-/// `cosine`.
-void widenAngles(ChangingMesh& mesh, double cosine);
+/// `cosine`. What is left undone when it is stopped does no harm.
+void widenAngles(ChangingMesh& mesh, double cosine, Lookout& lookout);
 
 }  // namespace girth::remeshing

@@ -9,6 +9,7 @@
 #include "mesh/nearest_point.h"
 #include "mesh/remesh/changing_mesh.h"
 #include "mesh/remesh/face_checks.h"
+#include "mesh/remesh/lookout.h"
 #include "mesh/remesh/result.h"
 #include "mesh/vertex_normals.h"
 
@@ -33,6 +34,7 @@ class IsotropicRemesher {
       : original_(original),
         wanted_(faces),
         context_(context),
+        lookout_(context),
         mesh_(original),
         search_(searchOf(original)),
         faceNormals_(normalsOfFaces(original)) {
@@ -43,9 +45,9 @@ class IsotropicRemesher {
   Result<RemeshedSurface> run() {
     findLines();
     for (int round = 0; round < kRounds; ++round) {
-      if (context_.cancelled()) return cancelled();
+      if (lookout_.stoppedByNow()) return Lookout::error();
       splitLongEdges();
-      if (context_.cancelled()) return cancelled();
+      if (lookout_.stoppedByNow()) return Lookout::error();
       collapseShortEdges();
       equalizeValences();
       relax();
@@ -56,20 +58,18 @@ class IsotropicRemesher {
     }
     meetCount();
     for (int round = 0; round < 3; ++round) {
-      if (context_.cancelled()) return cancelled();
-      widenAngles(mesh_, kSmooth);
+      if (lookout_.stoppedByNow()) return Lookout::error();
+      widenAngles(mesh_, kSmooth, lookout_);
       relax();
     }
-    widenAngles(mesh_, kSmooth);
+    widenAngles(mesh_, kSmooth, lookout_);
     hints_.resize(mesh_.vertexCount(), kNoIndex);
-    auto result = resultOf(mesh_, [&](Index v) { return placeOf(v); });
-    progress(1);
+    auto result = resultOf(mesh_, lookout_, [&](Index v) { return placeOf(v); });
+    if (result) progress(1);
     return result;
   }
 
  private:
-  static Error cancelled() { return makeError(ErrorCode::Cancelled, -1, "cancelled"); }
-
   void progress(double fraction) const {
     if (context_.onProgress) context_.onProgress(fraction);
   }
@@ -177,6 +177,13 @@ class IsotropicRemesher {
     return at;
   }
 
+  /// The nearest point of the lines of a vertex's component.
+  NearestSearch::Found nearestOnLines(const Vec3& place, Index vertex) const {
+    return lines_.nearest(place, [&](Index segment) {
+      return componentOf(original_, halfedgeOfSegment_[segment] / 3) == mesh_.component(vertex);
+    });
+  }
+
   /// 0: a vertex is free; 2: it may move along a line; otherwise it stays.
   Index linesAt(Index vertex) const {
     if (vertex < corner_.size() && corner_[vertex] != 0) return 3;
@@ -205,11 +212,13 @@ class IsotropicRemesher {
     }
     // Hair and spikes are long for their area: the size of the edges is mended after this round.
     const std::size_t most = 4 * std::size_t{wanted_} + original_.faceCount();
-    while (!queue.empty() && mesh_.faceCount() < most) {
+    while (!queue.empty() && mesh_.faceCount() < most && !lookout_.stopped()) {
       const Entry entry = queue.top();
       queue.pop();
       if (mesh_.length(entry.halfedge) != entry.length) continue;  // halved meanwhile
-      const Index m = mesh_.split(entry.halfedge, splittingPoint(entry.halfedge));
+      const auto place = splittingPoint(entry.halfedge);
+      if (!place) continue;
+      const Index m = mesh_.split(entry.halfedge, *place);
       // Also the sides of the faces around, some of which have new numbers.
       mesh_.forEachOutgoing(m, [&](Index h) {
         push(h);
@@ -222,7 +231,7 @@ class IsotropicRemesher {
 
   void collapseShortEdges() {
     const double shortest = 4.0 / 5 * length_, longest = 4.0 / 3 * length_;
-    for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
+    for (Index h = 0; h < mesh_.halfedgeCount() && !lookout_.stopped(); ++h) {
       if (mesh_.isFirstOfEdge(h) && mesh_.length(h) < shortest) tryCollapse(h, longest);
     }
   }
@@ -244,12 +253,14 @@ class IsotropicRemesher {
   /// The middle of an edge; of a line, the point of the line there.
   Vec3 middleOf(Index h) const {
     const Vec3 middle = 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
-    return mesh_.isLine(h) ? lines_.nearest(middle).position : middle;
+    return mesh_.isLine(h) ? nearestOnLines(middle, mesh_.from(h)).position : middle;
   }
 
   /// The middle of an edge where its faces come apart into such as face alike; else the straight
-  /// one: a line that bends back may come to lie on the other sides of the faces.
-  Vec3 splittingPoint(Index h) const {
+  /// one: a line that bends back may come to lie on the other sides of the faces. Nothing where
+  /// the edge has to stay whole: a half of the thinnest faces has no area.
+  std::optional<Vec3> splittingPoint(Index h) const {
+    if (!mesh_.canSplit(h)) return std::nullopt;
     const Vec3 middle = middleOf(h);
     const auto comesApart = [&](Index side) {
       const Vec3 before = mesh_.areaVector(side / 3), apex = mesh_.position(mesh_.apex(side));
@@ -258,7 +269,14 @@ class IsotropicRemesher {
     };
     const Index twin = mesh_.twin(h);
     if (comesApart(h) && (twin == kNoIndex || comesApart(twin))) return middle;
-    return 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
+    const Vec3 straight = 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
+    const auto halvesHaveArea = [&](Index side) {
+      const Vec3& apex = mesh_.position(mesh_.apex(side));
+      return hasArea(mesh_.position(mesh_.from(side)), straight, apex) &&
+             hasArea(straight, mesh_.position(mesh_.to(side)), apex);
+    };
+    if (halvesHaveArea(h) && (twin == kNoIndex || halvesHaveArea(twin))) return straight;
+    return std::nullopt;
   }
 
   bool tryCollapse(Index h, double longest) {
@@ -291,7 +309,7 @@ class IsotropicRemesher {
       const int off = static_cast<int>(mesh_.valence(v)) + change - ideal;
       return off * off;
     };
-    for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
+    for (Index h = 0; h < mesh_.halfedgeCount() && !lookout_.stopped(); ++h) {
       if (!mesh_.isFirstOfEdge(h) || mesh_.twin(h) == kNoIndex || !mesh_.canFlip(h)) continue;
       const Index a = mesh_.from(h), b = mesh_.to(h);
       const Index c = mesh_.apex(h), d = mesh_.apex(mesh_.twin(h));
@@ -306,7 +324,7 @@ class IsotropicRemesher {
   /// Moves every vertex towards the middle of its neighbours, along the surface.
   void relax() {
     hints_.resize(mesh_.vertexCount(), kNoIndex);
-    for (Index v = 0; v < mesh_.vertexCount(); ++v) {
+    for (Index v = 0; v < mesh_.vertexCount() && !lookout_.stopped(); ++v) {
       if (!mesh_.isVertexAlive(v)) continue;
       const Index lines = linesAt(v);
       Vec3 place = mesh_.position(v);
@@ -332,7 +350,7 @@ class IsotropicRemesher {
         mesh_.forEachNeighbour(v, [&](Index w, bool line) {
           if (line) middle = middle + 0.5 * mesh_.position(w);
         });
-        place = lines_.nearest(middle).position;
+        place = nearestOnLines(middle, v).position;
       }
       if (keepsFacing(mesh_, v, place, v)) mesh_.setPosition(v, place);
     }
@@ -341,7 +359,12 @@ class IsotropicRemesher {
   /// The nearest point of the original that faces as the vertex does.
   Vec3 onSurface(Index v, const Vec3& place, const Vec3& normal) {
     const auto found = search_.nearest(
-        place, [&](Index f) { return dot(faceNormals_[f], normal) > 0; }, hints_[v]);
+        place,
+        [&](Index f) {
+          return dot(faceNormals_[f], normal) > 0 &&
+                 componentOf(original_, f) == mesh_.component(v);
+        },
+        hints_[v]);
     if (found.triangle == kNoIndex) return mesh_.position(v);
     hints_[v] = found.triangle;
     return found.position;
@@ -352,7 +375,7 @@ class IsotropicRemesher {
   void meetCount() {
     const double most = wanted_ * (1 + kCountTolerance), least = wanted_ * (1 - kCountTolerance);
     constexpr int kMostRounds = 20;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostRounds && !lookout_.stoppedByNow(); ++round) {
       if (mesh_.faceCount() > most) {
         if (!collapseShortest(static_cast<Index>(mesh_.faceCount() - wanted_) / 2 + 1)) return;
       } else if (mesh_.faceCount() < least) {
@@ -389,9 +412,11 @@ class IsotropicRemesher {
 
   void splitLongest(Index count) {
     const auto edges = edgesByLength();
-    for (auto edge = edges.rbegin(); edge != edges.rend() && count > 0; ++edge, --count) {
-      const Index h = edge->second;
-      mesh_.split(h, splittingPoint(h));
+    for (auto edge = edges.rbegin(); edge != edges.rend() && count > 0; ++edge) {
+      const auto place = splittingPoint(edge->second);
+      if (!place) continue;
+      mesh_.split(edge->second, *place);
+      --count;
     }
   }
 
@@ -400,17 +425,18 @@ class IsotropicRemesher {
   SurfacePoint placeOf(Index v) const {
     const Vec3& p = mesh_.position(v);
     if (mesh_.linesAt(v) > 0 && !lines_.empty()) {
-      const auto found = lines_.nearest(p);
+      const auto found = nearestOnLines(p, v);
       return SurfacePoint::onHalfedge(Halfedge(halfedgeOfSegment_[found.triangle]),
                                       1 - found.weights[0]);
     }
-    const auto found = nearestFacing(search_, faceNormals_, mesh_, v, hints_[v]);
+    const auto found = nearestFacing(original_, search_, faceNormals_, mesh_, v, hints_[v]);
     return SurfacePoint::inFace(Face(found.triangle), found.weights);
   }
 
   const SurfaceMesh& original_;
   Index wanted_;
   const ExecutionContext& context_;
+  Lookout lookout_;
   ChangingMesh mesh_;
   NearestSearch search_, lines_;
   std::vector<Index> halfedgeOfSegment_;

@@ -10,6 +10,7 @@
 #include "mesh/nearest_point.h"
 #include "mesh/remesh/changing_mesh.h"
 #include "mesh/remesh/face_checks.h"
+#include "mesh/remesh/lookout.h"
 #include "mesh/remesh/quadric.h"
 #include "mesh/remesh/result.h"
 #include "mesh/vertex_normals.h"
@@ -32,7 +33,7 @@ constexpr double kHardlyTurned = 0.99;
 class Simplifier {
  public:
   Simplifier(const SurfaceMesh& original, Index faces, const ExecutionContext& context)
-      : original_(original), wanted_(faces), context_(context), mesh_(original) {
+      : original_(original), wanted_(faces), context_(context), lookout_(context), mesh_(original) {
     // Around the middle, so that squares lose no bits.
     for (const Vertex v : original.vertices()) {
       middle_ = middle_ + 1.0 / original.vertexCount() * original.position(v);
@@ -41,22 +42,29 @@ class Simplifier {
   }
 
   Result<RemeshedSurface> run() {
-    // What could not be collapsed may be later: its neighbours have changed.
-    for (Index before = 0; mesh_.faceCount() > wanted_ && mesh_.faceCount() != before;) {
+    // What could not be collapsed may be later: its neighbours have changed. After some rounds only
+    // as long as that is much.
+    constexpr int kRounds = 16;
+    constexpr Index kLittle = 256;  // of so many faces, one
+    Index before = kNoIndex;
+    for (int round = 0; mesh_.faceCount() > wanted_; ++round) {
+      const Index gone = before - mesh_.faceCount();
+      if (gone == 0 || (round > kRounds && gone < before / kLittle)) break;
       before = mesh_.faceCount();
       queue_ = {};
       for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
+        if (lookout_.stopped()) return Lookout::error();
         if (mesh_.isFirstOfEdge(h)) push(h);
       }
-      if (!collapse()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
+      if (!collapse()) return Lookout::error();
     }
-    widenAngles(mesh_, kHardlyTurned);
+    widenAngles(mesh_, kHardlyTurned, lookout_);
     const NearestSearch search = searchOf(original_);
-    auto result = resultOf(mesh_, [&](Index v) {
-      const auto found = nearestFacing(search, faceNormals_, mesh_, v);
+    auto result = resultOf(mesh_, lookout_, [&](Index v) {
+      const auto found = nearestFacing(original_, search, faceNormals_, mesh_, v);
       return SurfacePoint::inFace(Face(found.triangle), found.weights);
     });
-    if (context_.onProgress) context_.onProgress(1);
+    if (result && context_.onProgress) context_.onProgress(1);
     return result;
   }
 
@@ -124,12 +132,12 @@ class Simplifier {
   /// Collapses edges until there are few enough faces or nothing is left to try; false where it was
   /// asked to stop.
   bool collapse() {
-    constexpr Index kLookEvery = 1024;
+    constexpr Index kReportEvery = 1024;
     Index sinceLook = 0;
     while (mesh_.faceCount() > wanted_ && !queue_.empty()) {
-      if (++sinceLook == kLookEvery) {
+      if (lookout_.stopped()) return false;
+      if (++sinceLook == kReportEvery) {
         sinceLook = 0;
-        if (context_.cancelled()) return false;
         progress();
       }
       const Entry entry = queue_.top();
@@ -164,6 +172,7 @@ class Simplifier {
   const SurfaceMesh& original_;
   Index wanted_;
   const ExecutionContext& context_;
+  Lookout lookout_;
   ChangingMesh mesh_;
   Vec3 middle_;
   std::vector<Vec3> faceNormals_;

@@ -1,0 +1,450 @@
+// What browsers, networks and people do wrong: each ends in a working page, or in a message with a way out.
+
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { join } from 'node:path';
+import type { Locator, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
+import type { GirthViewer } from '../../web/src/element/index.js';
+import { smallExamples } from './small-examples.js';
+import { box, torus } from './meshes.js';
+import { drop, modelIs, openPanel, pictures, site } from './page-support.js';
+import {
+  type OpenPage,
+  type StaticServer,
+  chromiumForTests,
+  requireBuilt,
+  serve,
+  strictPolicy,
+} from './support.js';
+import { fieldComplete, framesPass } from './viewer-page.js';
+
+const openPage = chromiumForTests();
+const folders = { '/examples/': smallExamples };
+let server: StaticServer;
+let opened: OpenPage | undefined;
+
+beforeAll(async () => {
+  requireBuilt('build/page/index.html', 'build:page');
+  server = await serve(site, { isolated: true, policy: strictPolicy, folders });
+});
+afterAll(() => server.close());
+afterEach(async () => {
+  await opened?.context.close();
+  opened = undefined;
+});
+
+interface Faulty {
+  page: Page;
+  viewer: Locator;
+  message: Locator;
+  complaints: string[];
+}
+
+/** The page after something was done to it, before any script of it runs. */
+async function openWith(
+  prepare: (page: Page) => Promise<unknown>,
+  address = `${server.url}/`,
+): Promise<Faulty> {
+  opened = await openPage(address, { reducedMotion: 'reduce' }, prepare);
+  const { page, complaints } = opened;
+  const viewer = page.locator('girth-viewer');
+  return { page, viewer, message: viewer.locator('.message'), complaints };
+}
+
+/** Waits for a message; it is announced, and names neither the model nor the inside of the program. */
+async function messageIs({ message }: Faulty, code: string): Promise<string> {
+  await message.waitFor();
+  expect(await message.getAttribute('role')).toBe('alert');
+  const text = (await message.textContent())!;
+  expect(await message.getAttribute('data-code'), text).toBe(code);
+  expect(text).toMatch(/What helps: /);
+  expect(text).not.toMatch(/ASSERTIONS|undefined|\[object/);
+  return text;
+}
+
+const cube = { name: 'cube.obj', bytes: Buffer.from(box(2, 2, 2)) };
+
+/** Drops a model and waits for all of its girth. */
+async function cubeIsComputed({ page, viewer }: Faulty): Promise<void> {
+  await drop(page, cube);
+  await modelIs(page, cube.name);
+  await fieldComplete(viewer);
+}
+
+/** Answers with what `change` makes of a file of the page. */
+const changed = (page: Page, path: RegExp, change: (body: Buffer) => Buffer) =>
+  page.route(path, async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, body: change(await response.body()) });
+  });
+
+// ---- the program
+
+test.each([
+  ['missing', (page: Page) => page.route(/\.wasm$/, (route) => route.fulfill({ status: 404 }))],
+  ['corrupt', (page: Page) => changed(page, /\.wasm$/, (body) => Buffer.alloc(body.length, 1))],
+  ['cut off', (page: Page) => changed(page, /\.wasm$/, (body) => body.subarray(0, 20_000))],
+])('the WebAssembly is %s: the program is blamed, not the model', async (_, prepare) => {
+  const faulty = await openWith(prepare);
+  const text = await messageIs(faulty, 'PROGRAM_NOT_LOADED');
+  expect(text).toMatch(/reload the page/);
+  expect(text).not.toMatch(/chair/);
+});
+
+test('WebAssembly of the wrong type and without shared memory: everything works', async () => {
+  const plain = await serve(site, { policy: strictPolicy, folders });
+  try {
+    const faulty = await openWith(
+      (page) =>
+        page.route(/\.wasm$/, async (route) => {
+          const response = await route.fetch();
+          await route.fulfill({ response, contentType: 'text/plain' });
+        }),
+      plain.url,
+    );
+    await fieldComplete(faulty.viewer);
+    expect(await faulty.page.evaluate(() => crossOriginIsolated)).toBe(false);
+    expect(await faulty.message.isVisible()).toBe(false);
+  } finally {
+    await plain.close();
+  }
+});
+
+test('WebAssembly that the content security policy blocks: the message names what to allow', async () => {
+  const policy = strictPolicy.replace(" 'wasm-unsafe-eval'", '');
+  const blocked = await serve(site, { isolated: true, policy, folders });
+  try {
+    const faulty = await openWith(() => Promise.resolve(), blocked.url);
+    expect(await messageIs(faulty, 'PROGRAM_NOT_LOADED')).toContain(
+      "script-src 'wasm-unsafe-eval'",
+    );
+  } finally {
+    await blocked.close();
+  }
+});
+
+test.each([
+  ['there are no workers', () => Reflect.deleteProperty(globalThis, 'Worker')],
+  [
+    'workers that are modules are refused',
+    () => {
+      globalThis.Worker = class {
+        constructor() {
+          throw new TypeError('Module scripts are not supported on DedicatedWorker yet.');
+        }
+      } as unknown as typeof Worker;
+    },
+  ],
+])('%s: words, and no error that nobody caught', async (_, prepare) => {
+  const faulty = await openWith((page) => page.addInitScript(prepare));
+  expect(await messageIs(faulty, 'PROGRAM_NOT_LOADED')).toMatch(/browser/);
+  expect(faulty.complaints).toEqual([]);
+});
+
+test('a worker that throws while it starts', async () => {
+  const faulty = await openWith((page) =>
+    page.route(/job-worker.*\.js$/, (route) =>
+      route.fulfill({ contentType: 'text/javascript', body: 'throw new Error("no luck");' }),
+    ),
+  );
+  await messageIs(faulty, 'PROGRAM_NOT_LOADED');
+});
+
+test('memory that ends at 64 MB: words, the model before stays, and small ones are computed', async () => {
+  const most = Buffer.from(
+    `{ const grow = WebAssembly.Memory.prototype.grow;
+       WebAssembly.Memory.prototype.grow = function (pages) {
+         if (this.buffer.byteLength + 65536 * pages > 64 << 20) throw new RangeError('no more');
+         return grow.call(this, pages);
+       }; }\n`,
+  );
+  const faulty = await openWith((page) =>
+    changed(page, /worker.*\.js$/, (body) => Buffer.concat([most, body])),
+  );
+  await modelIs(faulty.page, 'chair.glb');
+  await drop(faulty.page, { name: 'large.obj', bytes: Buffer.from(torus(500, 400)) });
+  const text = await messageIs(faulty, 'OUT_OF_MEMORY');
+  expect(text).toMatch(/large\.obj/);
+  expect(text).toMatch(/The former model is still here/);
+  await cubeIsComputed(faulty);
+});
+
+test('workers that die while they compute: words, and the next model is computed', async () => {
+  const faulty = await openWith((page) =>
+    page.addInitScript(() => {
+      const all: Worker[] = [];
+      Object.assign(globalThis, { all });
+      const Usual = Worker;
+      globalThis.Worker = class extends Usual {
+        constructor(...args: ConstructorParameters<typeof Worker>) {
+          super(...args);
+          all.push(this);
+        }
+      };
+    }),
+  );
+  await modelIs(faulty.page, 'chair.glb');
+  await faulty.page.evaluate(() => {
+    for (const worker of (globalThis as unknown as { all: Worker[] }).all) {
+      worker.dispatchEvent(new ErrorEvent('error', { message: 'killed' }));
+      worker.terminate();
+    }
+  });
+  await cubeIsComputed(faulty);
+  expect(faulty.complaints).toEqual([]);
+});
+
+// ---- the picture
+
+test('no WebGL: how to get it is said; all else works without the picture', async () => {
+  const faulty = await openWith((page) =>
+    page.addInitScript(() => {
+      const { prototype } = HTMLCanvasElement;
+      const usual = Reflect.get(prototype, 'getContext');
+      prototype.getContext = new Proxy(usual, {
+        apply: (usual, canvas, args: [string]) =>
+          /^webgl/.test(args[0]) ? null : (Reflect.apply(usual, canvas, args) as RenderingContext),
+      });
+    }),
+  );
+  const { page, viewer } = faulty;
+  await fieldComplete(viewer);
+  expect(await messageIs(faulty, 'NO_WEBGL')).toMatch(
+    /no 3D graphics.*work without the picture.*hardware acceleration/,
+  );
+  // Computing, plots, lists and exports.
+  await expect.poll(() => page.locator('#field .caption').textContent()).toMatch(/^median \d/);
+  const tips = await openPanel(page, 'tips');
+  await tips.locator('.places button').first().waitFor();
+  const print = await openPanel(page, 'print');
+  await page.locator('#min-wall').fill('1 m');
+  await page.locator('#check').click();
+  await print.locator('.places button').first().waitFor();
+  await page.getByRole('button', { name: 'Export' }).click();
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator('#export button', { hasText: 'CSV' }).first().click(),
+  ]);
+  expect(readFileSync(await download.path(), 'utf8')).toMatch(/^vertex,igf,kind\n0,\d/);
+  await page.getByRole('button', { name: 'Export' }).click();
+  await page.locator('#export button', { hasText: 'PNG' }).click();
+  await expect.poll(() => page.locator('#export-failure').textContent()).toMatch(/no 3D graphics/);
+  await cubeIsComputed(faulty);
+  expect(faulty.complaints).toEqual([]);
+});
+
+test('graphics that are taken away and given back: said, and the picture is there again', async () => {
+  const faulty = await openWith(() => Promise.resolve());
+  const { page, viewer } = faulty;
+  await fieldComplete(viewer);
+  const coloured = (): Promise<number> =>
+    viewer.evaluate(async (element: GirthViewer) => {
+      const bitmap = await createImageBitmap(await element.snapshot());
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      const pen = canvas.getContext('2d')!;
+      pen.drawImage(bitmap, 0, 0);
+      const { data } = pen.getImageData(0, 0, bitmap.width, bitmap.height);
+      return data.filter((alpha, i) => i % 4 === 3 && alpha > 200).length;
+    });
+  const before = await coloured();
+  expect(before).toBeGreaterThan(1000);
+  await viewer.evaluate((element) => {
+    const context = element.shadowRoot!.querySelector('canvas')!.getContext('webgl2')!;
+    const extension = context.getExtension('WEBGL_lose_context')!;
+    Object.assign(globalThis, { giveBack: () => extension.restoreContext() });
+    extension.loseContext();
+  });
+  await messageIs(faulty, 'NO_WEBGL');
+  await page.evaluate(() => (globalThis as unknown as { giveBack: () => void }).giveBack());
+  await faulty.message.waitFor({ state: 'hidden' });
+  await expect.poll(coloured).toBe(before);
+});
+
+test('a canvas of no size, and a storm of sizes: the picture fits the last one', async () => {
+  const faulty = await openWith((page) =>
+    page.addInitScript(() =>
+      document.addEventListener('DOMContentLoaded', () => {
+        document.querySelector<HTMLElement>('.surface')!.style.display = 'none';
+      }),
+    ),
+  );
+  const { page, viewer } = faulty;
+  await page.locator('#examples button').first().waitFor();
+  await page.evaluate(async () => {
+    const surface = document.querySelector<HTMLElement>('.surface')!;
+    surface.style.display = '';
+    for (let i = 0; i < 60; ++i) {
+      surface.style.maxWidth = `${(i * 67) % 500}px`;
+      surface.style.maxHeight = `${(i * 31) % 400}px`;
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    surface.style.maxWidth = surface.style.maxHeight = '';
+  });
+  await modelIs(page, 'chair.glb');
+  await framesPass(page);
+  const { canvas, element } = await viewer.evaluate((element) => {
+    const { width, height } = element.shadowRoot!.querySelector('canvas')!;
+    return { canvas: [width, height], element: [element.clientWidth, element.clientHeight] };
+  });
+  expect(canvas).toEqual(element);
+  expect(faulty.complaints).toEqual([]);
+});
+
+// ---- the network
+
+test('a download that is cut off, one that never ends, and one that is not allowed', async () => {
+  // Promises more than it sends, and then breaks off or stays silent.
+  const liar = createServer((request, response) => {
+    response.writeHead(200, { 'Content-Length': '100000', 'Access-Control-Allow-Origin': '*' });
+    response.write(box(1, 1, 1));
+    if (request.url?.includes('cut')) setTimeout(() => response.destroy(), 20);
+  });
+  await new Promise<void>((done) => liar.listen(0, '127.0.0.1', done));
+  const { port } = liar.address() as AddressInfo;
+  const at = (path: string): string => `http://127.0.0.1:${port}/${path}`;
+  const allowed = await serve(site, { folders });
+  const other = await serve(site, { folders });
+  try {
+    const faulty = await openWith(() => Promise.resolve(), allowed.url);
+    const { page, viewer, message } = faulty;
+    await modelIs(page, 'chair.glb');
+    const go = (model: string): Promise<void> =>
+      page.evaluate((model) => {
+        location.hash = `model=${encodeURIComponent(model)}`;
+      }, model);
+    await go(at('cut.obj'));
+    expect(await messageIs(faulty, 'FILE_UNREADABLE')).toMatch(/check the address and the conn/);
+    await message.getByRole('button').click();
+    await go(at('silent.obj'));
+    const cross = viewer.getByRole('button', { name: 'Cancel reading' });
+    await cross.click();
+    await cross.waitFor({ state: 'hidden' });
+    expect(await message.isVisible()).toBe(false);
+    await go(`${other.url}/examples/cup.glb`);
+    expect(await messageIs(faulty, 'FILE_UNREADABLE')).toMatch(/CORS/);
+    await cubeIsComputed(faulty);
+  } finally {
+    liar.closeAllConnections();
+    liar.close();
+    await allowed.close();
+    await other.close();
+  }
+});
+
+test('offline while a model is fetched: words, the model before stays; then it can be had', async () => {
+  const faulty = await openWith(() => Promise.resolve());
+  const { page } = faulty;
+  await modelIs(page, 'chair.glb');
+  const cup = page.locator('#examples button[data-example=cup]');
+  await page.context().setOffline(true);
+  await cup.click();
+  expect(await messageIs(faulty, 'FILE_UNREADABLE')).toMatch(/The former model is still here/);
+  await page.context().setOffline(false);
+  await cup.click();
+  await modelIs(page, 'cup.glb');
+  expect(await faulty.message.isVisible()).toBe(false);
+});
+
+// ---- people, and what they have forbidden
+
+test('files that are dropped one upon the other: the last one is shown, and nothing else is said', async () => {
+  const faulty = await openWith(() => Promise.resolve());
+  const { page, viewer } = faulty;
+  await modelIs(page, 'chair.glb');
+  await drop(page, { name: 'first.obj', bytes: Buffer.from(torus(60, 40)) });
+  await drop(page, { name: 'second.obj', bytes: Buffer.from(torus(50, 40)) });
+  await drop(page, cube);
+  await modelIs(page, cube.name);
+  await fieldComplete(viewer);
+  await framesPass(page);
+  expect(await page.locator('#model b').textContent()).toBe(cube.name);
+  expect(await faulty.message.isVisible()).toBe(false);
+  expect(faulty.complaints).toEqual([]);
+});
+
+test('names that are scripts are names', async () => {
+  const faulty = await openWith(() => Promise.resolve());
+  const name = '<img src=x onerror="document.title=666">.obj';
+  await modelIs(faulty.page, 'chair.glb');
+  await drop(faulty.page, { name, bytes: cube.bytes });
+  await expect.poll(() => faulty.page.locator('#model b').textContent()).toBe(name);
+  await drop(faulty.page, { name, bytes: Buffer.from('nothing') });
+  await faulty.message.waitFor();
+  expect(await faulty.message.textContent()).toContain(name);
+  expect(await faulty.page.title()).toContain(name);
+  expect(faulty.complaints).toEqual([]);
+});
+
+test('nothing stored, nothing copied, and a clock that jumps', async () => {
+  const faulty = await openWith((page) =>
+    page.addInitScript(() => {
+      const denied = (): never => {
+        throw new DOMException('denied', 'SecurityError');
+      };
+      for (const name of ['localStorage', 'sessionStorage', 'indexedDB', 'caches']) {
+        Object.defineProperty(globalThis, name, { get: denied });
+      }
+      Object.defineProperty(Navigator.prototype, 'clipboard', { get: () => undefined });
+      const usual = Date.now;
+      let jump = 0;
+      Date.now = () => usual() + 1e10 * Math.sin(++jump);
+    }),
+  );
+  const { page } = faulty;
+  await fieldComplete(faulty.viewer);
+  await page.getByRole('button', { name: 'Share' }).click();
+  await page.getByRole('button', { name: 'Copy the link' }).click();
+  await expect.poll(() => page.locator('#share').textContent()).toMatch(/does not let pages copy/);
+  expect(faulty.complaints).toEqual([]);
+});
+
+test.each([
+  ['320 by 256, as at four times the size', 320, 256],
+  ['a phone', 390, 844],
+  ['a large window', 1440, 900],
+])('%s: what is wrong with a file lies over nothing else', async (_, width, height) => {
+  const faulty = await openWith((page) => page.setViewportSize({ width, height }));
+  const { page, viewer, message } = faulty;
+  await fieldComplete(viewer);
+  await drop(page, { name: 'nothing.obj', bytes: Buffer.from('nothing') });
+  await message.waitFor();
+  const boxes = await page.evaluate(() => {
+    const viewer = document.querySelector('girth-viewer')!;
+    const all = [
+      ...document.querySelectorAll('header, #meaning, #invitation, #examples, aside'),
+      ...viewer.shadowRoot!.querySelectorAll('.message, .legend'),
+    ].filter((element) => element.checkVisibility({ visibilityProperty: true }));
+    return all.map((element) => {
+      const { left, right, top, bottom } = element.getBoundingClientRect();
+      return {
+        name: element.id || element.className || element.localName,
+        ...{ left, right, top, bottom },
+      };
+    });
+  });
+  expect(boxes.map(({ name }) => name)).toEqual(
+    expect.arrayContaining(['header', 'meaning', 'invitation', 'message', 'examples', 'aside']),
+  );
+  const overlaps = boxes.flatMap((a, i) =>
+    boxes
+      .slice(i + 1)
+      .filter(
+        (b) =>
+          Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
+          Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1,
+      )
+      .map((b) => `${a.name} over ${b.name}`),
+  );
+  expect(overlaps).toEqual([]);
+  // Nothing is cut off at the sides, and the rest can be scrolled to.
+  for (const { name, left, right } of boxes) {
+    expect(left, name).toBeGreaterThanOrEqual(0);
+    expect(right, name).toBeLessThanOrEqual(width);
+  }
+  await page.screenshot({ path: join(pictures, `fault-${width}x${height}.png`) });
+  await message.getByRole('button').click();
+  await page.getByRole('button', { name: 'Share' }).click();
+  await page.locator('#share').waitFor();
+});

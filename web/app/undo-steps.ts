@@ -1,0 +1,59 @@
+// What was shown before, step by step, to go back to and forth again. It knows states only as text.
+
+/** Steps further back than this are forgotten. */
+const mostSteps = 200;
+
+export class UndoSteps {
+  #past: string[] = [];
+  #future: string[] = [];
+  #present: string | undefined;
+  readonly #changed: () => void;
+
+  /** `changed`: whether one can go back or forth may be another now. */
+  constructor(changed: () => void = () => undefined) {
+    this.#changed = changed;
+  }
+
+  /** Whether there is a step to go back to. */
+  get canUndo(): boolean {
+    return this.#past.length > 0;
+  }
+
+  /** Whether there is a step that was undone. */
+  get canRedo(): boolean {
+    return this.#future.length > 0;
+  }
+
+  /** Another state has come about: what was undone is forgotten. */
+  take(state: string): void {
+    if (state === this.#present) return;
+    if (this.#present !== undefined) this.#past = [...this.#past, this.#present].slice(-mostSteps);
+    this.#present = state;
+    this.#future = [];
+    this.#changed();
+  }
+
+  /** The present state turns out to be written like this: no step. */
+  correct(state: string): void {
+    this.#present = state;
+  }
+
+  /** Goes back a step; the state there, undefined where there is none. */
+  undo(): string | undefined {
+    return this.#move(this.#past, this.#future);
+  }
+
+  /** Goes forth again. */
+  redo(): string | undefined {
+    return this.#move(this.#future, this.#past);
+  }
+
+  #move(from: string[], to: string[]): string | undefined {
+    const state = from.pop();
+    if (state === undefined) return undefined;
+    if (this.#present !== undefined) to.push(this.#present);
+    this.#present = state;
+    this.#changed();
+    return state;
+  }
+}
