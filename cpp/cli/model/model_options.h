@@ -34,7 +34,8 @@ struct ModelOptions {
   std::string up;
 };
 
-/// Adds `--weld`, `--close-holes`, `--component`, `--min-component`, `--unit`, `--in`, `--scale`, `--height`,
+/// Adds `--weld`, `--close-holes`, `--component`, `--min-component`, `--unit`, `--in`, `--scale`,
+/// `--height`,
 /// `--up` and `--entry`.
 void addModelOptions(OptionTable& table, ModelOptions& options);
 

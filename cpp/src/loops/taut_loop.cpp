@@ -565,8 +565,11 @@ bool slideLeft(const Unfolding& unfolding, TautLoop loop, double mostWidth,
   for (;;) {
     TautLoop pushed;
     const LeftSide side = leftOf(unfolding, loop, pushed);
-    if (side == LeftSide::Leaks) shorter = std::move(pushed);
-    if (side != LeftSide::Slides || width >= mostWidth) return side == LeftSide::Leaks;
+    if (side == LeftSide::Leaks) {
+      shorter = std::move(pushed);
+      return true;
+    }
+    if (side != LeftSide::Slides || width >= mostWidth) return false;
     Slide slide;
     slide.run = std::move(pushed.runs[0]);
     const Strip strip(unfolding, slide.run, true);

@@ -44,6 +44,7 @@ export {
   isForAllEyes,
 } from '../view/colormap-names.js';
 export {
+  type GivenName,
   type ShownName,
   derivedNames,
   fieldNames,

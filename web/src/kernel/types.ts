@@ -523,7 +523,12 @@ export interface Barcode {
    * The girth for a persistence that no bar has: twice the greatest distance, in model units; where that is
    * not known, a lower bound.
    */
-  rest: { length: number; kind: LoopKind };
+  rest: {
+    /** In model units. */
+    length: number;
+    /** 'antipodal', or 'unresolved' for a lower bound. */
+    kind: LoopKind;
+  };
   /** The model's unit: 'm' for glTF, '' where the file does not state it. */
   unit: string;
 }
