@@ -43,7 +43,7 @@ test('a figure becomes live, and nothing comes from elsewhere', async () => {
   const figure = page.locator('figure.live').first();
   await figure.scrollIntoViewIfNeeded();
   await page.locator('figure.lives').first().waitFor({ timeout: 60_000 });
-  expect(await figure.locator('.poster').isVisible()).toBe(false);
+  expect(await figure.locator('img.poster').isVisible()).toBe(false);
   const share = await figure.locator('girth-viewer').evaluate((viewer: GirthViewer) => {
     const values = viewer.values('igf');
     return values.filter((value) => value > 0).length / values.length;
@@ -56,7 +56,7 @@ test('a figure becomes live, and nothing comes from elsewhere', async () => {
 
   // On paper there are pictures.
   await page.emulateMedia({ media: 'print' });
-  expect(await figure.locator('.poster').isVisible()).toBe(true);
+  expect(await figure.locator('img.poster').isVisible()).toBe(true);
   expect(await page.locator('header').isVisible()).toBe(false);
 });
 
@@ -112,7 +112,7 @@ test('without WebGL figures are pictures, and the element is not fetched', async
       HTMLCanvasElement.prototype.getContext = () => null;
     });
   });
-  const poster = page.locator('figure.live .poster').first();
+  const poster = page.locator('figure.live img.poster').first();
   await poster.scrollIntoViewIfNeeded();
   await expect
     .poll(() => poster.evaluate((image: HTMLImageElement) => image.naturalWidth))
@@ -127,7 +127,7 @@ test('without scripts it is read, and the list of pages opens on a phone', async
     viewport: { width: 390, height: 800 },
   });
   expect(await page.locator('form.search').isVisible()).toBe(false);
-  expect(await page.locator('figure.live .poster').first().isVisible()).toBe(true);
+  expect(await page.locator('figure.live img.poster').first().isVisible()).toBe(true);
   const list = page.locator('nav#contents');
   expect(await list.isVisible()).toBe(false);
   await page.locator('header .contents').click();
