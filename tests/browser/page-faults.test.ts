@@ -236,7 +236,19 @@ test('no WebGL: how to get it is said; all else works without the picture', asyn
 });
 
 test('graphics that are taken away and given back: said, and the picture is there again', async () => {
-  const faulty = await openWith(() => Promise.resolve());
+  const faulty = await openWith((page) =>
+    page.addInitScript(() => {
+      const { prototype } = HTMLCanvasElement;
+      const usual = Reflect.get(prototype, 'getContext');
+      prototype.getContext = new Proxy(usual, {
+        apply(usual, canvas, args: [string]) {
+          const context = Reflect.apply(usual, canvas, args) as RenderingContext;
+          if (args[0] === 'webgl2') Object.assign(globalThis, { drawing: context });
+          return context;
+        },
+      });
+    }),
+  );
   const { page, viewer } = faulty;
   await fieldComplete(viewer);
   const coloured = (): Promise<number> =>
@@ -250,9 +262,9 @@ test('graphics that are taken away and given back: said, and the picture is ther
     });
   const before = await coloured();
   expect(before).toBeGreaterThan(1000);
-  await viewer.evaluate((element) => {
-    const context = element.shadowRoot!.querySelector('canvas')!.getContext('webgl2')!;
-    const extension = context.getExtension('WEBGL_lose_context')!;
+  await page.evaluate(() => {
+    const { drawing } = globalThis as unknown as { drawing: WebGL2RenderingContext };
+    const extension = drawing.getExtension('WEBGL_lose_context')!;
     Object.assign(globalThis, { giveBack: () => extension.restoreContext() });
     extension.loseContext();
   });
@@ -284,11 +296,11 @@ test('a canvas of no size, and a storm of sizes: the picture fits the last one',
   });
   await modelIs(page, 'chair.glb');
   await framesPass(page);
-  const { canvas, element } = await viewer.evaluate((element) => {
-    const { width, height } = element.shadowRoot!.querySelector('canvas')!;
-    return { canvas: [width, height], element: [element.clientWidth, element.clientHeight] };
+  const { picture, element } = await viewer.evaluate(async (element: GirthViewer) => {
+    const { width, height } = await createImageBitmap(await element.snapshot());
+    return { picture: [width, height], element: [element.clientWidth, element.clientHeight] };
   });
-  expect(canvas).toEqual(element);
+  expect(picture).toEqual(element);
   expect(faulty.complaints).toEqual([]);
 });
 

@@ -97,7 +97,7 @@ export interface ViewerHost {
 
 export class ViewerCore {
   readonly #host: ViewerHost;
-  #canvas = make('canvas', {
+  readonly #canvas = make('canvas', {
     tabindex: '0',
     role: 'application',
     'aria-roledescription': '3D surface',
@@ -228,10 +228,6 @@ export class ViewerCore {
     if (!this.stage) return;
     this.stage.dispose();
     this.stage = undefined;
-    // A lost context cannot be had again from the same canvas.
-    const fresh = this.#canvas.cloneNode() as HTMLCanvasElement;
-    this.#canvas.replaceWith(fresh);
-    this.#canvas = fresh;
   }
 
   /** An attribute has changed. */

@@ -1,16 +1,19 @@
 // The canvas and what is drawn on it: a surface, what lies on it, its shadow. The camera, the times of
 // drawing and the way between canvas and surface are files of their own; this one composes them.
 //
+// The canvas takes the pointer. What is drawn lies behind it, on a canvas that belongs to the page's pool of WebGL
+// contexts; as long as another stage has that, a picture is on the canvas itself.
+//
 // Points that come in or go out are in the surface's own coordinates.
 
 import {
+  type BufferGeometry,
   Group,
   Matrix4,
   type Object3D,
   PerspectiveCamera,
   Quaternion,
   Scene,
-  Vector2,
   Vector3,
 } from 'three';
 import type { FacePoint } from '../kernel/types.js';
@@ -30,7 +33,8 @@ import { FrameScheduler } from './frame-scheduler.js';
 import type { GroundShadow } from './ground-shadow.js';
 import { Picker, type ScreenPoint } from './picker.js';
 import { type Place, viewOfPlace } from './place-view.js';
-import { type Graphics, type Renderer, rendererFor } from './renderer.js';
+import { type Borrower, type Drawer, renderers } from './renderer-pool.js';
+import type { Graphics, Renderer } from './renderer.js';
 import { Silhouette } from './silhouette.js';
 import type { Surface } from './surface.js';
 import { SurfaceSpace } from './surface-space.js';
@@ -49,11 +53,17 @@ export interface StageEvents {
   graphicsChanged(): void;
 }
 
-export class Stage {
+export class Stage implements Borrower {
   readonly #canvas: HTMLCanvasElement;
   readonly #events: StageEvents;
-  readonly #renderer: Renderer;
-  #graphics: Graphics;
+  /** Holds the canvas that is drawn on; closed, so that the page finds only the one that takes the pointer. */
+  readonly #seat = document.createElement('div');
+  readonly #seatRoot = this.#seat.attachShadow({ mode: 'closed' });
+  #drawer: Drawer | undefined;
+  #isResting = true;
+  #ratio = 1;
+  /** As it was when the stage was made. */
+  readonly #atFirst: Graphics;
   readonly #scene = new Scene();
   readonly #space = new SurfaceSpace();
   readonly #onSurface = new Group();
@@ -72,14 +82,9 @@ export class Stage {
   constructor(canvas: HTMLCanvasElement, events: StageEvents) {
     this.#canvas = canvas;
     this.#events = events;
-    const made = rendererFor(canvas, (graphics) => {
-      if (this.#isDisposed) return;
-      this.#graphics = graphics;
-      this.invalidate();
-      events.graphicsChanged();
-    });
-    this.#renderer = made.renderer;
-    this.#graphics = made.graphics;
+    this.#atFirst = renderers.check();
+    Object.assign(this.#seat.style, { position: 'absolute', inset: '0', pointerEvents: 'none' });
+    canvas.before(this.#seat);
     this.#scene.add(this.#space.group);
     this.#space.group.add(this.#onSurface);
     this.#frames = new FrameScheduler({
@@ -102,12 +107,12 @@ export class Stage {
 
   /** Whether there is a picture; without one everything else works. */
   get graphics(): Graphics {
-    return this.#graphics;
+    return this.#drawer?.graphics ?? this.#atFirst;
   }
 
   /** Compiles an object's shaders beside the page's own work, so that its first frame is not late. */
   async prepare(object: Object3D): Promise<void> {
-    await this.#renderer.compileAsync(object, this.#rig.camera, this.#scene);
+    await this.#held().compileAsync(object, this.#rig.camera, this.#scene);
   }
 
   /** Shows a surface from the standard direction, in place of the one before. */
@@ -116,7 +121,7 @@ export class Stage {
     this.#surface = surface;
     if (surface) {
       this.#space.group.add(surface.object);
-      surface.setPixelRatio(this.#renderer.getPixelRatio());
+      surface.setPixelRatio(this.#ratio);
     }
     this.stand(new Quaternion());
   }
@@ -146,7 +151,7 @@ export class Stage {
   }
 
   add(overlay: Overlay): void {
-    overlay.setPixelRatio(this.#renderer.getPixelRatio());
+    overlay.setPixelRatio(this.#ratio);
     this.#overlays.add(overlay);
     this.#onSurface.add(overlay.object);
     this.invalidate();
@@ -168,11 +173,13 @@ export class Stage {
     this.#setRatio(Math.min(2, pixelRatio));
     this.#rig.fit(this.#width, this.#height, top, bottom);
     if (this.#rig.isHome) this.resetView();
-    this.#draw();
+    // A picture that is out of view may be stretched.
+    if (this.#drawer || !this.#isResting) this.#draw();
   }
 
   /** Nothing is drawn while resting, for example out of view. */
   rest(isResting: boolean): void {
+    this.#isResting = isResting;
     this.#frames.rest(isResting);
   }
 
@@ -316,7 +323,7 @@ export class Stage {
       this.#draw();
       return this.#copy();
     }
-    const ratio = this.#renderer.getPixelRatio();
+    const ratio = this.#ratio;
     try {
       this.#setRatio(width / this.#width);
       this.#draw();
@@ -328,8 +335,8 @@ export class Stage {
   }
 
   #setRatio(ratio: number): void {
-    this.#renderer.setPixelRatio(ratio);
-    this.#renderer.setSize(this.#width, this.#height, false);
+    this.#ratio = ratio;
+    if (this.#drawer) this.#fit(this.#drawer.renderer);
     this.#surface?.setPixelRatio(ratio);
     for (const overlay of this.#overlays) overlay.setPixelRatio(ratio);
   }
@@ -344,9 +351,8 @@ export class Stage {
     width: number,
     height: number,
   ): HTMLCanvasElement {
-    const [renderer, surface] = [this.#renderer, this.#surface];
+    const [renderer, surface] = [this.#held(), this.#surface];
     if (!surface) throw new Error('no surface is shown');
-    const [size, ratio] = [renderer.getSize(new Vector2()), renderer.getPixelRatio()];
     const camera = new PerspectiveCamera(fovFor(width, height), width / height);
     placeCamera(camera, this.#viewOf(place, surface));
     this.#onSurface.visible = false;
@@ -364,9 +370,8 @@ export class Stage {
       overlay?.object.removeFromParent();
       this.#onSurface.visible = true;
       if (this.#shadow) this.#shadow.object.visible = true;
-      surface.setPixelRatio(ratio);
-      renderer.setPixelRatio(ratio);
-      renderer.setSize(size.x, size.y, false);
+      surface.setPixelRatio(this.#ratio);
+      this.#fit(renderer);
       this.#draw();
     }
   }
@@ -378,8 +383,62 @@ export class Stage {
     this.#overlays.clear();
     this.show(undefined);
     this.#rig.dispose();
-    this.#renderer.dispose();
-    this.#renderer.forceContextLoss();
+    this.#seatRoot.replaceChildren();
+    this.#seat.remove();
+    this.#drawer = undefined;
+    renderers.leave(this);
+    this.#keepPicture(undefined);
+  }
+
+  // ---- the context
+
+  get isResting(): boolean {
+    return this.#isResting;
+  }
+
+  yield(): void {
+    if (!this.#drawer) return;
+    // The context keeps nothing beyond this task: drawn and copied at once.
+    this.#render(this.#rig.camera);
+    this.#keepPicture(this.#drawer.canvas);
+    this.#seatRoot.replaceChildren();
+    this.#drawer = undefined;
+    // What is drawn from comes back to the graphics memory with the next frame.
+    this.#scene.traverse((object) => {
+      if ('geometry' in object) (object.geometry as BufferGeometry).dispose();
+    });
+    renderers.giveBack(this);
+  }
+
+  graphicsChanged(): void {
+    if (this.#isDisposed) return;
+    this.invalidate();
+    this.#events.graphicsChanged();
+  }
+
+  /** What draws; borrowed now unless it is here. */
+  #held(): Renderer {
+    const drawer = renderers.lend(this);
+    if (drawer !== this.#drawer) {
+      this.#drawer = drawer;
+      this.#fit(drawer.renderer);
+      this.#seatRoot.replaceChildren(drawer.canvas);
+      this.#keepPicture(undefined);
+    }
+    return drawer.renderer;
+  }
+
+  #fit(renderer: Renderer): void {
+    renderer.setPixelRatio(this.#ratio);
+    renderer.setSize(this.#width, this.#height, false);
+  }
+
+  /** Shows a copy of what was drawn, or lets what is drawn be seen. */
+  #keepPicture(drawn: HTMLCanvasElement | undefined): void {
+    const canvas = this.#canvas;
+    // Also clears it.
+    [canvas.width, canvas.height] = drawn ? [drawn.width, drawn.height] : [1, 1];
+    if (drawn) canvas.getContext('2d')!.drawImage(drawn, 0, 0);
   }
 
   /** The surface in the scene's coordinates. */
@@ -400,9 +459,10 @@ export class Stage {
   }
 
   #copy(): HTMLCanvasElement {
+    const { canvas } = this.#drawer!;
     const copy = document.createElement('canvas');
-    [copy.width, copy.height] = [this.#canvas.width, this.#canvas.height];
-    copy.getContext('2d')!.drawImage(this.#canvas, 0, 0);
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    copy.getContext('2d')!.drawImage(canvas, 0, 0);
     return copy;
   }
 
@@ -414,6 +474,6 @@ export class Stage {
 
   #render(camera: PerspectiveCamera): void {
     fitDepth(camera);
-    this.#renderer.render(this.#scene, camera);
+    this.#held().render(this.#scene, camera);
   }
 }
