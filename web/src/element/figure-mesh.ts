@@ -8,6 +8,7 @@ import { type FigureFile, readFigure } from './figure-file.js';
 import { givenFields } from './given-fields.js';
 import type { FileContent } from './model.js';
 import { nothingPrepared } from './nothing-prepared.js';
+import { refusedCalls } from './refused-calls.js';
 import { countSurface, vertexAreasOf } from './surface-counts.js';
 
 /** Surfaces farther from the origin than so many times their size are left to the kernel, which moves them. */
@@ -67,12 +68,8 @@ async function meshOf(
     geometry: { positions, indices, boundary, origin: [0, 0, 0] },
     vertexOfInput: Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex),
     vertexAreas: ({ signal } = {}) => inSlices(vertexAreasOf(positions, indices), signal),
-    tips: () => (tips ? Promise.resolve(tips) : refused()),
-    ...{ field: refused, loop: refused, path: refused, limbs: refused, maxima: refused },
-    ...{ exportField: refused, exportFields: refused, exportLoops: refused, exportTips: refused },
-    ...{ exportLimbs: refused, exportParts: refused, exportWeakPlaces: refused, parts: refused },
-    ...{ suggestedThresholds: refused, printCheck: refused, heatMaxima: refused, remesh: refused },
-    ...{ barcode: refused, barcodes: refused, difference: refused },
+    ...refusedCalls(refused),
+    ...(tips ? { tips: () => Promise.resolve(tips) } : {}),
     dispose: () => undefined,
   };
 }

@@ -3,6 +3,7 @@
 import { cancelled } from '../kernel/errors.js';
 import type { Field, FieldName, Loop, Mesh, MeshInfo } from '../kernel/types.js';
 import { nothingPrepared } from './nothing-prepared.js';
+import { refusedCalls } from './refused-calls.js';
 
 /** What is shown. */
 export interface ShownContent {
@@ -58,6 +59,7 @@ export function shownMesh(content: ShownContent): Mesh {
     info,
     geometry: { positions, indices, boundary, origin },
     vertexOfInput: Uint32Array.from({ length: info.vertexCount }, (_, vertex) => vertex),
+    ...refusedCalls(isNotThere),
     field: (name: FieldName) =>
       content.field?.name === name ? Promise.resolve(wholeField(content.field)) : isNotThere(),
     loop: (point) => {
@@ -66,25 +68,6 @@ export function shownMesh(content: ShownContent): Mesh {
     },
     vertexAreas: () => Promise.resolve(content.areas),
     dispose: () => undefined,
-    path: isNotThere,
-    exportField: isNotThere,
-    exportFields: isNotThere,
-    exportLoops: isNotThere,
-    tips: isNotThere,
-    limbs: isNotThere,
-    suggestedThresholds: isNotThere,
-    parts: isNotThere,
-    printCheck: isNotThere,
-    maxima: isNotThere,
-    heatMaxima: isNotThere,
-    exportTips: isNotThere,
-    exportLimbs: isNotThere,
-    exportParts: isNotThere,
-    exportWeakPlaces: isNotThere,
-    remesh: isNotThere,
-    difference: isNotThere,
-    barcode: isNotThere,
-    barcodes: isNotThere,
   };
 }
 
