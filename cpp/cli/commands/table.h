@@ -5,8 +5,8 @@
 
 namespace girth::cli {
 
-extern const Command kInfo, kIgf, kLoop, kRemesh, kField, kTips, kLimbs, kNecks, kCut, kParts,
-    kRetrieve, kSignature, kCompare, kStudy, kHelp;
+extern const Command kInfo, kIgf, kLoop, kRemesh, kField, kTips, kLimbs, kNecks, kHandles, kCut,
+    kParts, kRetrieve, kSignature, kCompare, kStudy, kHelp;
 
 /// Under `girth study`.
 extern const Command kStudyAccuracy, kStudyRobustness;

@@ -15,6 +15,7 @@
 #include "girth/girth_field.h"
 #include "girth/girth_profile.h"
 #include "girth/girth_solver.h"
+#include "girth/handles.h"
 #include "girth/heat_kernel.h"
 #include "girth/heat_maxima.h"
 #include "girth/limbs.h"

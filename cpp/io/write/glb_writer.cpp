@@ -135,4 +135,13 @@ Result<std::string> GlbWriter::file(std::string_view unit) {
   return glbOf(model_);
 }
 
+void addLine(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points,
+             const std::string& extras, const std::string& name, GlbWriter& writer) {
+  std::vector<Vec3> places;
+  places.reserve(points.size());
+  for (const SurfacePoint& point : points) places.push_back(positionOf(loaded.mesh, point));
+  writer.addPositions(places);
+  writer.endMesh(TINYGLTF_MODE_LINE_STRIP, extras, name);
+}
+
 }  // namespace girth::io

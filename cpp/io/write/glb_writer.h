@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "girth/error.h"
+#include "girth/io/read_mesh.h"
 #include "girth/surface_mesh.h"
+#include "girth/surface_point.h"
 #include "gltf/tinygltf.h"
 
 namespace girth::io {
@@ -49,5 +51,10 @@ class GlbWriter {
   tinygltf::Model model_;
   tinygltf::Primitive primitive_;
 };
+
+/// Adds a mesh that is a line strip through points of a surface; `extras` and `name` as for
+/// endMesh.
+void addLine(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points,
+             const std::string& extras, const std::string& name, GlbWriter& writer);
 
 }  // namespace girth::io

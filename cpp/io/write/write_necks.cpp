@@ -76,15 +76,11 @@ Result<std::string> necksGlb(const LoadedMesh& loaded, const Necks& necks) {
   GlbWriter writer;
   for (std::size_t i = 0; i < necks.necks.size(); ++i) {
     const Neck& neck = necks.necks[i];
-    std::vector<Vec3> places;
-    places.reserve(neck.points.size());
-    for (const SurfacePoint& point : neck.points) places.push_back(positionOf(loaded.mesh, point));
-    writer.addPositions(places);
-    writer.endMesh(TINYGLTF_MODE_LINE_STRIP,
-                   "{\"length\":" + formatNumber(neck.length) + ",\"prominence\":" +
-                       numberJson(neck.prominence) + ",\"area\":" + formatNumber(neck.area) +
-                       ",\"unit\":" + jsonString(loaded.unit) + "}",
-                   "neck_" + std::to_string(i + 1));
+    addLine(loaded, neck.points,
+            "{\"length\":" + formatNumber(neck.length) + ",\"prominence\":" +
+                numberJson(neck.prominence) + ",\"area\":" + formatNumber(neck.area) +
+                ",\"unit\":" + jsonString(loaded.unit) + "}",
+            "neck_" + std::to_string(i + 1), writer);
   }
   return writer.file(loaded.unit);
 }

@@ -14,6 +14,8 @@
 #include "girth/parallel.h"
 #include "girth/solver_factory.h"
 #include "girth/vertex_function.h"
+#include "loops/loop_shape.h"
+#include "loops/part_of_work.h"
 #include "loops/pass_search.h"
 #include "loops/taut_loop.h"
 #include "mesh/vector.h"
@@ -100,42 +102,6 @@ bool liesOn(const std::vector<Vec3>& points, const std::vector<Vec3>& curve, dou
   });
 }
 
-std::vector<Vec3> placesOf(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points) {
-  std::vector<Vec3> places;
-  places.reserve(points.size());
-  for (const SurfacePoint& point : points) places.push_back(positionOf(mesh, point));
-  return places;
-}
-
-/// Centre, plane, radius and area.
-void measureShape(const std::vector<Vec3>& places, Neck& neck) {
-  double length = 0;
-  Vec3 sum, doubled;
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const double part = norm(places[i + 1] - places[i]);
-    sum = sum + (part / 2) * (places[i] + places[i + 1]);
-    doubled = doubled + cross(places[i] - places[0], places[i + 1] - places[0]);
-    length += part;
-  }
-  neck.centre = (1 / length) * sum;
-  const double area = norm(doubled) / 2;
-  neck.area = area;
-  if (area > 0) neck.normal = (0.5 / area) * doubled;
-  double radius = 0;
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    // Simpson's rule on each part.
-    const auto distance = [&](const Vec3& p) {
-      const Vec3 d = p - neck.centre;
-      return norm(d - dot(d, neck.normal) * neck.normal);
-    };
-    radius += norm(places[i + 1] - places[i]) *
-              (distance(places[i]) + 4 * distance(0.5 * (places[i] + places[i + 1])) +
-               distance(places[i + 1])) /
-              6;
-  }
-  neck.radius = radius / length;
-}
-
 /// The necks among closed geodesics, in rising order of their lengths: each band once, and what
 /// leaking bands lead to.
 std::vector<Neck> necksOf(const SurfaceMesh& mesh, const Unfolding& unfolding,
@@ -164,7 +130,7 @@ std::vector<Neck> necksOf(const SurfaceMesh& mesh, const Unfolding& unfolding,
     neck.points = std::move(band.middle);
     neck.width = band.width;
     neck.vertices = std::move(band.vertices);
-    std::vector<Vec3> places = placesOf(mesh, neck.points);
+    std::vector<Vec3> places = loops::placesOf(mesh, neck.points);
     const bool isKnown = [&] {
       for (std::size_t i = 0; i < necks.size(); ++i) {
         const double tolerance = kSamePlace * neck.length;
@@ -176,7 +142,11 @@ std::vector<Neck> necksOf(const SurfaceMesh& mesh, const Unfolding& unfolding,
       return false;
     }();
     if (isKnown) continue;
-    measureShape(places, neck);
+    const loops::LoopShape shape = loops::shapeOf(places);
+    neck.centre = shape.centre;
+    neck.normal = shape.normal;
+    neck.radius = shape.radius;
+    neck.area = shape.area;
     for (const Vertex v : neck.vertices) {
       neck.touchesBoundary = neck.touchesBoundary || mesh.isBoundary(v);
       neck.measuresGirth =
@@ -259,17 +229,6 @@ std::optional<Error> findProminences(const SurfaceMesh& mesh, std::span<const do
   return std::nullopt;
 }
 
-/// The part of a work's progress between two shares of the whole.
-ExecutionContext partOf(const ExecutionContext& context, double begin, double end) {
-  ExecutionContext part = context;
-  if (context.onProgress) {
-    part.onProgress = [&context, begin, end](double fraction) {
-      context.onProgress(begin + (end - begin) * fraction);
-    };
-  }
-  return part;
-}
-
 }  // namespace
 
 Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const double> girth,
@@ -285,14 +244,15 @@ Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const double> girth,
   }
   const auto unfolding = std::make_shared<const Unfolding>(mesh);
   Gathered gathered;
-  if (auto error = gatherLoops(mesh, girth, unfolding, partOf(context, 0, kLoopShare), gathered)) {
+  if (auto error =
+          gatherLoops(mesh, girth, unfolding, loops::partOf(context, 0, kLoopShare), gathered)) {
     return *error;
   }
   Necks found;
   found.unresolved = static_cast<Index>(gathered.unresolved);
   found.necks = necksOf(mesh, *unfolding, girth, gathered.loops);
-  if (auto error =
-          findProminences(mesh, girth, unfolding, partOf(context, kLoopShare, 1), found.necks)) {
+  if (auto error = findProminences(mesh, girth, unfolding, loops::partOf(context, kLoopShare, 1),
+                                   found.necks)) {
     return *error;
   }
   if (context.onProgress) context.onProgress(1);

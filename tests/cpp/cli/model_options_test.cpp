@@ -54,7 +54,7 @@ class ModelOptions : public Command {
 
 TEST_F(ModelOptions, areThoseOfEveryCommandThatReadsAModel) {
   const Helps commands = readingCommands();
-  EXPECT_EQ(commands.size(), 15u);
+  EXPECT_EQ(commands.size(), 16u);
   for (const auto& [name, help] : commands) {
     for (const char* option :
          {"  --weld LENGTH ", "  --close-holes ", "  --component N ", "  --min-component SHARE ",
@@ -79,6 +79,7 @@ TEST_F(ModelOptions, reachTheModelInEveryCommand) {
       {"limbs", {"limbs", prism}},
       {"parts", {"parts", prism}},
       {"necks", {"necks", prism}},
+      {"handles", {"handles", prism}},
       {"cut", {"cut", prism, "--necks", "-o", path("c.glb")}},
       {"retrieve", {"retrieve", path("shapes"), "-o", path("report"), "--descriptors", "igf"}},
       {"signature", {"signature", prism, "-o", path("s.csv")}},

@@ -1,0 +1,82 @@
+// Handles and tunnels: the shortest closed geodesics round a surface's handles and through them.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/execution.h"
+#include "girth/export.h"
+#include "girth/surface_mesh.h"
+#include "girth/surface_point.h"
+
+namespace girth {
+
+/// On which side of its component a loop bounds a surface (web/docs/definitions.md, section 5).
+enum class HandleKind : std::uint8_t {
+  Handle = 0,   ///< inside: it goes round the material
+  Tunnel = 1,   ///< outside: it goes round a hole
+  Unknown = 2,  ///< the component has no inside: it, or what closes its holes, crosses it
+};
+
+/// "handle", "tunnel" or "unknown".
+GIRTH_EXPORT std::string_view toString(HandleKind kind);
+
+/// A closed geodesic round a handle or a tunnel.
+struct Handle {
+  /// In model units.
+  double length{0};
+  HandleKind kind{HandleKind::Unknown};  ///< round the material, or round a hole
+  /// The edges it crosses and the vertices it passes in order; the last point equals the first.
+  /// Between neighbours it is straight inside one face or along one edge. Of a band of parallel
+  /// loops the one in the middle.
+  std::vector<SurfacePoint> points;
+  /// Mean of the loop's points, each part counted by its length, in model units.
+  Vec3 centre;
+  /// The area that the loop encloses in its mean plane, in squared model units.
+  double area{0};
+  Index component{0};  ///< of the surface
+};
+
+/// How handles are searched for.
+struct HandleOptions {
+  /// Of each component, points whose loops are compared, at least 1: half of them spread over it,
+  /// the others on the loops found. As many as it has vertices, or more: all of them.
+  std::size_t basePoints{32};
+};
+
+/// The handles of a surface.
+struct Handles {
+  /// The shortest first.
+  std::vector<Handle> handles;
+  /// Handles and tunnels that the genus promises and that were not found.
+  Index unresolved{0};
+};
+
+/// For a component of genus g, g handle loops and g tunnel loops: no sum of some of either is the
+/// boundary of a part of the surface. A handle loop bounds a surface inside the component (often a
+/// disk: the cut through a handle), a tunnel loop one outside. They are closed geodesics, necks in
+/// the sense of findNecks, exact to rounding. Boundary curves are none: holes count as closed, each
+/// with a cone over the mean of its corners. Every component counts by itself, whichever others lie
+/// inside it, and whichever way its faces look.
+///
+/// *Guaranteed*: their number, but for `unresolved`; their kinds, by linking numbers, which are
+/// computed exactly, if the surface does not cross itself. Where it does, the numbers may
+/// contradict each other: then there are 2g loops of an unknown kind, of which no sum bounds a part
+/// of the surface. With all vertices as base points: if the shortest such system of 2g loops
+/// consists of handle loops and tunnel loops, it is found. *Not guaranteed* with fewer base points:
+/// that no loop is shorter; each is locally shortest. Which of several loops of one length is found
+/// is not told.
+///
+/// Time: for each base point one propagation over the whole component, O(n^1.5) to O(n² log n), on
+/// all threads; for the kinds as given at the header loops/homology.h, about O(g² n). Nothing for
+/// components of genus 0. The same result for any number of threads. Errors: INVALID_OPTION
+/// (`basePoints` is 0); CANCELLED.
+GIRTH_EXPORT Result<Handles> findHandles(const SurfaceMesh& mesh, const HandleOptions& options = {},
+                                         const ExecutionContext& context = {});
+
+}  // namespace girth

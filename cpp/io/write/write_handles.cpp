@@ -1,0 +1,70 @@
+#include "girth/io/write_handles.h"
+
+#include <cstddef>
+
+#include "text/json_text.h"
+#include "text/number_text.h"
+#include "write/glb_writer.h"
+#include "write/point_json.h"
+
+namespace girth::io {
+namespace {
+
+std::string kindOf(const Handle& handle) { return std::string(toString(handle.kind)); }
+
+/// Its kind and its number, from 1.
+std::string nameOf(const Handles& handles, std::size_t i) {
+  return kindOf(handles.handles[i]) + "_" + std::to_string(i + 1);
+}
+
+}  // namespace
+
+std::string handlesJson(const LoadedMesh& loaded, const Handles& handles, std::string_view file) {
+  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+                     ",\"unresolved\":" + std::to_string(handles.unresolved) + ",\"handles\":[";
+  const char* separator = "\n";
+  for (const Handle& handle : handles.handles) {
+    text += separator + ("{\"length\":" + formatNumber(handle.length)) + ",\"kind\":\"" +
+            kindOf(handle) + "\",\"component\":" + std::to_string(handle.component) +
+            ",\"area\":" + formatNumber(handle.area) + ",\"centre\":[" +
+            pointText(handle.centre, ',') + "],\"points\":" + pointsJson(loaded, handle.points) +
+            "}";
+    separator = ",\n";
+  }
+  return text + "]}\n";
+}
+
+std::string handlesCsv(const LoadedMesh& loaded, const Handles& handles) {
+  std::string text = "handle,length,kind,component,area,x,y,z,unit\n";
+  for (std::size_t i = 0; i < handles.handles.size(); ++i) {
+    const Handle& handle = handles.handles[i];
+    text += std::to_string(i + 1) + "," + formatNumber(handle.length) + "," + kindOf(handle) + "," +
+            std::to_string(handle.component) + "," + formatNumber(handle.area) + "," +
+            pointText(handle.centre, ',') + "," + loaded.unit + "\n";
+  }
+  return text;
+}
+
+std::string handlesObj(const LoadedMesh& loaded, const Handles& handles) {
+  std::string text;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < handles.handles.size(); ++i) {
+    text += "o " + nameOf(handles, i) + "\n";
+    appendClosedLine(loaded, handles.handles[i].points, count, text);
+  }
+  return text;
+}
+
+Result<std::string> handlesGlb(const LoadedMesh& loaded, const Handles& handles) {
+  GlbWriter writer;
+  for (std::size_t i = 0; i < handles.handles.size(); ++i) {
+    const Handle& handle = handles.handles[i];
+    addLine(loaded, handle.points,
+            "{\"length\":" + formatNumber(handle.length) + ",\"kind\":\"" + kindOf(handle) +
+                "\",\"unit\":" + jsonString(loaded.unit) + "}",
+            nameOf(handles, i), writer);
+  }
+  return writer.file(loaded.unit);
+}
+
+}  // namespace girth::io

@@ -1,0 +1,87 @@
+// girth handles, on a square frame of known loops.
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "command.h"
+
+namespace girth::test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A square of 3 × 3, 1/2 thick, with a hole of 1 × 1 in its middle.
+std::string frame() {
+  std::string text;
+  // Bottom and top, each with its outer and its inner corners.
+  for (const char* z : {"0", "0.5"}) {
+    for (const char* corner : {"0 0", "3 0", "3 3", "0 3", "1 1", "2 1", "2 2", "1 2"}) {
+      text += std::string("v ") + corner + " " + z + "\n";
+    }
+  }
+  const auto quad = [&](int a, int b, int c, int d) {
+    for (const int v : {a, b, c, d}) text += (v == a ? "f " : " ") + std::to_string(v + 1);
+    text += "\n";
+  };
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 1) % 4;
+    quad(i, i + 4, j + 4, j);
+    quad(i + 8, j + 8, j + 12, i + 12);
+    quad(i, j, j + 8, i + 8);
+    quad(i + 4, i + 12, j + 12, j + 4);
+  }
+  return text;
+}
+
+TEST_F(Command, handlesOfAFrame) {
+  const std::string model = write("frame.obj", frame());
+  const Outcome outcome =
+      run({"handles", model, "--unit", "cm", "-o", path("handles.json"), "--json"});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_EQ(contentOf(path("handles.json")), outcome.output);
+  const Json all = Json::parse(outcome.output);
+  EXPECT_EQ(all["unit"], "centimetre");
+  EXPECT_EQ(all["unresolved"], 0);
+  ASSERT_EQ(all["handles"].size(), 2u);
+  EXPECT_EQ(all["handles"][0]["kind"], "handle");
+  EXPECT_NEAR(all["handles"][0]["length"].get<double>(), 3, 1e-9);
+  EXPECT_EQ(all["handles"][1]["kind"], "tunnel");
+  EXPECT_NEAR(all["handles"][1]["length"].get<double>(), 4, 1e-9);
+  EXPECT_NEAR(all["handles"][1]["area"].get<double>(), 1, 1e-9);
+  for (const Json& handle : all["handles"]) {
+    EXPECT_EQ(handle["points"].front(), handle["points"].back());
+  }
+  EXPECT_TRUE(contains(run({"handles", model}).output, "genus 1\n"));
+  EXPECT_EQ(run({"handles", model, "--all-vertices", "--unit", "cm", "--json"}).output,
+            outcome.output);
+
+  ASSERT_EQ(run({"handles", model, "-o", path("handles.csv")}).exitCode, 0);
+  const auto rows = linesOf(contentOf(path("handles.csv")));
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[2].rfind("2,4,tunnel,0,1,", 0), 0u) << rows[2];
+  ASSERT_EQ(run({"handles", model, "-o", path("handles.obj")}).exitCode, 0);
+  EXPECT_TRUE(contains(contentOf(path("handles.obj")), "o tunnel_2\n"));
+  ASSERT_EQ(run({"handles", model, "-o", path("handles.glb")}).exitCode, 0);
+  EXPECT_TRUE(contains(contentOf(path("handles.glb")), "\"handle_1\""));
+}
+
+TEST_F(Command, noHandleIsAnAnswer) {
+  const std::string model = kData + "/prism.obj";
+  EXPECT_TRUE(contains(run({"handles", model}).output, "no handles: its genus is 0\n"));
+  for (const std::string name : {"none.json", "none.csv", "none.obj", "none.glb"}) {
+    const Outcome outcome = run({"handles", model, "-o", path(name)});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  }
+  EXPECT_EQ(Json::parse(contentOf(path("none.json")))["handles"], Json::array());
+  EXPECT_EQ(linesOf(contentOf(path("none.csv"))).size(), 1u);
+}
+
+TEST_F(Command, basePointsAreAtLeastOne) {
+  for (const std::string number : {"0", "-3", "many", "1.5"}) {
+    const Outcome outcome = run({"handles", kData + "/prism.obj", "--base-points", number});
+    EXPECT_EQ(outcome.exitCode, 1) << number;
+    EXPECT_TRUE(contains(outcome.errors, "USAGE")) << outcome.errors;
+  }
+}
+
+}  // namespace
+}  // namespace girth::test
