@@ -1,7 +1,15 @@
 // What the page shows, written as the fragment of its address and read from it. Whatever cannot be
 // understood there is left out without a word: the rest still holds.
 
-import type { CameraView } from '../src/element/index.js';
+import {
+  type CameraView,
+  readCamera,
+  readCount,
+  readNumber,
+  readPoint,
+  writeCamera,
+  writePoint,
+} from '../src/element/index.js';
 import type { PrepareOptions, SurfacePoint } from '../src/kernel/index.js';
 
 export const panelNames = ['loops', 'tips', 'limbs', 'parts', 'print', 'compare'] as const;
@@ -71,29 +79,6 @@ function short(value: number): string {
   return String(Number(value.toFixed(4)) + 0);
 }
 
-function writePoint(point: SurfacePoint): string {
-  if (typeof point === 'number') return String(point);
-  // Exactly as they are: the loop is then the same to the last digit.
-  return `${point.face}:${point.weights[0]}:${point.weights[1]}`;
-}
-
-function readPoint(text: string): SurfacePoint | undefined {
-  const [first = '', ...rest] = text.split(':');
-  const number = readCount(first);
-  if (number === undefined) return undefined;
-  if (rest.length === 0) return number;
-  const [a = NaN, b = NaN] = rest.map(readNumber).map((share) => share ?? NaN);
-  const c = Math.max(0, 1 - a - b);
-  if (rest.length !== 2 || !(a >= 0 && b >= 0 && a + b <= 1 + 1e-9)) return undefined;
-  return { face: number, weights: [a, b, c] };
-}
-
-function readNumber(text: string): number | undefined {
-  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text)) return undefined;
-  const number = Number(text);
-  return Number.isFinite(number) ? number : undefined;
-}
-
 /** Not negative; thresholds may be infinite. */
 function readThreshold(text: string): number | undefined {
   if (text === 'inf') return Infinity;
@@ -104,10 +89,6 @@ function readThreshold(text: string): number | undefined {
 function readScale(text: string): number | undefined {
   const scale = readNumber(text);
   return scale !== undefined && scale >= 1e-12 && scale <= 1e12 ? scale : undefined;
-}
-
-function readCount(text: string): number | undefined {
-  return /^\d{1,9}$/.test(text) ? Number(text) : undefined;
 }
 
 function readWord(text: string): string | undefined {
@@ -123,14 +104,6 @@ function readRange(text: string): string | undefined {
     return undefined;
   if (isPercent && (low < 0 || high > 100)) return undefined;
   return text;
-}
-
-function readCamera(text: string): CameraView | undefined {
-  const numbers = text.split(',').map(readNumber);
-  if (numbers.length !== 6 || numbers.some((number) => number === undefined)) return undefined;
-  const [polar, azimuth, distance, x, y, z] = numbers as number[];
-  if (!(distance! > 0)) return undefined;
-  return { polar: polar!, azimuth: azimuth!, distance: distance!, target: [x!, y!, z!] };
 }
 
 function readAll<Type>(
@@ -215,11 +188,7 @@ const parts: {
   log: [readFlag, () => '1'],
   shading: [readWord, (look) => look],
   up: [readUp, (up) => up],
-  camera: [
-    readCamera,
-    ({ polar, azimuth, distance, target }) =>
-      [polar, azimuth, distance, ...target].map(short).join(','),
-  ],
+  camera: [readCamera, (camera) => writeCamera(camera, short)],
   loops: [
     (text) => readAll(text, mostLoops, readPoint),
     (loops) => loops.map(writePoint).join(','),

@@ -23,6 +23,20 @@ const values: Partial<Record<AttributeName, { right: string[]; wrong: string[] }
   },
   edges: { right: ['true', 'edges'], wrong: ['false', 'zz'] },
   shading: { right: ['smooth', 'transparent'], wrong: ['gouraud'] },
+  pins: {
+    right: ['none', '12', ' 12 left leg , 40:0.2:0.3 seat,7', '3 %2C', '3 %312'],
+    wrong: ['12 4031', 'waist', '-1', '1.5', '12,', '3:0.9:0.9', '3:1', '3 %', ','],
+  },
+  tips: {
+    right: ['none', 'all', '5mm', '0.05', '#2', '5mm #2'],
+    wrong: ['-1', '#0', 'some', '#x'],
+  },
+  parts: { right: ['0.2 0.05', 'inf 5cm', '1 2 0.1'], wrong: ['1', '1 2 3 4', '1 -2', '1 2 x'] },
+  camera: {
+    right: ['front', '1.2,0.5,4.5,0,0,0', ' 1.2 -0.5, 4.5 0 0 0 '],
+    wrong: ['back', '1,2', '1,2,3,4,5,6,7', '1,2,0,0,0,0', '1,2,x,0,0,0', '1,,3,4,5,6'],
+  },
+  controls: { right: ['none', 'legend', 'full', 'true'], wrong: ['zz', 'all'] },
   up: { right: ['-z'], wrong: ['up', '+z'] },
 };
 

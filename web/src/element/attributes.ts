@@ -5,13 +5,19 @@ import { colormapNames } from '../view/colormap-names.js';
 import { derivedNames, fieldNames, isGivenName, isShownName } from '../view/field-words.js';
 import { findLengthUnit, lengthUnits, readLengthOrShare } from '../view/length-text.js';
 import { lookNames } from '../view/look.js';
+import { straightNames } from '../view/straight-names.js';
 import { upNames } from '../view/up-axis.js';
+import type { GirthViewerAttributes } from './attribute-types.js';
 import { mostIsolines, parseRange } from './parse.js';
+import { readCamera } from './place-words.js';
+import { parseParts, parsePins, parseTips } from './wish-words.js';
 
 interface Rule {
   /** For people: it can be … */
   allowed: string;
   accepts(text: string): boolean;
+  /** Without a value, too, it asks for something. */
+  isBare?: true;
 }
 
 const listed = (words: readonly string[]): string =>
@@ -32,6 +38,7 @@ function wholeNumber(least: number, most: number): Rule {
 const flag: Rule = {
   allowed: 'without a value; leave it out to switch it off',
   accepts: (text) => text === 'true',
+  isBare: true,
 };
 
 const lengthUnit: Rule = {
@@ -39,7 +46,11 @@ const lengthUnit: Rule = {
   accepts: (text) => findLengthUnit(text) !== undefined,
 };
 
-const rules = {
+/** What lies on the surface beside it: nothing, the legend, or the legend and a bar. */
+const controlNames = ['none', 'legend', 'full'] as const;
+
+/** In the order in which they are set together. */
+const rules: Record<AttributeName, Rule> = {
   src: { allowed: 'the address of a model', accepts: () => true },
   loading: oneOf(['eager', 'lazy']),
   poster: { allowed: 'the address of a picture', accepts: () => true },
@@ -71,13 +82,37 @@ const rules = {
     allowed: 'hover, none, or vertices as in 12 4031',
     accepts: (text) => /^(hover|none|[\s,]*\d+([\s,]+\d+)*[\s,]*)$/.test(text),
   },
+  pins: {
+    allowed:
+      'none, or vertices with commas between them, each with or without a name, as in 12 waist, 4031; or points as in 7:0.2:0.3, a face and two of its weights',
+    accepts: (text) => parsePins(text) !== undefined,
+  },
+  tips: {
+    allowed: 'none, all, a length as in 5mm that they rise at least, and # with the number of one',
+    accepts: (text) => parseTips(text) !== undefined,
+    isBare: true,
+  },
+  parts: {
+    allowed:
+      'the girth and the thickness where tubes and plates begin, as in 200mm 50mm, and a number for the smoothing',
+    accepts: (text) => parseParts(text) !== undefined,
+  },
+  camera: {
+    allowed: `${listed(straightNames)}, or six numbers: polar angle, azimuth, distance and the target’s x, y, z`,
+    accepts: (text) =>
+      straightNames.some((name) => name === text) || readCamera(text) !== undefined,
+  },
   edges: flag,
   shading: oneOf(lookNames),
   up: oneOf(upNames),
   'keep-view': flag,
-  controls: flag,
+  controls: {
+    allowed: listed(controlNames),
+    accepts: (text) => text === 'true' || text === 'controls' || isControls(text),
+    isBare: true,
+  },
   turn: flag,
-} satisfies Record<string, Rule>;
+};
 
 /** What is sent of a wrong attribute. */
 interface AttributeFault extends GirthErrorFields {
@@ -85,7 +120,7 @@ interface AttributeFault extends GirthErrorFields {
 }
 
 /** An attribute that the element follows. */
-export type AttributeName = keyof typeof rules;
+export type AttributeName = keyof GirthViewerAttributes;
 
 /** All of them. */
 export const attributeNames = Object.keys(rules) as AttributeName[];
@@ -104,10 +139,23 @@ export function attributeOf(element: Element, name: AttributeName): string | nul
   return text && isEmptyOrAllowed(name, text) ? text : null;
 }
 
+/** Whether an attribute asks for something without a value, too. */
+export const isBare = (name: AttributeName): boolean => rules[name].isBare ?? false;
+
 /** Whether an attribute that has no value is there. */
 export function isOn(element: Element, name: AttributeName): boolean {
   const text = element.getAttribute(name);
   return text !== null && isEmptyOrAllowed(name, text);
+}
+
+const isControls = (text: string): text is (typeof controlNames)[number] =>
+  controlNames.some((name) => name === text);
+
+/** What is to lie on the surface beside it; without a value, all. */
+export function controlsOf(element: Element): (typeof controlNames)[number] {
+  if (!isOn(element, 'controls')) return 'legend';
+  const text = element.getAttribute('controls')!;
+  return isControls(text) ? text : 'full';
 }
 
 /** Characters of a wrong value that are repeated. */

@@ -6,7 +6,7 @@ import {
   type StraightName,
   type UpAxis,
   lookNames,
-  straightDirections,
+  straightNames,
   upNames,
 } from '../view/index.js';
 import { AxesSketch } from './axes-sketch.js';
@@ -76,7 +76,7 @@ export class CanvasBar {
   constructor(actions: BarActions) {
     this.#home.addEventListener('click', () => actions.home());
     this.turn.addEventListener('click', () => actions.toggleTurning());
-    const straight = (Object.keys(straightDirections) as StraightName[]).map((name, i) => {
+    const straight = straightNames.map((name, i) => {
       const one = make('button', { type: 'button' }, straightWords[name], ' ');
       one.append(make('kbd', {}, String(i + 1)));
       one.addEventListener('click', () => actions.lookStraight(name));

@@ -1,7 +1,7 @@
 // Where one looks and how the surface is drawn, as the element's attributes, its bar and its keys have it.
 
 import { type CameraView, type Stage, lookNames } from '../view/index.js';
-import { attributeOf, isOn } from './attributes.js';
+import { attributeOf, controlsOf, isOn } from './attributes.js';
 import { CanvasBar } from './canvas-bar.js';
 import { press } from './keys.js';
 import type { Presented } from './presented.js';
@@ -61,13 +61,13 @@ export class CanvasControls {
     this.#view = this.#host.stage()?.view;
   }
 
-  /** Another model is presented. */
-  greet(): void {
-    if (this.#view && isOn(this.#host.element, 'keep-view')) {
-      this.#host.stage()?.lookFrom(this.#view);
-    }
+  /** Another model is presented; returns whether it is seen from where the one before was. */
+  greet(): boolean {
+    const isKept = this.#view !== undefined && isOn(this.#host.element, 'keep-view');
+    if (isKept) this.#host.stage()?.lookFrom(this.#view!);
     this.#draw();
     this.#update();
+    return isKept;
   }
 
   /** An attribute of where one looks, or of how the surface is drawn, has changed. */
@@ -127,8 +127,8 @@ export class CanvasControls {
   #update(): void {
     const [bar, { element }] = [this.#bar, this.#host];
     const presented = this.#host.presented();
-    const hasAll = isOn(element, 'controls');
-    bar.show(hasAll, hasAll || isOn(element, 'turn'));
+    const controls = controlsOf(element);
+    bar.show(controls === 'full', controls === 'full' || isOn(element, 'turn'));
     bar.showLook(this.#look, isOn(element, 'edges'));
     bar.showKept(isOn(element, 'keep-view'));
     if (presented) bar.showUp(presented.standing.axis, presented.standing.fitting);

@@ -32,7 +32,16 @@ export type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
 export type { ShownField, ShownPlaces } from './shading.js';
 export type { FigureOptions } from './snapshot.js';
 export type { TipsChoice } from './tips-on-surface.js';
+export type { GirthViewerAttributes, ViewerState } from './attribute-types.js';
 export { make } from './dom.js';
+export {
+  readCamera,
+  readCount,
+  readNumber,
+  readPoint,
+  writeCamera,
+  writePoint,
+} from './place-words.js';
 export { sentence } from './sentence.js';
 export { useKernel } from './shared-kernel.js';
 export type { CameraView, ScreenPoint } from '../view/index.js';

@@ -1,6 +1,6 @@
 // What keys do to the surface.
 
-import { type Stage, type StraightName, straightDirections } from '../view/index.js';
+import { type Stage, straightNames } from '../view/index.js';
 import type { LoopsOnSurface } from './loops-on-surface.js';
 
 const arrows: Record<string, readonly [number, number]> = {
@@ -29,8 +29,7 @@ export function press(
   else if (key === '-' || key === '_') stage.zoom(1 / nearer);
   else if (key === '0' || key === 'Home') stage.resetView();
   else if (/^[123]$/.test(key)) {
-    const names = Object.keys(straightDirections) as StraightName[];
-    stage.lookStraight(names[Number(key) - 1]!, atOnce);
+    stage.lookStraight(straightNames[Number(key) - 1]!, atOnce);
   } else if (key === 'c') return loops.turnAboutProbe();
   else if (key === 'Enter') return loops.pinProbe();
   else if (key === 'Escape') return loops.clear();

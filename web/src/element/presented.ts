@@ -170,6 +170,13 @@ export class Presented {
     if (smoothing > 0) this.#smoother.request(wish);
   }
 
+  /** As if no thresholds had been chosen. */
+  forgetThresholds(): void {
+    this.#wished = undefined;
+    this.#smoother.clear();
+    this.shading.parts = undefined;
+  }
+
   #showParts({ girth, thickness }: PartsWish, smoothed: Parts | undefined): void {
     this.shading.parts = { girth, thickness, smoothed };
     if (this.shading.wishes.name === 'parts') this.paint();

@@ -30,6 +30,7 @@ canvas:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: -
   text-shadow: 0 0 2px var(--girth-paper), 0 0 3px var(--girth-paper), 0 0 4px var(--girth-paper),
     0 0 6px var(--girth-paper), 0 0 8px var(--girth-paper);
 }
+:host([controls=none]) .legend { display: none; }
 .legend-title { margin-block-end: 10px; color: var(--girth-quiet); }
 .legend-bar {
   position: relative;

@@ -26,7 +26,8 @@ import {
   lengthFormat,
   readLengthOrShare,
 } from '../view/index.js';
-import { attributeOf, isOn } from './attributes.js';
+import type { ViewerState } from './attribute-types.js';
+import { attributeOf, controlsOf, isOn } from './attributes.js';
 import { CanvasControls } from './canvas-controls.js';
 import { make } from './dom.js';
 import type { GirthViewerEvents } from './events.js';
@@ -36,7 +37,7 @@ import type { MessageBox } from './message-box.js';
 import { noGraphics, requireGraphics } from './no-graphics.js';
 import { type FileContent, Model } from './model.js';
 import { openModel, openToCompute, tipsCarriedTo } from './open-model.js';
-import { fieldsOf, nameOf, parseRange, parseSpectral, parseVertices } from './parse.js';
+import { fieldsOf, nameOf, parseRange, parseSpectral } from './parse.js';
 import { type PlacePicture, Presented } from './presented.js';
 import type { ShadingWishes } from './shading.js';
 import { sharedKernel } from './shared-kernel.js';
@@ -47,6 +48,8 @@ import { style } from './style.js';
 import type { TipsChoice } from './tips-on-surface.js';
 import { watchSurroundings } from './surroundings.js';
 import { Voice } from './voice.js';
+import type { PinWish } from './wish-words.js';
+import { Wishes } from './wishes.js';
 import { Work, type Watched } from './work.js';
 
 /** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
@@ -61,18 +64,14 @@ export interface Original {
   field: Field | undefined;
 }
 
-/** A loop to be pinned again. */
-interface Pinned {
-  base: number;
-  name: string;
-}
-
 /** What was shown of a model as its file has it, and is shown of the mesh that the kernel has read. */
 interface Continued {
   mesh: Mesh;
   /** Undefined: as at first. */
   view: CameraView | undefined;
-  pins: readonly Pinned[];
+  pins: readonly PinWish[];
+  /** Whether no loops are to be pinned but these. */
+  isPinned: boolean;
   tips: { all: Tips; choice: TipsChoice } | undefined;
 }
 
@@ -146,6 +145,13 @@ export class ViewerCore {
   #reading: Promise<Presented> | undefined;
   /** What is shown of a model goes on with what the kernel makes of it. */
   #continued: Continued | undefined;
+  /** Whether the model of `src` is on its way: what attributes ask for is about it. */
+  #isOpening = false;
+  #openTurn = 0;
+  /** Whether `src` names what is shown. */
+  #isOfSrc = true;
+  #tipsTurn = 0;
+  readonly #asked: Wishes;
   #pointedVertex: number | undefined;
   /** The model that is shown as its file has it, once somebody has come near it. */
   #approachedBy: Model | undefined;
@@ -160,6 +166,19 @@ export class ViewerCore {
       element,
       stage: () => this.stage,
       presented: () => this.presented,
+    });
+    this.#asked = new Wishes({
+      element,
+      stage: () => this.stage,
+      presented: () => (this.#isOpening ? undefined : this.presented),
+      whole: () => this.whole(),
+      showTips: (choice) => this.showTips(choice),
+      recolour: () => {
+        this.#restyle(true);
+        void this.#showField();
+      },
+      unit: () => this.info?.unit || this.#host.unitOf(),
+      failed: (error) => this.#fail('', error),
     });
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(style);
@@ -197,10 +216,7 @@ export class ViewerCore {
     if (stage.graphics === 'missing') this.#host.undrawable(noGraphics.missing);
     this.#lifecycle.attach();
     this.#stopWatching = watchSurroundings(this.#host.frame, {
-      resized: (width, height) => {
-        const bottom = width <= narrow ? legendHeight : 0;
-        stage.resize(width, height, this.#headHeight, bottom, window.devicePixelRatio);
-      },
+      resized: (width, height) => this.#resize(width, height),
       sighted: (isInView) => {
         stage.rest(!isInView);
         this.#lifecycle.setInView(isInView);
@@ -219,11 +235,18 @@ export class ViewerCore {
     if (this.#element.hasAttribute('src')) void this.#loadSrc();
   }
 
+  #resize(width: number, height: number): void {
+    const bottom = width <= narrow && controlsOf(this.#element) !== 'none' ? legendHeight : 0;
+    this.stage?.resize(width, height, this.#headHeight, bottom, window.devicePixelRatio);
+  }
+
   /** The element has left its page: all work ends, and all memory is let go. */
   detach(): void {
     this.#stopWatching?.();
     this.#stopWatching = undefined;
     this.#attached.abort();
+    ++this.#openTurn;
+    this.#isOpening = false;
     this.#lifecycle.detach();
     if (!this.stage) return;
     this.stage.dispose();
@@ -274,11 +297,35 @@ export class ViewerCore {
       case 'loop':
         if (value === 'none') this.presented?.loops.clear();
         break;
+      case 'pins':
+      case 'tips':
+      case 'parts':
+      case 'camera':
+        this.#asked.follow(name);
+        break;
+      case 'controls': {
+        const { width, height } = this.#host.frame.getBoundingClientRect();
+        this.#resize(width, height);
+        this.#controls.follow(name);
+        break;
+      }
       default:
         this.#controls.follow(name);
         break;
     }
     this.stage?.invalidate();
+  }
+
+  /** Brings about again what an attribute asks for, whatever was done since. */
+  followAgain(name: string, value: string | null): void {
+    const isWish = ['pins', 'tips', 'parts', 'camera'].includes(name);
+    if (isWish || (name === 'src' && !this.#isOfSrc && !this.#isOpening)) this.follow(name, value);
+  }
+
+  /** Puts what is shown in place of what attributes ask for. */
+  describe(state: ViewerState): void {
+    if (!this.#isOfSrc && !this.#isOpening) delete state.src;
+    this.#asked.describe(state);
   }
 
   /** The model that is shown, and all about it; undefined before the first. */
@@ -306,11 +353,16 @@ export class ViewerCore {
     options: Pick<LoadOptions, 'model' | 'prepare'> = {},
   ): Promise<MeshInfo> {
     this.#continued = undefined;
+    ++this.#openTurn;
+    this.#isOpening = false;
     const name = nameOf(source);
     const address = typeof source === 'string' ? new URL(source, this.#element.baseURI) : source;
     return this.bring(`Reading ${name || 'the model'} …`, name, async (watched) => {
       const kernel = await sharedKernel();
       return kernel.load(address, { ...options, ...watched });
+    }).then((info) => {
+      this.#isOfSrc = false;
+      return info;
     });
   }
 
@@ -353,9 +405,10 @@ export class ViewerCore {
         mesh,
         view: this.stage?.isHome ? undefined : this.stage?.view,
         pins: loops.pinned.map(({ loop, name }) => ({
-          base: mesh.vertexOfInput[loop.base as number]!,
+          point: mesh.vertexOfInput[loop.base as number]!,
           name,
         })),
+        isPinned: !this.#asked.isPinning,
         tips: shown,
       };
       return mesh;
@@ -371,6 +424,19 @@ export class ViewerCore {
     origin?: Original,
   ): Promise<MeshInfo> {
     return (await this.#lifecycle.load({ words, name, read, origin })).info;
+  }
+
+  /** Draws the tips' contours and apexes and tints their regions, or no longer. */
+  async showTips(choice: TipsChoice): Promise<void> {
+    const before = this.require();
+    const turn = ++this.#tipsTurn;
+    if (!choice.shown) {
+      before.tips.clear();
+      return;
+    }
+    const presented = before.model.file.tips ? before : await this.whole();
+    const tips = await presented.model.tips();
+    if (this.presented === presented && turn === this.#tipsTurn) presented.tips.show(tips, choice);
   }
 
   /** How lengths are written: those of loops, and the girth. */
@@ -415,10 +481,14 @@ export class ViewerCore {
   // ---- loading and computing
 
   async #loadSrc(): Promise<void> {
-    await this.#lifecycle.inView();
     const src = attributeOf(this.#element, 'src');
+    const turn = ++this.#openTurn;
+    this.#isOpening = !!src;
+    await this.#lifecycle.inView();
+    if (!src || turn !== this.#openTurn) return;
     // What went wrong has been reported already.
-    if (src) await this.#open(src).catch(() => undefined);
+    await this.#open(src).catch(() => undefined);
+    if (turn === this.#openTurn) this.#isOpening = false;
   }
 
   #present(model: Model, origin: Original | undefined): Presented {
@@ -463,20 +533,25 @@ export class ViewerCore {
   }
 
   #greet(presented: Presented): void {
-    const { mesh, file } = presented.model;
-    this.#controls.greet();
+    const { mesh } = presented.model;
+    if (this.#isOpening && this.#addresses.has(mesh)) {
+      this.#isOpening = false;
+      this.#isOfSrc = true;
+    }
+    const isSeen = this.#controls.greet();
     const continued = this.#continued?.mesh === mesh ? this.#continued : undefined;
     this.#continued = undefined;
     if (!continued) this.#send('load', { info: mesh.info });
+    this.#asked.greet(presented, isSeen || continued !== undefined);
     if (continued?.view) this.stage!.lookFrom(continued.view);
     if (continued?.tips) presented.tips.show(continued.tips.all, continued.tips.choice);
-    else if (file.tips) presented.tips.show(file.tips, { shown: true });
-    void this.#afterShowing(presented, continued?.pins ?? []);
+    else if (!continued) void this.#asked.showTips(presented);
+    void this.#afterShowing(presented, continued);
     void this.#showField();
   }
 
   /** What may come after the first picture. */
-  async #afterShowing(presented: Presented, pins: readonly Pinned[]): Promise<void> {
+  async #afterShowing(presented: Presented, continued: Continued | undefined): Promise<void> {
     const { model, loops, standing } = presented;
     const { signal } = model.life;
     try {
@@ -488,8 +563,10 @@ export class ViewerCore {
       await standing.castShadow();
       await loops.prepare();
       signal.throwIfAborted();
-      for (const { base, name } of pins) loops.rename((await loops.pin(base)).id, name);
-      await this.#pinWanted(presented);
+      for (const { point, name } of continued?.pins ?? []) {
+        loops.rename((await loops.pin(point)).id, name);
+      }
+      if (!continued?.isPinned) await this.#asked.pin(presented);
     } catch (error) {
       if (!signal.aborted) this.#fail('', error);
     }
@@ -497,24 +574,6 @@ export class ViewerCore {
 
   #prepareToPick(model: Model): Promise<void> {
     return model.surface.prepareToPick((make) => openWorker(make, import.meta.url));
-  }
-
-  /** Pins the loops that the attribute names; without it, those that the file has. */
-  async #pinWanted({ model, loops }: Presented): Promise<void> {
-    const wish = attributeOf(this.#element, 'loop');
-    const vertices = parseVertices(wish);
-    const known = new Map(model.file.loops.map((loop) => [loop.base, loop]));
-    if (wish !== 'none' && vertices.length === 0) known.forEach((loop) => loops.keep(loop));
-    if (model.file.isAll && vertices.some((vertex) => !known.has(vertex))) {
-      // There the attribute is followed again.
-      await this.whole().catch(() => undefined);
-      return;
-    }
-    for (const vertex of vertices) {
-      const loop = known.get(vertex);
-      if (loop) loops.keep(loop);
-      else await loops.pin(vertex);
-    }
   }
 
   /** A pointer or the focus has come to the surface: loops can be asked for. */

@@ -66,14 +66,27 @@ import { ViewerShell } from './viewer-shell.js';
  *   shown, each of these three computes it anew.
  * - `loop`: `hover` (default), `none`, or vertices whose loops are pinned once the model is there,
  *   as in `loop="12 4031"`.
+ * - `pins`: the loops that are pinned, with commas between them, and with their names: `pins="12 waist, 4031"`. A
+ *   point of a face is the face and two of its weights: `7:0.2:0.3`. `%2C` is a comma of a name. `none` pins none, not
+ *   even those that the file has.
+ * - `tips`: draws the tips: all; those that rise at least so much, as in `5mm`; and marks one, as in `#2` or `5mm #2`, the
+ *   highest being 1. `none` draws none, not even those that the file has.
+ * - `parts`: the girth and the thickness where tubes and plates begin, and the smoothing, as in
+ *   `parts="200mm 50mm 0.1"`; by default as the model's own values suggest. `field="parts"` colours by them.
+ * - `camera`: from where the surface is seen: `front`, `side`, `top`, or the six numbers of a `CameraView`: `polar`,
+ *   `azimuth`, `distance` and the three of `target`; by default from where it is seen whole.
  * - `edges`: draws the mesh's edges.
  * - `shading`: `smooth` (default); `flat`, so that each face can be seen; or `transparent`.
  * - `up`: the direction of the file that is up: `y`, `z`, `-y`, `-z`, `x` or `-x`. Default: the format's
  *   convention (y of glTF and OBJ, z of STL), otherwise a guess from the shape; see `upAxis`.
  * - `keep-view`: the next model is seen from where this one is, in sizes of the models.
- * - `controls`: a small bar on the surface: first view, axes and straight views, drawing, pause.
+ * - `controls`: what lies on the surface beside it: `none`; the `legend` (default); or `full`, and without a value, a small
+ *   bar too: first view, axes and straight views, drawing, pause.
  * - `turn`: turns slowly once it is computed and until something is done on the page, unless the system asks
  *   for reduced motion; with a button that stops it.
+ *
+ * An attribute is followed when it is set, and when a model comes. In between, hands and methods go on from there, and
+ * the attribute stays as it is written. `state` has what is shown now, in the words of the attributes.
  *
  * Events (`GirthViewerEvents` has them with their types): `load` (`LoadDetail`), `progress` (`ProgressDetail`), `field` (`FieldDetail`: one is computed, or
  * was cancelled), `fieldchange` (`FieldChangeDetail`: the surface is coloured otherwise), `hover`
@@ -90,8 +103,6 @@ import { ViewerShell } from './viewer-shell.js';
  * for, by the attribute or by a method. All elements of a page share one kernel.
  */
 export class GirthViewer extends ViewerShell {
-  #tipsTurn = 0;
-
   /** Calls a function or an object with each event of a name; see {@link GirthViewerEvents}. */
   override addEventListener<Name extends keyof GirthViewerEventMap>(
     type: Name,
@@ -229,16 +240,8 @@ export class GirthViewer extends ViewerShell {
 
   /** Draws the tips' contours and apexes and tints their regions, or no longer. */
   async showTips(choice: TipsChoice): Promise<void> {
-    const { tips: drawn } = this.require();
-    const turn = ++this.#tipsTurn;
-    if (!choice.shown) {
-      drawn.clear();
-      return;
-    }
-    const { model } = this.require();
-    const presented = model.file.tips ? this.require() : await this.#whole();
-    const tips = await presented.model.tips();
-    if (this.presented === presented && turn === this.#tipsTurn) presented.tips.show(tips, choice);
+    this.require();
+    await this.core!.showTips(choice);
   }
 
   /**

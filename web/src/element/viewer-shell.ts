@@ -4,6 +4,7 @@
 
 import type { GirthErrorFields, LoadOptions, MeshInfo, MeshSource } from '../kernel/types.js';
 import { findLengthUnit } from '../view/length-text.js';
+import type { ViewerState } from './attribute-types.js';
 import { type AttributeName, attributeNames, attributeOf, faultOf } from './attributes.js';
 import { make } from './dom.js';
 import type { GirthViewerEvents } from './events.js';
@@ -11,6 +12,7 @@ import { MessageBox } from './message-box.js';
 import { pageParsed } from './page-parsed.js';
 import type { Presented } from './presented.js';
 import { shellStyle } from './shell-style.js';
+import { attributesOf, stateNames, stateOf } from './state.js';
 import type { ViewerCore } from './viewer-core.js';
 
 /** How far outside of the view an element is near it, in CSS pixels. */
@@ -115,6 +117,33 @@ export abstract class ViewerShell extends ElementOrNone {
   /** The unit that lengths are written in: the attribute's where it is one, otherwise ''. */
   get shownUnit(): string {
     return unitOf(attributeOf(this, 'shown-unit'));
+  }
+
+  /**
+   * What is shown, in the words of the attributes: `JSON.stringify` keeps it. What was done by hand or by methods is in it;
+   * `src` only where it names the model that is shown.
+   */
+  get state(): ViewerState {
+    const state = stateOf(this);
+    this.core?.describe(state);
+    return state;
+  }
+
+  /**
+   * Shows what was kept: sets the attributes that it has and removes the others, but for `src`, without which the model
+   * stays. Throws an error of the code INVALID_OPTION for what is no state; then nothing changes.
+   */
+  set state(state: ViewerState) {
+    const texts = attributesOf(state);
+    for (const name of stateNames) {
+      const text = texts.get(name) ?? null;
+      const before = this.getAttribute(name);
+      if (name === 'src' && text === null) continue;
+      if (text === null) this.removeAttribute(name);
+      else this.setAttribute(name, text);
+      // What hands have changed since is brought back, although the attribute is the same.
+      if (text === before) this.core?.followAgain(name, text);
+    }
   }
 
   /**

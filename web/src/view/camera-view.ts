@@ -2,6 +2,7 @@
 // radius and its origin the middle of the surface.
 
 import { type PerspectiveCamera, Vector3 } from 'three';
+import type { StraightName } from './straight-names.js';
 
 /** From where a surface is seen, which stands upright. */
 export interface CameraView {
@@ -34,9 +35,7 @@ export const straightDirections = {
   front: { polar: Math.PI / 2, azimuth: 0 },
   side: { polar: Math.PI / 2, azimuth: Math.PI / 2 },
   top: { polar: 0, azimuth: 0 },
-} as const satisfies Record<string, Direction>;
-/** The name of a straight direction. */
-export type StraightName = keyof typeof straightDirections;
+} as const satisfies Record<StraightName, Direction>;
 
 /** The vertical angle, in degrees, with which the standard angle fits into a width and the height. */
 export function fovFor(width: number, height: number): number {

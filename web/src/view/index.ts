@@ -9,7 +9,7 @@ export {
   isForAllEyes,
 } from './colormap-names.js';
 export { colourAt } from './colormaps.js';
-export { type CameraView, type StraightName, straightDirections } from './camera-view.js';
+export type { CameraView } from './camera-view.js';
 export { splitCreases } from './creases.js';
 export {
   type GivenName,
@@ -53,6 +53,7 @@ export { quantile, shareWithin } from './plots/distribution.js';
 export { type Box, Silhouette } from './silhouette.js';
 export { type Graphics } from './renderer.js';
 export { Stage } from './stage.js';
+export { type StraightName, straightNames } from './straight-names.js';
 export { Surface, borrowedWeight, computedWeight } from './surface.js';
 export { type Look, lookNames } from './look.js';
 export { TimeLeft, formatSeconds } from './time-left.js';

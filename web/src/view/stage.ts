@@ -20,7 +20,6 @@ import type { FacePoint } from '../kernel/types.js';
 import { CameraRig } from './camera-rig.js';
 import {
   type CameraView,
-  type StraightName,
   fitDepth,
   fovFor,
   homeDirection,
@@ -36,6 +35,7 @@ import { type Place, viewOfPlace } from './place-view.js';
 import { type Borrower, type Drawer, renderers } from './renderer-pool.js';
 import type { Graphics, Renderer } from './renderer.js';
 import { Silhouette } from './silhouette.js';
+import type { StraightName } from './straight-names.js';
 import type { Surface } from './surface.js';
 import { SurfaceSpace } from './surface-space.js';
 import type { Rotation } from './up-axis.js';

@@ -1,0 +1,6 @@
+// From where a surface can be looked at straight. What is behind the names is in `camera-view.ts`.
+
+/** Straight from the front, from the right and from above. */
+export const straightNames = ['front', 'side', 'top'] as const;
+/** The name of a straight direction. */
+export type StraightName = (typeof straightNames)[number];
