@@ -56,10 +56,10 @@ endfunction()
 # A library of the project: `girth_library(core SOURCES ... [PUBLIC core ...] [PRIVATE target ...])`
 # makes girth_core, alias girth::core; PUBLIC names other libraries of the project. Static or, with
 # BUILD_SHARED_LIBS, shared; both are made of the same objects, which show what GIRTH_EXPORT marks
-# (girth/export.h). Under Emscripten they are static, and there is a second one for the module with threads, girth_core_threads, alias girth::core_threads, without
-# the sources that NOT_THREADED (a regular expression) finds.
+# (girth/export.h). Under Emscripten they are static, and there is a second one for modules with threads, girth_core_threads,
+# alias girth::core_threads, which alone has the sources that ONLY_THREADED (a regular expression) finds.
 function(girth_library name)
-  cmake_parse_arguments(arg "" "NOT_THREADED" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "ONLY_THREADED" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(suffixes "none")
   if(EMSCRIPTEN)
     list(APPEND suffixes "_threads")
@@ -67,13 +67,14 @@ function(girth_library name)
   foreach(suffix IN LISTS suffixes)
     string(REPLACE "none" "" suffix "${suffix}")
     set(target girth_${name}${suffix})
-    if(suffix STREQUAL "_threads" AND arg_NOT_THREADED)
-      list(FILTER arg_SOURCES EXCLUDE REGEX "${arg_NOT_THREADED}")
+    set(sources ${arg_SOURCES})
+    if(EMSCRIPTEN AND NOT suffix AND arg_ONLY_THREADED)
+      list(FILTER sources EXCLUDE REGEX "${arg_ONLY_THREADED}")
     endif()
     if(EMSCRIPTEN)
-      add_library(${target} STATIC ${arg_SOURCES})
+      add_library(${target} STATIC ${sources})
     else()
-      add_library(${target} ${arg_SOURCES})
+      add_library(${target} ${sources})
       girth_visibility(${target})
     endif()
     if(NOT PROJECT_IS_TOP_LEVEL)
@@ -95,7 +96,7 @@ function(girth_library name)
     endforeach()
     if(EMSCRIPTEN)
       target_compile_options(${target} PUBLIC -fexceptions -msimd128)
-      # Built as far as the modules need it: they read files without threads only.
+      # Built as far as the modules need it.
       set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
       # The core is compiled twice, for modules with threads and without: several files at a time.
       if(name STREQUAL "core")

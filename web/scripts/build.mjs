@@ -72,6 +72,16 @@ export function buildWasm() {
   copyDecoders();
 }
 
+/** Where the command lies as a WebAssembly module for Node.js, with what starts it. */
+const commandModule = 'build/wasm/command';
+
+/** The command as a WebAssembly module: a target of its own, since the page does not need it. */
+export function buildCommandModule() {
+  const tree = wasmTree();
+  configure(tree);
+  run('cmake', ['--build', tree.tree, '--target', 'girth_command_wasm'], { env: tree.env });
+}
+
 /** The built-in example models, by the core's remeshing. */
 export async function buildExamples() {
   buildWasm();
@@ -102,13 +112,17 @@ export async function buildPage() {
   });
 }
 
-/** The npm package: the kernel's modules one by one, the element, both with everything, the plots. */
+/** The npm package: the kernel's modules one by one, the element, both with everything, the plots, the command. */
 export async function buildPackage() {
   buildWasm();
+  buildCommandModule();
   await refresh({
     name: 'package',
     inputs: [
       ...[...configuration, 'package.json', 'web/vite.package.config.ts', 'web/src'],
+      ...['package.json', 'girth.mjs', 'girth-command.js', 'girth-command.wasm'].map((name) =>
+        join(commandModule, name),
+      ),
       ...[
         'bundle-types',
         'bundled-packages',
@@ -119,7 +133,7 @@ export async function buildPackage() {
     ],
     outputs: [
       ...['dist/kernel/index.js', 'dist/node/index.js', 'dist/girth-kernel.js', 'dist/element.js'],
-      ...['dist/girth-viewer.js', 'dist/plots.js'],
+      ...['dist/girth-viewer.js', 'dist/plots.js', 'dist/command/girth.mjs'],
     ],
     make: async () => {
       for (const folder of ['dist', 'build/bundled']) {
@@ -136,6 +150,9 @@ export async function buildPackage() {
         ]);
       }
       cpSync(join(repository, 'web/src/kernel/wasm'), join(repository, 'dist/kernel/wasm'), {
+        recursive: true,
+      });
+      cpSync(join(repository, commandModule), join(repository, 'dist/command'), {
         recursive: true,
       });
       runTool('tsc', ['--build', 'web/tsconfig.element.json']);

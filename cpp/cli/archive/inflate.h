@@ -1,9 +1,10 @@
-// Deflated data, unpacked by zlib within bounds on memory.
+// Deflated data, unpacked within bounds on memory: by zlib, in WebAssembly by the zlib of Node.js.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "girth/error.h"
@@ -23,6 +24,15 @@ Result<std::vector<std::byte>> gunzip(std::span<const std::byte> bytes);
 
 /// Raw deflated data that unpack to exactly `size` bytes. Error: MALFORMED_FILE.
 Result<std::vector<std::byte>> inflateRaw(std::span<const std::byte> packed, std::size_t size);
+
+/// MALFORMED_FILE: the packed data are wrong; `what` completes "the packed data ...".
+Error damagedPack(const std::string& what);
+
+/// LIMIT_EXCEEDED: a file would unpack to more than `limit` bytes.
+Error tooLargeUnpacked(std::size_t limit);
+
+/// OUT_OF_MEMORY while a file is unpacked.
+Error noMemoryToUnpack();
 
 /// CRC-32 as in zip.
 std::uint32_t crc32Of(std::span<const std::byte> bytes);

@@ -38,7 +38,7 @@ class Numbers {
     }
     std::uint64_t value = 0;
     for (std::size_t i = size; i-- > 0;) {
-      value = value << 8 | std::to_integer<std::uint64_t>(bytes_[at + i]);
+      value = value << 8 | std::to_integer<std::uint64_t>(bytes_[static_cast<std::size_t>(at) + i]);
     }
     return value;
   }
@@ -103,6 +103,12 @@ std::string safePath(std::string_view name) {
   return path;
 }
 
+/// What is known to lie inside, and so to fit into this machine's sizes.
+std::span<const std::byte> part(std::span<const std::byte> bytes, std::uint64_t at,
+                                std::uint64_t size) {
+  return bytes.subspan(static_cast<std::size_t>(at), static_cast<std::size_t>(size));
+}
+
 std::string_view textOf(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -134,7 +140,7 @@ Result<std::vector<ZipEntry>> zipEntries(std::span<const std::byte> archive) {
     entry.size = numbers.u32(at + 24);
     entry.offset = numbers.u32(at + 42);
     widen(entry, numbers, nameEnd, extraEnd);
-    entry.path = safePath(textOf(archive.subspan(at + 46, nameEnd - at - 46)));
+    entry.path = safePath(textOf(part(archive, at + 46, nameEnd - at - 46)));
     if (!entry.path.empty()) entries.push_back(std::move(entry));
     at = extraEnd + numbers.u16(at + 32);
   }
@@ -173,10 +179,10 @@ Result<std::vector<std::byte>> unzipped(std::span<const std::byte> archive, cons
   if (entry.size > kLargestRatio * (entry.packedSize + 1)) {
     return damaged(name + " cannot be as large as it claims");
   }
-  const auto packed = archive.subspan(from, entry.packedSize);
+  const auto packed = part(archive, from, entry.packedSize);
   auto content =
       entry.method == kDeflated
-          ? inflateRaw(packed, entry.size)
+          ? inflateRaw(packed, static_cast<std::size_t>(entry.size))
           : Result<std::vector<std::byte>>(std::vector<std::byte>(packed.begin(), packed.end()));
   if (!content) return damaged(name + ": " + content.error().message);
   if (content.value().size() != entry.size || crc32Of(content.value()) != entry.crc) {

@@ -21,6 +21,13 @@
 namespace girth::cli {
 namespace {
 
+/// WebAssembly cannot start processes: the models follow each other, with the same output.
+#ifdef __EMSCRIPTEN__
+constexpr bool kHasProcesses = false;
+#else
+constexpr bool kHasProcesses = true;
+#endif
+
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
@@ -144,7 +151,7 @@ class Jobs {
 
 int forEachJob(std::span<const std::string> items, unsigned jobs,
                const std::function<int(std::size_t item)>& work) {
-  if (jobs > 1 && items.size() > 1) return Jobs(items, work).run(jobs);
+  if (kHasProcesses && jobs > 1 && items.size() > 1) return Jobs(items, work).run(jobs);
   const std::atomic<bool>& interrupted = catchInterrupts();
   int greatest = 0;
   for (std::size_t i = 0; i < items.size() && !interrupted; ++i) {

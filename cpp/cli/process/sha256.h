@@ -15,7 +15,9 @@ using Digest = std::array<std::uint8_t, 32>;
 class Sha256 {
  public:
   Sha256& add(std::span<const std::byte> bytes);
-  Sha256& add(std::string_view text) { return add(std::as_bytes(std::span(text))); }
+  Sha256& add(std::string_view text) {
+    return add(std::as_bytes(std::span(text.data(), text.size())));
+  }
   /// Of all that was added; nothing may be added afterwards.
   Digest finish();
 

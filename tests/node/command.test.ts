@@ -1,0 +1,251 @@
+// `npx girth`: the command as a WebAssembly module does what the native command does, to the byte: files, standard output,
+// errors, exit codes.
+
+import { execFileSync, spawn, spawnSync } from 'node:child_process';
+import { once } from 'node:events';
+import {
+  chmodSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { deflateRawSync, gzipSync } from 'node:zlib';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { torus } from '../browser/meshes.js';
+import { command } from '../browser/support.js';
+import { install } from '../web/package/packed.js';
+import { glb, off, ply, splitGltf, stl, tetrahedron } from './models.js';
+
+const folder = mkdtempSync(join(tmpdir(), 'girth-command-'));
+const program = join(folder, 'node_modules/girth/dist/command/girth.mjs');
+
+/** Each runs in a folder of its own with the same models. */
+const sides = { native: join(folder, 'native'), module: join(folder, 'module') };
+
+beforeAll(() => {
+  install(folder);
+  const model = torus(24, 12);
+  const { gltf, bin } = splitGltf(tetrahedron, 'the buffer.bin');
+  for (const side of Object.values(sides)) {
+    mkdirSync(join(side, 'folder'), { recursive: true });
+    const files: Record<string, string | Uint8Array> = {
+      'torus.obj': model,
+      'torus.obj.gz': gzipSync(model),
+      'broken.obj.gz': gzipSync(model).subarray(0, 200),
+      'spoiled.obj.gz': gzipSync(model).fill(7, 40, 60),
+      'torus.zip': zipped('torus.obj', model),
+      'model.glb': glb(model),
+      'model.off': off(model),
+      'model.ply': ply(model),
+      'model.stl': stl(model),
+      'model.gltf': gltf,
+      'the buffer.bin': bin,
+      'empty.obj': '',
+      'nan.obj': tetrahedron.replace('1 0 0', 'nan 0 0'),
+      'no model.glb': 'no model',
+      'locked.csv': 'locked',
+    };
+    for (const [name, content] of Object.entries(files)) writeFileSync(join(side, name), content);
+    chmodSync(join(side, 'locked.csv'), 0o444);
+  }
+});
+
+afterAll(() => rmSync(folder, { recursive: true }));
+
+/** A zip archive of one deflated file. */
+function zipped(name: string, text: string): Uint8Array {
+  const content = Buffer.from(text);
+  const packed = deflateRawSync(content);
+  const common = Buffer.alloc(26);
+  common.writeUInt16LE(20, 0);
+  common.writeUInt16LE(8, 4);
+  common.writeUInt32LE(crc32(content), 10);
+  common.writeUInt32LE(packed.length, 14);
+  common.writeUInt32LE(content.length, 18);
+  common.writeUInt16LE(name.length, 22);
+  const local = Buffer.concat([Buffer.from('PK\x03\x04'), common, Buffer.from(name), packed]);
+  const rest = Buffer.alloc(14);
+  const entry = Buffer.concat([
+    ...[Buffer.from('PK\x01\x02\x14\x00'), common, rest, Buffer.from(name)],
+  ]);
+  const end = Buffer.alloc(22);
+  end.write('PK\x05\x06', 'latin1');
+  end.writeUInt16LE(1, 8);
+  end.writeUInt16LE(1, 10);
+  end.writeUInt32LE(entry.length, 12);
+  end.writeUInt32LE(local.length, 16);
+  return Buffer.concat([local, entry, end]);
+}
+
+function crc32(bytes: Uint8Array): number {
+  let remainder = ~0;
+  for (const byte of bytes) {
+    remainder ^= byte;
+    for (let bit = 0; bit < 8; ++bit) remainder = (remainder >>> 1) ^ (remainder & 1 && 0xedb88320);
+  }
+  return ~remainder >>> 0;
+}
+
+/** What a program does in a folder: what it prints, its exit code, and the files that it writes. */
+function done(cwd: string, file: string, args: string[], input?: string) {
+  const before = new Set(readdirSync(cwd));
+  const { status, signal, stdout, stderr } = spawnSync(file, args, { cwd, input });
+  const written = readdirSync(cwd).filter((name) => !before.has(name));
+  const files = Object.fromEntries(
+    written.map((name) => {
+      const path = join(cwd, name);
+      const bytes = statSync(path).isFile() ? readFileSync(path).toString('latin1') : '';
+      return [name, bytes];
+    }),
+  );
+  for (const name of written) rmSync(join(cwd, name), { recursive: true });
+  return {
+    ...{ status, signal, files },
+    ...{ stdout: stdout.toString('latin1'), stderr: stderr.toString('latin1') },
+  };
+}
+
+/** What a run takes differs; everything else does not. */
+const timeless = (text: string) =>
+  text.replace(/\b\d+(\.\d+)? (ms|s|min \d+ s)\b/g, '… s').replace(/"\w*[sS]econds":[^,}]*/g, '');
+
+function compare(args: string[], input?: string) {
+  const native = done(sides.native, command, args, input);
+  const module = done(sides.module, process.execPath, [program, ...args], input);
+  for (const run of [native, module]) {
+    run.stdout = timeless(run.stdout);
+    run.stderr = timeless(run.stderr);
+  }
+  expect(module).toEqual(native);
+  return native;
+}
+
+test.each([
+  'info torus.obj',
+  'info --json torus.obj torus.obj.gz torus.zip model.glb model.off model.ply model.stl model.gltf',
+  'igf torus.obj -o values.csv',
+  'igf torus.obj -o values.npy --threads 3 --persistence 2%',
+  'igf torus.obj -o values.ply',
+  'igf model.glb -o values.glb --tips',
+  'igf torus.zip -o - --format npy',
+  'info --jobs 2 model.off model.ply',
+  'loop torus.obj 7 -o loop.json',
+  'loop torus.obj 7 --json',
+  'tips model.glb --json',
+  'parts model.glb -o parts.csv',
+  'field model.glb --field sdf -o values.npy --threads 2',
+  'remesh model.glb --faces 200 -o small.glb',
+  'compare torus.obj model.glb --json',
+  'signature torus.obj -o signature.csv',
+  'necks torus.obj --json',
+  'limbs torus.obj --json',
+  'cut torus.obj 7 -o cut.obj',
+  '--version',
+  'igf --help',
+  'help',
+])('girth %s', (line) => {
+  expect(compare(line.split(' ')).status).toBe(0);
+});
+
+test('spectra have the same values, but not the same bits', () => {
+  const args = 'field model.glb --field hks -o - --format csv'.split(' ');
+  const values = [
+    done(sides.native, command, args),
+    done(sides.module, process.execPath, [program, ...args]),
+  ].map(({ stdout }) =>
+    stdout
+      .trim()
+      .split('\n')
+      .slice(1)
+      .map((line) => Number(line.split(',')[1])),
+  );
+  expect(values[0]!.length).toBeGreaterThan(200);
+  values[1]!.forEach((value, i) => expect(value).toBeCloseTo(values[0]![i]!, 9));
+});
+
+test('standard input is a model', () => {
+  const { stdout } = compare(['igf', '-', '-o', '-', '--format', 'csv'], torus(10, 6));
+  expect(stdout.split('\n').length).toBeGreaterThan(60);
+});
+
+test.each([
+  ['igf absent.obj -o values.csv', 2],
+  ['igf folder -o values.csv', 2],
+  ['igf empty.obj -o values.csv', 2],
+  ['info nan.obj --json', 2],
+  ['info torus.obj broken.obj.gz spoiled.obj.gz absent.obj model.off', 2],
+  [['info', 'no model.glb'], 2],
+  ['igf torus.obj -o nowhere/values.csv', 2],
+  ['igf torus.obj -o folder', 1],
+  ['igf torus.obj -o values.xyz', 1],
+  ['igf torus.obj -o locked.csv', undefined],
+  ['igf torus.obj -o /dev/full --format csv', 2],
+  ['igf torus.obj --thread 2', 1],
+  ['igf torus.obj --threads -1', 1],
+  ['giirth', 1],
+  ['igf', 1],
+  ['loop torus.obj 99999', undefined],
+  ['parts torus.obj --persistence -1', undefined],
+] satisfies [string | string[], number | undefined][])('girth %s fails', (line, code) => {
+  const { status } = compare(typeof line === 'string' ? line.split(' ') : line);
+  if (code !== undefined) expect(status).toBe(code);
+});
+
+test('standard output that is full is an error', () => {
+  const run = (file: string, args: string[]) =>
+    spawnSync('sh', ['-c', '"$@" > /dev/full', 'sh', file, ...args], {
+      cwd: sides.native,
+      encoding: 'utf8',
+    });
+  const args = ['igf', 'torus.obj', '-o', '-', '--format', 'csv', '--quiet'];
+  const native = run(command, args);
+  const module = run(process.execPath, [program, ...args]);
+  expect(native.status).toBe(2);
+  expect([module.status, module.stderr]).toEqual([native.status, native.stderr]);
+});
+
+test('Ctrl-C stops it, and nothing half is left', async () => {
+  writeFileSync(join(sides.module, 'long.obj'), torus(400, 200));
+  const child = spawn(process.execPath, [program, 'igf', 'long.obj', '-o', 'long.csv'], {
+    cwd: sides.module,
+  });
+  let stderr = '';
+  child.stderr.on('data', (data) => (stderr += String(data)));
+  const ended = once(child, 'close');
+  // The signal counts from when the command listens: until then it ends the process at once.
+  const pressing = setInterval(() => child.kill('SIGINT'), 2000);
+  const [status, signal] = (await ended) as [number | null, string | null];
+  clearInterval(pressing);
+  if (signal === null) {
+    expect(status).toBe(3);
+    expect(stderr).toContain('CANCELLED');
+  } else {
+    expect(signal).toBe('SIGINT');
+  }
+  expect(existsSync(join(sides.module, 'long.csv'))).toBe(false);
+});
+
+test('npx finds it in the package', () => {
+  // What npm does when it has unpacked a package: it links the package's programs.
+  execFileSync('npm', ['rebuild', '--ignore-scripts', '--offline', 'girth'], {
+    cwd: folder,
+    stdio: 'ignore',
+  });
+  const { status, stdout, stderr } = spawnSync(
+    'npx',
+    ['--no-install', 'girth', 'info', 'native/torus.obj'],
+    { cwd: folder, encoding: 'utf8' },
+  );
+  const native = spawnSync(command, ['info', 'native/torus.obj'], {
+    cwd: folder,
+    encoding: 'utf8',
+  });
+  expect({ status, stdout, stderr }).toEqual({ status: 0, stdout: native.stdout, stderr: '' });
+});
