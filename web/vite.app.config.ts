@@ -28,6 +28,11 @@ export default defineConfig(({ mode }) => ({
     outDir: fileURLToPath(new URL('../build/page', import.meta.url)),
     emptyOutDir: true,
     target: 'es2022',
+    rolldownOptions: {
+      input: ['index.html', 'embed.html'].map((name) =>
+        fileURLToPath(new URL(`app/${name}`, import.meta.url)),
+      ),
+    },
     // Modules and workers stay files of their own: a strict content security policy allows no data: address.
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 2000,

@@ -115,7 +115,7 @@ test('a link cannot have a file: it says so, and holds for whoever drops that fi
   const sheet = page.locator('#share');
   await sheet.waitFor();
   expect(await sheet.textContent()).toContain('prism.obj stays on your machine');
-  const link = await sheet.getByRole('textbox').inputValue();
+  const link = await sheet.getByRole('textbox', { name: 'Link' }).inputValue();
   expect(new URL(link).hash).toBe('#file=prism.obj&colormap=magma');
 
   const other = await page.context().newPage();

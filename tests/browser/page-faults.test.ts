@@ -407,7 +407,7 @@ test('nothing stored, nothing copied, and a clock that jumps', async () => {
   const { page } = faulty;
   await fieldComplete(faulty.viewer);
   await page.getByRole('button', { name: 'Share' }).click();
-  await page.getByRole('button', { name: 'Copy the link' }).click();
+  await page.getByRole('button', { name: 'Copy link' }).click();
   await expect.poll(() => page.locator('#share').textContent()).toMatch(/does not let pages copy/);
   expect(faulty.complaints).toEqual([]);
 });

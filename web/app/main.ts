@@ -1,7 +1,7 @@
 // The drop page: one screen built on <girth-viewer>.
 
 import type { FileWithPath } from '../src/kernel/index.js';
-import type { GirthViewer } from '../src/element/index.js';
+import { type GirthViewer, fieldTitle } from '../src/element/index.js';
 import {
   type PageState,
   type PanelName,
@@ -27,7 +27,8 @@ import { PartsPanel } from './parts-panel.js';
 import { PinnedList } from './pinned-list.js';
 import { PrintPanel } from './print-panel.js';
 import { type Opened, Session, isSameModel } from './session.js';
-import { offerLink } from './share-sheet.js';
+import { elementLine, frameLine } from './share-lines.js';
+import { type Shared, offerSharing } from './share-sheet.js';
 import { closeLeftSheets } from './sheets.js';
 import type { ModelScale } from './size-choice.js';
 import { explainTerms } from './terms.js';
@@ -267,10 +268,29 @@ for (const event of ['camera', 'unit', 'view']) viewer.addEventListener(event, c
 
 acceptDrops(byId('drop'), (files) => void openFiles(files));
 offerExports(viewer, computed, { parts, loops, limbs });
-offerLink(
-  () => address.link,
-  () => session.opened?.link.file,
-);
+offerSharing(shared);
+
+/** What others can have of what is shown. */
+function shared(): Shared {
+  const { opened } = session;
+  const { info, state } = viewer;
+  const fileName = opened?.link.file;
+  const isPrepared =
+    opened !== undefined && (Object.keys(session.read()).length > 1 || opened.model !== undefined);
+  const lines = { element: undefined, frame: undefined };
+  const about = { link: address.link, fileName, isPrepared };
+  if (!opened || !info || isPrepared) return { ...about, ...lines };
+  const fetched = typeof opened.source === 'string' ? opened.source : undefined;
+  const embed = new URL('embed.html', location.href);
+  embed.search = '';
+  embed.hash = '';
+  const title = `${info.name}: ${fieldTitle(viewer.shown?.name ?? 'none') || 'surface'}`;
+  return {
+    ...about,
+    element: elementLine(fetched ?? info.name, state),
+    frame: fetched && frameLine(embed.href, fetched, state, title),
+  };
+}
 
 /** Lets a button choose files, or a folder. */
 function choosesFiles(button: string, input: string): void {

@@ -1,6 +1,7 @@
 // What the element draws and computes: a model that comes and goes, as the attributes ask for it. It is fetched
 // when it is first needed; what is there before is in `viewer-shell.ts`.
 
+import { failure } from '../kernel/errors.js';
 import type {
   Field,
   FieldName,
@@ -366,10 +367,18 @@ export class ViewerCore {
     });
   }
 
+  #addressOf(src: string): URL | undefined {
+    if (URL.canParse(src, this.#element.baseURI)) return new URL(src, this.#element.baseURI);
+    const message = `“${src.slice(0, 60)}” is not an address`;
+    this.#fail('', failure('FILE_NOT_FOUND', message, { hint: 'check what src names' }));
+    return undefined;
+  }
+
   /** The same of an address, but as it is where the file has its values in it. */
   async #open(src: string): Promise<void> {
     this.#continued = undefined;
-    const address = new URL(src, this.#element.baseURI);
+    const address = this.#addressOf(src);
+    if (!address) return;
     const name = nameOf(address);
     await this.bring(`Reading ${name || 'the model'} …`, name, async (watched) => {
       const { mesh, content } = await openModel(address, watched);
@@ -541,11 +550,12 @@ export class ViewerCore {
     const isSeen = this.#controls.greet();
     const continued = this.#continued?.mesh === mesh ? this.#continued : undefined;
     this.#continued = undefined;
-    if (!continued) this.#send('load', { info: mesh.info });
     this.#asked.greet(presented, isSeen || continued !== undefined);
     if (continued?.view) this.stage!.lookFrom(continued.view);
     if (continued?.tips) presented.tips.show(continued.tips.all, continued.tips.choice);
-    else if (!continued) void this.#asked.showTips(presented);
+    else if (!continued) this.#asked.greetTips(presented);
+    // What is done then is newer than what attributes ask for.
+    if (!continued) this.#send('load', { info: mesh.info });
     void this.#afterShowing(presented, continued);
     void this.#showField();
   }
@@ -566,7 +576,7 @@ export class ViewerCore {
       for (const { point, name } of continued?.pins ?? []) {
         loops.rename((await loops.pin(point)).id, name);
       }
-      if (!continued?.isPinned) await this.#asked.pin(presented);
+      if (!continued?.isPinned) await this.#asked.pin(presented, false);
     } catch (error) {
       if (!signal.aborted) this.#fail('', error);
     }

@@ -49,8 +49,8 @@ export class Wishes {
     if (!presented) return;
     if (name === 'camera') this.#look();
     else if (name === 'parts') this.#divide(presented, true);
-    else if (name === 'tips') void this.showTips(presented);
-    else void this.pin(presented);
+    else if (name === 'tips') void this.#showTips(presented);
+    else void this.pin(presented, true);
   }
 
   /** A model has come, and nothing of it is drawn yet; `isSeen`: it is looked at from where another one was. */
@@ -59,8 +59,14 @@ export class Wishes {
     this.#divide(presented, false);
   }
 
+  /** The same for tips, of which there may be none to draw. */
+  greetTips(presented: Presented): void {
+    const isWished = isOn(this.#host.element, 'tips') || presented.model.file.tips !== undefined;
+    if (isWished) void this.#showTips(presented);
+  }
+
   /** Draws the tips that are wished for, or else those that the file has. */
-  async showTips(presented: Presented): Promise<void> {
+  async #showTips(presented: Presented): Promise<void> {
     const { element } = this.#host;
     const wish = isOn(element, 'tips') ? parseTips(element.getAttribute('tips')!) : undefined;
     this.#isFinding = true;
@@ -80,17 +86,17 @@ export class Wishes {
   }
 
   /**
-   * Pins the loops that are wished for, or else those that the file has, and no others. One that cannot be is an
-   * error; the others are pinned all the same.
+   * Pins the loops that are wished for, or else those that the file has; `only`: no others stay. One that cannot be is
+   * an error; the others are pinned all the same.
    */
-  async pin({ model, loops }: Presented): Promise<void> {
+  async pin({ model, loops }: Presented, only: boolean): Promise<void> {
     const turn = ++this.#pinTurn;
     const wishes = pinsOf(this.#host.element);
     const known = new Map(model.file.loops.map((loop) => [writePoint(loop.base), loop]));
     const wanted = wishes ?? model.file.loops.map(({ base }) => ({ point: base, name: '' }));
     const places = new Set(wanted.map(({ point }) => writePoint(point)));
     for (const { id, loop } of loops.pinned) {
-      if (!places.has(writePoint(loop.base))) loops.unpin(id);
+      if (only && !places.has(writePoint(loop.base))) loops.unpin(id);
     }
     this.#isPinning = true;
     if (model.file.isAll && [...places].some((place) => !known.has(place))) {
