@@ -110,7 +110,7 @@ class HandleSearch {
  public:
   HandleSearch(const SurfaceMesh& mesh, const std::shared_ptr<const Unfolding>& unfolding,
                const Homology& homology, Index component)
-      : mesh_(mesh), unfolding_(unfolding), homology_(homology) {
+      : unfolding_(unfolding), homology_(homology) {
     for (const Face f : mesh.faces()) {
       if (mesh.componentOf(mesh.faceVertices(f)[0]) == component) area_ += mesh.area(f);
     }
@@ -345,7 +345,6 @@ class HandleSearch {
     }
   };
 
-  const SurfaceMesh& mesh_;
   std::shared_ptr<const Unfolding> unfolding_;
   const Homology& homology_;
   double area_{0};
