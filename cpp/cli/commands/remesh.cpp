@@ -11,9 +11,11 @@
 #include "girth/field_difference.h"
 #include "girth/io/write_mesh.h"
 #include "girth/remesh.h"
+#include "girth/remove_handles.h"
 #include "model/computing.h"
 #include "model/loading.h"
 #include "process/output.h"
+#include "process/progress_line.h"
 #include "process/report.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
@@ -28,6 +30,8 @@ struct Options {
   std::uint32_t faces{0};
   /// Even triangles, rather than those that keep the shape best.
   bool even{false};
+  /// Loops shorter than this are cut, as typed. Empty: none.
+  std::string removeHandles;
   Output output;
   /// Also compute the girth before and after, and print how far apart the two are.
   bool difference{false};
@@ -44,7 +48,7 @@ io::Format formatOf(const std::string& extension) {
 }
 
 void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMesh& mesh,
-           std::optional<double> difference) {
+           const std::optional<HandleRemoval>& repaired, std::optional<double> difference) {
   if (options.json) {
     const std::string text =
         "{\"file\":" + io::jsonString(options.model) +
@@ -56,6 +60,9 @@ void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMe
         ",\"meanEdgeLength\":" + io::formatNumber(mesh.meanEdgeLength()) +
         ",\"unit\":" + io::jsonString(loaded.unit) +
         ",\"output\":" + io::jsonString(options.output.path) +
+        (repaired ? ",\"genusBefore\":" + std::to_string(repaired->genusBefore) +
+                        ",\"genus\":" + std::to_string(repaired->genusAfter)
+                  : "") +
         (difference ? ",\"difference\":" + io::formatNumber(*difference) : "") + "}\n";
     std::fputs(text.c_str(), stdout);
     return;
@@ -66,6 +73,18 @@ void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMe
               unitSuffix(loaded.unit).c_str());
   std::printf("  area %s times the area before\n",
               readable(mesh.area() / loaded.mesh.area()).c_str());
+  if (repaired) {
+    const auto counted = [&](HandleKind kind, const char* what, const char* done) {
+      const auto count = std::count_if(repaired->removed.begin(), repaired->removed.end(),
+                                       [&](const Handle& handle) { return handle.kind == kind; });
+      return std::to_string(count) + " " + what + (count == 1 ? " " : "s ") + done;
+    };
+    std::printf("  genus %u (before: %u): %s, %s", repaired->genusAfter, repaired->genusBefore,
+                counted(HandleKind::Handle, "handle", "cut").c_str(),
+                counted(HandleKind::Tunnel, "tunnel", "closed").c_str());
+    const std::string unknown = counted(HandleKind::Unknown, "loop", "of unknown kind cut");
+    std::printf("%s\n", unknown[0] == '0' ? "" : (", " + unknown).c_str());
+  }
   if (difference) {
     std::printf("  girth: difference %s of the distributions before and after (equation 1)\n",
                 readable(*difference).c_str());
@@ -82,8 +101,9 @@ Result<double> differenceOf(const Options& options, const SurfaceMesh& before,
   return fieldDifference(before, old.value().values, after, made.value().values);
 }
 
-/// Who asks for finer triangles does not ask for fewer.
+/// Who asks for finer triangles, or for fewer handles, does not ask for fewer triangles.
 Index mostFaces(const Options& options) {
+  if (options.faces == 0 && !options.removeHandles.empty()) return kMostFaces;
   constexpr Index kDefault = 10'000;
   return options.faces > 0 ? options.faces : std::max(kDefault, options.preparing.refine);
 }
@@ -95,11 +115,25 @@ int run(const Options& options) {
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
 
+  std::optional<HandleRemoval> repaired;
+  if (!options.removeHandles.empty()) {
+    double length = 0;
+    if (const auto error = readLength(options.removeHandles, loaded.value().unit, length)) {
+      return reportError("", *error);
+    }
+    auto removal = [&] {
+      ProgressLine progress(options.model);
+      return removeHandles(loaded.value().mesh, length, {}, watched(options.threads, progress));
+    }();
+    if (!removal) return reportError(options.model, removal.error());
+    repaired = std::move(removal).value();
+  }
+  const SurfaceMesh& whole = repaired ? repaired->mesh : loaded.value().mesh;
   const auto remeshed =
-      remeshModel(options.model, loaded.value().mesh,
+      remeshModel(options.model, whole,
                   {mostFaces(options), options.even ? RemeshMethod::Even : RemeshMethod::Fitting});
   if (!remeshed) return reportError(options.model, remeshed.error());
-  const SurfaceMesh& mesh = remeshed.value() ? remeshed.value()->mesh : loaded.value().mesh;
+  const SurfaceMesh& mesh = remeshed.value() ? remeshed.value()->mesh : whole;
   const auto content = io::meshFile(mesh, formatOf(options.output.ending()), loaded.value().unit);
   if (!content) return reportError(options.output.path, content.error());
   if (auto error = writeOutput(options.output, content.value())) {
@@ -111,7 +145,7 @@ int run(const Options& options) {
     if (!found) return reportError(options.model, found.error());
     difference = found.value();
   }
-  print(options, loaded.value(), mesh, difference);
+  print(options, loaded.value(), mesh, repaired, difference);
   return 0;
 }
 
@@ -124,6 +158,9 @@ Run add(OptionTable& table) {
             "Triangles of even size and shape, instead of those that keep the surface's shape "
             "best");
   addRefineOption(table, options->preparing);
+  addLengthOption(table, "--remove-handles LENGTH", options->removeHandles,
+                  "Cut every handle and close every tunnel with a loop shorter than this, as in "
+                  "2mm; keeps the other triangles, unless --faces is given");
   addOutputOptions(table, options->output, {".obj", ".ply", ".stl", ".off", ".glb"},
                    "Write it: .obj, .ply, .stl, .off or .glb")
       .required();
@@ -137,6 +174,8 @@ Run add(OptionTable& table) {
                 "10,000 triangles that keep the shape.");
   table.example("girth remesh model.glb --refine 50000 -o finer.obj",
                 "50,000 triangles of the same surface, where it has fewer.");
+  table.example("girth remesh scan.ply --remove-handles 2mm --unit mm -o repaired.ply",
+                "Without the handles and tunnels that noise has made.");
   table.example("girth remesh model.glb --even -o even.ply --difference",
                 "Even triangles, and how much the girth changes with them.");
   return [options] { return run(*options); };

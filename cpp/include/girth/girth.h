@@ -27,6 +27,7 @@
 #include "girth/print_check.h"
 #include "girth/refine_surface.h"
 #include "girth/remesh.h"
+#include "girth/remove_handles.h"
 #include "girth/search_statistics.h"
 #include "girth/shape_diameter.h"
 #include "girth/spectrum.h"

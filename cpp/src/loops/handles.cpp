@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -173,7 +174,11 @@ class HandleSearch {
   /// Draws a curve tight, and on to a neck.
   std::optional<Candidate> tightened(std::span<const SurfacePoint> points) const {
     std::optional<TautLoop> loop = loops::looseLoop(*unfolding_, points);
+    double last = std::numeric_limits<double>::infinity();
     while (loop && loops::tighten(*unfolding_, *loop) == Tightened::Geodesic) {
+      const double length = loops::lengthOf(*unfolding_, *loop);
+      if (!(length < last)) break;  // rounding alone leads on
+      last = length;
       loops::Band band = loops::bandOf(*unfolding_, *loop, area_);
       if (band.shorter) {
         loop = std::move(band.shorter);

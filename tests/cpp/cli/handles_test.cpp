@@ -64,6 +64,31 @@ TEST_F(Command, handlesOfAFrame) {
   EXPECT_TRUE(contains(contentOf(path("handles.glb")), "\"handle_1\""));
 }
 
+TEST_F(Command, handlesAreRemovedUpToALength) {
+  const std::string model = write("frame.obj", frame());
+  const auto removed = [&](const std::string& length) {
+    const Outcome outcome = run({"remesh", model, "--unit", "cm", "--remove-handles", length, "-o",
+                                 path("repaired.obj"), "--json"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+    return Json::parse(outcome.output);
+  };
+  Json kept = removed("29mm");
+  EXPECT_EQ(kept["genusBefore"], 1);
+  EXPECT_EQ(kept["genus"], 1);
+  EXPECT_EQ(kept["faces"], kept["facesBefore"]);
+  EXPECT_EQ(removed("31mm")["genus"], 0);
+  EXPECT_EQ(Json::parse(run({"info", path("repaired.obj"), "--json"}).output)["genus"], Json({0}));
+  EXPECT_TRUE(
+      contains(run({"remesh", model, "--remove-handles", "4", "-o", path("repaired.obj")}).output,
+               "genus 0 (before: 1): 1 handle cut, 0 tunnels closed\n"));
+  for (const std::string length : {"-1", "nan", "wide"}) {
+    const Outcome outcome =
+        run({"remesh", model, "--remove-handles", length, "-o", path("repaired.obj")});
+    EXPECT_EQ(outcome.exitCode, 1) << length;
+    EXPECT_TRUE(contains(outcome.errors, "USAGE")) << outcome.errors;
+  }
+}
+
 TEST_F(Command, noHandleIsAnAnswer) {
   const std::string model = kData + "/prism.obj";
   EXPECT_TRUE(contains(run({"handles", model}).output, "no handles: its genus is 0\n"));
