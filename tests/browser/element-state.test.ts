@@ -201,6 +201,30 @@ test('what is no state is refused with a code, and nothing is lost; a loop that 
   await expect.poll(() => pinsOf(viewer)).toEqual([[7, 'there']]);
 });
 
+test('a text that a framework sets as a property is the attribute, and methods stay', async () => {
+  await open('/two.html');
+  const viewer = page.locator('#b');
+  const found = await viewer.evaluate((viewer: GirthViewer) => {
+    const texts = { loop: 'none', tips: true, parts: '1 2', unit: 'mm', camera: 'front' };
+    Object.assign(viewer, texts, { shownUnit: 'cm' });
+    const names = ['loop', 'tips', 'parts', 'unit', 'camera', 'shown-unit'];
+    const set = names.map((name) => viewer.getAttribute(name));
+    Object.assign(viewer, { loop: undefined, tips: false, parts: null });
+    const left = names.map((name) => viewer.hasAttribute(name));
+    const { unit, shownUnit } = viewer;
+    const methods = [typeof viewer.loop, typeof viewer.tips, typeof viewer.parts];
+    return { set, left, methods, unit, shownUnit };
+  });
+  expect(found).toEqual({
+    set: ['none', '', '1 2', 'mm', 'front', 'cm'],
+    left: [false, false, false, true, true, true],
+    methods: ['function', 'function', 'function'],
+    unit: 'mm',
+    shownUnit: 'cm',
+  });
+  expect(complaints).toEqual([]);
+});
+
 test('what a file has can be left out, without anything that computes', async () => {
   const before = server.requests.length;
   await open('/figure.html');

@@ -127,6 +127,7 @@ export async function buildPackage() {
         'bundle-types',
         'bundled-packages',
         'element-manifest',
+        'framework-types',
         'lean-three',
         'package-papers',
       ].map((name) => `web/scripts/${name}.mjs`),

@@ -4,6 +4,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative, resolve } from 'node:path';
 import ts from 'typescript';
+import { frameworkTypes } from './framework-types.mjs';
 import { Complaint } from './run.mjs';
 
 /**
@@ -173,4 +174,9 @@ export function bundlePackageTypes({ from, to }) {
   ]);
   writeFileSync(join(to, 'girth-kernel.d.ts'), `export * from './kernel/index.js';\n`);
   writeFileSync(join(to, 'girth-viewer.d.ts'), `export * from './element.js';\n`);
+  for (const [name, text] of Object.entries(frameworkTypes)) {
+    writeFileSync(join(to, `${name}.d.ts`), text);
+    // There is nothing but types.
+    writeFileSync(join(to, `${name}.js`), 'export {};\n');
+  }
 }

@@ -4,7 +4,15 @@
 import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
 import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
-import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -87,6 +95,54 @@ export async function show(source: string, kernel: Kernel): Promise<void> {
 export const plotted = histogram;
 `;
 
+/** As much of React's and Vue's own types as the element adds to. */
+const frameworks = {
+  react: `
+export interface HTMLAttributes<T> { id?: string; onLoad?: (event: { currentTarget: T }) => void }
+export type DetailedHTMLProps<E, T> = { ref?: (element: T | null) => void; key?: string } & E;
+export namespace JSX { interface Element { type: string } interface IntrinsicElements { p: { id?: string } } }`,
+  'react/jsx-runtime': `
+export { JSX } from 'react';
+export function jsx(type: unknown, props: unknown): import('react').JSX.Element;
+export const jsxs: typeof jsx;`,
+  vue: `
+export interface HTMLAttributes { id?: string; hidden?: boolean }
+export interface GlobalComponents {}`,
+};
+
+const reactCode = `
+import type {} from 'girth/react';
+
+export const figure = (
+  <girth-viewer
+    id="figure"
+    src="chair.glb"
+    field="sdf"
+    isolines={8}
+    controls="legend"
+    tips
+    pins="12 waist"
+    ref={(viewer) => console.log(viewer?.info?.faceCount)}
+    onfield={({ detail }) => console.log(detail.range[0].toFixed())}
+  />
+);
+// @ts-expect-error No such field.
+export const wrong = <girth-viewer field="nothing" />;
+`;
+
+const vueCode = `
+import type { GlobalComponents } from 'vue';
+import type {} from 'girth/vue';
+
+type Props = InstanceType<GlobalComponents['girth-viewer']>['$props'];
+export const props: Props = {
+  ...{ id: 'figure', src: 'chair.glb', log: true, 'shown-unit': 'mm' },
+  onPick: ({ detail }) => console.log(detail.loop.length),
+};
+// @ts-expect-error No such way to draw.
+export const wrong: Props = { shading: 'gouraud' };
+`;
+
 /** What a project that uses the package checks its types with: everything that there is to be strict. */
 async function typeCheck(module: string, moduleResolution: string) {
   const compilerOptions = {
@@ -94,10 +150,11 @@ async function typeCheck(module: string, moduleResolution: string) {
     ...{ strict: true, exactOptionalPropertyTypes: true, noUncheckedIndexedAccess: true },
     ...{ noPropertyAccessFromIndexSignature: true, skipLibCheck: false },
     ...{ verbatimModuleSyntax: true, isolatedModules: true },
-    ...{ module, moduleResolution },
+    ...{ module, moduleResolution, jsx: 'react-jsx' },
   };
+  const files = ['kernel.ts', 'element.ts', 'react.tsx', 'vue.ts'];
   const project = join(folder, `tsconfig.${module}.json`);
-  writeFileSync(project, JSON.stringify({ compilerOptions, files: ['kernel.ts', 'element.ts'] }));
+  writeFileSync(project, JSON.stringify({ compilerOptions, files }));
   const compiler = join(repository, 'node_modules/typescript/bin/tsc');
   const child = spawn(process.execPath, [compiler, '--project', project], { cwd: folder });
   let words = '';
@@ -111,6 +168,20 @@ beforeAll(() => {
   manifest = install(folder);
   writeFileSync(join(folder, 'kernel.ts'), kernelCode);
   writeFileSync(join(folder, 'element.ts'), elementCode);
+  writeFileSync(join(folder, 'react.tsx'), reactCode);
+  writeFileSync(join(folder, 'vue.ts'), vueCode);
+  for (const [name, types] of Object.entries(frameworks)) {
+    const [top = ''] = name.split('/');
+    const module = join(folder, 'node_modules', top);
+    mkdirSync(module, { recursive: true });
+    const { length } = name.split('/');
+    writeFileSync(join(module, length === 1 ? 'index.d.ts' : 'jsx-runtime.d.ts'), types);
+    const exports = { '.': './index.d.ts', './jsx-runtime': './jsx-runtime.d.ts' };
+    writeFileSync(
+      join(module, 'package.json'),
+      JSON.stringify({ name: top, type: 'module', exports }),
+    );
+  }
 }, 120_000);
 
 afterAll(() => {
@@ -160,8 +231,9 @@ test('its types name no package but those that it depends on', () => {
       .filter((name) => !name.startsWith('.') && (name === 'three' || !known.includes(name)))
       .map((name) => `${file}: ${name}`),
   );
-  // An example in a comment.
-  expect(foreign).toEqual(['dist/kernel/index.d.ts: girth']);
+  // Examples in comments.
+  const examples = ['kernel/index.d.ts: girth', 'react.d.ts: girth/react', 'vue.d.ts: girth/vue'];
+  expect(foreign.sort()).toEqual(examples.map((example) => `dist/${example}`));
 });
 
 test.concurrent.each([
@@ -175,7 +247,7 @@ test('on a server it can be imported, and does nothing; what is for pages refuse
   const entries = Object.entries(manifest.exports).flatMap(([name, entry]) =>
     typeof entry === 'string' ? [] : [name.replace('.', 'girth')],
   );
-  expect(entries).toHaveLength(5);
+  expect(entries).toHaveLength(7);
   const code = `
     const before = Object.getOwnPropertyNames(globalThis);
     ${entries.map((entry) => `await import('${entry}');`).join('\n')}

@@ -29,6 +29,7 @@ import type { PinnedLoop } from './loops-on-surface.js';
 import type { PartsWish, PlaceOnSurface, PlacePicture, Presented } from './presented.js';
 import type { ShownField, ShownPlaces } from './shading.js';
 import type { FigureOptions } from './snapshot.js';
+import { takeTexts } from './property-texts.js';
 import type { TipsChoice } from './tips-on-surface.js';
 import { ViewerShell } from './viewer-shell.js';
 
@@ -491,3 +492,5 @@ export class GirthViewer extends ViewerShell {
     return mesh.exportLoops(points, format, { signal: life.signal, unit: this.unit, persistence });
   }
 }
+
+takeTexts(GirthViewer.prototype);
