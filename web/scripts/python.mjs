@@ -7,7 +7,7 @@ import { compilerCacheEnvironment } from './compiler-cache.mjs';
 import { repository, run } from './run.mjs';
 
 /** Debian's Python, which sees Debian's packages; elsewhere the one that PYTHON names. */
-const python = process.env.PYTHON ?? '/usr/bin/python3';
+export const python = process.env.PYTHON ?? '/usr/bin/python3';
 const environment = 'build/python/environment';
 
 /** Python of the environment that the package is installed in. */
@@ -38,16 +38,21 @@ const long = 'tests/python/long';
  * Runs tests of tests/python.
  * @param {string} report where the results go, as JUnit's XML
  * @param {string[]} files what is run; by default the tests of `npm test`
+ * @param {{ program?: string, env?: NodeJS.ProcessEnv }} options which Python, and what its environment has besides
  */
-export function runPythonTests(report, files = ['tests/python', `--ignore=${long}`]) {
+export function runPythonTests(
+  report,
+  files = ['tests/python', `--ignore=${long}`],
+  { program = installedPython, env = {} } = {},
+) {
   rmSync(report, { force: true });
   run(
-    installedPython,
+    program,
     [
       ...['-m', 'pytest', '-q', '-p', 'no:cacheprovider', '-o', 'junit_family=xunit1'],
       ...[`--junitxml=${report}`, ...files],
     ],
-    { env: { ...process.env, PYTHONDONTWRITEBYTECODE: '1' } },
+    { env: { ...process.env, PYTHONDONTWRITEBYTECODE: '1', ...env } },
   );
 }
 

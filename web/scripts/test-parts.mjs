@@ -10,7 +10,7 @@ import { replayFuzzers, runFuzzers } from './fuzz.mjs';
 import { lint, lintNative } from './lint.mjs';
 import { installPythonPackage, runClusterTests, runPythonTests } from './python.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
-import { testWithSanitizers } from './sanitizers.mjs';
+import { testPythonWithSanitizers, testWithSanitizers } from './sanitizers.mjs';
 import { setUpClusters } from './setup.mjs';
 import { testSharedLibraries } from './shared-libraries.mjs';
 import { filesBelow, hashOf } from './stale.mjs';
@@ -198,6 +198,17 @@ export const longParts = {
   'sanitize-memory': {
     title: 'native tests with ASan and UBSan',
     run: () => testWithSanitizers('address'),
+  },
+  'sanitize-python': {
+    title: 'random arrays through the Python package with ASan and UBSan',
+    run: (count) => {
+      const report = join(reports, 'pytest-sanitized.xml');
+      try {
+        testPythonWithSanitizers(report);
+      } finally {
+        countJunit(report, count);
+      }
+    },
   },
   fuzz: {
     title: 'fuzz for ten minutes',

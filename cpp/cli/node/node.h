@@ -20,13 +20,13 @@ int girthIsTerminal(int descriptor);
 int girthAccess(const char* path, int mode);
 
 /// Inflates `length` bytes, raw or all members of a gzip file, to at most `limit` bytes, in memory
-/// that the caller frees: `*content`. Returns how many there are, or one of InflateFailure.
+/// that the caller frees: `*content`. Returns how many there are, or one of the numbers below.
 int girthInflate(const void* packed, std::size_t length, std::size_t limit, int isRaw,
                  void** content);
 }
 
 namespace girth::cli {
 
-enum InflateFailure : int { kDamaged = -1, kBreaksOff = -2, kTooLarge = -3, kNoMemory = -4 };
+inline constexpr int kDamaged = -1, kBreaksOff = -2, kTooLarge = -3, kNoMemory = -4;
 
 }  // namespace girth::cli

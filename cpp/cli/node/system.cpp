@@ -23,7 +23,7 @@ int access(const char* path, int mode) {
 namespace {
 
 /// Emscripten's C library takes standard output for a terminal, which it would write line by line.
-[[maybe_unused]] const int buffered =
+[[maybe_unused]] const int kBuffered =
     girthIsTerminal(STDOUT_FILENO) != 0 ? 0 : std::setvbuf(stdout, nullptr, _IOFBF, 1 << 16);
 
 }  // namespace
