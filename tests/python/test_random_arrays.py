@@ -31,7 +31,7 @@ def layout_of(generator, array):
         return array[::-1]
     if choice == 3:
         return array.astype(array.dtype.newbyteorder())
-    if choice == 4:
+    if choice == 4 and array.ndim:
         array.flags.writeable = False
     return array
 
