@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "mesh/coordinates.h"
 #include "mesh/prepare/close_holes.h"
 #include "mesh/prepare/drop_faces.h"
 #include "mesh/prepare/join_faces.h"
@@ -77,13 +78,9 @@ std::optional<Error> findBadElement(const TriangleSoup& soup, const PrepareOptio
   if (soup.triangles.size() >= 0x7FFFFFFFu || vertices >= 0x7FFFFFFFu) {
     return makeError(ErrorCode::LimitExceeded, -1, "the model has over 700 million triangles");
   }
-  for (std::size_t i = 0; i < soup.positions.size(); ++i) {
-    if (!std::isfinite(soup.positions[i])) {
-      return makeError(
-          ErrorCode::NonFinitePosition, static_cast<std::int64_t>(i / 3),
-          "vertex " + std::to_string(i / 3) + " has a coordinate that is not a finite number");
-    }
-    if (!std::isfinite(options.scale * soup.positions[i])) {
+  if (auto error = findBadCoordinate(soup.positions)) return error;
+  for (const double coordinate : soup.positions) {
+    if (!(std::fabs(options.scale * coordinate) <= kGreatestCoordinate)) {
       return makeError(ErrorCode::InvalidOption, -1, "the scale makes the model too large");
     }
   }

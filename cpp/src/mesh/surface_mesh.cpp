@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/angles.h"
+#include "mesh/coordinates.h"
 #include "mesh/edge_groups.h"
 #include "mesh/face_shape.h"
 #include "mesh/sides.h"
@@ -35,13 +36,7 @@ std::optional<Error> findBadElement(std::span<const double> positions,
   if (triangles.size() >= 0x7FFFFFFFu || vertices >= 0x7FFFFFFFu) {
     return makeError(ErrorCode::LimitExceeded, -1, "the mesh has over 700 million faces");
   }
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (!std::isfinite(positions[i])) {
-      return makeError(
-          ErrorCode::NonFinitePosition, static_cast<std::int64_t>(i / 3),
-          "vertex " + std::to_string(i / 3) + " has a coordinate that is not a number");
-    }
-  }
+  if (auto error = findBadCoordinate(positions)) return error;
   for (std::size_t f = 0; f < faces; ++f) {
     const Index a = triangles[3 * f], b = triangles[3 * f + 1], c = triangles[3 * f + 2];
     const Index largest = std::max({a, b, c});

@@ -66,6 +66,9 @@ TEST(SurfaceMesh, RefusesWithTheElement) {
   shape.positions[7] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(errorOf(shape).code, ErrorCode::NonFinitePosition);
   EXPECT_EQ(errorOf(shape).element, 2);
+  shape.positions[7] = -1.0001e151;  // finite, but areas of that size are not
+  EXPECT_EQ(errorOf(shape).code, ErrorCode::LimitExceeded);
+  EXPECT_EQ(errorOf(shape).element, 2);
 
   shape = tetrahedron();
   shape.triangles[10] = 4;

@@ -702,6 +702,9 @@ TEST(Prepare, SaysWhatIsWrong) {
   soup.positions[5] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(codeOf(prepareSurface(soup)), "NON_FINITE_POSITION");
   EXPECT_EQ(prepareSurface(soup).error().element, 1);
+  soup.positions[5] = 1e308;
+  EXPECT_EQ(codeOf(prepareSurface(soup)), "LIMIT_EXCEEDED");
+  EXPECT_EQ(prepareSurface(soup).error().element, 1);
   soup.positions.pop_back();
   EXPECT_EQ(codeOf(prepareSurface(soup)), "EMPTY_MESH");
   const std::atomic<bool> stop{true};

@@ -5,10 +5,10 @@ import type { ShownName } from '../view/field-words.js';
 import type { Look } from '../view/look.js';
 import type { UpName } from '../view/up-axis.js';
 
-/** Of an attribute without a value; false: it is not there. */
-type Flag = boolean | '';
-
-/** What the attributes can be; {@link GirthViewer} says what they do. */
+/**
+ * What the attributes can be; {@link GirthViewer} says what they do. Of those without a value `''` and `true` mean that
+ * they are there, `false` that they are not.
+ */
 export interface GirthViewerAttributes {
   /** The address of a model. */
   src?: string;
@@ -31,7 +31,7 @@ export interface GirthViewerAttributes {
   /** So many lines of equal value. */
   isolines?: number | string;
   /** Whether the colours are logarithmic. */
-  log?: Flag;
+  log?: boolean | '';
   /** Passes over loops whose saddles last no longer. */
   persistence?: number | string;
   /** Of the heat kernel signature. */
@@ -51,17 +51,17 @@ export interface GirthViewerAttributes {
   /** From where the surface is seen. */
   camera?: string;
   /** Whether the mesh's edges are drawn. */
-  edges?: Flag;
+  edges?: boolean | '';
   /** How the surface is drawn. */
   shading?: Look;
   /** Which way is up. */
   up?: UpName;
   /** Whether the next model is seen from where this one is. */
-  'keep-view'?: Flag;
+  'keep-view'?: boolean | '';
   /** What lies on the surface beside it. */
-  controls?: Flag | 'none' | 'legend' | 'full';
+  controls?: boolean | '' | 'none' | 'legend' | 'full';
   /** Whether it turns slowly until something is done. */
-  turn?: Flag;
+  turn?: boolean | '';
 }
 
 /**
