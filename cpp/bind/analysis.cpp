@@ -185,11 +185,6 @@ val maxima(const JobSurface& surface, const val& values, bool minima) {
   });
 }
 
-/// A `SurfacePoint` of types.ts.
-val surfacePointOf(const SurfacePoint& point) {
-  return point.vertex() == Vertex::none ? faceWithWeights(point) : val(Index{point.vertex()});
-}
-
 /// `WeakPlace` of types.ts.
 val placeOf(const WeakPlace& place) {
   val entry = val::object();

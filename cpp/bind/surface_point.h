@@ -38,4 +38,10 @@ inline emscripten::val faceWithWeights(const SurfacePoint& point) {
   return place;
 }
 
+/// `SurfacePoint` of types.ts: a vertex, or a face with weights.
+inline emscripten::val surfacePointOf(const SurfacePoint& point) {
+  if (point.vertex() == Vertex::none) return faceWithWeights(point);
+  return emscripten::val(Index{point.vertex()});
+}
+
 }  // namespace girth::bind

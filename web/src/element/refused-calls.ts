@@ -8,7 +8,8 @@ type Known = 'info' | 'geometry' | 'vertexOfInput' | 'vertexAreas' | 'dispose';
 /** All calls that compute, each answered by `refuse`. */
 export const refusedCalls = (refuse: () => Promise<never>): Omit<Mesh, Known> => ({
   ...{ field: refuse, loop: refuse, path: refuse, barcode: refuse, barcodes: refuse },
-  ...{ tips: refuse, limbs: refuse, parts: refuse, suggestedThresholds: refuse },
+  ...{ tips: refuse, limbs: refuse, necks: refuse, handles: refuse },
+  ...{ parts: refuse, suggestedThresholds: refuse },
   ...{ printCheck: refuse, maxima: refuse, heatMaxima: refuse, difference: refuse },
   ...{ exportField: refuse, exportFields: refuse, exportLoops: refuse, exportTips: refuse },
   ...{ exportLimbs: refuse, exportParts: refuse, exportWeakPlaces: refuse, remesh: refuse },

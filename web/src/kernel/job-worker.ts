@@ -128,6 +128,14 @@ serveRequests<JobOperations>({
     return checked(module.limbs(surfaces.get(surface), girth, stations, progressTo(report)));
   },
 
+  necks({ surface, girth, minProminence }, report) {
+    return checked(module.necks(surfaces.get(surface), girth, minProminence, progressTo(report)));
+  },
+
+  handles({ surface, basePoints }, report) {
+    return checked(module.handles(surfaces.get(surface), basePoints, progressTo(report)));
+  },
+
   thresholds({ surface, fields }) {
     return checked(module.suggestedThresholds(surfaces.get(surface), fields));
   },

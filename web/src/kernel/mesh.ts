@@ -37,6 +37,8 @@ import type {
   FieldFormat,
   FieldName,
   FieldOptions,
+  HandleOptions,
+  Handles,
   LimbOptions,
   Limbs,
   Loop,
@@ -46,6 +48,8 @@ import type {
   Maximum,
   Mesh,
   NamedField,
+  NeckOptions,
+  Necks,
   PartOptions,
   Parts,
   PartThresholds,
@@ -92,6 +96,9 @@ const wholeLimits = ({ tubeDiameter, wallThickness, gap = 0 }: PrintLimits) => (
 
 /** Stations of a limb's profile, unless more are asked for: as in `limbs.h`. */
 const limbStations = 64;
+
+/** Points of a component whose loops are compared, unless others are asked for: as in `handles.h`. */
+const handleBasePoints = 32;
 
 const whole = ({ girth, thickness, smoothing = 0 }: PartOptions) => ({
   girth,
@@ -210,6 +217,22 @@ export class MeshOfWorkers implements Mesh {
   ): Promise<Limbs> {
     const girth = this.#own(igf, 'igf');
     return this.#ask('limbs', { girth, stations }, signal, { onProgress });
+  }
+
+  async necks(
+    igf: Field,
+    { signal, onProgress, minProminence = 0 }: NeckOptions = {},
+  ): Promise<Necks> {
+    const girth = this.#own(igf, 'igf');
+    return this.#ask('necks', { girth, minProminence }, signal, { onProgress });
+  }
+
+  async handles({
+    signal,
+    onProgress,
+    basePoints = handleBasePoints,
+  }: HandleOptions = {}): Promise<Handles> {
+    return this.#ask('handles', { basePoints }, signal, { onProgress });
   }
 
   async suggestedThresholds(

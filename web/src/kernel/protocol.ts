@@ -7,6 +7,7 @@ import type {
   FieldFormat,
   FileWithPath,
   GirthErrorFields,
+  Handles,
   Limbs,
   Loop,
   LoopFormat,
@@ -14,6 +15,7 @@ import type {
   Maximum,
   MeshInfo,
   NamedField,
+  Necks,
   PartialField,
   PartOptions,
   Parts,
@@ -201,6 +203,8 @@ export interface JobOperations extends CommonOperations {
   tips: [{ surface: number; girth: Float64Array }, Tips];
   /** The limbs of all tips, with so many stations each. */
   limbs: [{ surface: number; girth: Float64Array; stations: number }, Limbs];
+  necks: [{ surface: number; girth: Float64Array; minProminence: number }, Necks];
+  handles: [{ surface: number; basePoints: number }, Handles];
   thresholds: [{ surface: number; fields: GirthAndDiameter }, PartThresholds];
   parts: [{ surface: number; fields: GirthAndDiameter; options: Required<PartOptions> }, Parts];
   /** The maxima of values, or their minima. */

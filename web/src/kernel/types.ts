@@ -365,6 +365,96 @@ export interface LimbOptions extends WatchedOptions {
   stations?: number;
 }
 
+/** A closed geodesic that is shorter than every other closed curve near it. */
+export interface ClosedLoop {
+  /** In model units. */
+  length: number;
+  /** Vertices and points of edges in order; the last one equals the first. It is straight between them. */
+  points: SurfacePoint[];
+  /** x, y, z of these points, relative to `geometry.origin`. */
+  polyline: Float32Array;
+  /** Mean of the loop's points, in model units. */
+  centre: [number, number, number];
+  /** The area that it encloses in its mean plane, in squared model units. */
+  area: number;
+}
+
+/** A side of a loop that separates its component. */
+export interface LoopSide {
+  /** In squared model units. */
+  area: number;
+  /** Enclosed by the side and a cone over the loop, in cubed model units; NaN where the side has a boundary. */
+  volume: number;
+}
+
+/** A place that is narrower than all around it (`necks.h`). */
+export interface Neck extends ClosedLoop {
+  /**
+   * How far the girth must rise on the way to a narrower neck, in model units; Infinity where none can be
+   * reached.
+   */
+  prominence: number;
+  /** Width of the band of parallel loops of the same length, in model units; 0 for a single one. */
+  width: number;
+  /** The vertices that it passes, in rising order, at least one. */
+  vertices: Uint32Array;
+  /** Unit normal of its mean plane; zero where there is none. */
+  normal: [number, number, number];
+  /** Mean distance of the loop from its centre within the plane, in model units. */
+  radius: number;
+  /** What it separates, the larger area first; one where it separates nothing; none where it cannot be cut. */
+  sides: LoopSide[];
+  /** Whether the girth is its length at all of its vertices. */
+  measuresGirth: boolean;
+  /** Whether it touches the boundary. */
+  touchesBoundary: boolean;
+}
+
+/** The necks of a surface. There may be none. */
+export interface Necks {
+  /** Most prominent first, of equal ones the shortest. */
+  necks: Neck[];
+  /** Vertices whose loops could not be followed. */
+  unresolved: number;
+}
+
+/** Which necks are wanted. */
+export interface NeckOptions extends WatchedOptions {
+  /** Those of at least this prominence, in model units, from 0 on. Default: 0. */
+  minProminence?: number;
+}
+
+/**
+ * Round the material ('handle') or round a hole ('tunnel'); 'unknown' where the component crosses itself, so
+ * that it has no inside (`handles.h`).
+ */
+export type HandleKind = 'handle' | 'tunnel' | 'unknown';
+
+/** A short loop round a handle, or through a hole. */
+export interface Handle extends ClosedLoop {
+  /** Which of the two it is. */
+  kind: HandleKind;
+  /** The number of its component. */
+  component: number;
+}
+
+/** Of a component of genus g, g handles and g tunnels. */
+export interface Handles {
+  /** The shortest first. */
+  handles: Handle[];
+  /** Those that the genus promises and that were not found. */
+  unresolved: number;
+}
+
+/** How handles are searched for. */
+export interface HandleOptions extends WatchedOptions {
+  /**
+   * Of each component, points whose loops are compared, at least 1: the more, the surer that no loop is shorter.
+   * As many as it has vertices, or more: all of them. Default: 32.
+   */
+  basePoints?: number;
+}
+
 /** What a place of a shape is; 'unknown' where the girth or the thickness has no value (`parts.h`). */
 export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
 
@@ -809,6 +899,19 @@ export interface Mesh {
    * Errors: INVALID_OPTION; LIMIT_EXCEEDED where distances take too many windows.
    */
   limbs(igf: Field, options?: LimbOptions): Promise<Limbs>;
+  /**
+   * Finds the places that are narrower than all around them (`findNecks`). `igf` is the field of that name.
+   * Errors: INVALID_OPTION.
+   *
+   * @experimental
+   */
+  necks(igf: Field, options?: NeckOptions): Promise<Necks>;
+  /**
+   * Finds short loops round the surface's handles and through its holes (`findHandles`). Errors: INVALID_OPTION.
+   *
+   * @experimental
+   */
+  handles(options?: HandleOptions): Promise<Handles>;
   /**
    * Suggests thresholds to start from; both are 0 where no vertex has both values. `igf` and `sdf` are the
    * fields of these names, here and below.

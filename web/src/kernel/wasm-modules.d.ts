@@ -139,6 +139,17 @@ declare module '*/girth.mjs' {
       stations: number,
       onProgress: OnProgress,
     ): import('./types.js').Limbs | Failed;
+    necks(
+      surface: JobSurface,
+      girth: Float64Array,
+      minProminence: number,
+      onProgress: OnProgress,
+    ): import('./types.js').Necks | Failed;
+    handles(
+      surface: JobSurface,
+      basePoints: number,
+      onProgress: OnProgress,
+    ): import('./types.js').Handles | Failed;
     suggestedThresholds(
       surface: JobSurface,
       fields: GirthAndDiameter,
