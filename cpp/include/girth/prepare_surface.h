@@ -143,7 +143,7 @@ struct PreparedSurface {
 /// Errors: EMPTY_MESH (nothing is left, and why), NON_FINITE_POSITION (vertex of the input),
 /// INDEX_OUT_OF_RANGE (triangle of the input), INVALID_OPTION (a distance that is negative or not a
 /// number, a share outside of its range), COMPONENT_OUT_OF_RANGE, LIMIT_EXCEEDED (too many faces to
-/// number; a vertex with a coordinate of more than 1e151), CANCELLED.
+/// number; a vertex with a coordinate of more than 1e300), CANCELLED.
 GIRTH_EXPORT Result<PreparedSurface> prepareSurface(TriangleSoup soup,
                                                     const PrepareOptions& options = {},
                                                     const ExecutionContext& context = {});

@@ -41,7 +41,7 @@ class GIRTH_EXPORT SurfaceMesh {
   /// INDEX_OUT_OF_RANGE (face), DEGENERATE_FACE (face: a repeated vertex, or no area),
   /// OPEN_EDGE, NON_MANIFOLD_EDGE, INCONSISTENT_ORIENTATION (a halfedge of the edge),
   /// NON_MANIFOLD_VERTEX, UNREFERENCED_VERTEX (vertex), LIMIT_EXCEEDED (too many faces to number; a
-  /// vertex with a coordinate of more than 1e151).
+  /// vertex with a coordinate of more than 1e300).
   static Result<SurfaceMesh> fromArrays(std::span<const double> positions,
                                         std::span<const Index> triangles,
                                         OpenEdges openEdges = OpenEdges::Refuse);

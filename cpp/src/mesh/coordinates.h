@@ -11,9 +11,9 @@
 
 namespace girth {
 
-/// The greatest size of a coordinate, in model units: the areas of lengths of this order are
-/// finite, those of a million faces together too.
-constexpr double kGreatestCoordinate = 1e151;
+/// The greatest size of a coordinate, in model units: lengths of this order are finite, and
+/// so are the sums of a million of them.
+constexpr double kGreatestCoordinate = 1e300;
 
 /// Names the first vertex with a coordinate that is not a finite number (NON_FINITE_POSITION), or
 /// of a size above kGreatestCoordinate (LIMIT_EXCEEDED).
@@ -27,8 +27,8 @@ inline std::optional<Error> findBadCoordinate(std::span<const double> positions)
                        name + " has a coordinate that is not a finite number");
     }
     Error error =
-        makeError(ErrorCode::LimitExceeded, vertex, name + " has a coordinate of more than 1e151");
-    error.hint = "scale the model down: areas of that size are no numbers";
+        makeError(ErrorCode::LimitExceeded, vertex, name + " has a coordinate of more than 1e300");
+    error.hint = "scale the model down: lengths of that size are no numbers";
     return error;
   }
   return std::nullopt;

@@ -66,7 +66,7 @@ TEST(SurfaceMesh, RefusesWithTheElement) {
   shape.positions[7] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(errorOf(shape).code, ErrorCode::NonFinitePosition);
   EXPECT_EQ(errorOf(shape).element, 2);
-  shape.positions[7] = -1.0001e151;  // finite, but areas of that size are not
+  shape.positions[7] = -1.0001e300;  // finite, but sums of such lengths may not be
   EXPECT_EQ(errorOf(shape).code, ErrorCode::LimitExceeded);
   EXPECT_EQ(errorOf(shape).element, 2);
 
