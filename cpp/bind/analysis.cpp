@@ -195,11 +195,7 @@ val placeOf(const WeakPlace& place) {
   entry.set("least", place.least);
   entry.set("thinnest", surfacePointOf(place.thinnest));
   if (place.kind != WeakKind::Tube) {
-    val opposite = val::array();
-    for (const double x : {place.opposite.x, place.opposite.y, place.opposite.z}) {
-      opposite.call<void>("push", x);
-    }
-    entry.set("opposite", opposite);
+    entry.set("opposite", tripleOf(place.opposite));
   }
   return entry;
 }

@@ -3,6 +3,7 @@
 #include <emscripten/bind.h>
 
 #include "boundary.h"
+#include "described.h"
 #include "girth/handles.h"
 #include "girth/necks.h"
 #include "job_surface.h"
@@ -12,13 +13,6 @@ using emscripten::val;
 
 namespace girth::bind {
 namespace {
-
-/// A JavaScript array of three numbers.
-val tripleOf(const Vec3& p) {
-  val result = val::array();
-  for (const double x : {p.x, p.y, p.z}) result.call<void>("push", x);
-  return result;
-}
 
 /// `ClosedLoop` of types.ts.
 val closedLoop(const JobSurface& surface, const std::vector<SurfacePoint>& points, double length,

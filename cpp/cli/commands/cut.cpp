@@ -122,9 +122,8 @@ int run(const Options& options) {
   if (!cut) return reportError(options.model, cut.error());
   const io::CutModel model = io::cutModel(cut.value());
   if (options.output.isWanted()) {
-    const auto content = contentFor(options.output.ending(), loaded.value(), model, options.model);
-    if (!content) return reportError(options.output.path, content.error());
-    if (auto error = writeOutput(options.output, content.value())) {
+    if (auto error = writeResult(options.output, contentFor(options.output.ending(), loaded.value(),
+                                                            model, options.model))) {
       return reportError(options.output.path, *error);
     }
   }

@@ -198,9 +198,8 @@ int run(const Options& options) {
     maxima.resize(std::min<std::size_t>(maxima.size(), options.maxima));
   }
   if (options.output.isWanted()) {
-    const auto content = contentFor(options, loaded.value(), fields.value());
-    if (!content) return reportError(options.output.path, content.error());
-    if (auto error = writeOutput(options.output, content.value())) {
+    if (auto error =
+            writeResult(options.output, contentFor(options, loaded.value(), fields.value()))) {
       return reportError(options.output.path, *error);
     }
   }

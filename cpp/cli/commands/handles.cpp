@@ -78,10 +78,8 @@ int run(const Options& options) {
               std::to_string(handles.value().unresolved) + " handles or tunnels were not found");
   }
   if (options.output.isWanted()) {
-    const auto content =
-        contentFor(options.output.ending(), loaded.value(), handles.value(), options.model);
-    if (!content) return reportError(options.output.path, content.error());
-    if (auto error = writeOutput(options.output, content.value())) {
+    if (auto error = writeResult(options.output, contentFor(options.output.ending(), loaded.value(),
+                                                            handles.value(), options.model))) {
       return reportError(options.output.path, *error);
     }
   }

@@ -324,11 +324,6 @@ int reportStopped(const std::string& model, const GirthField& field, const Parti
   return reportError(model, error);
 }
 
-std::optional<Error> writeResult(const Output& output, const Result<std::string>& content) {
-  if (!content) return content.error();
-  return writeOutput(output, content.value());
-}
-
 int runOne(const std::string& model, const Options& options) {
   Timing timing;
   const auto readingStart = Clock::now();

@@ -145,10 +145,8 @@ int run(const Options& options) {
   const auto loop = solver.loop(base.value());
   if (!loop) return reportError(options.model, loop.error());
   if (options.output.isWanted()) {
-    const auto content =
-        contentFor(extension, loaded.value(), loop.value(), options.model, persistence.value());
-    if (!content) return reportError(options.output.path, content.error());
-    if (auto error = writeOutput(options.output, content.value())) {
+    if (auto error = writeResult(options.output, contentFor(extension, loaded.value(), loop.value(),
+                                                            options.model, persistence.value()))) {
       return reportError(options.output.path, *error);
     }
   }

@@ -79,10 +79,8 @@ int run(const Options& options) {
                                  " vertices have loops that could not be followed");
   }
   if (options.output.isWanted()) {
-    const auto content =
-        contentFor(options.output.ending(), loaded.value(), necks.value(), options.model);
-    if (!content) return reportError(options.output.path, content.error());
-    if (auto error = writeOutput(options.output, content.value())) {
+    if (auto error = writeResult(options.output, contentFor(options.output.ending(), loaded.value(),
+                                                            necks.value(), options.model))) {
       return reportError(options.output.path, *error);
     }
   }

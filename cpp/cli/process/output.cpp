@@ -105,4 +105,9 @@ std::optional<Error> writeOutput(const Output& output, std::string_view content)
                    std::string("it cannot be written: ") + std::strerror(errno));
 }
 
+std::optional<Error> writeResult(const Output& output, const Result<std::string>& content) {
+  if (!content) return content.error();
+  return writeOutput(output, content.value());
+}
+
 }  // namespace girth::cli

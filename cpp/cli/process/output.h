@@ -51,4 +51,7 @@ std::string pathInFolder(const std::string& folder, const std::string& model,
 /// Writes the result. Error: FILE_UNWRITABLE.
 std::optional<Error> writeOutput(const Output& output, std::string_view content);
 
+/// Writes the result if there is one. Errors: its own; FILE_UNWRITABLE.
+std::optional<Error> writeResult(const Output& output, const Result<std::string>& content);
+
 }  // namespace girth::cli

@@ -18,6 +18,7 @@
 #include "mesh/angles.h"
 #include "mesh/nearest_point.h"
 #include "mesh/vector.h"
+#include "part_of_work.h"
 
 namespace girth {
 
@@ -45,17 +46,6 @@ std::optional<Error> checkCount(const SurfaceMesh& mesh, std::span<const double>
   if (!needed || values.size() == mesh.vertexCount()) return std::nullopt;
   return usage(std::to_string(values.size()) + " values of the " + name + " for " +
                std::to_string(mesh.vertexCount()) + " vertices");
-}
-
-/// A part of the work, as a share of all of it.
-ExecutionContext stage(const ExecutionContext& context, double from, double to) {
-  ExecutionContext part = context;
-  if (context.onProgress) {
-    part.onProgress = [&context, from, to](double fraction) {
-      context.onProgress(from + fraction * (to - from));
-    };
-  }
-  return part;
 }
 
 double orNever(double value) { return std::isnan(value) ? kNoMeasure : value; }
@@ -386,7 +376,7 @@ Result<PrintCheck> checkPrint(const SurfaceMesh& mesh, const PrintFields& fields
   std::vector<bool> isTube(mesh.vertexCount(), false);
   if (tubes) {
     TubeCheck tube{mesh, fields.girth, limits.tubeDiameter, {}};
-    if (!tube.measure(stage(context, 0, 0.4))) return check;
+    if (!tube.measure(partOf(context, 0, 0.4))) return check;
     tube.places(areas, check.places);
     for (const Vertex v : mesh.vertices()) isTube[v] = tube.fails(v);
     check.passingScale = tube.passingScale();
@@ -402,12 +392,12 @@ Result<PrintCheck> checkPrint(const SurfaceMesh& mesh, const PrintFields& fields
                    inside ? limits.wallThickness : limits.gap);
     if (inside) {
       for (const double value : fields.thickness) part.values.push_back(orNever(value));
-    } else if (!part.measureVertices(stage(context, from, from + 0.15))) {
+    } else if (!part.measureVertices(partOf(context, from, from + 0.15))) {
       return check;
     }
-    if (!part.measureFaces(stage(context, from + 0.15, from + 0.25))) return check;
+    if (!part.measureFaces(partOf(context, from + 0.15, from + 0.25))) return check;
     if (!part.places(inside ? isTube : std::vector<bool>(mesh.vertexCount(), false), areas,
-                     stage(context, from + 0.25, from + 0.3), check.places)) {
+                     partOf(context, from + 0.25, from + 0.3), check.places)) {
       return check;
     }
     if (part.least < kNoMeasure) {

@@ -16,8 +16,8 @@
 #include "girth/vertex_function.h"
 #include "loops/homology.h"
 #include "loops/loop_shape.h"
-#include "loops/part_of_work.h"
 #include "loops/taut_loop.h"
+#include "part_of_work.h"
 
 namespace girth {
 namespace {
@@ -390,8 +390,8 @@ Result<Handles> findHandles(const SurfaceMesh& mesh, const HandleOptions& option
     const Homology homology(mesh, closed, components[i]);
     HandleSearch search(mesh, unfolding, homology, components[i]);
     const ExecutionContext part =
-        loops::partOf(context, static_cast<double>(i) / static_cast<double>(components.size()),
-                      static_cast<double>(i + 1) / static_cast<double>(components.size()));
+        partOf(context, static_cast<double>(i) / static_cast<double>(components.size()),
+               static_cast<double>(i + 1) / static_cast<double>(components.size()));
     if (!search.run(options.basePoints, part)) {
       return makeError(ErrorCode::Cancelled, -1, "the search for handles was cancelled");
     }

@@ -15,10 +15,10 @@
 #include "girth/solver_factory.h"
 #include "girth/vertex_function.h"
 #include "loops/loop_shape.h"
-#include "loops/part_of_work.h"
 #include "loops/pass_search.h"
 #include "loops/taut_loop.h"
 #include "mesh/vector.h"
+#include "part_of_work.h"
 
 namespace girth {
 namespace {
@@ -244,15 +244,14 @@ Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const double> girth,
   }
   const auto unfolding = std::make_shared<const Unfolding>(mesh);
   Gathered gathered;
-  if (auto error =
-          gatherLoops(mesh, girth, unfolding, loops::partOf(context, 0, kLoopShare), gathered)) {
+  if (auto error = gatherLoops(mesh, girth, unfolding, partOf(context, 0, kLoopShare), gathered)) {
     return *error;
   }
   Necks found;
   found.unresolved = static_cast<Index>(gathered.unresolved);
   found.necks = necksOf(mesh, *unfolding, girth, gathered.loops);
-  if (auto error = findProminences(mesh, girth, unfolding, loops::partOf(context, kLoopShare, 1),
-                                   found.necks)) {
+  if (auto error =
+          findProminences(mesh, girth, unfolding, partOf(context, kLoopShare, 1), found.necks)) {
     return *error;
   }
   if (context.onProgress) context.onProgress(1);

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "girth/cut_surface.h"
-#include "loops/part_of_work.h"
 #include "mesh/vector.h"
+#include "part_of_work.h"
 
 namespace girth {
 namespace {
@@ -122,7 +122,7 @@ Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
     const double done = result.genusBefore == 0 ? 0
                                                 : 1 - static_cast<double>(result.genusAfter) /
                                                           static_cast<double>(result.genusBefore);
-    const auto found = findHandles(result.mesh, options, loops::partOf(context, done, done));
+    const auto found = findHandles(result.mesh, options, partOf(context, done, done));
     if (!found) return found.error();
     std::vector<Handle> chosen = apart(result.mesh, found.value().handles, length);
     if (chosen.empty()) break;

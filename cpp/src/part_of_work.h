@@ -3,7 +3,7 @@
 
 #include "girth/execution.h"
 
-namespace girth::loops {
+namespace girth {
 
 /// The part of a work's progress between two shares of the whole. The context must outlive it.
 inline ExecutionContext partOf(const ExecutionContext& context, double begin, double end) {
@@ -16,4 +16,4 @@ inline ExecutionContext partOf(const ExecutionContext& context, double begin, do
   return part;
 }
 
-}  // namespace girth::loops
+}  // namespace girth
