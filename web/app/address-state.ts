@@ -39,6 +39,8 @@ export interface PageState {
   /** As the element's attribute: two numbers or two percentages. */
   range?: string;
   isolines?: number;
+  /** As the element's attribute: how long saddles must last to count. */
+  persistence?: string;
   edges?: boolean;
   /** Of the colour map. */
   log?: boolean;
@@ -104,6 +106,11 @@ function readRange(text: string): string | undefined {
     return undefined;
   if (isPercent && (low < 0 || high > 100)) return undefined;
   return text;
+}
+
+/** A share of the square root of the area, or a length. */
+function readPersistence(text: string): string | undefined {
+  return /^\d[\d.]{0,12}( ?[a-zµ]{1,3}|%)?$/i.test(text) ? text : undefined;
 }
 
 function readAll<Type>(
@@ -184,6 +191,7 @@ const parts: {
   colormap: [readWord, (name) => name],
   range: [readRange, (range) => range],
   isolines: [readCount, String],
+  persistence: [readPersistence, (persistence) => persistence],
   edges: [readFlag, () => '1'],
   log: [readFlag, () => '1'],
   shading: [readWord, (look) => look],
@@ -223,6 +231,8 @@ export function resized(state: PageState, ratio: number): PageState {
     const length = state[key];
     if (length !== undefined) grown[key] = length * ratio;
   }
+  // In the model's size: shares hold for any.
+  if (state.persistence !== undefined && !state.persistence.endsWith('%')) delete grown.persistence;
   // Of a field of lengths or not, and in which unit: shares of the surface hold for any size.
   if (state.range !== undefined && !state.range.includes('%')) delete grown.range;
   return grown;

@@ -34,6 +34,7 @@ import { CategoryShares } from './category-shares.js';
 import type { ComputedFields } from './computed-fields.js';
 import { byId, setAttribute } from './dom.js';
 import { Draft } from './draft.js';
+import { PersistenceChoice } from './persistence-choice.js';
 import { RangeSliders } from './range-sliders.js';
 import { readValue } from './length-input.js';
 import { SignatureChoice } from './signature-choice.js';
@@ -94,6 +95,7 @@ export class FieldPanel {
   });
   readonly #categories = new CategoryShares();
   readonly #signature: SignatureChoice;
+  readonly #persistence: PersistenceChoice;
   readonly #log = make('input', { id: 'log', type: 'checkbox' });
   #fault = '';
   readonly #sliders = new RangeSliders({
@@ -148,6 +150,7 @@ export class FieldPanel {
       cdf: kindButton('cdf', 'Cumulative distribution'),
     };
     this.#signature = new SignatureChoice(viewer, () => page.changed());
+    this.#persistence = new PersistenceChoice(viewer, () => page.changed());
     plot.element.id = 'distribution';
     this.#rangeChoice.append(
       ...ranges.map(([value, words]) => make('option', { value }, words)),
@@ -196,6 +199,7 @@ export class FieldPanel {
       make('div', { class: 'ends' }, this.#sliders.low, this.#rangeChoice, this.#sliders.high),
       this.#caption,
       this.#signature.element,
+      this.#persistence.element,
       make(
         'div',
         { class: 'row' },
@@ -271,7 +275,7 @@ export class FieldPanel {
   read(): PageState {
     const viewer = this.#viewer;
     const { name } = this;
-    const state: PageState = this.#signature.read();
+    const state: PageState = { ...this.#signature.read(), ...this.#persistence.read() };
     if (name !== 'igf') state.field = name;
     const [colormap, range] = [viewer.getAttribute('colormap'), viewer.getAttribute('range')];
     if (colormap) state.colormap = colormap;
@@ -287,6 +291,7 @@ export class FieldPanel {
     const viewer = this.#viewer;
     const { field, colormap, range, isolines, edges } = state;
     this.#signature.apply(state);
+    this.#persistence.apply(state);
     setAttribute(viewer, 'field', isShownName(field ?? null) && field !== 'igf' ? field! : '');
     setAttribute(viewer, 'colormap', isColormapName(colormap) ? colormap : '');
     setAttribute(viewer, 'range', range ?? '');
@@ -329,6 +334,7 @@ export class FieldPanel {
     this.#fieldDraft.show(name);
     explains(this.#field, fieldTerms[name]);
     this.#signature.show(name);
+    this.#persistence.show(name);
     const isNumeric = isFieldName(name) || name === 'tips';
     const values = this.#valuesOf(name);
     const reach = extent(values);

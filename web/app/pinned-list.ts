@@ -12,6 +12,7 @@ import { type PageState, longestName } from './address-state.js';
 import { byId } from './dom.js';
 import { Draft } from './draft.js';
 import { Panel } from './panel.js';
+import { PointBarcode } from './point-barcode.js';
 import { PointDistance } from './point-distance.js';
 import { stemOf } from './save-file.js';
 import { TableActions } from './table-actions.js';
@@ -40,6 +41,7 @@ export class PinnedList {
   });
   /** By the loops' numbers: a row stays the same element for as long as its loop is pinned. */
   readonly #known = new Map<number, Row>();
+  readonly #barcode: PointBarcode;
   readonly #distance: PointDistance;
   readonly #viewer: GirthViewer;
   readonly #changed: () => void;
@@ -57,10 +59,14 @@ export class PinnedList {
       make('td'),
     );
     this.#table.append(make('thead', {}, head), this.#rows);
+    this.#barcode = new PointBarcode(viewer);
     this.#distance = new PointDistance(viewer);
-    const parts = [this.#hint, this.#table, this.#actions.element, this.#distance.element];
+    const { element: barcode } = this.#barcode;
+    const { element: distance } = this.#distance;
+    const parts = [this.#hint, this.#table, this.#actions.element, barcode, distance];
     this.panel.body.append(...parts);
     this.panel.onToggle((isOpen) => {
+      this.#barcode.refresh(isOpen);
       this.#distance.refresh(isOpen);
       changed();
     });
@@ -143,6 +149,7 @@ export class PinnedList {
     this.#hint.hidden = pinned.length > 0;
     this.#table.hidden = this.#actions.element.hidden = pinned.length === 0;
     this.panel.summary = pinned.length > 0 ? String(pinned.length) : '';
+    this.#barcode.refresh(this.panel.isOpen);
     this.#distance.refresh(this.panel.isOpen);
   }
 

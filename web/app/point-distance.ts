@@ -2,8 +2,8 @@
 
 import { type GirthViewer, formatLength, make } from '../src/element/index.js';
 import type { SurfacePath } from '../src/kernel/index.js';
-import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
+import { PointList } from './point-list.js';
 
 export class PointDistance {
   readonly element: HTMLElement;
@@ -100,48 +100,5 @@ export class PointDistance {
     const words = `${formatLength(straight, format)} straight, ${along}`;
     // Said once: a live region speaks whenever it changes.
     if (this.#words.textContent !== words) this.#words.textContent = words;
-  }
-}
-
-interface NamedPoint {
-  id: number;
-  name: string;
-}
-
-/** A list of points to choose from. */
-class PointList {
-  readonly #select: HTMLSelectElement;
-  readonly parts: HTMLElement[];
-  readonly #draft: Draft;
-  #known = '';
-  #words = '';
-
-  constructor(id: string, words: string, chosen: () => void) {
-    this.#select = make('select', { id });
-    this.parts = [make('label', { for: id }, words), this.#select];
-    this.#draft = new Draft(this.#select, { committed: () => chosen() });
-  }
-
-  get chosen(): string {
-    return this.#draft.text;
-  }
-
-  /** What is chosen stays so as long as no point has come or gone; then it is `usual`. */
-  show(points: readonly NamedPoint[], usual: number): void {
-    const words = JSON.stringify(points);
-    // The same options again would close a list that is open.
-    if (words === this.#words) return;
-    this.#words = words;
-    const ids = points.map(({ id }) => id).join();
-    const isAnother = ids !== this.#known;
-    this.#known = ids;
-    const before = this.chosen;
-    this.#select.replaceChildren(
-      ...points.map(({ id, name }) =>
-        make('option', { value: String(id) }, name ? `${id} ${name}` : String(id)),
-      ),
-    );
-    // The list itself forgets the choice with its options.
-    this.#draft.show(isAnother ? String(usual) : before);
   }
 }

@@ -1,6 +1,7 @@
 // The fields of one model: each is computed when it is first asked for, kept, and known in part meanwhile.
 
 import type {
+  Barcodes,
   Field,
   FieldName,
   Mesh,
@@ -44,6 +45,12 @@ export interface FieldsHost {
 export class Fields {
   readonly #states = new Map<FieldName, FieldState>();
   readonly #given = new Map<string, GivenField>();
+  /** The girth itself, also while one with a persistence is shown. */
+  #girth: Field | undefined;
+  /** The saddles of all vertices, where they are kept. */
+  #barcodes: Barcodes | undefined;
+  /** Set while they are computed. */
+  #keeping: { promise: Promise<void>; abort: AbortController; reach: number } | undefined;
   readonly #mesh: Mesh;
   readonly #adjacency: Adjacency;
   readonly #host: FieldsHost;
@@ -86,6 +93,7 @@ export class Fields {
 
   /** Of the fields that are being computed, the one that was asked for first. */
   get computing(): FieldName | undefined {
+    if (this.#keeping) return 'igf';
     return [...this.#states.values()].find(({ running }) => running)?.name;
   }
 
@@ -134,6 +142,19 @@ export class Fields {
     return this.#host.persistence(this.#mesh.info);
   }
 
+  /**
+   * Computes the saddles of all vertices and keeps them: from then on the girth with a persistence up to
+   * `maxPersistence`, in model units, is there at once.
+   */
+  keepBarcodes(maxPersistence: number): Promise<void> {
+    const reached = Math.max(this.#barcodes?.maxPersistence ?? 0, this.#keeping?.reach ?? 0);
+    if (!(maxPersistence > reached)) return this.#keeping?.promise ?? Promise.resolve();
+    this.#keeping?.abort.abort();
+    const abort = new AbortController();
+    this.#keeping = { promise: this.#keep(maxPersistence, abort), abort, reach: maxPersistence };
+    return this.#keeping.promise;
+  }
+
   /** Lets go of a field that is now to be another number of its signature. */
   forget(name: FieldName): void {
     const state = this.#states.get(name);
@@ -144,30 +165,18 @@ export class Fields {
 
   /** Stops every computation; what there is stays. */
   cancel(): void {
+    this.#keeping?.abort.abort();
     for (const { running } of this.#states.values()) running?.abort.abort();
   }
 
   async #run(state: FieldState, abort: AbortController): Promise<Field> {
     const { name } = state;
     const { signal } = abort;
-    const timeLeft = new TimeLeft(performance.now());
-    const spectral = this.spectralOf(name);
     const { persistence } = this;
     let failure: unknown;
     try {
-      this.#host.progressed(name, 0, undefined);
-      const field = await this.#mesh.field(name, {
-        signal,
-        persistence,
-        ...(spectral ? { spectral } : {}),
-        onProgress: (fraction) => {
-          if (signal.aborted) return;
-          this.#host.progressed(name, fraction, timeLeft.update(fraction, performance.now()));
-        },
-        onPartial: (partial) => {
-          if (!signal.aborted) this.#host.received(state, partial);
-        },
-      });
+      const field = await (this.#known(name, persistence) ?? this.#computed(state, signal));
+      if (name === 'igf' && persistence === 0) this.#girth = field;
       state.field = field;
       state.preview = undefined;
       return field;
@@ -180,5 +189,50 @@ export class Fields {
         this.#host.ended(state, failure);
       }
     }
+  }
+
+  async #keep(maxPersistence: number, abort: AbortController): Promise<void> {
+    const { signal } = abort;
+    const onProgress = this.#progressOf('igf', signal);
+    try {
+      onProgress(0);
+      this.#barcodes = await this.#mesh.barcodes({ maxPersistence, signal, onProgress });
+    } finally {
+      if (this.#keeping?.abort === abort) this.#keeping = undefined;
+    }
+  }
+
+  /** What of the girth is known without computing it again. */
+  #known(name: FieldName, persistence: number): Field | undefined {
+    if (name !== 'igf') return undefined;
+    if (persistence === 0) return this.#girth;
+    const barcodes = this.#barcodes;
+    const isKept = barcodes !== undefined && persistence <= barcodes.maxPersistence;
+    return isKept ? barcodes.girth(persistence) : undefined;
+  }
+
+  #computed(state: FieldState, signal: AbortSignal): Promise<Field> {
+    const { name } = state;
+    const spectral = this.spectralOf(name);
+    const onProgress = this.#progressOf(name, signal);
+    onProgress(0);
+    return this.#mesh.field(name, {
+      signal,
+      persistence: this.persistence,
+      ...(spectral ? { spectral } : {}),
+      onProgress,
+      onPartial: (partial) => {
+        if (!signal.aborted) this.#host.received(state, partial);
+      },
+    });
+  }
+
+  #progressOf(name: FieldName, signal: AbortSignal): (fraction: number) => void {
+    const timeLeft = new TimeLeft(performance.now());
+    return (fraction) => {
+      if (signal.aborted) return;
+      const left = fraction > 0 ? timeLeft.update(fraction, performance.now()) : undefined;
+      this.#host.progressed(name, fraction, left);
+    };
   }
 }

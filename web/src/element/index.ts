@@ -67,6 +67,7 @@ export {
   findLengthUnit,
   lengthUnits,
   readLength,
+  readLengthOrShare,
   typedUnit,
 } from '../view/length-text.js';
 export { type Look, lookNames } from '../view/look.js';

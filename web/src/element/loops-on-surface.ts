@@ -108,6 +108,8 @@ export class LoopsOnSurface {
   #besideAt = 0;
   #besideLater: ReturnType<typeof setTimeout> | undefined;
   #hover: { loop: Loop; band: LoopBand } | undefined;
+  /** Bands that are never seen: programs are deleted with the last material that uses them. */
+  readonly #compiled: LoopBand[] = [];
   /** The point whose loop is shown or asked for. */
   #hovered: SurfacePoint | undefined;
   #pointer: { x: number; y: number; isTouch: boolean } | undefined;
@@ -288,8 +290,8 @@ export class LoopsOnSurface {
     const rest = { length: 2, base: 0, polyline, angle: 0, unit: '' };
     for (const kind of ['loop', 'antipodal'] as const) {
       const band = new LoopBand({ ...rest, kind, midpoint: [1, 0, 0] }, liveStyle);
+      this.#compiled.push(band);
       await this.#stage.prepare(band.object);
-      band.dispose();
     }
   }
 
@@ -344,6 +346,7 @@ export class LoopsOnSurface {
     cancelAnimationFrame(this.#pickRequested);
     this.clear();
     for (const pin of this.#pins) this.#stage.remove(pin.band);
+    for (const band of this.#compiled) band.dispose();
     this.element.remove();
   }
 

@@ -487,6 +487,19 @@ export class ViewerCore {
     this.presented?.model.fields.cancel();
   }
 
+  /** Computes the saddles of all vertices, with progress, and keeps them. */
+  async keepBarcodes(maxPersistence: number): Promise<void> {
+    const { fields } = (await this.whole()).model;
+    try {
+      await fields.keepBarcodes(maxPersistence);
+    } finally {
+      if (this.presented?.model.fields === fields && !fields.computing) {
+        this.#status.clear();
+        this.#controls.updateTurning();
+      }
+    }
+  }
+
   // ---- loading and computing
 
   async #loadSrc(): Promise<void> {

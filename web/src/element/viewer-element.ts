@@ -1,6 +1,8 @@
 // `<girth-viewer>`: a surface, its girth as colours, and the loop under the pointer.
 
 import type {
+  Barcode,
+  BarcodeOptions,
   Field,
   FieldFormat,
   FieldName,
@@ -317,14 +319,30 @@ export class GirthViewer extends ViewerShell {
     return mesh.loop(point, { signal: life.signal, persistence: fields.persistence });
   }
 
+  /** The saddles of the distance from a point, those that `persistence` passes over too. */
+  async barcode(point: SurfacePoint, options: BarcodeOptions = {}): Promise<Barcode> {
+    const { mesh, life } = (await this.#whole()).model;
+    return mesh.barcode(point, { signal: life.signal, ...options });
+  }
+
+  /**
+   * Computes the saddles of all vertices, with progress and until `cancel`, and keeps them for as long as the
+   * model is shown: from then on another `persistence` up to `maxPersistence`, in model units, shows at once.
+   * Takes several times as long as the girth.
+   */
+  async keepBarcodes(maxPersistence: number): Promise<void> {
+    this.require();
+    await this.core!.keepBarcodes(maxPersistence);
+  }
+
   /** The shortest path between two points, and how far they are apart in space. */
   async path(from: SurfacePoint, to: SurfacePoint): Promise<SurfacePath> {
     const { mesh, life } = (await this.#whole()).model;
     return mesh.path(from, to, { signal: life.signal });
   }
 
-  /** Draws a path on the surface, with a dot at its end; without an argument none. */
-  showPath(path?: SurfacePath): void {
+  /** Draws a path on the surface, or another line, with a dot at its end; without an argument none. */
+  showPath(path?: Pick<SurfacePath, 'polyline'>): void {
     this.require().showPath(path?.polyline);
   }
 
