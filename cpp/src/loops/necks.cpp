@@ -55,6 +55,8 @@ struct Gathered {
 std::optional<Error> gatherLoops(const SurfaceMesh& mesh, std::span<const double> girth,
                                  const std::shared_ptr<const Unfolding>& unfolding,
                                  const ExecutionContext& context, Gathered& gathered) {
+  // Most loops come to where others have been before.
+  loops::TightenedBefore before;
   const auto startThread = [&]() -> std::function<bool(Vertex)> {
     auto solver = std::make_shared<GirthSolver>(SolverFactory::onUnfolding(unfolding));
     return [&, solver](Vertex vertex) {
@@ -66,10 +68,9 @@ std::optional<Error> gatherLoops(const SurfaceMesh& mesh, std::span<const double
       Tightened outcome = Tightened::GaveUp;
       if (loop.value().kind == LoopKind::Loop) {
         tight = loops::looseLoop(*unfolding, loop.value().points);
-        if (tight) outcome = loops::tighten(*unfolding, *tight);
+        if (tight) outcome = loops::tighten(*unfolding, *tight, before);
       }
       if (outcome == Tightened::Contracted) return true;
-      if (outcome == Tightened::Geodesic) *tight = loops::canonical(*unfolding, *tight);
       const std::lock_guard lock(gathered.mutex);
       if (outcome == Tightened::Geodesic) {
         gathered.loops.insert(std::move(*tight));
