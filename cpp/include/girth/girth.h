@@ -19,6 +19,7 @@
 #include "girth/handles.h"
 #include "girth/heat_kernel.h"
 #include "girth/heat_maxima.h"
+#include "girth/level_curves.h"
 #include "girth/limbs.h"
 #include "girth/necks.h"
 #include "girth/parallel.h"

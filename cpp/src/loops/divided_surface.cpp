@@ -39,10 +39,14 @@ Error atPoint(std::size_t place, const std::string& what) {
                    "point " + std::to_string(place) + " of the curve " + what);
 }
 
+/// Faces that are divided before cancelling is looked for again.
+constexpr Index kFacesBetweenLooks = 4096;
+
 class Divider {
  public:
-  Divider(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves)
-      : mesh_(mesh), curves_(curves) {
+  Divider(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+          const ExecutionContext& context)
+      : mesh_(mesh), curves_(curves), context_(context) {
     for (const Vertex v : mesh.vertices()) points_.push_back(SurfacePoint::atVertex(v));
   }
 
@@ -56,6 +60,7 @@ class Divider {
     }
     DividedSurface result;
     for (const Face f : mesh_.faces()) {
+      if (f % kFacesBetweenLooks == 0 && context_.cancelled()) return cutCancelled();
       if (auto error = divideFace(f, result)) return *std::move(error);
     }
     if (result.triangles.size() / 3 >= kNoIndex / 3) {
@@ -380,6 +385,7 @@ class Divider {
 
   const SurfaceMesh& mesh_;
   std::span<const SurfaceCurve> curves_;
+  const ExecutionContext& context_;
   std::vector<SurfacePoint> points_;
   /// Of each edge, by edgeOf: shares and numbers, in rising order.
   std::unordered_map<Index, std::vector<std::pair<double, Index>>> onEdge_;
@@ -392,8 +398,11 @@ class Divider {
 
 }  // namespace
 
-Result<DividedSurface> divided(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) {
-  return Divider(mesh, curves).run();
+Error cutCancelled() { return makeError(ErrorCode::Cancelled, -1, "cutting was cancelled"); }
+
+Result<DividedSurface> divided(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                               const ExecutionContext& context) {
+  return Divider(mesh, curves, context).run();
 }
 
 std::vector<Index> partsOf(const DividedSurface& surface) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "command.h"
-#include "hourglass.h"
+#include "known_models.h"
 
 namespace girth::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "command.h"
-#include "hourglass.h"
+#include "known_models.h"
 
 namespace girth::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "hourglass.h"
+#include "known_models.h"
 
 #include <cmath>
 #include <utility>
@@ -22,6 +22,28 @@ std::string hourglass(double shift, int before) {
       text += "f " + std::to_string(a) + " " + std::to_string(b) + " " +
               std::to_string(b + kCorners) + " " + std::to_string(a + kCorners) + "\n";
     }
+  }
+  return text;
+}
+
+std::string frame() {
+  std::string text;
+  // Bottom and top, each with its outer and its inner corners.
+  for (const char* z : {"0", "0.5"}) {
+    for (const char* corner : {"0 0", "3 0", "3 3", "0 3", "1 1", "2 1", "2 2", "1 2"}) {
+      text += std::string("v ") + corner + " " + z + "\n";
+    }
+  }
+  const auto quad = [&](int a, int b, int c, int d) {
+    for (const int v : {a, b, c, d}) text += (v == a ? "f " : " ") + std::to_string(v + 1);
+    text += "\n";
+  };
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 1) % 4;
+    quad(i, i + 4, j + 4, j);
+    quad(i + 8, j + 8, j + 12, i + 12);
+    quad(i, j, j + 8, i + 8);
+    quad(i + 4, i + 12, j + 12, j + 4);
   }
   return text;
 }
