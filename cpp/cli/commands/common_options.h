@@ -5,6 +5,7 @@
 #include <string>
 
 #include "girth/error.h"
+#include "girth/io/read_mesh.h"
 #include "girth/io/write_field.h"
 #include "model/model_options.h"
 #include "options/option_table.h"
@@ -38,5 +39,8 @@ void addPositionsOption(OptionTable& table, bool& positions);
 
 /// What the option asks of writers.
 io::Columns columnsOf(bool positions);
+
+/// The format of a surface by an output's ending: ".obj", ".ply", ".stl", ".off"; others are GLB.
+io::Format meshFormatOf(const std::string& ending);
 
 }  // namespace girth::cli

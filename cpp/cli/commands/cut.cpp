@@ -12,8 +12,13 @@
 
 #include "commands/common_options.h"
 #include "commands/table.h"
+#include "files/read_file.h"
 #include "girth/girth_solver.h"
+#include "girth/handles.h"
+#include "girth/io/read_curves.h"
 #include "girth/io/write_cut.h"
+#include "girth/io/write_mesh.h"
+#include "girth/level_curves.h"
 #include "girth/necks.h"
 #include "model/computing.h"
 #include "model/loading.h"
@@ -34,6 +39,13 @@ struct Options {
   /// From 1, as `girth necks` prints it.
   std::optional<std::int64_t> neck;
   bool allNecks{false};
+  /// From 1, as `girth handles` prints it.
+  std::optional<std::int64_t> handle;
+  bool allHandles{false};
+  /// As typed, with or without a unit: along the curves where the girth has this value.
+  std::string level;
+  /// A file with curves.
+  std::string curves;
   /// As typed, with or without a unit. Empty: 0.
   std::string minProminence;
   bool cap{false};
@@ -69,19 +81,84 @@ Result<std::vector<SurfaceCurve>> neckCurves(const Options& options, const io::L
   return curves;
 }
 
-Result<std::vector<SurfaceCurve>> curvesOf(const Options& options, const io::LoadedMesh& loaded) {
-  if (!options.vertex) return neckCurves(options, loaded);
-  const Result<Vertex> vertex = surfaceVertex(loaded, *options.vertex);
+/// The loops round handles that are cut along.
+Result<std::vector<SurfaceCurve>> handleCurves(const Options& options,
+                                               const io::LoadedMesh& loaded) {
+  auto found = [&] {
+    ProgressLine progress(options.model);
+    return findHandles(loaded.mesh, {}, watched(options.threads, progress));
+  }();
+  if (!found) return found.error();
+  const std::vector<Handle>& handles = found.value().handles;
+  std::vector<SurfaceCurve> curves;
+  if (!options.handle) {
+    for (const Handle& handle : handles) {
+      if (handle.kind == HandleKind::Handle) curves.push_back(handle.points);
+    }
+    return curves;
+  }
+  if (*options.handle < 1 || *options.handle > static_cast<std::int64_t>(handles.size())) {
+    return usageError("there is no handle " + std::to_string(*options.handle),
+                      handles.empty()
+                          ? "the model has none"
+                          : "handles and tunnels are numbered from 1 to " +
+                                std::to_string(handles.size()) + ", as girth handles lists");
+  }
+  curves.push_back(handles[static_cast<std::size_t>(*options.handle - 1)].points);
+  return curves;
+}
+
+/// The contour of the girth that is cut along.
+Result<std::vector<SurfaceCurve>> levelCurvesOf(const Options& options,
+                                                const io::LoadedMesh& loaded) {
+  double level = 0;
+  if (const auto error = readLength(options.level, loaded.unit, level)) return *error;
+  const auto girth = computeGirth(options.model, loaded.mesh, 0, options.threads);
+  if (!girth) return girth.error();
+  return levelCurves(loaded.mesh, girth.value().values, level);
+}
+
+/// The curves of a file, whose name errors have.
+Result<std::vector<SurfaceCurve>> fileCurves(const Options& options, const io::LoadedMesh& loaded) {
+  const auto bytes = io::readFile(options.curves);
+  auto curves =
+      bytes
+          ? io::readCurves(
+                {reinterpret_cast<const char*>(bytes.value().data()), bytes.value().size()}, loaded)
+          : Result<std::vector<SurfaceCurve>>(bytes.error());
+  if (curves) return curves;
+  Error error = curves.error();
+  error.file = options.curves;
+  return error;
+}
+
+Result<std::vector<SurfaceCurve>> loopCurve(std::int64_t number, const io::LoadedMesh& loaded) {
+  const Result<Vertex> vertex = surfaceVertex(loaded, number);
   if (!vertex) return vertex.error();
   auto loop = GirthSolver(loaded.mesh).loop(vertex.value());
   if (!loop) return loop.error();
   if (loop.value().kind != LoopKind::Loop) {
-    Error error = makeError(ErrorCode::InvalidOption, *options.vertex,
-                            "no loop goes round at vertex " + std::to_string(*options.vertex));
+    Error error = makeError(ErrorCode::InvalidOption, number,
+                            "no loop goes round at vertex " + std::to_string(number));
     error.hint = "choose a vertex where girth loop has the kind loop";
     return error;
   }
   return std::vector<SurfaceCurve>{std::move(loop).value().points};
+}
+
+/// How many ways to name curves were used: one is right.
+int namedOf(const Options& options) {
+  return int{options.vertex.has_value()} + int{options.neck.has_value()} + int{options.allNecks} +
+         int{options.handle.has_value()} + int{options.allHandles} + int{!options.level.empty()} +
+         int{!options.curves.empty()};
+}
+
+Result<std::vector<SurfaceCurve>> curvesOf(const Options& options, const io::LoadedMesh& loaded) {
+  if (options.vertex) return loopCurve(*options.vertex, loaded);
+  if (options.handle || options.allHandles) return handleCurves(options, loaded);
+  if (!options.level.empty()) return levelCurvesOf(options, loaded);
+  if (!options.curves.empty()) return fileCurves(options, loaded);
+  return neckCurves(options, loaded);
 }
 
 void printText(const Options& options, const io::LoadedMesh& loaded, std::size_t curves,
@@ -106,25 +183,88 @@ Result<std::string> contentFor(const std::string& ending, const io::LoadedMesh& 
   return io::cutJson(loaded, model, file);
 }
 
-int run(const Options& options) {
-  if (!options.vertex && !options.neck && !options.allNecks) {
-    return reportError("", usageError("no loop is named",
-                                      "name a vertex, a neck with --neck, or all with --necks"));
+bool hasFileForEachPart(const Output& output) { return output.path.find('*') != std::string::npos; }
+
+/// The output of one part: its number, from 1, in place of the star.
+Output outputOf(const Output& output, std::size_t part) {
+  Output one = output;
+  one.path.replace(one.path.find('*'), 1, std::to_string(part + 1));
+  return one;
+}
+
+std::optional<Error> checkOutputs(const Options& options, std::size_t parts) {
+  const std::string ending = options.output.ending();
+  const bool isSurface = ending != ".csv" && ending != ".json";
+  if (!hasFileForEachPart(options.output)) {
+    if (ending == ".stl" || ending == ".ply" || ending == ".off") {
+      return usageError("such a file has one part only",
+                        "put a star into the name for a file each, as in 'part-*" + ending + "'");
+    }
+    return checkOutput(options.output, std::span(&options.model, 1), options.json);
   }
-  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
+  if (!isSurface) {
+    return usageError("a " + ending + " file is not written for each part",
+                      "leave the star out, or write .stl, .obj, .ply, .off or .glb");
+  }
+  for (std::size_t i = 0; i < parts; ++i) {
+    if (auto error =
+            checkOutput(outputOf(options.output, i), std::span(&options.model, 1), options.json)) {
+      return error;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The failed file's name is in the error.
+std::optional<Error> writeParts(const Options& options, const io::LoadedMesh& loaded,
+                                const io::CutModel& model) {
+  if (!hasFileForEachPart(options.output)) {
+    auto error = writeResult(options.output,
+                             contentFor(options.output.ending(), loaded, model, options.model));
+    if (error) error->file = options.output.path;
+    return error;
+  }
+  // None is written before it is known that all can be.
+  if (auto error = checkOutputs(options, model.parts.size())) return error;
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const Output output = outputOf(options.output, i);
+    if (auto error = writeResult(
+            output,
+            io::meshFile(model.parts[i].mesh, meshFormatOf(output.ending()), loaded.unit))) {
+      error->file = output.path;
+      return error;
+    }
+  }
+  return std::nullopt;
+}
+
+int run(const Options& options) {
+  if (namedOf(options) != 1) {
+    return reportError("",
+                       usageError(namedOf(options) == 0 ? "no loop is named"
+                                                        : "several things to cut along are named",
+                                  "name a vertex, a neck with --neck, or all with --necks; or "
+                                  "use --handle, --handles, --at or --along"));
+  }
+  if (const auto error = checkOutputs(options, 1)) {
     return reportError(options.output.path, *error);
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
   const auto curves = curvesOf(options, loaded.value());
-  if (!curves) return reportError(options.model, curves.error());
-  const auto cut = cutSurface(loaded.value().mesh, curves.value(), {options.cap});
+  if (!curves) {
+    const std::string& file = curves.error().file;
+    return reportError(file.empty() ? options.model : file, curves.error());
+  }
+  const auto cut = [&] {
+    ProgressLine progress(options.model);
+    return cutSurface(loaded.value().mesh, curves.value(), {options.cap}, watched(1, progress));
+  }();
   if (!cut) return reportError(options.model, cut.error());
   const io::CutModel model = io::cutModel(cut.value());
   if (options.output.isWanted()) {
-    if (auto error = writeResult(options.output, contentFor(options.output.ending(), loaded.value(),
-                                                            model, options.model))) {
-      return reportError(options.output.path, *error);
+    if (auto error = writeParts(options, loaded.value(), model)) {
+      return reportError(error->file.empty() ? options.output.path : error->file, *error);
     }
   }
   if (options.json) {
@@ -140,21 +280,36 @@ Run add(OptionTable& table) {
   table.add("MODEL", options->model, "The model to read").required();
   table.add("VERTEX", options->vertex,
             "Cut along the loop at this vertex, numbered as in the file from 0");
-  table
-      .add("--neck N", options->neck, "Cut along one neck, numbered from 1 as girth necks lists it")
-      .excludes("VERTEX");
-  table.add("--necks", options->allNecks, "Cut along all necks").excludes("VERTEX");
+  table.add("--neck N", options->neck,
+            "Cut along one neck, numbered from 1 as girth necks lists it");
+  table.add("--necks", options->allNecks, "Cut along all necks");
   addLengthOption(table, "--min-prominence LENGTH", options->minProminence,
                   "Of the necks only those of at least this prominence, as in 2mm; 0 by default");
+  table.add(
+      "--handle N", options->handle,
+      "Cut along the loop of one handle or tunnel, numbered from 1 as girth handles lists it");
+  table.add("--handles", options->allHandles,
+            "Cut along the loops round all handles: the material is cut, and tunnels are opened");
+  addLengthOption(
+      table, "--at LENGTH", options->level,
+      "Cut along the contour where the girth has this value, as in 30mm, linear between "
+      "vertices");
+  table.add("--along FILE", options->curves,
+            "Cut along the loops of a .json file, as girth loop, necks, handles and bottleneck "
+            "write them");
   table.add("--cap", options->cap, "Close the rims that cutting makes");
-  addOutputOptions(table, options->output, {".glb", ".obj", ".json", ".csv"},
+  addOutputOptions(table, options->output,
+                   {".glb", ".obj", ".json", ".csv", ".stl", ".ply", ".off"},
                    "Write the parts: .glb (a node for each), .obj (an object for each), .json "
-                   "(what they measure), .csv (the part of each face)");
+                   "(what they measure), .csv (the part of each face); or a file for each, where "
+                   "the name has a star for its number: 'part-*.stl', also .obj, .ply, .off, .glb");
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth cut figure.stl --neck 1 --cap -o parts.glb",
                 "In two at its clearest neck, both closed.");
   table.example("girth cut model.glb --necks --min-prominence 5mm -o segments.csv",
                 "The parts of a body, as a label for each face.");
+  table.example("girth cut ring.stl --handle 1 --cap -o 'part-*.stl'",
+                "Along the loop of a handle, each part in a file of its own.");
   return [options] { return run(*options); };
 }
 

@@ -39,14 +39,6 @@ struct Options {
   bool json{false};
 };
 
-io::Format formatOf(const std::string& extension) {
-  if (extension == ".obj") return io::Format::Obj;
-  if (extension == ".ply") return io::Format::Ply;
-  if (extension == ".stl") return io::Format::Stl;
-  if (extension == ".off") return io::Format::Off;
-  return io::Format::Glb;
-}
-
 void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMesh& mesh,
            const std::optional<HandleRemoval>& repaired, std::optional<double> difference) {
   if (options.json) {
@@ -134,7 +126,8 @@ int run(const Options& options) {
                   {mostFaces(options), options.even ? RemeshMethod::Even : RemeshMethod::Fitting});
   if (!remeshed) return reportError(options.model, remeshed.error());
   const SurfaceMesh& mesh = remeshed.value() ? remeshed.value()->mesh : whole;
-  const auto content = io::meshFile(mesh, formatOf(options.output.ending()), loaded.value().unit);
+  const auto content =
+      io::meshFile(mesh, meshFormatOf(options.output.ending()), loaded.value().unit);
   if (!content) return reportError(options.output.path, content.error());
   if (auto error = writeOutput(options.output, content.value())) {
     return reportError(options.output.path, *error);

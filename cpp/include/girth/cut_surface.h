@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "girth/error.h"
+#include "girth/execution.h"
 #include "girth/export.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
@@ -49,10 +50,12 @@ inline constexpr double kLeastCutShare = 1e-6;
 /// O(n log n + k²) for k pieces of curves in one face. Errors: INVALID_POINT (element: the point's
 /// place in its curve) where a point is none of the surface or two neighbours lie in no common
 /// face; INVALID_OPTION where curves cross, and where one lies inside a single face (element: the
-/// face); LIMIT_EXCEEDED (too many faces to number).
+/// face); LIMIT_EXCEEDED (too many faces to number); CANCELLED. Of the context only `cancel`
+/// matters.
 GIRTH_EXPORT Result<CutSurface> cutSurface(const SurfaceMesh& mesh,
                                            std::span<const SurfaceCurve> curves,
-                                           const CutOptions& options = {});
+                                           const CutOptions& options = {},
+                                           const ExecutionContext& context = {});
 
 /// What a closed curve separates a component into.
 struct CurveSide {

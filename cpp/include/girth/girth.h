@@ -3,6 +3,7 @@
 #pragma once
 
 #include "girth/barcode.h"
+#include "girth/bottleneck.h"
 #include "girth/cut_surface.h"
 #include "girth/distribution.h"
 #include "girth/elements.h"
@@ -18,10 +19,12 @@
 #include "girth/handles.h"
 #include "girth/heat_kernel.h"
 #include "girth/heat_maxima.h"
+#include "girth/level_curves.h"
 #include "girth/limbs.h"
 #include "girth/necks.h"
 #include "girth/parallel.h"
 #include "girth/parts.h"
+#include "girth/path_profile.h"
 #include "girth/persistent_maxima.h"
 #include "girth/prepare_surface.h"
 #include "girth/print_check.h"

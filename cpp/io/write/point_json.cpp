@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "text/json_text.h"
 #include "text/number_text.h"
 
 namespace girth::io {
@@ -65,6 +66,15 @@ std::string pointsJson(const LoadedMesh& loaded, const std::vector<SurfacePoint>
     text += (i == 0 ? "\n" : ",\n") + pointJson(loaded, points[i]);
   }
   return text + "]";
+}
+
+std::string sidesJson(const std::vector<CurveSide>& sides) {
+  std::string text;
+  for (const CurveSide& side : sides) {
+    text += (text.empty() ? "" : ",") + ("{\"area\":" + formatNumber(side.area)) +
+            ",\"volume\":" + numberJson(side.volume) + "}";
+  }
+  return "[" + text + "]";
 }
 
 void appendClosedLine(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "girth/cut_surface.h"
 #include "girth/io/read_mesh.h"
 #include "girth/surface_point.h"
 
@@ -28,6 +29,9 @@ std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point);
 
 /// Points as a JSON array, one a line.
 std::string pointsJson(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points);
+
+/// `area` and `volume` of each side of a curve, as a JSON array.
+std::string sidesJson(const std::vector<CurveSide>& sides);
 
 /// Appends a closed polyline as vertices and a line element of OBJ; the last point equals the
 /// first. `count`: of the vertices that stand before it and, from now on, with it.

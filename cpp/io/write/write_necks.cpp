@@ -14,15 +14,6 @@ namespace {
 
 std::string wordOf(bool value) { return value ? "true" : "false"; }
 
-std::string sidesJson(const std::vector<CurveSide>& sides) {
-  std::string text;
-  for (const CurveSide& side : sides) {
-    text += (text.empty() ? "" : ",") + ("{\"area\":" + formatNumber(side.area)) +
-            ",\"volume\":" + numberJson(side.volume) + "}";
-  }
-  return "[" + text + "]";
-}
-
 std::string neckJson(const LoadedMesh& loaded, const Neck& neck) {
   return "{\"length\":" + formatNumber(neck.length) +
          ",\"prominence\":" + numberJson(neck.prominence) +

@@ -82,9 +82,10 @@ Result<SurfaceMesh> capped(const SurfaceMesh& mesh, const DividedSurface& divide
 }  // namespace
 
 Result<CutSurface> cutSurface(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                              const CutOptions& options) {
-  const auto divided = loops::divided(mesh, curves);
+                              const CutOptions& options, const ExecutionContext& context) {
+  const auto divided = loops::divided(mesh, curves, context);
   if (!divided) return divided.error();
+  if (context.cancelled()) return loops::cutCancelled();
   const Separated apart = separated(divided.value());
   std::vector<SurfacePoint> points;
   std::vector<double> positions;
@@ -93,7 +94,9 @@ Result<CutSurface> cutSurface(const SurfaceMesh& mesh, std::span<const SurfaceCu
     const Vec3 place = positionOf(mesh, points.back());
     positions.insert(positions.end(), {place.x, place.y, place.z});
   }
+  if (context.cancelled()) return loops::cutCancelled();
   auto cut = SurfaceMesh::fromArrays(positions, apart.corners, OpenEdges::Boundary);
+  if (context.cancelled()) return loops::cutCancelled();
   if (cut && options.cap) cut = capped(cut.value(), divided.value(), positions, apart.corners);
   if (!cut) return cut.error();
   std::vector<Face> faces = divided.value().faces;

@@ -9,6 +9,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "loops/faces_of_points.h"
 #include "mesh/face_shape.h"
 #include "mesh/sides.h"
 #include "mesh/vector.h"
@@ -16,7 +17,6 @@
 namespace girth::loops {
 namespace {
 
-using Weights = std::array<double, 3>;
 using Chain = std::vector<Index>;
 
 std::uint64_t pairKey(Index a, Index b) {
@@ -39,23 +39,14 @@ Error atPoint(std::size_t place, const std::string& what) {
                    "point " + std::to_string(place) + " of the curve " + what);
 }
 
-bool isPointOf(const SurfaceMesh& mesh, const SurfacePoint& point) {
-  const Index count = point.kind == SurfacePoint::Kind::AtVertex ? mesh.vertexCount()
-                      : point.kind == SurfacePoint::Kind::OnEdge ? mesh.halfedgeCount()
-                                                                 : mesh.faceCount();
-  if (point.element >= count) return false;
-  double sum = 0;
-  for (const double weight : point.weights) {
-    if (!(weight >= 0) || !(weight <= 1)) return false;
-    sum += weight;
-  }
-  return std::fabs(sum - 1) < 1e-6;
-}
+/// Faces that are divided before cancelling is looked for again.
+constexpr Index kFacesBetweenLooks = 4096;
 
 class Divider {
  public:
-  Divider(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves)
-      : mesh_(mesh), curves_(curves) {
+  Divider(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+          const ExecutionContext& context)
+      : mesh_(mesh), curves_(curves), context_(context) {
     for (const Vertex v : mesh.vertices()) points_.push_back(SurfacePoint::atVertex(v));
   }
 
@@ -69,6 +60,7 @@ class Divider {
     }
     DividedSurface result;
     for (const Face f : mesh_.faces()) {
+      if (f % kFacesBetweenLooks == 0 && context_.cancelled()) return cutCancelled();
       if (auto error = divideFace(f, result)) return *std::move(error);
     }
     if (result.triangles.size() / 3 >= kNoIndex / 3) {
@@ -80,11 +72,7 @@ class Divider {
   }
 
  private:
-  /// An edge by the lower of its halfedges.
-  Halfedge edgeOf(Halfedge h) const {
-    const Halfedge twin = mesh_.twin(h);
-    return twin == Halfedge::none ? h : std::min(h, twin);
-  }
+  Halfedge edgeOf(Halfedge h) const { return loops::edgeOf(mesh_, h); }
   /// Share along edgeOf(h).
   double shareOf(const SurfacePoint& point) const {
     const Halfedge h = point.halfedge();
@@ -164,73 +152,6 @@ class Divider {
     return known.back();
   }
 
-  /// Barycentric coordinates of a point in a face; nothing where it does not lie there.
-  std::optional<Weights> weightsIn(Face face, const SurfacePoint& point) const {
-    Weights weights{};
-    for (Index k = 0; k < 3; ++k) {
-      const Halfedge side = SurfaceMesh::side(face, k);
-      switch (point.kind) {
-        case SurfacePoint::Kind::AtVertex:
-          if (mesh_.from(side) != point.vertex()) continue;
-          weights[k] = 1;
-          return weights;
-        case SurfacePoint::Kind::OnEdge:
-          if (edgeOf(side) != edgeOf(point.halfedge())) continue;
-          weights[k] = side == point.halfedge() ? point.weights[0] : point.weights[1];
-          weights[(k + 1) % 3] = side == point.halfedge() ? point.weights[1] : point.weights[0];
-          return weights;
-        case SurfacePoint::Kind::InFace:
-          if (face != point.face()) return std::nullopt;
-          return point.weights;
-      }
-    }
-    return std::nullopt;
-  }
-
-  /// The faces that a point lies in, two at most but at vertices.
-  template <class Visit>
-  void forEachFaceAt(const SurfacePoint& point, Visit visit) const {
-    if (point.kind == SurfacePoint::Kind::InFace) {
-      visit(point.face());
-    } else if (point.kind == SurfacePoint::Kind::OnEdge) {
-      visit(SurfaceMesh::faceOf(point.halfedge()));
-      const Halfedge twin = mesh_.twin(point.halfedge());
-      if (twin != Halfedge::none) visit(SurfaceMesh::faceOf(twin));
-    } else {
-      const Halfedge start = mesh_.outgoing(point.vertex());
-      for (Halfedge h = start;;) {
-        visit(SurfaceMesh::faceOf(h));
-        h = mesh_.twin(SurfaceMesh::previous(h));
-        if (h == Halfedge::none || h == start) return;
-      }
-    }
-  }
-
-  /// The face that two points have in common, and whether both lie on one of its sides.
-  struct Common {
-    Face face;
-    bool isAlongSide{false};
-  };
-  std::optional<Common> commonFace(const SurfacePoint& a, const SurfacePoint& b) const {
-    std::optional<Common> common;
-    const auto visit = [&](Face face) {
-      const auto at = weightsIn(face, a), to = weightsIn(face, b);
-      if (common || !at || !to) return;
-      bool isAlongSide = false;
-      for (std::size_t k = 0; k < 3; ++k) {
-        isAlongSide = isAlongSide || ((*at)[k] == 0 && (*to)[k] == 0);
-      }
-      common = Common{face, isAlongSide};
-    };
-    // From the point that lies in fewer faces.
-    if (a.kind == SurfacePoint::Kind::AtVertex) {
-      forEachFaceAt(b, visit);
-    } else {
-      forEachFaceAt(a, visit);
-    }
-    return common;
-  }
-
   /// The parts of an edge between two of its points become cuts.
   void cutAlongSide(Face face, Index a, Index b) {
     const auto nodes = rimOf(face);
@@ -287,7 +208,7 @@ class Divider {
     Face within = Face::none;
     for (std::size_t k = 1; k < size + (isClosed ? 1 : 0); ++k) {
       const std::size_t i = (first + k) % size, before = (first + k - 1) % size;
-      const auto common = commonFace(points[before], points[i]);
+      const auto common = commonFace(mesh_, points[before], points[i]);
       if (!common || (within != Face::none && common->face != within)) {
         return atPoint(places[i], "lies in no face of the point before");
       }
@@ -361,7 +282,7 @@ class Divider {
   }
 
   Weights weightsOf(Face face, Index number) const {
-    return weightsIn(face, points_[number]).value_or(Weights{});
+    return weightsIn(mesh_, face, points_[number]).value_or(Weights{});
   }
 
   /// Divides the polygon that a chain leads through. False where there is none.
@@ -464,6 +385,7 @@ class Divider {
 
   const SurfaceMesh& mesh_;
   std::span<const SurfaceCurve> curves_;
+  const ExecutionContext& context_;
   std::vector<SurfacePoint> points_;
   /// Of each edge, by edgeOf: shares and numbers, in rising order.
   std::unordered_map<Index, std::vector<std::pair<double, Index>>> onEdge_;
@@ -476,8 +398,11 @@ class Divider {
 
 }  // namespace
 
-Result<DividedSurface> divided(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) {
-  return Divider(mesh, curves).run();
+Error cutCancelled() { return makeError(ErrorCode::Cancelled, -1, "cutting was cancelled"); }
+
+Result<DividedSurface> divided(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                               const ExecutionContext& context) {
+  return Divider(mesh, curves, context).run();
 }
 
 std::vector<Index> partsOf(const DividedSurface& surface) {

@@ -20,8 +20,12 @@ struct DividedSurface {
   std::vector<bool> isCut;  ///< for each halfedge: a curve runs along it
 };
 
+/// What is returned where cutting is cancelled.
+Error cutCancelled();
+
 /// Errors: those of cutSurface.
-Result<DividedSurface> divided(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves);
+Result<DividedSurface> divided(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                               const ExecutionContext& context = {});
 
 /// For each triangle the number of its part: triangles are of one part where a way leads from one
 /// to the other over no cut. Parts are numbered by their first triangles.

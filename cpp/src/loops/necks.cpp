@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "girth/girth_solver.h"
-#include "girth/parallel.h"
 #include "girth/solver_factory.h"
 #include "girth/vertex_function.h"
+#include "loops/girth_at.h"
 #include "loops/loop_shape.h"
 #include "loops/pass_search.h"
 #include "loops/taut_loop.h"
@@ -55,6 +55,8 @@ struct Gathered {
 std::optional<Error> gatherLoops(const SurfaceMesh& mesh, std::span<const double> girth,
                                  const std::shared_ptr<const Unfolding>& unfolding,
                                  const ExecutionContext& context, Gathered& gathered) {
+  // Most loops come to where others have been before.
+  loops::TightenedBefore before;
   const auto startThread = [&]() -> std::function<bool(Vertex)> {
     auto solver = std::make_shared<GirthSolver>(SolverFactory::onUnfolding(unfolding));
     return [&, solver](Vertex vertex) {
@@ -66,10 +68,9 @@ std::optional<Error> gatherLoops(const SurfaceMesh& mesh, std::span<const double
       Tightened outcome = Tightened::GaveUp;
       if (loop.value().kind == LoopKind::Loop) {
         tight = loops::looseLoop(*unfolding, loop.value().points);
-        if (tight) outcome = loops::tighten(*unfolding, *tight);
+        if (tight) outcome = loops::tighten(*unfolding, *tight, before);
       }
       if (outcome == Tightened::Contracted) return true;
-      if (outcome == Tightened::Geodesic) *tight = loops::canonical(*unfolding, *tight);
       const std::lock_guard lock(gathered.mutex);
       if (outcome == Tightened::Geodesic) {
         gathered.loops.insert(std::move(*tight));
@@ -161,54 +162,13 @@ std::vector<Neck> necksOf(const SurfaceMesh& mesh, const Unfolding& unfolding,
   return necks;
 }
 
-/// The girth at points, on all threads.
-class GirthAt {
- public:
-  GirthAt(std::shared_ptr<const Unfolding> unfolding, const ExecutionContext& context)
-      : unfolding_(std::move(unfolding)), context_{context.threads, context.cancel, {}} {}
-
-  /// Error: CANCELLED.
-  Result<std::vector<double>> values(std::span<const SurfacePoint> points) {
-    std::vector<double> values(points.size());
-    const bool isDone =
-        parallelFor(points.size(), 1, context_, [&](std::size_t begin, std::size_t) {
-          std::unique_ptr<GirthSolver> solver = taken();
-          const auto value = solver->value(points[begin], context_.ofOneThread());
-          // Cancelled: the points are of the surface.
-          values[begin] = value ? value.value().length : std::nan("");
-          const std::lock_guard lock(mutex_);
-          idle_.push_back(std::move(solver));
-        });
-    if (!isDone || context_.cancelled()) {
-      return makeError(ErrorCode::Cancelled, -1, "the search for necks was cancelled");
-    }
-    return values;
-  }
-
- private:
-  std::unique_ptr<GirthSolver> taken() {
-    const std::lock_guard lock(mutex_);
-    if (idle_.empty()) {
-      return std::make_unique<GirthSolver>(SolverFactory::onUnfolding(unfolding_));
-    }
-    std::unique_ptr<GirthSolver> solver = std::move(idle_.back());
-    idle_.pop_back();
-    return solver;
-  }
-
-  std::shared_ptr<const Unfolding> unfolding_;
-  ExecutionContext context_;
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<GirthSolver>> idle_;
-};
-
 /// Prominences, of necks in rising order of their lengths.
 std::optional<Error> findProminences(const SurfaceMesh& mesh, std::span<const double> girth,
                                      const std::shared_ptr<const Unfolding>& unfolding,
                                      const ExecutionContext& context, std::vector<Neck>& necks) {
-  GirthAt girthAt(unfolding, context);
+  loops::GirthAt girthAt(unfolding, context);
   loops::PassSearch search(
-      mesh, girth, [&](std::span<const SurfacePoint> points) { return girthAt.values(points); });
+      mesh, girth, [&](std::span<const SurfacePoint> points) { return girthAt.lengths(points); });
   std::vector<bool> isNarrower(mesh.vertexCount(), false);
   std::vector<bool> hasNeck(mesh.componentCount(), false);
   for (std::size_t i = 0; i < necks.size(); ++i) {

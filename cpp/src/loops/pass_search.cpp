@@ -6,6 +6,7 @@
 #include <queue>
 #include <utility>
 
+#include "loops/faces_of_points.h"
 #include "mesh/vector.h"
 
 namespace girth::loops {
@@ -16,26 +17,28 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Searches of a way before what is known is taken.
 constexpr int kMostRounds = 5000;
 
-/// A point of a face by the weights of its corners: on an edge where one of them is 0.
-SurfacePoint pointOf(Index face, const std::array<double, 3>& weights) {
-  for (Index k = 0; k < 3; ++k) {
-    if (weights[k] != 0) continue;
-    return SurfacePoint::onHalfedge(SurfaceMesh::side(Face(face), (k + 1) % 3),
-                                    weights[(k + 2) % 3]);
-  }
-  return SurfacePoint::inFace(Face(face), weights);
+/// Nearer to a side of a cell than this share of the cell: on it.
+constexpr double kOnSide = 1e-9;
+
+double determinant(const Weights& a, const Weights& b, const Weights& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
 }  // namespace
 
 PassSearch::PassSearch(const SurfaceMesh& mesh, std::span<const double> girth, Girth girthAt)
-    : values_(girth.begin(), girth.end()),
+    : mesh_(mesh),
+      values_(girth.begin(), girth.end()),
       neighbours_(mesh.vertexCount()),
       coarsest_(mesh.meanEdgeLength()),
       girthAt_(std::move(girthAt)),
       reached_(mesh.vertexCount(), kInfinity),
       before_(mesh.vertexCount(), kNoIndex) {
-  for (const Vertex v : mesh.vertices()) places_.push_back(mesh.position(v));
+  for (const Vertex v : mesh.vertices()) {
+    places_.push_back(mesh.position(v));
+    points_.push_back(SurfacePoint::atVertex(v));
+  }
   cellsAt_.reserve(mesh.edgeCount());
   for (const Face f : mesh.faces()) {
     const auto corners = mesh.faceVertices(f);
@@ -71,13 +74,16 @@ void PassSearch::removeCell(Index cell) {
     auto& sides = cellsAt_.at(segment(cells_[cell].nodes[k], cells_[cell].nodes[(k + 1) % 3]));
     std::replace(sides.begin(), sides.end(), cell, kNoIndex);
   }
+  cells_[cell].face = kNoIndex;
 }
 
-std::array<double, 3> PassSearch::middleIn(const Cell& cell, Index a, Index b) {
+std::array<double, 3> PassSearch::weightsBetween(const Cell& cell, Index a, Index b, double share) {
   std::array<double, 3> weights{};
   for (std::size_t k = 0; k < 3; ++k) {
     if (cell.nodes[k] != a && cell.nodes[k] != b) continue;
-    for (std::size_t j = 0; j < 3; ++j) weights[j] += cell.weights[k][j] / 2;
+    for (std::size_t j = 0; j < 3; ++j) {
+      weights[j] += (cell.nodes[k] == a ? 1 - share : share) * cell.weights[k][j];
+    }
   }
   return weights;
 }
@@ -85,38 +91,91 @@ std::array<double, 3> PassSearch::middleIn(const Cell& cell, Index a, Index b) {
 SurfacePoint PassSearch::middleOf(Index a, Index b) const {
   const auto& sides = cellsAt_.at(segment(a, b));
   const Cell& cell = cells_[sides[0] != kNoIndex ? sides[0] : sides[1]];
-  return pointOf(cell.face, middleIn(cell, a, b));
+  return pointIn(Face(cell.face), weightsBetween(cell, a, b, 0.5));
 }
 
-void PassSearch::halve(Index a, Index b, double value) {
+Index PassSearch::addNode(const SurfacePoint& point, const Vec3& place, double value) {
+  places_.push_back(place);
+  points_.push_back(point);
+  values_.push_back(value);
+  neighbours_.emplace_back();
+  reached_.push_back(kInfinity);
+  before_.push_back(kNoIndex);
+  return static_cast<Index>(places_.size() - 1);
+}
+
+void PassSearch::divide(Index a, Index b, double share, double value) {
   const auto sides = cellsAt_.at(segment(a, b));
-  const auto middle = static_cast<Index>(places_.size());
-  std::vector<Cell> halves;
+  const auto node = static_cast<Index>(places_.size());
+  std::vector<Cell> pieces;
   for (const Index number : sides) {
     if (number == kNoIndex) continue;
     const Cell& cell = cells_[number];
-    const std::array<double, 3> weights = middleIn(cell, a, b);
+    const std::array<double, 3> weights = weightsBetween(cell, a, b, share);
     for (std::size_t k = 0; k < 3; ++k) {
       if (cell.nodes[k] != a && cell.nodes[k] != b) continue;
-      halves.push_back(cell);
-      halves.back().nodes[k] = middle;
-      halves.back().weights[k] = weights;
+      pieces.push_back(cell);
+      pieces.back().nodes[k] = node;
+      pieces.back().weights[k] = weights;
     }
     removeCell(number);
   }
   cellsAt_.erase(segment(a, b));
   std::erase(neighbours_[a], b);
   std::erase(neighbours_[b], a);
-  places_.push_back(0.5 * (places_[a] + places_[b]));
-  values_.push_back(value);
-  neighbours_.emplace_back();
-  reached_.push_back(kInfinity);
-  before_.push_back(kNoIndex);
-  for (const Cell& half : halves) addCell(half);
+  const Cell& piece = pieces.front();
+  const auto corner = static_cast<std::size_t>(
+      std::find(piece.nodes.begin(), piece.nodes.end(), node) - piece.nodes.begin());
+  addNode(pointIn(Face(piece.face), piece.weights[corner]),
+          (1 - share) * places_[a] + share * places_[b], value);
+  for (const Cell& one : pieces) addCell(one);
 }
 
-PassSearch::Way PassSearch::lowestWay(std::span<const Vertex> starts,
-                                      const std::vector<bool>& isEnd, double level) {
+Index PassSearch::insert(const SurfacePoint& point, double value) {
+  if (point.kind == SurfacePoint::Kind::AtVertex) return point.element;
+  const Face face = faceAt(mesh_, point);
+  const Weights weights = weightsIn(mesh_, face, point).value_or(Weights{});
+  // The cell of the face that it lies in, or lies outside of least.
+  Index best = kNoIndex;
+  Weights shares{};
+  for (Index c = 0; c < cells_.size(); ++c) {
+    const Cell& cell = cells_[c];
+    if (cell.face != face) continue;
+    const auto& [a, b, d] = cell.weights;
+    const double whole = determinant(a, b, d);
+    const Weights own{determinant(weights, b, d) / whole, determinant(a, weights, d) / whole,
+                      determinant(a, b, weights) / whole};
+    if (best == kNoIndex || *std::min_element(own.begin(), own.end()) >
+                                *std::min_element(shares.begin(), shares.end())) {
+      best = c;
+      shares = own;
+    }
+  }
+  const Cell cell = cells_[best];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (shares[k] >= 1 - kOnSide) return cell.nodes[k];
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (shares[k] > kOnSide) continue;
+    const double share = shares[(k + 2) % 3] / (shares[(k + 1) % 3] + shares[(k + 2) % 3]);
+    divide(cell.nodes[(k + 1) % 3], cell.nodes[(k + 2) % 3], share, value);
+    return static_cast<Index>(places_.size() - 1);
+  }
+  Vec3 place;
+  for (std::size_t k = 0; k < 3; ++k) place = place + shares[k] * places_[cell.nodes[k]];
+  const Index node = addNode(point, place, value);
+  removeCell(best);
+  for (std::size_t k = 0; k < 3; ++k) {
+    Cell piece = cell;
+    piece.nodes[k] = node;
+    piece.weights[k] = weights;
+    addCell(piece);
+  }
+  return node;
+}
+
+PassSearch::Way PassSearch::lowestWay(std::span<const Index> starts, const std::vector<bool>& isEnd,
+                                      double level) {
   for (const Index node : touched_) reached_[node] = kInfinity;
   touched_.clear();
   using Entry = std::pair<double, Index>;
@@ -128,7 +187,7 @@ PassSearch::Way PassSearch::lowestWay(std::span<const Vertex> starts,
     before_[node] = from;
     queue.emplace(height, node);
   };
-  for (const Vertex v : starts) reach(v, level, kNoIndex);
+  for (const Index node : starts) reach(node, level, kNoIndex);
   while (!queue.empty()) {
     const auto [height, node] = queue.top();
     queue.pop();
@@ -148,15 +207,38 @@ PassSearch::Way PassSearch::lowestWay(std::span<const Vertex> starts,
 
 Result<double> PassSearch::height(std::span<const Vertex> starts, const std::vector<bool>& isEnd,
                                   double level, double finest) {
+  const std::vector<Index> nodes(starts.begin(), starts.end());
+  const auto way = refinedWay(nodes, isEnd, level, finest);
+  if (!way) return way.error();
+  return way.value().height;
+}
+
+Result<PassSearch::Path> PassSearch::between(Index from, Index to, double finest) {
+  std::vector<bool> isEnd(places_.size(), false);
+  isEnd[to] = true;
+  const auto way =
+      refinedWay(std::span(&from, 1), isEnd, std::max(values_[from], values_[to]), finest);
+  if (!way) return way.error();
+  Path path{way.value().height, {}, {}};
+  for (auto node = way.value().nodes.rbegin(); node != way.value().nodes.rend(); ++node) {
+    path.points.push_back(points_[*node]);
+    path.values.push_back(values_[*node]);
+  }
+  return path;
+}
+
+Result<PassSearch::Way> PassSearch::refinedWay(std::span<const Index> starts,
+                                               const std::vector<bool>& isEnd, double level,
+                                               double finest) {
   // From coarse to fine, so that only what can still be the lowest way is refined further.
   double step = finest;
   while (step < coarsest_) step *= 2;
   for (int round = 0; round < kMostRounds;) {
     const Way way = lowestWay(starts, isEnd, level);
-    if (way.nodes.empty()) return way.height;
+    if (way.nodes.empty()) return way;
     const std::vector<std::pair<Index, Index>> coarse = coarseOn(way, step);
     if (coarse.empty()) {
-      if (step <= finest) return way.height;
+      if (step <= finest) return way;
       step /= 2;
       continue;
     }
@@ -166,10 +248,10 @@ Result<double> PassSearch::height(std::span<const Vertex> starts, const std::vec
     const auto values = girthAt_(middles);
     if (!values) return values.error();
     for (std::size_t i = 0; i < coarse.size(); ++i) {
-      halve(coarse[i].first, coarse[i].second, values.value()[i]);
+      divide(coarse[i].first, coarse[i].second, 0.5, values.value()[i]);
     }
   }
-  return lowestWay(starts, isEnd, level).height;
+  return lowestWay(starts, isEnd, level);
 }
 
 std::vector<std::pair<Index, Index>> PassSearch::coarseOn(const Way& way, double step) const {

@@ -128,7 +128,7 @@ Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
     if (chosen.empty()) break;
     std::vector<SurfaceCurve> curves;
     for (const Handle& handle : chosen) curves.push_back(handle.points);
-    const auto cut = cutSurface(result.mesh, curves, {true});
+    const auto cut = cutSurface(result.mesh, curves, {true}, {1, context.cancel, {}});
     if (!cut) return cut.error();
     Result<SurfaceMesh> closed = makeError(ErrorCode::Internal, -1, "no rim was drawn back");
     for (const double share : kDrawnBack) {

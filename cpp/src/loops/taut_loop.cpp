@@ -397,25 +397,61 @@ class Tightening {
   }
 
   Tightened run() {
-    const std::size_t steps = 1000 + 100 * sizeOf(loop_);
+    const std::size_t steps = mostSteps();
     for (std::size_t step = 0; step < steps; ++step) {
       if (isPoint(loop_)) return Tightened::Contracted;
-      // The sharpest turn is passed on its inside.
-      std::size_t sharpest = passages_.size();
-      double least = kPi - kStraight;
-      for (std::size_t i = 0; i < passages_.size(); ++i) {
-        const double angle = std::min(passages_[i].left, passages_[i].right);
-        if (angle >= least) continue;
-        least = angle;
-        sharpest = i;
+      if (!passSharpest()) return Tightened::Geodesic;
+    }
+    return Tightened::GaveUp;
+  }
+
+  /// In canonical form before each step, so that the next one depends on the curve alone.
+  Tightened run(TightenedBefore& before) {
+    const std::size_t steps = mostSteps();
+    std::vector<TightenedBefore::Key> way;
+    while (way.size() < steps) {
+      if (isPoint(loop_)) {
+        before.add(way, {Tightened::Contracted, nullptr, 0});
+        return Tightened::Contracted;
       }
-      if (sharpest == passages_.size()) return Tightened::Geodesic;
-      pass(sharpest);
+      TautLoop turned = canonical(unfolding_, loop_);
+      if (turned != loop_) {
+        loop_ = std::move(turned);
+        measure();
+      }
+      way.push_back(TightenedBefore::keyOf(loop_));
+      if (const auto known = before.find(way.back())) {
+        way.pop_back();
+        if (way.size() + known->steps >= steps) return Tightened::GaveUp;
+        if (known->loop) loop_ = *known->loop;
+        before.add(way, *known);
+        return known->kind;
+      }
+      if (passSharpest()) continue;
+      before.add(way, {Tightened::Geodesic, std::make_shared<const TautLoop>(loop_), 0});
+      return Tightened::Geodesic;
     }
     return Tightened::GaveUp;
   }
 
  private:
+  std::size_t mostSteps() const { return 1000 + 100 * sizeOf(loop_); }
+
+  /// Passes the sharpest turn on its inside. False where there is none.
+  bool passSharpest() {
+    std::size_t sharpest = passages_.size();
+    double least = kPi - kStraight;
+    for (std::size_t i = 0; i < passages_.size(); ++i) {
+      const double angle = std::min(passages_[i].left, passages_[i].right);
+      if (angle >= least) continue;
+      least = angle;
+      sharpest = i;
+    }
+    if (sharpest == passages_.size()) return false;
+    pass(sharpest);
+    return true;
+  }
+
   void measure() {
     passages_.clear();
     if (isPoint(loop_)) return;
@@ -468,13 +504,57 @@ class Tightening {
   std::vector<Passage> passages_;
 };
 
-}  // namespace
-
-Tightened tighten(const Unfolding& unfolding, TautLoop& loop) {
+/// The first step: the shortest curve in the strips of a loose one.
+void pullTight(const Unfolding& unfolding, TautLoop& loop) {
   for (Run& run : loop.runs) cancelReturns(unfolding, run, loop.vertices.empty());
   loop = pulled(unfolding, std::move(loop));
   dropPauses(loop);
+}
+
+}  // namespace
+
+TightenedBefore::Key TightenedBefore::keyOf(const TautLoop& canonical) {
+  Key key{0x9E3779B97F4A7C15u, 0xD1B54A32D192ED03u};
+  const auto mixed = [](std::uint64_t value) {  // splitmix64
+    value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9u;
+    value = (value ^ (value >> 27)) * 0x94D049BB133111EBu;
+    return value ^ (value >> 31);
+  };
+  const auto add = [&](std::uint64_t value) {
+    key.high = mixed(key.high + value);
+    key.low = mixed((key.low ^ key.high) + value);
+  };
+  for (std::size_t i = 0; i < canonical.vertices.size(); ++i) {
+    // Vertices and halfedges are told apart.
+    add(std::uint64_t{canonical.vertices[i]} << 32);
+    for (const Index halfedge : canonical.runs[i]) add(halfedge);
+  }
+  return key;
+}
+
+std::optional<TightenedBefore::Outcome> TightenedBefore::find(const Key& key) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = outcomes_.find(key);
+  if (found == outcomes_.end()) return std::nullopt;
+  return found->second;
+}
+
+void TightenedBefore::add(const std::vector<Key>& way, Outcome end) {
+  const std::lock_guard lock(mutex_);
+  for (std::size_t i = way.size(); i-- > 0;) {
+    ++end.steps;
+    outcomes_.try_emplace(way[i], end);
+  }
+}
+
+Tightened tighten(const Unfolding& unfolding, TautLoop& loop) {
+  pullTight(unfolding, loop);
   return Tightening(unfolding, loop).run();
+}
+
+Tightened tighten(const Unfolding& unfolding, TautLoop& loop, TightenedBefore& before) {
+  pullTight(unfolding, loop);
+  return Tightening(unfolding, loop).run(before);
 }
 
 TautLoop canonical(const Unfolding& unfolding, const TautLoop& loop) {

@@ -3,9 +3,13 @@
 // within finite steps"), and the bands of parallel geodesics around it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "girth/surface_point.h"
@@ -34,9 +38,41 @@ struct TautLoop {
 /// in one face. Nothing where they are not.
 std::optional<TautLoop> looseLoop(const Unfolding& unfolding, std::span<const SurfacePoint> points);
 
+/// What has become of curves, by how they ran on the way: one that comes to where another has been
+/// ends as that one did. May be used by several threads at once; what it gives depends on the curve
+/// alone, and not on what it was asked before. 48 bytes for each step that was made.
+class TightenedBefore {
+ public:
+  /// 128 bits that stand for a loop in its canonical form.
+  struct Key {
+    std::uint64_t high{0}, low{0};
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  static Key keyOf(const TautLoop& canonical);
+
+  struct Outcome {
+    Tightened kind{Tightened::Contracted};
+    std::shared_ptr<const TautLoop> loop;  ///< of a geodesic
+    std::uint32_t steps{0};                ///< that lead to it
+  };
+  std::optional<Outcome> find(const Key& key) const;
+  /// `way`: what a loop was on the way, in order.
+  void add(const std::vector<Key>& way, Outcome end);
+
+ private:
+  struct Hash {
+    std::size_t operator()(const Key& key) const { return key.low; }
+  };
+  mutable std::mutex mutex_;
+  std::unordered_map<Key, Outcome, Hash> outcomes_;
+};
+
 /// Draws a curve tight, vertex by vertex; every step makes it shorter. Each step is linear in the
 /// strip that it changes.
 Tightened tighten(const Unfolding& unfolding, TautLoop& loop);
+
+/// The same, with what is known from other curves. The loop is canonical then.
+Tightened tighten(const Unfolding& unfolding, TautLoop& loop, TightenedBefore& before);
 
 /// The same loop, whatever vertex it is begun at and whichever way it runs.
 TautLoop canonical(const Unfolding& unfolding, const TautLoop& loop);

@@ -3,34 +3,12 @@
 #include <string>
 
 #include "command.h"
+#include "known_models.h"
 
 namespace girth::test {
 namespace {
 
 using Json = nlohmann::json;
-
-/// A square of 3 × 3, 1/2 thick, with a hole of 1 × 1 in its middle.
-std::string frame() {
-  std::string text;
-  // Bottom and top, each with its outer and its inner corners.
-  for (const char* z : {"0", "0.5"}) {
-    for (const char* corner : {"0 0", "3 0", "3 3", "0 3", "1 1", "2 1", "2 2", "1 2"}) {
-      text += std::string("v ") + corner + " " + z + "\n";
-    }
-  }
-  const auto quad = [&](int a, int b, int c, int d) {
-    for (const int v : {a, b, c, d}) text += (v == a ? "f " : " ") + std::to_string(v + 1);
-    text += "\n";
-  };
-  for (int i = 0; i < 4; ++i) {
-    const int j = (i + 1) % 4;
-    quad(i, i + 4, j + 4, j);
-    quad(i + 8, j + 8, j + 12, i + 12);
-    quad(i, j, j + 8, i + 8);
-    quad(i + 4, i + 12, j + 12, j + 4);
-  }
-  return text;
-}
 
 TEST_F(Command, handlesOfAFrame) {
   const std::string model = write("frame.obj", frame());

@@ -1,37 +1,14 @@
 // girth necks and girth cut, on an hourglass of known girth.
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "command.h"
+#include "known_models.h"
 
 namespace girth::test {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr int kCorners = 6;
-
-/// Two open funnels joined at their narrow rims: hexagons with corners 2, 1 and 2 from
-/// their centres.
-std::string hourglass() {
-  std::string text;
-  for (const auto& [z, radius] : {std::pair{0, 2}, {3, 1}, {6, 2}}) {
-    for (int i = 0; i < kCorners; ++i) {
-      const double angle = 2 * M_PI * i / kCorners;
-      text += "v " + std::to_string(radius * std::cos(angle)) + " " +
-              std::to_string(radius * std::sin(angle)) + " " + std::to_string(z) + "\n";
-    }
-  }
-  for (int ring = 0; ring < 2; ++ring) {
-    for (int i = 0; i < kCorners; ++i) {
-      const int a = 1 + ring * kCorners + i, b = 1 + ring * kCorners + (i + 1) % kCorners;
-      text += "f " + std::to_string(a) + " " + std::to_string(b) + " " +
-              std::to_string(b + kCorners) + " " + std::to_string(a + kCorners) + "\n";
-    }
-  }
-  return text;
-}
 
 TEST_F(Command, necksOfAnHourglass) {
   const std::string model = write("hourglass.obj", hourglass());

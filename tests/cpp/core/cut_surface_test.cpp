@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "girth/girth_field.h"
@@ -170,6 +171,17 @@ TEST(CutSurface, pointsNearVerticesAreMovedToThem) {
   expectConsistent(mesh, parts);
   EXPECT_EQ(parts.mesh.faceCount(), mesh.faceCount());
   EXPECT_EQ(parts.mesh.componentCount(), 2u);
+}
+
+TEST(CutSurface, isCancelled) {
+  const SurfaceMesh mesh = test::torus(4, 1, 9, 8).mesh();
+  const SurfaceCurve meridian = loopAt(mesh, SurfacePoint::atVertex(Vertex(3)));
+  std::atomic<bool> cancel{true};
+  const ExecutionContext context{1, &cancel, {}};
+  EXPECT_EQ(cutSurface(mesh, std::span(&meridian, 1), {}, context).error().code,
+            ErrorCode::Cancelled);
+  cancel = false;
+  EXPECT_TRUE(cutSurface(mesh, std::span(&meridian, 1), {}, context).ok());
 }
 
 TEST(CutSurface, whatCannotBeCut) {

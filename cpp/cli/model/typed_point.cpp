@@ -1,0 +1,104 @@
+#include "model/typed_point.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <system_error>
+
+#include "model/loading.h"
+#include "process/report.h"
+#include "text/number_text.h"
+
+namespace girth::cli {
+namespace {
+
+/// The shares of a face's corners as they stand on the surface, where it may have been turned over
+/// since it was read.
+Result<std::array<double, 3>> sharesOnSurface(const io::LoadedMesh& loaded, Index face,
+                                              const TypedPoint& point, const std::string& path,
+                                              const ModelOptions& preparing) {
+  if (loaded.report.reorientedFaces + loaded.report.flippedFaces == 0) return point.weights;
+  const auto model = readModelFile(path, preparing.entry);
+  if (!model) return model.error();
+  const auto corners = loaded.mesh.faceVertices(Face(face));
+  std::array<double, 3> shares{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Index input = model.value().soup.triangles[3 * static_cast<std::size_t>(*point.face) + k];
+    const Index first = loaded.inputOfVertex[loaded.vertexOfInput[input]];
+    const auto corner = std::find_if(corners.begin(), corners.end(),
+                                     [&](Index v) { return loaded.inputOfVertex[v] == first; });
+    if (corner == corners.end()) {
+      return makeError(ErrorCode::InvalidPoint, *point.face,
+                       "face " + std::to_string(*point.face) +
+                           " had no area and shares that of its neighbour now");
+    }
+    shares[static_cast<std::size_t>(corner - corners.begin())] = point.weights[k];
+  }
+  return shares;
+}
+
+}  // namespace
+
+std::string TypedPoint::text() const {
+  if (vertex) return "vertex " + std::to_string(*vertex);
+  std::string words = "face " + std::to_string(*face) + " at ";
+  for (std::size_t i = 0; i < 3; ++i) words += (i == 0 ? "" : ",") + readable(weights[i]);
+  return words;
+}
+
+std::string readWeights(const std::string& text, std::array<double, 3>& weights) {
+  std::string rest = text + ",";
+  for (double& weight : weights) {
+    const std::size_t comma = rest.find(',');
+    const std::optional<double> number =
+        comma == std::string::npos ? std::nullopt : io::parseNumber(rest.substr(0, comma));
+    if (!number) return "\"" + text + "\" is not three numbers with commas between";
+    weight = *number;
+    rest.erase(0, comma + 1);
+  }
+  return rest.empty() ? "" : "\"" + text + "\" is more than three numbers";
+}
+
+std::string readPoint(const std::string& text, TypedPoint& point) {
+  const std::size_t colon = text.find(':');
+  const std::string number = text.substr(0, colon);
+  std::int64_t element = 0;
+  const auto [end, problem] =
+      std::from_chars(number.data(), number.data() + number.size(), element);
+  if (number.empty() || end != number.data() + number.size() || problem != std::errc()) {
+    return "\"" + text + "\" is no point: name a vertex, as in 12, or a face with the shares of " +
+           "its vertices, as in 7:0.2,0.3,0.5";
+  }
+  (colon == std::string::npos ? point.vertex : point.face) = element;
+  return colon == std::string::npos ? "" : readWeights(text.substr(colon + 1), point.weights);
+}
+
+Result<SurfacePoint> surfacePoint(const io::LoadedMesh& loaded, const TypedPoint& point,
+                                  const std::string& path, const ModelOptions& preparing) {
+  if (point.vertex) {
+    const Result<Vertex> vertex = surfaceVertex(loaded, *point.vertex);
+    if (!vertex) return vertex.error();
+    return SurfacePoint::atVertex(vertex.value());
+  }
+  const Index count = loaded.report.inputFaces;
+  if (*point.face < 0 || *point.face >= std::int64_t{count}) {
+    Error error = makeError(ErrorCode::InvalidPoint, *point.face,
+                            "there is no face " + std::to_string(*point.face));
+    error.hint = "its faces are numbered from 0 to " + std::to_string(count - 1);
+    return error;
+  }
+  const auto found = std::find(loaded.inputOfFace.begin(), loaded.inputOfFace.end(),
+                               static_cast<Index>(*point.face));
+  if (found == loaded.inputOfFace.end()) {
+    Error error = makeError(ErrorCode::InvalidPoint, *point.face,
+                            "face " + std::to_string(*point.face) + " was left out");
+    error.hint = "girth info lists what was left out and why";
+    return error;
+  }
+  const auto face = static_cast<Index>(found - loaded.inputOfFace.begin());
+  const auto shares = sharesOnSurface(loaded, face, point, path, preparing);
+  if (!shares) return shares.error();
+  return SurfacePoint::inFace(Face(face), shares.value());
+}
+
+}  // namespace girth::cli

@@ -1,0 +1,24 @@
+// Curves on a model out of files that Girth has written.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "girth/cut_surface.h"
+#include "girth/error.h"
+#include "girth/export.h"
+#include "girth/io/read_mesh.h"
+
+namespace girth::io {
+
+/// All `points` of a JSON document as loopJson, necksJson, handlesJson and bottleneckJson write it:
+/// those of the document itself, or of each of its `necks` or `handles`. Vertices are those of the
+/// file that the model was read from. Errors: MALFORMED_FILE (no JSON, no points, or points without
+/// `vertices` and `weights`), INVALID_POINT (element: the point's place in its curve) where the
+/// model has no such vertex, edge or face.
+GIRTH_EXPORT Result<std::vector<SurfaceCurve>> readCurves(std::string_view json,
+                                                          const LoadedMesh& loaded);
+
+}  // namespace girth::io

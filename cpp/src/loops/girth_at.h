@@ -1,0 +1,38 @@
+// The girth at many points, on all threads.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "geodesic/unfolding.h"
+#include "girth/error.h"
+#include "girth/execution.h"
+#include "girth/girth_solver.h"
+
+namespace girth::loops {
+
+/// Keeps a solver for each thread from one call to the next.
+class GirthAt {
+ public:
+  /// Of the context, the threads and `cancel` matter.
+  GirthAt(std::shared_ptr<const geodesic::Unfolding> unfolding, const ExecutionContext& context);
+
+  /// At points of the surface. Progress is reported to `onProgress`, where given. Error: CANCELLED.
+  Result<std::vector<GirthValue>> values(std::span<const SurfacePoint> points,
+                                         const std::function<void(double)>& onProgress = {});
+  /// The lengths alone.
+  Result<std::vector<double>> lengths(std::span<const SurfacePoint> points);
+
+ private:
+  std::unique_ptr<GirthSolver> taken();
+
+  std::shared_ptr<const geodesic::Unfolding> unfolding_;
+  ExecutionContext context_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<GirthSolver>> idle_;
+};
+
+}  // namespace girth::loops

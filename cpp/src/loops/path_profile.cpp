@@ -1,0 +1,119 @@
+#include "girth/path_profile.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "loops/faces_of_points.h"
+#include "loops/girth_at.h"
+#include "mesh/vector.h"
+
+namespace girth {
+namespace {
+
+/// Places nearer to each other than this share of the path are one.
+constexpr double kSamePlace = 1e-9;
+constexpr std::size_t kMostSamples = 10'000'000;
+
+Error atPoint(std::size_t place, const std::string& what) {
+  return makeError(ErrorCode::InvalidPoint, static_cast<std::int64_t>(place),
+                   "point " + std::to_string(place) + " of the path " + what);
+}
+
+/// A path by how far along its points are.
+struct Measured {
+  std::vector<double> distances;
+  /// Of each two neighbours, a face that both lie in.
+  std::vector<Face> faces;
+};
+
+Result<Measured> measured(const SurfaceMesh& mesh, std::span<const SurfacePoint> path) {
+  if (path.empty()) return makeError(ErrorCode::InvalidPoint, -1, "the path has no points");
+  Measured result;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (!loops::isPointOf(mesh, path[i])) return atPoint(i, "is none of the surface");
+    if (i == 0) {
+      result.distances.push_back(0);
+      continue;
+    }
+    const auto common = loops::commonFace(mesh, path[i - 1], path[i]);
+    if (!common) return atPoint(i, "lies in no face of the point before");
+    result.faces.push_back(common->face);
+    result.distances.push_back(result.distances.back() +
+                               norm(positionOf(mesh, path[i]) - positionOf(mesh, path[i - 1])));
+  }
+  return result;
+}
+
+/// The point at a distance along a path, behind its point `i`.
+SurfacePoint pointAt(const SurfaceMesh& mesh, std::span<const SurfacePoint> path,
+                     const Measured& measures, std::size_t i, double distance) {
+  const double before = measures.distances[i], length = measures.distances[i + 1] - before;
+  const double share = length > 0 ? std::clamp((distance - before) / length, 0.0, 1.0) : 0;
+  const Face face = measures.faces[i];
+  const loops::Weights a = *loops::weightsIn(mesh, face, path[i]),
+                       b = *loops::weightsIn(mesh, face, path[i + 1]);
+  loops::Weights weights{};
+  for (std::size_t k = 0; k < 3; ++k) weights[k] = (1 - share) * a[k] + share * b[k];
+  return loops::pointIn(face, weights);
+}
+
+}  // namespace
+
+Result<std::vector<PathStation>> girthAlong(const SurfaceMesh& mesh,
+                                            std::span<const SurfacePoint> path,
+                                            const PathProfileOptions& options,
+                                            const ExecutionContext& context) {
+  if (options.samples == 1 || options.samples > kMostSamples ||
+      (options.samples == 0 && !options.crossings)) {
+    Error error = makeError(ErrorCode::InvalidOption, -1,
+                            options.samples == 0
+                                ? "neither samples nor crossings are wanted"
+                                : std::to_string(options.samples) + " samples are not a profile");
+    error.hint = "choose 2 to 10 million samples";
+    return error;
+  }
+  const auto measures = measured(mesh, path);
+  if (!measures) return measures.error();
+  const std::vector<double>& distances = measures.value().distances;
+  const double length = distances.back();
+  std::vector<PathStation> stations;
+  if (options.crossings) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      stations.push_back({distances[i], 0, LoopKind::Loop, path[i]});
+    }
+  }
+  for (std::size_t k = 0; k < options.samples; ++k) {
+    const double at = length * (static_cast<double>(k) / static_cast<double>(options.samples - 1));
+    const auto behind = static_cast<std::size_t>(
+        std::upper_bound(distances.begin(), distances.end(), at) - distances.begin());
+    // The ends are the path's own, to the last bit.
+    stations.push_back({at, 0, LoopKind::Loop,
+                        behind == path.size()
+                            ? path.back()
+                            : pointAt(mesh, path, measures.value(), behind - 1, at)});
+  }
+  std::stable_sort(
+      stations.begin(), stations.end(),
+      [](const PathStation& a, const PathStation& b) { return a.distance < b.distance; });
+  // Of several at one place the first.
+  std::vector<PathStation> apart;
+  for (PathStation& station : stations) {
+    if (!apart.empty() && station.distance - apart.back().distance <= kSamePlace * length) continue;
+    apart.push_back(std::move(station));
+  }
+  std::vector<SurfacePoint> points;
+  for (const PathStation& station : apart) points.push_back(station.point);
+  loops::GirthAt girthAt(std::make_shared<const geodesic::Unfolding>(mesh), context);
+  const auto values = girthAt.values(points, context.onProgress);
+  if (!values) return values.error();
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    apart[i].girth = values.value()[i].length;
+    apart[i].kind = values.value()[i].kind;
+  }
+  return apart;
+}
+
+}  // namespace girth
