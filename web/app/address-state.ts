@@ -12,7 +12,7 @@ import {
 } from '../src/element/index.js';
 import type { PrepareOptions, SurfacePoint } from '../src/kernel/index.js';
 
-export const panelNames = ['loops', 'tips', 'limbs', 'parts', 'print', 'compare'] as const;
+export const panelNames = ['loops', 'tips', 'limbs', 'necks', 'parts', 'print', 'compare'] as const;
 export type PanelName = (typeof panelNames)[number];
 
 export interface PageState {

@@ -1,17 +1,17 @@
-// Areas as people read them: three significant digits without an exponent, in a square of the unit of the
-// lengths beside them, or of a larger or smaller one of its family.
+// Areas and volumes as people read them: three significant digits without an exponent, in a power of the unit
+// of the lengths beside them, or of a larger or smaller one of its family.
 
 import { type LengthFormat, findLengthUnit, writtenOut } from '../src/element/plots.js';
 
-/** Units whose squares areas are written in, small ones first. */
+/** Units whose powers are written in, small ones first. */
 const families = [
   ['mm', 'cm', 'm', 'km'],
   ['in', 'ft'],
 ] as const;
-/** Areas of more, in a unit's square, are written in a larger unit, … */
+/** More than these of a unit are written in a larger one, … */
 const most = 10_000;
-/** … and those of less in a smaller one. */
-const leastOf = (unit: string): number => (unit === 'cm' ? 1 : 0.1);
+/** … and less than these in a smaller one. */
+const leastOf = (unit: string, power: 2 | 3): number => (unit === 'cm' && power === 2 ? 1 : 0.1);
 
 function threeDigits(value: number): string {
   if (value === 0) return '0.00';
@@ -21,20 +21,26 @@ function threeDigits(value: number): string {
   return text.includes('.') ? text : text.replace(/(?<=\d)(?=(\d{3})+$)/g, ',');
 }
 
-/** An area in squared model units. */
-export function formatArea(area: number, { unit, scale }: LengthFormat): string {
-  let value = area * scale * scale;
+function format(amount: number, power: 2 | 3, { unit, scale }: LengthFormat): string {
+  let value = amount * scale ** power;
   let written = unit;
   const family: readonly string[] = families.find((one) => one.includes(unit as never)) ?? [];
   const change = (step: 1 | -1): boolean => {
     const [from, to] = [written, family[family.indexOf(written) + step] ?? ''].map(findLengthUnit);
     if (!from || !to) return false;
-    value *= (from.metres / to.metres) ** 2;
+    value *= (from.metres / to.metres) ** power;
     written = to.symbol;
     return true;
   };
-  while (value >= most && change(1));
-  while (value > 0 && value < leastOf(written) && change(-1));
+  while (Math.abs(value) >= most && change(1));
+  while (value !== 0 && Math.abs(value) < leastOf(written, power) && change(-1));
   const number = threeDigits(value);
-  return written ? `${number}\u202f${written}²` : number;
+  return written ? `${number}\u202f${written}${power === 2 ? '²' : '³'}` : number;
 }
+
+/** An area in squared model units. */
+export const formatArea = (area: number, lengths: LengthFormat): string => format(area, 2, lengths);
+
+/** A volume in cubed model units. */
+export const formatVolume = (volume: number, lengths: LengthFormat): string =>
+  format(volume, 3, lengths);

@@ -10,7 +10,8 @@ import { FigureChoice } from './figure-choice.js';
 import type { LimbsPanel } from './limbs-panel.js';
 import type { PartsPanel } from './parts-panel.js';
 import type { PinnedList } from './pinned-list.js';
-import { saveFile, stemOf } from './save-file.js';
+import { stemOf } from './save-file.js';
+import { type Piece, saveFiles } from './zip-files.js';
 import { csvOf } from './table-text.js';
 
 const fieldFormats: Record<FieldFormat, string> = {
@@ -25,28 +26,6 @@ const loopFormats: Record<Exclude<LoopFormat, 'json'>, string> = {
   obj: 'as lines',
   glb: 'as line strips',
 };
-
-type Content = Blob | Uint8Array;
-
-/** One of several files, and what its name says of it. */
-interface Piece {
-  content: Content;
-  word?: string;
-}
-
-async function zipped(files: Piece[], stem: string, format: string): Promise<Uint8Array> {
-  const { zipSync } = await import('fflate');
-  const entries = files.map(({ content, word = '' }, i) => {
-    const name = [stem, i + 1, ...(word === '' ? [] : [fileWord(word)])].join('-');
-    return [`${name}.${format}`, content] as const;
-  });
-  return zipSync(Object.fromEntries(entries) as Record<string, Uint8Array>);
-}
-
-/** A name as part of a file's name. */
-function fileWord(name: string): string {
-  return name.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '');
-}
 
 /** Panels that have what is exported. */
 interface ExportedPanels {
@@ -71,10 +50,7 @@ export function offerExports(
     failure.textContent = '';
     const stem = stemOf(viewer.info?.name ?? 'model');
     try {
-      const files = await write();
-      const [first] = files;
-      if (first && files.length === 1) saveFile(first.content, `${stem}${kind}.${format}`);
-      else saveFile(await zipped(files, `${stem}${kind}`, format), `${stem}${kind}-${format}.zip`);
+      await saveFiles(await write(), `${stem}${kind}`, format);
       menu.hidePopover();
     } catch (error) {
       failure.textContent = `That could not be written: ${failureWords(error)}.`;

@@ -18,6 +18,7 @@ import { type Example, ExamplesStrip } from './examples-strip.js';
 import { offerExports } from './export-menu.js';
 import { FieldPanel } from './field-panel.js';
 import { LimbsPanel } from './limbs-panel.js';
+import { NecksPanel } from './necks-panel.js';
 import { explainColours, showUntilTouched } from './meaning.js';
 import { MissingModel } from './missing-model.js';
 import { forwardKeys } from './keys.js';
@@ -54,6 +55,7 @@ const tips = new TipsPanel(viewer, {
   colour: (bySdf) => field.colourForPanel('sdf', bySdf),
 });
 const limbs = new LimbsPanel(viewer, changed);
+const necks = new NecksPanel(viewer, changed);
 const parts = new PartsPanel(viewer, {
   changed,
   found: () => field.refresh(),
@@ -88,6 +90,7 @@ const panels: Record<PanelName, Panel> = {
   loops: loops.panel,
   tips: tips.panel,
   limbs: limbs.panel,
+  necks: necks.panel,
   parts: parts.panel,
   print: print.panel,
   compare: compare.panel,
@@ -235,7 +238,7 @@ viewer.addEventListener('load', (event) => {
   const { prepare = {}, remeshed, link } = session.opened ?? {};
   examples.mark(examples.all.find(({ name }) => name === link?.model));
   details.show(info, remeshed === undefined ? { prepare } : { prepare, remeshed: remeshed.words });
-  for (const panel of [field, tips, limbs, parts]) panel.clear();
+  for (const panel of [field, tips, limbs, necks, parts]) panel.clear();
   print.clear(isAnother);
   document.title = `${info.name} – Girth`;
   delete document.documentElement.dataset['field'];
@@ -258,6 +261,7 @@ viewer.addEventListener('field', (event) => {
   void details.compare();
   void tips.compute();
   limbs.girthIsThere();
+  necks.girthIsThere();
   if (isUntouched) void showUntilTouched(viewer);
 });
 // Until somebody does something the page shows by itself what it is about.

@@ -16,6 +16,8 @@ export interface PlaceRow {
   /** Shown at the row's end. */
   picture?: HTMLElement | undefined;
   choose(): void;
+  /** It is pointed at or has the focus, or no longer. */
+  attend?(isAttended: boolean): void;
 }
 
 /** More rows than these are only counted. */
@@ -79,6 +81,14 @@ class Line {
       this.#row?.choose();
       announce(`Shown: ${this.#main.textContent}, ${this.#detail.textContent}`);
     });
+    for (const [event, isAttended] of [
+      ['pointerenter', true],
+      ['pointerleave', false],
+      ['focus', true],
+      ['blur', false],
+    ] as const) {
+      this.#button.addEventListener(event, () => this.#row?.attend?.(isAttended));
+    }
   }
 
   show(row: PlaceRow, number: string): void {

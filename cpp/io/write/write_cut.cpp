@@ -15,8 +15,9 @@ namespace {
 
 std::string nameOf(std::size_t part) { return "part_" + std::to_string(part + 1); }
 
-/// Enclosed by a surface; NaN where it has a boundary.
-double volumeOf(const SurfaceMesh& mesh) {
+}  // namespace
+
+double partVolume(const SurfaceMesh& mesh) {
   if (mesh.boundaryCount(0) > 0) return std::numeric_limits<double>::quiet_NaN();
   double volume = 0;
   const Vec3& o = mesh.position(Vertex(0));
@@ -31,8 +32,6 @@ double volumeOf(const SurfaceMesh& mesh) {
   }
   return volume;
 }
-
-}  // namespace
 
 CutModel cutModel(const CutSurface& cut) {
   CutModel model{componentsOf(cut.mesh), cut.faces};
@@ -81,7 +80,7 @@ std::string cutJson(const LoadedMesh& loaded, const CutModel& model, std::string
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const SurfaceMesh& mesh = model.parts[i].mesh;
     text += (i == 0 ? "\n" : ",\n") + ("{\"area\":" + formatNumber(mesh.area())) +
-            ",\"volume\":" + numberJson(volumeOf(mesh)) +
+            ",\"volume\":" + numberJson(partVolume(mesh)) +
             ",\"faces\":" + std::to_string(mesh.faceCount()) +
             ",\"vertices\":" + std::to_string(mesh.vertexCount()) +
             ",\"genus\":" + std::to_string(mesh.genus(0)) +

@@ -50,6 +50,7 @@ export interface PartsWish extends PartThresholds {
 /** Points of a region that suffice to find where it is. */
 const enoughPoints = 300;
 const pathStyle = { colour: '#3fd0ff', weight: 0.9 };
+const curveStyle = { colour: '#e8c35a', weight: 0.6 };
 const pictureStyle = { colour: '#ff7a45', weight: 1.1 };
 
 export interface PresentedHost extends LoopsHost {
@@ -65,6 +66,7 @@ export class Presented {
   readonly #smoother: Latest<PartsWish, Parts>;
   #points: PointMarks | undefined;
   #path: LoopBand | undefined;
+  #curves: LoopBand[] = [];
   #marked: ArrayLike<number> | undefined;
   #wished: PartsWish | undefined;
   #format: LengthFormat;
@@ -214,6 +216,17 @@ export class Presented {
     if (this.#path) this.#stage.add(this.#path);
   }
 
+  showCurves(polylines: readonly Float32Array[]): void {
+    for (const band of this.#curves) this.#stage.remove(band);
+    this.#curves = polylines
+      .filter(({ length }) => length > 3)
+      .map((polyline) => {
+        const [x, y, z] = polyline;
+        return new LoopBand({ kind: 'loop', polyline, midpoint: [x!, y!, z!] }, curveStyle);
+      });
+    for (const band of this.#curves) this.#stage.add(band);
+  }
+
   flyTo(place: PlaceOnSurface, atOnce: boolean): void {
     this.#stage.flyTo(this.#placeOf(place), atOnce);
   }
@@ -254,6 +267,7 @@ export class Presented {
     this.tips.clear();
     this.showPoints([]);
     this.showPath(undefined);
+    this.showCurves([]);
     this.model.dispose(keepsMesh);
     this.#stage.show(undefined);
   }

@@ -9,6 +9,7 @@ type Known = 'info' | 'geometry' | 'vertexOfInput' | 'vertexAreas' | 'dispose';
 export const refusedCalls = (refuse: () => Promise<never>): Omit<Mesh, Known> => ({
   ...{ field: refuse, loop: refuse, path: refuse, barcode: refuse, barcodes: refuse },
   ...{ tips: refuse, limbs: refuse, necks: refuse, handles: refuse },
+  ...{ cut: refuse, exportCut: refuse },
   ...{ parts: refuse, suggestedThresholds: refuse },
   ...{ printCheck: refuse, maxima: refuse, heatMaxima: refuse, difference: refuse },
   ...{ exportField: refuse, exportFields: refuse, exportLoops: refuse, exportTips: refuse },

@@ -3,15 +3,22 @@
 import type {
   Barcode,
   BarcodeOptions,
+  Cut,
+  CutFormat,
+  CutOptions,
   Field,
   FieldFormat,
   FieldName,
+  HandleOptions,
+  Handles,
   Limbs,
   Loop,
   LoopFormat,
   Maximum,
   MeshInfo,
   NamedField,
+  NeckOptions,
+  Necks,
   PartOptions,
   Parts,
   PartThresholds,
@@ -341,6 +348,38 @@ export class GirthViewer extends ViewerShell {
     return mesh.path(from, to, { signal: life.signal });
   }
 
+  /**
+   * The places that are narrower than all around them; the girth is computed first unless it is there.
+   * @experimental
+   */
+  async necks(options: NeckOptions = {}): Promise<Necks> {
+    const { mesh, life, fields } = (await this.#whole()).model;
+    return mesh.necks(await fields.compute('igf'), { signal: life.signal, ...options });
+  }
+
+  /**
+   * Short loops round the surface's handles and through its holes.
+   * @experimental
+   */
+  async handles(options: HandleOptions = {}): Promise<Handles> {
+    const { mesh, life } = (await this.#whole()).model;
+    return mesh.handles({ signal: life.signal, ...options });
+  }
+
+  /**
+   * The parts of the surface, cut along curves; what is shown stays whole.
+   * @experimental
+   */
+  async cut(curves: readonly (readonly SurfacePoint[])[], options: CutOptions = {}): Promise<Cut> {
+    const { mesh, life } = (await this.#whole()).model;
+    return mesh.cut(curves, { signal: life.signal, ...options });
+  }
+
+  /** Draws lines on the surface, each given by x, y, z of its points; without an argument none. */
+  showCurves(polylines: readonly Float32Array[] = []): void {
+    this.require().showCurves(polylines);
+  }
+
   /** Draws a path on the surface, or another line, with a dot at its end; without an argument none. */
   showPath(path?: Pick<SurfacePath, 'polyline'>): void {
     this.require().showPath(path?.polyline);
@@ -500,6 +539,19 @@ export class GirthViewer extends ViewerShell {
     const fields = await model.printFields(limits);
     const { signal } = model.life;
     return model.mesh.exportWeakPlaces(fields, limits, format, { signal, unit: this.unit });
+  }
+
+  /**
+   * The parts of the surface, cut along curves, as files: one, or with 'stl' one for each part.
+   * @experimental
+   */
+  async exportCut(
+    curves: readonly (readonly SurfacePoint[])[],
+    format: CutFormat,
+    options: CutOptions = {},
+  ): Promise<Uint8Array[]> {
+    const { mesh, life } = (await this.#whole()).model;
+    return mesh.exportCut(curves, format, { signal: life.signal, unit: this.unit, ...options });
   }
 
   /** The pinned loops, oldest first, a file's content for each. */

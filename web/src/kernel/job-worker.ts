@@ -136,6 +136,14 @@ serveRequests<JobOperations>({
     return checked(module.handles(surfaces.get(surface), basePoints, progressTo(report)));
   },
 
+  cut({ surface, curves, cap }) {
+    return checked(module.cut(surfaces.get(surface), curves, cap));
+  },
+
+  writeCut({ surface, model, curves, cap, format }) {
+    return checked(module.writeCut(surfaces.get(surface), model, curves, cap, format));
+  },
+
   thresholds({ surface, fields }) {
     return checked(module.suggestedThresholds(surfaces.get(surface), fields));
   },

@@ -32,6 +32,9 @@ import type {
   Barcodes,
   BarcodesOptions,
   CallOptions,
+  Cut,
+  CutFormat,
+  CutOptions,
   ExportOptions,
   Field,
   FieldFormat,
@@ -233,6 +236,27 @@ export class MeshOfWorkers implements Mesh {
     basePoints = handleBasePoints,
   }: HandleOptions = {}): Promise<Handles> {
     return this.#ask('handles', { basePoints }, signal, { onProgress });
+  }
+
+  async cut(
+    curves: readonly (readonly SurfacePoint[])[],
+    { signal, cap = false }: CutOptions = {},
+  ): Promise<Cut> {
+    return this.#ask('cut', { curves: this.#checkedCurves(curves), cap }, signal);
+  }
+
+  async exportCut(
+    curves: readonly (readonly SurfacePoint[])[],
+    format: CutFormat,
+    { signal, unit, cap = false }: ExportOptions & CutOptions = {},
+  ): Promise<Uint8Array[]> {
+    const args = { model: this.#written(unit), curves: this.#checkedCurves(curves), cap, format };
+    const { files } = await this.#ask('writeCut', args, signal);
+    return files;
+  }
+
+  #checkedCurves(curves: readonly (readonly SurfacePoint[])[]): SurfacePoint[][] {
+    return curves.map((curve) => curve.map((point) => checkedPoint(point, this.info)));
   }
 
   async suggestedThresholds(

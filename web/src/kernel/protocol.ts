@@ -3,6 +3,8 @@
 // flag that cancels the threads.
 
 import type {
+  Cut,
+  CutFormat,
   Field,
   FieldFormat,
   FileWithPath,
@@ -205,6 +207,17 @@ export interface JobOperations extends CommonOperations {
   limbs: [{ surface: number; girth: Float64Array; stations: number }, Limbs];
   necks: [{ surface: number; girth: Float64Array; minProminence: number }, Necks];
   handles: [{ surface: number; basePoints: number }, Handles];
+  cut: [{ surface: number; curves: readonly SurfacePoint[][]; cap: boolean }, Cut];
+  writeCut: [
+    {
+      surface: number;
+      model: WrittenModel;
+      curves: readonly SurfacePoint[][];
+      cap: boolean;
+      format: CutFormat;
+    },
+    { files: Uint8Array<ArrayBuffer>[] },
+  ];
   thresholds: [{ surface: number; fields: GirthAndDiameter }, PartThresholds];
   parts: [{ surface: number; fields: GirthAndDiameter; options: Required<PartOptions> }, Parts];
   /** The maxima of values, or their minima. */

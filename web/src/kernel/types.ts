@@ -455,6 +455,41 @@ export interface HandleOptions extends WatchedOptions {
   basePoints?: number;
 }
 
+/** A part of a surface that was cut. */
+export interface CutPart {
+  /** x, y, z of each vertex, in model units. */
+  positions: Float64Array<ArrayBuffer>;
+  /** Three vertices for each face. */
+  indices: Uint32Array<ArrayBuffer>;
+  /** For each vertex the vertex of the uncut surface that it is; 2³² − 1 for those that cutting has made. */
+  vertices: Uint32Array<ArrayBuffer>;
+  /** For each face the face of the uncut surface that it is a piece of; 2³² − 1 for those of caps. */
+  faces: Uint32Array<ArrayBuffer>;
+  /** In squared model units. */
+  area: number;
+  /** What it encloses, in cubed model units; NaN where it has a boundary. */
+  volume: number;
+  /** Of the part. */
+  genus: number;
+  /** How many boundary curves it has. */
+  boundaryCount: number;
+}
+
+/** What is left of a surface that was cut. */
+export interface Cut {
+  /** The largest area first; one where the curves divide nothing. */
+  parts: CutPart[];
+}
+
+/** How surfaces are cut. */
+export interface CutOptions extends CallOptions {
+  /** Closes the rims that cutting makes, with triangles of least area. Default: false. */
+  cap?: boolean;
+}
+
+/** Parts as files: GLB with a node for each, OBJ with an object for each, STL files, or what they measure. */
+export type CutFormat = 'glb' | 'obj' | 'stl' | 'json';
+
 /** What a place of a shape is; 'unknown' where the girth or the thickness has no value (`parts.h`). */
 export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
 
@@ -912,6 +947,25 @@ export interface Mesh {
    * @experimental
    */
   handles(options?: HandleOptions): Promise<Handles>;
+  /**
+   * Cuts the surface exactly along curves: `points` of necks and handles, or others whose neighbours lie in one
+   * face, closed where the last one equals the first (`cutSurface`). The surface itself stays as it is. Errors:
+   * VERTEX_OUT_OF_RANGE; INVALID_POINT where two neighbours lie in no common face; INVALID_OPTION where curves cross.
+   *
+   * @experimental
+   */
+  cut(curves: readonly (readonly SurfacePoint[])[], options?: CutOptions): Promise<Cut>;
+  /**
+   * Cuts the surface and writes the parts: one file, or one for each part where the format is 'stl'. The same
+   * errors, and LIMIT_EXCEEDED where a GLB would pass 4 GB.
+   *
+   * @experimental
+   */
+  exportCut(
+    curves: readonly (readonly SurfacePoint[])[],
+    format: CutFormat,
+    options?: ExportOptions & CutOptions,
+  ): Promise<Uint8Array[]>;
   /**
    * Suggests thresholds to start from; both are 0 where no vertex has both values. `igf` and `sdf` are the
    * fields of these names, here and below.

@@ -150,6 +150,18 @@ declare module '*/girth.mjs' {
       basePoints: number,
       onProgress: OnProgress,
     ): import('./types.js').Handles | Failed;
+    cut(
+      surface: JobSurface,
+      curves: readonly (readonly Point[])[],
+      cap: boolean,
+    ): import('./types.js').Cut | Failed;
+    writeCut(
+      surface: JobSurface,
+      model: import('./protocol.js').WrittenModel,
+      curves: readonly (readonly Point[])[],
+      cap: boolean,
+      format: string,
+    ): { files: Uint8Array<ArrayBuffer>[] } | Failed;
     suggestedThresholds(
       surface: JobSurface,
       fields: GirthAndDiameter,

@@ -20,6 +20,10 @@ struct CutModel {
 /// The parts of a surface that was cut.
 GIRTH_EXPORT CutModel cutModel(const CutSurface& cut);
 
+/// What a part encloses, in cubed model units: negative where it faces inwards, NaN where it has a
+/// boundary.
+GIRTH_EXPORT double partVolume(const SurfaceMesh& part);
+
 /// Each part as a node `part_1`, ... with its triangles, positions rounded to floats. glTF is in
 /// metres, as in meshFile. Error: LIMIT_EXCEEDED where the file would pass 4 GB.
 GIRTH_EXPORT Result<std::string> cutGlb(const LoadedMesh& loaded, const CutModel& model);
