@@ -60,7 +60,8 @@ const linesOf = ({ text }: Block) =>
     .map((line) => {
       const [words = '', remark = ''] = line.split(/ +# /);
       return {
-        args: words.split(' ').slice(1),
+        // A name in quotes has a star that is not the shell's.
+        args: words.replaceAll("'", '').split(' ').slice(1),
         code: Number(/ends with (\d)/.exec(remark)?.[1] ?? 0),
       };
     });

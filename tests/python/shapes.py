@@ -24,6 +24,19 @@ def prism(sides=6, length=10.0, rings=21):
     return vertices, grid_faces(rings, sides)
 
 
+def lathe(rings, sides):
+    """A closed surface of revolution: regular polygons at heights, with radii to their corners."""
+    angles = 2 * np.pi * np.arange(sides) / sides
+    vertices = [(r * np.cos(a), r * np.sin(a), z) for z, r in rings for a in angles]
+    faces = grid_faces(len(rings), sides).tolist()
+    bottom, last = len(vertices), (len(rings) - 1) * sides
+    for j in range(sides):
+        k = (j + 1) % sides
+        faces += [(bottom, k, j), (bottom + 1, last + j, last + k)]
+    ends = [(0, 0, rings[0][0]), (0, 0, rings[-1][0])]
+    return np.array(vertices + ends, float), np.array(faces)
+
+
 def torus(rows=40, columns=16, large=3.0, small=1.0):
     """A torus: loops around its tube are the shortest."""
     u = 2 * np.pi * np.arange(rows)[:, None] / rows

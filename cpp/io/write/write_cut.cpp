@@ -89,9 +89,9 @@ std::string cutJson(const LoadedMesh& loaded, const CutModel& model, std::string
   return text + "]}\n";
 }
 
-std::string cutCsv(const LoadedMesh& loaded, const CutModel& model) {
-  // Of each face of the file: the area of each part in it.
-  std::vector<std::pair<double, std::size_t>> most(loaded.report.inputFaces, {0, 0});
+std::vector<Index> partOfFaces(const LoadedMesh& loaded, const CutModel& model) {
+  // Of each face of the file: the most area that a part has in it, and that part.
+  std::vector<std::pair<double, Index>> most(loaded.report.inputFaces, {0, kNoIndex});
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     std::vector<std::pair<Index, double>> areas;
     const SurfaceComponent& part = model.parts[i];
@@ -105,13 +105,21 @@ std::string cutCsv(const LoadedMesh& loaded, const CutModel& model) {
       double sum = 0;
       const Index face = areas[k].first;
       for (; k < areas.size() && areas[k].first == face; ++k) sum += areas[k].second;
-      if (sum > most[face].first) most[face] = {sum, i + 1};
+      if (sum > most[face].first) most[face] = {sum, static_cast<Index>(i)};
     }
   }
+  std::vector<Index> parts;
+  parts.reserve(most.size());
+  for (const auto& [area, part] : most) parts.push_back(part);
+  return parts;
+}
+
+std::string cutCsv(const LoadedMesh& loaded, const CutModel& model) {
+  const std::vector<Index> parts = partOfFaces(loaded, model);
   std::string text = "face,part\n";
-  for (std::size_t face = 0; face < most.size(); ++face) {
-    if (most[face].second == 0) continue;
-    text += std::to_string(face) + "," + std::to_string(most[face].second) + "\n";
+  for (std::size_t face = 0; face < parts.size(); ++face) {
+    if (parts[face] == kNoIndex) continue;
+    text += std::to_string(face) + "," + std::to_string(parts[face] + 1) + "\n";
   }
   return text;
 }

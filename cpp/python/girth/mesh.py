@@ -20,7 +20,24 @@ from girth._arguments import (
 )
 from girth._models import arrays_of
 from girth.errors import input_error
-from girth.results import Barcode, Comparison, Field, Girth, Limb, Loop, Parts, Path, Tips
+from girth.results import (
+    Barcode,
+    Bottleneck,
+    Comparison,
+    Cut,
+    Field,
+    Girth,
+    Handle,
+    Handles,
+    Limb,
+    Loop,
+    Neck,
+    Necks,
+    Parts,
+    Path,
+    Profile,
+    Tips,
+)
 
 __all__ = ["FIELDS", "Mesh", "Point", "as_mesh", "compare", "igf", "load"]
 
@@ -410,6 +427,173 @@ class Mesh:
             self._surface, *limits, weight, tau, running(threads, progress)
         )
         return Parts(self, found[0], found[1], self._by_row(found[2], -1), found[3])
+
+    def necks(
+        self,
+        *,
+        min_prominence: float = 0.0,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Necks:
+        """Where the surface is locally narrowest, the clearest first.
+
+        Parameters
+        ----------
+        min_prominence : float, optional
+            Only necks from which the girth must rise by this, in model units, to reach a narrower
+            one.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        Necks
+            Those of the command ``girth necks``, to the bit.
+        """
+        least = _not_negative(min_prominence, "min_prominence")
+        found, unresolved = _girth.necks(self._surface, least, running(threads, progress))
+        return Necks([Neck(self, neck) for neck in found], unresolved)
+
+    def handles(
+        self,
+        *,
+        base_points: int = 32,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Handles:
+        """The loops round handles and through tunnels, the shortest first.
+
+        Parameters
+        ----------
+        base_points : int, optional
+            Points of each component whose loops are compared, at least 1. More find shorter loops.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        Handles
+            Those of the command ``girth handles``, to the bit.
+        """
+        count = whole_number(base_points, "base_points")
+        if not 1 <= count < 2**63:
+            raise input_error("INVALID_OPTION", f"base_points is {count}", "choose 1 or more")
+        found, unresolved = _girth.handles(self._surface, count, running(threads, progress))
+        return Handles([Handle(handle) for handle in found], unresolved)
+
+    def bottleneck(
+        self,
+        a: Point,
+        b: Point,
+        *,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Bottleneck:
+        """The narrowest place on the widest way from one point to another.
+
+        Parameters
+        ----------
+        a, b : point
+            Vertices, or ``(face, weights)``.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        Bottleneck
+
+        Raises
+        ------
+        InputError
+            VERTEX_OUT_OF_RANGE; INVALID_POINT, also where they lie in different components.
+        """
+        return Bottleneck(
+            _girth.bottleneck(
+                self._surface, self._point(a), self._point(b), running(threads, progress)
+            )
+        )
+
+    def profile(
+        self,
+        *points: Point,
+        samples: int = 100,
+        crossings: bool = True,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Profile:
+        """The girth along a path.
+
+        Parameters
+        ----------
+        *points : point
+            Two or more: vertices, or ``(face, weights)``. Each is joined to the next by a shortest
+            path.
+        samples : int, optional
+            Places at equal distances, both ends among them; 0 for none.
+        crossings : bool, optional
+            Also where the path crosses edges and passes vertices.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        Profile
+            Exact at each place; nothing is interpolated.
+
+        Raises
+        ------
+        InputError
+            VERTEX_OUT_OF_RANGE; INVALID_POINT, also where they lie in different components;
+            INVALID_OPTION.
+        """
+        if len(points) < 2:
+            raise input_error("USAGE", "a path needs two points", "name two points or more")
+        count = whole_number(samples, "samples")
+        if not 0 <= count < 2**63:
+            raise input_error("INVALID_OPTION", f"samples is {count}", "choose 0, or 2 or more")
+        through = [self._point(point) for point in points]
+        run = running(threads, progress)
+        return Profile(*_girth.profile(self._surface, through, count, bool(crossings), run))
+
+    def cut(
+        self,
+        loops: Any,
+        *,
+        cap: bool = False,
+        progress: Progress = None,
+    ) -> Cut:
+        """The surface taken apart along loops.
+
+        Parameters
+        ----------
+        loops : Loop, Neck, Handle, Bottleneck, or sequence of them
+            Of this mesh; they may touch, but not cross each other.
+        cap : bool, optional
+            Closes the rims that cutting makes.
+        progress
+            As of `igf`.
+
+        Returns
+        -------
+        Cut
+            The parts of the command ``girth cut``, to the bit.
+
+        Raises
+        ------
+        InputError
+            USAGE where something is no loop; INVALID_POINT where a loop is none of this mesh;
+            INVALID_OPTION where they cross.
+        """
+        given = [loops] if hasattr(loops, "_curve") else list(loops)
+        for loop in given:
+            if not hasattr(loop, "_curve"):
+                raise input_error(
+                    "USAGE",
+                    f"a {type(loop).__name__} is no loop",
+                    "pass a loop, neck, handle or bottleneck of this mesh",
+                )
+        curves = [loop._curve for loop in given]
+        return Cut(*_girth.cut(self._surface, curves, bool(cap), running(None, progress)))
 
     def field(
         self,

@@ -15,15 +15,23 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Barcode",
+    "Bottleneck",
     "Comparison",
     "Contour",
+    "Cut",
+    "CutPart",
     "Field",
     "Girth",
+    "Handle",
+    "Handles",
     "Limb",
     "Loop",
+    "Neck",
+    "Necks",
     "Part",
     "Parts",
     "Path",
+    "Profile",
     "Tip",
     "Tips",
 ]
@@ -163,6 +171,7 @@ class Loop(_Result):
         self.midpoint: np.ndarray = found["midpoint"]
         self.points: np.ndarray = found["points"]
         self.angle: float = found["angle"]
+        self._curve: tuple[np.ndarray, np.ndarray] = found["curve"]
 
     def _line(self) -> str:
         return f"{self.kind}, length {self.length:.6g}, {len(self.points)} points"
@@ -241,6 +250,269 @@ class Path(_Result):
 
     def _line(self) -> str:
         return f"length {self.length:.6g}, {len(self.points)} points"
+
+
+class Neck(_Result):
+    """A closed geodesic that a surface cannot be slipped out of without stretching it.
+
+    Attributes
+    ----------
+    length : float
+        Of the loop, in model units.
+    prominence : float
+        How far the girth must rise on the way to a narrower neck; infinite where none can be
+        reached.
+    points : ndarray of float64, shape (k, 3)
+        The polyline; the last point equals the first.
+    width : float
+        Of the band of parallel loops of this length; 0: a single one.
+    vertices : ndarray of int64
+        The vertices that the loop passes, in rising order.
+    centre, normal : ndarray of float64, shape (3,)
+        The middle, and the unit normal of the mean plane.
+    radius, area : float
+        The mean distance from the centre, and the area enclosed in the mean plane.
+    sides : ndarray of float64, shape (s, 2)
+        Area and volume of what the loop separates, the larger area first; one row where it
+        separates nothing. The volume is NaN where the side has a boundary.
+    measures_girth : bool
+        Whether the girth is this length at all its vertices; otherwise a shorter loop goes through.
+    touches_boundary : bool
+        Whether it touches the surface's boundary.
+    """
+
+    def __init__(self, mesh: "Mesh", found: dict) -> None:
+        self.length: float = found["length"]
+        self.prominence: float = found["prominence"]
+        self.points: np.ndarray = found["points"]
+        self.width: float = found["width"]
+        self.vertices = mesh._rows_of(found["vertices"])
+        self.centre: np.ndarray = found["centre"]
+        self.normal: np.ndarray = found["normal"]
+        self.radius: float = found["radius"]
+        self.area: float = found["area"]
+        self.sides: np.ndarray = found["sides"]
+        self.measures_girth: bool = found["measures_girth"]
+        self.touches_boundary: bool = found["touches_boundary"]
+        self._curve: tuple[np.ndarray, np.ndarray] = found["curve"]
+
+    def _line(self) -> str:
+        return f"length {self.length:.6g}, prominence {self.prominence:.4g}"
+
+
+class Handle(_Result):
+    """A closed geodesic round a handle or through a tunnel.
+
+    Attributes
+    ----------
+    length : float
+        In model units.
+    kind : str
+        ``"handle"``: round the material; ``"tunnel"``: round a hole; ``"unknown"``: the surface
+        crosses itself.
+    points : ndarray of float64, shape (k, 3)
+        The polyline; the last point equals the first.
+    centre : ndarray of float64, shape (3,)
+        Its middle.
+    area : float
+        Enclosed in its mean plane, in squared model units.
+    component : int
+        Of the surface, from 0.
+    """
+
+    def __init__(self, found: dict) -> None:
+        self.length: float = found["length"]
+        self.kind: str = found["kind"]
+        self.points: np.ndarray = found["points"]
+        self.centre: np.ndarray = found["centre"]
+        self.area: float = found["area"]
+        self.component: int = found["component"]
+        self._curve: tuple[np.ndarray, np.ndarray] = found["curve"]
+
+    def _line(self) -> str:
+        return f"{self.kind}, length {self.length:.6g}"
+
+
+class _Loops(_Result):
+    """A sequence of loops, and how many could not be found."""
+
+    _name = "loops"
+
+    def __init__(self, loops: list, unresolved: int) -> None:
+        self._loops = loops
+        self.unresolved = unresolved
+
+    def __len__(self) -> int:
+        return len(self._loops)
+
+    def __getitem__(self, number: int) -> Any:
+        return self._loops[number]
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self._loops)
+
+    @property
+    def lengths(self) -> np.ndarray:
+        """The length of each, float64."""
+        return np.array([loop.length for loop in self._loops], np.float64)
+
+    def _line(self) -> str:
+        return f"{len(self)} {self._name}, lengths {[float(f'{x:.4g}') for x in self.lengths]}"
+
+
+class Necks(_Loops):
+    """The necks of a mesh, most prominent first; a sequence of `Neck`.
+
+    Attributes
+    ----------
+    unresolved : int
+        Vertices whose loops could not be followed.
+    """
+
+    _name = "necks"
+
+    @property
+    def prominences(self) -> np.ndarray:
+        """The prominence of each, float64."""
+        return np.array([neck.prominence for neck in self._loops], np.float64)
+
+
+class Handles(_Loops):
+    """The handles and tunnels of a mesh, shortest first; a sequence of `Handle`.
+
+    Attributes
+    ----------
+    unresolved : int
+        Handles and tunnels that the genus promises and that were not found.
+    """
+
+    _name = "handles"
+
+
+class Bottleneck(_Result):
+    """The narrowest place on the widest way from one point to another.
+
+    Attributes
+    ----------
+    girth : float
+        There, in model units: the length of the loop.
+    kind : str
+        ``"neck"``; ``"pass"``: a narrow place whose loop can be moved to where it is shorter;
+        ``"end"``: one of the two points, with no neck between them.
+    place : ndarray of float64, shape (3,)
+        Where on the way it is.
+    points : ndarray of float64, shape (k, 3)
+        The loop; the last point equals the first.
+    centre : ndarray of float64, shape (3,)
+        Its middle.
+    area : float
+        Enclosed in its mean plane, in squared model units.
+    sides : ndarray of float64, shape (s, 2)
+        As of `Neck`; none unless it is one.
+    way : ndarray of float64, shape (w, 3)
+        The way, along edges and parts of edges.
+    """
+
+    def __init__(self, found: dict) -> None:
+        self.girth: float = found["girth"]
+        self.kind: str = found["kind"]
+        self.place: np.ndarray = found["place"]
+        self.points: np.ndarray = found["points"]
+        self.centre: np.ndarray = found["centre"]
+        self.area: float = found["area"]
+        self.sides: np.ndarray = found["sides"]
+        self.way: np.ndarray = found["way"]
+        self._curve: tuple[np.ndarray, np.ndarray] = found["curve"]
+
+    def _line(self) -> str:
+        return f"{self.kind}, girth {self.girth:.6g}"
+
+
+class Profile(_Result):
+    """The girth along a path.
+
+    Attributes
+    ----------
+    distances, girths : ndarray of float64, shape (k,)
+        How far along the path, and the girth there, in model units.
+    kinds : ndarray of uint8, shape (k,)
+        As of `Girth`.
+    points : ndarray of float64, shape (k, 3)
+        The places.
+    """
+
+    def __init__(
+        self, distances: np.ndarray, girths: np.ndarray, kinds: np.ndarray, points: np.ndarray
+    ) -> None:
+        self.distances = distances
+        self.girths = girths
+        self.kinds = kinds
+        self.points = points
+
+    def __len__(self) -> int:
+        return len(self.distances)
+
+    def _line(self) -> str:
+        return (
+            f"{len(self)} places, length {self.distances[-1]:.6g}, "
+            f"girth {self.girths.min():.4g} to {self.girths.max():.4g}"
+        )
+
+
+class CutPart(_Result):
+    """A part of a mesh that was cut.
+
+    Attributes
+    ----------
+    vertices : ndarray of float64, shape (n, 3)
+    faces : ndarray of int64, shape (m, 3)
+        Both sides of a cut have vertices of their own.
+    face_rows : ndarray of int64, shape (m,)
+        For each face the row of ``mesh.faces`` that it is a piece of; -1: of a cap.
+    area : float
+        In squared model units.
+    genus, boundaries : int
+        Its handles, and its boundary curves.
+    """
+
+    def __init__(self, found: dict) -> None:
+        self.vertices: np.ndarray = found["vertices"]
+        self.faces: np.ndarray = found["faces"]
+        self.face_rows: np.ndarray = found["face_rows"]
+        self.area: float = found["area"]
+        self.genus: int = found["genus"]
+        self.boundaries: int = found["boundaries"]
+
+    def _line(self) -> str:
+        return f"{len(self.faces)} faces, area {self.area:.6g}"
+
+
+class Cut(_Result):
+    """What is left of a mesh that was cut, largest part first; a sequence of `CutPart`.
+
+    Attributes
+    ----------
+    parts : list of CutPart
+    labels : ndarray of int64, shape (m,)
+        For each row of ``mesh.faces`` the part that has most of its area; -1 where the face was
+        dropped.
+    """
+
+    def __init__(self, parts: list, labels: np.ndarray) -> None:
+        self.parts = [CutPart(part) for part in parts]
+        self.labels = labels
+
+    def __len__(self) -> int:
+        return len(self.parts)
+
+    def __getitem__(self, number: int) -> CutPart:
+        return self.parts[number]
+
+    def __iter__(self) -> Iterator[CutPart]:
+        return iter(self.parts)
+
+    def _line(self) -> str:
+        return f"{len(self)} parts, areas {[float(f'{part.area:.4g}') for part in self.parts]}"
 
 
 class Contour(_Result):

@@ -75,4 +75,25 @@ inline Array<double> placesOf(const SurfaceMesh& mesh, std::span<const SurfacePo
   return arrayOf(std::move(places), {static_cast<pybind11::ssize_t>(points.size()), 3});
 }
 
+/// The positions of all vertices, shape (n, 3).
+inline Array<double> positionArray(const SurfaceMesh& mesh) {
+  std::vector<double> positions;
+  positions.reserve(3 * static_cast<std::size_t>(mesh.vertexCount()));
+  for (const Vertex v : mesh.vertices()) {
+    const Vec3& p = mesh.position(v);
+    positions.insert(positions.end(), {p.x, p.y, p.z});
+  }
+  return arrayOf(std::move(positions), {static_cast<pybind11::ssize_t>(mesh.vertexCount()), 3});
+}
+
+/// The vertices of all faces, shape (m, 3).
+inline Array<std::int64_t> triangleArray(const SurfaceMesh& mesh) {
+  std::vector<std::int64_t> faces;
+  faces.reserve(3 * static_cast<std::size_t>(mesh.faceCount()));
+  for (const Face face : mesh.faces()) {
+    for (const Vertex v : mesh.faceVertices(face)) faces.push_back(v);
+  }
+  return arrayOf(std::move(faces), {static_cast<pybind11::ssize_t>(mesh.faceCount()), 3});
+}
+
 }  // namespace girth::python

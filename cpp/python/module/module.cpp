@@ -12,6 +12,7 @@ PYBIND11_MODULE(_girth, module) {
   girth::python::bindErrors(module);
   girth::python::bindSurface(module);
   girth::python::bindAnalysis(module);
+  girth::python::bindLoops(module);
   girth::python::bindComparison(module);
   pybind11::module_::import("atexit").attr("register")(
       pybind11::cpp_function(&girth::python::waitForAbandoned));

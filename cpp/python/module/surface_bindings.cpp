@@ -12,6 +12,7 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "curves.h"
 #include "girth/geodesic_extent.h"
 #include "girth/heat_kernel.h"
 #include "girth/io/load_mesh.h"
@@ -20,6 +21,7 @@
 #include "girth/thickness.h"
 #include "girth/vertex_areas.h"
 #include "girth/wave_kernel.h"
+#include "points.h"
 #include "surface.h"
 #include "working.h"
 
@@ -135,25 +137,6 @@ py::dict reportOf(const Surface& surface) {
   return counts;
 }
 
-Array<double> positionsOf(const SurfaceMesh& mesh) {
-  std::vector<double> positions;
-  positions.reserve(3 * static_cast<std::size_t>(mesh.vertexCount()));
-  for (const Vertex v : mesh.vertices()) {
-    const Vec3& p = mesh.position(v);
-    positions.insert(positions.end(), {p.x, p.y, p.z});
-  }
-  return arrayOf(std::move(positions), {static_cast<py::ssize_t>(mesh.vertexCount()), 3});
-}
-
-Array<std::int64_t> trianglesOf(const SurfaceMesh& mesh) {
-  std::vector<std::int64_t> faces;
-  faces.reserve(3 * static_cast<std::size_t>(mesh.faceCount()));
-  for (const Face face : mesh.faces()) {
-    for (const Vertex v : mesh.faceVertices(face)) faces.push_back(v);
-  }
-  return arrayOf(std::move(faces), {static_cast<py::ssize_t>(mesh.faceCount()), 3});
-}
-
 py::tuple arraysOf(const GirthField& field) {
   std::vector<std::uint8_t> kinds;
   kinds.reserve(field.kinds.size());
@@ -251,17 +234,6 @@ Array<double> spectralFieldOf(const Shared& surface, const std::string& name, In
   return arrayOf(std::move(signature.values), {vertices, dimensions});
 }
 
-/// A vertex where `weights` has no numbers, otherwise a point of a face.
-SurfacePoint pointOf(std::int64_t element, const Values& weights) {
-  const auto number =
-      element >= 0 && element < std::int64_t{kNoIndex} ? static_cast<Index>(element) : kNoIndex;
-  if (weights.size() != 3) return SurfacePoint::atVertex(Vertex(number));
-  return SurfacePoint::inFace(Face(number), {weights[0], weights[1], weights[2]});
-}
-
-/// As Python passes points: (number, weights).
-using Point = std::pair<std::int64_t, Values>;
-
 py::dict loopDict(const SurfaceMesh& mesh, const SurfacePoint& point, const GirthLoop& loop) {
   py::dict result;
   result["length"] = loop.length;
@@ -270,12 +242,13 @@ py::dict loopDict(const SurfaceMesh& mesh, const SurfacePoint& point, const Girt
   result["base"] = pointArray(positionOf(mesh, point));
   result["midpoint"] = pointArray(positionOf(mesh, loop.midpoint));
   result["points"] = placesOf(mesh, loop.points);
+  result["curve"] = curveOf(loop.points);
   return result;
 }
 
 py::dict loopAt(const Shared& surface, const Point& at, double persistence,
                 const Running& running) {
-  const SurfacePoint point = pointOf(at.first, at.second);
+  const SurfacePoint point = pointOf(at);
   const auto loop =
       compute<GirthLoop>(running, [surface, point, persistence](const ExecutionContext& context) {
         return surface->loop(point, persistence, context);
@@ -286,7 +259,7 @@ py::dict loopAt(const Shared& surface, const Point& at, double persistence,
 /// (births, deaths, loops, rest, kind of the rest)
 py::tuple barcodeAt(const Shared& surface, const Point& at, double maxPersistence,
                     std::size_t maxSaddles, bool loops, const Running& running) {
-  const SurfacePoint point = pointOf(at.first, at.second);
+  const SurfacePoint point = pointOf(at);
   const BarcodeOptions options{maxPersistence, maxSaddles, loops};
   const auto barcode =
       compute<Barcode>(running, [surface, point, options](const ExecutionContext& context) {
@@ -308,7 +281,7 @@ py::tuple barcodeAt(const Shared& surface, const Point& at, double maxPersistenc
 Array<double> distancesFrom(const Shared& surface, const std::vector<Point>& from, double radius,
                             const Running& running) {
   std::vector<SurfacePoint> sources;
-  for (const Point& at : from) sources.push_back(pointOf(at.first, at.second));
+  for (const Point& at : from) sources.push_back(pointOf(at));
   return arrayOf(
       compute<Values>(running, [surface, sources, radius](const ExecutionContext& context) {
         return surface->distances(sources, radius, context);
@@ -317,8 +290,8 @@ Array<double> distancesFrom(const Shared& surface, const std::vector<Point>& fro
 
 py::tuple pathBetween(const Shared& surface, const Point& from, const Point& to,
                       const Running& running) {
-  const SurfacePoint start = pointOf(from.first, from.second);
-  const SurfacePoint end = pointOf(to.first, to.second);
+  const SurfacePoint start = pointOf(from);
+  const SurfacePoint end = pointOf(to);
   const auto path =
       compute<GeodesicPath>(running, [surface, start, end](const ExecutionContext& context) {
         return surface->path(start, end, context);
@@ -335,7 +308,7 @@ py::tuple remeshed(const Shared& surface, std::int64_t faces, bool even, const R
       compute<RemeshedSurface>(running, [surface, options](const ExecutionContext& context) {
         return remesh(surface->mesh(), options, context);
       });
-  return py::make_tuple(positionsOf(result.mesh), trianglesOf(result.mesh));
+  return py::make_tuple(positionArray(result.mesh), triangleArray(result.mesh));
 }
 
 }  // namespace
@@ -362,8 +335,8 @@ void bindSurface(py::module_& module) {
       .def("input_of_vertex",
            [](const Surface& s) { return numberArray(s.loaded().inputOfVertex); })
       .def("input_of_face", [](const Surface& s) { return numberArray(s.loaded().inputOfFace); })
-      .def("positions", [](const Surface& s) { return positionsOf(s.mesh()); })
-      .def("triangles", [](const Surface& s) { return trianglesOf(s.mesh()); })
+      .def("positions", [](const Surface& s) { return positionArray(s.mesh()); })
+      .def("triangles", [](const Surface& s) { return triangleArray(s.mesh()); })
       .def("areas", [](const Surface& s) { return arrayOf(vertexAreas(s.mesh())); })
       .def("girth", &girthOf)
       .def("angle", &angleOf)

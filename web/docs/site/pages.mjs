@@ -49,6 +49,7 @@ const placed = [
     pages: [
       document('how-to/check-a-print'),
       document('how-to/find-tips'),
+      document('how-to/necks-and-handles', 'Necks, handles and cuts'),
       document('how-to/part-tubes-and-plates'),
       document('how-to/compare-shapes'),
       document('how-to/study-a-collection'),

@@ -1,0 +1,190 @@
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "curves.h"
+#include "girth/bottleneck.h"
+#include "girth/cut_surface.h"
+#include "girth/handles.h"
+#include "girth/io/write_cut.h"
+#include "girth/necks.h"
+#include "girth/path_profile.h"
+#include "points.h"
+#include "surface.h"
+#include "working.h"
+
+namespace py = pybind11;
+
+namespace girth::python {
+namespace {
+
+using Shared = std::shared_ptr<Surface>;
+
+/// (area, volume) of each side.
+Array<double> sidesOf(const std::vector<CurveSide>& sides) {
+  std::vector<double> numbers;
+  for (const CurveSide& side : sides) numbers.insert(numbers.end(), {side.area, side.volume});
+  return arrayOf(std::move(numbers), {static_cast<py::ssize_t>(sides.size()), 2});
+}
+
+py::dict neckOf(const SurfaceMesh& mesh, const Neck& neck) {
+  py::dict result;
+  result["length"] = neck.length;
+  result["prominence"] = neck.prominence;
+  result["points"] = placesOf(mesh, neck.points);
+  result["curve"] = curveOf(neck.points);
+  result["width"] = neck.width;
+  result["vertices"] = numberArray(neck.vertices);
+  result["centre"] = pointArray(neck.centre);
+  result["normal"] = pointArray(neck.normal);
+  result["radius"] = neck.radius;
+  result["area"] = neck.area;
+  result["sides"] = sidesOf(neck.sides);
+  result["measures_girth"] = neck.measuresGirth;
+  result["touches_boundary"] = neck.touchesBoundary;
+  return result;
+}
+
+/// (necks, unresolved)
+py::tuple necksOf(const Shared& surface, double minProminence, const Running& running) {
+  const Necks found = compute<Necks>(
+      running, [surface, minProminence](const ExecutionContext& context) -> Result<Necks> {
+        const auto girth = surface->girth(0, {context.threads, context.cancel, {}});
+        if (!girth) return girth.error();
+        return findNecks(surface->mesh(), girth.value()->values, {minProminence}, context);
+      });
+  py::list necks;
+  for (const Neck& neck : found.necks) necks.append(neckOf(surface->mesh(), neck));
+  return py::make_tuple(necks, found.unresolved);
+}
+
+/// (handles, unresolved)
+py::tuple handlesOf(const Shared& surface, std::size_t basePoints, const Running& running) {
+  const Handles found =
+      compute<Handles>(running, [surface, basePoints](const ExecutionContext& context) {
+        return findHandles(surface->mesh(), {basePoints}, context);
+      });
+  py::list handles;
+  for (const Handle& handle : found.handles) {
+    py::dict one;
+    one["length"] = handle.length;
+    one["kind"] = std::string(toString(handle.kind));
+    one["points"] = placesOf(surface->mesh(), handle.points);
+    one["curve"] = curveOf(handle.points);
+    one["centre"] = pointArray(handle.centre);
+    one["area"] = handle.area;
+    one["component"] = handle.component;
+    handles.append(one);
+  }
+  return py::make_tuple(handles, found.unresolved);
+}
+
+py::dict bottleneckOf(const Shared& surface, const Point& from, const Point& to,
+                      const Running& running) {
+  const SurfacePoint start = pointOf(from), end = pointOf(to);
+  const Bottleneck found = compute<Bottleneck>(
+      running, [surface, start, end](const ExecutionContext& context) -> Result<Bottleneck> {
+        const auto girth = surface->girth(0, {context.threads, context.cancel, {}});
+        if (!girth) return girth.error();
+        return findBottleneck(surface->mesh(), girth.value()->values, start, end, context);
+      });
+  const SurfaceMesh& mesh = surface->mesh();
+  py::dict result;
+  result["girth"] = found.girth;
+  result["kind"] = std::string(toString(found.kind));
+  result["place"] = pointArray(positionOf(mesh, found.place));
+  result["points"] = placesOf(mesh, found.points);
+  result["curve"] = curveOf(found.points);
+  result["centre"] = pointArray(found.centre);
+  result["area"] = found.area;
+  result["sides"] = sidesOf(found.sides);
+  result["way"] = placesOf(mesh, found.way);
+  return result;
+}
+
+using Stations = std::vector<PathStation>;
+
+/// (distances, girths, kinds, places) along the shortest paths from each point to the next.
+py::tuple profileOf(const Shared& surface, const std::vector<Point>& through, std::size_t samples,
+                    bool crossings, const Running& running) {
+  std::vector<SurfacePoint> points;
+  for (const Point& point : through) points.push_back(pointOf(point));
+  const PathProfileOptions options{samples, crossings};
+  const Stations stations = compute<Stations>(
+      running, [surface, points, options](const ExecutionContext& context) -> Result<Stations> {
+        std::vector<SurfacePoint> path;
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+          const auto piece = surface->path(points[i], points[i + 1], context.ofOneThread());
+          if (!piece) return piece.error();
+          if (piece.value().points.empty()) {
+            Error error = makeError(ErrorCode::InvalidPoint, -1,
+                                    "points " + std::to_string(i) + " and " +
+                                        std::to_string(i + 1) + " lie in different components");
+            error.hint = "choose points that a way over the surface joins";
+            return error;
+          }
+          path.insert(path.end(), piece.value().points.begin(), piece.value().points.end());
+        }
+        return girthAlong(surface->mesh(), path, options, context);
+      });
+  std::vector<double> distances, girths;
+  std::vector<std::uint8_t> kinds;
+  std::vector<SurfacePoint> places;
+  for (const PathStation& station : stations) {
+    distances.push_back(station.distance);
+    girths.push_back(station.girth);
+    kinds.push_back(static_cast<std::uint8_t>(station.kind));
+    places.push_back(station.point);
+  }
+  return py::make_tuple(arrayOf(std::move(distances)), arrayOf(std::move(girths)),
+                        arrayOf(std::move(kinds)), placesOf(surface->mesh(), places));
+}
+
+/// (parts, part of each face of the input)
+py::tuple cutAlong(const Shared& surface, const std::vector<CurveArrays>& curves, bool cap,
+                   const Running& running) {
+  std::vector<SurfaceCurve> along;
+  for (const CurveArrays& curve : curves) along.push_back(pointsOf(curve));
+  const auto model = compute<io::CutModel>(
+      running, [surface, along, cap](const ExecutionContext& context) -> Result<io::CutModel> {
+        const auto cut = cutSurface(surface->mesh(), along, {cap}, context);
+        if (!cut) return cut.error();
+        return io::cutModel(cut.value());
+      });
+  py::list parts;
+  for (const SurfaceComponent& part : model.parts) {
+    std::vector<Index> rows;
+    for (const Face face : part.faces) {
+      const Face whole = model.faces[face];
+      rows.push_back(whole == Face::none ? kNoIndex : surface->loaded().inputOfFace[whole]);
+    }
+    py::dict one;
+    one["vertices"] = positionArray(part.mesh);
+    one["faces"] = triangleArray(part.mesh);
+    one["face_rows"] = numberArray(rows);
+    one["area"] = part.mesh.area();
+    one["genus"] = part.mesh.genus(0);
+    one["boundaries"] = part.mesh.boundaryCount(0);
+    parts.append(one);
+  }
+  return py::make_tuple(parts, numberArray(io::partOfFaces(surface->loaded(), model)));
+}
+
+}  // namespace
+
+void bindLoops(py::module_& module) {
+  module.def("necks", &necksOf);
+  module.def("handles", &handlesOf);
+  module.def("bottleneck", &bottleneckOf);
+  module.def("profile", &profileOf);
+  module.def("cut", &cutAlong);
+}
+
+}  // namespace girth::python

@@ -1,0 +1,122 @@
+// What necks, handles, bottlenecks, profiles and cuts answer where there is little to find: open
+// surfaces, several components, surfaces that cannot be oriented, two necks that touch, and odd
+// thresholds.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "known_models.h"
+
+namespace girth::test {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST_F(Command, boundariesAreNoHandles) {
+  // An open hourglass has genus 0, whatever its two ends are.
+  const std::string model = write("hourglass.obj", hourglass());
+  EXPECT_TRUE(contains(run({"handles", model}).output, "no handles: its genus is 0\n"));
+  // A frame without one of its faces keeps its two loops.
+  std::string open = frame();
+  open.erase(open.rfind("f "));
+  const Json handles =
+      Json::parse(run({"handles", write("open.obj", open), "--json"}).output)["handles"];
+  EXPECT_EQ(handles.size(), 2u);
+}
+
+TEST_F(Command, everyComponentCountsByItself) {
+  const std::string model = write("two.obj", hourglass() + hourglass(20, kHourglassVertices));
+  const Json necks = Json::parse(run({"necks", model, "--json"}).output)["necks"];
+  ASSERT_EQ(necks.size(), 2u);
+  for (const Json& neck : necks) EXPECT_TRUE(neck["prominence"].is_null());
+  EXPECT_EQ(Json::parse(run({"cut", model, "--necks", "--json"}).output)["parts"].size(), 4u);
+  EXPECT_EQ(Json::parse(run({"cut", model, "--neck", "1", "--json"}).output)["parts"].size(), 3u);
+  EXPECT_EQ(Json::parse(run({"bottleneck", model, "18", "33", "--json"}).output)["kind"], "neck");
+}
+
+TEST_F(Command, whatCannotBeOrientedIsCutApartAndSaid) {
+  // A Möbius strip of eight quadrilaterals.
+  std::string strip;
+  for (int i = 0; i < 8; ++i) {
+    const double turn = 2 * M_PI * i / 8, twist = turn / 2;
+    for (const double side : {-0.3, 0.3}) {
+      const double out = 2 + side * std::cos(twist);
+      strip += "v " + std::to_string(out * std::cos(turn)) + " " +
+               std::to_string(out * std::sin(turn)) + " " + std::to_string(side * std::sin(twist)) +
+               "\n";
+    }
+  }
+  for (int i = 0; i < 8; ++i) {
+    const int a = 2 * i + 1, b = a + 1;
+    const int c = i == 7 ? 2 : a + 2, d = i == 7 ? 1 : b + 2;
+    strip += "f " + std::to_string(a) + " " + std::to_string(c) + " " + std::to_string(d) + " " +
+             std::to_string(b) + "\n";
+  }
+  const std::string model = write("strip.obj", strip);
+  EXPECT_GT(Json::parse(run({"info", model, "--json"}).output)["report"]["oneSidedEdges"], 0);
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"necks", model},
+                                                {"handles", model},
+                                                {"bottleneck", model, "0", "8"},
+                                                {"profile", model, "0", "8"},
+                                                {"cut", model, "--necks"}}) {
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exitCode, 0) << words[0] << outcome.errors;
+  }
+}
+
+TEST_F(Command, twoNecksThatTouchAreCutBoth) {
+  // A torus of few sections: two neighbouring loops round the tube meet at its inside.
+  std::string model;
+  constexpr int kAround = 7, kAcross = 6;
+  for (int k = 0; k < kAround; ++k) {
+    for (int i = 0; i < kAcross; ++i) {
+      const double u = 2 * M_PI * k / kAround, v = 2 * M_PI * i / kAcross;
+      model += "v " + std::to_string((4 + std::cos(v)) * std::cos(u)) + " " +
+               std::to_string((4 + std::cos(v)) * std::sin(u)) + " " + std::to_string(std::sin(v)) +
+               "\n";
+    }
+  }
+  for (int k = 0; k < kAround; ++k) {
+    for (int i = 0; i < kAcross; ++i) {
+      const int a = k * kAcross + i, b = (k + 1) % kAround * kAcross + i;
+      const int c = (k + 1) % kAround * kAcross + (i + 1) % kAcross,
+                d = k * kAcross + (i + 1) % kAcross;
+      for (const int corners : {0, 1}) {
+        model += "f " + std::to_string(a + 1) + " " + std::to_string((corners == 0 ? b : c) + 1) +
+                 " " + std::to_string((corners == 0 ? c : d) + 1) + "\n";
+      }
+    }
+  }
+  const std::string file = write("torus.obj", model);
+  const std::size_t necks = Json::parse(run({"necks", file, "--json"}).output)["necks"].size();
+  EXPECT_GE(necks, 2u);
+  const Outcome outcome = run({"cut", file, "--necks", "--json"});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_EQ(Json::parse(outcome.output)["parts"].size(), necks);
+}
+
+TEST_F(Command, oddThresholds) {
+  const std::string model = write("frame.obj", frame());
+  for (const std::string length : {"-1", "nan", "-0.5mm", "wide"}) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"necks", model, "--min-prominence", length},
+          {"cut", model, "--necks", "--min-prominence", length},
+          {"cut", model, "--at", length},
+          {"remesh", model, "--remove-handles", length, "-o", path("r.obj")}}) {
+      const Outcome outcome = run(words);
+      EXPECT_EQ(outcome.exitCode, 1) << words[0] << " " << length;
+      EXPECT_FALSE(outcome.errors.empty());
+    }
+  }
+  // A threshold of 0 takes all necks, and removes no handle.
+  EXPECT_EQ(run({"necks", model, "--min-prominence", "0"}).exitCode, 0);
+  const Outcome none =
+      run({"remesh", model, "--remove-handles", "0", "-o", path("same.obj"), "--json"});
+  ASSERT_EQ(none.exitCode, 0) << none.errors;
+  EXPECT_EQ(Json::parse(none.output)["genus"], 1);
+}
+
+}  // namespace
+}  // namespace girth::test

@@ -1,0 +1,167 @@
+"""Necks, handles, bottlenecks, profiles and cuts: closed forms, and the same bits as the command."""
+
+import pickle
+
+import girth
+import numpy as np
+import pytest
+from shapes import as_obj, lathe, prism, tetrahedron, torus
+
+#: Two waists of known length between three bellies.
+RINGS = [(0, 1.8), (4, 1.0), (8.8, 2.2), (14.8, 0.7), (20, 2.0)]
+SIDES = 8
+
+
+def waists():
+    return lathe(RINGS, SIDES)
+
+
+def polygon_length(radius):
+    return 2 * SIDES * radius * np.sin(np.pi / SIDES)
+
+
+@pytest.fixture
+def model(tmp_path):
+    path = tmp_path / "waists.obj"
+    path.write_text(as_obj(*waists()))
+    return path
+
+
+def test_necks_are_those_of_the_command(command, model):
+    mesh = girth.load(model)
+    found = mesh.necks()
+    wanted = command("necks", model, as_json=True)
+    assert found.unresolved == wanted["unresolved"] == 0
+    np.testing.assert_allclose(found.lengths, [polygon_length(0.7), polygon_length(1)], rtol=1e-12)
+    assert np.isinf(found.prominences[0])
+    for neck, other in zip(found, wanted["necks"]):
+        assert neck.length == other["length"]
+        assert np.isinf(neck.prominence) or neck.prominence == other["prominence"]
+        assert neck.vertices.tolist() == other["vertices"]
+        assert neck.points.tolist() == [point["position"] for point in other["points"]]
+        assert neck.centre.tolist() == other["centre"]
+        assert neck.area == other["area"] and neck.radius == other["radius"]
+        assert neck.sides.tolist() == [[side["area"], side["volume"]] for side in other["sides"]]
+        assert neck.measures_girth and not neck.touches_boundary
+    assert len(mesh.necks(min_prominence=np.inf)) == 1
+    assert repr(found[0]) == "<girth.Neck: length 4.28605, prominence inf>"
+    assert repr(found) == "<girth.Necks: 2 necks, lengths [4.286, 6.123]>"
+
+
+def test_handles_are_those_of_the_command(command, tmp_path):
+    path = tmp_path / "torus.obj"
+    path.write_text(as_obj(*torus(12, 8)))
+    found = girth.load(path).handles()
+    wanted = command("handles", path, as_json=True)
+    assert found.unresolved == 0
+    assert [handle.kind for handle in found] == [one["kind"] for one in wanted["handles"]]
+    assert sorted(handle.kind for handle in found) == ["handle", "tunnel"]
+    for handle, other in zip(found, wanted["handles"]):
+        assert handle.length == other["length"]
+        assert handle.points.tolist() == [point["position"] for point in other["points"]]
+    assert len(girth.Mesh(*tetrahedron()).handles()) == 0
+
+
+def test_a_bottleneck_is_that_of_the_command(command, model):
+    mesh = girth.load(model)
+    found = mesh.bottleneck(2 * SIDES, 4 * SIDES + 3)
+    wanted = command("bottleneck", model, 2 * SIDES, 4 * SIDES + 3, as_json=True)
+    assert found.kind == wanted["kind"] == "neck"
+    assert found.girth == wanted["girth"]
+    np.testing.assert_allclose(found.girth, polygon_length(0.7), rtol=1e-12)
+    assert found.points.tolist() == [point["position"] for point in wanted["points"]]
+    assert found.way.tolist() == [point["position"] for point in wanted["way"]]
+    np.testing.assert_allclose(found.way[0], mesh.vertices[2 * SIDES])
+    assert found.sides.shape == (2, 2)
+    on_neck = mesh.bottleneck(2 * SIDES, 3 * SIDES)
+    assert on_neck.kind == "end" and on_neck.sides.shape == (0, 2)
+    in_faces = mesh.bottleneck((2 * SIDES, (0.2, 0.3, 0.5)), 4 * SIDES)
+    assert in_faces.girth <= polygon_length(1) * (1 + 1e-12)
+
+
+def test_a_profile_is_that_of_the_command(command, model):
+    mesh = girth.load(model)
+    words = (SIDES, 2 * SIDES + 1, "3:0.2,0.3,0.5", "--samples", 17)
+    wanted = command("profile", model, *words, as_json=True)["stations"]
+    found = mesh.profile(SIDES, 2 * SIDES + 1, (3, (0.2, 0.3, 0.5)), samples=17)
+    assert found.distances.tolist() == [one["distance"] for one in wanted]
+    assert found.girths.tolist() == [one["girth"] for one in wanted]
+    assert found.points.tolist() == [one["point"]["position"] for one in wanted]
+    assert len(found) == len(found.kinds) == len(wanted)
+    even = mesh.profile(SIDES, 2 * SIDES, samples=5, crossings=False)
+    np.testing.assert_allclose(even.distances, np.linspace(0, even.distances[-1], 5))
+
+
+def test_a_profile_of_a_tube_is_its_perimeter():
+    mesh = girth.Mesh(*prism(6, length=40.0, rings=41))
+    np.testing.assert_allclose(mesh.profile(6 * 15, 6 * 25 + 2).girths, 6, rtol=1e-12)
+
+
+def test_cuts_are_those_of_the_command(command, model):
+    mesh = girth.load(model)
+    necks = mesh.necks()
+    cut = mesh.cut(necks)
+    parts = command("cut", model, "--necks", as_json=True)["parts"]
+    assert [part.area for part in cut] == [part["area"] for part in parts]
+    assert [len(part.faces) for part in cut] == [part["faces"] for part in parts]
+    assert [part.boundaries for part in cut] == [part["boundaries"] for part in parts]
+    assert sum(len(part.faces) for part in cut) == len(mesh.faces)  # along edges
+    for number, part in enumerate(cut):
+        assert (cut.labels[part.face_rows] == number).all()
+        assert part.genus == 0
+    capped = mesh.cut(necks[0], cap=True)
+    assert [part.boundaries for part in capped] == [0, 0]
+    assert (capped[0].face_rows == -1).sum() == SIDES - 2
+    assert girth.Mesh(capped[0].vertices, capped[0].faces).report["boundary_edges"] == 0
+    # Whatever has a loop can be cut along; it survives being pickled.
+    bottleneck = pickle.loads(pickle.dumps(mesh.bottleneck(2 * SIDES, 4 * SIDES)))
+    assert [part.area for part in mesh.cut(bottleneck)] == [part.area for part in mesh.cut(necks[0])]
+    assert len(mesh.cut(mesh.loop(SIDES))) == 2
+    assert len(mesh.cut([])) == 1
+    ring = girth.Mesh(*torus(12, 8))
+    opened = ring.cut(ring.handles()[0])
+    assert len(opened) == 1 and opened[0].boundaries == 2 and opened[0].genus == 0
+
+
+def code_of(call):
+    with pytest.raises(girth.GirthError) as raised:
+        call()
+    return raised.value.code
+
+
+def test_bad_input_is_named():
+    vertices, faces = waists()
+    mesh = girth.Mesh(vertices, faces)
+    for value in (-1, np.nan):
+        assert code_of(lambda: mesh.necks(min_prominence=value)) == "INVALID_OPTION"
+    assert code_of(lambda: mesh.handles(base_points=0)) == "INVALID_OPTION"
+    assert code_of(lambda: mesh.bottleneck(0, 10_000)) == "VERTEX_OUT_OF_RANGE"
+    assert code_of(lambda: mesh.bottleneck(0, (0, (0.5, 0.5, 0.5)))) == "INVALID_POINT"
+    assert code_of(lambda: mesh.profile(0)) == "USAGE"
+    assert code_of(lambda: mesh.profile(0, 1, samples=1)) == "INVALID_OPTION"
+    assert code_of(lambda: mesh.profile(0, 1, samples=-1)) == "INVALID_OPTION"
+    assert code_of(lambda: mesh.profile(0, 1, samples=0, crossings=False)) == "INVALID_OPTION"
+    assert code_of(lambda: mesh.cut([3])) == "USAGE"
+    two = girth.Mesh(np.vstack([vertices, vertices + 50]), np.vstack([faces, faces + len(vertices)]))
+    assert code_of(lambda: two.bottleneck(0, len(vertices))) == "INVALID_POINT"
+    assert code_of(lambda: two.profile(0, len(vertices))) == "INVALID_POINT"
+    # A loop of another mesh.
+    other = girth.Mesh(*torus())
+    assert code_of(lambda: mesh.cut(other.handles()[0])) == "INVALID_POINT"
+
+
+def test_progress_and_stopping():
+    mesh = girth.Mesh(*torus())
+    shares = []
+    mesh.handles(progress=shares.append)
+    assert shares == sorted(shares)
+
+    class Stop(Exception):
+        pass
+
+    def stop(share):
+        raise Stop
+
+    for call in (mesh.necks, mesh.handles):
+        with pytest.raises(Stop):
+            call(progress=stop)
