@@ -136,7 +136,11 @@ export function requireBuilt(file: string, command: string): void {
   if (!existsSync(join(repository, file))) throw new Error(`first: npm run ${command}`);
 }
 
-const viewport = { width: 1024, height: 768 };
+/** Of every context: what a service worker keeps would come before what a test serves. */
+const usual = {
+  viewport: { width: 1024, height: 768 },
+  serviceWorkers: 'block',
+} as const;
 
 export interface OpenPage {
   browser: Browser;
@@ -161,7 +165,7 @@ export function chromiumForTests(): (
   });
   afterAll(() => browser?.close());
   return async (address, options = {}, prepare = () => Promise.resolve()) => {
-    const context = await browser.newContext({ viewport, ...options });
+    const context = await browser.newContext({ ...usual, ...options });
     const page = await context.newPage();
     const complaints = complaintsOf(page);
     await prepare(page);
@@ -208,7 +212,7 @@ export function pagesForTests(): (
     const key = JSON.stringify([origin, options]);
     let keeper = free.get(key)?.pop();
     if (!keeper) {
-      const context = await browser.newContext({ viewport, ...options });
+      const context = await browser.newContext({ ...usual, ...options });
       keeper = await context.newPage();
       await keeper.goto(`${origin}/no-content`);
     }

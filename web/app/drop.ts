@@ -1,9 +1,21 @@
 // The whole window takes dropped files and folders.
 
 import type { FileWithPath } from '../src/kernel/index.js';
+import { keepHandle } from './file-handles.js';
 
 /** More files than this are not one model's: somebody has dropped the whole disk. */
 const mostFiles = 2000;
+
+/** What is dropped, as far as it is asked for here. */
+export interface Dropped {
+  readonly files: Iterable<File>;
+  readonly items: Iterable<Pick<DataTransferItem, 'kind' | 'webkitGetAsEntry'>>;
+}
+
+/** Of browsers that have handles. */
+interface ItemWithHandle {
+  getAsFileSystemHandle?(): Promise<FileSystemHandle | null>;
+}
 
 /** Shows `curtain` while files are over the window and calls `open` when some are dropped. */
 export function acceptDrops(
@@ -12,6 +24,10 @@ export function acceptDrops(
 ): void {
   const carriesFiles = (event: DragEvent): boolean =>
     event.dataTransfer?.types.includes('Files') ?? false;
+  const take = (dropped: Dropped): void =>
+    void filesOf(dropped).then((files) => {
+      if (files.length > 0) open(files);
+    });
   // Entering a child comes before leaving its parent: count both.
   let depth = 0;
   window.addEventListener('dragenter', (event) => {
@@ -35,18 +51,21 @@ export function acceptDrops(
     event.preventDefault();
     depth = 0;
     curtain.hidden = true;
-    void filesOf(event.dataTransfer!).then((files) => {
-      if (files.length > 0) open(files);
-    });
+    take(event.dataTransfer!);
   });
+  // What was dropped before, `start.ts` has.
+  window.dispatchEvent(new CustomEvent('takedrops', { detail: take }));
 }
 
 /** The dropped files, those in folders with their paths. */
-export async function filesOf(
-  dropped: Pick<DataTransfer, 'items' | 'files'>,
-): Promise<(File | FileWithPath)[]> {
+export async function filesOf(dropped: Dropped): Promise<(File | FileWithPath)[]> {
   // Entries and files have to be asked for at once: afterwards the drop is forgotten.
   const files = [...dropped.files];
+  const ofFiles = [...dropped.items].filter(({ kind }) => kind === 'file') as ItemWithHandle[];
+  ofFiles.forEach((item, i) => {
+    const handle = item.getAsFileSystemHandle?.();
+    if (handle && files[i]) keepHandle(files[i], handle);
+  });
   const entries = [...dropped.items].map((item) => item.webkitGetAsEntry?.() ?? null);
   if (!entries.some((entry) => entry?.isDirectory)) return files;
   const found: FileWithPath[] = [];

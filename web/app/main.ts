@@ -12,27 +12,31 @@ import {
 import { Address } from './address.js';
 import { ComparePanel } from './compare-panel.js';
 import { ComputedFields } from './computed-fields.js';
-import { byId, setAttribute } from './dom.js';
+import { byId, once, setAttribute } from './dom.js';
 import { acceptDrops } from './drop.js';
 import { type Example, ExamplesStrip } from './examples-strip.js';
 import { offerExports } from './export-menu.js';
 import { FieldPanel } from './field-panel.js';
+import { acceptLaunches } from './launch.js';
 import { LimbsPanel } from './limbs-panel.js';
 import { NecksPanel } from './necks-panel.js';
 import { explainColours, showUntilTouched } from './meaning.js';
 import { MissingModel } from './missing-model.js';
-import { forwardKeys } from './keys.js';
+import { forwardKeys, pressControls } from './keys.js';
 import { ModelDetails } from './model-details.js';
+import { offerInstalling, workOffline } from './offline.js';
 import type { Panel } from './panel.js';
 import { PartsPanel } from './parts-panel.js';
 import { PinnedList } from './pinned-list.js';
 import { PrintPanel } from './print-panel.js';
+import { RecentFiles } from './recent-files.js';
 import { type Opened, Session, isSameModel } from './session.js';
 import { elementLine, frameLine } from './share-lines.js';
 import { type Shared, offerSharing } from './share-sheet.js';
 import { closeLeftSheets } from './sheets.js';
 import type { ModelScale } from './size-choice.js';
 import { explainTerms } from './terms.js';
+import { offerTheme } from './theme.js';
 import { TipsPanel } from './tips-panel.js';
 import { Tour } from './tour.js';
 import { offerUndo } from './undo-buttons.js';
@@ -213,6 +217,7 @@ async function openFiles(files: readonly (File | FileWithPath)[]): Promise<void>
   const file = wanted?.file ?? names[0]!;
   const prepare = preparationOf(wanted ?? {});
   if (!(await session.open({ source, link: { file }, prepare }))) return;
+  recent.opened(files);
   invitation.hidden = true;
   viewer.removeAttribute('turn');
   const { models, unreadable } = viewer.info!;
@@ -233,6 +238,7 @@ viewer.addEventListener('load', (event) => {
   const { info } = event.detail;
   // Units and a way up that were chosen stay with their model, however that is prepared.
   const isAnother = session.arrived();
+  if (isAnother) recent.left();
   missing.hide();
   if (isAnother) for (const name of ['unit', 'shown-unit', 'up']) viewer.removeAttribute(name);
   const { prepare = {}, remeshed, link } = session.opened ?? {};
@@ -258,6 +264,7 @@ viewer.addEventListener('field', (event) => {
   if (name !== 'igf') return;
   document.documentElement.dataset['field'] = share === 1 ? 'complete' : 'partial';
   if (share < 1) return;
+  void recent.draw();
   void details.compare();
   void tips.compute();
   limbs.girthIsThere();
@@ -270,7 +277,9 @@ viewer.addEventListener('touch', () => (isUntouched = false));
 const explain = explainColours(viewer, () => print.isColouring);
 for (const event of ['camera', 'unit', 'view']) viewer.addEventListener(event, changed);
 
+const recent = new RecentFiles(viewer, (files) => void openFiles(files));
 acceptDrops(byId('drop'), (files) => void openFiles(files));
+acceptLaunches((files) => void openFiles(files));
 offerExports(viewer, computed, { parts, loops, limbs });
 offerSharing(shared);
 
@@ -329,11 +338,29 @@ explanation.addEventListener('click', (event) => {
   if (event.target === explanation) explanation.close();
 });
 
+// Whoever never asks for them does not fetch them.
+byId('commands').addEventListener('click', () => void palette().then((one) => one.open()));
+byId('all-keys').addEventListener('click', () => {
+  explanation.close();
+  void keyList().then((one) => one.open());
+});
+const palette = once(async () => new (await import('./palette.js')).Palette(viewer));
+const keyList = once(async () => new (await import('./key-list.js')).KeyList(viewer));
+
 explainTerms();
 closeLeftSheets();
+offerTheme(() => field.refresh());
+offerInstalling();
+// What is kept for later visits is fetched when this one has what it needs.
+const worksOffline = once(workOffline);
+viewer.addEventListener('field', ({ detail }) => {
+  if (detail.share === 1) void worksOffline();
+});
+setTimeout(() => void worksOffline(), 15_000);
 // Files that are dropped before the examples are there are not lost to them.
 const first = address.state;
 if (first.file !== undefined && first.model === undefined) wanted = first;
+pressControls();
 forwardKeys(viewer);
 await examples.prepare();
 if (!session.isAsked) void address.during(go(first));

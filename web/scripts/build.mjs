@@ -105,8 +105,11 @@ export async function buildPage() {
   await buildExamples();
   await refresh({
     name: 'page',
-    inputs: [...configuration, 'package.json', 'web/vite.app.config.ts', 'web/src', 'web/app'],
-    outputs: ['build/page/index.html'],
+    inputs: [
+      ...[...configuration, 'package.json', 'web/vite.app.config.ts', 'web/src', 'web/app'],
+      'web/scripts/offline.mjs',
+    ],
+    outputs: ['build/page/index.html', 'build/page/service-worker.js'],
     make: () =>
       runTool('vite', ['build', '--config', 'web/vite.app.config.ts', '--logLevel', 'warn']),
   });

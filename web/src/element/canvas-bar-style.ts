@@ -40,14 +40,9 @@ export const canvasBarStyle = /* css */ `
   dominant-baseline: central;
 }
 .axes .away { opacity: 0.45; }
-.axis-x { color: #c0392b; }
-.axis-y { color: #1e7e34; }
-.axis-z { color: #1f5fbf; }
-@media (prefers-color-scheme: dark) {
-  .axis-x { color: #ff8a80; }
-  .axis-y { color: #7fd18b; }
-  .axis-z { color: #8ab8ff; }
-}
+.axis-x { color: color-mix(in srgb, #e0402f 72%, var(--girth-ink)); }
+.axis-y { color: color-mix(in srgb, #2aa344 72%, var(--girth-ink)); }
+.axis-z { color: color-mix(in srgb, #2f74e0 72%, var(--girth-ink)); }
 .tool .menu {
   position: absolute;
   inset: 0 calc(100% + 6px) auto auto;

@@ -51,11 +51,17 @@ function button(words: string, ...content: Node[]): HTMLButtonElement {
   return make('button', { type: 'button', 'aria-label': words, title: words }, ...content);
 }
 
+/** The key does the same. */
+function keyed(control: HTMLButtonElement, key: string): HTMLButtonElement {
+  control.setAttribute('aria-keyshortcuts', key);
+  return control;
+}
+
 export class CanvasBar {
   readonly element = make('div', { class: 'bar-tools', role: 'toolbar', 'aria-label': 'View' });
   /** Starts and stops the turning. */
   readonly turn = button('Pause the turning', icon('pause'));
-  readonly #home = button('First view (0)', icon('home'));
+  readonly #home = keyed(button('First view (0)', icon('home')), '0');
   readonly #sketch = new AxesSketch();
   readonly #upShown = make('small');
   readonly #axes = make(
@@ -77,7 +83,7 @@ export class CanvasBar {
     this.#home.addEventListener('click', () => actions.home());
     this.turn.addEventListener('click', () => actions.toggleTurning());
     const straight = straightNames.map((name, i) => {
-      const one = make('button', { type: 'button' }, straightWords[name], ' ');
+      const one = keyed(make('button', { type: 'button' }, straightWords[name], ' '), `${i + 1}`);
       one.append(make('kbd', {}, String(i + 1)));
       one.addEventListener('click', () => actions.lookStraight(name));
       return one;

@@ -53,6 +53,8 @@ export class PlotFrame {
   #plot: uPlot | undefined;
   #content: PlotContent | undefined;
   #layout = '';
+  /** The colour of its numbers and axes, as it is drawn. */
+  #ink = '';
   readonly #host: HTMLElement;
 
   /** `host` has a size of its own; the colour of its text is that of numbers and axes. */
@@ -68,6 +70,12 @@ export class PlotFrame {
       media.addEventListener('change', changed);
       this.#watchers.push(() => media.removeEventListener('change', changed));
     }
+    // Pages whose readers choose between dark and light say so on their root.
+    const root = new MutationObserver(() => {
+      if (this.#plot && getComputedStyle(this.#host).color !== this.#ink) this.#rebuild();
+    });
+    root.observe(document.documentElement, { attributes: true });
+    this.#watchers.push(() => root.disconnect());
   }
 
   show(content: PlotContent): void {
@@ -118,7 +126,7 @@ export class PlotFrame {
     if (!content || clientWidth === 0 || clientHeight === 0) return;
     this.#plot?.destroy();
     const style = getComputedStyle(host);
-    const ink = style.color;
+    const ink = (this.#ink = style.color);
     const line = style.getPropertyValue('--plot-line') || ink;
     const axis = (side: 'x' | 'y'): uPlot.Axis => {
       const { format, label } = content[side];
