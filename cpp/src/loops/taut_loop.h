@@ -61,7 +61,7 @@ class TightenedBefore {
 
  private:
   struct Hash {
-    std::size_t operator()(const Key& key) const { return key.low; }
+    std::size_t operator()(const Key& key) const { return static_cast<std::size_t>(key.low); }
   };
   mutable std::mutex mutex_;
   std::unordered_map<Key, Outcome, Hash> outcomes_;
