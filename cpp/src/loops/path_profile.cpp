@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "loops/faces_of_points.h"
 #include "loops/girth_at.h"
@@ -100,9 +99,9 @@ Result<std::vector<PathStation>> girthAlong(const SurfaceMesh& mesh,
       [](const PathStation& a, const PathStation& b) { return a.distance < b.distance; });
   // Of several at one place the first.
   std::vector<PathStation> apart;
-  for (PathStation& station : stations) {
+  for (const PathStation& station : stations) {
     if (!apart.empty() && station.distance - apart.back().distance <= kSamePlace * length) continue;
-    apart.push_back(std::move(station));
+    apart.push_back(station);
   }
   std::vector<SurfacePoint> points;
   for (const PathStation& station : apart) points.push_back(station.point);
