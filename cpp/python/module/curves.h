@@ -34,9 +34,8 @@ inline SurfaceCurve pointsOf(const CurveArrays& curve) {
     points[i].kind = kind == 0   ? SurfacePoint::Kind::AtVertex
                      : kind == 1 ? SurfacePoint::Kind::OnEdge
                                  : SurfacePoint::Kind::InFace;
-    points[i].element = element >= 0 && element < std::int64_t{kNoIndex}
-                            ? static_cast<Index>(element)
-                            : kNoIndex;
+    points[i].element =
+        element >= 0 && element < std::int64_t{kNoIndex} ? static_cast<Index>(element) : kNoIndex;
     points[i].weights = {weights[3 * i], weights[3 * i + 1], weights[3 * i + 2]};
   }
   return points;

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "loops/faces_of_points.h"
 #include "loops/girth_at.h"
@@ -14,7 +13,7 @@ namespace girth {
 namespace {
 
 /// Places nearer to each other than this share of the path are one.
-constexpr double kSameStation = 1e-9;
+constexpr double kSamePlace = 1e-9;
 constexpr std::size_t kMostSamples = 10'000'000;
 
 Error atPoint(std::size_t place, const std::string& what) {
@@ -100,9 +99,9 @@ Result<std::vector<PathStation>> girthAlong(const SurfaceMesh& mesh,
       [](const PathStation& a, const PathStation& b) { return a.distance < b.distance; });
   // Of several at one place the first.
   std::vector<PathStation> apart;
-  for (PathStation& station : stations) {
-    if (!apart.empty() && station.distance - apart.back().distance <= kSameStation * length) continue;
-    apart.push_back(std::move(station));
+  for (const PathStation& station : stations) {
+    if (!apart.empty() && station.distance - apart.back().distance <= kSamePlace * length) continue;
+    apart.push_back(station);
   }
   std::vector<SurfacePoint> points;
   for (const PathStation& station : apart) points.push_back(station.point);

@@ -25,8 +25,8 @@ TEST_F(Command, theBottleneckOfAnHourglass) {
   EXPECT_NEAR(found["centre"][2].get<double>(), 3, 1e-9);
   EXPECT_EQ(found["points"].size(), 7u);
   EXPECT_EQ(found["sides"].size(), 2u);
-  EXPECT_EQ(found["way"].front()["vertices"], Json({0}));
-  EXPECT_EQ(found["way"].back()["vertices"], Json({15}));
+  EXPECT_EQ(found["way"].front()["vertices"], Json::array({0}));
+  EXPECT_EQ(found["way"].back()["vertices"], Json::array({15}));
   const Outcome text = run({"bottleneck", model, "0", "15", "--unit", "cm"});
   EXPECT_TRUE(contains(text.output, "a neck between the points\n")) << text.output;
   EXPECT_TRUE(contains(text.output, " cm\n"));

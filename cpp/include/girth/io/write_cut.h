@@ -36,8 +36,8 @@ GIRTH_EXPORT std::string cutObj(const CutModel& model);
 GIRTH_EXPORT std::string cutJson(const LoadedMesh& loaded, const CutModel& model,
                                  std::string_view file);
 
-/// For each face of the file the part that has most of its area, from 0; kNoIndex where it is not on
-/// the surface.
+/// For each face of the file the part that has most of its area, from 0; kNoIndex where it is not
+/// on the surface.
 GIRTH_EXPORT std::vector<Index> partOfFaces(const LoadedMesh& loaded, const CutModel& model);
 
 /// `face,part` and a row for every face of the file that is on the surface: the part that has most
