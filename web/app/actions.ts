@@ -2,20 +2,9 @@
 // can be used now. The command palette and the list of keys show it, so that neither has words of its own.
 
 import type { GirthViewer } from '../src/element/index.js';
+import type { Action } from './action.js';
 import { shortcutsOf } from './shortcuts.js';
 import { surfaceActions } from './surface-keys.js';
-
-export interface Action {
-  words: string;
-  /** Where on the page it is, from the outside in. */
-  place: string[];
-  /** As `aria-keyshortcuts` has them. */
-  keys: string[];
-  /** Whether it is a switch that is on, or a choice that is chosen. */
-  isOn: boolean;
-  isPossible: boolean;
-  run(): void;
-}
 
 const controls = 'button, summary, select, input, a[href]';
 /** What was found and typed is content: rows of tables and lists, words that are explained. */

@@ -1,7 +1,8 @@
 // The list of all keys, from what the page's controls and the surface have.
 
 import { type GirthViewer, make } from '../src/element/index.js';
-import { type Action, actionsOf } from './actions.js';
+import type { Action } from './action.js';
+import { actionsOf } from './actions.js';
 import { keyElements } from './palette.js';
 import { usualHere } from './shortcuts.js';
 

@@ -2,7 +2,8 @@
 // a listbox, as the ARIA Authoring Practices have them, in a dialog.
 
 import { type GirthViewer, formatCount, make } from '../src/element/index.js';
-import { type Action, actionsOf } from './actions.js';
+import type { Action } from './action.js';
+import { actionsOf } from './actions.js';
 import { fuzzyScore } from './fuzzy.js';
 import { keyWords, usualHere } from './shortcuts.js';
 

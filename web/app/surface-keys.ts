@@ -1,7 +1,7 @@
 // Keys of the surface that no control stands for. What they do is the element's: `press` is asked.
 
 import type { GirthViewer } from '../src/element/index.js';
-import type { Action } from './actions.js';
+import type { Action } from './action.js';
 import { eventOf } from './shortcuts.js';
 
 const keys = [
