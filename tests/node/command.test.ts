@@ -5,6 +5,7 @@ import { execFileSync, spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import {
   chmodSync,
+  copyFileSync,
   existsSync,
   mkdirSync,
   mkdtempSync,
@@ -196,6 +197,49 @@ test.each([
 ] satisfies [string | string[], number | undefined][])('girth %s fails', (line, code) => {
   const { status } = compare(typeof line === 'string' ? line.split(' ') : line);
   if (code !== undefined) expect(status).toBe(code);
+});
+
+test.each([
+  'info secret.obj',
+  'info torus.obj secret.obj',
+  'tips secret.obj --json',
+  'igf shut/torus.obj -o values.csv',
+  'igf torus.obj -o shut/values.csv',
+  'igf torus.obj -o closed/values.csv',
+  'igf torus.obj -o locked.csv',
+])('without permission, girth %s fails', (line) => {
+  // Root may read and write everything, so that the tests of root ask as nobody does.
+  const user = process.getuid!() === 0 ? { uid: 65534, gid: 65534 } : {};
+  const native = join(folder, 'native-command');
+  copyFileSync(command, native);
+  chmodSync(folder, 0o755);
+  const runs = Object.values(sides).map((side, i) => {
+    const cwd = join(side, 'permissions');
+    mkdirSync(join(cwd, 'shut'), { recursive: true });
+    mkdirSync(join(cwd, 'closed'));
+    for (const name of ['torus.obj', 'secret.obj', 'shut/torus.obj'])
+      writeFileSync(join(cwd, name), torus(10, 6));
+    writeFileSync(join(cwd, 'locked.csv'), 'locked');
+    chmodSync(join(cwd, 'secret.obj'), 0);
+    chmodSync(join(cwd, 'locked.csv'), 0o444);
+    chmodSync(join(cwd, 'shut'), 0);
+    chmodSync(join(cwd, 'closed'), 0o555);
+    chmodSync(cwd, 0o777);
+    const args = line.split(' ');
+    const { status, stdout, stderr } = spawnSync(
+      i === 0 ? native : process.execPath,
+      i === 0 ? args : [program, ...args],
+      { cwd, encoding: 'utf8', ...user },
+    );
+    const locked = readFileSync(join(cwd, 'locked.csv'), 'utf8');
+    const written = existsSync(join(cwd, 'values.csv'));
+    chmodSync(join(cwd, 'shut'), 0o755);
+    rmSync(cwd, { recursive: true });
+    return { status, stdout: timeless(stdout), stderr: timeless(stderr), locked, written };
+  });
+  expect(runs[1]).toEqual(runs[0]);
+  expect(runs[0]).toMatchObject({ status: 2, locked: 'locked', written: false });
+  expect(runs[0]!.stdout + runs[0]!.stderr).toMatch(/FILE_UN(READ|WRIT)ABLE.*Permission denied/s);
 });
 
 test('standard output that is full is an error', () => {
