@@ -78,7 +78,8 @@ test('a neck is cut as by the command, to the bit', async () => {
   expect(open.length).toBe(2);
   expect(open[0]!.area + open[1]!.area).toBeCloseTo(mine.area, 9);
   expect(open.map(({ boundaryCount }) => boundaryCount)).toEqual([1, 1]);
-  expect(open.map(({ volume }) => volume)).toEqual([NaN, NaN]);
+  // NaN, which JSON does not have.
+  expect(open.map(({ volume }) => volume)).toEqual([null, null]);
   const faces = new Set(open.flatMap(({ faces }) => [...faces]));
   expect(faces.size).toBe(mine.faceCount);
   const vertices = new Set(open.flatMap(({ vertices }) => [...vertices]));
@@ -102,7 +103,7 @@ test('a handle is opened and nothing falls off; what cannot be cut is refused', 
         await stopped,
         await girth.refusal(mesh.cut(both)),
         await girth.refusal(mesh.cut([[0, 10 ** 6, 0]])),
-        await girth.refusal(mesh.cut([[0, mesh.info.vertexCount - 1, 0]])),
+        await girth.refusal(mesh.cut([[0, mesh.info.vertexCount >> 1, 0]])),
       ];
       const none = await mesh.cut([]);
       kernel.dispose();

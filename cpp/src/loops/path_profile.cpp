@@ -13,7 +13,7 @@ namespace girth {
 namespace {
 
 /// Places nearer to each other than this share of the path are one.
-constexpr double kSamePlace = 1e-9;
+constexpr double kSameStation = 1e-9;
 constexpr std::size_t kMostSamples = 10'000'000;
 
 Error atPoint(std::size_t place, const std::string& what) {
@@ -100,7 +100,8 @@ Result<std::vector<PathStation>> girthAlong(const SurfaceMesh& mesh,
   // Of several at one place the first.
   std::vector<PathStation> apart;
   for (const PathStation& station : stations) {
-    if (!apart.empty() && station.distance - apart.back().distance <= kSamePlace * length) continue;
+    if (!apart.empty() && station.distance - apart.back().distance <= kSameStation * length)
+      continue;
     apart.push_back(station);
   }
   std::vector<SurfacePoint> points;
