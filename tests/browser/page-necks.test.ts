@@ -53,10 +53,10 @@ test('a neck is listed, shown, and the surface cut along it', async () => {
   await rows.first().focus();
   await page.keyboard.press('Enter');
   expect(await rows.first().getAttribute('aria-pressed')).toBe('true');
-  await panel.getByText(/^Chosen: .* long; it separates .* from /).waitFor();
+  await panel.getByText(/^Chosen: .* long; it separates an area of .* from an area of /).waitFor();
   await cut.click();
   await panel.getByText('Cut into 2 parts.').waitFor();
-  const parts = panel.locator('.places li', { hasText: /^part \d/ });
+  const parts = panel.getByRole('list', { name: 'Parts of the cut' }).getByRole('listitem');
   expect(await parts.count()).toBe(2);
   expect(await parts.first().textContent()).toMatch(/area .*² · volume .*³|area [\d.,]+ · volume/);
   await expect.poll(() => fragment(page)).toContain('panel=necks');

@@ -48,7 +48,7 @@ export class NecksPanel {
   readonly #cutHere = make('button', { type: 'button', class: 'plain' }, 'Cut here');
   readonly #cutAll = make('button', { type: 'button', class: 'plain' });
   readonly #cutting = make('div', { class: 'cutting' });
-  readonly #parts = make('ol', { class: 'places' });
+  readonly #parts = make('ol', { class: 'cut-parts', 'aria-label': 'Parts of the cut' });
   readonly #cutWords = make('p', { class: 'hint', role: 'status' });
   readonly #whole = make('button', { type: 'button', class: 'plain' }, 'Show it whole');
   readonly #files = make('p', { class: 'buttons' });
@@ -112,7 +112,10 @@ export class NecksPanel {
     );
     this.panel.onToggle((isOpen) => {
       if (isOpen) void this.compute();
-      else this.#choose(undefined);
+      else {
+        this.#choose(undefined);
+        if (this.#cut) this.#mend();
+      }
       this.#drawAll();
       changed();
     });
@@ -272,10 +275,10 @@ export class NecksPanel {
       if (sides.length === 2) {
         const [one, other] = sides.map(({ area, volume }) =>
           Number.isNaN(volume)
-            ? formatArea(area, format)
-            : `${formatArea(area, format)} with ${formatVolume(volume, format)}`,
+            ? `an area of ${formatArea(area, format)}`
+            : `an area of ${formatArea(area, format)}, volume ${formatVolume(volume, format)},`,
         );
-        words.push(`it separates ${one} from ${other}`);
+        words.push(`it separates ${one} from ${other}`.replace(/,$/, ''));
       } else words.push('it separates nothing');
       if (!measuresGirth) words.push('shorter loops go through some of its points');
     }
