@@ -99,7 +99,8 @@ test('what the tutorial of the element says to write does what it says', async (
   const second = opened.locator('girth-viewer').nth(1);
   await expect
     .poll(() => second.evaluate((element) => element.shadowRoot!.textContent))
-    .toMatch(/Loop 1 pinned: 0\.1299\sm/);
+    // Lengths have a digit less once the greatest girth is known.
+    .toMatch(/Loop 1 pinned: 0\.1(299|30)\sm/);
   expect(complaints).toEqual([]);
   await host.close();
 });

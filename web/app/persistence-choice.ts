@@ -33,6 +33,9 @@ export class PersistenceChoice {
   #isKept = false;
   /** What is to be shown once they are, in percent. */
   #awaited: number | undefined;
+  /** What was shown before the hand began to move, and whether it moves. */
+  #settled: string | undefined;
+  #isMoving = false;
   #painting = 0;
   #name = 'igf';
   readonly #viewer: GirthViewer;
@@ -49,11 +52,16 @@ export class PersistenceChoice {
     );
     this.#draft = new Draft(this.#slider, {
       edited: () => {
+        if (!this.#isMoving) this.#settled = viewer.getAttribute('persistence') ?? undefined;
+        this.#isMoving = true;
         this.#write();
         if (this.#isKept) this.#paintSoon();
       },
       committed: () => void this.#choose(this.#percent),
-      ended: () => this.#write(),
+      ended: () => {
+        this.#isMoving = false;
+        this.#write();
+      },
     });
     viewer.addEventListener('load', () => {
       this.#isKept = false;
@@ -73,8 +81,10 @@ export class PersistenceChoice {
     this.#write();
   }
 
+  /** What the hand passes over on its way is no state of its own. */
   read(): PageState {
-    const persistence = this.#viewer.getAttribute('persistence');
+    const attribute = this.#viewer.getAttribute('persistence') ?? undefined;
+    const persistence = this.#draft.isEdited ? this.#settled : attribute;
     return persistence ? { persistence } : {};
   }
 
