@@ -8,7 +8,7 @@ import { persistenceOf } from './persistence-choice.js';
 import { PointList } from './point-list.js';
 
 /** So many bars are drawn, those that last longest. */
-const mostBars = 24;
+const mostBars = 12;
 
 interface Bar extends SaddleBar {
   loop: Loop;
