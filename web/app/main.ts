@@ -259,11 +259,17 @@ viewer.addEventListener('load', (event) => {
     apply(state);
   } else changed();
 });
+/** The persistence of the girth that panels have searched by. */
+let searchedWith: string | null = null;
 viewer.addEventListener('field', (event) => {
   const { name, share } = event.detail;
   if (name !== 'igf') return;
   document.documentElement.dataset['field'] = share === 1 ? 'complete' : 'partial';
   if (share < 1) return;
+  const persistence = viewer.getAttribute('persistence');
+  // What was found by another girth is out of date.
+  if (persistence !== searchedWith) for (const panel of [limbs, necks]) panel.clear();
+  searchedWith = persistence;
   void recent.draw();
   void details.compare();
   void tips.compute();

@@ -138,7 +138,7 @@ export class NecksPanel {
     this.#refresh();
   }
 
-  /** The girth is another one: what was found by it no longer counts. */
+  /** The girth is computed: what waits for it goes on. */
   girthIsThere(): void {
     if (this.panel.isOpen) void this.compute();
   }

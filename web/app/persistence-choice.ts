@@ -33,9 +33,8 @@ export class PersistenceChoice {
   #isKept = false;
   /** What is to be shown once they are, in percent. */
   #awaited: number | undefined;
-  /** What was shown before the hand began to move, and whether it moves. */
+  /** What was shown before the hand began to move, while it does; '' for no persistence. */
   #settled: string | undefined;
-  #isMoving = false;
   #painting = 0;
   #name = 'igf';
   readonly #viewer: GirthViewer;
@@ -52,14 +51,13 @@ export class PersistenceChoice {
     );
     this.#draft = new Draft(this.#slider, {
       edited: () => {
-        if (!this.#isMoving) this.#settled = viewer.getAttribute('persistence') ?? undefined;
-        this.#isMoving = true;
+        this.#settled ??= viewer.getAttribute('persistence') ?? '';
         this.#write();
         if (this.#isKept) this.#paintSoon();
       },
       committed: () => void this.#choose(this.#percent),
       ended: () => {
-        this.#isMoving = false;
+        this.#settled = undefined;
         this.#write();
       },
     });
@@ -83,8 +81,7 @@ export class PersistenceChoice {
 
   /** What the hand passes over on its way is no state of its own. */
   read(): PageState {
-    const attribute = this.#viewer.getAttribute('persistence') ?? undefined;
-    const persistence = this.#draft.isEdited ? this.#settled : attribute;
+    const persistence = this.#settled ?? this.#viewer.getAttribute('persistence');
     return persistence ? { persistence } : {};
   }
 

@@ -59,6 +59,8 @@ export class RecentFiles {
   readonly #clear = make('button', { type: 'button', class: 'plain' }, 'Forget all');
   /** The number of the file that is shown; undefined where it is none of them. */
   #shown: Promise<number | undefined> | undefined;
+  /** The one whose picture with all of its colours is there. */
+  #drawn: Promise<number | undefined> | undefined;
 
   constructor(viewer: GirthViewer, openFiles: (files: Opened) => void) {
     this.#viewer = viewer;
@@ -85,11 +87,13 @@ export class RecentFiles {
   /** Takes a picture of what is shown, where that is one of the files. */
   async draw(): Promise<void> {
     const shown = this.#shown;
+    if (shown === this.#drawn) return;
     const id = await shown;
     if (id === undefined) return;
     // Where nothing can be drawn, there is no picture.
     const picture = await recentPicture(this.#viewer).catch(() => undefined);
     if (!picture || this.#shown !== shown) return;
+    if (this.#viewer.info && this.#viewer.shareOf('igf') === 1) this.#drawn = shown;
     await this.#change(() => this.#store.setPicture(id, picture));
   }
 

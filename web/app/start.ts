@@ -1,7 +1,8 @@
 // The page's first module: starts the others, and puts into words whatever keeps one of them from starting.
 //
-// It also says whether the page is dark, before anything is drawn, and keeps files that are dropped early. It imports nothing by itself, so that it runs whatever the others do. A promise carries what they throw,
-// also behind a top-level await, where some browsers report nothing.
+// It also says whether the page is dark, before anything is drawn, and keeps files that are dropped early. It
+// imports nothing by itself, so that it runs whatever the others do. A promise carries what they throw, also
+// behind a top-level await, where some browsers report nothing.
 
 /** Words for what was thrown; a module that could not be fetched and one that failed look alike. */
 function wordsFor(error: unknown): string {

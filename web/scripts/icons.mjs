@@ -6,7 +6,7 @@
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { chromium } from 'playwright-core';
+import { launchChromium } from './chromium.mjs';
 import { repository, script } from './run.mjs';
 
 const app = join(repository, 'web/app');
@@ -21,10 +21,7 @@ const pictures = [
 
 await script(async () => {
   const icon = readFileSync(join(app, 'icon.svg')).toString('base64');
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--disable-gpu'],
-  });
+  const browser = await launchChromium();
   for (const [name, size, share, behind] of pictures) {
     const page = await browser.newPage({ viewport: { width: size, height: size } });
     await page.setContent(

@@ -7,7 +7,7 @@
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { chromium } from 'playwright-core';
+import { launchChromium } from './chromium.mjs';
 import { preview } from 'vite';
 import { figures, posterSize } from '../docs/site/figures.mjs';
 import { buildDocs } from './build.mjs';
@@ -35,10 +35,7 @@ await script(async () => {
   const wanted = process.argv.slice(2);
   const server = await preview({ configFile: join(repository, 'web/vite.app.config.ts') });
   const address = `${server.resolvedUrls?.local[0] ?? ''}docs/`;
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--disable-gpu'],
-  });
+  const browser = await launchChromium();
   const folder = join(repository, 'web/docs/images/live');
   mkdirSync(folder, { recursive: true });
   try {

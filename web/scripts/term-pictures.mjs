@@ -7,7 +7,7 @@
 
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { chromium } from 'playwright-core';
+import { launchChromium } from './chromium.mjs';
 import { preview } from 'vite';
 import { buildPage } from './build.mjs';
 import { repository, script } from './run.mjs';
@@ -141,10 +141,7 @@ await script(async () => {
   await buildPage();
   const server = await preview({ configFile: join(repository, 'web/vite.app.config.ts') });
   const address = server.resolvedUrls?.local[0] ?? '';
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--disable-gpu'],
-  });
+  const browser = await launchChromium();
   const folder = join(repository, 'web/app/terms');
   try {
     const page = await browser.newPage({ reducedMotion: 'reduce' });
