@@ -76,6 +76,7 @@ test('on the next visit files are there with their pictures, and are opened by t
   expect(await page.locator('#recent').isVisible()).toBe(false);
   // It is a command, too.
   await page.keyboard.press('Control+k');
+  await page.getByRole('combobox', { name: 'Search commands' }).waitFor();
   await page.keyboard.type('recent ring');
   await page.keyboard.press('Enter');
   await modelIs(page, 'ring.obj');
