@@ -11,8 +11,12 @@ const kernelInBrowser = ['kernel*', 'files', 'corpus', 'examples'].map(
   (name) => `tests/browser/${name}.test.ts`,
 );
 
+/** Files that are run by one process share what they import: none of them leaves anything behind that another could see. */
+const shared = { isolate: false };
+
 /** Nothing here depends on how long something takes: files run beside each other, each with a Chromium of its own. */
 const inBrowser = {
+  ...shared,
   testTimeout: 120_000,
   hookTimeout: 120_000,
   // Generous: a slow machine is no failure.
@@ -27,6 +31,7 @@ export default defineConfig({
         test: {
           name: 'web',
           include: ['tests/web/**/*.test.ts'],
+          ...shared,
           testTimeout: 60_000,
         },
       },

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "boundary.h"
+#include "cut_part.h"
+#include "file_content.h"
 #include "girth/io/write_cut.h"
-#include "girth/io/write_mesh.h"
 #include "job_surface.h"
 #include "surface_point.h"
 
@@ -20,45 +21,9 @@ namespace {
 Result<CutSurface> cutAlong(const SurfaceMesh& mesh, const val& curves, bool cap) {
   std::vector<SurfaceCurve> wanted;
   for (unsigned i = 0; i < curves["length"].as<unsigned>(); ++i) {
-    const val curve = curves[i];
-    SurfaceCurve points;
-    for (unsigned k = 0; k < curve["length"].as<unsigned>(); ++k) {
-      points.push_back(pointOf(curve[k]));
-    }
-    wanted.push_back(std::move(points));
+    wanted.push_back(curveOf(curves[i]));
   }
   return cutSurface(mesh, wanted, {cap});
-}
-
-/// `CutPart` of types.ts.
-val partOf(const CutSurface& whole, const SurfaceComponent& part) {
-  const SurfaceMesh& mesh = part.mesh;
-  std::vector<double> positions;
-  std::vector<Index> vertices;
-  positions.reserve(3 * std::size_t{mesh.vertexCount()});
-  for (const Vertex v : mesh.vertices()) {
-    const Vec3& at = mesh.position(v);
-    positions.insert(positions.end(), {at.x, at.y, at.z});
-    const Index inWhole = part.vertices[v];
-    vertices.push_back(inWhole < whole.points.size() ? Index{whole.points[inWhole].vertex()}
-                                                     : kNoIndex);
-  }
-  std::vector<Index> corners, faces;
-  corners.reserve(3 * std::size_t{mesh.faceCount()});
-  for (const Face f : mesh.faces()) {
-    for (const Vertex v : mesh.faceVertices(f)) corners.push_back(v);
-    faces.push_back(whole.faces[part.faces[f]]);
-  }
-  val result = val::object();
-  result.set("positions", copyOut<double>("Float64Array", positions));
-  result.set("indices", copyOut<Index>("Uint32Array", corners));
-  result.set("vertices", copyOut<Index>("Uint32Array", vertices));
-  result.set("faces", copyOut<Index>("Uint32Array", faces));
-  result.set("area", mesh.area());
-  result.set("volume", io::partVolume(mesh));
-  result.set("genus", mesh.genus(0));
-  result.set("boundaryCount", mesh.boundaryCount(0));
-  return result;
 }
 
 /// {parts}, or an error.
@@ -69,7 +34,7 @@ val cut(const JobSurface& surface, const val& curves, bool cap) {
     val parts = val::array();
     const io::CutModel model = io::cutModel(whole.value());
     for (const SurfaceComponent& part : model.parts) {
-      parts.call<void>("push", partOf(whole.value(), part));
+      parts.call<void>("push", cutPartOf(model, part));
     }
     val result = val::object();
     result.set("parts", parts);
@@ -80,30 +45,33 @@ val cut(const JobSurface& surface, const val& curves, bool cap) {
 /// The files of a surface that was cut: one, or one for each part.
 Result<std::vector<std::string>> filesOf(const io::LoadedMesh& loaded, const io::CutModel& model,
                                          const std::string& format, const std::string& name) {
-  if (format == "obj") return std::vector{io::cutObj(model)};
+  if (format == "obj") return std::vector{io::cutObj(loaded, model)};
+  if (format == "csv") return std::vector{io::cutCsv(loaded, model)};
   if (format == "json") return std::vector{io::cutJson(loaded, model, name)};
   if (format == "glb") {
     const Result<std::string> file = io::cutGlb(loaded, model);
     if (!file) return file.error();
     return std::vector{file.value()};
   }
-  if (format != "stl") {
+  if (format != "stl" && format != "ply") {
     return makeError(ErrorCode::Usage, -1, "parts are not written as '" + format + "'");
   }
+  const io::Format written = format == "stl" ? io::Format::Stl : io::Format::Ply;
   std::vector<std::string> files;
-  for (const SurfaceComponent& part : model.parts) {
-    Result<std::string> file = io::meshFile(part.mesh, io::Format::Stl, loaded.unit);
+  for (std::size_t part = 0; part < model.parts.size(); ++part) {
+    Result<std::string> file = io::partFile(loaded, model, part, written);
     if (!file) return file.error();
     files.push_back(std::move(file).value());
   }
   return files;
 }
 
-/// {files} of `WrittenModel` of protocol.ts, or an error.
-val writeCut(JobSurface& surface, const val& model, const val& curves, bool cap,
+/// {files} of `WrittenModel` and `FileContent` of protocol.ts, or an error.
+val writeCut(JobSurface& surface, const val& model, const val& content, const val& curves, bool cap,
              const std::string& format) {
   return guarded([&] {
     const io::LoadedMesh& loaded = surface.inUnit(model["unit"].as<std::string>());
+    const WithFileContent with(surface.loaded(), content);
     const Result<CutSurface> whole = cutAlong(loaded.mesh, curves, cap);
     if (!whole) return toJs(whole.error());
     const auto files =

@@ -154,6 +154,7 @@ class Surface {
     val result = val::object();
     result.set("length", girth.length);
     result.set("kind", std::string(toString(girth.kind)));
+    result.set("points", packedPoints(girth.points));
     result.set("polyline", drawnPoints(polyline(mesh_, girth), origin_));
     result.set("midpoint", tripleOf({q.x - origin_.x, q.y - origin_.y, q.z - origin_.z}));
     result.set("angle", girth.angle);

@@ -40,6 +40,9 @@ class JobSurface {
     return loaded_;
   }
 
+  /// The same, to be given what the file has besides while something is written.
+  io::LoadedMesh& loaded() { return loaded_; }
+
  private:
   io::LoadedMesh loaded_;
   Vec3 origin_;

@@ -1,12 +1,15 @@
-// The shortest path between two points of a surface.
+// The shortest path between two points of a surface, and the girth along shortest paths.
 
 #include <emscripten/bind.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "boundary.h"
 #include "girth/geodesic_solver.h"
+#include "girth/io/write_path_profile.h"
+#include "girth/path_profile.h"
 #include "job_surface.h"
 #include "surface_point.h"
 
@@ -34,7 +37,103 @@ val path(const JobSurface& surface, const val& from, const val& to) {
   });
 }
 
-EMSCRIPTEN_BINDINGS(girthPath) { emscripten::function("path", &path); }
+using Stations = std::vector<PathStation>;
+
+/// A number of JavaScript as a count; 1, which none of the options allows, for one that is none.
+std::size_t countOf(double number) {
+  return number >= 0 && number < 4e9 && number == std::floor(number)
+             ? static_cast<std::size_t>(number)
+             : 1;
+}
+
+/// The girth along the shortest paths from each of `SurfacePoint[]` to the next.
+Result<Stations> stationsAlong(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& path,
+                               double samples, bool crossings, const val& onProgress) {
+  return girthAlong(mesh, path, {countOf(samples), crossings}, reportingTo(onProgress));
+}
+
+/// `GirthPath` of types.ts without its unit, or an error.
+val profile(const JobSurface& surface, const val& points, double samples, bool crossings,
+            const val& onProgress) {
+  return guarded([&] {
+    const SurfaceMesh& mesh = surface.mesh();
+    const auto path = shortestPathThrough(mesh, curveOf(points));
+    if (!path) return toJs(path.error());
+    const auto found = stationsAlong(mesh, path.value(), samples, crossings, onProgress);
+    if (!found) return toJs(found.error());
+    std::vector<Vec3> drawn;
+    for (const SurfacePoint& point : path.value()) drawn.push_back(positionOf(mesh, point));
+    val list = val::array();
+    for (const PathStation& station : found.value()) {
+      val entry = val::object();
+      entry.set("distance", station.distance);
+      entry.set("girth", station.girth);
+      entry.set("kind", std::string(toString(station.kind)));
+      entry.set("place", surfacePointOf(station.point));
+      list.call<void>("push", entry);
+    }
+    val result = val::object();
+    result.set("length", found.value().back().distance);
+    result.set("stations", list);
+    result.set("polyline", drawnPoints(drawn, surface.origin()));
+    return result;
+  });
+}
+
+Result<std::string> contentFor(const std::string& format, const io::LoadedMesh& loaded,
+                               const Stations& stations, const val& model) {
+  if (format == "csv") return io::pathProfileCsv(loaded, stations);
+  if (format == "json") {
+    return io::pathProfileJson(loaded, stations, model["name"].as<std::string>());
+  }
+  return makeError(ErrorCode::Usage, -1, "a path's profile is not written as '" + format + "'");
+}
+
+/// {bytes} of the same as a file, or an error.
+val writeProfile(JobSurface& surface, const val& model, const val& points, double samples,
+                 bool crossings, const std::string& format, const val& onProgress) {
+  return guarded([&] {
+    const io::LoadedMesh& loaded = surface.inUnit(model["unit"].as<std::string>());
+    const auto path = shortestPathThrough(loaded.mesh, curveOf(points));
+    if (!path) return toJs(path.error());
+    const auto found = stationsAlong(loaded.mesh, path.value(), samples, crossings, onProgress);
+    if (!found) return toJs(found.error());
+    return fileOf(contentFor(format, loaded, found.value(), model));
+  });
+}
+
+/// The stations of `Profile` of types.ts again.
+Stations stationsOf(const val& list) {
+  Stations stations;
+  for (unsigned i = 0; i < list["length"].as<unsigned>(); ++i) {
+    const auto kind = list[i]["kind"].as<std::string>();
+    PathStation station;
+    station.distance = list[i]["distance"].as<double>();
+    station.girth = list[i]["girth"].as<double>();
+    for (const LoopKind one : {LoopKind::Antipodal, LoopKind::Unresolved}) {
+      if (kind == toString(one)) station.kind = one;
+    }
+    station.point = pointAgain(list[i]["place"]);
+    stations.push_back(station);
+  }
+  return stations;
+}
+
+/// {bytes} of a file with the stations of a `Profile`, or an error.
+val writeStations(JobSurface& surface, const val& model, const val& stations,
+                  const std::string& format) {
+  return guarded([&] {
+    const io::LoadedMesh& loaded = surface.inUnit(model["unit"].as<std::string>());
+    return fileOf(contentFor(format, loaded, stationsOf(stations), model));
+  });
+}
+
+EMSCRIPTEN_BINDINGS(girthPath) {
+  emscripten::function("path", &path);
+  emscripten::function("profile", &profile);
+  emscripten::function("writeProfile", &writeProfile);
+  emscripten::function("writeStations", &writeStations);
+}
 
 }  // namespace
 }  // namespace girth::bind

@@ -7,6 +7,8 @@
 
 #include "boundary.h"
 #include "described.h"
+#include "file_content.h"
+#include "girth/io/attributes.h"
 #include "girth/io/read_mesh.h"
 #include "girth/prepare_surface.h"
 
@@ -61,8 +63,10 @@ val accountOf(const PreparationReport& report) {
   return result;
 }
 
-/// `Prepared` of wasm-modules.d.ts, without what the file states.
-val describePrepared(const PreparedSurface& prepared) {
+/// `Prepared` of wasm-modules.d.ts, without what the file states. `corners`: what it has besides
+/// the surface, as `io::cornerAttributes` gives it.
+val describePrepared(const PreparedSurface& prepared,
+                     const std::vector<io::Attribute>& corners = {}) {
   val parts = val::array();
   for (const SurfacePart& part : prepared.parts) {
     val entry = val::object();
@@ -75,6 +79,7 @@ val describePrepared(const PreparedSurface& prepared) {
   result.set("inputOfVertex", copyOut<Index>("Uint32Array", prepared.inputOfVertex));
   result.set("parts", parts);
   result.set("report", accountOf(prepared.report));
+  result.set("content", fileContentOf(prepared, corners));
   return result;
 }
 
@@ -89,7 +94,7 @@ io::ResourceReader readerOf(const val& resource) {
 
 /// The model of a file's bytes (a Uint8Array). Their copy is freed before it returns.
 Result<io::ReadModel> modelOf(const val& bytes, const std::string& name, const val& resource) {
-  return io::readModel(copyInBytes(bytes), name, readerOf(resource));
+  return io::readModel(copyInBytes(bytes), name, readerOf(resource), {true});
 }
 
 /// The prepared surface of a file's bytes, or an error.
@@ -99,12 +104,21 @@ val readSurface(const val& bytes, const std::string& name, const val& resource, 
     Result<io::ReadModel> read = modelOf(bytes, name, resource);
     if (!read) return toJs(read.error());
     io::ReadModel& model = read.value();
+    const PrepareOptions prepare = optionsOf(options);
+    // Attributes belong to the file's triangles.
+    TriangleSoup soup = model.attributes.empty() ? TriangleSoup{} : model.soup;
     const Result<PreparedSurface> prepared =
-        prepareSurface(std::move(model.soup), optionsOf(options), reportingTo(onProgress));
+        prepareSurface(std::move(model.soup), prepare, reportingTo(onProgress));
     if (!prepared) return toJs(prepared.error());
+    std::vector<io::Attribute> corners;
+    if (!model.attributes.empty()) {
+      corners = io::cornerAttributes(model.attributes, soup, prepare.scale, prepared.value());
+      model.attributes = {};
+      soup = {};
+    }
     val notes = val::array();
     for (const std::string& note : model.notes) notes.call<void>("push", note);
-    val result = describePrepared(prepared.value());
+    val result = describePrepared(prepared.value(), corners);
     result.set("format", std::string(io::toString(model.format)));
     result.set("unit", model.unit);
     result.set("notes", notes);

@@ -33,6 +33,17 @@ function(girth_precompile target)
                       -Wno-stringop-overread>)
 endfunction()
 
+# Compiles some sources of a target at a time, which share what they include; only while Girth itself is developed. What
+# is large, or compiled with options of its own, stays alone. So few at a time that a changed source costs seconds; names
+# in anonymous namespaces must differ between them.
+function(girth_unity target)
+  if(GIRTH_UNITY_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    # GCC takes a source that is included for a header, whose types must not be made of a source's own ones.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
+endfunction()
+
 # What a shared library shows, and its name: before 1.0.0 each minor version has an interface of its own.
 function(girth_visibility target)
   if(PROJECT_VERSION_MAJOR EQUAL 0)
@@ -62,6 +73,8 @@ function(girth_library name)
   cmake_parse_arguments(arg "" "ONLY_THREADED" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(suffixes "none")
   if(EMSCRIPTEN)
+    # Everything is compiled twice, for modules with threads and without: objects with atomics keep what is thrown in
+    # thread-local variables, and modules without threads would not find it.
     list(APPEND suffixes "_threads")
   endif()
   foreach(suffix IN LISTS suffixes)
@@ -83,6 +96,7 @@ function(girth_library name)
     add_library(girth::${name}${suffix} ALIAS ${target})
     girth_configure(${target})
     girth_precompile(${target})
+    girth_unity(${target})
     target_include_directories(
       ${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/cpp/include>"
                        "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>"
@@ -95,13 +109,9 @@ function(girth_library name)
       target_link_libraries(${target} PRIVATE "$<BUILD_INTERFACE:${library}>")
     endforeach()
     if(EMSCRIPTEN)
-      target_compile_options(${target} PUBLIC -fexceptions -msimd128)
+      target_compile_options(${target} PUBLIC -fwasm-exceptions -msimd128)
       # Built as far as the modules need it.
       set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
-      # The core is compiled twice, for modules with threads and without: several files at a time.
-      if(name STREQUAL "core")
-        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
-      endif()
     endif()
     if(suffix STREQUAL "_threads")
       target_compile_options(${target} PUBLIC -pthread)

@@ -17,10 +17,6 @@
 namespace girth::io {
 namespace {
 
-bool beginsWith(std::string_view text, std::string_view prefix) {
-  return text.substr(0, prefix.size()) == prefix;
-}
-
 /// Whether the first line that is not blank or a comment could be OBJ.
 bool beginsAsObj(std::string_view text) {
   const std::string_view word = Words(text, '#').next();
@@ -65,13 +61,13 @@ Error unknownFormat(std::string_view name) {
 
 /// Marks that no other format can have go first; what several could be is left to the name.
 Result<ReadModel> readByContent(std::span<const std::byte> bytes, std::string_view name,
-                                const ResourceReader& resources) {
+                                const ResourceReader& resources, const ReadOptions& options) {
   if (bytes.empty()) return makeError(ErrorCode::EmptyFile, -1, "the file is empty");
   const std::string ending = endingOf(name);
   const std::string_view text = textOf(bytes);
-  if (hasGlbMark(bytes)) return readGlb(bytes, resources);
-  if (ending == ".glb" && beginsWith("glTF", text)) return openGlb(bytes).error();
-  if (hasPlyMark(text)) return readPly(bytes);
+  if (hasGlbMark(bytes)) return readGlb(bytes, resources, options);
+  if (ending == ".glb" && std::string_view("glTF").starts_with(text)) return openGlb(bytes).error();
+  if (hasPlyMark(text)) return readPly(bytes, options);
   if (hasBinaryStlSize(bytes)) return readStl(bytes);
   if (auto error = foreignFormat({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {
     return *error;
@@ -81,12 +77,12 @@ Result<ReadModel> readByContent(std::span<const std::byte> bytes, std::string_vi
   if (first == std::string_view::npos) {
     return makeError(ErrorCode::EmptyFile, -1, "the file holds nothing but white space");
   }
-  if (text[first] == '{') return readGltf(bytes, resources);
+  if (text[first] == '{') return readGltf(bytes, resources, options);
   if (hasOffMark(text)) return readOff(bytes);
   if (hasStlMark(text)) return readStl(bytes);
-  if (isText(text) && beginsAsObj(text)) return readObj(bytes);
+  if (isText(text) && beginsAsObj(text)) return readObj(bytes, options);
   if (ending == ".stl") return readStl(bytes);
-  if (ending == ".obj" && isText(text) && canBeObj(text)) return readObj(bytes);
+  if (ending == ".obj" && isText(text) && canBeObj(text)) return readObj(bytes, options);
   if (ending == ".off" && isText(text) && canBeOffWithoutMark(text)) return readOff(bytes);
   return unknownFormat(name);
 }
@@ -112,9 +108,9 @@ std::string_view toString(Format format) {
 }
 
 Result<ReadModel> readModel(std::span<const std::byte> bytes, std::string_view name,
-                            const ResourceReader& resources) {
+                            const ResourceReader& resources, const ReadOptions& options) {
   try {
-    return readByContent(bytes, name, resources);
+    return readByContent(bytes, name, resources, options);
   } catch (const std::bad_alloc&) {
     return makeError(ErrorCode::OutOfMemory, -1, "there is not enough memory to read the file");
   }

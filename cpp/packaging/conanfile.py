@@ -59,7 +59,7 @@ class GirthConan(ConanFile):
         toolchain = CMakeToolchain(self)
         toolchain.cache_variables["GIRTH_BUILD_IO"] = bool(self.options.io)
         toolchain.cache_variables["GIRTH_BUILD_COMMAND"] = bool(self.options.command)
-        for option in ("BUILD_TESTS", "BUILD_BENCHMARKS", "PRECOMPILE_HEADERS"):
+        for option in ("BUILD_TESTS", "BUILD_BENCHMARKS", "PRECOMPILE_HEADERS", "UNITY_BUILD"):
             toolchain.cache_variables["GIRTH_" + option] = False
         toolchain.generate()
 

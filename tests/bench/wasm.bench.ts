@@ -2,7 +2,6 @@
 // workers: two of each. They take turns, and of the ratios within a turn the median counts: a
 // machine with other things to do is slow for both sides of a ratio.
 
-import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
@@ -13,6 +12,7 @@ import { kernelSite, setup as buildKernelSite } from '../browser/build-kernel-si
 import { kernelHtml } from '../browser/kernel-site.js';
 import { chromiumForTests, command, repository, serve } from '../browser/support.js';
 import { figure, printFigures, quantile, type Figure } from './figures.js';
+import { runProgram } from './processor-time.js';
 
 /** Inside `page.evaluate` only. */
 declare const girth: KernelPage;
@@ -34,28 +34,14 @@ interface Cost {
   processor: number;
 }
 
-/** The seconds of processor time of a run of the command, with its output. */
-function runCommand(args: string[]): { output: string; processor: number } {
-  const text = execFileSync('sh', ['-c', '"$@"; times', 'sh', command, ...args], {
-    encoding: 'utf8',
-  });
-  const lines = text.trim().split('\n');
-  // The shell's own times, then its children's: user and system.
-  const seconds = [...lines.at(-1)!.matchAll(/(\d+)m([\d.]+)s/g)].map(
-    ([, minutes, rest]) => 60 * Number(minutes) + Number(rest),
-  );
-  return {
-    output: lines.slice(0, -2).join('\n'),
-    processor: seconds.reduce((sum, part) => sum + part, 0),
-  };
-}
-
 /** The field by the command, reading left out. */
 function natively(model: string): Cost {
   const threads = ['--threads', String(workers)];
-  const { output, processor } = runCommand(['igf', model, ...threads, '--json', '--stats']);
+  const { output, processor } = runProgram(command, [
+    ...['igf', model, ...threads, '--json', '--stats'],
+  ]);
   const { seconds } = JSON.parse(output) as { seconds: number };
-  return { clock: seconds, processor: processor - runCommand(['info', model]).processor };
+  return { clock: seconds, processor: processor - runProgram(command, ['info', model]).processor };
 }
 
 /** A kernel that has the surface, and whose code the browser has had the time to compile. */

@@ -12,12 +12,31 @@ const everyRule = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best
 /**
  * A line for each rule that is broken, with the first element that breaks it.
  * @param rules their names, or tags that they have; default: everything that the page shall obey
+ * @param within the part of the page that is looked at: a selector. Axe takes time for every element. Default: all of it
  */
-export async function complaintsOfAxe(page: Page, rules = everyRule): Promise<string[]> {
+export async function complaintsOfAxe(
+  page: Page,
+  rules = everyRule,
+  within = 'html',
+): Promise<string[]> {
   if (await page.evaluate(() => !('axe' in globalThis))) await page.evaluate(script);
-  return page.evaluate(async (runOnly) => {
-    const { axe } = globalThis as unknown as { axe: typeof Axe };
-    const { violations } = await axe.run(document, { runOnly });
-    return violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes[0]!.html}`);
-  }, rules);
+  return page.evaluate(
+    async ([within, runOnly]) => {
+      const { axe } = globalThis as unknown as { axe: typeof Axe };
+      const { violations } = await axe.run(within, { runOnly, elementRef: true });
+      /** What a list has scrolled out of its view in part counts as small, for as long as it is there. */
+      const isCutOff = (element: Element | null | undefined): boolean => {
+        const list = element?.closest('aside')?.getBoundingClientRect();
+        const box = element?.getBoundingClientRect();
+        return !!list && !!box && (box.bottom > list.bottom || box.top < list.top);
+      };
+      return violations.flatMap(({ id, help, nodes }) => {
+        const [first] = nodes.filter(
+          ({ element }) => id !== 'target-size' || !isCutOff(element as Element | undefined),
+        );
+        return first ? [`${id}: ${help}: ${first.html}`] : [];
+      });
+    },
+    [within, rules] as const,
+  );
 }

@@ -109,6 +109,20 @@ test('HTML says which loops are pinned, which tips drawn, where parts begin and 
   await expect.poll(async () => (await stateOf(viewer)).tips).toBeUndefined();
   await viewer.evaluate((element) => element.removeAttribute('camera'));
   expect(await viewer.evaluate(({ isAtHome }: GirthViewer) => isAtHome)).toBe(true);
+
+  // Points that the surface does not have are an error, between others the path is drawn.
+  const refused = await viewer.evaluate(
+    (element) =>
+      new Promise<string>((resolve) => {
+        element.addEventListener('error', (event) =>
+          resolve((event as CustomEvent<ErrorDetail>).detail.code),
+        );
+        element.setAttribute('profile', '5, 1000000');
+      }),
+  );
+  expect(refused).toBe('VERTEX_OUT_OF_RANGE');
+  await viewer.evaluate((element) => element.setAttribute('bottleneck', '0, 193'));
+  expect(await stateOf(viewer)).toMatchObject({ bottleneck: '0, 193', profile: '5, 1000000' });
   expect(complaints).toEqual([]);
 });
 

@@ -6,23 +6,24 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { packed } from '../web/package/packed.js';
+import { torus } from './meshes.js';
 import { chromiumForTests, repository, serve, strictPolicy } from './support.js';
 import { fieldComplete } from './viewer-page.js';
 
 const folder = mkdtempSync(join(tmpdir(), 'girth-examples-'));
 const [element, kernel] = [join(folder, 'element'), join(folder, 'kernel')];
 const folders = { '/girth/': packed().folder };
-const project = join(folder, 'vite');
+const [project, esbuild] = [join(folder, 'vite'), join(folder, 'esbuild')];
 const openPage = chromiumForTests();
 
 /** A model for which there are few values: 1,600 or so. */
 const model = join(repository, 'web/app/public/examples/dumbbell.glb');
 
 beforeAll(() => {
-  for (const name of ['element', 'kernel', 'vite']) {
+  for (const name of ['element', 'kernel', 'vite', 'esbuild']) {
     cpSync(join(repository, 'web/examples', name), join(folder, name), { recursive: true });
   }
-  for (const page of [element, kernel]) copyFileSync(model, join(page, 'chair.glb'));
+  for (const page of [element, kernel, esbuild]) copyFileSync(model, join(page, 'chair.glb'));
 });
 
 afterAll(() => rmSync(folder, { recursive: true }));
@@ -51,19 +52,23 @@ test.each([false, true])('a page with the kernel, isolated: %s', async (isolated
   await server.close();
 });
 
-test('a Vite project with the kernel', async () => {
-  // As npm install would leave it, with what the repository has installed already.
+/**
+ * Gives a project the package and others as `npm install` would, with what the repository has installed already.
+ * Returns what runs a tool of theirs.
+ */
+function installed(project: string, ...names: string[]) {
   const modules = join(project, 'node_modules');
   mkdirSync(modules);
   cpSync(packed().folder, join(modules, 'girth'), { recursive: true });
-  for (const name of ['vite', 'fflate']) {
+  for (const name of [...names, '.bin']) {
     symlinkSync(join(repository, 'node_modules', name), join(modules, name));
   }
-  const tool = (name: string, ...args: string[]) =>
-    spawnSync(join(repository, 'node_modules/.bin', name), args, {
-      cwd: project,
-      encoding: 'utf8',
-    });
+  return (name: string, ...args: string[]) =>
+    spawnSync(join(modules, '.bin', name), args, { cwd: project, encoding: 'utf8' });
+}
+
+test('a Vite project with the kernel', async () => {
+  const tool = installed(project, 'vite', 'fflate');
   expect(tool('tsc', '--project', 'tsconfig.json')).toMatchObject({ status: 0, stdout: '' });
   const { status: exit, stdout, stderr } = tool('vite', 'build', '--logLevel', 'warn');
   // Nothing in it is for Node.js only. Vite may say that it was slow.
@@ -90,10 +95,33 @@ test('a Vite project with the kernel', async () => {
   // A file that cannot be used, and one that is cancelled.
   await page.setInputFiles('#file', join(repository, 'package.json'));
   await expect.poll(() => status.textContent()).toContain(';');
-  await page.setInputFiles('#file', join(repository, 'web/app/public/examples/octopus.glb'));
+  // Minutes of work: it is in mid-run whenever the click comes.
+  const endless = { name: 'endless.obj', mimeType: '', buffer: Buffer.from(torus(160, 110)) };
+  await page.setInputFiles('#file', endless);
   await page.locator('#cancel').click();
   await expect.poll(() => status.textContent()).toBe('Cancelled');
   expect(complaints).toEqual([]);
   await context.close();
   await server.close();
+});
+
+test('an esbuild project with element and kernel, whose workers come from a copied folder', async () => {
+  const tool = installed(
+    ...([esbuild, 'esbuild', 'fflate', 'three', 'three-mesh-bvh', '@types'] as const),
+  );
+  expect(tool('tsc', '--project', 'tsconfig.json')).toMatchObject({ status: 0, stdout: '' });
+  expect(spawnSync('npm', ['run', 'build'], { cwd: esbuild })).toMatchObject({ status: 0 });
+  for (const isolated of [true, false]) {
+    const server = await serve(esbuild, { isolated, policy: strictPolicy });
+    const { page, context, complaints } = await openPage(`${server.url}/index.html`);
+    await expect.poll(() => page.locator('#least').textContent()).toMatch(/^0\.1[23]\d m$/);
+    await fieldComplete(page.locator('girth-viewer'));
+    const workers = server.requests.filter((path) => path.startsWith('/girth/workers/'));
+    expect(workers.some((path) => path.includes('threads'))).toBe(isolated);
+    // Nothing is looked for beside the bundle.
+    expect(server.requests.filter((path) => /^\/(?!girth\/).*worker/.test(path))).toEqual([]);
+    expect(complaints).toEqual([]);
+    await context.close();
+    await server.close();
+  }
 });

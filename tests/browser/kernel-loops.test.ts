@@ -1,4 +1,4 @@
-// Necks and handles by the kernel: what the command finds, with progress, and stopped at once.
+// Necks, bottlenecks, profiles and handles by the kernel: what the command finds, with progress, and stopped at once.
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -41,6 +41,13 @@ function byCommand<T>(name: 'necks' | 'handles', model: string): T[] {
   writeFileSync(input, model);
   execFileSync(command, [name, input, '-o', output], { stdio: 'ignore' });
   return (JSON.parse(readFileSync(output, 'utf8')) as Record<string, T[]>)[name]!;
+}
+
+/** What the command prints or writes of a model. */
+function commandOn(model: string, name: string, ...words: string[]): string {
+  const input = join(scratch, 'model.obj');
+  writeFileSync(input, model);
+  return execFileSync(command, [name, input, ...words], { encoding: 'utf8' });
 }
 
 /** The sum of the ways between the points of a line. */
@@ -110,6 +117,187 @@ test('handles and tunnels are those of the command', async () => {
   expect(mine.progress.at(-1)).toBe(1);
 });
 
+interface WrittenBottleneck extends WrittenLoop {
+  kind: string;
+  girth: number;
+  sides: { area: number; volume: number }[];
+  way: unknown[];
+}
+interface WrittenProfile {
+  length: number;
+  stations: { distance: number; girth: number; kind: string }[];
+}
+
+test('a bottleneck and a profile are those of the command', async () => {
+  const model = dumbbell(16, 12);
+  // From one ball to the other one, from point to point of faces, and within one ball.
+  const [from, to, near] = [5, 180, 30];
+  const inFace = { face: 40, weights: [0.25, 0.25, 0.5] as const };
+  const theirs = JSON.parse(
+    commandOn(model, 'bottleneck', String(from), String(to), '--json'),
+  ) as WrittenBottleneck;
+  const within = JSON.parse(
+    commandOn(model, 'bottleneck', String(from), '40:0.25,0.25,0.5', '--json'),
+  ) as WrittenBottleneck;
+  const words = [String(from), String(near), '40:0.25,0.25,0.5'];
+  const even = ['--samples', '12', '--even'];
+  const mine = await page.evaluate(
+    async ({ text, from, to, near, inFace }) => {
+      const kernel = await girth.createKernel({ threads: 1 });
+      const mesh = await kernel.load(girth.obj(text, 'model.obj'));
+      const igf = await mesh.field('igf');
+      const progress: number[] = [];
+      const onProgress = (share: number) => progress.push(share);
+      const found = await mesh.bottleneck(igf, from, to, { onProgress });
+      const back = await mesh.bottleneck(igf, to, from);
+      const within = await mesh.bottleneck(igf, from, inFace);
+      const { necks } = await mesh.necks(igf);
+      const along: number[] = [];
+      const profile = await mesh.profile([from, to], {
+        onProgress: (share) => along.push(share),
+      });
+      const loops = await Promise.all(
+        profile.stations.slice(0, 9).map(async ({ place }) => (await mesh.loop(place)).length),
+      );
+      const { length } = await mesh.path(from, to);
+      const files = await Promise.all([
+        mesh.exportProfile([from, near, inFace], 'csv'),
+        mesh.exportProfile([from, to], 'csv', { samples: 12, crossings: false }),
+      ]);
+      kernel.dispose();
+      return {
+        ...girth.plain({ found, back, within, profile, progress, along, loops, length }),
+        narrowest: Math.min(...necks.map((neck) => neck.length)),
+        files: files.map((bytes) => new TextDecoder().decode(bytes)),
+      };
+    },
+    { text: model, from, to, near, inFace },
+  );
+  expect(mine.found).toMatchObject({
+    kind: theirs.kind,
+    girth: theirs.girth,
+    area: theirs.area,
+    centre: theirs.centre,
+    sides: theirs.sides,
+  });
+  expect(mine.found.points.length).toBe(theirs.points.length);
+  expect(mine.found.way.length).toBe(theirs.way.length);
+  // The waist of the dumbbell is the neck that every way crosses, whichever end it begins at.
+  expect(mine.found.kind).toBe('neck');
+  expect(mine.found.girth).toBeCloseTo(mine.narrowest, 9);
+  expect(mine.back.girth).toBeCloseTo(mine.found.girth, 9);
+  expect(lengthOf(mine.found.polyline)).toBeCloseTo(mine.found.girth, 5);
+  expect([mine.within.kind, mine.within.girth]).toEqual([within.kind, within.girth]);
+  for (const shares of [mine.progress, mine.along]) expect(shares.at(-1)).toBe(1);
+
+  const profile = JSON.parse(
+    commandOn(model, 'profile', String(from), String(to), '--json'),
+  ) as WrittenProfile;
+  expect(mine.profile.length).toBe(profile.length);
+  expect(mine.profile.stations.map(({ distance, girth, kind }) => [distance, girth, kind])).toEqual(
+    profile.stations.map(({ distance, girth, kind }) => [distance, girth, kind]),
+  );
+  expect(mine.loops).toEqual(mine.profile.stations.slice(0, 9).map((station) => station.girth));
+  expect(mine.profile.length).toBeCloseTo(mine.length, 9);
+  expect(lengthOf(mine.profile.polyline)).toBeCloseTo(mine.length, 5);
+  // No way is narrower than the bottleneck at its narrowest place, as far as the samples show.
+  expect(Math.min(...mine.profile.stations.map(({ girth }) => girth))).toBeLessThanOrEqual(
+    1.01 * mine.found.girth,
+  );
+  expect(mine.files).toEqual([
+    commandOn(model, 'profile', ...words, '-o', '-', '--format', 'csv'),
+    commandOn(model, 'profile', String(from), String(to), ...even, '-o', '-', '--format', 'csv'),
+  ]);
+});
+
+interface WrittenRemoval {
+  faces: number;
+  vertices: number;
+  area: number;
+  genusBefore: number;
+  crossingFaces: number;
+  genus: number;
+}
+
+test('short handles are taken away as by the command', async () => {
+  const model = torus(16, 10);
+  const lengths = byCommand<WrittenHandle>('handles', model).map(({ length }) => length);
+  const between = (lengths[0]! + lengths[1]!) / 2;
+  const output = join(scratch, 'repaired.obj');
+  const theirs = JSON.parse(
+    commandOn(model, 'remesh', '--remove-handles', String(between), '-o', output, '--json'),
+  ) as WrittenRemoval;
+  const mine = await page.evaluate(
+    async ({ text, between }) => {
+      const kernel = await girth.createKernel({ threads: 1 });
+      const mesh = await kernel.load(girth.obj(text));
+      const progress: number[] = [];
+      const onProgress = (share: number) => progress.push(share);
+      const repaired = await mesh.removeHandles(between, { onProgress });
+      const untouched = await mesh.removeHandles(0);
+      const left = await repaired.handles();
+      const stop = new AbortController();
+      const stopped = girth.refusal(mesh.removeHandles(between, { signal: stop.signal }));
+      stop.abort();
+      const refused = [
+        await stopped,
+        await girth.refusal(mesh.removeHandles(-1)),
+        await girth.refusal(mesh.removeHandles(NaN)),
+      ];
+      const { info, geometry, removal } = repaired;
+      const { genus, area, faceCount, vertexCount } = info;
+      const { positions } = geometry;
+      const before = mesh.info;
+      repaired.dispose();
+      // What it was made of lives on.
+      const { handles } = await mesh.handles();
+      kernel.dispose();
+      return {
+        ...girth.plain({ removal, genus, area, faceCount, vertexCount, positions, progress }),
+        codes: refused.map(({ code }) => code),
+        left: left.handles.length,
+        before: { genus: before.genus, faceCount: before.faceCount, handles: handles.length },
+        untouched: {
+          ...girth.plain(untouched.removal),
+          faceCount: untouched.info.faceCount,
+        },
+      };
+    },
+    { text: model, between },
+  );
+  expect(mine.removal.removed.map(({ kind, length }) => [kind, length])).toEqual([
+    ['handle', lengths[0]],
+  ]);
+  expect([mine.removal.genusBefore, mine.removal.genusAfter]).toEqual([1, 0]);
+  expect([mine.removal.genusBefore, mine.removal.genusAfter]).toEqual([
+    theirs.genusBefore,
+    theirs.genus,
+  ]);
+  expect(mine.removal.crossingFaces).toBe(theirs.crossingFaces);
+  expect([mine.faceCount, mine.vertexCount, mine.area]).toEqual([
+    theirs.faces,
+    theirs.vertices,
+    theirs.area,
+  ]);
+  const written = readFileSync(output, 'utf8')
+    .split('\n')
+    .filter((line) => line.startsWith('v '))
+    .flatMap((line) => line.split(' ').slice(1).map(Number))
+    .map(Math.fround);
+  expect(mine.positions).toEqual(written);
+  expect([mine.genus, mine.left]).toEqual([[0], 0]);
+  expect(mine.before).toEqual({ genus: [1], faceCount: 320, handles: 2 });
+  expect(mine.untouched).toEqual({
+    removed: [],
+    genusBefore: 1,
+    genusAfter: 1,
+    crossingFaces: 0,
+    faceCount: 320,
+  });
+  expect(mine.progress.at(-1)).toBe(1);
+  expect(mine.codes).toEqual(['CANCELLED', 'INVALID_OPTION', 'INVALID_OPTION']);
+});
+
 test('what cannot be searched is refused, and a signal stops it', async () => {
   const codes = await page.evaluate(
     async (text) => {
@@ -120,6 +308,8 @@ test('what cannot be searched is refused, and a signal stops it', async () => {
       const stopped = [
         girth.refusal(mesh.necks(igf, { signal: stop.signal })),
         girth.refusal(mesh.handles({ signal: stop.signal })),
+        girth.refusal(mesh.bottleneck(igf, 0, 80, { signal: stop.signal })),
+        girth.refusal(mesh.profile([0, 80], { signal: stop.signal })),
       ];
       stop.abort();
       const refused = [
@@ -129,12 +319,24 @@ test('what cannot be searched is refused, and a signal stops it', async () => {
         await girth.refusal(mesh.necks(igf, { minProminence: NaN })),
         await girth.refusal(mesh.handles({ basePoints: 0 })),
         await girth.refusal(mesh.handles({ basePoints: NaN })),
+        await girth.refusal(mesh.profile([0, 80], { samples: 1 })),
+        await girth.refusal(mesh.profile([0, 80], { samples: 2.5 })),
+        await girth.refusal(mesh.profile([0, 80], { samples: 0, crossings: false })),
+        await girth.refusal(mesh.profile([0])),
+        await girth.refusal(mesh.profile([0, 10 ** 6])),
+        await girth.refusal(mesh.bottleneck(sdf, 0, 80)),
+        await girth.refusal(mesh.bottleneck({ ...igf, persistence: 0.1 }, 0, 80)),
+        await girth.refusal(mesh.bottleneck(igf, 0, { face: 10 ** 6, weights: [1, 0, 0] })),
       ];
       kernel.dispose();
       return refused.map(({ code }) => code);
     },
     torus(16, 10),
   );
-  const invalid = 'INVALID_OPTION';
-  expect(codes).toEqual(['CANCELLED', 'CANCELLED', 'USAGE', invalid, invalid, invalid, invalid]);
+  const [invalid, usage] = ['INVALID_OPTION', 'USAGE'];
+  expect(codes).toEqual([
+    ...Array.from({ length: 4 }, () => 'CANCELLED'),
+    ...[usage, ...Array.from({ length: 7 }, () => invalid)],
+    ...[usage, 'VERTEX_OUT_OF_RANGE', usage, usage, 'INVALID_POINT'],
+  ]);
 });

@@ -69,6 +69,69 @@ export function dumbbell(rings: number, sides: number): string {
   return objOf(points, faces);
 }
 
+/** A plate, two thick, whose hole a needle passes through that does not touch it: no film has room in the hole. */
+export function plateWithNeedle(): string {
+  const points: Point[] = [];
+  const faces: number[][] = [];
+  const square = (a: number, b: number, c: number, d: number): void => {
+    faces.push([a, b, c], [a, c, d]);
+  };
+  const at = (x: number, y: number, isTop: boolean): number => 4 * y + x + (isTop ? 16 : 0);
+  for (const z of [0, 2]) {
+    for (let i = 0; i < 16; ++i) points.push([i % 4, Math.floor(i / 4), z]);
+  }
+  /** The side that goes up from an edge, seen with what is solid to its left. */
+  const side = ([ax, ay]: readonly number[], [bx, by]: readonly number[]): void =>
+    square(at(ax!, ay!, false), at(bx!, by!, false), at(bx!, by!, true), at(ax!, ay!, true));
+  for (let y = 0; y < 3; ++y) {
+    for (let x = 0; x < 3; ++x) {
+      if (x === 1 && y === 1) continue;
+      const corners = [
+        [x, y],
+        [x + 1, y],
+        [x + 1, y + 1],
+        [x, y + 1],
+      ] as const;
+      const [a, b, c, d] = corners.map(([u, v]) => at(u, v, true)) as [
+        number,
+        number,
+        number,
+        number,
+      ];
+      square(a, b, c, d);
+      square(d - 16, c - 16, b - 16, a - 16);
+    }
+  }
+  const round = (low: number, high: number): (readonly [number, number])[] => {
+    const ring: [number, number][] = [];
+    for (let i = low; i < high; ++i) ring.push([i, low]);
+    for (let i = low; i < high; ++i) ring.push([high, i]);
+    for (let i = high; i > low; --i) ring.push([i, high]);
+    for (let i = high; i > low; --i) ring.push([low, i]);
+    return ring;
+  };
+  const [outer, inner] = [round(0, 3), round(1, 2).reverse()];
+  for (const ring of [outer, inner]) {
+    ring.forEach((corner, i) => side(corner, ring[(i + 1) % ring.length]!));
+  }
+  const first = points.length;
+  for (const z of [-1, 3]) {
+    for (const [x, y] of [
+      [1.4, 1.45],
+      [1.6, 1.45],
+      [1.6, 1.55],
+      [1.4, 1.55],
+    ] as const) {
+      points.push([x, y, z]);
+    }
+  }
+  const n = (i: number): number => first + i;
+  square(n(3), n(2), n(1), n(0));
+  square(n(4), n(5), n(6), n(7));
+  for (let i = 0; i < 4; ++i) square(n(i), n((i + 1) % 4), n(4 + ((i + 1) % 4)), n(4 + i));
+  return objOf(points, faces);
+}
+
 /** A box of unit squares, each cut in two: flat vertices and windows that end exactly on vertices. */
 export function box(nx: number, ny: number, nz: number): string {
   const size = [nx, ny, nz];
@@ -273,6 +336,24 @@ export function scaled(obj: string, by: number): string {
 /** The same surface, its faces turned over. */
 export function turnedOver(obj: string): string {
   return obj.replace(/^f (\S+) (\S+) (\S+)$/gm, 'f $1 $3 $2');
+}
+
+/** A Möbius strip, which has one side only. */
+export function moebius(count: number): string {
+  const points: Point[] = [];
+  const faces: number[][] = [];
+  for (let i = 0; i < count; ++i) {
+    const angle = (2 * Math.PI * i) / count;
+    for (const across of [-0.4, 0.4]) {
+      const out = 2 + across * Math.cos(angle / 2);
+      points.push([out * Math.cos(angle), out * Math.sin(angle), across * Math.sin(angle / 2)]);
+    }
+    // After half a turn of the strip its two rims change places.
+    const [a, b] = [2 * i, 2 * i + 1];
+    const [c, d] = i + 1 < count ? [a + 2, b + 2] : [1, 0];
+    faces.push([a, c, b], [b, c, d]);
+  }
+  return objOf(points, faces);
 }
 
 /** A flat square of unit squares; with two sides, a plate without volume. */

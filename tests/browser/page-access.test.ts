@@ -2,7 +2,7 @@
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import type { Page } from 'playwright-core';
+import type { Locator, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import type { SurfacePoint } from '../../web/src/kernel/index.js';
@@ -14,26 +14,32 @@ mkdirSync(pictures, { recursive: true });
 
 const openBuilt = builtPage();
 
-/** Does something in dark, then in light, once the plots and the surface are drawn so. */
-async function inBoth(page: Page, act: (scheme: 'light' | 'dark') => Promise<void>): Promise<void> {
+interface Look {
+  /** A selector of what is new on the page. Default: all of it. */
+  within?: string;
+  /** What the pictures are called. Default: none are taken. */
+  picture?: string;
+  /** What is scrolled into view for them. */
+  shown?: Locator;
+}
+
+/**
+ * Expects no complaint of axe in light, and none on colours in dark, where nothing else differs; and takes a picture of each,
+ * once the plots and the surface are drawn so.
+ */
+async function lookAt(page: Page, { within, picture, shown }: Look = {}): Promise<void> {
   for (const colorScheme of ['dark', 'light'] as const) {
     await page.emulateMedia({ colorScheme });
     await framesPass(page);
-    await act(colorScheme);
+    // What has been scrolled under the field's row counts as small to axe, for as long as it is there.
+    await page.locator('aside').evaluate((aside) => aside.scrollTo(0, 0));
+    const rules = colorScheme === 'dark' ? ['color-contrast'] : undefined;
+    expect(await complaintsOfAxe(page, rules, within), colorScheme).toEqual([]);
+    if (!picture) continue;
+    await shown?.scrollIntoViewIfNeeded();
+    await page.screenshot({ path: join(pictures, `${picture}-${colorScheme}.png`) });
   }
 }
-
-/** Expects no complaint of axe in light, and none on colours in dark, where nothing else differs. */
-const expectAccessible = (page: Page): Promise<void> =>
-  inBoth(page, async (scheme) => {
-    const rules = scheme === 'dark' ? ['color-contrast'] : undefined;
-    expect(await complaintsOfAxe(page, rules), scheme).toEqual([]);
-  });
-
-const keepPictures = (page: Page, name: string): Promise<void> =>
-  inBoth(page, async (scheme) => {
-    await page.screenshot({ path: join(pictures, `${name}-${scheme}.png`) });
-  });
 
 test.each([
   [1440, 900],
@@ -63,19 +69,24 @@ test.each([
     await page.touchscreen.tap(box.x + x, box.y + y);
   } else await page.mouse.click(place.x, place.y);
   await page.locator('#loops tbody tr').waitFor();
-  await expectAccessible(page);
-  await keepPictures(page, `page-${size}`);
+  await lookAt(page, { picture: `page-${size}` });
   // The bar's menus, and a legend that is clipped.
   await viewer.evaluate((element: GirthViewer) => {
     const [low, high] = element.shown!.extent!;
     element.setAttribute('range', `${low} ${(low + high) / 2}`);
   });
-  for (const name of [/^Axes/, /^How the surface/]) {
+  for (const name of [/^Axes/, /^How the surface/, 'Section plane']) {
     await viewer.getByRole('button', { name }).click();
-    await expectAccessible(page);
+    if (name === 'Section plane') {
+      await viewer.getByRole('button', { name: 'Section across x' }).click();
+      await lookAt(page, { within: 'girth-viewer', picture: `section-${size}` });
+    } else await lookAt(page, { within: 'girth-viewer' });
     await page.keyboard.press('Escape');
   }
-  await viewer.evaluate((element) => element.removeAttribute('range'));
+  await viewer.evaluate((element) => {
+    element.removeAttribute('range');
+    element.removeAttribute('section');
+  });
   for (const [sheet, button] of [
     ['export', page.getByRole('button', { name: 'Export' })],
     ['share', page.getByRole('button', { name: 'Share' })],
@@ -83,8 +94,7 @@ test.each([
   ] as const) {
     await button.click();
     await page.locator(`#${sheet}`).waitFor();
-    await expectAccessible(page);
-    await keepPictures(page, `${sheet}-${size}`);
+    await lookAt(page, { within: `#${sheet}`, picture: `${sheet}-${size}` });
     await page.keyboard.press('Escape');
   }
   for (const name of ['tips', 'limbs', 'parts', 'print', 'compare']) {
@@ -94,11 +104,11 @@ test.each([
       await panel.getByRole('button', { name: 'Add this model' }).click();
       await panel.locator('.places canvas').waitFor();
     }
-    // What has been scrolled under the field's row counts as small to axe, for as long as it is there.
-    await page.locator('aside').evaluate((aside) => aside.scrollTo(0, 0));
-    await expectAccessible(page);
-    await panel.locator('summary').scrollIntoViewIfNeeded();
-    await keepPictures(page, `${name}-${size}`);
+    await lookAt(page, {
+      within: `#${name}-panel`,
+      picture: `${name}-${size}`,
+      shown: panel.locator('summary'),
+    });
   }
   const overflow = await page.evaluate(
     () => document.documentElement.scrollWidth - document.documentElement.clientWidth,

@@ -38,7 +38,7 @@ async function placesAtRest(viewer: Locator): Promise<Place[]> {
   throw new Error('the surface never rests');
 }
 
-/** Drags from a place of the element, in shares of its size, in steps of one pixel. */
+/** Drags from a place of the element, in shares of its size, in steps of a few pixels: each is a frame. */
 async function drag(
   page: Page,
   viewer: Locator,
@@ -50,7 +50,7 @@ async function drag(
   const [x, y] = [box.x + across * box.width, box.y + down * box.height];
   await page.mouse.move(x, y);
   await page.mouse.down({ button });
-  await page.mouse.move(x + right, y, { steps: Math.abs(right) });
+  await page.mouse.move(x + right, y, { steps: 8 });
   await page.mouse.up({ button });
 }
 

@@ -127,6 +127,17 @@ test('a few letters and Enter: fields, colours, panels, files, sheets, and what 
   expect(await viewer.evaluate((element: GirthViewer) => element.camera)).not.toEqual(before);
   await run('octo');
   await modelIs(page, 'octopus.glb');
+  // Opened again before the browser has told that it was closed: what is typed is still for it.
+  await page.keyboard.press('Control+k');
+  await page.evaluate(() => {
+    document.querySelector<HTMLDialogElement>('#palette')!.close();
+    document.body.dispatchEvent(
+      new KeyboardEvent('keydown', { key: 'k', ctrlKey: true, bubbles: true }),
+    );
+  });
+  await framesPass(page);
+  await run('dumb');
+  await modelIs(page, 'dumbbell.glb');
 });
 
 test('a combobox with a list, driven by keys; the focus comes back', async () => {

@@ -4,7 +4,8 @@ import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
-import { dumbbell } from './meshes.js';
+import { glbWith } from './glb.js';
+import { box, dumbbell } from './meshes.js';
 import { builtPage, drop, fragment, modelIs, pictures } from './page-support.js';
 import { fieldComplete, hover, placeOnSurface } from './viewer-page.js';
 
@@ -101,6 +102,69 @@ test('which number of a signature is shown can be chosen, and is in the link', a
   expect(await values()).toEqual(usual);
   await page.locator('#field-name').selectOption({ label: 'Girth (IGF)' });
   expect(await slider.isVisible()).toBe(false);
+});
+
+test('two fields in one: difference and ratio, with legend, plot, link, undo and file', async () => {
+  await page.locator('#second-field').selectOption('less Shape diameter (SDF)');
+  const title = () => viewer.locator('.legend-title').textContent();
+  await expect.poll(title).toBe('Girth \u2212 shape diameter, m');
+  await expect.poll(() => page.locator('.caption').textContent()).toMatch(/^median 0\.\d+/);
+  const shown = await viewer.evaluate(async (element: GirthViewer) => {
+    const [igf, sdf] = await Promise.all([element.fieldOf('igf'), element.fieldOf('sdf')]);
+    const values = element.values('igf-sdf');
+    const { range, colormap } = element.shown!;
+    const csv = new TextDecoder().decode(await element.exportField('csv', 'igf-sdf'));
+    const isExact = values.every((value, v) => value === igf.values[v]! - sdf.values[v]!);
+    return {
+      range,
+      colormap,
+      isExact,
+      second: Number(csv.split('\n')[2]!.split(',')[1]) - values[1]!,
+      csv,
+    };
+  });
+  expect(shown.isExact).toBe(true);
+  expect(shown.colormap).toBe('rdbu');
+  expect(shown.range![0]).toBe(-shown.range![1]);
+  expect(shown.csv).toMatch(/^vertex,igf_minus_sdf\n/);
+  expect(Math.abs(shown.second)).toBeLessThan(1e-12);
+  expect(await page.locator('#meaning').textContent()).toContain('red where it is more');
+  await expect.poll(() => fragment(page)).toContain('field=igf-sdf');
+  // The list on the page that files are made of has it.
+  await page.locator('[popovertarget=export]').click();
+  expect(await page.locator('#export-name').inputValue()).toBe('igf-sdf');
+  await page.keyboard.press('Escape');
+  // What is compared stays, the first field is another.
+  await page.locator('#field-name').selectOption('thickness');
+  await expect.poll(title).toMatch(/^Thickness \u2212 shape diameter, m/);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(title).toBe('Girth \u2212 shape diameter, m');
+  expect(await page.locator('#field-name').inputValue()).toBe('igf');
+  await page.locator('#second-field').selectOption('divided by Shape diameter (SDF)');
+  await expect.poll(title).toBe('Girth ÷ shape diameter');
+  expect(await page.locator('#colormap').inputValue()).toBe('viridis');
+
+  // Values of a file, in the list and beside the girth; they go with their file.
+  const heat = { _HEAT: (vertex: number) => 20 + vertex };
+  await drop(page, { name: 'heat.glb', bytes: Buffer.from(glbWith(box(3, 2, 2), heat)) });
+  await modelIs(page, 'heat.glb');
+  await fieldComplete(viewer);
+  expect(await page.locator('#field-name').inputValue()).toBe('igf');
+  await page.locator('#second-field').selectOption('less Heat');
+  await expect.poll(title).toBe('Girth \u2212 heat');
+  const isDifference = () =>
+    viewer.evaluate(async (element: GirthViewer) => {
+      const { values } = await element.fieldOf('igf');
+      const heat = element.values('_heat');
+      return (
+        new Set(heat).size === heat.length &&
+        element.values('igf-_heat').every((value, v) => value === values[v]! - heat[v]!)
+      );
+    });
+  expect(await isDifference()).toBe(true);
+  await page.locator('#examples button', { hasText: 'Cup' }).click();
+  await modelIs(page, 'cup.glb');
+  await expect.poll(title).toBe('Girth, m');
 });
 
 test('a brush marks what it covers, by pointer and by keyboard', async () => {

@@ -24,7 +24,7 @@ async function countClicks(page: Page): Promise<() => Promise<number>> {
 /** The picture that a click brings: its size, its density, and the pixels of its corner and in all. */
 async function pictureOf(page: Page) {
   const coming = page.waitForEvent('download');
-  await page.locator('#export-picture button').click();
+  await page.locator('#export-picture [data-format=png]').click();
   const download = await coming;
   const bytes = readFileSync(await download.path());
   const chunk = bytes.indexOf('pHYs');
@@ -130,4 +130,61 @@ test('an octopus with three loops at 300 dpi, and the same view of another model
   });
   // And two in the list of sizes, which opens outside of the page.
   expect(await clicks()).toBe(13);
+
+  // The same in lines: the outline, as wide as the surface is seen, with a loop; and the plot that is seen.
+  const drawn = async (entry: number) => {
+    await page.getByRole('button', { name: 'Export' }).click();
+    const coming = page.waitForEvent('download');
+    await page.locator('#export-picture [data-format=svg]').nth(entry).click();
+    const download = await coming;
+    const text = readFileSync(await download.path(), 'utf8');
+    const read = await page.evaluate((text) => {
+      const file = new DOMParser().parseFromString(text, 'image/svg+xml');
+      const of = (name: string) => [...file.querySelectorAll(name)];
+      const numbersOf = (path: string) =>
+        of(path).flatMap((one) =>
+          one
+            .getAttribute('d')!
+            .match(/-?[\d.]+/g)!
+            .map(Number),
+        );
+      return {
+        isRead: of('parsererror').length === 0,
+        width: file.documentElement.getAttribute('width'),
+        texts: of('text').map((one) => one.textContent),
+        contour: numbersOf('.contour'),
+        loops: of('.loop').length + of('.hidden').length,
+        bars: of('rect').length,
+      };
+    }, text);
+    return { name: download.suggestedFilename(), ...read };
+  };
+  const { base, length } = await viewer.evaluate(async (element: GirthViewer) => {
+    const { loop } = await element.pin(0);
+    return loop as { base: number; length: number };
+  });
+  expect(base).toBe(0);
+  const outline = await drawn(0);
+  expect(outline).toMatchObject({ name: 'cup-outline.svg', isRead: true, width: '175mm' });
+  expect(outline.loops).toBeGreaterThan(0);
+  expect(outline.texts.length).toBe(2);
+  const said = outline.texts.map((words) => Number.parseFloat(words.replace(/^1\s+/, '')));
+  const unit = await viewer.evaluate((element: GirthViewer) => element.lengthFormat.scale);
+  expect(said[0]).toBeCloseTo(length * unit, 1);
+  const box = (numbers: readonly number[]) => [
+    ...[0, 1].map((axis) => Math.min(...numbers.filter((_, i) => i % 2 === axis))),
+    ...[0, 1].map((axis) => Math.max(...numbers.filter((_, i) => i % 2 === axis))),
+  ];
+  const places = await viewer.evaluate((element: GirthViewer) =>
+    Array.from({ length: element.info!.vertexCount }, (_, vertex) => {
+      const { x, y } = element.screenPosition(vertex);
+      return [x, y];
+    }).flat(),
+  );
+  const ends = box(places);
+  box(outline.contour).forEach((end, i) => expect(Math.abs(end - ends[i]!)).toBeLessThan(2.5));
+  const plot = await drawn(1);
+  expect(plot).toMatchObject({ name: 'cup-plot.svg', isRead: true, width: '175mm' });
+  expect(plot.texts).toContain('Girth, m');
+  expect(plot.bars).toBeGreaterThan(10);
 });

@@ -1,12 +1,13 @@
 // How thick round is each finger: from the page alone, in four clicks; and loops that slide along a limb.
 
 import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { clicksOn } from './clicks.js';
 import { hand } from './meshes.js';
-import { builtPage, drop, modelIs } from './page-support.js';
+import { builtPage, drop, modelIs, pictures } from './page-support.js';
 
 const openBuilt = builtPage();
 let page: Page;
@@ -64,6 +65,49 @@ test('a row for each finger, in mm, to a spreadsheet in four clicks', async () =
   );
   expect(await panel.locator('.count').textContent()).toBe('2');
 
+  // Along the axis of the first finger: what the element measures, as a plot and as files, and in the link.
+  const axis = panel.getByRole('button', { name: 'Profile along the axis of limb 1' });
+  await axis.click();
+  expect(await axis.getAttribute('aria-pressed')).toBe('true');
+  const along = panel.getByRole('slider', { name: /^Girth along the axis of the limb/ });
+  await along.waitFor();
+  const measured = await viewer.evaluate(async (element: GirthViewer) => {
+    const { length, loops } = await element.axis((await element.limbs()).limbs[0]!);
+    return { length, girths: loops.map(({ girth }) => girth) };
+  });
+  expect(await along.getAttribute('aria-valuemax')).toBe(String(measured.girths.length - 1));
+  const section = panel.locator('.limb-axis');
+  await section.getByText(`${measured.length.toFixed(2)} mm along the axis`).waitFor();
+  const saving = page.waitForEvent('download');
+  await section.getByRole('button', { name: 'CSV' }).click();
+  const saved = await saving;
+  expect(saved.suggestedFilename()).toBe('hand-axis-1.csv');
+  const lines = readFileSync(await saved.path(), 'utf8')
+    .trim()
+    .split(/\r?\n/);
+  expect(lines[0]).toBe('distance (mm),along (mm),girth (mm),area (mm²)');
+  expect(lines.slice(1).map((line) => Number(line.split(',')[2]))).toEqual(
+    measured.girths.map((girth) => expect.closeTo(girth, 9) as number),
+  );
+  const lining = page.waitForEvent('download');
+  await section.getByRole('button', { name: 'OBJ' }).click();
+  expect((await lining).suggestedFilename()).toBe('hand-axis-1.obj');
+  // The loop at the cursor is the swept one.
+  await along.focus();
+  await viewer.evaluate((element: GirthViewer) => {
+    element.addEventListener('pick', ({ detail: { loop } }) => {
+      element.dataset['swept'] = String(loop.length);
+    });
+  });
+  await page.keyboard.press('Home');
+  const swept = () => viewer.getAttribute('data-swept').then(Number);
+  await expect.poll(swept).toBeCloseTo(measured.girths[0]!, 9);
+  await expect.poll(() => page.url()).toContain('axis=1');
+  await page.screenshot({ path: join(pictures, 'page-axis.png') });
+  await axis.click();
+  await along.waitFor({ state: 'hidden' });
+  await expect.poll(() => page.url()).not.toContain('axis=1');
+
   // The whole, with every profile, as files.
   await page.getByRole('button', { name: 'Export' }).click();
   const coming = page.waitForEvent('download');
@@ -101,6 +145,8 @@ test('the cursor of a plot moves the loop, and the pointer on the surface the cu
   await panel.locator('summary').click();
   await rows().nth(1).waitFor();
   const plot = plots().first();
+  // Not under the footer.
+  await plot.evaluate((element) => element.scrollIntoView({ block: 'center' }));
   const box = (await plot.locator('.u-over').boundingBox())!;
   const readout = viewer.locator('.readout');
   await page.mouse.move(box.x + 0.5 * box.width, box.y + box.height / 2);

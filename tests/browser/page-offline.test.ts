@@ -21,7 +21,7 @@ import {
 } from './support.js';
 import { fieldComplete } from './viewer-page.js';
 
-const openPage = chromiumForTests();
+const openPage = chromiumForTests({ whole: true });
 /** A copy of the page that may be changed. */
 let folder: string;
 let server: StaticServer;

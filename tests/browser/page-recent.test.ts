@@ -71,6 +71,12 @@ test('on the next visit files are there with their pictures, and are opened by t
   await page.keyboard.press('Tab');
   await page.keyboard.press('Tab');
   await page.keyboard.press('Tab');
+  // Also while a picture comes, with which the list is made anew.
+  const focused = (): Promise<string | null> =>
+    page.evaluate(
+      () => document.activeElement?.closest('li')?.querySelector('b')?.textContent ?? null,
+    );
+  expect(await focused()).toBe('cube.obj');
   await page.keyboard.press('Enter');
   await modelIs(page, 'cube.obj');
   expect(await page.locator('#recent').isVisible()).toBe(false);

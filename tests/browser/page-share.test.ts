@@ -49,15 +49,16 @@ async function onOtherOrigin(body: string) {
 }
 
 const state =
-  'model=dumbbell&field=sdf&colormap=magma&range=5%25%2095%25&isolines=4&shading=flat&camera=1.2,0.4,5.5,0,0.1,0&loops=5,3:0.25:0.25&names=left%20bell,&panel=tips';
+  'model=dumbbell&field=sdf&colormap=magma&range=5%25%2095%25&isolines=4&shading=flat&camera=1.2,0.4,5.5,0,0.1,0&loops=5,3:0.25:0.25&names=left%20bell,&bottleneck=3,500&panel=tips';
 
 const stateOf = (where: Page | Frame): Promise<ViewerState> =>
   where.locator('girth-viewer').evaluate(({ state }: GirthViewer) => state);
 
 /** What is on the screen, whatever names the model. */
 async function seen(where: Page | Frame): Promise<ViewerState> {
-  const { src, turn, 'keep-view': keeps, ...rest } = await stateOf(where);
-  void [src, turn, keeps];
+  const { src, turn, 'keep-view': keeps, bottleneck, ...rest } = await stateOf(where);
+  // The page itself draws it by its panel.
+  void [src, turn, keeps, bottleneck];
   return rest;
 }
 
@@ -90,17 +91,20 @@ test('link, element and frame show on another origin what the page shows', async
   const linked = await onOtherOrigin(`<a href="${link!.replaceAll('&', '&amp;')}">a view</a>`);
   await linked.page.getByRole('link').click();
   await expect.poll(() => seen(linked.page)).toEqual(shown);
+  expect(linked.page.url()).toContain('&bottleneck=3,500&');
   expect(linked.complaints).toEqual([]);
 
   const withElement = await onOtherOrigin(element!);
   await expect.poll(() => seen(withElement.page)).toEqual(shown);
   await fieldComplete(withElement.page.locator('girth-viewer'));
+  expect((await stateOf(withElement.page)).bottleneck).toBe('3, 500');
   expect(withElement.complaints).toEqual([]);
 
   const framed = await onOtherOrigin(frame!);
   const inside = framed.page.frames()[1]!;
   await expect.poll(() => inside.url()).toContain(`${host.url}/embed.html#src=`);
   await expect.poll(() => seen(inside)).toEqual(shown);
+  expect((await stateOf(inside)).bottleneck).toBe('3, 500');
   expect(await framed.page.locator('iframe').getAttribute('title')).toBe(
     'dumbbell.glb: Shape diameter',
   );

@@ -102,11 +102,86 @@ test('what is seen fills the picture, upright or wide, also of another size', as
     { width: 1440, height: 600 },
   ]) {
     await page.setViewportSize(size);
-    await expect.poll(async () => (await filled()).largest).toBeGreaterThan(0.75);
-    const { least, most } = await filled();
-    expect(least).toBeGreaterThan(0);
-    expect(most).toBeLessThan(1);
+    // All at once: until the camera has heard of the new size, each alone may hold for the old one.
+    await expect
+      .poll(async () => {
+        const { least, most, largest } = await filled();
+        return least > 0 && most < 1 && largest > 0.75;
+      })
+      .toBe(true);
   }
+});
+
+test('a plane cuts the surface: what is cut away is neither drawn nor picked', async () => {
+  const { page, viewer } = await openBuilt('model=cup');
+  await modelIs(page, 'cup.glb');
+  await dropStool(page);
+  await viewer.getByRole('button', { name: 'Section plane' }).click();
+  const across = viewer.getByRole('button', { name: 'Section across z' });
+  await across.click();
+  expect(await viewer.getAttribute('section')).toBe('z 50%');
+  expect(await across.getAttribute('aria-pressed')).toBe('true');
+  const place = viewer.getByLabel('Place of the section');
+  expect(await place.getAttribute('aria-valuetext')).toMatch(/^z = 5\.0/);
+  await expect.poll(() => fragment(page)).toContain('section=z 50%');
+
+  /** The middle between two vertices: whether it is in the picture, and whether a pointer finds a loop there. */
+  const seen = async (a: number, b: number): Promise<[drawn: boolean, picked: boolean]> => {
+    const at = await viewer.evaluate(
+      async (element: GirthViewer, vertices) => {
+        const [one, other] = vertices.map((vertex) => element.screenPosition(vertex));
+        const [x, y] = [(one!.x + other!.x) / 2, (one!.y + other!.y) / 2];
+        const picture = await createImageBitmap(await element.snapshot());
+        const canvas = new OffscreenCanvas(picture.width, picture.height);
+        const context = canvas.getContext('2d')!;
+        context.drawImage(picture, 0, 0);
+        const ratio = picture.width / element.clientWidth;
+        const { left, top } = element.getBoundingClientRect();
+        const alpha = context.getImageData(ratio * x, ratio * y, 1, 1).data[3]!;
+        return { alpha, x: left + x, y: top + y };
+      },
+      [a, b],
+    );
+    await page.mouse.move(1, 1);
+    // Listens before the pointer comes.
+    const heard = await viewer.evaluateHandle((element: GirthViewer) => ({
+      found: new Promise<boolean>((resolve) => {
+        element.addEventListener('hover', ({ detail }) => {
+          if (detail.vertex !== undefined) resolve(true);
+        });
+        setTimeout(() => resolve(false), 2000);
+      }),
+    }));
+    await page.mouse.move(at.x, at.y, { steps: 3 });
+    return [at.alpha > 200, await heard.evaluate(({ found }) => found)];
+  };
+  const [slab, foot] = [
+    [16, 18],
+    [1, 5],
+  ] as const;
+  // Nothing is picked before that has been prepared.
+  await expect.poll(() => seen(...foot)).toEqual([true, true]);
+  expect(await seen(...slab)).toEqual([false, false]);
+  expect(await viewer.evaluate((element: GirthViewer) => element.screenPosition(18).visible)).toBe(
+    false,
+  );
+  await viewer.getByRole('button', { name: 'Other side' }).click();
+  expect(await viewer.getAttribute('section')).toBe('-z 50%');
+  await expect.poll(() => seen(...slab)).toEqual([true, true]);
+  expect(await seen(...foot)).toEqual([false, false]);
+  // By keyboard; and undone in one step.
+  await place.focus();
+  await page.keyboard.press('Home');
+  expect(await viewer.getAttribute('section')).toBe('-z 0%');
+  await expect.poll(() => fragment(page)).toContain('section=-z 0%');
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => viewer.getAttribute('section')).toBe('-z 50%');
+  await viewer.getByRole('button', { name: 'Section across the view' }).click();
+  expect(await viewer.getAttribute('section')).toMatch(/^-?[\d.]+,-?[\d.]+,-?[\d.]+ 50%$/);
+  // Another model is whole.
+  await page.locator('#examples button', { hasText: 'Cup' }).click();
+  await modelIs(page, 'cup.glb');
+  expect(await viewer.getAttribute('section')).toBe(null);
 });
 
 test('front, side, top and home; smooth, flat, transparent and edges', async () => {

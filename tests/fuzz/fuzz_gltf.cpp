@@ -4,5 +4,5 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace girth;
-  return fuzz::check(io::readGltf(fuzz::bytesOf(data, size), fuzz::resource));
+  return fuzz::check(io::readGltf(fuzz::bytesOf(data, size), fuzz::resource, {true}));
 }

@@ -62,6 +62,7 @@ const obj = {
   concave: 'v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n',
   quadrilaterals: 'v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nf 1 2 3 4\n',
   continued: 'v 0 0 \\\n0\nv 1e-3 +.5 -5.\nv 1 2 3\n# a comment\\\ng a b\nf 1 \\\r\n2 3\r\n',
+  textured: 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nf 1/1 2/2 4/-1 3/9\n',
   others: 'mtllib a.mtl\no a\nvt 0 0\nvn 0 0 1\nusemtl b\ns off\nl 1 2\np 1\ncurv 0 1 1 2\n',
 };
 
@@ -258,6 +259,19 @@ const documents = {
       { mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes: { TRANSLATION: 0 } } } },
     ],
   }),
+  attributes: document(
+    {
+      accessors: [
+        { bufferView: 0, componentType: 5126, count: 4, type: 'VEC3' },
+        { bufferView: 1, componentType: 5123, count: 12, type: 'SCALAR' },
+        { bufferView: 0, componentType: 5121, normalized: true, count: 4, type: 'VEC4' },
+        { bufferView: 0, componentType: 5126, count: 4, type: 'VEC2' },
+        { bufferView: 0, componentType: 5126, count: 4, type: 'SCALAR' },
+      ],
+      materials: [{ pbrMetallicRoughness: { baseColorFactor: [1, 0.5, 0.25, 1] } }],
+    },
+    { attributes: { POSITION: 0, COLOR_0: 2, TEXCOORD_0: 3, _A: 4 }, material: 0 },
+  ),
   draco: document(
     { extensionsUsed: ['KHR_draco_mesh_compression'] },
     {

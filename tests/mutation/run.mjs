@@ -106,6 +106,7 @@ async function main() {
       ...['-S', sources, '-B', tree, '-G', 'Ninja'],
       ...['-DCMAKE_BUILD_TYPE=Release', '-DCMAKE_CXX_FLAGS_RELEASE=-O1'],
       ...['-DGIRTH_BUILD_COMMAND=OFF', '-DGIRTH_BUILD_BENCHMARKS=OFF'],
+      '-DGIRTH_UNITY_BUILD=OFF',
     ]);
   }
   console.log(`girth: building, on ${availableParallelism()} cores`);

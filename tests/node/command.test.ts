@@ -25,7 +25,7 @@ import { install } from '../web/package/packed.js';
 import { glb, off, ply, splitGltf, stl, tetrahedron } from './models.js';
 
 const folder = mkdtempSync(join(tmpdir(), 'girth-command-'));
-const program = join(folder, 'node_modules/girth/dist/command/girth.mjs');
+const program = join(folder, 'node_modules/girth/dist/command/girth.cjs');
 
 /** Each runs in a folder of its own with the same models. */
 const sides = { native: join(folder, 'native'), module: join(folder, 'module') };
@@ -113,9 +113,11 @@ function done(cwd: string, file: string, args: string[], input?: string) {
   };
 }
 
-/** What a run takes differs; everything else does not. */
+/** What a run takes, of time and of memory, differs; everything else does not. */
 const timeless = (text: string) =>
-  text.replace(/\b\d+(\.\d+)? (ms|s|min \d+ s)\b/g, '… s').replace(/"\w*[sS]econds":[^,}]*/g, '');
+  text
+    .replace(/\b\d+(\.\d+)? (ms|s|min \d+ s)\b/g, '… s')
+    .replace(/"(\w*[sS]econds\w*|peakBytes)":[^,}]*/g, '');
 
 function compare(args: string[], input?: string) {
   const native = done(sides.native, command, args, input);
@@ -128,20 +130,44 @@ function compare(args: string[], input?: string) {
   return native;
 }
 
-test.each([
+/** Each option of these commands is in some line: a test below asks their help for them. */
+const main = [
   'info torus.obj',
   'info --json torus.obj torus.obj.gz torus.zip model.glb model.off model.ply model.stl model.gltf',
-  'igf torus.obj -o values.csv',
-  'igf torus.obj -o values.npy --threads 3 --persistence 2%',
-  'igf torus.obj -o values.ply',
-  'igf model.glb -o values.glb --tips',
-  'igf torus.zip -o - --format npy',
   'info --jobs 2 model.off model.ply',
-  'loop torus.obj 7 -o loop.json',
-  'loop torus.obj 7 --json',
-  'tips model.glb --json',
-  'parts model.glb -o parts.csv',
-  'field model.glb --field sdf -o values.npy --threads 2',
+  'info torus.zip --entry torus.obj --weld 0.01 --close-holes --component largest --min-component 1e-3',
+  'info model.stl --unit mm --in cm --scale 2',
+  'info torus.obj --height 900mm --up x -q',
+  'igf torus.obj -o values.csv --method ms --threads 3 --weld 0.01 --close-holes --positions --in cm --unit mm',
+  'igf torus.obj -o values.csv --method refined --audit 20 --refine 2600 --json',
+  'igf torus.obj -o values.npy --threads 3 --persistence 2% --barcode bars.json --component 0',
+  'igf torus.obj -o values.ply --refine 900 --min-component 1e-3 --scale 3 -q',
+  'igf model.glb -o values.glb --tips --loops 3,7 --force',
+  'igf torus.obj -o values.json --faces 300 --height 900mm --up z --resume',
+  'igf torus.zip -o - --format npy --entry torus.obj',
+  'igf torus.obj model.off --json --stats --jobs 2',
+  'loop torus.obj 7 -o loop.json --persistence 2% --unit mm --in cm',
+  'loop torus.obj 7 --json --weld 0.01 --close-holes --component 0 --min-component 1e-3',
+  'loop torus.obj --face 7 --at 0.2,0.3,0.5 -o loop.obj --scale 2 -q',
+  'loop torus.zip 7 --entry torus.obj -o - --format csv --height 900mm --up z',
+  'loop model.glb 7 -o loop.glb --force',
+  'tips model.glb --json --threads 2 --persistence 1%',
+  'tips torus.obj --stability --noise 0.1 --refine 700 -o tips.obj --force --scale 2 --min-component 1e-3 -q',
+  'tips model.off --unit mm --in cm --weld 0.01 --close-holes --component 0',
+  'tips torus.zip --entry torus.obj -o - --format json --height 900mm --up z',
+  'parts model.glb -o parts.csv --positions --smooth 0.5 --threads 2 --scale 2',
+  'parts torus.obj -o parts.ply --girth 3 --thickness 2 --refine 700 --persistence 1% -q --force',
+  'parts torus.zip --entry torus.obj --json --weld 0.01 --close-holes --component 0 --min-component 1e-3',
+  'parts torus.obj -o - --format json --unit mm --in cm --height 900mm --up z',
+  'field model.glb --field sdf -o values.npy --threads 2 --rays 7 --cone 90 --force',
+  'field torus.obj --field thickness --sharp 30 -o values.json --positions --unit mm --in cm --scale 2',
+  'field torus.obj --field geofarthest --exact --maxima 3 --json --close-holes --component 0 -q',
+  'field torus.zip --entry torus.obj --field geoaverage -o - --format csv --height 900mm --up z',
+  'field torus.obj --field angle --persistence 2% --refine 700 -o values.ply --weld 0.01 --min-component 1e-3',
+];
+
+test.each([
+  ...main,
   'remesh model.glb --faces 200 -o small.glb',
   'compare torus.obj model.glb --json',
   'signature torus.obj -o signature.csv',
@@ -149,14 +175,43 @@ test.each([
   'limbs torus.obj --json',
   'cut torus.obj 7 -o cut.obj',
   '--version',
-  'igf --help',
   'help',
 ])('girth %s', (line) => {
   expect(compare(line.split(' ')).status).toBe(0);
 });
 
-test('spectra have the same values, but not the same bits', () => {
-  const args = 'field model.glb --field hks -o - --format csv'.split(' ');
+test.each(['info', 'igf', 'loop', 'tips', 'parts', 'field'])(
+  'girth %s has the same options, and each is tried',
+  (name) => {
+    const { stdout } = compare([name, '--help']);
+    const options = [...stdout.matchAll(/^ {2}(?:-\w, )?(--[\w-]+)/gm)].map(([, word]) => word!);
+    expect(options.length).toBeGreaterThan(10);
+    const tried = [...main, ...checks, ...spectra]
+      .filter((line) => line.startsWith(`${name} `))
+      .flatMap((line) =>
+        line.replace(/ -q\b/g, ' --quiet').replace(/ -o\b/g, ' --output').split(' '),
+      );
+    expect(options.filter((word) => word !== '--help' && !tried.includes(word))).toEqual([]);
+  },
+);
+
+/** What is too thin ends with the code 4. */
+const checks = [
+  'parts torus.obj --unit mm --min-tube 300mm --min-wall 100mm --json',
+  'parts torus.obj --unit mm --min-gap 100mm',
+];
+
+test.each(checks)('girth %s finds what is too thin', (line) => {
+  compare(line.split(' '));
+});
+
+const spectra = [
+  'field model.glb --field hks -o - --format csv',
+  'field model.off --field hks --pairs 40 --time 0.01,0.1 --only 2 -o - --format csv',
+];
+
+test.each(spectra)('girth %s: the same values, but not the same bits', (line) => {
+  const args = line.split(' ');
   const values = [
     done(sides.native, command, args),
     done(sides.module, process.execPath, [program, ...args]),
@@ -165,7 +220,7 @@ test('spectra have the same values, but not the same bits', () => {
       .trim()
       .split('\n')
       .slice(1)
-      .map((line) => Number(line.split(',')[1])),
+      .map((row) => Number(row.split(',')[1])),
   );
   expect(values[0]!.length).toBeGreaterThan(200);
   values[1]!.forEach((value, i) => expect(value).toBeCloseTo(values[0]![i]!, 9));

@@ -128,6 +128,16 @@ const claims = [
   { page: 'how-to/find-tips', model: 'octopus', vertex: 3790, kind: 'loop', says: '829 mm' },
   { page: 'how-to/find-tips', model: 'handles', vertex: 1230, kind: 'loop', says: '306.6' },
   { page: 'how-to/find-tips', model: 'handles', vertex: 1299, kind: 'loop', says: '308.8 mm' },
+  { page: 'how-to/necks-and-handles', model: 'spine', vertex: 704, kind: 'loop', says: '68.4 mm' },
+  { page: 'how-to/necks-and-handles', model: 'vessel', vertex: 120, kind: 'loop', says: '40.7 mm' },
+  {
+    page: 'how-to/necks-and-handles',
+    model: 'dumbbell',
+    vertex: 806,
+    kind: 'loop',
+    says: '130 mm',
+  },
+  { page: 'how-to/necks-and-handles', model: 'hook', vertex: 456, kind: 'loop', says: '22.3 mm' },
 ];
 
 test.each(claims)('$page: $model at $vertex has $says', ({ page, model, vertex, kind, says }) => {

@@ -205,6 +205,12 @@ def test_folders_that_are_no_store(files, tmp_path):
         assert caught.value.file == str(path)
 
 
+def test_a_folder_in_which_another_program_begins_a_store(files, tmp_path):
+    (tmp_path / "store").mkdir()
+    (tmp_path / "store/.0123.part").write_text("")
+    assert collection.fields(files[:1], store=tmp_path / "store", faces=0).unsaved is None
+
+
 def test_a_broken_file_of_a_store_is_passed_over_and_computed_again(files, tmp_path):
     store = tmp_path / "store"
     collection.fields(files, store=store, faces=0)
@@ -213,6 +219,22 @@ def test_a_broken_file_of_a_store_is_passed_over_and_computed_again(files, tmp_p
     with pytest.warns(UserWarning, match="passed over"):
         models = collection.fields(files, store=store, faces=0)
     assert models.computed == 11
+
+
+def test_other_bytes_in_a_file_of_a_store_are_found_when_they_are_read(files, tmp_path):
+    store = tmp_path / "store"
+    known = collection.fields(files, store=store, faces=0).distances()
+    (path,) = store.rglob("*.npz")
+    content = bytearray(path.read_bytes())
+    content[content.index(b"weights.npy") + 300] ^= 1
+    path.write_bytes(content)
+    models = collection.fields(files, store=store, faces=0)
+    with pytest.raises(girth.InputError) as caught:
+        models.distances()
+    assert (caught.value.code, caught.value.file) == ("MALFORMED_FILE", str(path))
+    assert "delete it" in caught.value.hint
+    path.unlink()
+    assert np.array_equal(collection.fields(files, store=store, faces=0).distances(), known)
 
 
 def test_a_store_that_carries_code_does_not_run_it(files, tmp_path):
@@ -339,6 +361,33 @@ def test_work_that_is_left_is_cancelled():
         for _ in work:
             break
     # Leaving the pool has waited for what could not be cancelled: far less than all.
+
+
+@pytest.mark.parametrize("own_pool", [True, False])
+def test_what_threads_are_at_is_stopped(files, monkeypatch, own_pool):
+    ends = {}
+    compute = girth._girth.compared_fields
+
+    def watched(surface, *others):
+        try:
+            result = compute(surface, *others)
+            ends[surface.face_count] = "values"
+            return result
+        except BaseException as error:
+            ends[surface.face_count] = type(error).__name__
+            raise
+
+    monkeypatch.setattr(girth._girth, "compared_fields", watched)
+
+    def stop(fraction):
+        raise KeyboardInterrupt
+
+    # Some tens of seconds of work, which the interrupt does not wait for.
+    models = [torus(400, 160), files[9]]
+    with ThreadPoolExecutor(2) as pool, pytest.raises(KeyboardInterrupt):
+        client = None if own_pool else pool
+        collection.fields(models, client=client, faces=0, batch=1, progress=stop)
+    assert ends == {4: "values", 128000: "_Stopped"}
 
 
 def test_what_the_documents_say_of_a_store(files, tmp_path):

@@ -1,6 +1,8 @@
 """``python -m girth.collection``: the same results from a shell, in shares."""
 
 import csv
+import errno
+import os
 import signal
 import subprocess
 import sys
@@ -11,6 +13,7 @@ import numpy as np
 import pytest
 from girth import collection
 from girth.collection import __main__ as command
+from girth.collection import _store
 from shapes import as_obj, prism, torus
 
 
@@ -84,6 +87,28 @@ def test_an_output_that_cannot_be_written(listed, tmp_path, capsys):
     words = ["matrix", str(listed), "--store", str(tmp_path / "store"), "--faces", "0"]
     assert command.run([*words, "-o", str(output)]) == 2
     assert "FILE_UNWRITABLE" in capsys.readouterr().err
+
+
+def test_a_full_disk_keeps_the_store_and_not_the_answer(listed, tmp_path, capsys, monkeypatch):
+    def full(path, content):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
+
+    monkeypatch.setattr(_store, "_write_whole", full)
+    words = [str(listed), "--store", str(tmp_path / "store"), "--faces", "0"]
+    assert command.run(["fields", *words]) == 2
+    said = capsys.readouterr()
+    assert "FILE_UNWRITABLE" in said.err and "No space left" in said.err and "make room" in said.err
+    assert "6 models: 5 computed, 0 found in the store, 1 failed" in said.out
+    # What was asked for goes elsewhere, and is written.
+    assert command.run(["matrix", *words, "-o", str(tmp_path / "igf.npy")]) == 2
+    assert "No space left" in capsys.readouterr().err
+    matrix = np.load(tmp_path / "igf.npy")
+    assert np.isnan(matrix[4]).all() and np.isfinite(np.delete(np.delete(matrix, 4, 0), 4, 1)).all()
+    monkeypatch.undo()
+    assert command.run(["fields", *words]) == 2
+    assert "5 computed, 0 found" in capsys.readouterr().out
+    assert command.run(["fields", *words]) == 2
+    assert "0 computed, 5 found" in capsys.readouterr().out
 
 
 def test_what_a_scheduler_stops_is_written(tmp_path):

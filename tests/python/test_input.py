@@ -1,6 +1,7 @@
 """Bad input ends in a clear error; what other libraries have is taken."""
 
 import pickle
+import sys
 from types import SimpleNamespace
 
 import girth
@@ -168,6 +169,9 @@ MESH = girth.Mesh(V, F)
         lambda: MESH.igf(persistence=np.inf),
         lambda: MESH.igf(persistence="2%"),
         lambda: MESH.igf(method="ms", persistence=1),
+        lambda: MESH.igf(method="refined", persistence=1),
+        lambda: MESH.igf(method="refined", audit=-1),
+        lambda: MESH.igf(method="refined", seed=0.5),
         lambda: MESH.loop(0, persistence=-1),
         lambda: MESH.tips(persistence=np.nan),
         lambda: MESH.barcode(0, max_persistence=-1),
@@ -290,6 +294,30 @@ def test_models_without_a_surface(model):
     error_of(lambda: girth.as_mesh(model))
 
 
+def test_without_pyvista_the_error_names_what_to_install(monkeypatch):
+    # As where it is not installed: importing it fails.
+    monkeypatch.setitem(sys.modules, "pyvista", None)
+    mesh = girth.Mesh(V, F)
+    for call in (mesh.to_pyvista, mesh.igf().to_pyvista, mesh.geodesics(0).to_pyvista):
+        with pytest.raises(girth.MissingPackageError) as caught:
+            call()
+        error = caught.value
+        assert isinstance(error, ImportError) and isinstance(error, girth.GirthError)
+        assert (error.code, error.name) == ("PROGRAM_NOT_LOADED", "pyvista")
+        assert "PyVista" in error.message and sys.executable in error.message
+        assert "pip install pyvista" in error.hint and error.hint in str(error)
+        assert pickle.loads(pickle.dumps(error)).hint == error.hint
+
+
+def test_what_pyvista_itself_lacks_is_its_own_matter(monkeypatch, tmp_path):
+    (tmp_path / "pyvista.py").write_text("import a_package_that_there_is_not\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.delitem(sys.modules, "pyvista", raising=False)
+    with pytest.raises(ModuleNotFoundError, match="a_package_that_there_is_not") as caught:
+        girth.Mesh(V, F).to_pyvista()
+    assert not isinstance(caught.value, girth.GirthError)
+
+
 def test_pyvista_is_handed_what_it_takes(monkeypatch):
     made = SimpleNamespace(point_data={})
 
@@ -297,7 +325,7 @@ def test_pyvista_is_handed_what_it_takes(monkeypatch):
         made.points, made.faces = points, faces
         return made
 
-    monkeypatch.setitem(__import__("sys").modules, "pyvista", SimpleNamespace(PolyData=poly_data))
+    monkeypatch.setitem(sys.modules, "pyvista", SimpleNamespace(PolyData=poly_data))
     field = girth.igf(V, F)
     assert field.to_pyvista() is made
     assert np.array_equal(made.points, V) and made.faces.tolist()[:4] == [3, *F[0]]

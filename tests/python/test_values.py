@@ -107,6 +107,14 @@ def test_the_tips_of_a_body_with_eight_limbs():
     np.testing.assert_allclose(np.diff(angles), np.pi / 4, atol=0.1)
     limbs = [limb for limb in mesh.limbs(stations=16) if limb.length > 1]
     assert len(limbs) == 8 and limbs[0].profile.shape == (16, 4)
+    axis = mesh.axis(limbs[0])
+    assert 2 <= len(axis) <= 16 and axis[0].distance == 0
+    steps = [np.linalg.norm(b.centre - a.centre) for a, b in zip(axis, axis[1:])]
+    np.testing.assert_allclose(np.diff([loop.distance for loop in axis]), steps, rtol=1e-9)
+    for loop in axis:
+        around = np.linalg.norm(np.diff(loop.points, axis=0), axis=1).sum()
+        np.testing.assert_allclose(loop.girth, around, rtol=1e-9)
+    assert len(mesh.cut(axis[len(axis) // 2]).parts) == 2
 
 
 def test_parts_cover_the_mesh():
@@ -160,6 +168,28 @@ def test_the_bits_of_the_command(model, command):
     assert_same_bits(mesh.field("geofarthest", exact=True).values, exact)
     blunt = command("field", model, "--field", "thickness", "--sharp", 30, output=".npy")
     assert_same_bits(mesh.field("thickness", sharp=30).values, blunt)
+
+
+def test_the_refined_girth_of_the_command(tmp_path, command):
+    vertices, faces = torus(60, 24)
+    path = tmp_path / "fine.obj"
+    path.write_text(as_obj(vertices, faces))
+    mesh = girth.load(path)
+    refined = mesh.igf(method="refined", audit=30, threads=2)
+    assert_same_bits(
+        refined.values,
+        command("igf", path, "--method", "refined", "--audit", 30, output=".npy"),
+    )
+    assert refined.method == "refined"
+    assert refined.audit["vertices"] == 30
+    share = refined.audit["equal"] / 30
+    assert refined.audit["at_least"] <= share <= refined.audit["at_most"]
+    # Proved ones are the exact ones.
+    proved = refined.states == girth.RefinedGirth.STATES.index("proved")
+    assert proved.sum() >= 30
+    assert_same_bits(refined.values[proved], mesh.igf().values[proved])
+    other = mesh.igf(method="refined", audit=30, seed=2)
+    assert not np.array_equal(other.states, refined.states)
 
 
 def test_the_persistent_girth_of_the_command(model, command):

@@ -3,6 +3,10 @@
 
 import {
   type CameraView,
+  isShownName,
+  parseSection,
+  parsePath,
+  parseTwoPoints,
   readCamera,
   readCount,
   readNumber,
@@ -24,6 +28,8 @@ export interface PageState {
   closed?: boolean;
   components?: number[];
   faces?: number;
+  /** After that, handles and tunnels shorter than this were taken away, in model units. */
+  handles?: number;
   /** Of lengths, where the file does not say it. */
   unit?: string;
   /** What lengths are written in, where that is another unit. */
@@ -47,6 +53,8 @@ export interface PageState {
   /** As the element's attributes: how the surface is drawn, and which way is up where that was chosen. */
   shading?: string;
   up?: string;
+  /** As the element's attribute. */
+  section?: string;
   camera?: CameraView;
   /** Where loops are pinned. */
   loops?: SurfacePoint[];
@@ -66,8 +74,31 @@ export interface PageState {
   wall?: number;
   gap?: number;
   printer?: string;
+  /** The two points whose bottleneck is shown, or the girth along the path between them, or through more. */
+  bottleneck?: SurfacePoint[];
+  profile?: SurfacePoint[];
+  /** The limb along whose axis the girth is shown, from 1. */
+  axis?: number;
+  /** Necks are listed that stand out by at least so much, in model units. */
+  prominence?: number;
+  /** Along what the surface is shown cut, and that the rims are left open. */
+  cut?: CutWish;
+  rims?: boolean;
   panel?: PanelName;
 }
+
+/**
+ * All necks that are listed; one neck or handle, by its number as `girth necks` and `girth handles` print it; the
+ * bottleneck of the two points; the loops that are pinned; or where the girth has a value, in model units.
+ */
+export type CutWish =
+  'necks' | `neck:${number}` | `handle:${number}` | 'bottleneck' | 'pin' | `at:${string}`;
+
+/** A cut where the girth has a value. */
+export const cutAt = (girth: number): CutWish => `at:${writeLimit(girth)}`;
+/** The girth that a cut is made at; undefined for other cuts. */
+export const girthOfCut = (cut: CutWish | undefined): number | undefined =>
+  cut?.startsWith('at:') ? Number(cut.slice(3)) : undefined;
 
 /** More loops than these are not pinned from a link: each costs a computation. */
 const mostLoops = 50;
@@ -95,6 +126,14 @@ function readScale(text: string): number | undefined {
 
 function readWord(text: string): string | undefined {
   return /^[a-z][a-z0-9-]{0,30}$/i.test(text) ? text : undefined;
+}
+
+function readShown(text: string): string | undefined {
+  return text.length <= 130 && isShownName(text) ? text : undefined;
+}
+
+function readSection(text: string): string | undefined {
+  return text.length <= 100 && parseSection(text) ? text : undefined;
 }
 
 /** Two ascending numbers, or percentages. */
@@ -141,6 +180,8 @@ function readFile(text: string): string | undefined {
   return text.length <= 200 ? text : undefined;
 }
 
+const writePoints = (points: SurfacePoint[]): string => points.map(writePoint).join(',');
+
 /** Names are escaped by themselves, so that one may have a comma in it. */
 function readNames(text: string): string[] | undefined {
   const names = text
@@ -167,6 +208,14 @@ function readValue(text: string): string | undefined {
 const writeLimit = (length: number): string => String(Number(length.toPrecision(12)));
 const readUp = (text: string): string | undefined => (/^-?[xyz]$/.test(text) ? text : undefined);
 const readFlag = (text: string): boolean | undefined => (text === '1' ? true : undefined);
+function readCut(text: string): CutWish | undefined {
+  if (text.startsWith('at:')) {
+    const girth = readNumber(text.slice(3));
+    return girth !== undefined && girth > 0 ? cutAt(girth) : undefined;
+  }
+  const isNamed = /^(necks|bottleneck|pin|(neck|handle):[1-9]\d{0,5})$/.test(text);
+  return isNamed ? (text as CutWish) : undefined;
+}
 const readPanel = (text: string): PanelName | undefined => panelNames.find((name) => name === text);
 
 type Reader<Type> = (text: string) => Type | undefined;
@@ -181,10 +230,11 @@ const parts: {
   closed: [readFlag, () => '1'],
   components: [(text) => readAll(text, mostComponents, readCount), (numbers) => numbers.join(',')],
   faces: [readCount, String],
+  handles: [readThreshold, (length) => (length === Infinity ? 'inf' : writeLimit(length))],
   unit: [readWord, (unit) => unit],
   shown: [readWord, (unit) => unit],
   scale: [readScale, String],
-  field: [readWord, (field) => field],
+  field: [readShown, (field) => field],
   time: [readThreshold, String],
   energy: [readCount, String],
   component: [readCount, String],
@@ -196,11 +246,9 @@ const parts: {
   log: [readFlag, () => '1'],
   shading: [readWord, (look) => look],
   up: [readUp, (up) => up],
+  section: [readSection, (section) => section],
   camera: [readCamera, (camera) => writeCamera(camera, short)],
-  loops: [
-    (text) => readAll(text, mostLoops, readPoint),
-    (loops) => loops.map(writePoint).join(','),
-  ],
+  loops: [(text) => readAll(text, mostLoops, readPoint), writePoints],
   names: [readNames, (names) => names.map(encodeURIComponent).join(',')],
   values: [(text) => readAll(text, mostLoops, readValue), (values) => values.join(',')],
   girth: [readThreshold, (girth) => (girth === Infinity ? 'inf' : String(girth))],
@@ -212,6 +260,12 @@ const parts: {
   wall: [readThreshold, writeLimit],
   gap: [readThreshold, writeLimit],
   printer: [readWord, (key) => key],
+  bottleneck: [parseTwoPoints, writePoints],
+  profile: [parsePath, writePoints],
+  axis: [readCount, String],
+  prominence: [readThreshold, writeLimit],
+  cut: [readCut, (cut) => cut],
+  rims: [readFlag, () => '1'],
   panel: [readPanel, (panel) => panel],
 };
 
@@ -227,10 +281,12 @@ export function preparationOf({ closed, components, scale }: PageState): Prepare
 /** The same state of a model that is `ratio` times as large: its lengths grow with it. */
 export function resized(state: PageState, ratio: number): PageState {
   const grown = { ...state };
-  for (const key of ['girth', 'diameter', 'jump'] as const) {
+  for (const key of ['handles', 'girth', 'diameter', 'jump', 'prominence'] as const) {
     const length = state[key];
     if (length !== undefined) grown[key] = length * ratio;
   }
+  const at = girthOfCut(state.cut);
+  if (at !== undefined) grown.cut = cutAt(at * ratio);
   // In the model's size: shares hold for any.
   if (state.persistence !== undefined && !state.persistence.endsWith('%')) delete grown.persistence;
   // Of a field of lengths or not, and in which unit: shares of the surface hold for any size.

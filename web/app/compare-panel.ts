@@ -8,6 +8,7 @@ import { DistanceMatrix, distanceWords } from './distance-matrix.js';
 import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
 import { kernel } from './kernel.js';
+import type { PagePlot } from './page-plot.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
 import { stemOf } from './save-file.js';
@@ -163,6 +164,10 @@ export class ComparePanel {
   }
 
   /** The field whose values are drawn. */
+  get plots(): PagePlot[] {
+    return [{ word: 'compared', svg: (width) => this.#plot.svg(width) }];
+  }
+
   get #name(): FieldName {
     const descriptor = this.#descriptor;
     return comparedFields.find((name) => name === descriptor) ?? 'igf';

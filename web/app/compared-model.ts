@@ -105,15 +105,23 @@ export class ComparedModel {
   }
 
   async #load(kernel: Kernel, signal: AbortSignal): Promise<Mesh> {
-    const { source, model, prepare, remeshed } = this.opened;
+    const { source, model, prepare, remeshed, handles } = this.opened;
     const options = { signal, prepare, ...(model === undefined ? {} : { model }) };
     const address = typeof source === 'string' ? new URL(source, document.baseURI) : source;
-    const mesh = await kernel.load(address, options);
-    if (!remeshed) return mesh;
-    try {
-      return await mesh.remesh(remeshed.faces, { signal });
-    } finally {
-      mesh.dispose();
+    let mesh: Mesh = await kernel.load(address, options);
+    if (remeshed) mesh = await madeOf(mesh, () => mesh.remesh(remeshed.faces, { signal }));
+    if (handles !== undefined) {
+      mesh = await madeOf(mesh, () => mesh.removeHandles(handles, { signal }));
     }
+    return mesh;
+  }
+}
+
+/** Another mesh, made of one that is not needed any more. */
+async function madeOf(mesh: Mesh, make: () => Promise<Mesh>): Promise<Mesh> {
+  try {
+    return await make();
+  } finally {
+    mesh.dispose();
   }
 }

@@ -1,17 +1,25 @@
-// What is on the page as files: fields, tips, limbs, parts, the pinned loops, the picture.
+// What is on the page as files: fields, tips, limbs, parts, the pinned loops, the picture, and all of it.
 
 import type { FieldFormat, FieldName, LoopFormat } from '../src/kernel/index.js';
-import { type GirthViewer, fieldNames, fieldTitle, make } from '../src/element/index.js';
+import {
+  type CombinedName,
+  type GirthViewer,
+  combinationOf,
+  fieldNames,
+  fieldTitle,
+  make,
+} from '../src/element/index.js';
 import type { ComputedFields } from './computed-fields.js';
 import { byId } from './dom.js';
 import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
 import { FigureChoice } from './figure-choice.js';
 import type { LimbsPanel } from './limbs-panel.js';
+import type { PagePlot } from './page-plot.js';
 import type { PartsPanel } from './parts-panel.js';
 import type { PinnedList } from './pinned-list.js';
 import { stemOf } from './save-file.js';
-import { type Piece, saveFiles } from './zip-files.js';
+import { type Piece, fileWord, saveFiles } from './zip-files.js';
 import { csvOf } from './table-text.js';
 
 const fieldFormats: Record<FieldFormat, string> = {
@@ -34,10 +42,15 @@ interface ExportedPanels {
   limbs: LimbsPanel;
 }
 
+const textFile = (text: string): Uint8Array => new TextEncoder().encode(text);
+
+/** `plots`: all of the page, seen or not; `project`: all that is shown, in one file. */
 export function offerExports(
   viewer: GirthViewer,
   known: ComputedFields,
   { parts, loops: pinned, limbs: limbsPanel }: ExportedPanels,
+  plots: () => readonly PagePlot[],
+  project: () => Promise<Uint8Array>,
 ): void {
   const menu = byId('export');
   const failure = byId('export-failure');
@@ -70,10 +83,16 @@ export function offerExports(
   /** Fields that are computed from end to end. */
   const computed = (): FieldName[] => fieldNames.filter((name) => known.has(name));
 
+  /** Two fields in one that colour the surface. */
+  const combined = (): CombinedName[] => {
+    const name = viewer.shown?.name ?? 'none';
+    return combinationOf(name) ? [name as CombinedName] : [];
+  };
+
   const saveField = (format: FieldFormat): Promise<void> => {
-    const name = choice.text as FieldName | typeof allFields;
+    const name = choice.text as FieldName | CombinedName | typeof allFields;
     if (name !== allFields) {
-      return save(`-${name}`, format, async () => [
+      return save(`-${fileWord(name)}`, format, async () => [
         { content: await viewer.exportField(format, name) },
       ]);
     }
@@ -104,13 +123,11 @@ export function offerExports(
       name: word,
       ...(JSON.parse(new TextDecoder().decode(content as Uint8Array)) as object),
     }));
-    return [{ content: new TextEncoder().encode(`${JSON.stringify({ loops: all })}\n`) }];
+    return [{ content: textFile(`${JSON.stringify({ loops: all })}\n`) }];
   };
   const loops = [
     entry('csv', 'names and lengths', () =>
-      save('-loops', 'csv', () =>
-        Promise.resolve([{ content: new TextEncoder().encode(csvOf(pinned.table)) }]),
-      ),
+      save('-loops', 'csv', () => Promise.resolve([{ content: textFile(csvOf(pinned.table)) }])),
     ),
     ...Object.entries(loopFormats).map(([format, about]) =>
       entry(format, about, () => save('-loops', format, () => loopLines(format as LoopFormat))),
@@ -131,7 +148,7 @@ export function offerExports(
     ),
     entry('csv', 'profiles: a row for each station', () =>
       save('-limb-profiles', 'csv', async () => [
-        { content: new TextEncoder().encode(csvOf(await limbsPanel.profiles())) },
+        { content: textFile(csvOf(await limbsPanel.profiles())) },
       ]),
     ),
   ];
@@ -152,6 +169,25 @@ export function offerExports(
     entry('png', 'as it is now', () =>
       save('', 'png', async () => [{ content: await viewer.snapshot(figure.options) }]),
     ),
+    entry('svg', 'outline and loops, as lines', () =>
+      save('-outline', 'svg', async () => [
+        { content: textFile(await viewer.drawing(figure.drawing)) },
+      ]),
+    ),
+    entry('svg', 'plots that are seen, as lines', () =>
+      save('-plot', 'svg', () => {
+        const seen = plots().flatMap(({ word, svg }) => {
+          const text = svg(figure.drawing.width);
+          return text === undefined ? [] : [{ content: textFile(text), word }];
+        });
+        return Promise.resolve(seen);
+      }),
+    ),
+  ];
+  const whole = [
+    entry('zip', 'model, settings and results in one file', () =>
+      save('.girth', 'zip', async () => [{ content: await project() }]),
+    ),
   ];
   failure.before(
     group('Values at every vertex', 'export-field', field, ...fields),
@@ -160,16 +196,17 @@ export function offerExports(
     group('Tubes and plates', 'export-parts', ...tubes),
     group('Pinned loops', 'export-loops', ...loops),
     group('Picture', 'export-picture', figure.element, ...picture),
+    group('Project', 'export-project', ...whole),
   );
 
   menu.addEventListener('beforetoggle', () => {
     const names = computed();
     const before = choice.text;
     field.replaceChildren(
-      ...names.map((name) => make('option', { value: name }, fieldTitle(name))),
+      ...[...names, ...combined()].map((name) => make('option', { value: name }, fieldTitle(name))),
       ...(names.length > 1 ? [make('option', { value: allFields }, 'All of these')] : []),
     );
-    const shown = viewer.getAttribute('field') as FieldName | null;
+    const shown = viewer.getAttribute('field');
     const options = [...field.options].map(({ value }) => value);
     const wished = [before, shown, 'igf'].find((name) => name && options.includes(name));
     if (wished) choice.show(wished);
@@ -177,6 +214,6 @@ export function offerExports(
     for (const button of fields) button.disabled = names.length === 0;
     for (const button of [...tips, ...limbs, ...tubes]) button.disabled = !names.includes('igf');
     for (const button of loops) button.disabled = viewer.pinned.length === 0;
-    for (const button of picture) button.disabled = !viewer.info;
+    for (const button of [...picture, ...whole]) button.disabled = !viewer.info;
   });
 }

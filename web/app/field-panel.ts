@@ -2,9 +2,12 @@
 
 import {
   type ColormapName,
+  type CombinedName,
   type GirthViewer,
   type ShownName,
+  type ValuesName,
   colormapNames,
+  combinationOf,
   derivedNames,
   fieldNames,
   fieldTitle,
@@ -15,6 +18,7 @@ import {
   isColormapName,
   isFieldName,
   isForAllEyes,
+  isGivenName,
   isShownName,
   make,
   partKinds,
@@ -30,13 +34,16 @@ import {
   colourAt,
 } from '../src/element/plots.js';
 import type { PageState } from './address-state.js';
+import { axisNumber } from './axis-number.js';
 import { CategoryShares } from './category-shares.js';
 import type { ComputedFields } from './computed-fields.js';
 import { byId, setAttribute } from './dom.js';
 import { Draft } from './draft.js';
+import type { PagePlot } from './page-plot.js';
 import { PersistenceChoice } from './persistence-choice.js';
 import { RangeSliders } from './range-sliders.js';
 import { readValue } from './length-input.js';
+import { SecondField } from './second-field.js';
 import { SignatureChoice } from './signature-choice.js';
 import { type TermName, explains } from './terms.js';
 
@@ -94,6 +101,8 @@ export class FieldPanel {
     brushed: (range) => this.#brushed(range),
   });
   readonly #categories = new CategoryShares();
+  readonly #second: SecondField;
+  readonly #ofFile = make('optgroup', { label: 'Of the file', hidden: '' });
   readonly #signature: SignatureChoice;
   readonly #persistence: PersistenceChoice;
   readonly #log = make('input', { id: 'log', type: 'checkbox' });
@@ -135,7 +144,11 @@ export class FieldPanel {
     this.#page = page;
     const [field, plot] = [this.#field, this.#plot];
     field.append(...shownNames.map((name) => make('option', { value: name }, wordsFor(name))));
-    this.#fieldDraft = new Draft(field, { committed: (name) => this.choose(name as ShownName) });
+    field.append(this.#ofFile);
+    this.#fieldDraft = new Draft(field, {
+      committed: (name) => this.choose(this.#second.instead(name as ShownName)),
+    });
+    this.#second = new SecondField(viewer, wordsFor, (name) => this.choose(name));
     const kindButton = (kind: DistributionKind, words: string): HTMLButtonElement => {
       const button = make(
         'button',
@@ -200,6 +213,7 @@ export class FieldPanel {
       this.#caption,
       this.#signature.element,
       this.#persistence.element,
+      this.#second.element,
       make(
         'div',
         { class: 'row' },
@@ -227,6 +241,14 @@ export class FieldPanel {
   }
 
   /** What colours the surface. */
+  get plots(): PagePlot[] {
+    const format = (value: number): string => axisNumber(value, this.#format);
+    const { unit } = this.#format;
+    const title = fieldTitle(this.name);
+    const below = { label: unit === '' ? title : `${title}, ${unit}`, format };
+    return [{ word: 'histogram', svg: (width) => this.#plot.svg(width, below) }];
+  }
+
   get name(): ShownName {
     const name = this.#viewer.getAttribute('field');
     return isShownName(name) ? name : 'igf';
@@ -245,11 +267,15 @@ export class FieldPanel {
 
   /** Another model: an empty plot, and the full range. */
   clear(): void {
+    const viewer = this.#viewer;
     this.#areas = undefined;
     this.#setBrush(undefined);
-    this.#viewer.removeAttribute('range');
+    viewer.removeAttribute('range');
+    const own = viewer.given.map((name) => make('option', { value: name }, wordsFor(name)));
+    this.#ofFile.replaceChildren(...own);
+    this.#ofFile.hidden = own.length === 0;
+    if (!this.#isThere(this.name)) viewer.removeAttribute('field');
     this.refresh();
-    const viewer = this.#viewer;
     const { info } = viewer;
     void viewer.areas().then(
       (areas) => {
@@ -287,12 +313,20 @@ export class FieldPanel {
     return state;
   }
 
+  /** Whether the model has what a name is of: values of a file are those of that file. */
+  #isThere(name: ShownName): boolean {
+    const { first, second } = combinationOf(name) ?? { first: name, second: name };
+    const given: readonly string[] = this.#viewer.given;
+    return [first, second].every((one) => !one.startsWith('_') || given.includes(one));
+  }
+
   apply(state: PageState): void {
     const viewer = this.#viewer;
-    const { field, colormap, range, isolines, edges } = state;
+    const { field = null, colormap, range, isolines, edges } = state;
     this.#signature.apply(state);
     this.#persistence.apply(state);
-    setAttribute(viewer, 'field', isShownName(field ?? null) && field !== 'igf' ? field! : '');
+    const isOther = isShownName(field) && field !== 'igf' && this.#isThere(field);
+    setAttribute(viewer, 'field', isOther ? field : '');
     setAttribute(viewer, 'colormap', isColormapName(colormap) ? colormap : '');
     setAttribute(viewer, 'range', range ?? '');
     setAttribute(viewer, 'isolines', isolines ? String(isolines) : '');
@@ -311,7 +345,7 @@ export class FieldPanel {
     const viewer = this.#viewer;
     const none = new Float64Array();
     if (name === 'tips') return this.#page.tipRises() ?? none;
-    return viewer.info && isFieldName(name) ? viewer.values(name) : none;
+    return viewer.info && isOfNumbers(name) ? viewer.values(name) : none;
   }
 
   #setKind(kind: DistributionKind): void {
@@ -331,11 +365,13 @@ export class FieldPanel {
     this.#timer = undefined;
     const [plot, sliders] = [this.#plot, this.#sliders];
     const { name } = this;
-    this.#fieldDraft.show(name);
-    explains(this.#field, fieldTerms[name]);
-    this.#signature.show(name);
-    this.#persistence.show(name);
-    const isNumeric = isFieldName(name) || name === 'tips';
+    const first = combinationOf(name)?.first ?? name;
+    this.#fieldDraft.show(first);
+    explains(this.#field, fieldTerms[first]);
+    this.#second.show(name);
+    this.#signature.show(first);
+    this.#persistence.show(first);
+    const isNumeric = isOfNumbers(name) || name === 'tips';
     const values = this.#valuesOf(name);
     const reach = extent(values);
     plot.element.hidden = !isNumeric;
@@ -373,7 +409,7 @@ export class FieldPanel {
     const middle = quantile(values, this.#areas, 0.5);
     plot.element.setAttribute(
       'aria-label',
-      `Distribution of ${wordsFor(name)} from ${format(reach[0])} to ${format(reach[1])}, median ` +
+      `Distribution of ${isFieldName(name) ? wordsFor(name) : fieldTitle(name)} from ${format(reach[0])} to ${format(reach[1])}, median ` +
         `${format(middle)}. Arrows mark a range.`,
     );
     this.#paint();
@@ -465,7 +501,7 @@ export class FieldPanel {
     const format = (value: number): string => formatLength(value, this.#format);
     if (!range) {
       const without = values.reduce((count, value) => count + (Number.isFinite(value) ? 0 : 1), 0);
-      const isWhole = isFieldName(this.name) && this.#computed.has(this.name);
+      const isWhole = !isFieldName(this.name) || this.#computed.has(this.name);
       this.#writeInCaption(
         `median ${format(quantile(values, this.#areas, 0.5))}` +
           (without > 0 && isWhole ? ` · no value at ${formatCount(without)} vertices` : ''),
@@ -490,6 +526,10 @@ export class FieldPanel {
     else this.#clearBrush.remove();
   }
 }
+
+/** Whether a name is of numbers at every vertex that the element has. */
+const isOfNumbers = (name: ShownName): name is ValuesName | CombinedName =>
+  isFieldName(name) || isGivenName(name) || combinationOf(name) !== undefined;
 
 /** A small picture of a kind of plot. */
 function icon(kind: DistributionKind): SVGElement {

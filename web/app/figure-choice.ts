@@ -1,6 +1,6 @@
 // What a picture of the surface has, and how large it is: for a screen, or for a column of a paper.
 
-import { type FigureOptions, make } from '../src/element/index.js';
+import { type DrawingOptions, type FigureOptions, make } from '../src/element/index.js';
 import { Draft } from './draft.js';
 
 const printDensity = 300;
@@ -33,6 +33,16 @@ export class FigureChoice {
       label(this.#scaleBar, 'Scale bar'),
       label(this.#transparent, 'Transparent'),
     );
+  }
+
+  /** The same of a drawing in lines; as on the screen is one column of a paper. */
+  get drawing(): DrawingOptions {
+    const width = Number(this.#chosen.text);
+    return {
+      labels: this.#legend.checked,
+      scaleBar: this.#scaleBar.checked,
+      ...(width > 0 ? { width } : {}),
+    };
   }
 
   get options(): FigureOptions {

@@ -4,9 +4,13 @@
 import { type GirthViewer, formatLength, formatNumber, make } from '../src/element/index.js';
 import type { GirthStation, Limb, LimbEnd, Limbs } from '../src/kernel/index.js';
 import { ProfilePlot } from '../src/element/plots.js';
-import { failureWords } from './failure-words.js';
+import type { PageState } from './address-state.js';
+import { axisNumber } from './axis-number.js';
+import { LimbAxisProfile } from './limb-axis.js';
 import { plural } from './model-words.js';
+import type { PagePlot } from './page-plot.js';
 import { Panel } from './panel.js';
+import { PanelSearch } from './panel-search.js';
 import { stemOf } from './save-file.js';
 import { TableActions } from './table-actions.js';
 import { type Table, columnOf } from './table-text.js';
@@ -36,14 +40,14 @@ interface Row {
   plot: ProfilePlot;
   choose: HTMLButtonElement;
   words: HTMLElement;
+  axis: HTMLButtonElement;
+  /** What is shown along it stands here. */
+  wide: HTMLElement;
   cells: HTMLElement[];
 }
 
 export class LimbsPanel {
   readonly panel = new Panel('limbs-panel');
-  readonly #words = make('span', { class: 'hint', role: 'status' });
-  readonly #cancel = make('button', { type: 'button', class: 'plain', hidden: '' }, 'Cancel');
-  readonly #resume = make('button', { type: 'button', class: 'plain', hidden: '' }, 'Measure');
   readonly #caption = make('caption');
   readonly #body = make('tbody');
   readonly #table: HTMLTableElement;
@@ -52,9 +56,11 @@ export class LimbsPanel {
     table: () => this.table,
     fileName: () => `${stemOf(this.#viewer.info?.name ?? 'model')}-limbs.csv`,
   });
+  readonly #search: PanelSearch<Limbs>;
+  readonly #axis: LimbAxisProfile;
+  /** The limb along whose axis the girth is shown, or will be as soon as limbs are there; from 1. */
+  #wishedAxis: number | undefined;
   #rows: Row[] = [];
-  #found: Limbs | undefined;
-  #running: AbortController | undefined;
   #selected: Row | undefined;
   /** Of each vertex the row of the shortest limb that it lies in, and how far from the apex. */
   #places: Map<number, { row: Row; distance: number }> = new Map();
@@ -75,8 +81,18 @@ export class LimbsPanel {
       make('thead', {}, head),
       this.#body,
     );
-    this.#cancel.addEventListener('click', () => this.#running?.abort());
-    this.#resume.addEventListener('click', () => void this.compute());
+    this.#search = new PanelSearch(viewer, {
+      again: 'Measure',
+      pending: 'Limbs follow as soon as the girth is computed …',
+      stopped: 'Not measured.',
+      failed: 'No limbs: ',
+      search: (watch) => viewer.limbs(watch('Measuring limbs')),
+      found: ({ limbs }) => {
+        this.#show();
+        this.#showAxis();
+        return limbs.length === 0 ? 'No tip ends anything that is longer than it is thick.' : '';
+      },
+    });
     this.panel.body.append(
       make(
         'p',
@@ -87,17 +103,24 @@ export class LimbsPanel {
         term('loop', 'loop'),
         '; click to pin it. Solid: the least girth there, dashed: the median.',
       ),
-      make('p', { class: 'working' }, this.#words, this.#cancel, this.#resume),
+      this.#search.element,
       this.#table,
       this.#more,
       this.#actions.element,
     );
+    this.#axis = new LimbAxisProfile(viewer, changed);
     this.panel.onToggle((isOpen) => {
-      if (isOpen) void this.compute();
+      if (isOpen) void this.#search.start();
       else this.#select(undefined);
+      // After another panel has taken its own lines away.
+      queueMicrotask(() => this.#axis.draw(this.panel.isOpen));
+      this.#showAxis();
       changed();
     });
-    viewer.addEventListener('unit', () => this.#refresh());
+    viewer.addEventListener('unit', () => {
+      this.#refresh();
+      this.#axis.refresh();
+    });
     viewer.addEventListener('hover', (event) => {
       const { vertex } = event.detail;
       this.#point(vertex);
@@ -107,18 +130,32 @@ export class LimbsPanel {
 
   /** Another model. */
   clear(): void {
-    this.#running?.abort();
-    this.#running = undefined;
-    this.#found = undefined;
+    this.#wishedAxis = undefined;
+    this.forget();
+  }
+
+  /** Another girth is shown, to be measured anew. */
+  forget(): void {
+    this.#search.clear();
     this.#selected = undefined;
-    this.#words.textContent = '';
-    this.#resume.hidden = this.#cancel.hidden = true;
+    this.#axis.clear();
     this.#show();
+  }
+
+  /** What links have of it. */
+  read(): PageState {
+    return this.#wishedAxis === undefined ? {} : { axis: this.#wishedAxis };
+  }
+
+  /** Shows what a link asks for. */
+  apply({ axis }: PageState): void {
+    this.#wishedAxis = axis;
+    this.#showAxis();
   }
 
   /** The girth is computed: what waits for it goes on. */
   girthIsThere(): void {
-    if (this.panel.isOpen) void this.compute();
+    if (this.panel.isOpen) void this.#search.start();
   }
 
   /** As spreadsheets have it, in the unit that is shown. */
@@ -133,7 +170,7 @@ export class LimbsPanel {
         'ends',
         'apex vertex',
       ],
-      ...(this.#found?.limbs ?? []).map((limb, i) => [
+      ...(this.#search.found?.limbs ?? []).map((limb, i) => [
         i + 1,
         limb.length * scale,
         limb.narrowest * scale,
@@ -146,9 +183,17 @@ export class LimbsPanel {
     ];
   }
 
+  get plots(): PagePlot[] {
+    const rows = this.#rows.map(({ plot, number }) => ({
+      word: `limb-${number}`,
+      svg: (width?: number) => plot.svg(width),
+    }));
+    return [...rows, ...this.#axis.plots];
+  }
+
   /** All profiles, a row for each station; they are measured first unless they are there. */
   async profiles(): Promise<Table> {
-    const { limbs } = this.#found ?? (await this.#viewer.limbs());
+    const { limbs } = this.#search.found ?? (await this.#viewer.limbs());
     const { unit, scale } = this.#viewer.lengthFormat;
     return [
       [
@@ -164,48 +209,10 @@ export class LimbsPanel {
     ];
   }
 
-  /** Measures the limbs, once the girth is there. */
-  async compute(): Promise<void> {
-    const viewer = this.#viewer;
-    const { info } = viewer;
-    if (!info || this.#found || this.#running) return;
-    const running = new AbortController();
-    this.#running = running;
-    this.#resume.hidden = true;
-    const say = (words: string): void => {
-      if (this.#running === running) this.#words.textContent = words;
-    };
-    try {
-      if (viewer.shareOf('igf') < 1) say('Limbs follow as soon as the girth is computed …');
-      await viewer.fieldOf('igf');
-      if (this.#running !== running) return;
-      this.#cancel.hidden = false;
-      say('Measuring limbs …');
-      const found = await viewer.limbs({
-        signal: running.signal,
-        onProgress: (share) => say(`Measuring limbs … ${Math.round(100 * share)}\u202f%`),
-      });
-      if (this.#running !== running) return;
-      this.#found = found;
-      this.#words.textContent =
-        found.limbs.length === 0 ? 'No tip ends anything that is longer than it is thick.' : '';
-      this.#show();
-    } catch (error) {
-      if (this.#running !== running) return;
-      say(running.signal.aborted ? 'Not measured.' : `No limbs: ${failureWords(error)}.`);
-      this.#resume.hidden = false;
-    } finally {
-      if (this.#running === running) {
-        this.#running = undefined;
-        this.#cancel.hidden = true;
-      }
-    }
-  }
-
   /** Rows for what was found. */
   #show(): void {
     for (const { plot } of this.#rows) plot.dispose();
-    const limbs = this.#found?.limbs ?? [];
+    const limbs = this.#search.found?.limbs ?? [];
     this.#rows = limbs.slice(0, mostRows).map((limb, i) => this.#row(limb, i + 1));
     this.#body.replaceChildren(...this.#rows.flatMap(({ elements }) => elements));
     this.#places = new Map();
@@ -222,7 +229,7 @@ export class LimbsPanel {
         : '';
     this.#table.hidden = this.#actions.element.hidden = limbs.length === 0;
     this.#actions.forget();
-    this.panel.summary = this.#found ? String(limbs.length) : '';
+    this.panel.summary = this.#search.found ? String(limbs.length) : '';
     this.#refresh();
   }
 
@@ -234,12 +241,20 @@ export class LimbsPanel {
       moved: (station) => this.#follow(row, station),
       chosen: (station) => this.#pin(limb.profile[station]!),
     });
-    const wide = make('td', { colspan: String(1 + measures.length) }, plot.element, words);
+    const axis = make('button', { type: 'button', class: 'plain' }, 'Profile along the axis');
+    const line = make('p', { class: 'buttons' }, axis);
+    const wide = make('td', { colspan: String(1 + measures.length) }, plot.element, words, line);
     const elements = [
       make('tr', {}, make('th', { scope: 'row' }, choose), ...cells),
       make('tr', { class: 'along' }, wide),
     ];
-    const row: Row = { limb, number, elements, plot, choose, words, cells };
+    const row: Row = { limb, number, elements, plot, choose, words, axis, wide, cells };
+    axis.setAttribute('aria-label', `Profile along the axis of limb ${number}`);
+    axis.addEventListener('click', () => {
+      this.#wishedAxis = this.#wishedAxis === number ? undefined : number;
+      this.#showAxis();
+      this.#changed();
+    });
     plot.element.setAttribute('aria-label', `Girth along limb ${number}, from its tip to its base`);
     choose.addEventListener('click', () => {
       this.#select(this.#selected === row ? undefined : row);
@@ -275,7 +290,7 @@ export class LimbsPanel {
           { y: least, colour: '#e2571e' },
         ],
         high: highest > 0 ? headroom * highest : 1,
-        format: (value) => String(Number(formatNumber(value, format).replace('\u2212', '-'))),
+        format: (value) => axisNumber(value, format),
         words: (station) => this.#wordsOf(profile[station]!),
       });
     }
@@ -310,6 +325,7 @@ export class LimbsPanel {
     if (!this.panel.isOpen) return;
     const at = vertex === undefined ? undefined : this.#places.get(vertex);
     for (const row of this.#rows) this.#write(row, row === at?.row ? at.distance : undefined);
+    this.#axis.mark(at?.row.number === this.#axis.number ? at?.distance : undefined);
     at?.row.elements[1]!.scrollIntoView({ block: 'nearest' });
   }
 
@@ -326,6 +342,21 @@ export class LimbsPanel {
             Math.abs(one.distance - distance) < Math.abs(best.distance - distance) ? one : best,
           );
     row.words.textContent = station ? this.#wordsOf(station) : this.#endOf(row.limb);
+  }
+
+  /** The girth along the axis that is asked for, once the limbs are there. */
+  #showAxis(): void {
+    const row = this.#rows.find(({ number }) => number === this.#wishedAxis);
+    for (const { axis, number } of this.#rows) {
+      axis.setAttribute('aria-pressed', String(number === row?.number));
+    }
+    if (!row) {
+      this.#axis.clear();
+      return;
+    }
+    if (row.number === this.#axis.number || !this.panel.isOpen) return;
+    row.wide.append(this.#axis.element);
+    this.#axis.show(row.number, row.limb);
   }
 
   /** Shows one limb as it is and fades the rest of the surface; undefined: no longer. */

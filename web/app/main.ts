@@ -1,7 +1,7 @@
 // The drop page: one screen built on <girth-viewer>.
 
 import type { FileWithPath } from '../src/kernel/index.js';
-import { type GirthViewer, fieldTitle } from '../src/element/index.js';
+import { type GirthViewer, fieldTitle, sentence } from '../src/element/index.js';
 import {
   type PageState,
   type PanelName,
@@ -16,7 +16,9 @@ import { byId, once, setAttribute } from './dom.js';
 import { acceptDrops } from './drop.js';
 import { type Example, ExamplesStrip } from './examples-strip.js';
 import { offerExports } from './export-menu.js';
+import { failureWords } from './failure-words.js';
 import { FieldPanel } from './field-panel.js';
+import { removalWords } from './handle-removal.js';
 import { acceptLaunches } from './launch.js';
 import { LimbsPanel } from './limbs-panel.js';
 import { NecksPanel } from './necks-panel.js';
@@ -25,7 +27,9 @@ import { MissingModel } from './missing-model.js';
 import { forwardKeys, pressControls } from './keys.js';
 import { ModelDetails } from './model-details.js';
 import { offerInstalling, workOffline } from './offline.js';
+import type { PagePlot } from './page-plot.js';
 import type { Panel } from './panel.js';
+import type { OpenedProject } from './project.js';
 import { PartsPanel } from './parts-panel.js';
 import { PinnedList } from './pinned-list.js';
 import { PrintPanel } from './print-panel.js';
@@ -43,6 +47,7 @@ import { offerUndo } from './undo-buttons.js';
 
 const viewer = byId<GirthViewer>('viewer');
 const invitation = byId('invitation');
+const projectFault = byId('project-fault');
 const session = new Session(viewer);
 const computed = new ComputedFields(viewer);
 const changed = (): void => address.changed();
@@ -59,7 +64,10 @@ const tips = new TipsPanel(viewer, {
   colour: (bySdf) => field.colourForPanel('sdf', bySdf),
 });
 const limbs = new LimbsPanel(viewer, changed);
-const necks = new NecksPanel(viewer, changed);
+const necks = new NecksPanel(viewer, {
+  changed,
+  removeHandles: (length) => session.removeHandles(length),
+});
 const parts = new PartsPanel(viewer, {
   changed,
   found: () => field.refresh(),
@@ -114,6 +122,8 @@ function read(): PageState {
     ...tips.read(),
     ...parts.read(),
     ...print.read(),
+    ...limbs.read(),
+    ...necks.read(),
     ...loops.read(),
   };
   if (!viewer.info?.unit && viewer.unit) state.unit = viewer.unit;
@@ -124,8 +134,10 @@ function read(): PageState {
   if (camera && !viewer.isAtHome) state.camera = camera;
   const up = viewer.getAttribute('up');
   if (up) state.up = up;
-  const shading = viewer.getAttribute('shading');
-  if (shading) state.shading = shading;
+  for (const name of ['shading', 'section'] as const) {
+    const text = viewer.getAttribute(name);
+    if (text) state[name] = text;
+  }
   const open = panelNames.find((name) => panels[name].isOpen);
   if (open && open !== 'loops') state.panel = open;
   return state;
@@ -134,20 +146,22 @@ function read(): PageState {
 /** Whether what is wanted was asked for by hand: then the address does not have it yet. */
 let isByHand = false;
 
-/** Brings about what a link asks for, on the model that is shown. */
-function apply(state: PageState): void {
+/** Brings about what a link asks for, on the model that is shown; `known`: loops that need not be computed are pinned then. */
+function apply(state: PageState, known: Promise<unknown> = Promise.resolve()): void {
   if (!viewer.info?.unit && state.unit) viewer.setAttribute('unit', state.unit);
   if (state.shown) viewer.setAttribute('shown-unit', state.shown);
-  for (const name of ['up', 'shading'] as const) setAttribute(viewer, name, state[name]);
+  for (const name of ['up', 'shading', 'section'] as const) setAttribute(viewer, name, state[name]);
   field.apply(state);
   tips.apply(state);
   parts.apply(state);
   print.apply(state);
+  limbs.apply(state);
+  necks.apply(state);
   panels[state.panel ?? 'loops'].open();
   if (state.camera) viewer.camera = state.camera;
   if (!isByHand) address.settle();
   isByHand = false;
-  void address.during(loops.apply(state));
+  void address.during(known.then(() => loops.apply(state)));
 }
 
 /** Opens the model that a link names, or the first example, and then applies the rest. */
@@ -156,13 +170,26 @@ async function go(state: PageState): Promise<void> {
     apply(state);
     return;
   }
+  if (viewer.info && session.isBefore(state)) {
+    wanted = state;
+    await session.restore();
+    return;
+  }
+  if (
+    viewer.info &&
+    state.handles !== undefined &&
+    session.isOf({ ...state, handles: undefined })
+  ) {
+    await repair(state);
+    return;
+  }
   const example = examples.all.find(({ name }) => name === state.model) ?? examples.all[0];
   const isAddress = state.model?.includes(':') ?? false;
   if (state.file !== undefined && state.model === undefined) {
     wanted = state;
     const before = session.openedBefore(state.file);
     if (before) {
-      await session.open({ ...before, prepare: preparationOf(state), remeshed: undefined });
+      await session.open({ ...before, prepare: preparationOf(state) });
       return;
     }
     // A link cannot have a file in it: wait for it.
@@ -175,6 +202,16 @@ async function go(state: PageState): Promise<void> {
   if (isAddress)
     await session.open({ source: state.model!, link: { model: state.model! }, prepare });
   else if (example) await openExample(example, prepare);
+}
+
+/** Takes the handles away that a link's surface has not, and then applies the rest. */
+async function repair(state: PageState): Promise<void> {
+  wanted = state;
+  const removal = await session.removeHandles(state.handles!);
+  // Where something was taken away, the surface that is left has come as another model does.
+  if (removal && removal.removed.length > 0) return;
+  wanted = undefined;
+  apply(state);
 }
 
 const address: Address = new Address(
@@ -190,7 +227,17 @@ const details = new ModelDetails(viewer, {
   choose: (model) => session.choose(model),
   size,
   prepare: (change) => session.reopen(change),
-  remesh: (faces) => void session.remesh(faces),
+  remesh: (faces) => {
+    if (session.canRemesh) {
+      void session.remesh(faces);
+      return;
+    }
+    const { handles, ...rest } = read();
+    void handles;
+    wanted = { ...rest, faces };
+    isByHand = true;
+    session.reopen({});
+  },
   back: () => session.back(),
 });
 
@@ -206,13 +253,16 @@ function exampleToOpen(example: Example, prepare = {}): Opened {
 }
 
 async function openExample(example: Example, prepare = {}): Promise<void> {
+  projectFault.hidden = true;
   examples.mark(example);
   await session.open(exampleToOpen(example, prepare));
 }
 
 async function openFiles(files: readonly (File | FileWithPath)[]): Promise<void> {
-  const source = files.length === 1 && files[0] instanceof File ? files[0] : files;
+  projectFault.hidden = true;
   const names = files.map((file) => (file instanceof File ? file.name : file.path));
+  if (names.length === 1 && /\.zip$/i.test(names[0]!) && (await openProject(files[0]!))) return;
+  const source = files.length === 1 && files[0] instanceof File ? files[0] : files;
   if (!names.some((name) => name === wanted?.file)) wanted = undefined;
   const file = wanted?.file ?? names[0]!;
   const prepare = preparationOf(wanted ?? {});
@@ -234,29 +284,76 @@ async function openFiles(files: readonly (File | FileWithPath)[]): Promise<void>
   }
 }
 
+/** Attributes that are about one model. */
+const aboutModel = ['unit', 'shown-unit', 'up', 'section'];
+/** The project that is being opened: what was computed is taken when its surface is there. */
+let project: OpenedProject | undefined;
+const projects = once(() => import('./project.js'));
+
+function showProjectFault(error: unknown): void {
+  projectFault.textContent = sentence(failureWords(error));
+  projectFault.hidden = false;
+}
+
+/** Opens a zip as a project; false where it is none. */
+async function openProject(file: File | FileWithPath): Promise<boolean> {
+  const { projectIn } = await projects();
+  const read = await projectIn(file).catch((error: unknown) => void showProjectFault(error));
+  if (!read) return false;
+  const { name, source, model, state } = read;
+  project = read;
+  wanted = state;
+  isByHand = true;
+  const prepare = preparationOf(state);
+  if (!(await session.open({ source, link: { file: name }, model, prepare }))) {
+    // Nothing is left of it for what is opened next.
+    if (project === read) {
+      project = wanted = undefined;
+      isByHand = false;
+    }
+    return true;
+  }
+  recent.opened([file]);
+  invitation.hidden = true;
+  viewer.removeAttribute('turn');
+  return true;
+}
+
 viewer.addEventListener('load', (event) => {
   const { info } = event.detail;
   // Units and a way up that were chosen stay with their model, however that is prepared.
   const isAnother = session.arrived();
   if (isAnother) recent.left();
   missing.hide();
-  if (isAnother) for (const name of ['unit', 'shown-unit', 'up']) viewer.removeAttribute(name);
-  const { prepare = {}, remeshed, link } = session.opened ?? {};
+  if (isAnother) for (const name of aboutModel) viewer.removeAttribute(name);
+  const { prepare = {}, remeshed, handles, link } = session.opened ?? {};
   examples.mark(examples.all.find(({ name }) => name === link?.model));
-  details.show(info, remeshed === undefined ? { prepare } : { prepare, remeshed: remeshed.words });
+  const { removal } = viewer;
+  const made = [
+    ...(remeshed ? [remeshed.words] : []),
+    ...(removal ? [`short handles taken away: ${removalWords(removal)}`] : []),
+  ];
+  details.show(info, { prepare, made });
   for (const panel of [field, tips, limbs, necks, parts]) panel.clear();
   print.clear(isAnother);
   document.title = `${info.name} – Girth`;
   delete document.documentElement.dataset['field'];
   if (wanted?.faces !== undefined && remeshed?.faces !== wanted.faces) {
-    void session.remesh(wanted.faces);
+    void address.during(session.remesh(wanted.faces));
+    return;
+  }
+  const isWanted = wanted && (wanted.model !== undefined || link?.file === wanted.file);
+  if (wanted?.handles !== undefined && isWanted && handles === undefined) {
+    void address.during(repair(wanted));
     return;
   }
   // A file's link is for the file, not for the example that is there meanwhile.
-  if (wanted && (wanted.model !== undefined || link?.file === wanted.file)) {
+  const known = link?.file === project?.name ? project?.adopt(viewer) : undefined;
+  project = undefined;
+  if (wanted && isWanted) {
     const state = wanted;
     wanted = undefined;
-    apply(state);
+    apply(state, known?.catch(showProjectFault));
   } else changed();
 });
 /** The persistence of the girth that panels have searched by. */
@@ -268,7 +365,10 @@ viewer.addEventListener('field', (event) => {
   if (share < 1) return;
   const persistence = viewer.getAttribute('persistence');
   // What was found by another girth is out of date.
-  if (persistence !== searchedWith) for (const panel of [limbs, necks]) panel.clear();
+  if (persistence !== searchedWith) {
+    limbs.forget();
+    necks.forget();
+  }
   searchedWith = persistence;
   void recent.draw();
   void details.compare();
@@ -286,13 +386,18 @@ for (const event of ['camera', 'unit', 'view']) viewer.addEventListener(event, c
 const recent = new RecentFiles(viewer, (files) => void openFiles(files));
 acceptDrops(byId('drop'), (files) => void openFiles(files));
 acceptLaunches((files) => void openFiles(files));
-offerExports(viewer, computed, { parts, loops, limbs });
+const plots = (): PagePlot[] =>
+  [field, limbs, necks, parts, compare].flatMap((panel) => panel.plots);
+offerExports(viewer, computed, { parts, loops, limbs }, plots, async () =>
+  (await projects()).projectOf(viewer, session.opened!, read(), computed),
+);
 offerSharing(shared);
 
 /** What others can have of what is shown. */
 function shared(): Shared {
   const { opened } = session;
-  const { info, state } = viewer;
+  const { info } = viewer;
+  const state = { ...viewer.state, ...necks.attributes };
   const fileName = opened?.link.file;
   const isPrepared =
     opened !== undefined && (Object.keys(session.read()).length > 1 || opened.model !== undefined);

@@ -1,6 +1,13 @@
 // What the colours mean, in one line on the surface; and a loop that shows itself, until somebody does something.
 
-import type { GirthViewer, ShownName } from '../src/element/index.js';
+import {
+  type ColormapName,
+  type GirthViewer,
+  type ShownName,
+  combinationOf,
+  fieldTitle,
+  inSentence,
+} from '../src/element/index.js';
 import { byId } from './dom.js';
 
 const words: Partial<Record<ShownName, string>> = {
@@ -24,12 +31,22 @@ const pace = 70;
 /** What the print check colours by, in place of a field. */
 const printWords = 'what is too thin to print, and what is thick enough.';
 
+/** Of two fields in one. */
+function ofTwo(name: ShownName, colormap: ColormapName | undefined): string | undefined {
+  const combined = combinationOf(name);
+  if (!combined) return undefined;
+  const [first, second] = [combined.first, combined.second].map(fieldTitle).map(inSentence);
+  if (combined.by === 'ratio') return `the ${first}, divided by the ${second}.`;
+  const sides = colormap === 'rdbu' ? ': red where it is more, blue where it is less' : '';
+  return `the ${first} less the ${second}${sides}.`;
+}
+
 /** Keeps the line up to date; what it returns is called when the print check begins or ends to colour. */
 export function explainColours(viewer: GirthViewer, isPrint: () => boolean): () => void {
   const line = byId('meaning');
   const write = (): void => {
-    const name = viewer.shown?.name;
-    const meaning = isPrint() ? printWords : name && words[name];
+    const { name, colormap } = viewer.shown ?? {};
+    const meaning = isPrint() ? printWords : name && (words[name] ?? ofTwo(name, colormap));
     line.textContent = meaning ? `Colours: ${meaning}` : '';
   };
   for (const event of ['fieldchange', 'field', 'progress']) viewer.addEventListener(event, write);

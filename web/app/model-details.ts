@@ -27,8 +27,8 @@ export interface ModelActions {
 /** What the page knows of the model and the viewer does not. */
 export interface ModelState {
   prepare: PrepareOptions;
-  /** Says what a remeshed surface was before; undefined where it is the file's. */
-  remeshed?: string;
+  /** What was done to the surface after it was read, step by step; none where it is the file's. */
+  made: readonly string[];
 }
 
 export class ModelDetails {
@@ -63,7 +63,7 @@ export class ModelDetails {
     this.#refresh();
   }
 
-  /** Says how far the field of a remeshed surface is from that of the surface before. */
+  /** Says how far the field of a surface that was changed is from that before. */
   async compare(): Promise<void> {
     const shown = this.#shown;
     const difference = await this.#viewer.differenceToOriginal().catch(() => undefined);
@@ -116,13 +116,12 @@ export class ModelDetails {
     );
   }
 
-  #whatWasDone(info: MeshInfo, { remeshed }: ModelState): HTMLElement[] {
+  #whatWasDone(info: MeshInfo, { made }: ModelState): HTMLElement[] {
     const done = repairs(info.report, this.#viewer.lengthFormat);
     for (const { model, error } of info.unreadable) {
       done.push(`${model} was passed over: ${error.message}`);
     }
-    if (remeshed !== undefined) done.push(remeshed);
-    const lines = [...done, ...info.notes].map((line) => make('li', {}, sentence(line)));
+    const lines = [...done, ...made, ...info.notes].map((line) => make('li', {}, sentence(line)));
     const nothing = make('p', { class: 'hint' }, 'Nothing: the file is a surface already.');
     return [
       make('h3', {}, 'What was done to the file'),
@@ -149,8 +148,8 @@ export class ModelDetails {
     return [make('h3', {}, title), make('p', {}, select)];
   }
 
-  #components({ parts }: MeshInfo, { prepare, remeshed }: ModelState): HTMLElement[] {
-    if (parts.length < 2 || remeshed !== undefined) return [];
+  #components({ parts }: MeshInfo, { prepare, made }: ModelState): HTMLElement[] {
+    if (parts.length < 2 || made.length > 0) return [];
     const kept = new Set(prepare.components?.length ? prepare.components : parts.keys());
     const largest = [...parts.keys()].sort((a, b) => parts[b]!.area - parts[a]!.area);
     const whole = parts.reduce((sum, { area }) => sum + area, 0);
@@ -197,7 +196,7 @@ export class ModelDetails {
     ];
   }
 
-  #changes(info: MeshInfo, { prepare, remeshed }: ModelState): HTMLElement[] {
+  #changes(info: MeshInfo, { prepare, made }: ModelState): HTMLElement[] {
     const buttons: HTMLElement[] = [];
     const button = (words: string, act: () => void): void => {
       const made = make('button', { type: 'button', class: 'plain' }, words);
@@ -208,13 +207,13 @@ export class ModelDetails {
       buttons.push(made);
     };
     const holes = info.boundaries.reduce((sum, count) => sum + count, 0);
-    if (holes > 0 && remeshed === undefined) {
+    if (holes > 0 && made.length === 0) {
       button(holes === 1 ? 'Close the hole' : `Close ${formatCount(holes)} holes`, () =>
         this.#actions.prepare({ closeHoles: true }),
       );
     }
     const isChanged =
-      remeshed !== undefined ||
+      made.length > 0 ||
       prepare.closeHoles ||
       prepare.components?.length ||
       this.#actions.size.scale !== 1;

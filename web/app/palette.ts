@@ -65,8 +65,11 @@ export class Palette {
       const row = target instanceof Element ? target.closest('li') : null;
       if (row) this.#run([...this.#list.children].indexOf(row));
     });
-    // Keys are for the page again, also where nothing had the focus before.
-    this.#dialog.addEventListener('close', () => this.#input.blur());
+    // Keys are for the page again, also where nothing had the focus before. The event comes late: by then it may be open
+    // once more.
+    this.#dialog.addEventListener('close', () => {
+      if (!this.#dialog.open) this.#input.blur();
+    });
     // Beside it.
     this.#dialog.addEventListener('click', ({ target }) => {
       if (target === this.#dialog) this.#dialog.close();

@@ -9,6 +9,7 @@ import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
 import { LengthInput } from './length-input.js';
 import { plural } from './model-words.js';
+import type { PagePlot } from './page-plot.js';
 import { Panel } from './panel.js';
 import { PlaceList } from './place-list.js';
 import { plainNumber } from './table-text.js';
@@ -148,6 +149,10 @@ export class PartsPanel {
   }
 
   /** What each vertex is, by the present parts; undefined where there are none yet. */
+  get plots(): PagePlot[] {
+    return [{ word: 'parts', svg: (width) => this.#plot.svg(width) }];
+  }
+
   get kinds(): Uint8Array | undefined {
     return this.#found?.kinds;
   }

@@ -15,6 +15,8 @@ export class PointDistance {
   #path: SurfacePath | undefined;
   /** Whether the section is pointed at or has the focus: only then is the way a line on the surface. */
   #isAttended = false;
+  /** Whether it is: what others draw there stays. */
+  #isDrawn = false;
   readonly #viewer: GirthViewer;
 
   constructor(viewer: GirthViewer) {
@@ -63,7 +65,10 @@ export class PointDistance {
   }
 
   #draw(): void {
-    if (this.#viewer.info) this.#viewer.showPath(this.#isAttended ? this.#path : undefined);
+    const path = this.#isAttended ? this.#path : undefined;
+    if (!this.#viewer.info || (!path && !this.#isDrawn)) return;
+    this.#isDrawn = path !== undefined;
+    this.#viewer.showPath(path);
   }
 
   async #measure(): Promise<void> {

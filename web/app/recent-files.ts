@@ -66,7 +66,7 @@ export class RecentFiles {
     this.#viewer = viewer;
     this.#openFiles = openFiles;
     this.#sheet.append(this.#list, make('p', {}, this.#clear), this.#said);
-    this.#clear.addEventListener('click', () => void this.#change(() => this.#store.clear()));
+    this.#clear.addEventListener('click', () => void this.#changeAnew(() => this.#store.clear()));
     this.#foot.hidden = true;
     byId('examples').prepend(this.#foot);
     void this.#refresh(true);
@@ -75,6 +75,7 @@ export class RecentFiles {
   /** Files were opened, and are shown now. */
   opened(files: Opened): void {
     this.#foot.hidden = true;
+    this.#said.textContent = '';
     this.#shown = this.#keep(files);
     void this.draw();
   }
@@ -118,11 +119,16 @@ export class RecentFiles {
     return id;
   }
 
-  /** Changes what is kept, and says what went wrong. */
+  /** As somebody asks for: what was said before is of something else. */
+  async #changeAnew(act: () => Promise<unknown>): Promise<void> {
+    this.#said.textContent = '';
+    await this.#change(act);
+  }
+
+  /** Changes what is kept, and says what went wrong. What is said already may be about to be read: it stays. */
   async #change(act: () => Promise<unknown>): Promise<void> {
     try {
       await act();
-      this.#said.textContent = '';
     } catch (error) {
       this.#said.textContent = faultWords(error);
     }
@@ -132,11 +138,17 @@ export class RecentFiles {
   async #refresh(isFirst = false): Promise<void> {
     // Where nothing can be kept, there is nothing to show, and nobody has asked for it.
     const files = await this.#store.list().catch(() => []);
-    const hasFocus = this.#list.contains(document.activeElement);
+    const focused = this.#buttonsOf(document.activeElement?.closest('li'));
+    const at = focused.findIndex((button) => button === document.activeElement);
+    const id = focused[at]?.closest('li')?.dataset['id'];
     this.#list.replaceChildren(...files.map((file) => this.#row(file)));
     this.#clear.hidden = files.length === 0;
     this.#opener.hidden = files.length === 0 && this.#said.textContent === '';
-    if (hasFocus) (this.#list.querySelector('button') ?? this.#sheet).focus();
+    if (id !== undefined) {
+      // It stays where it was, if that file is still there.
+      const same = this.#buttonsOf(this.#list.querySelector(`li[data-id="${id}"]`))[at];
+      (same ?? this.#list.querySelector('button') ?? this.#sheet).focus();
+    }
     if (files.length === 0) this.#foot.hidden = true;
     if (!isFirst || files.length === 0) return;
     this.#foot.replaceChildren(
@@ -145,15 +157,20 @@ export class RecentFiles {
     this.#foot.hidden = false;
   }
 
+  /** Those of a row of the list. */
+  #buttonsOf(row: Element | null | undefined): HTMLButtonElement[] {
+    return row && this.#list.contains(row) ? [...row.querySelectorAll('button')] : [];
+  }
+
   #row(file: RecentFile): HTMLElement {
     const { id, name, when, bytes, handle } = file;
     const about = [whenWords(when), bytesWords(bytes), handle ? 'read again' : 'a copy'].join(
       ' · ',
     );
     const forget = make('button', { type: 'button', 'aria-label': `Forget ${name}` }, '✕');
-    forget.addEventListener('click', () => void this.#change(() => this.#store.remove(id)));
+    forget.addEventListener('click', () => void this.#changeAnew(() => this.#store.remove(id)));
     const words = make('span', {}, make('b', {}, name), make('small', {}, about));
-    return make('li', {}, this.#button(file, words), forget);
+    return make('li', { 'data-id': String(id) }, this.#button(file, words), forget);
   }
 
   #button(file: RecentFile, words: HTMLElement | string): HTMLElement {

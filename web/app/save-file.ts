@@ -9,6 +9,7 @@ const mediaTypes: Record<string, string> = {
   json: 'application/json',
   obj: 'model/obj',
   png: 'image/png',
+  svg: 'image/svg+xml',
   zip: 'application/zip',
 };
 

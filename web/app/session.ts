@@ -1,6 +1,6 @@
 // Which model is on the page, where it came from, and what was done to it.
 
-import type { MeshSource, PrepareOptions } from '../src/kernel/index.js';
+import type { HandleRemoval, MeshSource, PrepareOptions } from '../src/kernel/index.js';
 import { type GirthViewer, formatCount } from '../src/element/index.js';
 import type { PageState } from './address-state.js';
 
@@ -14,12 +14,22 @@ export interface Opened {
   prepare: PrepareOptions;
   /** What was done to it after reading: the wished faces, and words for it. */
   remeshed?: { faces: number; words: string } | undefined;
+  /** After that, handles shorter than this were taken away, in model units. */
+  handles?: number | undefined;
+  /** And before they were taken away last, those shorter than this had been. */
+  handlesBefore?: number | undefined;
 }
+
+/** As it is read. */
+const asRead = { remeshed: undefined, handles: undefined, handlesBefore: undefined };
 
 /** Whether two are the same surface: read from the same, and prepared in the same way. */
 export function isSameModel(one: Opened, other: Opened): boolean {
-  const done = ({ source, model, prepare, remeshed }: Opened): string =>
-    JSON.stringify([typeof source === 'string' ? source : '', model, prepare, remeshed?.faces]);
+  const done = ({ source, model, prepare, remeshed, handles }: Opened): string =>
+    JSON.stringify([
+      typeof source === 'string' ? source : '',
+      ...[model, prepare, remeshed?.faces, handles],
+    ]);
   return one.source === other.source && done(one) === done(other);
 }
 
@@ -52,16 +62,50 @@ export class Session {
     );
   }
 
+  /** Whether the surface can be remeshed: otherwise the model must be read again before. */
+  get canRemesh(): boolean {
+    const { opened } = this;
+    return opened?.handles === undefined && (!opened?.remeshed || !!this.#viewer.original);
+  }
+
   async remesh(faces: number): Promise<boolean> {
     const viewer = this.#viewer;
     const { opened } = this;
     if (!opened || !viewer.info) return false;
-    const before = formatCount(
-      opened.remeshed ? viewer.original!.faceCount : viewer.info.faceCount,
-    );
+    const before = formatCount((viewer.original ?? viewer.info).faceCount);
     const words = `remeshed from ${before} to about ${formatCount(faces)} faces`;
     this.#next = { ...opened, remeshed: { faces, words } };
     return viewer.remesh(faces).then(
+      () => true,
+      () => false,
+    );
+  }
+
+  /** Shows it without its short handles; undefined where that came to nothing. */
+  async removeHandles(length: number): Promise<HandleRemoval | undefined> {
+    const { opened } = this;
+    if (!opened) return undefined;
+    const { handles: before } = opened;
+    const next = { ...opened, handles: Math.max(length, before ?? 0), handlesBefore: before };
+    this.#next = next;
+    const removal = await this.#viewer.removeHandles(length).catch(() => undefined);
+    if (this.opened !== next && this.#next === next) this.#next = opened;
+    return removal;
+  }
+
+  /** Whether a link names what this surface was before handles were taken away last. */
+  isBefore({ handles, ...rest }: PageState): boolean {
+    const { opened } = this;
+    if (opened?.handles === undefined || !this.#viewer.removal) return false;
+    return handles === opened.handlesBefore && this.isOf({ ...rest, handles: opened.handles });
+  }
+
+  /** Shows the surface with its handles again. */
+  async restore(): Promise<boolean> {
+    const { opened } = this;
+    if (!opened) return false;
+    this.#next = { ...opened, handles: opened.handlesBefore, handlesBefore: undefined };
+    return this.#viewer.restore().then(
       () => true,
       () => false,
     );
@@ -72,12 +116,13 @@ export class Session {
     const { opened } = this;
     if (!opened) return;
     const prepare = { ...opened.prepare, ...change };
-    void this.open({ ...opened, prepare, remeshed: undefined });
+    void this.open({ ...opened, ...asRead, prepare });
   }
 
   /** The file of that name, where it was opened before on this visit: no link can have it. */
   openedBefore(file: string): Opened | undefined {
-    return this.#files.get(file);
+    const before = this.#files.get(file);
+    return before && { ...before, ...asRead };
   }
 
   /** How many times as large as its file the model is. */
@@ -87,7 +132,7 @@ export class Session {
 
   /** The model as its file has it. */
   back(): void {
-    if (this.opened) void this.open({ ...this.opened, prepare: {}, remeshed: undefined });
+    if (this.opened) void this.open({ ...this.opened, ...asRead, prepare: {} });
   }
 
   /** Another of the models that came together. */
@@ -114,18 +159,19 @@ export class Session {
   read(): PageState {
     const { opened } = this;
     if (!opened) return {};
-    const { prepare, remeshed, link } = opened;
+    const { prepare, remeshed, handles, link } = opened;
     const state: PageState = { ...link };
     if (prepare.closeHoles) state.closed = true;
     if (this.scale !== 1) state.scale = this.scale;
     if (prepare.components?.length) state.components = [...prepare.components];
     if (remeshed) state.faces = remeshed.faces;
+    if (handles !== undefined) state.handles = handles;
     return state;
   }
 
   /** Whether what is shown is what a link names, prepared in the same way. */
   isOf(state: PageState): boolean {
-    const keys = ['model', 'file', 'closed', 'components', 'scale', 'faces'] as const;
+    const keys = ['model', 'file', 'closed', 'components', 'scale', 'faces', 'handles'] as const;
     const now = this.read();
     return keys.every((key) => JSON.stringify(now[key]) === JSON.stringify(state[key]));
   }

@@ -29,6 +29,6 @@ async function zipped(files: readonly Piece[], stem: string, format: string): Pr
 }
 
 /** A name as part of a file's name. */
-function fileWord(name: string): string {
+export function fileWord(name: string): string {
   return name.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '');
 }

@@ -6,15 +6,13 @@ import { spawn } from 'node:child_process';
 import { availableParallelism } from 'node:os';
 import { basename, dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { configureNative } from './build.mjs';
 import { buildReference } from './reference.mjs';
 import { Complaint, outputOf, repository, run, runTool, script } from './run.mjs';
 import { setUp } from './setup.mjs';
 import { filesBelow, hashOf } from './stale.mjs';
 
-const native = 'build/native';
-/** The compile commands as clang-tidy understands them. */
-const tidyCommands = 'build/tidy';
+/** A build tree in which nothing is built: clang-tidy reads its compile commands. */
+const tidyTree = 'build/tidy';
 
 /** @param {RegExp} pattern */
 const sources = (pattern) =>
@@ -45,7 +43,7 @@ function tidy(file) {
   return new Promise((done, fail) => {
     // The compile commands are GCC's, with warnings that clang may not know.
     const known = '--extra-arg=-Wno-unknown-warning-option';
-    const args = ['--quiet', '--warnings-as-errors=*', known, '-p', tidyCommands, file];
+    const args = ['--quiet', '--warnings-as-errors=*', known, '-p', tidyTree, file];
     const child = spawn('clang-tidy', args, { cwd: repository });
     let said = '';
     child.stdout.on('data', (text) => (said += text));
@@ -54,24 +52,16 @@ function tidy(file) {
   });
 }
 
-/**
- * Writes the compile commands for clang-tidy: without the compiler cache and without GCC's precompiled
- * headers, neither of which it can read.
- */
+/** The compile commands for clang-tidy: of each source alone, without what it cannot read, GCC's precompiled headers. */
 function writeTidyCommands() {
-  /** @type {{ command: string }[]} */
-  const entries = JSON.parse(
-    readFileSync(join(repository, native, 'compile_commands.json'), 'utf8'),
+  run(
+    'cmake',
+    [
+      ...['-S', '.', '-B', tidyTree, '-G', 'Ninja'],
+      ...['-DGIRTH_PRECOMPILE_HEADERS=OFF', '-DGIRTH_UNITY_BUILD=OFF'],
+    ],
+    { quiet: true },
   );
-  const known = entries.map((entry) => ({
-    ...entry,
-    command: entry.command
-      .replace(/^\S*ccache /, '')
-      .replace(/ (-Winvalid-pch|-fpch-preprocess)\b/g, '')
-      .replace(/ -include \S*cmake_pch\.hxx/g, ''),
-  }));
-  mkdirSync(join(repository, tidyCommands), { recursive: true });
-  writeFileSync(join(repository, tidyCommands, 'compile_commands.json'), JSON.stringify(known));
 }
 
 /**
@@ -95,8 +85,6 @@ function changedFiles() {
  *   whose header has
  */
 export async function lintNative({ changedOnly }) {
-  configureNative();
-  writeTidyCommands();
   const changed = changedOnly ? changedFiles() : undefined;
   const stems =
     changed && new Set([...changed].map((file) => basename(file).replace(/\.\w+$/, '')));
@@ -109,6 +97,7 @@ export async function lintNative({ changedOnly }) {
     const isFresh = existsSync(stamp) && readFileSync(stamp, 'utf8') === fingerprint;
     return isFresh ? [] : [{ file, stamp, fingerprint }];
   });
+  if (stale.length > 0) writeTidyCommands();
   let failed = 0;
   const worker = async () => {
     for (let next = stale.pop(); next; next = stale.pop()) {

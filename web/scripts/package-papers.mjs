@@ -26,8 +26,8 @@ const compiled = [
   { name: 'Emscripten', debian: 'emscripten', licence: 'MIT' },
 ];
 
-/** Whose programs are copied as they are (`decoders.mjs`). */
-const copied = ['draco3dgltf', 'meshoptimizer'];
+/** Whose programs are copied as they are (`decoders.mjs`), and whose colours (`colormap-tables.mjs`). */
+const copied = ['d3-scale-chromatic', 'draco3dgltf', 'meshoptimizer'];
 
 /**
  * @param {string} path

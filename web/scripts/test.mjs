@@ -16,7 +16,6 @@ import {
 } from 'node:fs';
 import { constants, setPriority } from 'node:os';
 import { dirname, join } from 'node:path';
-import { configureNative } from './build.mjs';
 import { Complaint, repository, script } from './run.mjs';
 import { setUp } from './setup.mjs';
 import { longParts, parts, reports } from './test-parts.mjs';
@@ -153,39 +152,35 @@ async function main() {
   setUp();
   const setUpTook = performance.now() - began;
   mkdirSync(reports, { recursive: true });
-  // Linting looks at the commands that compiling uses: before both.
-  configureNative();
   const names = wanted.length > 0 ? wanted : Object.keys(everything ? all : parts);
   const ended = await runParts(withNeeds(names, all), all, { shown, whole });
   const took = performance.now() - began;
 
   /** @type {Count} */
   const sum = { passed: 0, failed: 0, skipped: 0 };
-  for (const { name } of ended) {
+  /** @type {{ part: string, seconds: number, processorSeconds?: number | undefined }[]} */
+  const times = [{ part: 'set-up', seconds: setUpTook / 1000 }];
+  let processor = 0;
+  for (const { name, title, milliseconds } of ended) {
     const report = join(reports, `${name}.json`);
-    if (!existsSync(report)) continue;
-    /** @type {Count} */
-    const count = JSON.parse(readFileSync(report, 'utf8'));
-    sum.passed += count.passed;
-    sum.failed += count.failed;
-    sum.skipped += count.skipped;
+    /** @type {Partial<Count> & { processorSeconds?: number }} */
+    const said = existsSync(report) ? JSON.parse(readFileSync(report, 'utf8')) : {};
+    const { passed = 0, failed = 0, skipped = 0, processorSeconds } = said;
+    sum.passed += passed;
+    sum.failed += failed;
+    sum.skipped += skipped;
+    processor += processorSeconds ?? 0;
+    times.push({ part: title, seconds: milliseconds / 1000, processorSeconds });
   }
-  const times = [
-    { title: 'set-up', milliseconds: setUpTook },
-    ...ended,
-    { title: 'in all, set-up apart', milliseconds: took - setUpTook },
-  ];
-  writeFileSync(
-    join(reports, 'times.json'),
-    `${JSON.stringify(
-      times.map(({ title, milliseconds }) => ({ part: title, seconds: milliseconds / 1000 })),
-      null,
-      2,
-    )}\n`,
+  const total = { seconds: (took - setUpTook) / 1000, processorSeconds: processor };
+  times.push({ part: 'in all, set-up apart', ...total });
+  writeFileSync(join(reports, 'times.json'), `${JSON.stringify(times, null, 2)}\n`);
+  console.log(
+    '\nWhat each part took, two at a time, and of processors (build/reports/times.json):',
   );
-  console.log('\nWhat each part took; two run at a time (build/reports/times.json):');
-  for (const { title, milliseconds } of times) {
-    console.log(`  ${title.padEnd(34)} ${seconds(milliseconds)}`);
+  for (const { part, seconds: took, processorSeconds } of times) {
+    const ofProcessors = processorSeconds ? seconds(processorSeconds * 1000) : '';
+    console.log(`  ${part.padEnd(34)} ${seconds(took * 1000)} ${ofProcessors}`);
   }
   const failed = ended.filter(({ succeeded }) => !succeeded).map(({ title }) => title);
   console.log(failed.length > 0 ? `\nNot in order: ${failed.join(', ')}` : '\nAll in order');

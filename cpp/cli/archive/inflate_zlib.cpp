@@ -13,9 +13,8 @@
 namespace girth::cli {
 namespace {
 
-constexpr std::size_t kMegabyte = std::size_t{1} << 20;
 /// For zlib, which counts in 32 bits.
-constexpr std::size_t kPortion = 16 * kMegabyte;
+constexpr std::size_t kPortion = std::size_t{1} << 24;
 constexpr std::size_t kScratch = std::size_t{1} << 16;
 
 /// zlib's state, released at the end.

@@ -11,11 +11,13 @@
 #include "model/computing.h"
 #include "model/loading.h"
 #include "model/typed_point.h"
+#include "process/hand_over.h"
 #include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
 namespace girth::cli {
+namespace bottleneck_command {
 namespace {
 
 struct Options {
@@ -60,6 +62,7 @@ int run(const Options& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
+  noteOneSided(options.model, loaded.value());
   const auto from = surfacePoint(loaded.value(), options.from, options.model, options.preparing);
   if (!from) return reportError(options.model, from.error());
   const auto to = surfacePoint(loaded.value(), options.to, options.model, options.preparing);
@@ -73,18 +76,13 @@ int run(const Options& options) {
                           watched(options.threads, progress));
   }();
   if (!found) return reportError(options.model, found.error());
-  if (options.output.isWanted()) {
-    if (auto error = writeResult(options.output, contentFor(options.output.ending(), loaded.value(),
-                                                            found.value(), options.model))) {
-      return reportError(options.output.path, *error);
-    }
-  }
-  if (options.json) {
-    std::fputs(io::bottleneckJson(loaded.value(), found.value(), options.model).c_str(), stdout);
-  } else if (hasSummary()) {
-    printText(options, loaded.value(), found.value());
-  }
-  return 0;
+  return handOver(
+      options.output, options.json,
+      [&](const std::string& ending) {
+        return contentFor(ending, loaded.value(), found.value(), options.model);
+      },
+      [&] { return io::bottleneckJson(loaded.value(), found.value(), options.model); },
+      [&] { printText(options, loaded.value(), found.value()); });
 }
 
 Run add(OptionTable& table) {
@@ -115,7 +113,9 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace bottleneck_command
 
-const Command kBottleneck{"bottleneck", "Find the narrowest place between two points", add};
+const Command kBottleneck{"bottleneck", "Find the narrowest place between two points",
+                          bottleneck_command::add};
 
 }  // namespace girth::cli

@@ -17,6 +17,7 @@
 #include "text/number_text.h"
 
 namespace girth::cli {
+namespace compare_command {
 namespace {
 
 using study::Descriptor;
@@ -160,7 +161,8 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace compare_command
 
-const Command kCompare{"compare", "Print how far models are apart", add};
+const Command kCompare{"compare", "Print how far models are apart", compare_command::add};
 
 }  // namespace girth::cli

@@ -17,7 +17,6 @@
 #include "girth/handles.h"
 #include "girth/io/read_curves.h"
 #include "girth/io/write_cut.h"
-#include "girth/io/write_mesh.h"
 #include "girth/level_curves.h"
 #include "girth/necks.h"
 #include "model/computing.h"
@@ -27,6 +26,7 @@
 #include "process/report.h"
 
 namespace girth::cli {
+namespace cut_command {
 namespace {
 
 struct Options {
@@ -178,7 +178,7 @@ void printText(const Options& options, const io::LoadedMesh& loaded, std::size_t
 Result<std::string> contentFor(const std::string& ending, const io::LoadedMesh& loaded,
                                const io::CutModel& model, const std::string& file) {
   if (ending == ".glb") return io::cutGlb(loaded, model);
-  if (ending == ".obj") return io::cutObj(model);
+  if (ending == ".obj") return io::cutObj(loaded, model);
   if (ending == ".csv") return io::cutCsv(loaded, model);
   return io::cutJson(loaded, model, file);
 }
@@ -228,9 +228,8 @@ std::optional<Error> writeParts(const Options& options, const io::LoadedMesh& lo
   if (auto error = checkOutputs(options, model.parts.size())) return error;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Output output = outputOf(options.output, i);
-    if (auto error = writeResult(
-            output,
-            io::meshFile(model.parts[i].mesh, meshFormatOf(output.ending()), loaded.unit))) {
+    if (auto error =
+            writeResult(output, io::partFile(loaded, model, i, meshFormatOf(output.ending())))) {
       error->file = output.path;
       return error;
     }
@@ -249,8 +248,10 @@ int run(const Options& options) {
   if (const auto error = checkOutputs(options, 1)) {
     return reportError(options.output.path, *error);
   }
-  const auto loaded = loadModel(options.model, options.preparing);
+  const auto loaded = loadModel(options.model, options.preparing, {true});
   if (!loaded) return reportError(options.model, loaded.error());
+  noteOneSided(options.model, loaded.value());
+  for (const std::string& note : loaded.value().attributeNotes) printNote(options.model, note);
   const auto curves = curvesOf(options, loaded.value());
   if (!curves) {
     const std::string& file = curves.error().file;
@@ -314,7 +315,8 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace cut_command
 
-const Command kCut{"cut", "Take a surface apart along loops and necks", add};
+const Command kCut{"cut", "Take a surface apart along loops and necks", cut_command::add};
 
 }  // namespace girth::cli

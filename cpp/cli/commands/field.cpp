@@ -25,6 +25,7 @@
 #include "text/number_text.h"
 
 namespace girth::cli {
+namespace field_command {
 namespace {
 
 struct Options {
@@ -260,7 +261,9 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace field_command
 
-const Command kField{"field", "Compute another field: thickness, centricity, ...", add};
+const Command kField{"field", "Compute another field: thickness, centricity, ...",
+                     field_command::add};
 
 }  // namespace girth::cli

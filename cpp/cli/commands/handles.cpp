@@ -12,11 +12,13 @@
 #include "girth/io/write_handles.h"
 #include "model/computing.h"
 #include "model/loading.h"
+#include "process/hand_over.h"
 #include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
 namespace girth::cli {
+namespace handles_command {
 namespace {
 
 struct Options {
@@ -67,6 +69,7 @@ int run(const Options& options) {
   if (options.bases) wanted.basePoints = static_cast<std::size_t>(*options.bases);
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
+  noteOneSided(options.model, loaded.value());
   if (options.allVertices) wanted.basePoints = loaded.value().mesh.vertexCount();
   const auto handles = [&] {
     ProgressLine progress(options.model);
@@ -77,18 +80,13 @@ int run(const Options& options) {
     printNote(options.model,
               std::to_string(handles.value().unresolved) + " handles or tunnels were not found");
   }
-  if (options.output.isWanted()) {
-    if (auto error = writeResult(options.output, contentFor(options.output.ending(), loaded.value(),
-                                                            handles.value(), options.model))) {
-      return reportError(options.output.path, *error);
-    }
-  }
-  if (options.json) {
-    std::fputs(io::handlesJson(loaded.value(), handles.value(), options.model).c_str(), stdout);
-  } else if (hasSummary()) {
-    printText(options.model, loaded.value(), handles.value());
-  }
-  return 0;
+  return handOver(
+      options.output, options.json,
+      [&](const std::string& ending) {
+        return contentFor(ending, loaded.value(), handles.value(), options.model);
+      },
+      [&] { return io::handlesJson(loaded.value(), handles.value(), options.model); },
+      [&] { printText(options.model, loaded.value(), handles.value()); });
 }
 
 Run add(OptionTable& table) {
@@ -115,7 +113,8 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace handles_command
 
-const Command kHandles{"handles", "Find the loops round handles and tunnels", add};
+const Command kHandles{"handles", "Find the loops round handles and tunnels", handles_command::add};
 
 }  // namespace girth::cli

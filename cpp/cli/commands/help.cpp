@@ -11,6 +11,7 @@
 #include "process/report.h"
 
 namespace girth::cli {
+namespace help_command {
 namespace {
 
 struct Options {
@@ -51,7 +52,8 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace help_command
 
-const Command kHelp{"help", "Print the options and examples of a command", add};
+const Command kHelp{"help", "Print the options and examples of a command", help_command::add};
 
 }  // namespace girth::cli

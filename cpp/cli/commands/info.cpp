@@ -17,6 +17,7 @@
 #include "text/number_text.h"
 
 namespace girth::cli {
+namespace info_command {
 namespace {
 
 struct Options {
@@ -204,7 +205,8 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace info_command
 
-const Command kInfo{"info", "Print what a model is, and what was repaired", add};
+const Command kInfo{"info", "Print what a model is, and what was repaired", info_command::add};
 
 }  // namespace girth::cli

@@ -18,6 +18,7 @@
 #include "process/report.h"
 
 namespace girth::cli {
+namespace limbs_command {
 namespace {
 
 struct Options {
@@ -112,7 +113,9 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace limbs_command
 
-const Command kLimbs{"limbs", "Measure what each tip ends: fingers, arms, legs", add};
+const Command kLimbs{"limbs", "Measure what each tip ends: fingers, arms, legs",
+                     limbs_command::add};
 
 }  // namespace girth::cli

@@ -14,6 +14,7 @@
 #include "process/report.h"
 
 namespace girth::cli {
+namespace loop_command {
 namespace {
 
 struct Options {
@@ -116,7 +117,9 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace loop_command
 
-const Command kLoop{"loop", "Compute the loop at one vertex or at a point of a face", add};
+const Command kLoop{"loop", "Compute the loop at one vertex or at a point of a face",
+                    loop_command::add};
 
 }  // namespace girth::cli

@@ -11,11 +11,13 @@
 #include "girth/io/write_necks.h"
 #include "model/computing.h"
 #include "model/loading.h"
+#include "process/hand_over.h"
 #include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
 namespace girth::cli {
+namespace necks_command {
 namespace {
 
 struct Options {
@@ -61,10 +63,11 @@ int run(const Options& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
+  noteOneSided(options.model, loaded.value());
   NeckOptions wanted;
   if (const auto error =
           readLength(options.minProminence, loaded.value().unit, wanted.minProminence)) {
-    return reportError("", *error);
+    return reportError(options.model, *error);
   }
   const SurfaceMesh& mesh = loaded.value().mesh;
   const auto girth = computeGirth(options.model, mesh, 0, options.threads);
@@ -78,18 +81,13 @@ int run(const Options& options) {
     printNote(options.model, std::to_string(necks.value().unresolved) +
                                  " vertices have loops that could not be followed");
   }
-  if (options.output.isWanted()) {
-    if (auto error = writeResult(options.output, contentFor(options.output.ending(), loaded.value(),
-                                                            necks.value(), options.model))) {
-      return reportError(options.output.path, *error);
-    }
-  }
-  if (options.json) {
-    std::fputs(io::necksJson(loaded.value(), necks.value(), options.model).c_str(), stdout);
-  } else if (hasSummary()) {
-    printText(options.model, loaded.value(), necks.value());
-  }
-  return 0;
+  return handOver(
+      options.output, options.json,
+      [&](const std::string& ending) {
+        return contentFor(ending, loaded.value(), necks.value(), options.model);
+      },
+      [&] { return io::necksJson(loaded.value(), necks.value(), options.model); },
+      [&] { printText(options.model, loaded.value(), necks.value()); });
 }
 
 Run add(OptionTable& table) {
@@ -112,7 +110,8 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace necks_command
 
-const Command kNecks{"necks", "Find where a surface is locally narrowest", add};
+const Command kNecks{"necks", "Find where a surface is locally narrowest", necks_command::add};
 
 }  // namespace girth::cli

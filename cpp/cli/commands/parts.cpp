@@ -23,6 +23,7 @@
 #include "process/report.h"
 
 namespace girth::cli {
+namespace parts_command {
 namespace {
 
 struct Options {
@@ -345,7 +346,9 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace parts_command
 
-const Command kParts{"parts", "Find tubes and plates, or what is too thin to print", add};
+const Command kParts{"parts", "Find tubes and plates, or what is too thin to print",
+                     parts_command::add};
 
 }  // namespace girth::cli

@@ -1,28 +1,36 @@
-// girth profile: the girth along a path.
+// girth profile: the girth along a path, or along the axis of a limb.
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "commands/common_options.h"
 #include "commands/table.h"
-#include "girth/geodesic_solver.h"
+#include "girth/io/write_limb_axis.h"
 #include "girth/io/write_path_profile.h"
+#include "girth/limb_axis.h"
+#include "girth/limbs.h"
 #include "girth/path_profile.h"
+#include "model/computing.h"
 #include "model/loading.h"
 #include "model/typed_point.h"
+#include "process/hand_over.h"
 #include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
 namespace girth::cli {
+namespace profile_command {
 namespace {
 
 struct Options {
   std::string model;
   std::vector<std::string> points;
+  /// From 1, as `girth limbs` prints it: along its axis.
+  std::optional<std::int64_t> limb;
   ModelOptions preparing;
   PathProfileOptions profile;
   bool even{false};
@@ -31,30 +39,16 @@ struct Options {
   bool json{false};
 };
 
-/// The shortest paths from each point to the next, as one.
-Result<std::vector<SurfacePoint>> pathOf(const Options& options, const io::LoadedMesh& loaded,
-                                         const std::vector<TypedPoint>& typed) {
-  GeodesicSolver solver(loaded.mesh);
-  std::vector<SurfacePoint> path;
-  SurfacePoint before;
-  for (std::size_t i = 0; i < typed.size(); ++i) {
-    const auto point = surfacePoint(loaded, typed[i], options.model, options.preparing);
+/// The points on the surface that were typed.
+Result<std::vector<SurfacePoint>> pointsOf(const Options& options, const io::LoadedMesh& loaded,
+                                           const std::vector<TypedPoint>& typed) {
+  std::vector<SurfacePoint> points;
+  for (const TypedPoint& one : typed) {
+    const auto point = surfacePoint(loaded, one, options.model, options.preparing);
     if (!point) return point.error();
-    if (i > 0) {
-      const auto found = solver.path(before, point.value());
-      if (!found) return found.error();
-      if (!std::isfinite(found.value().length)) {
-        Error error = makeError(
-            ErrorCode::InvalidPoint, -1,
-            typed[i - 1].text() + " and " + typed[i].text() + " lie in different components");
-        error.hint = "choose points that a way over the surface joins";
-        return error;
-      }
-      path.insert(path.end(), found.value().points.begin(), found.value().points.end());
-    }
-    before = point.value();
+    points.push_back(point.value());
   }
-  return path;
+  return points;
 }
 
 void printText(const Options& options, const io::LoadedMesh& loaded,
@@ -71,21 +65,101 @@ void printText(const Options& options, const io::LoadedMesh& loaded,
               unit.c_str(), readable(greatest->distance).c_str(), unit.c_str());
 }
 
-int run(const Options& options) {
-  std::vector<TypedPoint> typed(options.points.size());
-  for (std::size_t i = 0; i < typed.size(); ++i) {
-    const std::string problem = readPoint(options.points[i], typed[i]);
-    if (!problem.empty()) return reportError("", usageError(problem, "see girth profile --help"));
+/// The axis of the limb that is named, with a loop for each sample.
+Result<std::vector<AxisStation>> axisOf(const Options& options, const SurfaceMesh& mesh) {
+  const auto tips = computeTips(options.model, mesh, 0, options.threads);
+  if (!tips) return tips.error();
+  ProgressLine progress(options.model);
+  const auto found =
+      findLimbs(mesh, tips.value().girth.values, tips.value().tips.tips,
+                {static_cast<Index>(options.profile.samples)}, watched(options.threads, progress));
+  if (!found) return found.error();
+  const std::vector<Limb>& limbs = found.value().limbs;
+  if (*options.limb < 1 || *options.limb > static_cast<std::int64_t>(limbs.size())) {
+    return usageError("there is no limb " + std::to_string(*options.limb),
+                      limbs.empty() ? "the model has none; name points of a path"
+                                    : "limbs are numbered from 1 to " +
+                                          std::to_string(limbs.size()) + ", as girth limbs lists");
   }
-  if (typed.size() < 2) {
-    return reportError("", usageError("a path needs two points", "name two points or more"));
+  return limbAxis(mesh, limbs[static_cast<std::size_t>(*options.limb - 1)].profile,
+                  watched(options.threads, progress));
+}
+
+void printAxis(const Options& options, const io::LoadedMesh& loaded,
+               const std::vector<AxisStation>& axis) {
+  const auto [least, greatest] = std::minmax_element(
+      axis.begin(), axis.end(), [](const auto& a, const auto& b) { return a.girth < b.girth; });
+  const std::string unit = unitSuffix(loaded.unit);
+  std::printf("%s: %zu loops along an axis of length %s%s\n", options.model.c_str(), axis.size(),
+              readable(axis.empty() ? 0 : axis.back().distance).c_str(), unit.c_str());
+  if (axis.empty()) return;
+  std::printf("  %-9s %s%s at distance %s%s\n", "least", readable(least->girth).c_str(),
+              unit.c_str(), readable(least->distance).c_str(), unit.c_str());
+  std::printf("  %-9s %s%s at distance %s%s\n", "greatest", readable(greatest->girth).c_str(),
+              unit.c_str(), readable(greatest->distance).c_str(), unit.c_str());
+}
+
+Result<std::string> axisContent(const std::string& ending, const io::LoadedMesh& loaded,
+                                const std::vector<AxisStation>& axis, const std::string& file) {
+  if (ending == ".csv") return io::limbAxisCsv(loaded, axis);
+  if (ending == ".obj") return io::limbAxisObj(loaded, axis);
+  if (ending == ".glb") return io::limbAxisGlb(loaded, axis);
+  return io::limbAxisJson(loaded, axis, file);
+}
+
+int runAlongLimb(const Options& options) {
+  constexpr std::size_t kMostStations = 10'000;
+  if (!options.points.empty() || options.even) {
+    return reportError("", usageError("a limb has an axis of its own",
+                                      "leave out the points and --even, or leave out --limb"));
+  }
+  if (options.profile.samples < 1 || options.profile.samples > kMostStations) {
+    return reportError("", usageError("along a limb there are 1 to 10,000 samples",
+                                      "choose another number for --samples"));
   }
   if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
     return reportError(options.output.path, *error);
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
-  const auto path = pathOf(options, loaded.value(), typed);
+  noteOneSided(options.model, loaded.value());
+  const auto axis = axisOf(options, loaded.value().mesh);
+  if (!axis) return reportError(options.model, axis.error());
+  return handOver(
+      options.output, options.json,
+      [&](const std::string& ending) {
+        return axisContent(ending, loaded.value(), axis.value(), options.model);
+      },
+      [&] { return io::limbAxisJson(loaded.value(), axis.value(), options.model); },
+      [&] { printAxis(options, loaded.value(), axis.value()); });
+}
+
+int run(const Options& options) {
+  if (options.limb) return runAlongLimb(options);
+  const std::string ending = options.output.ending();
+  if (ending == ".obj" || ending == ".glb") {
+    return reportError(options.output.path,
+                       usageError("the loops are written along a limb only",
+                                  "name one with --limb, or write .csv or .json"));
+  }
+  std::vector<TypedPoint> typed(options.points.size());
+  for (std::size_t i = 0; i < typed.size(); ++i) {
+    const std::string problem = readPoint(options.points[i], typed[i]);
+    if (!problem.empty()) return reportError("", usageError(problem, "see girth profile --help"));
+  }
+  if (typed.size() < 2) {
+    return reportError("", usageError("a path needs two points",
+                                      "name two points or more, or a limb with --limb"));
+  }
+  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
+    return reportError(options.output.path, *error);
+  }
+  const auto loaded = loadModel(options.model, options.preparing);
+  if (!loaded) return reportError(options.model, loaded.error());
+  noteOneSided(options.model, loaded.value());
+  const auto points = pointsOf(options, loaded.value(), typed);
+  if (!points) return reportError(options.model, points.error());
+  const auto path = shortestPathThrough(loaded.value().mesh, points.value());
   if (!path) return reportError(options.model, path.error());
   PathProfileOptions wanted = options.profile;
   wanted.crossings = !options.even;
@@ -95,48 +169,48 @@ int run(const Options& options) {
                       watched(options.threads, progress));
   }();
   if (!stations) return reportError(options.model, stations.error());
-  if (options.output.isWanted()) {
-    const Result<std::string> content =
-        options.output.ending() == ".csv"
-            ? io::pathProfileCsv(loaded.value(), stations.value())
-            : io::pathProfileJson(loaded.value(), stations.value(), options.model);
-    if (auto error = writeResult(options.output, content)) {
-      return reportError(options.output.path, *error);
-    }
-  }
-  if (options.json) {
-    std::fputs(io::pathProfileJson(loaded.value(), stations.value(), options.model).c_str(),
-               stdout);
-  } else if (hasSummary()) {
-    printText(options, loaded.value(), stations.value());
-  }
-  return 0;
+  return handOver(
+      options.output, options.json,
+      [&](const std::string& written) -> Result<std::string> {
+        if (written == ".csv") return io::pathProfileCsv(loaded.value(), stations.value());
+        return io::pathProfileJson(loaded.value(), stations.value(), options.model);
+      },
+      [&] { return io::pathProfileJson(loaded.value(), stations.value(), options.model); },
+      [&] { printText(options, loaded.value(), stations.value()); });
 }
 
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
   table.add("MODEL", options->model, "The model to read").required();
-  table
-      .add("POINT", options->points,
-           "Two points or more, joined by shortest paths: vertices, numbered as in the file from "
-           "0, or points of faces, as in 7:0.2,0.3,0.5, the shares of the three vertices")
-      .required();
+  table.add("POINT", options->points,
+            "Two points or more, joined by shortest paths: vertices, numbered as in the file from "
+            "0, or points of faces, as in 7:0.2,0.3,0.5, the shares of the three vertices");
+  table.add(
+      "--limb N", options->limb,
+      "Along the axis of a limb instead, numbered from 1 as girth limbs lists it: the middles "
+      "of the loops round it");
   table.add("--samples N", options->profile.samples,
-            "Places at equal distances, both ends among them; 100 by default, 0 for none");
+            "Places at equal distances, both ends among them; 100 by default, 0 for none. Along a "
+            "limb, so many loops at most");
   table.add("--even", options->even,
             "These only, and not where the path crosses edges and passes vertices");
-  addOutputOptions(table, options->output, {".csv", ".json"},
-                   "Write the profile: .csv (a row for each place) or .json");
+  addOutputOptions(table, options->output, {".csv", ".json", ".obj", ".glb"},
+                   "Write the profile: .csv (a row for each place) or .json; along a limb also "
+                   ".obj and .glb, its loops as lines");
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth profile vessel.stl 120 4803 -o profile.csv",
                 "Along the shortest path: where it gets narrower, and how fast.");
   table.example("girth profile model.glb 12 431 97 --samples 500 --even -o profile.csv",
                 "Along a path drawn by three points, at 500 equal distances.");
+  table.example("girth profile hand.glb --limb 1 -o finger.csv",
+                "Along the axis of the longest limb, which is that of a tube.");
   return [options] { return run(*options); };
 }
 
 }  // namespace
+}  // namespace profile_command
 
-const Command kProfile{"profile", "Measure the girth along a path", add};
+const Command kProfile{"profile", "Measure the girth along a path, or along a limb",
+                       profile_command::add};
 
 }  // namespace girth::cli

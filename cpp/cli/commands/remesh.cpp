@@ -21,6 +21,7 @@
 #include "text/number_text.h"
 
 namespace girth::cli {
+namespace remesh_command {
 namespace {
 
 struct Options {
@@ -53,7 +54,8 @@ void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMe
         ",\"unit\":" + io::jsonString(loaded.unit) +
         ",\"output\":" + io::jsonString(options.output.path) +
         (repaired ? ",\"genusBefore\":" + std::to_string(repaired->genusBefore) +
-                        ",\"genus\":" + std::to_string(repaired->genusAfter)
+                        ",\"genus\":" + std::to_string(repaired->genusAfter) +
+                        ",\"crossingFaces\":" + std::to_string(repaired->crossingFaces)
                   : "") +
         (difference ? ",\"difference\":" + io::formatNumber(*difference) : "") + "}\n";
     std::fputs(text.c_str(), stdout);
@@ -76,6 +78,10 @@ void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMe
                 counted(HandleKind::Tunnel, "tunnel", "closed").c_str());
     const std::string unknown = counted(HandleKind::Unknown, "loop", "of unknown kind cut");
     std::printf("%s\n", unknown[0] == '0' ? "" : (", " + unknown).c_str());
+    if (repaired->crossingFaces > 0) {
+      std::printf("  no room: %u of the faces made or moved cross others\n",
+                  repaired->crossingFaces);
+    }
   }
   if (difference) {
     std::printf("  girth: difference %s of the distributions before and after (equation 1)\n",
@@ -111,7 +117,7 @@ int run(const Options& options) {
   if (!options.removeHandles.empty()) {
     double length = 0;
     if (const auto error = readLength(options.removeHandles, loaded.value().unit, length)) {
-      return reportError("", *error);
+      return reportError(options.model, *error);
     }
     auto removal = [&] {
       ProgressLine progress(options.model);
@@ -175,7 +181,9 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace remesh_command
 
-const Command kRemesh{"remesh", "Write the surface with fewer, more or even triangles", add};
+const Command kRemesh{"remesh", "Write the surface with fewer, more or even triangles",
+                      remesh_command::add};
 
 }  // namespace girth::cli

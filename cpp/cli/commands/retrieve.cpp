@@ -13,6 +13,7 @@
 #include "text/number_text.h"
 
 namespace girth::cli {
+namespace retrieve_command {
 namespace {
 
 /// The paper's, its composite both ways, and what does best without training.
@@ -93,8 +94,10 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace retrieve_command
 
 const Command kRetrieve{
-    "retrieve", "Measure how well descriptors find shapes of the same class in a collection", add};
+    "retrieve", "Measure how well descriptors find shapes of the same class in a collection",
+    retrieve_command::add};
 
 }  // namespace girth::cli

@@ -16,6 +16,7 @@
 #include "text/number_text.h"
 
 namespace girth::cli {
+namespace signature_command {
 namespace {
 
 using study::Descriptor;
@@ -120,7 +121,9 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace signature_command
 
-const Command kSignature{"signature", "Write the histograms that a model is compared by", add};
+const Command kSignature{"signature", "Write the histograms that a model is compared by",
+                         signature_command::add};
 
 }  // namespace girth::cli

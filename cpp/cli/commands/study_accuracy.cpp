@@ -16,6 +16,7 @@
 #include "process/report.h"
 
 namespace girth::cli {
+namespace study_accuracy_command {
 namespace {
 
 struct Options {
@@ -133,8 +134,9 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace study_accuracy_command
 
 const Command kStudyAccuracy{"accuracy", "How near the girth by fast marching is to the exact one",
-                             add};
+                             study_accuracy_command::add};
 
 }  // namespace girth::cli

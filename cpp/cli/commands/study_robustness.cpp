@@ -17,7 +17,10 @@
 #include "process/report.h"
 
 namespace girth::cli {
+namespace study_robustness_command {
 namespace {
+
+constexpr std::uint32_t kMostPlaces = 1'000;
 
 struct Options {
   std::string model;
@@ -115,6 +118,13 @@ Run add(OptionTable& table) {
       .separated()
       .range(0, study::kMostNoise);
   table.add("--seed N", options->study.seed, "Of the noise; 1 by default");
+  table.add("--bridges N", options->study.bridges, "Places where parts grow together; 2 by default")
+      .range(1, kMostPlaces);
+  table
+      .add("--handles N,...", options->study.tinyHandles,
+           "Also with so many tiny handles, and after they were removed")
+      .separated()
+      .range(1, kMostPlaces);
   addPersistenceShareOption(table, options->study.persistence, "");
   addOutputOptions(table, options->output, {".csv", ".json"}, "Write the table: .csv or .json");
   addModelOptions(table, options->preparing);
@@ -126,12 +136,16 @@ Run add(OptionTable& table) {
                 "And other poses of the same thing.");
   table.example("girth study robustness scan.ply --noise 0.5,1,2 --persistence 2%",
                 "The persistent girth, under noise of up to two edges.");
+  table.example("girth study robustness model.off --bridges 5 --handles 1,5,20",
+                "More changes of topology.");
   return [options] { return run(*options); };
 }
 
 }  // namespace
+}  // namespace study_robustness_command
 
 const Command kStudyRobustness{
-    "robustness", "How little the girth changes with a surface's triangles, noise and pose", add};
+    "robustness", "How little the girth changes with a surface's triangles, noise and pose",
+    study_robustness_command::add};
 
 }  // namespace girth::cli

@@ -20,6 +20,7 @@
 #include "process/report.h"
 
 namespace girth::cli {
+namespace tips_command {
 namespace {
 
 struct Options {
@@ -148,7 +149,8 @@ Run add(OptionTable& table) {
 }
 
 }  // namespace
+}  // namespace tips_command
 
-const Command kTips{"tips", "Find where the shape ends", add};
+const Command kTips{"tips", "Find where the shape ends", tips_command::add};
 
 }  // namespace girth::cli

@@ -15,7 +15,7 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 /// The text in single quotes of a shell.
-std::string quoted(std::string_view text) {
+std::string shellQuoted(std::string_view text) {
   std::string result = "'";
   for (const char c : text) {
     if (c == '\'') {
@@ -68,16 +68,16 @@ std::vector<std::string> wordsBehind(const Completed& command) {
 std::string bashCompletion(const std::vector<Completed>& commands) {
   std::string options, behind, values;
   for (const Completed& command : commands) {
-    const std::string pattern = "    " + quoted(command.words) + ") ";
-    options += pattern + "options=" + quoted(joined(command.names())) + " ;;\n";
+    const std::string pattern = "    " + shellQuoted(command.words) + ") ";
+    options += pattern + "options=" + shellQuoted(joined(command.names())) + " ;;\n";
     if (const auto words = wordsBehind(command); !words.empty()) {
-      behind += pattern + "words=" + quoted(joined(words)) + " ;;\n";
+      behind += pattern + "words=" + shellQuoted(joined(words)) + " ;;\n";
     }
     for (const Option& option : command.table.options()) {
       if (option.choices().empty()) continue;
       for (const std::string& name : option.names()) {
-        values += "    " + quoted(command.words + " " + name) +
-                  ") words=" + quoted(joined(option.choices())) + " ;;\n";
+        values += "    " + shellQuoted(command.words + " " + name) +
+                  ") words=" + shellQuoted(joined(option.choices())) + " ;;\n";
       }
     }
   }
@@ -87,7 +87,7 @@ std::string bashCompletion(const std::vector<Completed>& commands) {
          "  local command=${COMP_WORDS[1]} options= words=\n"
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
          "    COMPREPLY=($(compgen -W " +
-         quoted(joined(namesOf(allCommands())) + " --help --version") +
+         shellQuoted(joined(namesOf(allCommands())) + " --help --version") +
          " -- \"$current\"))\n    return\n  fi\n"
          "  if [ \"$command\" = study ] && [ \"$COMP_CWORD\" -gt 2 ]; then\n"
          "    command=\"$command ${COMP_WORDS[2]}\"\n  fi\n"
@@ -123,7 +123,7 @@ std::string zshOption(const Option& option) {
   }
   std::string lines;
   for (const std::string& name : option.names()) {
-    lines += " \\\n        " + quoted(name + "[" + zshText(option.text()) + "]" + action);
+    lines += " \\\n        " + shellQuoted(name + "[" + zshText(option.text()) + "]" + action);
   }
   return lines;
 }
@@ -133,14 +133,15 @@ std::string zshCompletion(const std::vector<Completed>& commands) {
   for (const Completed& command : commands) {
     const auto words = wordsBehind(command);
     if (command.words.find(' ') == std::string::npos) {
-      list += "    " + quoted(std::string(command.words) + ":" + command.command->summary) + "\n";
+      list +=
+          "    " + shellQuoted(std::string(command.words) + ":" + command.command->summary) + "\n";
     }
-    cases += "    (" + quoted(command.words) + ")\n      _arguments";
+    cases += "    (" + shellQuoted(command.words) + ")\n      _arguments";
     for (const Option& option : command.table.options()) {
       if (!option.isArgument()) cases += zshOption(option);
     }
     cases += " \\\n        " +
-             quoted(words.empty() ? "*:file:_files" : "*:command:(" + joined(words) + ")") +
+             shellQuoted(words.empty() ? "*:file:_files" : "*:command:(" + joined(words) + ")") +
              "\n      ;;\n";
   }
   return "#compdef girth\n"
@@ -187,18 +188,18 @@ std::string fishOption(const Option& option) {
   }
   const std::string& value = option.valueName();
   if (!option.choices().empty()) {
-    text += " -x -a " + quoted(joined(option.choices()));
+    text += " -x -a " + shellQuoted(joined(option.choices()));
   } else if (value == "FILE" || value == "DIR" || value == "MODEL") {
     text += " -r -F";
   } else if (!option.isFlag()) {
     text += " -x";
   }
-  return text + " -d " + quoted(option.text()) + "\n";
+  return text + " -d " + shellQuoted(option.text()) + "\n";
 }
 
 std::string fishCompletion(const std::vector<Completed>& commands) {
   const auto when = [](const std::string& condition) {
-    return "complete -c girth -n " + quoted(condition);
+    return "complete -c girth -n " + shellQuoted(condition);
   };
   std::string text = "# fish completion of girth\n";
   text += kFishFunctions;
@@ -209,16 +210,16 @@ std::string fishCompletion(const std::vector<Completed>& commands) {
     const bool isBelow = blank != std::string::npos;
     const std::string above = isBelow ? " " + command.words.substr(0, blank) : "";
     text += when("__girth_is" + above) + " -f -a " + command.command->name + " -d " +
-            quoted(command.command->summary) + "\n";
+            shellQuoted(command.command->summary) + "\n";
     if (command.words == "help") {
       text += when("__girth_in help") + " -f\n";
-      text += when("__girth_is help") + " -a " + quoted(joined(wordsBehind(command))) + "\n";
+      text += when("__girth_is help") + " -a " + shellQuoted(joined(wordsBehind(command))) + "\n";
     }
     const bool isAbove = !command.command->below.empty();
     const std::string typed = (isAbove ? "__girth_is " : "__girth_in ") + command.words;
     if (isAbove) {
       text += when("__girth_is help " + command.words) + " -a " +
-              quoted(joined(namesOf(command.command->below))) + "\n";
+              shellQuoted(joined(namesOf(command.command->below))) + "\n";
     }
     for (const Option& option : command.table.options()) {
       if (!option.isArgument()) text += when(typed) + fishOption(option);

@@ -97,14 +97,16 @@ Result<double> scaleToHeight(const ModelOptions& options, const io::ReadModel& r
 
 }  // namespace
 
-Result<io::ReadModel> readModelFile(const std::string& path, const std::string& entry) {
+Result<io::ReadModel> readModelFile(const std::string& path, const std::string& entry,
+                                    const io::ReadOptions& reading) {
   const auto file = openModel(path, entry);
   if (!file) return file.error();
-  return io::readModel(file.value().bytes, file.value().name, file.value().resources);
+  return io::readModel(file.value().bytes, file.value().name, file.value().resources, reading);
 }
 
-Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options) {
-  auto model = readModelFile(path, options.entry);
+Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options,
+                                 const io::ReadOptions& reading) {
+  auto model = readModelFile(path, options.entry, reading);
   if (!model) return model.error();
   io::ReadModel& read = model.value();
   stateUnit(path, options.unit, read.unit);
@@ -143,6 +145,8 @@ Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& op
       prepare.components.push_back(component.value());
     }
   }
+  // Attributes belong to the file's triangles.
+  const TriangleSoup soup = read.attributes.empty() ? TriangleSoup{} : read.soup;
   auto prepared = prepareSurface(std::move(read.soup), prepare);
   if (!prepared) return prepared.error();
   if (options.refine > 0) {
@@ -150,8 +154,20 @@ Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& op
         refineSurface(std::move(prepared).value(), options.refine, {0, &catchInterrupts(), {}});
     if (!prepared) return prepared.error();
   }
-  return io::LoadedMesh{std::move(prepared).value(), read.format, std::move(read.unit),
-                        std::move(read.notes)};
+  std::vector<io::Attribute> attributes;
+  if (!read.attributes.empty()) {
+    attributes = io::cornerAttributes(read.attributes, soup, prepare.scale, prepared.value());
+  }
+  return io::LoadedMesh{std::move(prepared).value(), read.format,
+                        std::move(read.unit),        std::move(read.notes),
+                        std::move(attributes),       std::move(read.attributeNotes)};
+}
+
+void noteOneSided(const std::string& path, const io::LoadedMesh& loaded) {
+  const Index edges = loaded.report.oneSidedEdges;
+  if (edges == 0) return;
+  printNote(path, "the surface has one side only and was cut along " + std::to_string(edges) +
+                      (edges == 1 ? " edge" : " edges") + ", which no loop or path crosses");
 }
 
 Result<Vertex> surfaceVertex(const io::LoadedMesh& loaded, std::int64_t vertex) {

@@ -10,10 +10,16 @@
 namespace girth::cli {
 
 /// Reads a model as it is in its file. Errors: those of openModel and io::readModel.
-Result<io::ReadModel> readModelFile(const std::string& path, const std::string& entry);
+Result<io::ReadModel> readModelFile(const std::string& path, const std::string& entry,
+                                    const io::ReadOptions& reading = {});
 
 /// Reads and prepares a model. Errors: those of openModel and io::readMesh, USAGE.
-Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options);
+Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options,
+                                 const io::ReadOptions& reading = {});
+
+/// Prints a note where the surface had to be cut because it has one side only: loops and paths
+/// do not cross such edges.
+void noteOneSided(const std::string& path, const io::LoadedMesh& loaded);
 
 /// The vertex of the surface that a number of the file means. Error: VERTEX_OUT_OF_RANGE where
 /// there is none.

@@ -5,10 +5,10 @@
 namespace girth::cli {
 namespace {
 
-std::atomic<bool> interrupted{false};
+std::atomic<bool> wasInterrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
-void onSignal(int) { interrupted.store(true, std::memory_order_relaxed); }
+void onSignal(int) { wasInterrupted.store(true, std::memory_order_relaxed); }
 
 }  // namespace
 
@@ -23,7 +23,7 @@ const std::atomic<bool>& catchInterrupts() {
   struct sigaction before {};
   sigaction(SIGHUP, nullptr, &before);
   if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
-  return interrupted;
+  return wasInterrupted;
 }
 
 }  // namespace girth::cli

@@ -15,7 +15,7 @@
 namespace girth::cli {
 namespace {
 
-std::string joined(const std::vector<std::string>& words, const char* prefix = "") {
+std::string listed(const std::vector<std::string>& words, const char* prefix = "") {
   std::string text;
   for (const std::string& word : words) {
     text += text.empty() ? "" : &word == &words.back() ? " or " : ", ";
@@ -53,7 +53,7 @@ Option& addOutputOptions(OptionTable& table, Output& output, std::vector<std::st
       .add("--format FORMAT", output.format,
            "What to write, where the output's name does not end with it, as with -o -, which is "
            "standard output: " +
-               joined(formatsOf(output.endings)))
+               listed(formatsOf(output.endings)))
       .oneOf(formatsOf(output.endings))
       .needs("--output");
   table
@@ -70,10 +70,10 @@ std::optional<Error> checkOutput(const Output& output, std::span<const std::stri
   if (std::find(endings.begin(), endings.end(), output.ending()) == endings.end()) {
     if (output.isStandardOutput()) {
       return usageError("it is not said what to write to standard output",
-                        "add --format " + joined(formatsOf(endings)));
+                        "add --format " + listed(formatsOf(endings)));
     }
     return usageError("the output's name has no known ending",
-                      "use " + joined(endings) + ", or name one with --format");
+                      "use " + listed(endings) + ", or name one with --format");
   }
   if (output.isStandardOutput()) {
     if (isPrinting) {

@@ -40,8 +40,9 @@ inline constexpr double kLeastCutShare = 1e-6;
 /// Cuts along curves: each face is divided along what runs through it, with new vertices on its
 /// edges where a curve crosses them and inside it where a curve turns; nothing else is moved. Along
 /// the curves every vertex has a copy on each side, and so the surface has a boundary there. Curves
-/// may touch each other and themselves, and run along edges and along the boundary, where nothing
-/// is cut; they must not cross. A curve that is not closed is a slit.
+/// may touch each other and themselves, run along edges and along the boundary, where nothing is
+/// cut, and cross each other at a vertex or at a point of an edge that both pass, where all that
+/// meets is taken apart; they must not cross anywhere else. A curve that is not closed is a slit.
 ///
 /// No edge is made that is shorter than a millionth (kLeastCutShare) of the one that it is a part
 /// of: a point nearer to a vertex is moved there, and two points of an edge nearer to each other
@@ -49,9 +50,9 @@ inline constexpr double kLeastCutShare = 1e-6;
 ///
 /// O(n log n + k²) for k pieces of curves in one face. Errors: INVALID_POINT (element: the point's
 /// place in its curve) where a point is none of the surface or two neighbours lie in no common
-/// face; INVALID_OPTION where curves cross, and where one lies inside a single face (element: the
-/// face); LIMIT_EXCEEDED (too many faces to number); CANCELLED. Of the context only `cancel`
-/// matters.
+/// face; INVALID_OPTION where curves cross inside a face, and where one lies inside a single face
+/// (element: the face); LIMIT_EXCEEDED (too many faces to number); CANCELLED. Of the context only
+/// `cancel` matters.
 GIRTH_EXPORT Result<CutSurface> cutSurface(const SurfaceMesh& mesh,
                                            std::span<const SurfaceCurve> curves,
                                            const CutOptions& options = {},

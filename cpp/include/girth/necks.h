@@ -79,16 +79,20 @@ struct Necks {
 /// *Prominence* is measured on the girth over the surface, in between vertices too: the way from
 /// the neck to a narrower one is searched over the mesh's edges, which are cut in halves round the
 /// highest point of the way, and wherever the girth may rise beyond that between the ends of an
-/// edge (it changes by at most twice the distance), until the pieces are shorter than a hundredth
-/// of the neck's length. So a way of this height exists, to a hundredth of the length (but where
-/// the girth jumps); a lower one that lies between vertices that are all higher, far from this one,
-/// is not seen. Of necks of equal length (to 1e-9) the one that is listed first counts as narrower.
+/// edge, until the pieces are shorter than a hundredth of the neck's length, or of the prominence
+/// where that is more. The girth changes by at most twice the distance, and is nowhere more than at
+/// both ends of a piece along which one loop of theirs can be moved. So a way of this height
+/// exists, to a hundredth of the greater of the two (but where the girth jumps); a lower one that
+/// lies between vertices that are all higher, far from this one, is not seen. Less than a
+/// thousandth of the length is given as 0. Of necks of equal length (to 1e-9) the one that is
+/// listed first counts as narrower.
 ///
 /// `girth`: I(v) for each vertex; where it is NaN (not computed), the surface has no loop and no
-/// way. Time: one loop for each vertex, about O(n^1.5) for all of n where they are short, on all
-/// threads, and up to some thousand values of the girth for each neck. The same result for any
-/// number of threads. Errors: USAGE where the values are not as many as the vertices;
-/// INVALID_OPTION where `minProminence` is negative or NaN; CANCELLED.
+/// way. Time: one loop for each vertex, about O(n^1.5) for all of n where they are short, and
+/// mostly less than a hundred values of the girth for each neck, on all threads; memory for the
+/// loops of some of the vertices. The same result for any number of threads. Errors: USAGE where
+/// the values are not as many as the vertices; INVALID_OPTION where `minProminence` is negative or
+/// NaN; CANCELLED.
 GIRTH_EXPORT Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const double> girth,
                                      const NeckOptions& options = {},
                                      const ExecutionContext& context = {});

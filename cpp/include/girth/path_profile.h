@@ -32,6 +32,15 @@ struct PathProfileOptions {
   bool crossings{true};
 };
 
+/// The shortest paths from each point to the next, as one path: the points where one piece ends and
+/// the next begins are there twice. Time: GeodesicSolver::path for each piece; of the context, only
+/// `cancel` matters. Errors: USAGE for fewer than two points; INVALID_POINT (element: the place of
+/// the second one among the points) where two neighbours lie in different components; those of
+/// GeodesicSolver::path.
+GIRTH_EXPORT Result<std::vector<SurfacePoint>> shortestPathThrough(
+    const SurfaceMesh& mesh, std::span<const SurfacePoint> points,
+    const ExecutionContext& context = {});
+
 /// The girth along a path, in the order of the distances. Every value is the exact girth at its
 /// point, also inside faces; nothing is interpolated. Places nearer to each other than a share of
 /// 1e-9 of the path are one.

@@ -20,21 +20,30 @@ struct HandleRemoval {
   std::vector<Handle> removed;
   Index genusBefore{0};  ///< of all components together
   Index genusAfter{0};   ///< the same
+  /// Faces that were made or moved and cross others, since there was no room for them; those of the
+  /// surface that crossed each other before do not count.
+  Index crossingFaces{0};
 };
 
 /// Takes away every handle and tunnel with a loop shorter than a length: the surface is cut along
 /// the loop, and both rims are closed, each with the triangulation of least area. A handle then
 /// ends in two stubs; a tunnel is filled, with a film of material between its ends. Each rim is
 /// drawn back from the cut by a quarter of the way to its neighbours, so that its two sides do not
-/// touch; by less where triangles would lose their area. Away from the cuts no vertex is moved.
+/// touch. Away from the cuts no vertex is moved.
+///
+/// Where triangles would lose their area, or a cap, or a face beside it, would cross another face,
+/// which is decided exactly, the rim is closed by the first of these that does not: drawn back by
+/// 1/16 of the way, by 1/64, not at all; then again by 1/4, 1/16, 1/64 and not at all, with the
+/// triangulation of least area among those whose triangles cross no other face (caps of up to 100
+/// edges). Where none leaves room, as for a film over a hole that something passes through, it is
+/// closed as at first, and the crossing faces are counted.
 ///
 /// Of a handle and a tunnel that are one (a small ring stuck to the surface has both loops) the
 /// shorter loop is cut, which takes both away. In rounds: all short loops that lie apart from each
 /// other, the shortest first; then the surface is searched again, until no loop that is found is
 /// shorter. Whether a loop exists that was not found depends on `options`, as findHandles says. The
 /// number of components stays what it was. Boundary curves are left alone, and so are loops that
-/// touch one. Where there is not
-/// enough room, the new faces may cross others: nobody looks.
+/// touch one.
 ///
 /// `length`: in model units, 0 (nothing is removed) or more; infinite: all. Time: findHandles for
 /// each round. Errors: INVALID_OPTION (`length` negative or NaN; `basePoints` 0); CANCELLED; those

@@ -54,10 +54,6 @@ constexpr std::array kMarks{
     Mark{"\xFE\xFF", "text in UTF-16", "save it as UTF-8"},
 };
 
-bool beginsWith(std::string_view text, std::string_view prefix) {
-  return text.substr(0, prefix.size()) == prefix;
-}
-
 Error looksLike(std::string_view name, std::string_view hint) {
   Error error = makeError(ErrorCode::UnknownFormat, -1,
                           "the file looks like " + std::string(name) + ", which is not read");
@@ -96,7 +92,7 @@ Error markupFile(std::string_view text) {
 
 /// 3DS: a chunk 4D4D as long as the file.
 bool isThreeDs(std::string_view bytes) {
-  if (bytes.size() < 6 || !beginsWith(bytes, "MM")) return false;
+  if (bytes.size() < 6 || !bytes.starts_with("MM")) return false;
   std::size_t length = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     length |= std::size_t{static_cast<unsigned char>(bytes[2 + i])} << (8 * i);
@@ -108,11 +104,11 @@ bool isThreeDs(std::string_view bytes) {
 
 std::optional<Error> foreignFormat(std::string_view bytes) {
   for (const Mark& mark : kMarks) {
-    if (beginsWith(bytes, mark.prefix)) return looksLike(mark.name, mark.hint);
+    if (bytes.starts_with(mark.prefix)) return looksLike(mark.name, mark.hint);
   }
-  if (beginsWith(bytes, "PK\x03\x04")) return zipFile(bytes);
+  if (bytes.starts_with("PK\x03\x04")) return zipFile(bytes);
   if (isThreeDs(bytes)) return looksLike("3DS", kConvert);
-  if (beginsWith(bytes, "\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && bytes[first] == '<') return markupFile(bytes);
   return std::nullopt;

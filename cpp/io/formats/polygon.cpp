@@ -56,7 +56,8 @@ bool PolygonCutter::inTriangle(std::size_t point, std::size_t a, std::size_t b,
 bool PolygonCutter::cut(std::span<const double> positions, std::span<const Index> corners,
                         std::vector<Index>& triangles) {
   const auto emit = [&](std::size_t a, std::size_t b, std::size_t c) {
-    triangles.insert(triangles.end(), {corners[a], corners[b], corners[c]});
+    triangles.insert(triangles.end(),
+                     {static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)});
   };
   const std::size_t n = corners.size();
   if (n == 3) {

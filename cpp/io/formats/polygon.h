@@ -13,9 +13,9 @@ namespace girth::io {
 class PolygonCutter {
  public:
   /// Appends the triangles of the polygon with these corners (at least three, each below the number
-  /// of positions) to `triangles`: corners - 2 of them. Convex and concave polygons are cut
-  /// properly as seen along their mean normal; one that crosses itself is cut somehow. A
-  /// quadrilateral is cut along its shorter diagonal where both are inside.
+  /// of positions) to `triangles`: corners - 2 of them, by their places among the corners. Convex
+  /// and concave polygons are cut properly as seen along their mean normal; one that crosses itself
+  /// is cut somehow. A quadrilateral is cut along its shorter diagonal where both are inside.
   ///
   /// False where cutting has taken more work in all than any reasonable file asks for.
   bool cut(std::span<const double> positions, std::span<const Index> corners,

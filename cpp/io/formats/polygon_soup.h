@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "girth/surface_mesh.h"
@@ -23,6 +24,11 @@ class PolygonSoup {
       ahead_.push_back({vertex, place});
     }
     corners_.push_back(vertex);
+  }
+  /// What the corner that was added last has besides its vertex, by a number; kNoIndex until then.
+  void setValue(Index value) {
+    values_.resize(corners_.size(), kNoIndex);
+    values_.back() = value;
   }
   /// Ends the polygon. One of fewer than three corners is dropped; then it returns false.
   bool endPolygon();
@@ -46,9 +52,14 @@ class PolygonSoup {
   /// all vertices that are named. Nothing where cutting would take unreasonably long.
   std::optional<std::vector<Index>> takeTriangles(std::span<const double> positions);
 
+  /// After takeTriangles, for each corner of the triangles the number that was set, or kNoIndex.
+  /// Empty where none was.
+  std::vector<Index> takeValues() { return std::exchange(values_, {}); }
+
  private:
   std::vector<Index> corners_;
-  std::vector<Index> sizes_;  ///< of the polygons; empty as long as all are triangles
+  std::vector<Index> values_;  ///< of the corners; empty, or short, as long as none was set
+  std::vector<Index> sizes_;   ///< of the polygons; empty as long as all are triangles
   std::size_t polygons_{0};
   std::size_t begin_{0};  ///< of the polygon that is being collected
   /// Corners ahead of their vertices, each naming a later one than all before it: the first that

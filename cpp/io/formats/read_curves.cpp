@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Error malformed(const std::string& what) {
+Error noCurves(const std::string& what) {
   Error error = makeError(ErrorCode::MalformedFile, -1, what);
   error.hint = "use a .json file that girth loop, necks, handles or bottleneck has written";
   return error;
@@ -30,7 +30,7 @@ class CurveReader {
   Result<SurfaceCurve> curve(const Json& object) const {
     const auto points = object.is_object() ? object.find("points") : object.end();
     if (!object.is_object() || points == object.end() || !points->is_array()) {
-      return malformed("a curve has no array \"points\"");
+      return noCurves("a curve has no array \"points\"");
     }
     SurfaceCurve result;
     for (const Json& point : *points) {
@@ -44,14 +44,14 @@ class CurveReader {
  private:
   Result<SurfacePoint> point(const Json& object, std::size_t place) const {
     if (!object.is_object() || !object.contains("vertices") || !object.contains("weights")) {
-      return malformed("point " + std::to_string(place) +
-                       " of a curve has no \"vertices\" and \"weights\"");
+      return noCurves("point " + std::to_string(place) +
+                      " of a curve has no \"vertices\" and \"weights\"");
     }
     const Json &vertices = object["vertices"], &weights = object["weights"];
     const std::size_t count = vertices.is_array() ? vertices.size() : 0;
     if (count < 1 || count > 3 || !weights.is_array() || weights.size() != count) {
-      return malformed("point " + std::to_string(place) +
-                       " of a curve has not one, two or three vertices with a weight each");
+      return noCurves("point " + std::to_string(place) +
+                      " of a curve has not one, two or three vertices with a weight each");
     }
     std::array<Vertex, 3> corners{};
     std::array<double, 3> shares{};
@@ -59,7 +59,7 @@ class CurveReader {
       const auto vertex = vertexOf(vertices[i]);
       if (!vertex) return atPoint(place, "names a vertex that the model does not have");
       if (!weights[i].is_number()) {
-        return malformed("a weight of point " + std::to_string(place) + " is no number");
+        return noCurves("a weight of point " + std::to_string(place) + " is no number");
       }
       corners[i] = *vertex;
       shares[i] = weights[i].get<double>();
@@ -107,16 +107,18 @@ class CurveReader {
 
 Result<std::vector<SurfaceCurve>> readCurves(std::string_view json, const LoadedMesh& loaded) {
   const Json document = Json::parse(json, nullptr, false);
-  if (document.is_discarded()) return malformed("it is no JSON");
-  if (!document.is_object()) return malformed("it is no JSON object");
+  if (document.is_discarded()) return noCurves("it is no JSON");
+  if (!document.is_object()) return noCurves("it is no JSON object");
   std::vector<const Json*> objects;
-  for (const char* list : {"necks", "handles"}) {
+  bool hasList = false;
+  for (const char* list : {"necks", "handles", "loops"}) {
     const auto found = document.find(list);
     if (found == document.end()) continue;
-    if (!found->is_array()) return malformed(std::string("\"") + list + "\" is no array");
+    hasList = true;
+    if (!found->is_array()) return noCurves(std::string("\"") + list + "\" is no array");
     for (const Json& one : *found) objects.push_back(&one);
   }
-  if (!document.contains("necks") && !document.contains("handles")) objects.push_back(&document);
+  if (!hasList) objects.push_back(&document);
   const CurveReader reader(loaded);
   std::vector<SurfaceCurve> curves;
   for (const Json* object : objects) {

@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "formats/polygon_soup.h"
 #include "text/number_text.h"
@@ -20,7 +22,8 @@ namespace {
 
 class ObjReader {
  public:
-  explicit ObjReader(std::string_view text) : words_(text, '#', Words::Continuation::JoinsLines) {}
+  ObjReader(std::string_view text, const ReadOptions& options)
+      : words_(text, '#', Words::Continuation::JoinsLines), options_(options) {}
 
   Result<ReadModel> read() {
     while (true) {
@@ -32,6 +35,8 @@ class ObjReader {
         error = readVertex();
       } else if (keyword == "f" || keyword == "fo") {
         error = readFace();
+      } else if (keyword == "vt" && options_.attributes) {
+        readTexture();
       } else {
         curves_ = curves_ || keyword == "curv" || keyword == "surf";
       }
@@ -77,11 +82,87 @@ class ObjReader {
     soup().positions.insert(soup().positions.end(), position.begin(), position.end());
     // One more number is a weight, three more are a colour.
     const std::string_view fourth = words_.nextOnLine();
-    if (!fourth.empty() && fourth != "1" && words_.nextOnLine().empty()) {
+    const std::string_view fifth = fourth.empty() ? fourth : words_.nextOnLine();
+    if (!fourth.empty() && fourth != "1" && fifth.empty()) {
       const auto weight = parseNumber(fourth);
       weights_ += weight && *weight != 1 ? 1 : 0;
     }
+    if (options_.attributes) addColour(fourth, fifth, words_.nextOnLine());
     return std::nullopt;
+  }
+
+  /// Of the vertex read last: none where one of its numbers is none.
+  void addColour(std::string_view red, std::string_view green, std::string_view blue) {
+    const std::array words{red, green, blue};
+    std::array<double, 3> colour;
+    colour.fill(std::numeric_limits<double>::quiet_NaN());
+    std::array<double, 3> read{};
+    bool isColour = !blue.empty();
+    for (std::size_t k = 0; k < 3 && isColour; ++k) {
+      const auto number = parseNumber(words[k]);
+      isColour = number && std::isfinite(*number);
+      if (isColour) read[k] = *number;
+    }
+    if (isColour) {
+      colour = read;
+      hasColours_ = true;
+    }
+    colours_.insert(colours_.end(), colour.begin(), colour.end());
+  }
+
+  /// The second of its numbers is 0 where there is one alone; one that is none leaves both out.
+  void readTexture() {
+    std::array<double, 2> place{};
+    for (double& coordinate : place) {
+      const std::string_view word = words_.nextOnLine();
+      if (word.empty() && &coordinate != place.data()) break;
+      const auto number = parseNumber(word);
+      if (!number || !std::isfinite(*number)) {
+        place.fill(std::numeric_limits<double>::quiet_NaN());
+        break;
+      }
+      coordinate = *number;
+    }
+    texture_.insert(texture_.end(), place.begin(), place.end());
+  }
+
+  /// Of the corner read last, as in "7/3/2": the number of its texture coordinate.
+  void addTexture(std::string_view word) {
+    const std::size_t slash = word.find('/');
+    if (slash == std::string_view::npos) return;
+    const std::string_view rest = word.substr(slash + 1);
+    const std::string_view name = rest.substr(0, rest.find('/'));
+    if (name.empty()) return;
+    const auto index = parseInteger(name);
+    const auto known = static_cast<std::int64_t>(texture_.size() / 2);
+    const std::int64_t number = !index ? -1 : *index > 0 ? *index - 1 : known + *index;
+    const bool isKnown = index && *index != 0 && number >= 0 && number < std::int64_t{kNoIndex};
+    // One that there cannot be stands for one that there is not.
+    faces_.setValue(isKnown ? static_cast<Index>(number) : kNoIndex - 1);
+  }
+
+  /// Texture coordinates may come later in the file than the corners that name them.
+  void finishTexture() {
+    std::vector<Index> corners = faces_.takeValues();
+    const std::size_t count = texture_.size() / 2;
+    std::size_t absent = 0;
+    bool isThere = false;
+    for (Index& corner : corners) {
+      if (corner == kNoIndex) continue;
+      if (corner < count) {
+        isThere = true;
+      } else {
+        ++absent;
+        corner = kNoIndex;
+      }
+    }
+    if (absent > 0) {
+      model_.attributeNotes.push_back(std::to_string(absent) +
+                                      " corners of triangles name texture coordinates that the "
+                                      "file does not have.");
+    }
+    if (!isThere) return;
+    model_.attributes.push_back({"TEXCOORD_0", 2, false, std::move(texture_), std::move(corners)});
   }
 
   std::optional<Error> readFace() {
@@ -104,6 +185,7 @@ class ObjReader {
                              : ", and there are " + std::to_string(known) + " before it"));
       }
       faces_.addCorner(static_cast<Index>(vertex), static_cast<std::size_t>(known), line_);
+      if (options_.attributes) addTexture(word);
     }
     if (!faces_.endPolygon()) {
       return failure(ErrorCode::MalformedFile, line_, "a face with fewer than three corners");
@@ -127,6 +209,8 @@ class ObjReader {
     }
     soup().triangles = std::move(*triangles);
     model_.format = Format::Obj;
+    if (hasColours_) model_.attributes.push_back({"COLOR_0", 3, false, std::move(colours_)});
+    finishTexture();
     if (weights_ > 0) {
       model_.notes.push_back("The weight w of " + std::to_string(weights_) +
                              " vertices was passed over: it counts for curves only.");
@@ -160,12 +244,16 @@ class ObjReader {
   PolygonSoup faces_;
   std::size_t weights_{0};
   bool curves_{false};
+  ReadOptions options_;
+  std::vector<double> colours_;
+  std::vector<double> texture_;
+  bool hasColours_{false};
 };
 
 }  // namespace
 
-Result<ReadModel> readObj(std::span<const std::byte> bytes) {
-  return ObjReader(textOf(bytes)).read();
+Result<ReadModel> readObj(std::span<const std::byte> bytes, const ReadOptions& options) {
+  return ObjReader(textOf(bytes), options).read();
 }
 
 bool isObjLine(std::string_view line) {

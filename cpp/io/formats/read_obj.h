@@ -17,7 +17,7 @@ namespace girth::io {
 /// corner. Where some w is not 1, and it is not a colour, a note reports that it was ignored.
 ///
 /// Coordinates are rounded correctly, errors name the line (also as their element). See readModel.
-Result<ReadModel> readObj(std::span<const std::byte> bytes);
+Result<ReadModel> readObj(std::span<const std::byte> bytes, const ReadOptions& options = {});
 
 /// Whether a line could be one of an OBJ file, by its first word.
 bool isObjLine(std::string_view line);

@@ -10,14 +10,13 @@
 
 #include "bytes/cursor.h"
 #include "formats/polygon_soup.h"
+#include "malformed.h"
 #include "text/number_text.h"
 #include "text/quoted_name.h"
 #include "text/words.h"
 
 namespace girth::io {
 namespace {
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// The keyword at the front of the file.
 struct Keyword {
@@ -48,10 +47,6 @@ std::optional<Keyword> parseKeyword(std::string_view word) {
   keyword.rest = word.substr(3);
   if (!std::all_of(keyword.rest.begin(), keyword.rest.end(), isDigit)) return std::nullopt;
   return keyword;
-}
-
-Error malformed(std::int64_t element, std::string message) {
-  return makeError(ErrorCode::MalformedFile, element, std::move(message));
 }
 
 /// What both encodings have in common.
@@ -108,10 +103,10 @@ class OffReader {
   std::uint64_t lines_{0};
 };
 
-class AsciiReader : OffReader {
+class AsciiOffReader : OffReader {
  public:
   /// Behind the keyword.
-  AsciiReader(const Words& words, const Keyword& keyword, std::size_t fileSize)
+  AsciiOffReader(const Words& words, const Keyword& keyword, std::size_t fileSize)
       : words_(words), keyword_(keyword), fileSize_(fileSize) {}
 
   Result<ReadModel> read() {
@@ -314,7 +309,7 @@ Result<ReadModel> readOff(std::span<const std::byte> bytes) {
   Words words(text, '#');
   const Words beginning = words;
   const auto keyword = parseKeyword(words.next());
-  if (!keyword) return AsciiReader(beginning, {}, text.size()).read();
+  if (!keyword) return AsciiOffReader(beginning, {}, text.size()).read();
   if (keyword->anyDimension) {
     Error error = makeError(ErrorCode::UnsupportedFeature, words.line(),
                             "line " + std::to_string(words.line()) +
@@ -327,7 +322,7 @@ Result<ReadModel> readOff(std::span<const std::byte> bytes) {
     words.skipLine();
     return BinaryReader(bytes.subspan(bytes.size() - text.size()), words.offset(), *keyword).read();
   }
-  return AsciiReader(behindKeyword, *keyword, text.size()).read();
+  return AsciiOffReader(behindKeyword, *keyword, text.size()).read();
 }
 
 }  // namespace girth::io

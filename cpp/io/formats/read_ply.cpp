@@ -13,6 +13,7 @@
 
 #include "bytes/cursor.h"
 #include "formats/polygon_soup.h"
+#include "malformed.h"
 #include "text/number_text.h"
 #include "text/passed_text.h"
 #include "text/quoted_name.h"
@@ -98,10 +99,6 @@ struct Header {
     return nullptr;
   }
 };
-
-Error malformed(std::int64_t element, std::string message) {
-  return makeError(ErrorCode::MalformedFile, element, std::move(message));
-}
 
 Error malformedLine(std::int64_t line, const std::string& message) {
   return malformed(line, "line " + std::to_string(line) + ": " + message);
@@ -396,8 +393,8 @@ class BinaryBody {
 template <class Body>
 class BodyReader {
  public:
-  BodyReader(const Header& header, Body body, std::size_t fileSize)
-      : header_(header), body_(std::move(body)), fileSize_(fileSize) {}
+  BodyReader(const Header& header, Body body, std::size_t fileSize, const ReadOptions& options)
+      : header_(header), body_(std::move(body)), fileSize_(fileSize), options_(options) {}
 
   Result<ReadModel> read() {
     for (const Element& element : header_.elements) {
@@ -458,6 +455,62 @@ class BodyReader {
     return std::nullopt;
   }
 
+  static constexpr std::size_t kNoAttribute = std::numeric_limits<std::size_t>::max();
+
+  /// What a property of vertices is of an attribute.
+  struct Component {
+    std::size_t attribute{kNoAttribute};
+    Index place{0};
+    double most{1};  // what stands for 1
+  };
+
+  /// Colours and texture coordinates stand together and in order, as everybody writes them;
+  /// otherwise each of their numbers counts by itself. Begins the attributes.
+  std::vector<Component> componentsOf(const Element& element) {
+    const auto& properties = element.properties;
+    std::vector<Component> components(properties.size());
+    const auto follow = [&](std::size_t p, std::span<const std::string_view> names) {
+      if (p + names.size() > properties.size()) return false;
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        if (properties[p + k].name != names[k] || properties[p + k].isList ||
+            properties[p + k].type != properties[p].type) {
+          return false;
+        }
+      }
+      return true;
+    };
+    const auto add = [&](std::size_t& p, std::string name, std::size_t width, double most) {
+      for (std::size_t k = 0; k < width; ++k, ++p) {
+        components[p] = {model_.attributes.size(), static_cast<Index>(k), most};
+      }
+      --p;
+      model_.attributes.push_back({std::move(name), static_cast<Index>(width), false, {}});
+    };
+    constexpr std::array<std::string_view, 4> kColour{"red", "green", "blue", "alpha"};
+    constexpr std::array<std::string_view, 2> kTexture[]{
+        {"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}};
+    constexpr std::array<std::string_view, 6> kOwn{"x", "y", "z", "nx", "ny", "nz"};
+    bool hasColour = false, hasTexture = false;
+    for (std::size_t p = 0; p < properties.size(); ++p) {
+      const Property& property = properties[p];
+      if (property.isList || std::count(kOwn.begin(), kOwn.end(), property.name) > 0) continue;
+      const double most = property.type == Scalar::UInt8    ? 255
+                          : property.type == Scalar::UInt16 ? 65535
+                                                            : 1;
+      if (!hasColour && follow(p, std::span(kColour).first(3))) {
+        hasColour = true;
+        add(p, "COLOR_0", follow(p, kColour) ? 4 : 3, most);
+      } else if (!hasTexture && std::any_of(std::begin(kTexture), std::end(kTexture),
+                                            [&](const auto& names) { return follow(p, names); })) {
+        hasTexture = true;
+        add(p, "TEXCOORD_0", 2, 1);
+      } else {
+        add(p, "_" + std::string(property.name), 1, 1);
+      }
+    }
+    return components;
+  }
+
   std::optional<Error> readVertices(const Element& element) {
     constexpr std::size_t kNone = 3;
     std::vector<std::size_t> axisOf(element.properties.size(), kNone);
@@ -472,6 +525,8 @@ class BodyReader {
     if (element.count >= kNoIndex) {
       return makeError(ErrorCode::LimitExceeded, -1, "it has more than 4 billion vertices");
     }
+    std::vector<Component> components(element.properties.size());
+    if (options_.attributes) components = componentsOf(element);
     std::vector<double>& positions = model_.soup.positions;
     positions.reserve(
         3 * static_cast<std::size_t>(std::min(element.count, body_.mostOf(element, fileSize_))));
@@ -479,10 +534,19 @@ class BodyReader {
       std::array<double, 3> position{};
       for (std::size_t p = 0; p < axisOf.size(); ++p) {
         const Property& property = element.properties[p];
-        if (axisOf[p] == kNone ? !passValue(property)
-                               : !body_.number(property.type, position[axisOf[p]])) {
+        double value = 0;
+        const bool isWanted = axisOf[p] != kNone || components[p].attribute != kNoAttribute;
+        if (isWanted ? !body_.number(property.type, value) : !passValue(property)) {
           return failure(element, i);
         }
+        if (axisOf[p] != kNone) position[axisOf[p]] = value;
+        if (components[p].attribute == kNoAttribute) continue;
+        Attribute& attribute = model_.attributes[components[p].attribute];
+        if (components[p].place == 0) {
+          attribute.values.resize(attribute.values.size() + attribute.width);
+        }
+        attribute.values[attribute.values.size() - attribute.width + components[p].place] =
+            value / components[p].most;
       }
       for (const double coordinate : position) {
         if (!std::isfinite(coordinate)) {
@@ -604,6 +668,7 @@ class BodyReader {
   ReadModel model_;
   PolygonSoup faces_;
   std::uint64_t lines_{0};
+  ReadOptions options_;
 };
 
 /// How many Gaussians a file of splats holds; none where it is no such file. Splats have an
@@ -655,16 +720,16 @@ bool hasPlyMark(std::string_view text) {
   return text.size() > 3 && text.substr(0, 3) == "ply" && (isBlank(text[3]) || isLineEnd(text[3]));
 }
 
-Result<ReadModel> readPly(std::span<const std::byte> bytes) {
+Result<ReadModel> readPly(std::span<const std::byte> bytes, const ReadOptions& options) {
   const std::string_view text = textOf(bytes);
   auto header = HeaderReader(text).read();
   if (!header) return header.error();
   if (auto error = checkKind(header.value())) return *error;
   if (header.value().encoding == Encoding::Ascii) {
-    return BodyReader(header.value(), AsciiBody(text, header.value()), text.size()).read();
+    return BodyReader(header.value(), AsciiBody(text, header.value()), text.size(), options).read();
   }
   const auto body = bytes.subspan(bytes.size() - text.size());
-  return BodyReader(header.value(), BinaryBody(body, header.value()), text.size()).read();
+  return BodyReader(header.value(), BinaryBody(body, header.value()), text.size(), options).read();
 }
 
 }  // namespace girth::io

@@ -20,6 +20,6 @@ bool hasPlyMark(std::string_view text);
 ///
 /// Errors name the line of the header and of ASCII, the byte of binary files. A point cloud is
 /// EMPTY_MESH with a message that says so. See readModel.
-Result<ReadModel> readPly(std::span<const std::byte> bytes);
+Result<ReadModel> readPly(std::span<const std::byte> bytes, const ReadOptions& options = {});
 
 }  // namespace girth::io

@@ -10,6 +10,7 @@
 
 #include "bytes/cursor.h"
 #include "formats/polygon_soup.h"
+#include "malformed.h"
 #include "text/number_text.h"
 #include "text/passed_text.h"
 #include "text/quoted_name.h"
@@ -20,10 +21,6 @@ namespace {
 
 constexpr std::size_t kHeaderSize = 84;
 constexpr std::size_t kTriangleSize = 50;
-
-Error malformed(std::int64_t element, std::string message) {
-  return makeError(ErrorCode::MalformedFile, element, std::move(message));
-}
 
 /// Compares with a word in lower case.
 bool isKeyword(std::string_view word, std::string_view keyword) {
@@ -48,9 +45,9 @@ Error tooManyVertices() {
   return makeError(ErrorCode::LimitExceeded, -1, "it has more than 4 billion corners");
 }
 
-class AsciiReader {
+class AsciiStlReader {
  public:
-  explicit AsciiReader(std::string_view text) : words_(text) {}
+  explicit AsciiStlReader(std::string_view text) : words_(text) {}
 
   Result<ReadModel> read() {
     while (true) {
@@ -230,7 +227,7 @@ bool hasStlMark(std::string_view text) { return isKeyword(Words(text).next(), "s
 Result<ReadModel> readStl(std::span<const std::byte> bytes) {
   const std::string_view text = textOf(bytes);
   if (!hasBinaryStlSize(bytes) && hasStlMark(text) && looksLikeText(text)) {
-    return AsciiReader(text).read();
+    return AsciiStlReader(text).read();
   }
   return readBinary(bytes);
 }

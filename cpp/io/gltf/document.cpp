@@ -96,6 +96,10 @@ GltfPrimitive::GltfPrimitive(const tinygltf::Primitive& primitive)
   joints.resize(sets);
   weights.resize(sets);
   for (const auto& target : primitive.targets) targets.push_back(referenceIn(target, "POSITION"));
+  material = referenceOf(primitive.material);
+  for (const auto& [name, accessor] : primitive.attributes) {
+    if (isExtraAttribute(name)) extras.emplace(name, unsignedOf(accessor));
+  }
   const auto found = primitive.extensions.find("KHR_draco_mesh_compression");
   if (found == primitive.extensions.end()) return;
   const Value& attributes = found->second.Get("attributes");
@@ -105,6 +109,9 @@ GltfPrimitive::GltfPrimitive(const tinygltf::Primitive& primitive)
     draco->position = referenceIn(attributes, "POSITION");
     draco->joints = setsIn(attributes, "JOINTS_");
     draco->weights = setsIn(attributes, "WEIGHTS_");
+    for (const std::string& name : attributes.Keys()) {
+      if (isExtraAttribute(name)) draco->extras.emplace(name, *referenceIn(attributes, name));
+    }
   }
   draco->joints.resize(sets);
   draco->weights.resize(sets);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,6 +60,10 @@ struct GltfMeshopt {
 /// How a buffer view is packed, if it is; KHR_meshopt_compression where it has both extensions.
 std::optional<GltfMeshopt> meshoptOf(const tinygltf::BufferView& view);
 
+/// Attributes that the surface does not depend on (isExtraAttribute): their accessors, or the
+/// numbers by which Draco knows them.
+using GltfExtras = std::map<std::string, std::uint32_t>;
+
 /// KHR_draco_mesh_compression: the packed mesh, and the numbers by which it knows attributes.
 struct GltfDraco {
   std::uint32_t bufferView{0};
@@ -66,9 +71,10 @@ struct GltfDraco {
   /// By set, as in GltfPrimitive.
   std::vector<std::optional<std::uint32_t>> joints;
   std::vector<std::optional<std::uint32_t>> weights;
+  GltfExtras extras;
 };
 
-/// The attributes that determine where a primitive's points lie.
+/// The attributes that determine where a primitive's points lie, and those that do not.
 struct GltfPrimitive {
   explicit GltfPrimitive(const tinygltf::Primitive& primitive);
 
@@ -83,6 +89,8 @@ struct GltfPrimitive {
   /// POSITION of each morph target; a target may leave positions alone.
   std::vector<GltfReference> targets;
   std::optional<GltfDraco> draco;
+  GltfExtras extras;
+  GltfReference material;
 };
 
 /// EXT_mesh_gpu_instancing: accessors of one value an instance.
@@ -106,6 +114,8 @@ struct GltfDocument {
   std::vector<GltfBufferSource> sources;
   /// By mesh and primitive.
   std::vector<std::vector<GltfPrimitive>> primitives;
+  /// By material.
+  std::vector<GltfColour> baseColours;
 };
 
 /// The first reference in the document that leads nowhere, the first range that does not fit: what

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -65,6 +66,8 @@ enum class Kind : std::uint8_t {
   Numbers,     // as many as `size`, or any number of them where that is 0
   References,  // the numbers of other elements
   Sets,        // NAME0, NAME1, ...: references
+  Extras,      // references that the surface does not need: what is none is left out
+  Extra,       // the same of one name
   Object,      // an object with `members`
   List,        // an array of objects with `members`
   Extension    // an object with `members`, in "extensions"
@@ -80,10 +83,9 @@ struct Rule {
 };
 
 // The members of each kind of object, in the order in which they are checked.
-using Words = std::string_view;
-constexpr Words kModes[]{"ATTRIBUTES", "TRIANGLES", "INDICES"};
-constexpr Words kFilters[]{"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"};
-constexpr Words kShapes[]{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+constexpr std::string_view kModes[]{"ATTRIBUTES", "TRIANGLES", "INDICES"};
+constexpr std::string_view kFilters[]{"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"};
+constexpr std::string_view kShapes[]{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
 
 constexpr Rule kMeshopt[]{{"buffer", Kind::Reference, true},
                           {"byteOffset", Kind::ValueCount},
@@ -117,13 +119,16 @@ constexpr Rule kAccessor[]{{"bufferView", Kind::Reference},
                            {"normalized", Kind::Flag},
                            {"sparse", Kind::Object, false, 0, kSparse}};
 
-constexpr Rule kAttributes[]{
-    {"POSITION", Kind::Reference}, {"JOINTS_", Kind::Sets}, {"WEIGHTS_", Kind::Sets}};
+constexpr Rule kAttributes[]{{"POSITION", Kind::Reference},
+                             {"JOINTS_", Kind::Sets},
+                             {"WEIGHTS_", Kind::Sets},
+                             {"", Kind::Extras}};
 constexpr Rule kTarget[]{{"POSITION", Kind::Reference}};
 constexpr Rule kDraco[]{{"bufferView", Kind::Reference, true},
                         {"attributes", Kind::Object, false, 0, kAttributes}};
 constexpr Rule kPrimitive[]{{"mode", Kind::Mode},
                             {"indices", Kind::Carried, false, kMostReference},
+                            {"material", Kind::Extra},
                             {"attributes", Kind::Present},
                             {"attributes", Kind::Object, true, 0, kAttributes},
                             {"targets", Kind::List, false, 0, kTarget},
@@ -223,6 +228,15 @@ void copyList(const JsonFields& fields, const Rule& rule, Json& to) {
   });
 }
 
+/// Copies a member that nothing but an attribute depends on, if it is the number of an element.
+void copyExtra(const std::string& name, const Json& member, Json& to) {
+  if (!member.is_number()) return;
+  const auto number = member.get<double>();
+  const bool isReference =
+      number >= 0 && number <= static_cast<double>(kMostReference) && number == std::floor(number);
+  if (isReference) to[name] = static_cast<std::uint64_t>(number);
+}
+
 void copyExtension(const JsonFields& fields, const Rule& rule, Json& to) {
   // An "extensions" that is not an object holds none; whatever it is, it is not geometry.
   const Json* all = fields.find("extensions");
@@ -292,6 +306,15 @@ void copyMember(const JsonFields& fields, const Rule& rule, Json& to) {
         const std::string name = rule.name + std::to_string(set);
         if (const auto number = fields.reference(name.c_str())) to[name] = *number;
       }
+      break;
+    case Kind::Extras:
+      if (fields.object() == nullptr) break;
+      for (const auto& [name, member] : fields.object()->items()) {
+        if (isExtraAttribute(name)) copyExtra(name, member, to);
+      }
+      break;
+    case Kind::Extra:
+      if (const Json* member = fields.find(rule.name)) copyExtra(rule.name, *member, to);
       break;
     case Kind::Object:
       if (const Json* object = fields.find(rule.name)) {
@@ -392,6 +415,30 @@ Result<Json> parseJson(std::string_view text, std::size_t firstByte) {
   }
 }
 
+/// The base colours of the materials; white where a material states none, or none that can be.
+std::vector<GltfColour> baseColours(const Json& document) {
+  std::vector<GltfColour> colours;
+  const auto materials = document.find("materials");
+  if (materials == document.end() || !materials->is_array()) return colours;
+  const auto memberOf = [](const Json* object, const char* name) -> const Json* {
+    if (object == nullptr || !object->is_object()) return nullptr;
+    const auto found = object->find(name);
+    return found == object->end() ? nullptr : &*found;
+  };
+  for (const Json& material : *materials) {
+    colours.push_back(kGltfWhite);
+    const Json* factor = memberOf(memberOf(&material, "pbrMetallicRoughness"), "baseColorFactor");
+    if (factor == nullptr || !factor->is_array() || factor->size() != colours.back().size()) {
+      continue;
+    }
+    const bool isColour = std::all_of(factor->begin(), factor->end(), [](const Json& channel) {
+      return channel.is_number() && channel.get<double>() >= 0 && channel.get<double>() <= 1;
+    });
+    if (isColour) colours.back() = factor->get<GltfColour>();
+  }
+  return colours;
+}
+
 /// The buffers of a document, out of the JSON.
 std::vector<GltfBufferSource> takeBuffers(Json& buffers) {
   std::vector<GltfBufferSource> sources;
@@ -407,6 +454,10 @@ std::vector<GltfBufferSource> takeBuffers(Json& buffers) {
 }
 
 }  // namespace
+
+bool isExtraAttribute(std::string_view name) {
+  return name.starts_with("_") || name.starts_with("COLOR_") || name.starts_with("TEXCOORD_");
+}
 
 Result<GeometryJson> geometryJson(std::string_view text, std::size_t firstByte,
                                   std::size_t binaryBytes) {
@@ -425,9 +476,10 @@ Result<GeometryJson> geometryJson(std::string_view text, std::size_t firstByte,
   Json geometry{{"asset", {{"version", "2.0"}}}};
   if (!fault) copyMembers(fields, kDocument, geometry);
   if (fault) return *fault;
+  GeometryJson result;
+  result.baseColours = baseColours(document);
   document = Json();  // it may be large
 
-  GeometryJson result;
   if (buffers.contains("buffers")) result.buffers = takeBuffers(buffers["buffers"]);
   if (!result.buffers.empty() && result.buffers[0].uri.empty()) {
     const std::uint64_t bytes = result.buffers[0].byteLength;

@@ -1,6 +1,7 @@
 // Checks a glTF document and reduces it to its geometry.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -19,6 +20,10 @@ struct GltfBufferSource {
   std::uint64_t byteLength{0};
 };
 
+/// Red, green, blue and alpha, in proportion to light.
+using GltfColour = std::array<double, 4>;
+constexpr GltfColour kGltfWhite{1, 1, 1, 1};
+
 /// The geometry of a document as JSON that tinygltf reads as it is meant.
 struct GeometryJson {
   std::string text;
@@ -26,11 +31,18 @@ struct GeometryJson {
   std::vector<GltfBufferSource> buffers;
   /// How many bytes of the binary chunk buffer 0 holds; 0 where it is not in the chunk.
   std::size_t embeddedBytes{0};
+  /// Of each material: white where it states none, or none that can be.
+  std::vector<GltfColour> baseColours;
 };
+
+/// Whether an attribute of that name says something of points besides where they are: colours,
+/// texture coordinates, and what an application calls `_NAME`.
+bool isExtraAttribute(std::string_view name);
 
 /// Parses JSON text that begins at byte `firstByte` of the file and checks the type and the range
 /// of every member that matters for the surface; no number is checked against another. The result
-/// holds these members alone, whole numbers as integers. `binaryBytes`: the size of the GLB's
+/// holds these members alone, whole numbers as integers, and the numbers of extra attributes and of
+/// materials, as far as they are numbers. `binaryBytes`: the size of the GLB's
 /// binary chunk, 0 where there is none.
 ///
 /// What tinygltf does not take as it is, travels in "extras": `byteStride` of a buffer view and

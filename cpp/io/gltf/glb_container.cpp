@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "malformed.h"
+
 namespace girth::io {
 namespace {
 
@@ -18,10 +20,6 @@ std::uint32_t littleEndian32(std::span<const std::byte> bytes, std::size_t at) {
     value |= std::to_integer<std::uint32_t>(bytes[at + i]) << (8 * i);
   }
   return value;
-}
-
-Error malformed(std::size_t byte, std::string message) {
-  return makeError(ErrorCode::MalformedFile, static_cast<std::int64_t>(byte), std::move(message));
 }
 
 }  // namespace

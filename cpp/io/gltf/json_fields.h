@@ -45,6 +45,9 @@ class JsonFields {
   const JsonPlace& place() const { return place_; }
   std::optional<Error>& fault() const { return fault_; }
 
+  /// All members; nothing where the value is no object.
+  const nlohmann::json* object() const { return object_; }
+
   /// The member, or nothing; null is taken for nothing.
   const nlohmann::json* find(const char* name) const;
 

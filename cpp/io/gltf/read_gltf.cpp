@@ -14,11 +14,13 @@
 #include <vector>
 
 #include "gltf/accessor.h"
+#include "gltf/attributes.h"
 #include "gltf/document.h"
 #include "gltf/draco.h"
 #include "gltf/fault.h"
 #include "gltf/glb_container.h"
 #include "gltf/notes.h"
+#include "gltf/point_numbers.h"
 #include "gltf/scene_size.h"
 #include "gltf/skin.h"
 #include "gltf/soup_budget.h"
@@ -65,11 +67,13 @@ PointsKey keyOf(const GltfPrimitive& primitive) {
 class SceneWalk {
  public:
   SceneWalk(GltfDocument& document, std::size_t binaryBytes, const ResourceReader& resources,
-            std::size_t fileBytes)
+            std::size_t fileBytes, const ReadOptions& options)
       : document_(document),
         model_(document.model),
         buffers_(document, binaryBytes, resources, budget_),
         accessors_(model_, buffers_, budget_),
+        points_(accessors_, budget_),
+        options_(options),
         poses_(model_.skins.size()) {
     budget_.allowFor(fileBytes);
   }
@@ -87,6 +91,11 @@ class SceneWalk {
     if (error) return *error;
     if (soup_.triangles.empty()) return nothingFound();
     ReadModel model;
+    if (options_.attributes) {
+      GltfAttributes found = attributesOf(document_, points_, budget_, placed_, soup_.triangles);
+      model.attributes = std::move(found.attributes);
+      model.attributeNotes = std::move(found.notes);
+    }
     model.soup = std::move(soup_);
     model.unit = "metre";
     model.notes = notes_.sentences(model_);
@@ -318,10 +327,14 @@ class SceneWalk {
         if (!added) return added.error();
         points = placed.emplace(key, added.value()).first;
       }
+      const std::size_t corners = soup_.triangles.size();
       if (auto error =
               addTriangles(primitive, packed, points->second, place + spacedName(name), place)) {
         return error;
       }
+      if (!options_.attributes) continue;
+      placed_.push_back({number, static_cast<std::uint32_t>(p), packed, points->second.first,
+                         points->second.count, corners, soup_.triangles.size()});
     }
     return std::nullopt;
   }
@@ -338,6 +351,9 @@ class SceneWalk {
       std::for_each(draco.joints.begin(), draco.joints.end(), want);
       std::for_each(draco.weights.begin(), draco.weights.end(), want);
     }
+    for (const auto& [name, extra] : draco.extras) {
+      if (options_.attributes && isKeptAttribute(name)) numbers.push_back(extra);
+    }
     const std::pair key(draco.bufferView, numbers);
     auto found = dracoMeshes_.find(key);
     if (found == dracoMeshes_.end()) {
@@ -348,45 +364,6 @@ class SceneWalk {
       found = dracoMeshes_.emplace(key, std::move(mesh).value()).first;
     }
     return &found->second;
-  }
-
-  /// Appends an attribute's numbers, packed or not. `count`: how many elements there must be; 0 as
-  /// long as nobody knows.
-  std::optional<Error> appendAttribute(std::uint32_t accessor, int shape, const DracoMesh* packed,
-                                       const std::optional<std::uint32_t>& packedNumber,
-                                       const std::string& user, std::size_t& count,
-                                       std::vector<double>& numbers) {
-    auto description = accessors_.find(accessor, shape, user);
-    if (!description) return description.error();
-    std::size_t found = 0;
-    if (packed != nullptr && packedNumber) {
-      const tinygltf::Accessor& kind = *description.value();
-      const auto bytes = packed->attribute(*packedNumber, componentsOf(shape), kind.componentType);
-      if (!bytes) {
-        return faultAt(user, "its Draco stream has no attribute " + std::to_string(*packedNumber) +
-                                 " of type " + std::string(shapeText(shape)));
-      }
-      if (kind.count != packed->pointCount()) {
-        return faultAt("/accessors/" + std::to_string(accessor) + "/count",
-                       "is " + std::to_string(kind.count) + ", but its Draco stream holds " +
-                           std::to_string(packed->pointCount()));
-      }
-      if (!budget_.take(kind.count)) return tooLarge(user);
-      appendComponents(*bytes, kind.componentType, kind.normalized, numbers);
-      found = packed->pointCount();
-    } else {
-      auto read = accessors_.appendNumbers(accessor, shape, user, numbers);
-      if (!read) return read.error();
-      found = read.value();
-    }
-    if (count != 0 && found != count) return otherCount(user, found, count);
-    count = found;
-    return std::nullopt;
-  }
-
-  static Error otherCount(const std::string& user, std::uint64_t found, std::size_t count) {
-    return faultAt(
-        user, "has " + std::to_string(found) + " values for " + std::to_string(count) + " points");
   }
 
   static Error tooLarge(const std::string& place) {
@@ -401,9 +378,10 @@ class SceneWalk {
     std::vector<double>& positions = soup_.positions;
     const std::size_t before = positions.size();
     std::size_t count = 0;
-    if (auto error = appendAttribute(*primitive.position, TINYGLTF_TYPE_VEC3, packed,
-                                     primitive.draco ? primitive.draco->position : std::nullopt,
-                                     place + "/attributes/POSITION", count, positions)) {
+    if (auto error =
+            points_.append({*primitive.position, packed,
+                            primitive.draco ? primitive.draco->position : std::nullopt},
+                           TINYGLTF_TYPE_VEC3, place + "/attributes/POSITION", count, positions)) {
       return *error;
     }
     const std::size_t first = before / 3;
@@ -457,7 +435,9 @@ class SceneWalk {
       const std::string user = place + "/targets/" + std::to_string(t) + "/POSITION";
       auto target = accessors_.find(*primitive.targets[t], TINYGLTF_TYPE_VEC3, user);
       if (!target) return target.error();
-      if (target.value()->count != count) return otherCount(user, target.value()->count, count);
+      if (target.value()->count != count) {
+        return PointNumbers::otherCount(user, target.value()->count, count);
+      }
       if (weights.empty() || weights[t] == 0) continue;
       moved = true;
       std::vector<double> offsets;
@@ -485,9 +465,9 @@ class SceneWalk {
       sets.emplace_back();
       const auto& draco = primitive.draco;
       std::size_t found = count;
-      if (auto error = appendAttribute(*primitive.joints[s], TINYGLTF_TYPE_VEC4, packed,
-                                       draco ? draco->joints[s] : std::nullopt, joints, found,
-                                       sets.back().joints)) {
+      if (auto error = points_.append(
+              {*primitive.joints[s], packed, draco ? draco->joints[s] : std::nullopt},
+              TINYGLTF_TYPE_VEC4, joints, found, sets.back().joints)) {
         return *error;
       }
       const tinygltf::Accessor& kind = model_.accessors[*primitive.joints[s]];
@@ -497,9 +477,9 @@ class SceneWalk {
       if (!isUnsigned || kind.normalized) {
         return faultAt(joints, "does not hold unsigned integers");
       }
-      if (auto error = appendAttribute(*primitive.weights[s], TINYGLTF_TYPE_VEC4, packed,
-                                       draco ? draco->weights[s] : std::nullopt, weights, found,
-                                       sets.back().weights)) {
+      if (auto error = points_.append(
+              {*primitive.weights[s], packed, draco ? draco->weights[s] : std::nullopt},
+              TINYGLTF_TYPE_VEC4, weights, found, sets.back().weights)) {
         return *error;
       }
     }
@@ -610,6 +590,10 @@ class SceneWalk {
   SoupBudget budget_;
   GltfBuffers buffers_;
   GltfAccessors accessors_;
+  PointNumbers points_;
+  ReadOptions options_;
+  /// Only where attributes are asked for.
+  std::vector<PlacedPrimitive> placed_;
   std::optional<WorldTransforms> world_;
   std::vector<std::optional<SkinPose>> poses_;
   /// By buffer view and the attributes that were asked for.
@@ -624,7 +608,10 @@ Result<GltfDocument> documentOf(std::string_view json, std::size_t firstByte,
   if (!geometry) return geometry.error();
   auto model = loadModel(geometry.value(), binary);
   if (!model) return model.error();
-  GltfDocument document{std::move(model).value(), std::move(geometry.value().buffers), {}};
+  GltfDocument document{std::move(model).value(),
+                        std::move(geometry.value().buffers),
+                        {},
+                        std::move(geometry.value().baseColours)};
   for (const tinygltf::Mesh& mesh : document.model.meshes) {
     document.primitives.emplace_back(mesh.primitives.begin(), mesh.primitives.end());
   }
@@ -633,11 +620,11 @@ Result<GltfDocument> documentOf(std::string_view json, std::size_t firstByte,
 
 Result<ReadModel> readDocument(std::string_view json, std::size_t firstByte,
                                std::span<const std::byte> binary, const ResourceReader& resources,
-                               std::size_t fileBytes, Format format) {
+                               std::size_t fileBytes, Format format, const ReadOptions& options) {
   try {
     auto document = documentOf(json, firstByte, binary);
     if (!document) return document.error();
-    auto model = SceneWalk(document.value(), binary.size(), resources, fileBytes).run();
+    auto model = SceneWalk(document.value(), binary.size(), resources, fileBytes, options).run();
     if (model) model.value().format = format;
     return model;
   } catch (const std::length_error&) {
@@ -647,18 +634,20 @@ Result<ReadModel> readDocument(std::string_view json, std::size_t firstByte,
 
 }  // namespace
 
-Result<ReadModel> readGlb(std::span<const std::byte> bytes, const ResourceReader& resources) {
+Result<ReadModel> readGlb(std::span<const std::byte> bytes, const ResourceReader& resources,
+                          const ReadOptions& options) {
   auto container = openGlb(bytes);
   if (!container) return container.error();
   const std::string_view json = container.value().json;
   const auto* begin = reinterpret_cast<const char*>(bytes.data());
   return readDocument(json, static_cast<std::size_t>(json.data() - begin), container.value().binary,
-                      resources, bytes.size(), Format::Glb);
+                      resources, bytes.size(), Format::Glb, options);
 }
 
-Result<ReadModel> readGltf(std::span<const std::byte> bytes, const ResourceReader& resources) {
+Result<ReadModel> readGltf(std::span<const std::byte> bytes, const ResourceReader& resources,
+                           const ReadOptions& options) {
   const std::string_view json(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  return readDocument(json, 0, {}, resources, bytes.size(), Format::Gltf);
+  return readDocument(json, 0, {}, resources, bytes.size(), Format::Gltf, options);
 }
 
 }  // namespace girth::io

@@ -15,7 +15,13 @@ constexpr std::uint64_t kMostPlacedTriangles = sizeof(void*) == 4 ? 3'000'000 : 
 class SoupBudget {
  public:
   /// Makes room for what so many bytes may describe.
-  void allowFor(std::uint64_t bytes) { left_ += 4 * bytes; }
+  void allowFor(std::uint64_t bytes) {
+    bytes_ += bytes;
+    left_ += 4 * bytes;
+  }
+
+  /// All bytes that room was made for.
+  std::uint64_t bytes() const { return bytes_; }
 
   /// Makes room for so many elements of meshes that are placed again, as far as their triangles
   /// need them: three corners each, and three vertices with joints and weights. At most
@@ -34,6 +40,7 @@ class SoupBudget {
  private:
   // Small files may hold much that is not written down: zeros, fans, packed meshes.
   std::uint64_t left_{4'000'000};
+  std::uint64_t bytes_{0};
 };
 
 }  // namespace girth::io

@@ -123,16 +123,16 @@ std::optional<std::string> plainDigits(std::string_view text) {
   return digits;
 }
 
-tinygltf::Value valueOf(const nlohmann::json& json) {
+tinygltf::Value gltfValue(const nlohmann::json& json) {
   using tinygltf::Value;
   if (json.is_object()) {
     Value::Object object;
-    for (const auto& [name, member] : json.items()) object.emplace(name, valueOf(member));
+    for (const auto& [name, member] : json.items()) object.emplace(name, gltfValue(member));
     return Value(std::move(object));
   }
   if (json.is_array()) {
     Value::Array array;
-    for (const auto& element : json) array.push_back(valueOf(element));
+    for (const auto& element : json) array.push_back(gltfValue(element));
     return Value(std::move(array));
   }
   if (json.is_string()) return Value(json.get<std::string>());
@@ -202,7 +202,7 @@ std::optional<tinygltf::Buffer> bufferOfData(std::string_view uri) {
   return buffer;
 }
 
-tinygltf::Value valueOf(std::string_view json) { return valueOf(nlohmann::json::parse(json)); }
+tinygltf::Value valueOf(std::string_view json) { return gltfValue(nlohmann::json::parse(json)); }
 
 Result<std::string> glbOf(const tinygltf::Model& model) {
   const Error tooLarge = makeError(ErrorCode::LimitExceeded, -1, "a GLB file holds at most 4 GB");

@@ -18,8 +18,6 @@ namespace {
 // Longer tokens are not numbers that anybody wrote.
 constexpr std::size_t kMaxLength = 1024;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
 bool equalsIgnoringCase(std::string_view text, std::string_view lower) {
   if (text.size() != lower.size()) return false;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -9,6 +9,9 @@
 
 namespace girth::io {
 
+/// Whether it is one of 0 to 9, in every locale.
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 /// The number that `text` is, all of it, rounded correctly: decimal digits with an optional sign,
 /// point and exponent. "nan" and "inf" give these values, and so does a number too large for a
 /// double: infinity. Nothing where the text is not a number.

@@ -73,15 +73,18 @@ void GlbWriter::addPositions(std::span<const Vec3> positions) {
   bounds.write(model_.accessors.back());
 }
 
-void GlbWriter::addValues(const std::string& attribute, std::span<const double> values) {
+void GlbWriter::addValues(const std::string& attribute, std::span<const double> values,
+                          Index width) {
+  constexpr std::array kTypes{TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3,
+                              TINYGLTF_TYPE_VEC4};
   const std::size_t begin = bytes().size();
-  Bounds bounds(1);
-  for (const double value : values) {
-    const float number = std::isnan(value) ? -1 : nearestFloat(value);
+  Bounds bounds(width);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float number = std::isnan(values[i]) ? -1 : nearestFloat(values[i]);
     appendFloat(bytes(), number);
-    bounds.take(0, number);
+    bounds.take(i % width, number);
   }
-  primitive_.attributes[attribute] = addAccessor(begin, values.size(), TINYGLTF_TYPE_SCALAR,
+  primitive_.attributes[attribute] = addAccessor(begin, values.size() / width, kTypes[width - 1],
                                                  TINYGLTF_COMPONENT_TYPE_FLOAT, kVertices);
   bounds.write(model_.accessors.back());
 }
@@ -92,7 +95,15 @@ void GlbWriter::addColours(std::span<const std::uint16_t> channels) {
   primitive_.attributes["COLOR_0"] = addAccessor(begin, channels.size() / 4, TINYGLTF_TYPE_VEC4,
                                                  TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, kVertices);
   model_.accessors.back().normalized = true;
-  // Colours show as they are, from both sides.
+  showColours();
+}
+
+void GlbWriter::addColours(std::span<const double> channels) {
+  addValues("COLOR_0", channels, 4);
+  showColours();
+}
+
+void GlbWriter::showColours() {
   tinygltf::Material material;
   material.doubleSided = true;
   material.pbrMetallicRoughness.metallicFactor = 0;
@@ -101,11 +112,16 @@ void GlbWriter::addColours(std::span<const std::uint16_t> channels) {
 }
 
 void GlbWriter::addTriangles(const SurfaceMesh& mesh) {
+  std::vector<Index> triangles;
+  triangles.reserve(mesh.halfedgeCount());
+  for (const Halfedge h : mesh.halfedges()) triangles.push_back(mesh.from(h));
+  addTriangles(triangles);
+}
+
+void GlbWriter::addTriangles(std::span<const Index> triangles) {
   const std::size_t begin = bytes().size();
-  for (const Face f : mesh.faces()) {
-    for (const Vertex v : mesh.faceVertices(f)) appendBytes(bytes(), v, 4);
-  }
-  primitive_.indices = addAccessor(begin, mesh.halfedgeCount(), TINYGLTF_TYPE_SCALAR,
+  for (const Index vertex : triangles) appendBytes(bytes(), vertex, 4);
+  primitive_.indices = addAccessor(begin, triangles.size(), TINYGLTF_TYPE_SCALAR,
                                    TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, kIndices);
 }
 

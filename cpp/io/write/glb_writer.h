@@ -24,13 +24,17 @@ class GlbWriter {
 
   /// Positions as the attribute POSITION.
   void addPositions(std::span<const Vec3> positions);
-  /// One number a vertex, as floats, under a name such as "_IGF"; -1 for NaN, which glTF does not
-  /// have.
-  void addValues(const std::string& attribute, std::span<const double> values);
+  /// One number a vertex, or `width` of them, 2 to 4, as floats, under a name such as "_IGF"; -1
+  /// for NaN, which glTF does not have.
+  void addValues(const std::string& attribute, std::span<const double> values, Index width = 1);
   /// Red, green, blue and alpha a vertex, linear, 16 bits each, as the attribute COLOR_0.
   void addColours(std::span<const std::uint16_t> channels);
+  /// The same in [0, 1], as floats.
+  void addColours(std::span<const double> channels);
   /// Three vertices a triangle.
   void addTriangles(const SurfaceMesh& mesh);
+  /// The same of triangles that are no mesh.
+  void addTriangles(std::span<const Index> triangles);
 
   /// Ends a mesh. `mode`: TINYGLTF_MODE_... `extras`: of the mesh, one object of JSON. `name`: of
   /// its node; empty for none.
@@ -47,6 +51,8 @@ class GlbWriter {
   Bytes& bytes() { return model_.buffers[0].data; }
   /// Adds an accessor over a view of its own: what has been appended since `begin`.
   int addAccessor(std::size_t begin, std::size_t count, int type, int componentType, int target);
+  /// Colours show as they are, from both sides.
+  void showColours();
 
   tinygltf::Model model_;
   tinygltf::Primitive primitive_;

@@ -1,19 +1,60 @@
 #include "girth/io/write_cut.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
+#include "girth/io/write_mesh.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
+#include "write/attributed_part.h"
 #include "write/glb_writer.h"
+#include "write/part_json.h"
 #include "write/point_json.h"
 
 namespace girth::io {
 namespace {
 
 std::string nameOf(std::size_t part) { return "part_" + std::to_string(part + 1); }
+
+/// A channel of a screen's colour, in proportion to light.
+double linearOf(double channel) {
+  return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+/// Red, green, blue and alpha of each vertex, as glTF has them.
+std::vector<double> channelsOf(const Attribute& colours) {
+  constexpr double kGrey = 0.5;
+  std::vector<double> channels;
+  for (std::size_t at = 0; at < colours.values.size(); at += colours.width) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      double value = i < colours.width ? colours.values[at + i] : 1;
+      if (std::isnan(value)) value = i < 3 ? kGrey : 1;
+      value = std::clamp(value, 0.0, 1.0);
+      channels.push_back(i < 3 && !colours.isLinear ? linearOf(value) : value);
+    }
+  }
+  return channels;
+}
+
+/// Adds a part with its attributes as a mesh.
+void addPart(const LoadedMesh& loaded, const CutModel& model, std::size_t number,
+             const std::string& name, GlbWriter& writer) {
+  const AttributedPart part = attributedPart(loaded, model, number);
+  writer.addPositions(part.places);
+  for (const Attribute& attribute : part.attributes) {
+    if (attribute.name == "COLOR_0") {
+      writer.addColours(channelsOf(attribute));
+    } else {
+      writer.addValues(attribute.name, attribute.values, attribute.width);
+    }
+  }
+  writer.addTriangles(part.triangles);
+  writer.endMesh(TINYGLTF_MODE_TRIANGLES, "{\"unit\":" + jsonString(loaded.unit) + "}", name);
+}
 
 }  // namespace
 
@@ -33,8 +74,16 @@ double partVolume(const SurfaceMesh& mesh) {
   return volume;
 }
 
+std::string partMembers(const SurfaceMesh& part) {
+  return "\"area\":" + formatNumber(part.area()) + ",\"volume\":" + numberJson(partVolume(part)) +
+         ",\"faces\":" + std::to_string(part.faceCount()) +
+         ",\"vertices\":" + std::to_string(part.vertexCount()) +
+         ",\"genus\":" + std::to_string(part.genus(0)) +
+         ",\"boundaries\":" + std::to_string(part.boundaryCount(0));
+}
+
 CutModel cutModel(const CutSurface& cut) {
-  CutModel model{componentsOf(cut.mesh), cut.faces};
+  CutModel model{componentsOf(cut.mesh), cut.faces, cut.points};
   std::stable_sort(model.parts.begin(), model.parts.end(),
                    [](const SurfaceComponent& a, const SurfaceComponent& b) {
                      return a.mesh.area() > b.mesh.area();
@@ -44,74 +93,88 @@ CutModel cutModel(const CutSurface& cut) {
 
 Result<std::string> cutGlb(const LoadedMesh& loaded, const CutModel& model) {
   GlbWriter writer;
-  for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    const SurfaceMesh& mesh = model.parts[i].mesh;
-    std::vector<Vec3> places;
-    places.reserve(mesh.vertexCount());
-    for (const Vertex v : mesh.vertices()) places.push_back(mesh.position(v));
-    writer.addPositions(places);
-    writer.addTriangles(mesh);
-    writer.endMesh(TINYGLTF_MODE_TRIANGLES, "{\"unit\":" + jsonString(loaded.unit) + "}",
-                   nameOf(i));
-  }
+  for (std::size_t i = 0; i < model.parts.size(); ++i) addPart(loaded, model, i, nameOf(i), writer);
   return writer.file(loaded.unit);
 }
 
-std::string cutObj(const CutModel& model) {
+std::string cutObj(const LoadedMesh& loaded, const CutModel& model) {
   std::string text;
-  Index before = 1;
+  std::size_t before = 0;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    const SurfaceMesh& mesh = model.parts[i].mesh;
     text += "o " + nameOf(i) + "\n";
-    for (const Vertex v : mesh.vertices()) text += "v " + pointText(mesh.position(v), ' ') + "\n";
-    for (const Face f : mesh.faces()) {
-      text += "f";
-      for (const Vertex v : mesh.faceVertices(f)) text += " " + std::to_string(before + v);
-      text += "\n";
-    }
-    before += mesh.vertexCount();
+    const AttributedPart part = attributedPart(loaded, model, i);
+    appendObj(part, before, text);
+    before += part.places.size();
   }
   return text;
+}
+
+Result<std::string> partFile(const LoadedMesh& loaded, const CutModel& model, std::size_t part,
+                             Format format) {
+  if (!loaded.attributes.empty() && format == Format::Ply) {
+    return plyFile(attributedPart(loaded, model, part), loaded.unit);
+  }
+  if (!loaded.attributes.empty() && format == Format::Obj) {
+    std::string text = loaded.unit.empty() ? "" : "# unit: " + loaded.unit + "\n";
+    appendObj(attributedPart(loaded, model, part), 0, text);
+    return text;
+  }
+  if (!loaded.attributes.empty() && format == Format::Glb) {
+    GlbWriter writer;
+    addPart(loaded, model, part, "", writer);
+    return writer.file(loaded.unit);
+  }
+  return meshFile(model.parts[part].mesh, format, loaded.unit);
 }
 
 std::string cutJson(const LoadedMesh& loaded, const CutModel& model, std::string_view file) {
   std::string text =
       "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) + ",\"parts\":[";
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    const SurfaceMesh& mesh = model.parts[i].mesh;
-    text += (i == 0 ? "\n" : ",\n") + ("{\"area\":" + formatNumber(mesh.area())) +
-            ",\"volume\":" + numberJson(partVolume(mesh)) +
-            ",\"faces\":" + std::to_string(mesh.faceCount()) +
-            ",\"vertices\":" + std::to_string(mesh.vertexCount()) +
-            ",\"genus\":" + std::to_string(mesh.genus(0)) +
-            ",\"boundaries\":" + std::to_string(mesh.boundaryCount(0)) + "}";
+    text += (i == 0 ? "\n{" : ",\n{") + partMembers(model.parts[i].mesh) + "}";
   }
   return text + "]}\n";
 }
 
-std::vector<Index> partOfFaces(const LoadedMesh& loaded, const CutModel& model) {
-  // Of each face of the file: the most area that a part has in it, and that part.
-  std::vector<std::pair<double, Index>> most(loaded.report.inputFaces, {0, kNoIndex});
+namespace {
+
+/// `numberOf`: of a face of the surface that was cut; of several that have one, the areas count
+/// together.
+template <class NumberOf>
+std::vector<Index> partOfNumbers(const CutModel& model, Index count, NumberOf numberOf) {
+  // Of each number: the most area that a part has of it, and that part.
+  std::vector<std::pair<double, Index>> most(count, {0, kNoIndex});
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     std::vector<std::pair<Index, double>> areas;
     const SurfaceComponent& part = model.parts[i];
     for (const Face f : part.mesh.faces()) {
       const Face whole = model.faces[part.faces[f]];
-      if (whole == Face::none || loaded.inputOfFace[whole] == kNoIndex) continue;
-      areas.emplace_back(loaded.inputOfFace[whole], part.mesh.area(f));
+      if (whole == Face::none || numberOf(whole) == kNoIndex) continue;
+      areas.emplace_back(numberOf(whole), part.mesh.area(f));
     }
     std::sort(areas.begin(), areas.end());
     for (std::size_t k = 0; k < areas.size();) {
       double sum = 0;
-      const Index face = areas[k].first;
-      for (; k < areas.size() && areas[k].first == face; ++k) sum += areas[k].second;
-      if (sum > most[face].first) most[face] = {sum, static_cast<Index>(i)};
+      const Index number = areas[k].first;
+      for (; k < areas.size() && areas[k].first == number; ++k) sum += areas[k].second;
+      if (sum > most[number].first) most[number] = {sum, static_cast<Index>(i)};
     }
   }
   std::vector<Index> parts;
   parts.reserve(most.size());
   for (const auto& [area, part] : most) parts.push_back(part);
   return parts;
+}
+
+}  // namespace
+
+std::vector<Index> partOfFaces(const LoadedMesh& loaded, const CutModel& model) {
+  return partOfNumbers(model, loaded.report.inputFaces,
+                       [&](Face face) { return loaded.inputOfFace[face]; });
+}
+
+std::vector<Index> partOfFaces(const CutModel& model, Index faceCount) {
+  return partOfNumbers(model, faceCount, [](Face face) { return Index{face}; });
 }
 
 std::string cutCsv(const LoadedMesh& loaded, const CutModel& model) {

@@ -12,6 +12,7 @@ import base64
 import hashlib
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -19,9 +20,14 @@ import sysconfig
 import zipfile
 from pathlib import Path
 
+CMAKE = (3, 25)
+
 PACKAGE = Path(__file__).resolve().parent.parent
 REPOSITORY = PACKAGE.parent.parent
 TAG = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+
+#: Where systems have what CMake finds.
+PREFIXES = tuple(Path(prefix) for prefix in ("/usr", "/usr/local", "/opt/homebrew", sys.prefix))
 
 METADATA = """\
 Metadata-Version: 2.1
@@ -30,7 +36,7 @@ Version: {version}
 Summary: The intrinsic girth function of triangle meshes: exact values and shortest geodesic loops
 License: MIT
 Requires-Python: >=3.9
-Requires-Dist: numpy>=1.21
+Requires-Dist: {numpy}
 Provides-Extra: collection
 Requires-Dist: distributed; extra == 'collection'
 Provides-Extra: pyvista
@@ -42,21 +48,43 @@ def _version() -> str:
     return json.loads((REPOSITORY / "package.json").read_text(encoding="utf8"))["version"]
 
 
-def _has_pybind11() -> bool:
-    """Whether CMake finds pybind11 on the system, as Debian's pybind11-dev puts it there."""
-    folders = [Path(prefix) for prefix in ("/usr", "/usr/local", "/opt/homebrew", sys.prefix)]
-    return any(
-        (folder / place / "cmake/pybind11/pybind11Config.cmake").exists()
-        for folder in folders
-        for place in ("share", "lib")
-    )
+def _pybind11_of_the_system() -> tuple[int, int] | None:
+    """Version of the pybind11 that CMake finds on the system, as Debian's pybind11-dev puts it there."""
+    for folder in PREFIXES:
+        for place in ("share", "lib"):
+            file = folder / place / "cmake/pybind11/pybind11ConfigVersion.cmake"
+            found = file.exists() and re.search(r'VERSION "(\d+)\.(\d+)', file.read_text())
+            if found:
+                return int(found[1]), int(found[2])
+    return None
 
 
 def get_requires_for_build_wheel(config_settings: dict | None = None) -> list[str]:
     """What pip is to fetch before: nothing that the system has."""
-    wanted = [] if _has_pybind11() else ["pybind11>=2.10"]
-    wanted += [] if shutil.which("cmake") else ["cmake>=3.25"]
+    wanted = [] if _pybind11_of_the_system() else ["pybind11>=2.12"]
+    wanted += [] if _has_cmake() else [f"cmake>={CMAKE[0]}.{CMAKE[1]}"]
     return wanted + ([] if shutil.which("ninja") else ["ninja"])
+
+
+def _has_cmake() -> bool:
+    """Whether there is a CMake, and one that is new enough."""
+    program = shutil.which("cmake")
+    if program is None:
+        return False
+    said = subprocess.run([program, "--version"], capture_output=True, text=True).stdout
+    found = re.search(r"version (\d+)\.(\d+)", said)
+    return found is not None and (int(found[1]), int(found[2])) >= CMAKE
+
+
+def _check_python() -> None:
+    """That this Python can have modules compiled for it; before the minutes that compiling takes."""
+    header = Path(sysconfig.get_path("include")) / "Python.h"
+    if not header.exists():
+        number = f"{sys.version_info[0]}.{sys.version_info[1]}"
+        raise SystemExit(
+            f"girth: Python {number} ({sys.executable}) has no headers ({header} is missing): on Debian "
+            "install python3-dev and use /usr/bin/python3; otherwise use a Python that has them"
+        )
 
 
 def _pybind11_folder() -> list[str]:
@@ -66,6 +94,33 @@ def _pybind11_folder() -> list[str]:
     except ImportError:
         return []
     return [f"-Dpybind11_DIR={pybind11.get_cmake_dir()}"]
+
+
+def _numpy() -> str:
+    """Which NumPy the module works with: arrays of NumPy 2 are laid out as pybind11 knows since 2.12."""
+    try:
+        import pybind11
+    except ImportError:
+        version = _pybind11_of_the_system() or (2, 12)
+    else:
+        version = pybind11.version_info[:2]
+    return "numpy>=1.21" if version >= (2, 12) else "numpy>=1.21,<2"
+
+
+def _file_of_metadata() -> bytes:
+    return METADATA.format(version=_version(), numpy=_numpy()).encode()
+
+
+def prepare_metadata_for_build_wheel(
+    metadata_directory: str, config_settings: dict | None = None
+) -> str:
+    """Writes what the wheel will need, so that pip finds out at once if it cannot be had; the folder's name."""
+    _check_python()
+    name = f"girth-{_version()}.dist-info"
+    folder = Path(metadata_directory) / name
+    folder.mkdir()
+    (folder / "METADATA").write_bytes(_file_of_metadata())
+    return name
 
 
 def _compile(settings: dict) -> Path:
@@ -106,13 +161,14 @@ def build_wheel(
     metadata_directory: str | None = None,
 ) -> str:
     """Makes the wheel and returns its name."""
+    _check_python()
     version = _version()
     platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
     tag = f"{TAG}-{TAG}-{platform}"
     folder = f"girth-{version}.dist-info"
     content = _files(_compile(config_settings or {}))
     content[f"{folder}/LICENSE"] = (REPOSITORY / "LICENSE").read_bytes()
-    content[f"{folder}/METADATA"] = METADATA.format(version=version).encode()
+    content[f"{folder}/METADATA"] = _file_of_metadata()
     wheel = f"Wheel-Version: 1.0\nGenerator: girth_build\nRoot-Is-Purelib: false\nTag: {tag}\n"
     content[f"{folder}/WHEEL"] = wheel.encode()
     record = ""

@@ -8,12 +8,14 @@
 
 from girth import _girth, collection, errors, results
 from girth._show import Shown, show
-from girth.errors import GirthError, InputError, LimitError
+from girth.errors import GirthError, InputError, LimitError, MissingPackageError
 from girth.mesh import FIELDS, Mesh, as_mesh, compare, igf, load
 from girth.results import (
+    AxisLoop,
     Barcode,
     Bottleneck,
     Comparison,
+    Contour,
     Cut,
     CutPart,
     Field,
@@ -28,6 +30,9 @@ from girth.results import (
     Parts,
     Path,
     Profile,
+    RefinedGirth,
+    Segment,
+    Segments,
     Tip,
     Tips,
 )
@@ -35,9 +40,11 @@ from girth.results import (
 __version__: str = _girth.version
 
 __all__ = [
+    "AxisLoop",
     "Barcode",
     "Bottleneck",
     "Comparison",
+    "Contour",
     "Cut",
     "CutPart",
     "FIELDS",
@@ -51,12 +58,16 @@ __all__ = [
     "LimitError",
     "Loop",
     "Mesh",
+    "MissingPackageError",
     "Neck",
     "Necks",
     "Part",
     "Parts",
     "Path",
     "Profile",
+    "RefinedGirth",
+    "Segment",
+    "Segments",
     "Shown",
     "Tip",
     "Tips",

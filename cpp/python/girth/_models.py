@@ -1,4 +1,4 @@
-"""Meshes of other libraries, recognised by what they have, without importing them."""
+"""Meshes of other libraries: recognised by what they have, without importing them; and made where asked for."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any, Optional
 import numpy as np
 
 from girth._arguments import faces_of, vertices_of
-from girth.errors import input_error
+from girth.errors import MissingPackageError, input_error
 
 
 def arrays_of(model: Any) -> Optional[tuple[np.ndarray, np.ndarray]]:
@@ -70,3 +70,16 @@ def _faces_of_row(row: np.ndarray) -> np.ndarray:
         found.append(_fans(row[at + 1 : at + 1 + corners].reshape(1, -1)))
         at += corners + 1
     return faces_of(np.concatenate(found) if found else np.zeros((0, 3), np.int64))
+
+
+def polydata_of(vertices: np.ndarray, faces: np.ndarray) -> Any:
+    """PyVista's ``PolyData`` of a mesh; a MissingPackageError where there is no PyVista."""
+    try:
+        import pyvista
+    except ModuleNotFoundError as error:
+        # What PyVista itself does not find is its own matter.
+        if error.name != "pyvista":
+            raise
+        raise MissingPackageError.of("PyVista", "to_pyvista") from None
+    corners = np.full((len(faces), 1), 3, np.int64)
+    return pyvista.PolyData(np.array(vertices), np.hstack([corners, faces]).ravel())

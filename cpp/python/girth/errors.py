@@ -6,9 +6,11 @@ Every exception of Girth has a ``code`` of one table (`error_codes`), the first 
 
 from __future__ import annotations
 
+import sys
+
 from girth import _girth
 
-__all__ = ["GirthError", "InputError", "LimitError", "error_codes"]
+__all__ = ["GirthError", "InputError", "LimitError", "MissingPackageError", "error_codes"]
 
 #: The code of every error: (exit code of the command, general remedy).
 error_codes: dict[str, tuple[int, str]] = _girth.error_codes
@@ -54,6 +56,27 @@ class InputError(GirthError, ValueError):
 
 class LimitError(GirthError, RuntimeError):
     """A limit was met: of memory, of size, or of the program itself."""
+
+
+class MissingPackageError(GirthError, ModuleNotFoundError):
+    """Something is asked for that needs another package, which is not installed.
+
+    Attributes
+    ----------
+    name : str
+        Of the package.
+    """
+
+    @classmethod
+    def of(cls, package: str, purpose: str) -> "MissingPackageError":
+        """The error where `purpose` needs a package that there is not."""
+        error = cls(
+            "PROGRAM_NOT_LOADED",
+            f"{purpose} needs {package}, which this Python ({sys.executable}) does not have",
+            f"install it: python -m pip install {package.lower()}",
+        )
+        error.name = package.lower()
+        return error
 
 
 def exception_of(

@@ -18,9 +18,10 @@ from girth._arguments import (
     vertices_of,
     whole_number,
 )
-from girth._models import arrays_of
+from girth._models import arrays_of, polydata_of
 from girth.errors import input_error
 from girth.results import (
+    AxisLoop,
     Barcode,
     Bottleneck,
     Comparison,
@@ -36,6 +37,8 @@ from girth.results import (
     Parts,
     Path,
     Profile,
+    RefinedGirth,
+    Segments,
     Tips,
 )
 
@@ -213,6 +216,8 @@ class Mesh:
         *,
         method: str = "exact",
         persistence: float = 0.0,
+        audit: int = 200,
+        seed: int = 1,
         threads: Optional[int] = None,
         progress: Progress = None,
     ) -> Girth:
@@ -220,12 +225,15 @@ class Mesh:
 
         Parameters
         ----------
-        method : {'exact', 'ms'}
-            ``'ms'`` is the paper's approximation by fast marching.
+        method : {'exact', 'refined', 'ms'}
+            ``'refined'`` is for large meshes: it searches bands of faces round loops, and says how
+            sure each value is. ``'ms'`` is the paper's approximation by fast marching.
         persistence : float, optional
             tau, in model units: loops whose saddles last no longer are passed over, as noise makes
             them. ``0.02 * mesh.area ** 0.5`` is the command's ``--persistence 2%``. Only with
             ``'exact'``.
+        audit, seed : int, optional
+            With ``'refined'``: how many vertices are compared with the exact method, and which.
         threads : int, optional
             Default: one for each core. The result does not depend on it.
         progress : callable or bar, optional
@@ -235,19 +243,28 @@ class Mesh:
         Returns
         -------
         Girth
-            The values of the command ``girth igf``, to the bit.
+            The values of the command ``girth igf``, to the bit; with ``'refined'`` a
+            `RefinedGirth`.
 
         Notes
         -----
         The exact girth is computed once and kept, and the latest one with a persistence. Ctrl-C
         stops the work within 200 ms.
         """
-        one_of(method, "method", ("exact", "ms"))
+        one_of(method, "method", ("exact", "refined", "ms"))
         tau = _persistence(persistence)
         if tau != 0 and method != "exact":
             raise input_error(
                 "INVALID_OPTION", "only the exact method knows how long saddles last"
             )
+        if method == "refined":
+            found = self._surface.refined_girth(
+                _count(audit, "audit"), _count(seed, "seed"), running(threads, progress)
+            )
+            values, kinds, states = (
+                self._by_row(array, none) for array, none in zip(found, (np.nan, _NONE, _NONE))
+            )
+            return RefinedGirth(self, values, kinds, states, found[3], self._unit)
         values, kinds = self._surface.girth(method, tau, running(threads, progress))
         kinds = self._by_row(kinds, _NONE)
         return Girth(self, self._by_row(values, np.nan), kinds, method, self._unit, tau)
@@ -418,10 +435,7 @@ class Mesh:
         Parts
             Largest area first.
         """
-        limits = [
-            -1.0 if value is None else _not_negative(value, name)
-            for name, value in (("girth", girth), ("thickness", thickness))
-        ]
+        limits = _thresholds(girth, thickness)
         weight, tau = _not_negative(smoothing, "smoothing"), _persistence(persistence)
         found = _girth.parts(
             self._surface, *limits, weight, tau, running(threads, progress)
@@ -453,6 +467,41 @@ class Mesh:
         least = _not_negative(min_prominence, "min_prominence")
         found, unresolved = _girth.necks(self._surface, least, running(threads, progress))
         return Necks([Neck(self, neck) for neck in found], unresolved)
+
+    def segments(
+        self,
+        *,
+        min_prominence: float = 0.0,
+        girth: Optional[float] = None,
+        thickness: Optional[float] = None,
+        smoothing: float = 0.0,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Segments:
+        """The parts that the surface falls into at its necks, what they are, and their tips.
+
+        Parameters
+        ----------
+        min_prominence : float, optional
+            As of `necks`: divides at necks of at least this prominence. Of necks that cross, the
+            most prominent count.
+        girth, thickness, smoothing : float, optional
+            As of `parts`: what is a tube, a plate or body.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        Segments
+            Those of the command ``girth segments``, to the bit.
+        """
+        least = _not_negative(min_prominence, "min_prominence")
+        limits = _thresholds(girth, thickness)
+        weight = _not_negative(smoothing, "smoothing")
+        found = _girth.segments(
+            self._surface, least, *limits, weight, running(threads, progress)
+        )
+        return Segments(self, *found)
 
     def handles(
         self,
@@ -555,6 +604,31 @@ class Mesh:
         run = running(threads, progress)
         return Profile(*_girth.profile(self._surface, through, count, bool(crossings), run))
 
+    def axis(
+        self,
+        limb: Limb,
+        *,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> list[AxisLoop]:
+        """The loops swept along a limb; their middles are its axis.
+
+        Parameters
+        ----------
+        limb : Limb
+            Of this mesh, by `limbs`; as many loops as loops go round at its stations.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        list of AxisLoop
+            In the order of their distances; none where no loop goes round.
+        """
+        run = running(threads, progress)
+        found = _girth.axis(self._surface, limb.profile, limb._places, run)
+        return [AxisLoop(loop) for loop in found]
+
     def cut(
         self,
         loops: Any,
@@ -566,7 +640,7 @@ class Mesh:
 
         Parameters
         ----------
-        loops : Loop, Neck, Handle, Bottleneck, or sequence of them
+        loops : Loop, Neck, Handle, Bottleneck, AxisLoop, or sequence of them
             Of this mesh; they may touch, but not cross each other.
         cap : bool, optional
             Closes the rims that cutting makes.
@@ -722,13 +796,18 @@ class Mesh:
         return Mesh(*arrays, unit=self._unit)
 
     def to_pyvista(self) -> Any:
-        """The mesh as PyVista's ``PolyData``; it must be installed."""
-        import pyvista
+        """The mesh as PyVista's ``PolyData``.
 
-        corners = np.full((len(self._faces), 1), 3, np.int64)
-        return pyvista.PolyData(
-            np.array(self._vertices), np.hstack([corners, self._faces]).ravel()
-        )
+        Returns
+        -------
+        pyvista.PolyData
+
+        Raises
+        ------
+        MissingPackageError
+            PROGRAM_NOT_LOADED where PyVista is not installed; it is an ImportError.
+        """
+        return polydata_of(self._vertices, self._faces)
 
     def _unit_of(self, name: str) -> str:
         kind = FIELDS[name]
@@ -850,10 +929,26 @@ def _is_point(value: Any) -> bool:
     return np.ndim(value) == 0
 
 
+def _thresholds(girth: Optional[float], thickness: Optional[float]) -> list[float]:
+    """Both thresholds of parts; -1 for one that is to be found."""
+    return [
+        -1.0 if value is None else _not_negative(value, name)
+        for name, value in (("girth", girth), ("thickness", thickness))
+    ]
+
+
 def _not_negative(value: Any, name: str) -> float:
     number = real_number(value, name)
     if not number >= 0:
         raise input_error("INVALID_OPTION", f"{name} is {number}", "choose a number of at least 0")
+    return number
+
+
+def _count(value: Any, name: str) -> int:
+    """A number from 0 on that 32 bits hold."""
+    number = whole_number(value, name)
+    if not 0 <= number < 2**32 - 1:
+        raise input_error("INVALID_OPTION", f"{name} is {number}", "choose 0 to 4294967294")
     return number
 
 

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from girth.mesh import Mesh
 
 __all__ = [
+    "AxisLoop",
     "Barcode",
     "Bottleneck",
     "Comparison",
@@ -32,6 +33,9 @@ __all__ = [
     "Parts",
     "Path",
     "Profile",
+    "RefinedGirth",
+    "Segment",
+    "Segments",
     "Tip",
     "Tips",
 ]
@@ -100,8 +104,8 @@ class Field(_Result):
 
         Raises
         ------
-        ImportError
-            Where PyVista is not installed.
+        MissingPackageError
+            PROGRAM_NOT_LOADED where PyVista is not installed; it is an ImportError.
         """
         polygons = self.mesh.to_pyvista()
         polygons.point_data[self.name] = self.values
@@ -116,7 +120,7 @@ class Girth(Field):
     mesh, name, values, unit
         As of `Field`.
     method : str
-        ``"exact"`` or ``"ms"``.
+        ``"exact"``, ``"refined"`` or ``"ms"``.
     persistence : float
         tau, where it is that of `Mesh.igf`; otherwise 0.
     kinds : ndarray of uint8, shape (n,)
@@ -144,6 +148,44 @@ class Girth(Field):
         """As `Field.to_pyvista`, with the kinds as the point data ``igf_kind``."""
         polygons = super().to_pyvista()
         polygons.point_data["igf_kind"] = self.kinds
+        return polygons
+
+
+class RefinedGirth(Girth):
+    """The girth at the vertices of a large mesh, most of it from bands of faces round loops.
+
+    Attributes
+    ----------
+    mesh, name, values, unit, method, persistence, kinds
+        As of `Girth`; every value is the length of a geodesic loop, NaN where none was found.
+    states : ndarray of uint8, shape (n,)
+        How sure each value is: 0 proved (exact), 1 consistent (in agreement with all neighbours),
+        2 suspect; 255 where there is no vertex.
+    audit : dict
+        Of how many ``vertices``, drawn at random, the values were ``equal`` to the exact ones to
+        1e-6, so that with a probability of 95% the share of all is between ``at_least`` and
+        ``at_most``; and the ``median``, ``percentile95`` and ``greatest`` difference, as shares.
+    """
+
+    STATES = ("proved", "consistent", "suspect")
+
+    def __init__(
+        self,
+        mesh: "Mesh",
+        values: np.ndarray,
+        kinds: np.ndarray,
+        states: np.ndarray,
+        audit: dict,
+        unit: str,
+    ) -> None:
+        super().__init__(mesh, values, kinds, "refined", unit)
+        self.states = states
+        self.audit = audit
+
+    def to_pyvista(self) -> Any:
+        """As `Girth.to_pyvista`, with the states as the point data ``igf_state``."""
+        polygons = super().to_pyvista()
+        polygons.point_data["igf_state"] = self.states
         return polygons
 
 
@@ -459,6 +501,38 @@ class Profile(_Result):
         )
 
 
+class AxisLoop(_Result):
+    """One of the loops that are swept along a limb.
+
+    Attributes
+    ----------
+    distance : float
+        Along the axis from its first point, in model units.
+    along : float
+        Over the surface from the limb's apex, in model units.
+    girth : float
+        Its length, in model units.
+    centre : ndarray of float64, shape (3,)
+        Its middle: a point of the axis.
+    area : float
+        Enclosed in its mean plane, in squared model units.
+    points : ndarray of float64, shape (k, 3)
+        The loop; the last point equals the first.
+    """
+
+    def __init__(self, found: dict) -> None:
+        self.distance: float = found["distance"]
+        self.along: float = found["along"]
+        self.girth: float = found["girth"]
+        self.centre: np.ndarray = found["centre"]
+        self.area: float = found["area"]
+        self.points: np.ndarray = found["points"]
+        self._curve: tuple[np.ndarray, np.ndarray] = found["curve"]
+
+    def _line(self) -> str:
+        return f"distance {self.distance:.4g}, girth {self.girth:.6g}"
+
+
 class CutPart(_Result):
     """A part of a mesh that was cut.
 
@@ -633,6 +707,7 @@ class Limb(_Result):
         self.base: float = found["base"]
         self.vertices = mesh._rows_of(found["vertices"])
         self.profile: np.ndarray = found["profile"]
+        self._places: tuple[np.ndarray, np.ndarray] = found["places"]
 
     def _line(self) -> str:
         return f"apex {self.apex}, length {self.length:.4g}, narrowest {self.narrowest:.4g}"
@@ -704,6 +779,81 @@ class Parts(_Result):
         kinds = [part.kind for part in self.parts]
         counts = [f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds)]
         return f"{len(self)} parts ({', '.join(counts)})"
+
+
+class Segment(_Result):
+    """What lies between necks.
+
+    Attributes
+    ----------
+    area : float
+        In squared model units.
+    kind : str
+        What most of its area is: ``"body"``, ``"tube"``, ``"plate"`` or ``"unknown"``.
+    shares : dict of str to float
+        The share of its area that is of each kind.
+    tips : list of int
+        Numbers in ``mesh.tips()`` of those that end on it.
+    apexes : ndarray of int64
+        The apex of each of these; -1 where it was made by the preparation.
+    """
+
+    def __init__(self, mesh: "Mesh", found: dict) -> None:
+        self.area: float = found["area"]
+        self.kind: str = found["kind"]
+        self.shares: dict[str, float] = found["shares"]
+        self.tips: list[int] = found["tips"]
+        self.apexes = np.array([mesh._row_of(apex) for apex in found["apexes"]], np.int64)
+
+    def _line(self) -> str:
+        return f"{self.kind}, area {self.area:.4g}, tips {self.tips}"
+
+
+class Segments(_Result):
+    """A mesh divided at its necks, largest part first; a sequence of `Segment`.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        Of which they are.
+    segments : list of Segment
+    labels : ndarray of int64, shape (m,)
+        For each row of ``mesh.faces`` the segment that has most of its area; -1 where the face was
+        dropped.
+    girth, thickness : float
+        The thresholds by which kinds were told apart, in model units.
+    crossing : list of int
+        Numbers in ``mesh.necks()`` of those that were passed over, as they cross more prominent
+        ones.
+    """
+
+    def __init__(
+        self,
+        mesh: "Mesh",
+        girth: float,
+        thickness: float,
+        labels: np.ndarray,
+        segments: list,
+        crossing: list,
+    ) -> None:
+        self.mesh = mesh
+        self.segments = [Segment(mesh, segment) for segment in segments]
+        self.labels = labels
+        self.girth = girth
+        self.thickness = thickness
+        self.crossing: list[int] = crossing
+
+    def __len__(self) -> int:
+        return len(self.segments)
+
+    def __getitem__(self, number: int) -> Segment:
+        return self.segments[number]
+
+    def __iter__(self) -> Iterator[Segment]:
+        return iter(self.segments)
+
+    def _line(self) -> str:
+        return f"{len(self)} segments: {', '.join(segment.kind for segment in self)}"
 
 
 class Comparison(_Result):

@@ -10,8 +10,11 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "curves.h"
+#include "girth/io/write_segments.h"
 #include "girth/limbs.h"
 #include "girth/parts.h"
+#include "girth/segments.h"
 #include "girth/tips.h"
 #include "surface.h"
 #include "working.h"
@@ -66,8 +69,10 @@ py::tuple tipsOf(const Shared& surface, double persistence, const Running& runni
 
 py::dict limbOf(const Limb& limb) {
   std::vector<double> profile;
+  SurfaceCurve places;
   for (const GirthStation& station : limb.profile) {
     profile.insert(profile.end(), {station.distance, station.ring, station.median, station.least});
+    places.push_back(station.place);
   }
   const auto stations = static_cast<py::ssize_t>(limb.profile.size());
   py::dict result;
@@ -82,6 +87,7 @@ py::dict limbOf(const Limb& limb) {
   result["vertices"] = numberArray(limb.vertices);
   result["distances"] = arrayOf(std::vector<double>(limb.distances));
   result["profile"] = arrayOf(std::move(profile), {stations, 4});
+  result["places"] = curveOf(places);
   return result;
 }
 
@@ -147,12 +153,66 @@ py::tuple partsByThresholds(const Shared& surface, double girth, double thicknes
                         numberArray(found.parts.partOf), parts);
 }
 
+/// Thresholds as above.
+Result<io::SegmentedModel> segmentsAtNecks(const Surface& surface, double minProminence,
+                                           const PartOptions& options,
+                                           const ExecutionContext& context) {
+  const ExecutionContext quiet{context.threads, context.cancel, {}};
+  auto parts = partsOf(surface, options, 0, context);
+  if (!parts) return parts.error();
+  auto tips = tipsByGirth(surface, 0, quiet);
+  if (!tips) return tips.error();
+  const auto girth = surface.girth(0, quiet);
+  if (!girth) return girth.error();
+  const SurfaceMesh& mesh = surface.mesh();
+  const auto necks = findNecks(mesh, girth.value()->values, {minProminence}, quiet);
+  if (!necks) return necks.error();
+  const FoundParts& found = parts.value();
+  return io::segmentedModel(mesh, necks.value().necks, found.parts.kinds,
+                            {found.thresholds, options.smoothing}, std::move(tips.value().tips),
+                            quiet);
+}
+
+/// (threshold of the girth, of the thickness, part of each face of the input, segments, necks that
+/// were passed over)
+py::tuple segmentsByNecks(const Shared& surface, double minProminence, double girth,
+                          double thickness, double smoothing, const Running& running) {
+  const PartOptions options{{girth, thickness}, smoothing};
+  const auto found = compute<io::SegmentedModel>(
+      running, [surface, minProminence, options](const ExecutionContext& context) {
+        return segmentsAtNecks(*surface, minProminence, options, context);
+      });
+  constexpr PartKind kKinds[]{PartKind::Body, PartKind::Tube, PartKind::Plate, PartKind::Unknown};
+  py::list segments;
+  for (const Segment& segment : found.segments) {
+    py::dict shares;
+    for (const PartKind kind : kKinds) {
+      shares[py::str(std::string(toString(kind)))] =
+          segment.kindAreas[static_cast<std::size_t>(kind)] / segment.area;
+    }
+    py::list apexes;
+    for (const Index tip : segment.tips) apexes.append(numberOf(found.tips[tip].apex));
+    py::dict one;
+    one["area"] = segment.area;
+    one["kind"] = std::string(toString(segment.kind()));
+    one["shares"] = shares;
+    one["tips"] = std::vector<Index>(segment.tips);
+    one["apexes"] = apexes;
+    segments.append(one);
+  }
+  const PartThresholds& used = found.kinds.thresholds;
+  return py::make_tuple(used.girth, used.thickness,
+                        numberArray(io::partOfFaces(surface->loaded(), found.model)), segments,
+                        std::vector<Index>(found.crossing));
+}
+
 }  // namespace
 
 void bindAnalysis(py::module_& module) {
   module.def("tips", &tipsOf);
   module.def("limbs", &limbsOf);
   module.def("parts", &partsByThresholds);
+  module.def("segments", &segmentsByNecks);
 }
 
 }  // namespace girth::python

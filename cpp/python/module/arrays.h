@@ -3,6 +3,9 @@
 
 #include <pybind11/numpy.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -94,6 +97,21 @@ inline Array<std::int64_t> triangleArray(const SurfaceMesh& mesh) {
     for (const Vertex v : mesh.faceVertices(face)) faces.push_back(v);
   }
   return arrayOf(std::move(faces), {static_cast<pybind11::ssize_t>(mesh.faceCount()), 3});
+}
+
+/// The ends of the edges on the boundary, shape (b, 2): the lesser vertex first, in rising order.
+inline Array<std::int64_t> boundaryArray(const SurfaceMesh& mesh) {
+  std::vector<std::array<std::int64_t, 2>> edges;
+  for (const Halfedge h : mesh.halfedges()) {
+    if (mesh.twin(h) != Halfedge::none) continue;
+    const std::int64_t from = mesh.from(h), to = mesh.to(h);
+    edges.push_back({std::min(from, to), std::max(from, to)});
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::int64_t> ends;
+  ends.reserve(2 * edges.size());
+  for (const auto& edge : edges) ends.insert(ends.end(), edge.begin(), edge.end());
+  return arrayOf(std::move(ends), {static_cast<pybind11::ssize_t>(edges.size()), 2});
 }
 
 }  // namespace girth::python

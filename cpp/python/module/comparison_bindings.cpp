@@ -63,12 +63,16 @@ py::tuple comparedFields(const Shared& surface, const std::vector<std::string>& 
         const auto prepared = study::studySurface(surface->mesh(), parameters, quiet);
         if (!prepared) return prepared.error();
         StudyFields fields;
+        const auto count = static_cast<double>(groups.size());
         for (std::size_t g = 0; g < groups.size(); ++g) {
-          auto some = study::studyFields(prepared.value(), groups[g], parameters, quiet);
+          const auto begun = static_cast<double>(g);
+          const auto report = [&c, begun, count](double f) { c.onProgress((begun + f) / count); };
+          auto some = study::studyFields(prepared.value(), groups[g], parameters,
+                                         {c.threads, c.cancel, report});
           if (!some) return some.error();
           fields.weights = std::move(some.value().weights);
           for (auto& field : some.value().fields) fields.fields.push_back(std::move(field));
-          c.onProgress(static_cast<double>(g + 1) / static_cast<double>(groups.size()));
+          report(1);
         }
         return fields;
       });

@@ -1,6 +1,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -14,6 +15,7 @@
 #include "girth/cut_surface.h"
 #include "girth/handles.h"
 #include "girth/io/write_cut.h"
+#include "girth/limb_axis.h"
 #include "girth/necks.h"
 #include "girth/path_profile.h"
 #include "points.h"
@@ -147,6 +149,37 @@ py::tuple profileOf(const Shared& surface, const std::vector<Point>& through, st
                         arrayOf(std::move(kinds)), placesOf(surface->mesh(), places));
 }
 
+using Axis = std::vector<AxisStation>;
+
+/// The loops along a limb. `profile`: of each station its distance, ring, median and least girth.
+py::list axisOf(const Shared& surface, const Array<double>& profile, const CurveArrays& places,
+                const Running& running) {
+  const SurfaceCurve points = pointsOf(places);
+  const auto numbers = spanOf(profile);
+  GirthProfile stations;
+  for (std::size_t i = 0; i < std::min(points.size(), numbers.size() / 4); ++i) {
+    const double* of = numbers.data() + 4 * i;
+    stations.push_back({of[0], of[1], of[2], of[3], points[i]});
+  }
+  const Axis axis =
+      compute<Axis>(running, [surface, stations](const ExecutionContext& context) -> Result<Axis> {
+        return limbAxis(surface->mesh(), stations, context);
+      });
+  py::list loops;
+  for (const AxisStation& station : axis) {
+    py::dict loop;
+    loop["distance"] = station.distance;
+    loop["along"] = station.along;
+    loop["girth"] = station.girth;
+    loop["centre"] = pointArray(station.centre);
+    loop["area"] = station.area;
+    loop["points"] = placesOf(surface->mesh(), station.points);
+    loop["curve"] = curveOf(station.points);
+    loops.append(loop);
+  }
+  return loops;
+}
+
 /// (parts, part of each face of the input)
 py::tuple cutAlong(const Shared& surface, const std::vector<CurveArrays>& curves, bool cap,
                    const Running& running) {
@@ -184,6 +217,7 @@ void bindLoops(py::module_& module) {
   module.def("handles", &handlesOf);
   module.def("bottleneck", &bottleneckOf);
   module.def("profile", &profileOf);
+  module.def("axis", &axisOf);
   module.def("cut", &cutAlong);
 }
 

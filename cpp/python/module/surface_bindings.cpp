@@ -16,6 +16,7 @@
 #include "girth/geodesic_extent.h"
 #include "girth/heat_kernel.h"
 #include "girth/io/load_mesh.h"
+#include "girth/refined_girth.h"
 #include "girth/remesh.h"
 #include "girth/spectrum.h"
 #include "girth/thickness.h"
@@ -158,6 +159,34 @@ py::tuple girthOf(const Shared& surface, const std::string& method, double persi
         if (!field.complete()) return makeError(ErrorCode::Cancelled, -1, "stopped");
         return field;
       }));
+}
+
+/// Values, kinds, states and the audit.
+py::tuple refinedGirthOf(const Shared& surface, Index audit, std::uint64_t seed,
+                         const Running& running) {
+  RefinedOptions options;
+  options.audit = audit;
+  options.seed = seed;
+  RefinedGirth refined =
+      compute<RefinedGirth>(running, [surface, options](const ExecutionContext& context) {
+        return refinedGirth(surface->mesh(), options, context);
+      });
+  std::vector<std::uint8_t> states;
+  states.reserve(refined.states.size());
+  for (const GirthState state : refined.states) {
+    states.push_back(static_cast<std::uint8_t>(state));
+  }
+  const GirthAudit& found = refined.audit;
+  py::dict result;
+  result["vertices"] = found.vertices;
+  result["equal"] = found.equal;
+  result["at_least"] = found.atLeast;
+  result["at_most"] = found.atMost;
+  result["median"] = found.median;
+  result["percentile95"] = found.percentile95;
+  result["greatest"] = found.greatest;
+  const py::tuple girth = arraysOf(refined.field);
+  return py::make_tuple(girth[0], girth[1], arrayOf(std::move(states)), result);
 }
 
 using Values = std::vector<double>;
@@ -337,8 +366,10 @@ void bindSurface(py::module_& module) {
       .def("input_of_face", [](const Surface& s) { return numberArray(s.loaded().inputOfFace); })
       .def("positions", [](const Surface& s) { return positionArray(s.mesh()); })
       .def("triangles", [](const Surface& s) { return triangleArray(s.mesh()); })
+      .def("boundary", [](const Surface& s) { return boundaryArray(s.mesh()); })
       .def("areas", [](const Surface& s) { return arrayOf(vertexAreas(s.mesh())); })
       .def("girth", &girthOf)
+      .def("refined_girth", &refinedGirthOf)
       .def("angle", &angleOf)
       .def("shape_diameter", &diameterOf)
       .def("thickness", &thicknessOf)

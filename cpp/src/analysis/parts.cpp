@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
 #include "analysis/otsu.h"
 #include "analysis/regions.h"
 #include "girth/vertex_areas.h"
+#include "infinity.h"
 #include "mesh/angles.h"
 #include "mesh/neighbours.h"
 #include "no_value.h"
@@ -18,7 +18,6 @@ namespace girth {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// What share of the variance must lie between two sides that really differ; values that are spread
 /// evenly reach 3/4.
 constexpr double kClearDivision = 0.8;

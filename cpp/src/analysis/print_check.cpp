@@ -29,7 +29,7 @@ constexpr double kNoMeasure = std::numeric_limits<double>::infinity();
 constexpr double kSinglePrecision = 1e-6;
 constexpr std::size_t kFacesAtOnce = 16;
 /// Samples that tell how much of the faces fails: of all faces together, and of one.
-constexpr std::size_t kMostSamples = 1u << 18;
+constexpr std::size_t kMostSamplesInAll = 1u << 18;
 constexpr int kFinestSamples = 5;
 
 std::optional<Error> usage(const std::string& message) {
@@ -72,7 +72,7 @@ class Groups {
 };
 
 /// What stands in a scale's way: everything of a measure below the limit.
-double scaleFor(double limit, double measure) { return limit / measure; }
+double scaleThatPasses(double limit, double measure) { return limit / measure; }
 
 SurfacePoint pointIn(const SurfaceMesh& mesh, Face face, const Vec3& p) {
   const auto [a, b, c] = mesh.faceVertices(face);
@@ -161,7 +161,7 @@ struct SideCheck {
       longest = std::max(longest, mesh.length(SurfaceMesh::side(face, k)));
     }
     while (level < kFinestSamples && longest > limit / 2 * (1 << level) &&
-           faces << (2 * level + 2) <= kMostSamples) {
+           faces << (2 * level + 2) <= kMostSamplesInAll) {
       ++level;
     }
     return level;
@@ -291,9 +291,9 @@ struct TubeCheck {
     double scale = 0;
     for (std::size_t v = 0; v < girth.size(); ++v) {
       if (std::isnan(girth[v])) continue;
-      const double leaves = scaleFor(2 * kPi * limit, girth[v]);
+      const double leaves = scaleThatPasses(2 * kPi * limit, girth[v]);
       scale = std::max(scale, diameters[v] < kNoMeasure
-                                  ? std::min(leaves, scaleFor(limit, diameters[v]))
+                                  ? std::min(leaves, scaleThatPasses(limit, diameters[v]))
                                   : leaves);
     }
     return scale;
@@ -401,8 +401,9 @@ Result<PrintCheck> checkPrint(const SurfaceMesh& mesh, const PrintFields& fields
       return check;
     }
     if (part.least < kNoMeasure) {
-      check.passingScale = std::max(
-          check.passingScale, scaleFor(inside ? limits.wallThickness : limits.gap, part.least));
+      check.passingScale =
+          std::max(check.passingScale,
+                   scaleThatPasses(inside ? limits.wallThickness : limits.gap, part.least));
     }
   }
   double area = 0;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "infinity.h"
 #include "mesh/neighbours.h"
 
 namespace girth {
@@ -11,8 +11,6 @@ namespace girth {
 namespace {
 
 /// The height at which what stays is reached.
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
 /// Disjoint sets of vertices.
 class VertexSets {
  public:
@@ -69,7 +67,7 @@ class RestParts {
   const std::vector<RestPart>& parts() const { return parts_; }
 
   double depth(Index part, Vertex from) const {
-    return parts_[part].open ? kNever : heights_[parts_[part].highest] - heights_[from];
+    return parts_[part].open ? kInfinity : heights_[parts_[part].highest] - heights_[from];
   }
 
  private:
@@ -151,7 +149,7 @@ UnreachedRest unreachedRest(const SurfaceMesh& mesh, std::span<const double> hei
   const RestParts parts(mesh, heights, order);
   UnreachedRest rest;
   // From the whole to what it falls apart into: these have lower numbers.
-  std::vector<double> leaves(parts.parts().size(), kNever);
+  std::vector<double> leaves(parts.parts().size(), kInfinity);
   Index main = parts.partOf(source);
   for (Index part = static_cast<Index>(parts.parts().size()); part-- > 0;) {
     const RestPart& one = parts.parts()[part];
@@ -162,7 +160,7 @@ UnreachedRest unreachedRest(const SurfaceMesh& mesh, std::span<const double> hei
     main = one.parts[0];
   }
   rest.last = parts.parts()[main].highest;
-  rest.leaves.assign(mesh.vertexCount(), kNever);
+  rest.leaves.assign(mesh.vertexCount(), kInfinity);
   for (const Vertex v : order) rest.leaves[v] = leaves[parts.partOf(v)];
   const auto boundary = std::find_if(order.begin(), order.end(), [&](Vertex v) {
     return mesh.isBoundary(v) && std::isinf(rest.leaves[v]);

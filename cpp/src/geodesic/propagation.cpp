@@ -4,12 +4,11 @@
 
 #include "geodesic/min_max.h"
 #include "geodesic/trimming.h"
+#include "infinity.h"
 
 namespace girth::geodesic {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Bounds as floats: never less, and never more.
 float roundedUp(double a) { return static_cast<float>(a * (1 + 1e-7)); }

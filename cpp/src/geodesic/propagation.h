@@ -203,6 +203,10 @@ class Propagation {
   /// decides. Until the next run.
   void keepBeyond(double distance) { keptBeyond_ = distance; }
 
+  /// From now on windows enter only faces for which this is not 0; null: all. So distances are
+  /// those of real paths, the shortest among those through these faces.
+  void stayWithin(const std::uint8_t* band) { band_ = band; }
+
   /// `run` gives up when the windows that have crossed a face and the visitor's effort exceed this
   /// number; `gaveUp` is true then. Default: 2^26.
   void setBudget(std::size_t windows) { budget_ = windows; }
@@ -281,10 +285,11 @@ class Propagation {
   void reachAlong(Index halfedge);
   void reachAgainst(Index halfedge);
   CrossingResult crossFace(Index halfedge);
-  /// Whether windows can go to a halfedge: not across a boundary, and not into a face that the
-  /// front has passed, where no path can be shortest any more.
+  /// Whether windows can go to a halfedge: not across a boundary, not out of the band, and not into
+  /// a face that the front has passed, where no path can be shortest any more.
   bool takesWindows(Index halfedge) const {
-    return halfedge != kNoIndex && !gone(lists_[halfedge]);
+    return halfedge != kNoIndex && !gone(lists_[halfedge]) &&
+           (band_ == nullptr || band_[faceOfSide(halfedge)] != 0);
   }
   void receive(Index halfedge, WindowRun* run, double nearest);
   void send(Index halfedge, Vec2 root, double sigma, double gapFrom, double gapTo);
@@ -314,13 +319,14 @@ class Propagation {
   Keep keep_{Keep::Everything};
   std::vector<SurfacePoint> sources_;
   std::vector<Origin> origins_;
-  std::vector<double> distance_;  // of the vertices
-  std::vector<Reach> reach_;      // of the vertices
-  std::vector<Arrival> arrival_;  // of the vertices
-  WindowTable lists_;             // of the halfedges
-  std::vector<Index> reached_;    // vertices to clear
-  std::vector<Index> open_;       // vertices that the frontier may not have passed
-  float passed_{0};               // windows nearer than this are needed no longer
+  std::vector<double> distance_;       // of the vertices
+  std::vector<Reach> reach_;           // of the vertices
+  std::vector<Arrival> arrival_;       // of the vertices
+  WindowTable lists_;                  // of the halfedges
+  std::vector<Index> reached_;         // vertices to clear
+  std::vector<Index> open_;            // vertices that the frontier may not have passed
+  float passed_{0};                    // windows nearer than this are needed no longer
+  const std::uint8_t* band_{nullptr};  // of faces that windows enter; null: all
   double keptBeyond_{std::numeric_limits<double>::infinity()};  // but farther ones are
   std::size_t created_{0}, crossed_{0};
   std::size_t budget_{std::size_t{1} << 26};

@@ -59,7 +59,7 @@ struct GirthSolver::State {
     isPersistent = persistence > 0;
     if (isPersistent) {
       constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-      return runPersistent(point, keep, persistence, kAll, context);
+      return runPersistent(point, keep, persistence, kAll, false, context);
     }
     const auto source = geodesic::locate(*unfolding, point);
     if (!source) return source.error();
@@ -73,7 +73,8 @@ struct GirthSolver::State {
 
   /// The same until a saddle is found that lasts, or so many saddles have been.
   std::optional<Error> runPersistent(const SurfacePoint& point, Keep keep, double atLeast,
-                                     std::size_t mostSaddles, const ExecutionContext& context) {
+                                     std::size_t mostSaddles, bool withDeaths,
+                                     const ExecutionContext& context) {
     const auto source = geodesic::locate(*unfolding, point);
     if (!source) return source.error();
     if (!persistent) persistent.emplace(propagation, search);
@@ -81,7 +82,7 @@ struct GirthSolver::State {
     constexpr double kGreatest = std::numeric_limits<double>::max();
     const double scaled =
         std::isinf(atLeast) ? atLeast : std::min(atLeast / unfolding->unit(), kGreatest);
-    persistent->start(scaled, mostSaddles, context.cancel);
+    persistent->start(scaled, mostSaddles, withDeaths, context.cancel);
     propagation.run(std::span(&source.value(), 1), keep, *persistent);
     if (persistent->cancelled()) {
       return makeError(ErrorCode::Cancelled, point.element, "cancelled");
@@ -305,8 +306,8 @@ Result<Barcode> GirthSolver::barcode(const SurfacePoint& point, const BarcodeOpt
   if (!(options.maxPersistence >= 0)) return *checkPersistence(options.maxPersistence);
   state_->isPersistent = true;
   const Keep keep = options.loops ? Keep::Everything : Keep::Front;
-  if (auto error =
-          state_->runPersistent(point, keep, options.maxPersistence, options.maxSaddles, context)) {
+  if (auto error = state_->runPersistent(point, keep, options.maxPersistence, options.maxSaddles,
+                                         true, context)) {
     return *std::move(error);
   }
   return state_->barcode(options, context);
@@ -324,6 +325,18 @@ SearchStatistics GirthSolver::statistics() const {
 
 GirthSolver SolverFactory::onUnfolding(std::shared_ptr<const Unfolding> unfolding) {
   return GirthSolver(std::make_unique<GirthSolver::State>(std::move(unfolding)));
+}
+
+std::optional<GirthLoop> SolverFactory::loopWithin(GirthSolver& solver, Vertex vertex,
+                                                   const std::uint8_t* band,
+                                                   const ExecutionContext& context) {
+  GirthSolver::State& state = *solver.state_;
+  state.propagation.stayWithin(band);
+  const auto error = state.run(SurfacePoint::atVertex(vertex), Keep::Everything, context);
+  state.propagation.stayWithin(nullptr);
+  const LoopCandidate* best = error ? nullptr : state.found();
+  if (best == nullptr) return std::nullopt;
+  return state.loopOf(*best);
 }
 
 Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Vertex vertex) {

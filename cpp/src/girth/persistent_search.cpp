@@ -1,8 +1,10 @@
 #include "girth/persistent_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+
+#include "infinity.h"
 
 namespace girth {
 
@@ -10,18 +12,13 @@ using geodesic::kTie;
 using geodesic::Unfolding;
 using geodesic::Vec2;
 
-namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
-void PersistentSearch::start(double persistence, std::size_t mostSaddles,
+void PersistentSearch::start(double persistence, std::size_t mostSaddles, bool withDeaths,
                              const std::atomic<bool>* cancel) {
   search_->start(cancel);
   cancel_ = cancel;
   persistence_ = persistence;
   mostSaddles_ = mostSaddles;
+  withDeaths_ = withDeaths;
   saddles_.clear();
   ends_.clear();
   maxima_.clear();
@@ -29,6 +26,8 @@ void PersistentSearch::start(double persistence, std::size_t mostSaddles,
   atVertices_.clear();
   measured_ = 0;
   decided_ = work_ = 0;
+  attempts_ = 0;
+  leads_ = {};
   found_ = endedEarly_ = cancelled_ = gaveUp_ = false;
 }
 
@@ -38,14 +37,25 @@ bool PersistentSearch::enough(double frontier) {
     add(search_->best());
   }
   if (search_->unjudged() * (1 + kTie) < frontier) return false;  // the budget is met
-  for (; decided_ < saddles_.size(); ++decided_) {
+  for (; decided_ < saddles_.size(); ++decided_, attempts_ = 0, leads_ = {}) {
     if (decided_ == mostSaddles_) return endedEarly_ = true;
     Saddle& saddle = saddles_[decided_];
     const double height = saddle.loop.length / 2, end = height + persistence_;
     const bool isFilled = saddle.death <= measured_;
     if (!isFilled && !(end <= measured_)) {
       const bool isComplete = std::isinf(frontier);
-      if (!isComplete && !(end * (1 + kTie) < frontier)) return false;
+      const bool isPassed = isComplete || end * (1 + kTie) < frontier;
+      // Where its sides are seen, no maximum needs to be known. Nothing lasts longer than for ever.
+      if (std::isfinite(end) && (attempts_ == 0 || (attempts_ == 1 && isPassed))) {
+        attempts_ = isPassed ? 2 : 1;
+        const Fate fate = foresee(saddle, end, isPassed);
+        if (fate == Fate::Dies) continue;
+        if (fate == Fate::Lasts) {
+          ++decided_;
+          return found_ = true;
+        }
+      }
+      if (!isPassed) return false;
       if (!measure(frontier)) return true;
     }
     if (saddle.death - height > persistence_) {
@@ -58,24 +68,37 @@ bool PersistentSearch::enough(double frontier) {
 
 void PersistentSearch::add(const LoopCandidate& loop) {
   if (!divides(loop)) return;
-  SaddleEnds ends{loop.length / 2, courses_.ofHalf(loop, loop.there, loop.back),
-                  courses_.ofHalf(loop, loop.back, loop.there)};
-  work_ += ends.there.size() + ends.back.size();
+  const double height = loop.length / 2;
+  if (saddles_.empty()) {
+    measured_ = height * (1 - 4 * kTogether);
+    propagation_->keepBeyond(measured_);
+  }
+  const bool isPlain = arrivals_.vertex == kNoIndex && arrivals_.paths.size() == 2;
+  saddles_.push_back({loop, kInfinity, isPlain});
   // The same loop may be found in several faces, and past a flat vertex on either side.
-  for (std::size_t i = ends_.size(); i-- > 0;) {
+  const double least = height * (1 - 4 * kTogether);
+  if (saddles_.size() < 2 || saddles_[saddles_.size() - 2].loop.length / 2 < least) return;
+  findEnds();
+  const SaddleEnds& ends = ends_.back();
+  for (std::size_t i = ends_.size() - 1; i-- > 0 && ends_[i].height >= least;) {
     const SaddleEnds& known = ends_[i];
-    if (known.height < ends.height * (1 - 4 * kTogether)) break;
     if ((sameCourse(known.there, ends.there) && sameCourse(known.back, ends.back)) ||
         (sameCourse(known.there, ends.back) && sameCourse(known.back, ends.there))) {
+      saddles_.pop_back();
+      ends_.pop_back();
       return;
     }
   }
-  if (saddles_.empty()) {
-    measured_ = ends.height * (1 - 4 * kTogether);
-    propagation_->keepBeyond(measured_);
+}
+
+/// The courses of all loops.
+void PersistentSearch::findEnds() {
+  while (ends_.size() < saddles_.size()) {
+    const LoopCandidate& loop = saddles_[ends_.size()].loop;
+    ends_.push_back({loop.length / 2, courses_.ofHalf(loop, loop.there, loop.back),
+                     courses_.ofHalf(loop, loop.back, loop.there)});
+    work_ += ends_.back().there.size() + ends_.back().back.size();
   }
-  saddles_.push_back({loop, kNever});
-  ends_.push_back(std::move(ends));
 }
 
 /// Whether both sides of a loop go on at its midpoint. Where a third path arrives there as well,
@@ -123,6 +146,45 @@ bool PersistentSearch::divides(const LoopCandidate& loop) {
   return true;
 }
 
+/// What becomes of a saddle, as far as its two sides show: whether both lead farther than `end`, or
+/// one of them is filled up to there.
+PersistentSearch::Fate PersistentSearch::foresee(const Saddle& saddle, double end, bool isPassed) {
+  if (!saddle.isPlain) return Fate::Unknown;
+  const LoopCandidate& loop = saddle.loop;
+  const double height = loop.length / 2;
+  const std::array<Vec2, 2> roots{rootOf(loop, loop.there), rootOf(loop, loop.back)};
+  const Vec2 line = roots[1] - roots[0];
+  const auto side = [&](std::size_t k) {
+    return SaddleSide{loop.halfedge, loop.midpoint, roots,
+                      k == 0 ? Vec2{-line.y, line.x} : Vec2{line.y, -line.x}};
+  };
+  // What does not lead on at once is filled, as a rule.
+  if (isPassed && !withDeaths_ && isAlone(saddle)) {
+    for (const std::size_t k : {0, 1}) {
+      if (leads_[k]) continue;
+      const bool isFilled = ascent_.isFilled(side(k), height, end);
+      work_ += ascent_.work();
+      if (isFilled) return Fate::Dies;
+    }
+  }
+  for (const std::size_t k : {0, 1}) {
+    if (!leads_[k]) {
+      leads_[k] = ascent_.leads(side(k), height, end);
+      work_ += ascent_.work();
+    }
+    if (!leads_[k]) return Fate::Unknown;
+  }
+  return Fate::Lasts;
+}
+
+/// Whether no other saddle is as high, up to rounding.
+bool PersistentSearch::isAlone(const Saddle& saddle) const {
+  constexpr double kAsHigh = 1e-7;
+  return std::count_if(saddles_.begin(), saddles_.end(), [&](const Saddle& other) {
+           return std::fabs(other.loop.length - saddle.loop.length) <= kAsHigh * saddle.loop.length;
+         }) == 1;
+}
+
 /// The direction at the midpoint of a loop in which one of its halves arrives.
 double PersistentSearch::directionOf(const LoopCandidate& loop, const PathHalf& half) const {
   const Unfolding& unfolding = propagation_->unfolding();
@@ -140,24 +202,27 @@ double PersistentSearch::directionOf(const LoopCandidate& loop, const PathHalf& 
     }
     if (half.vertex != kNoIndex) return courses_.directionOfEdge(vertex, half.vertex);
   }
-  Vec2 from{};
+  return arrivals_.directionTo(unfolding, loop.halfedge, loop.midpoint, rootOf(loop, half));
+}
+
+/// Where a half of a loop comes from, in the frame of the loop.
+Vec2 PersistentSearch::rootOf(const LoopCandidate& loop, const PathHalf& half) const {
+  const Unfolding& unfolding = propagation_->unfolding();
   if (half.bundle.halfedge != kNoIndex) {
-    from = unfolding.toFrame(half.bundle.halfedge, loop.halfedge, half.bundle.root);
-  } else if (half.vertex != kNoIndex) {
-    const Index face = faceOfSide(loop.halfedge);
+    return unfolding.toFrame(half.bundle.halfedge, loop.halfedge, half.bundle.root);
+  }
+  const Index face = faceOfSide(loop.halfedge);
+  if (half.vertex != kNoIndex) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       if (unfolding.crossing(h).from() == half.vertex) {
-        from = unfolding.toFrame(h, loop.halfedge, {0, 0});
-      }
-    }
-  } else {
-    for (const geodesic::Propagation::Origin& origin : propagation_->origins()) {
-      if (origin.face == faceOfSide(loop.halfedge)) {
-        from = unfolding.toFrame(3 * origin.face, loop.halfedge, origin.place);
+        return unfolding.toFrame(h, loop.halfedge, {0, 0});
       }
     }
   }
-  return arrivals_.directionTo(unfolding, loop.halfedge, loop.midpoint, from);
+  for (const geodesic::Propagation::Origin& origin : propagation_->origins()) {
+    if (origin.face == face) return unfolding.toFrame(3 * face, loop.halfedge, origin.place);
+  }
+  return loop.midpoint;
 }
 
 /// Finds what has been filled below the frontier. False: cancelled, or given up.
@@ -176,6 +241,7 @@ bool PersistentSearch::measure(double frontier) {
   measured_ = high;
   propagation_->keepBeyond(high * (1 - 4 * kTogether));
   if (isComplete) findBoundaries();
+  findEnds();
   const std::vector<double> deaths = saddleDeaths(ends_, maxima_, boundaries_, isComplete);
   for (std::size_t i = decided_; i < saddles_.size(); ++i) {
     const double height = ends_[i].height;
@@ -205,9 +271,9 @@ std::size_t PersistentSearch::memoryBytes() const {
   std::size_t bends = 0;
   for (const SaddleEnds& ends : ends_) bends += ends.there.capacity() + ends.back.capacity();
   for (const LocalMaximum& maximum : maxima_) bends += maximum.course.capacity();
-  return maximaSearch_.memoryBytes() + saddles_.capacity() * sizeof(Saddle) +
-         ends_.capacity() * sizeof(SaddleEnds) + maxima_.capacity() * sizeof(LocalMaximum) +
-         bends * sizeof(Bend);
+  return maximaSearch_.memoryBytes() + ascent_.memoryBytes() +
+         saddles_.capacity() * sizeof(Saddle) + ends_.capacity() * sizeof(SaddleEnds) +
+         maxima_.capacity() * sizeof(LocalMaximum) + bends * sizeof(Bend);
 }
 
 }  // namespace girth

@@ -3,9 +3,11 @@
 // (web/docs/definitions.md, section 2).
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <vector>
 
+#include "girth/ascent.h"
 #include "girth/local_maxima.h"
 #include "girth/loop_search.h"
 #include "girth/saddle_tree.h"
@@ -21,15 +23,17 @@ class PersistentSearch {
       : propagation_(&propagation),
         search_(&search),
         maximaSearch_(propagation),
-        courses_(propagation) {}
+        courses_(propagation),
+        ascent_(propagation) {}
 
   /// `persistence`: in the unit of the unfolding. `mostSaddles`: the search ends when so many have
-  /// been decided.
-  void start(double persistence, std::size_t mostSaddles, const std::atomic<bool>* cancel);
+  /// been decided. `withDeaths`: of those that do not last it is to be known when they die.
+  void start(double persistence, std::size_t mostSaddles, bool withDeaths,
+             const std::atomic<bool>* cancel);
 
   bool enough(double frontier);
   bool interrupted() { return search_->interrupted(); }
-  void restart() { start(persistence_, mostSaddles_, cancel_); }
+  void restart() { start(persistence_, mostSaddles_, withDeaths_, cancel_); }
   void onCrossing(Index halfedge, std::uint32_t first, const geodesic::CrossingResult& result) {
     search_->onCrossing(halfedge, first, result);
   }
@@ -39,9 +43,11 @@ class PersistentSearch {
   /// A saddle of the distance from p.
   struct Saddle {
     LoopCandidate loop;
-    /// When a side of the loop was filled: only of those that are decided; infinite: not up to
-    /// the persistence that was asked for, or never.
+    /// When a side of the loop was filled: only of those that are decided, and if deaths were asked
+    /// for; infinite: not up to the persistence that was asked for, or never.
     double death;
+    /// Its midpoint lies inside a face, or on an edge, and no third path arrives there.
+    bool isPlain;
   };
   /// Those that were met, in the order of their heights.
   const std::vector<Saddle>& saddles() const { return saddles_; }
@@ -60,6 +66,11 @@ class PersistentSearch {
   void add(const LoopCandidate& loop);
   bool divides(const LoopCandidate& loop);
   double directionOf(const LoopCandidate& loop, const PathHalf& half) const;
+  geodesic::Vec2 rootOf(const LoopCandidate& loop, const PathHalf& half) const;
+  enum class Fate : std::uint8_t { Lasts, Dies, Unknown };
+  Fate foresee(const Saddle& saddle, double end, bool isPassed);
+  bool isAlone(const Saddle& saddle) const;
+  void findEnds();
   bool measure(double frontier);
   void findBoundaries();
 
@@ -67,11 +78,12 @@ class PersistentSearch {
   LoopSearch* search_;
   MaximaSearch maximaSearch_;
   Courses courses_;
+  Ascent ascent_;
   const std::atomic<bool>* cancel_{nullptr};
   double persistence_{0};
   std::size_t mostSaddles_{0};
   std::vector<Saddle> saddles_;
-  std::vector<SaddleEnds> ends_;  // of the saddles
+  std::vector<SaddleEnds> ends_;  // of the first saddles, as far as they were asked for
   /// Saddles at vertices, with the gaps on one side of their loops: there may be several.
   struct AtVertex {
     Index vertex;
@@ -83,6 +95,9 @@ class PersistentSearch {
   Arrivals arrivals_;
   double measured_{0};  // everything is known up to here
   std::size_t decided_{0}, work_{0};
+  int attempts_{0};              // to foresee what becomes of the next one
+  std::array<bool, 2> leads_{};  // its sides that were seen to
+  bool withDeaths_{false};
   bool found_{false}, endedEarly_{false}, cancelled_{false}, gaveUp_{false};
 };
 

@@ -1,14 +1,14 @@
 #include "girth/saddle_tree.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
+
+#include "infinity.h"
 
 namespace girth {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kNoMaximum = -1;
 
 /// Disjoint sets of numbers.
@@ -33,7 +33,7 @@ std::vector<double> saddleDeaths(std::span<const SaddleEnds> saddles,
                                  std::span<const LocalMaximum> maxima,
                                  std::span<const Course> boundaries, bool complete) {
   const std::size_t count = saddles.size();
-  std::vector<double> deaths(count, kNever);
+  std::vector<double> deaths(count, kInfinity);
   if (count == 0) return deaths;
 
   // The rim: end 2 i is the one half of saddle i, 2 i + 1 the other. Arc k lies to the left of the
@@ -74,10 +74,10 @@ std::vector<double> saddleDeaths(std::span<const SaddleEnds> saddles,
     double& height = highest[pieceOf(maximum.course)];
     height = std::max(height, maximum.distance);
   }
-  for (const Course& path : boundaries) highest[pieceOf(path)] = kNever;
+  for (const Course& path : boundaries) highest[pieceOf(path)] = kInfinity;
   for (std::size_t arc = 0; arc < order.size(); ++arc) {
     if (pieces.find(arc) != arc || highest[arc] != kNoMaximum || complete) continue;
-    highest[arc] = kNever;
+    highest[arc] = kInfinity;
   }
   if (complete) {
     // Rounding has hidden the maximum of a piece that is no larger than that: it is filled at once.

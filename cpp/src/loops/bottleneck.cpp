@@ -20,7 +20,7 @@ namespace {
 using geodesic::Unfolding;
 
 /// Pieces of edges on which the girth is measured, as a share of the narrowest.
-constexpr double kFinest = 1e-2;
+constexpr double kFinestShare = 1e-2;
 
 Index componentAt(const SurfaceMesh& mesh, const SurfacePoint& point) {
   return mesh.componentOf(mesh.faceVertices(loops::faceAt(mesh, point))[0]);
@@ -106,13 +106,13 @@ Result<Bottleneck> findBottleneck(const SurfaceMesh& mesh, std::span<const doubl
   double least = narrowerEnd, finest = 0;
   // As fine as the narrowest girth asks for, which is known only behind it.
   do {
-    finest = kFinest * least;
+    finest = kFinestShare * least;
     auto found = search.between(first, last, finest);
     if (!found) return found.error();
     way = std::move(found).value();
     if (way.points.empty()) return noWay("no way of known girth leads from one to the other");
     least = -way.height;
-  } while (finest > kFinest * least * (1 + kFinest));
+  } while (finest > kFinestShare * least * (1 + kFinestShare));
 
   Bottleneck result;
   const auto place = static_cast<std::size_t>(

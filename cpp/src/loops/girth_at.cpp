@@ -9,24 +9,44 @@ namespace girth::loops {
 
 GirthAt::GirthAt(std::shared_ptr<const geodesic::Unfolding> unfolding,
                  const ExecutionContext& context)
-    : unfolding_(std::move(unfolding)), context_{context.threads, context.cancel, {}} {}
+    : make_([shared = std::move(unfolding)] {
+        return std::make_unique<GirthSolver>(SolverFactory::onUnfolding(shared));
+      }),
+      context_{context.threads, context.cancel, {}} {}
 
 Result<std::vector<GirthValue>> GirthAt::values(std::span<const SurfacePoint> points,
                                                 const std::function<void(double)>& onProgress) {
   std::vector<GirthValue> values(points.size());
   const ExecutionContext context{context_.threads, context_.cancel, onProgress};
   const bool isDone = parallelFor(points.size(), 1, context, [&](std::size_t begin, std::size_t) {
-    std::unique_ptr<GirthSolver> solver = taken();
-    // Without a value: cancelled, since the points are of the surface.
-    const auto value = solver->value(points[begin], context_.ofOneThread());
-    if (value) values[begin] = value.value();
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(solver));
+    solvers_.use(make_, [&](GirthSolver& solver) {
+      // Without a value: cancelled, since the points are of the surface.
+      const auto value = solver.value(points[begin], context_.ofOneThread());
+      if (value) values[begin] = value.value();
+    });
   });
   if (!isDone || context_.cancelled()) {
     return makeError(ErrorCode::Cancelled, -1, "the search was cancelled");
   }
   return values;
+}
+
+Result<std::vector<std::vector<SurfacePoint>>> GirthAt::loops(
+    std::span<const SurfacePoint> points) {
+  std::vector<std::vector<SurfacePoint>> loops(points.size());
+  const ExecutionContext context{context_.threads, context_.cancel, {}};
+  const bool isDone = parallelFor(points.size(), 1, context, [&](std::size_t begin, std::size_t) {
+    solvers_.use(make_, [&](GirthSolver& solver) {
+      auto loop = solver.loop(points[begin], context_.ofOneThread());
+      if (loop && loop.value().kind == LoopKind::Loop) {
+        loops[begin] = std::move(loop).value().points;
+      }
+    });
+  });
+  if (!isDone || context_.cancelled()) {
+    return makeError(ErrorCode::Cancelled, -1, "the search was cancelled");
+  }
+  return loops;
 }
 
 Result<std::vector<double>> GirthAt::lengths(std::span<const SurfacePoint> points) {
@@ -36,14 +56,6 @@ Result<std::vector<double>> GirthAt::lengths(std::span<const SurfacePoint> point
   lengths.reserve(points.size());
   for (const GirthValue& value : found.value()) lengths.push_back(value.length);
   return lengths;
-}
-
-std::unique_ptr<GirthSolver> GirthAt::taken() {
-  const std::lock_guard lock(mutex_);
-  if (idle_.empty()) return std::make_unique<GirthSolver>(SolverFactory::onUnfolding(unfolding_));
-  std::unique_ptr<GirthSolver> solver = std::move(idle_.back());
-  idle_.pop_back();
-  return solver;
 }
 
 }  // namespace girth::loops

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "girth/error.h"
 #include "girth/execution.h"
 #include "girth/girth_solver.h"
+#include "idle_pool.h"
 
 namespace girth::loops {
 
@@ -23,16 +23,15 @@ class GirthAt {
   /// At points of the surface. Progress is reported to `onProgress`, where given. Error: CANCELLED.
   Result<std::vector<GirthValue>> values(std::span<const SurfacePoint> points,
                                          const std::function<void(double)>& onProgress = {});
+  /// The points of the loops; none where there is no loop. Error: CANCELLED.
+  Result<std::vector<std::vector<SurfacePoint>>> loops(std::span<const SurfacePoint> points);
   /// The lengths alone.
   Result<std::vector<double>> lengths(std::span<const SurfacePoint> points);
 
  private:
-  std::unique_ptr<GirthSolver> taken();
-
-  std::shared_ptr<const geodesic::Unfolding> unfolding_;
+  std::function<std::unique_ptr<GirthSolver>()> make_;
   ExecutionContext context_;
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<GirthSolver>> idle_;
+  IdlePool<GirthSolver> solvers_;
 };
 
 }  // namespace girth::loops

@@ -11,8 +11,10 @@
 #include <utility>
 
 #include "girth/girth_solver.h"
+#include "girth/parallel.h"
 #include "girth/solver_factory.h"
 #include "girth/vertex_function.h"
+#include "loops/ceilings.h"
 #include "loops/girth_at.h"
 #include "loops/loop_shape.h"
 #include "loops/pass_search.h"
@@ -33,8 +35,14 @@ constexpr double kEqualLength = 1e-9;
 constexpr double kSamePlace = 1e-7;
 /// Pieces of edges on which prominence is measured, as a share of the neck's length.
 constexpr double kFinest = 1e-2;
+/// Prominence of less than this share of the neck's length is none.
+constexpr double kLeastProminence = 1e-3;
 /// The share of the work that is loops.
 constexpr double kLoopShare = 0.8;
+
+Error cancelled() {
+  return makeError(ErrorCode::Cancelled, -1, "the search for necks was cancelled");
+}
 
 /// Orders loops by what they pass and cross.
 struct ByElements {
@@ -81,7 +89,7 @@ std::optional<Error> gatherLoops(const SurfaceMesh& mesh, std::span<const double
     };
   };
   if (forEachVertex(mesh, context, startThread, {}) < mesh.vertexCount()) {
-    return makeError(ErrorCode::Cancelled, -1, "the search for necks was cancelled");
+    return cancelled();
   }
   return std::nullopt;
 }
@@ -167,18 +175,20 @@ std::optional<Error> findProminences(const SurfaceMesh& mesh, std::span<const do
                                      const std::shared_ptr<const Unfolding>& unfolding,
                                      const ExecutionContext& context, std::vector<Neck>& necks) {
   loops::GirthAt girthAt(unfolding, context);
+  loops::Ceilings ceilings(*unfolding, girthAt);
   loops::PassSearch search(
-      mesh, girth, [&](std::span<const SurfacePoint> points) { return girthAt.lengths(points); });
+      mesh, girth, [&](std::span<const SurfacePoint> points) { return girthAt.lengths(points); },
+      [&](std::span<const loops::PassSearch::Segment> segments) { return ceilings.at(segments); });
   std::vector<bool> isNarrower(mesh.vertexCount(), false);
   std::vector<bool> hasNeck(mesh.componentCount(), false);
   for (std::size_t i = 0; i < necks.size(); ++i) {
     Neck& neck = necks[i];
     const Index component = mesh.componentOf(neck.vertices[0]);
     if (hasNeck[component]) {
-      const auto height =
-          search.height(neck.vertices, isNarrower, neck.length, kFinest * neck.length);
+      const double level = (1 + kLeastProminence) * neck.length;
+      const auto height = search.height(neck.vertices, isNarrower, level, kFinest * neck.length);
       if (!height) return height.error();
-      neck.prominence = height.value() - neck.length;
+      neck.prominence = height.value() > level ? height.value() - neck.length : 0;
     }
     hasNeck[component] = true;
     for (const Vertex v : neck.vertices) isNarrower[v] = true;
@@ -214,14 +224,18 @@ Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const double> girth,
           findProminences(mesh, girth, unfolding, partOf(context, kLoopShare, 1), found.necks)) {
     return *error;
   }
-  if (context.onProgress) context.onProgress(1);
   std::erase_if(found.necks,
                 [&](const Neck& neck) { return neck.prominence < options.minProminence; });
   std::stable_sort(found.necks.begin(), found.necks.end(),
                    [](const Neck& a, const Neck& b) { return a.prominence > b.prominence; });
-  for (Neck& neck : found.necks) {
-    if (auto sides = sidesOf(mesh, neck.points)) neck.sides = std::move(sides).value();
-  }
+  const bool isDone = parallelFor(found.necks.size(), 1, {context.threads, context.cancel, {}},
+                                  [&](std::size_t begin, std::size_t) {
+                                    Neck& neck = found.necks[begin];
+                                    if (auto sides = sidesOf(mesh, neck.points))
+                                      neck.sides = std::move(sides).value();
+                                  });
+  if (!isDone) return cancelled();
+  if (context.onProgress) context.onProgress(1);
   return found;
 }
 

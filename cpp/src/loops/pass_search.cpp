@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <queue>
+#include <tuple>
 #include <utility>
 
 #include "loops/faces_of_points.h"
@@ -12,10 +11,18 @@
 namespace girth::loops {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Searches of a way before what is known is taken.
 constexpr int kMostRounds = 5000;
+
+/// Searches of a way after which segments are no longer halved as they are. Nearly all end before.
+/// In the others the halves make narrow cells, with long sides that are halved in turn for ever.
+constexpr int kPlainRounds = 300;
+
+/// Lengths of one loop agree to this share.
+constexpr double kRounding = 1e-9;
+
+/// What a height is known to, as a share of what it is above the level.
+constexpr double kFinestRise = 1e-2;
 
 /// Nearer to a side of a cell than this share of the cell: on it.
 constexpr double kOnSide = 1e-9;
@@ -27,14 +34,14 @@ double determinant(const Weights& a, const Weights& b, const Weights& c) {
 
 }  // namespace
 
-PassSearch::PassSearch(const SurfaceMesh& mesh, std::span<const double> girth, Girth girthAt)
+PassSearch::PassSearch(const SurfaceMesh& mesh, std::span<const double> girth, Girth girthAt,
+                       Ceiling ceilingOf)
     : mesh_(mesh),
       values_(girth.begin(), girth.end()),
       neighbours_(mesh.vertexCount()),
       coarsest_(mesh.meanEdgeLength()),
       girthAt_(std::move(girthAt)),
-      reached_(mesh.vertexCount(), kInfinity),
-      before_(mesh.vertexCount(), kNoIndex) {
+      ceilingOf_(std::move(ceilingOf)) {
   for (const Vertex v : mesh.vertices()) {
     places_.push_back(mesh.position(v));
     points_.push_back(SurfacePoint::atVertex(v));
@@ -88,9 +95,13 @@ std::array<double, 3> PassSearch::weightsBetween(const Cell& cell, Index a, Inde
   return weights;
 }
 
-SurfacePoint PassSearch::middleOf(Index a, Index b) const {
+Index PassSearch::cellBeside(Index a, Index b) const {
   const auto& sides = cellsAt_.at(segment(a, b));
-  const Cell& cell = cells_[sides[0] != kNoIndex ? sides[0] : sides[1]];
+  return sides[0] != kNoIndex ? sides[0] : sides[1];
+}
+
+SurfacePoint PassSearch::middleOf(Index a, Index b) const {
+  const Cell& cell = cells_[cellBeside(a, b)];
   return pointIn(Face(cell.face), weightsBetween(cell, a, b, 0.5));
 }
 
@@ -99,8 +110,6 @@ Index PassSearch::addNode(const SurfacePoint& point, const Vec3& place, double v
   points_.push_back(point);
   values_.push_back(value);
   neighbours_.emplace_back();
-  reached_.push_back(kInfinity);
-  before_.push_back(kNoIndex);
   return static_cast<Index>(places_.size() - 1);
 }
 
@@ -129,6 +138,7 @@ void PassSearch::divide(Index a, Index b, double share, double value) {
   addNode(pointIn(Face(piece.face), piece.weights[corner]),
           (1 - share) * places_[a] + share * places_[b], value);
   for (const Cell& one : pieces) addCell(one);
+  ways_.onDivision(a, b, node);
 }
 
 Index PassSearch::insert(const SurfacePoint& point, double value) {
@@ -174,41 +184,10 @@ Index PassSearch::insert(const SurfacePoint& point, double value) {
   return node;
 }
 
-PassSearch::Way PassSearch::lowestWay(std::span<const Index> starts, const std::vector<bool>& isEnd,
-                                      double level) {
-  for (const Index node : touched_) reached_[node] = kInfinity;
-  touched_.clear();
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const auto reach = [&](Index node, double height, Index from) {
-    if (!(height < reached_[node])) return;
-    if (reached_[node] == kInfinity) touched_.push_back(node);
-    reached_[node] = height;
-    before_[node] = from;
-    queue.emplace(height, node);
-  };
-  for (const Index node : starts) reach(node, level, kNoIndex);
-  while (!queue.empty()) {
-    const auto [height, node] = queue.top();
-    queue.pop();
-    if (height > reached_[node]) continue;
-    if (node < isEnd.size() && isEnd[node]) {
-      Way way{height, {}};
-      for (Index at = node; at != kNoIndex; at = before_[at]) way.nodes.push_back(at);
-      return way;
-    }
-    for (const Index next : neighbours_[node]) {
-      // NaN is no way.
-      if (values_[next] <= kInfinity) reach(next, std::max(height, values_[next]), node);
-    }
-  }
-  return {kInfinity, {}};
-}
-
 Result<double> PassSearch::height(std::span<const Vertex> starts, const std::vector<bool>& isEnd,
                                   double level, double finest) {
   const std::vector<Index> nodes(starts.begin(), starts.end());
-  const auto way = refinedWay(nodes, isEnd, level, finest);
+  const auto way = refinedWay(nodes, isEnd, level, finest, kFinestRise);
   if (!way) return way.error();
   return way.value().height;
 }
@@ -217,7 +196,7 @@ Result<PassSearch::Path> PassSearch::between(Index from, Index to, double finest
   std::vector<bool> isEnd(places_.size(), false);
   isEnd[to] = true;
   const auto way =
-      refinedWay(std::span(&from, 1), isEnd, std::max(values_[from], values_[to]), finest);
+      refinedWay(std::span(&from, 1), isEnd, std::max(values_[from], values_[to]), finest, 0);
   if (!way) return way.error();
   Path path{way.value().height, {}, {}};
   for (auto node = way.value().nodes.rbegin(); node != way.value().nodes.rend(); ++node) {
@@ -229,20 +208,27 @@ Result<PassSearch::Path> PassSearch::between(Index from, Index to, double finest
 
 Result<PassSearch::Way> PassSearch::refinedWay(std::span<const Index> starts,
                                                const std::vector<bool>& isEnd, double level,
-                                               double finest) {
+                                               double finest, double share) {
   // From coarse to fine, so that only what can still be the lowest way is refined further.
   double step = finest;
   while (step < coarsest_) step *= 2;
+  ways_.start(starts, level);
   for (int round = 0; round < kMostRounds;) {
-    const Way way = lowestWay(starts, isEnd, level);
+    const Way way = ways_.to(isEnd);
     if (way.nodes.empty()) return way;
-    const std::vector<std::pair<Index, Index>> coarse = coarseOn(way, step);
+    auto found = coarseOn(way, step);
+    if (!found) return found.error();
+    std::vector<std::pair<Index, Index>> coarse = std::move(found).value();
     if (coarse.empty()) {
-      if (step <= finest) return way;
+      if (step <= std::max(finest, share * (way.height - level))) return way;
       step /= 2;
       continue;
     }
-    ++round;
+    if (++round > kPlainRounds) {
+      for (auto& [a, b] : coarse) std::tie(a, b) = longestFrom(a, b);
+      std::sort(coarse.begin(), coarse.end());
+      coarse.erase(std::unique(coarse.begin(), coarse.end()), coarse.end());
+    }
     std::vector<SurfacePoint> middles;
     for (const auto& [a, b] : coarse) middles.push_back(middleOf(a, b));
     const auto values = girthAt_(middles);
@@ -251,10 +237,61 @@ Result<PassSearch::Way> PassSearch::refinedWay(std::span<const Index> starts,
       divide(coarse[i].first, coarse[i].second, 0.5, values.value()[i]);
     }
   }
-  return lowestWay(starts, isEnd, level);
+  return ways_.to(isEnd);
 }
 
-std::vector<std::pair<Index, Index>> PassSearch::coarseOn(const Way& way, double step) const {
+std::pair<Index, Index> PassSearch::longestFrom(Index a, Index b) const {
+  double longest = length(a, b);
+  for (bool isLonger = true; isLonger;) {
+    isLonger = false;
+    for (const Index number : cellsAt_.at(segment(a, b))) {
+      if (number == kNoIndex) continue;
+      const Cell& cell = cells_[number];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index from = cell.nodes[k], to = cell.nodes[(k + 1) % 3];
+        if (length(from, to) <= longest) continue;
+        longest = length(from, to);
+        a = std::min(from, to);
+        b = std::max(from, to);
+        isLonger = true;
+      }
+      if (isLonger) break;
+    }
+  }
+  return {a, b};
+}
+
+std::optional<Error> PassSearch::dropBelow(double height,
+                                           std::vector<std::pair<Index, Index>>& segments) {
+  if (!ceilingOf_) return std::nullopt;
+  // From one end first, and from the other one where that does not suffice.
+  for (int end = 0; end < 2; ++end) {
+    const auto directed = [](const std::pair<Index, Index>& one) {
+      return std::uint64_t{one.first} << 32 | one.second;
+    };
+    std::vector<Segment> unknown;
+    std::vector<std::uint64_t> keys;
+    for (const auto& one : segments) {
+      const auto [a, b] = one;
+      if (ceilings_.contains(directed(one))) continue;
+      unknown.push_back({a, points_[a], points_[b], Face(cells_[cellBeside(a, b)].face)});
+      keys.push_back(directed(one));
+    }
+    const auto found = ceilingOf_(unknown);
+    if (!found) return found.error();
+    for (std::size_t i = 0; i < keys.size(); ++i) ceilings_[keys[i]] = found.value()[i];
+    std::erase_if(segments, [&](const auto& one) {
+      const double ceiling = ceilings_.at(directed(one));
+      // Where it is less than the girth, the girth has jumped on the way.
+      return std::max(values_[one.first], ceiling) <= height &&
+             ceiling >= values_[one.second] * (1 - kRounding);
+    });
+    for (auto& [a, b] : segments) std::swap(a, b);
+  }
+  return std::nullopt;
+}
+
+Result<std::vector<std::pair<Index, Index>>> PassSearch::coarseOn(const Way& way, double step) {
   std::vector<std::pair<Index, Index>> coarse;
   for (std::size_t i = 0; i + 1 < way.nodes.size(); ++i) {
     const Index a = way.nodes[i], b = way.nodes[i + 1];
@@ -262,6 +299,7 @@ std::vector<std::pair<Index, Index>> PassSearch::coarseOn(const Way& way, double
     const double mean = (std::min(values_[a], way.height) + std::min(values_[b], way.height)) / 2;
     if (apart > step && mean + apart > way.height + step) coarse.emplace_back(a, b);
   }
+  if (auto error = dropBelow(way.height + step, coarse)) return *error;
   for (const Index node : way.nodes) {
     if (values_[node] < way.height) continue;
     for (const Index next : neighbours_[node]) {

@@ -1,10 +1,12 @@
 #include "girth/path_profile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
 
+#include "girth/geodesic_solver.h"
 #include "loops/faces_of_points.h"
 #include "loops/girth_at.h"
 #include "mesh/vector.h"
@@ -60,6 +62,31 @@ SurfacePoint pointAt(const SurfaceMesh& mesh, std::span<const SurfacePoint> path
 }
 
 }  // namespace
+
+Result<std::vector<SurfacePoint>> shortestPathThrough(const SurfaceMesh& mesh,
+                                                      std::span<const SurfacePoint> points,
+                                                      const ExecutionContext& context) {
+  if (points.size() < 2) {
+    Error error = makeError(ErrorCode::Usage, -1, "a path needs two points");
+    error.hint = "name two points or more";
+    return error;
+  }
+  GeodesicSolver solver(mesh);
+  std::vector<SurfacePoint> path;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto piece = solver.path(points[i - 1], points[i], context);
+    if (!piece) return piece.error();
+    if (!std::isfinite(piece.value().length)) {
+      Error error = makeError(ErrorCode::InvalidPoint, static_cast<std::int64_t>(i),
+                              "points " + std::to_string(i - 1) + " and " + std::to_string(i) +
+                                  " of the path lie in different components");
+      error.hint = "choose points that a way over the surface joins";
+      return error;
+    }
+    path.insert(path.end(), piece.value().points.begin(), piece.value().points.end());
+  }
+  return path;
+}
 
 Result<std::vector<PathStation>> girthAlong(const SurfaceMesh& mesh,
                                             std::span<const SurfacePoint> path,

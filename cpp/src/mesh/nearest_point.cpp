@@ -54,13 +54,13 @@ NearestSearch::NearestSearch(std::vector<std::array<Vec3, 3>> triangles)
     : triangles_(std::move(triangles)), order_(triangles_.size()) {
   if (triangles_.empty()) return;
   for (Index t = 0; t < order_.size(); ++t) order_[t] = t;
-  struct Part {
+  struct Range {
     Index node, begin, end;
   };
   nodes_.emplace_back();
-  std::vector<Part> todo{{0, 0, static_cast<Index>(order_.size())}};
+  std::vector<Range> todo{{0, 0, static_cast<Index>(order_.size())}};
   while (!todo.empty()) {
-    const Part part = todo.back();
+    const Range part = todo.back();
     todo.pop_back();
     const Vec3& corner = triangles_[order_[part.begin]][0];
     Box box{corner, corner};

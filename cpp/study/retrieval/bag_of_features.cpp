@@ -11,7 +11,7 @@ namespace girth::study {
 
 namespace {
 
-constexpr std::size_t kGrain = 256;
+constexpr std::size_t kFeaturesAtATime = 256;
 
 /// Four sums at a time, which a processor adds side by side; the same order everywhere.
 double squaredDistance(const double* a, const double* b, std::size_t dimensions) {
@@ -97,13 +97,14 @@ class Clustering {
     while (true) {
       const double* word = features_[chosen];
       vocabulary_.words.insert(vocabulary_.words.end(), word, word + dimensions_);
-      const bool done = parallelFor(
-          features_.size(), kGrain, quietly(context), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-              distance_[i] =
-                  std::min(distance_[i], squaredDistance(features_[i], word, dimensions_));
-            }
-          });
+      const bool done =
+          parallelFor(features_.size(), kFeaturesAtATime, quietly(context),
+                      [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t i = begin; i < end; ++i) {
+                          distance_[i] = std::min(distance_[i],
+                                                  squaredDistance(features_[i], word, dimensions_));
+                        }
+                      });
       if (!done) return false;
       if (vocabulary_.size() == words) return true;
       chosen = drawn(random, [&](std::size_t i) { return weights_[i] * distance_[i]; });
@@ -114,15 +115,16 @@ class Clustering {
   bool refine(unsigned rounds, const ExecutionContext& context) {
     for (unsigned round = 0; round < rounds; ++round) {
       std::atomic<bool> changed{round == 0};
-      const bool done = parallelFor(
-          features_.size(), kGrain, quietly(context), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-              const auto [word, distance] = nearestWord(vocabulary_, features_[i]);
-              if (word != word_[i]) changed = true;
-              word_[i] = word;
-              distance_[i] = distance;
-            }
-          });
+      const bool done = parallelFor(features_.size(), kFeaturesAtATime, quietly(context),
+                                    [&](std::size_t begin, std::size_t end) {
+                                      for (std::size_t i = begin; i < end; ++i) {
+                                        const auto [word, distance] =
+                                            nearestWord(vocabulary_, features_[i]);
+                                        if (word != word_[i]) changed = true;
+                                        word_[i] = word;
+                                        distance_[i] = distance;
+                                      }
+                                    });
       if (!done) return false;
       if (!changed) return true;
       moveToMeans();

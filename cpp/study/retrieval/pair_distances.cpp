@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kSampledRows = 64;
 /// Distances computed by one thread at a stretch.
-constexpr std::size_t kGrain = 64;
+constexpr std::size_t kPairsAtATime = 64;
 
 struct Mean {
   double sum{0};
@@ -80,7 +80,7 @@ bool PairDistances::row(std::size_t model, std::span<double> row,
     }
     return true;
   }
-  return parallelFor(models_, kGrain, context, [&](std::size_t begin, std::size_t end) {
+  return parallelFor(models_, kPairsAtATime, context, [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end && !context.cancelled(); ++j) {
       row[j] = j == model ? 0 : distance_(j, model);
     }

@@ -8,6 +8,7 @@
 #include "girth/field_difference.h"
 #include "girth/girth_field.h"
 #include "girth/remesh.h"
+#include "girth/remove_handles.h"
 #include "girth/vertex_areas.h"
 #include "text/number_text.h"
 
@@ -54,22 +55,7 @@ Result<SurfaceMesh> bridged(const SurfaceMesh& mesh, std::size_t count,
     return makeError(ErrorCode::InvalidOption, -1,
                      "there are not so many places where parts face each other across a gap");
   }
-  // A bridge takes two faces out, so that the numbers of those behind fall.
-  std::vector<std::pair<Face, Face>> left = places.value();
-  SurfaceMesh result = mesh;
-  while (!left.empty()) {
-    const auto [one, other] = left.back();
-    left.pop_back();
-    auto next = withBridge(result, one, other);
-    if (!next) return next;
-    result = std::move(next).value();
-    for (auto& [a, b] : left) {
-      for (Face* face : {&a, &b}) {
-        *face = Face(*face - (*face > one ? 1u : 0u) - (*face > other ? 1u : 0u));
-      }
-    }
-  }
-  return result;
+  return withBridges(mesh, places.value());
 }
 
 double unchangedShare(const Measured& before, const Measured& after) {
@@ -132,6 +118,23 @@ std::vector<Plan> plansFor(const SurfaceMesh& model, std::span<const NamedSurfac
         return bridged(even, options.bridges, context);
       })
       .sameVertices = true;
+  for (const Index count : options.tinyHandles) {
+    const std::string handles = "tiny handles: " + std::to_string(count);
+    add("8f", handles, std::nullopt, same,
+        [count](const SurfaceMesh& even, const ExecutionContext&) {
+          return withTinyHandles(even, count);
+        })
+        .sameVertices = true;
+    add("8f", handles + ", removed", std::nullopt, same,
+        [count](const SurfaceMesh& even, const ExecutionContext& context) -> Result<SurfaceMesh> {
+          const auto rough = withTinyHandles(even, count);
+          if (!rough) return rough.error();
+          auto removal =
+              removeHandles(rough.value(), kTinyLoop * even.meanEdgeLength(), {}, context);
+          if (!removal) return removal.error();
+          return std::move(removal).value().mesh;
+        });
+  }
   for (const NamedSurface& pose : poses) {
     add("9", "pose " + pose.name, std::nullopt, same,
         [&](const SurfaceMesh&, const ExecutionContext& context) {

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "geodesic/fast_marching.h"
 #include "girth/geodesic_solver.h"
@@ -193,6 +195,76 @@ Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Face face1, Face face2) 
     triangles.insert(triangles.end(), {a0, a1, b1, a0, b1, b0});
   }
   return surfaceOf(positionsOf(mesh), triangles);
+}
+
+Result<SurfaceMesh> withBridges(const SurfaceMesh& mesh, std::vector<std::pair<Face, Face>> pairs) {
+  SurfaceMesh result = mesh;
+  while (!pairs.empty()) {
+    const auto [one, other] = pairs.back();
+    pairs.pop_back();
+    auto next = withBridge(result, one, other);
+    if (!next) return next;
+    result = std::move(next).value();
+    // A bridge takes two faces out, so that the numbers of those behind fall.
+    for (auto& [a, b] : pairs) {
+      for (Face* face : {&a, &b}) {
+        *face = Face(*face - (*face > one ? 1u : 0u) - (*face > other ? 1u : 0u));
+      }
+    }
+  }
+  return result;
+}
+
+Result<SurfaceMesh> withTinyHandles(const SurfaceMesh& mesh, std::size_t count) {
+  std::vector<std::vector<Index>> neighbours(mesh.vertexCount());
+  for (const Halfedge h : mesh.halfedges()) {
+    neighbours[mesh.from(h)].push_back(mesh.to(h));
+    neighbours[mesh.to(h)].push_back(mesh.from(h));
+  }
+  std::vector<bool> taken(mesh.vertexCount(), false);
+  const auto isFree = [&](Face face) {
+    const auto corners = mesh.faceVertices(face);
+    return std::none_of(corners.begin(), corners.end(), [&](Vertex v) { return taken[v]; });
+  };
+  const auto takeRound = [&](Face face) {
+    for (const Vertex v : mesh.faceVertices(face)) {
+      taken[v] = true;
+      for (const Index w : neighbours[v]) taken[w] = true;
+    }
+  };
+  // The nearest face, from neighbour to neighbour, that no edge joins with the first one.
+  const auto across = [&](Face first) -> std::optional<Face> {
+    constexpr std::size_t kMostFaces = 200;
+    std::vector<Face> around{first};
+    for (std::size_t i = 0; i < around.size() && around.size() < kMostFaces; ++i) {
+      if (isFree(around[i])) return around[i];
+      for (Index k = 0; k < 3; ++k) {
+        const Halfedge twin = mesh.twin(Halfedge(3 * around[i] + k));
+        if (twin == kNoIndex) continue;
+        const Face next = SurfaceMesh::faceOf(twin);
+        if (std::find(around.begin(), around.end(), next) == around.end()) around.push_back(next);
+      }
+    }
+    return std::nullopt;
+  };
+  std::vector<std::pair<Face, Face>> pairs;
+  for (const Vertex v : coarseToFineOrder(mesh, kSpread)) {
+    if (pairs.size() == count) break;
+    const Face first = SurfaceMesh::faceOf(mesh.outgoing(v));
+    if (!isFree(first)) continue;
+    const std::vector<bool> before = taken;
+    takeRound(first);
+    if (const auto second = across(first)) {
+      takeRound(*second);
+      pairs.emplace_back(first, *second);
+    } else {
+      taken = before;
+    }
+  }
+  if (pairs.size() < count) {
+    return optionError("there is no room for " + std::to_string(count) + " tiny handles");
+  }
+  return withBridges(mesh, std::move(pairs));
 }
 
 Result<std::vector<std::pair<Face, Face>>> facingPlaces(const SurfaceMesh& mesh, std::size_t count,

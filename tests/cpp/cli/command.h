@@ -18,11 +18,13 @@
 #include <thread>
 #include <vector>
 
+#include "test_paths.h"
+
 namespace girth::test {
 
 namespace fs = std::filesystem;
 
-inline const std::string kData = GIRTH_TEST_DATA;
+inline const std::string kData = testData();
 
 inline std::string contentOf(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -72,7 +74,7 @@ class Command : public ::testing::Test {
         std::freopen(path("stderr").c_str(), "wb", stderr) == nullptr) {
       _exit(126);
     }
-    std::vector<std::string> copies{GIRTH_COMMAND};
+    std::vector<std::string> copies{girthCommand()};
     copies.insert(copies.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& copy : copies) pointers.push_back(copy.data());

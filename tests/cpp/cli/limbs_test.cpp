@@ -88,6 +88,62 @@ TEST_F(Command, limbsOfAPencil) {
   EXPECT_NE(text.output.find("whole"), std::string::npos);
 }
 
+TEST_F(Command, profileAlongTheAxisOfAPencil) {
+  const std::string model = write("pencil.obj", pencil());
+  const Outcome outcome = run({"profile", model, "--limb", "1", "--samples", "48", "--unit", "cm",
+                               "-o", path("axis.json"), "--json"});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_EQ(contentOf(path("axis.json")), outcome.output);
+  const Json axis = Json::parse(outcome.output);
+  EXPECT_EQ(axis["unit"], "centimetre");
+  std::size_t round = 0;
+  double before = -1;
+  for (const Json& loop : axis["loops"]) {
+    EXPECT_GT(loop["distance"].get<double>(), before);
+    before = loop["distance"];
+    EXPECT_EQ(loop["points"].front(), loop["points"].back());
+    const double z = loop["centre"][2];
+    if (z < 2.5 || z > 6) continue;
+    ++round;
+    EXPECT_NEAR(loop["girth"].get<double>(), kGirth, 1e-5);
+    EXPECT_NEAR(loop["centre"][0].get<double>(), 0, 1e-5);
+    EXPECT_NEAR(loop["centre"][1].get<double>(), 0, 1e-5);
+  }
+  EXPECT_GE(round, 8u);
+  EXPECT_EQ(axis["length"].get<double>(), before);
+
+  EXPECT_EQ(run({"profile", model, "--limb", "1", "--samples", "48", "-o", path("a.csv")}).exitCode,
+            0);
+  const std::vector<std::string> rows = linesOf(contentOf(path("a.csv")));
+  EXPECT_EQ(rows[0], "distance,along,girth,area,x,y,z,unit");
+  EXPECT_EQ(rows.size(), axis["loops"].size() + 1);
+  for (const std::string ending : {"obj", "glb"}) {
+    const std::string file = path("loops." + ending);
+    EXPECT_EQ(run({"profile", model, "--limb", "1", "-o", file}).exitCode, 0);
+    EXPECT_FALSE(contentOf(file).empty());
+  }
+  EXPECT_TRUE(contains(contentOf(path("loops.obj")), "o axis\n"));
+  EXPECT_TRUE(contains(run({"profile", model, "--limb", "1"}).output, "loops along an axis"));
+  // The loops are curves to cut along.
+  const Outcome few =
+      run({"profile", model, "--limb", "1", "--samples", "4", "-o", path("few.json")});
+  ASSERT_EQ(few.exitCode, 0) << few.errors;
+  EXPECT_EQ(run({"cut", model, "--along", path("few.json")}).exitCode, 0);
+
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"profile", model, "--limb", "2"},
+        {"profile", model, "--limb", "0"},
+        {"profile", model, "0", "5", "--limb", "1"},
+        {"profile", model, "--limb", "1", "--even"},
+        {"profile", model, "--limb", "1", "--samples", "0"},
+        {"profile", model, "--limb", "1", "--samples", "10001"},
+        {"profile", model, "0", "5", "-o", path("path.obj")}}) {
+    const Outcome refused = run(arguments);
+    EXPECT_EQ(refused.exitCode, 1) << arguments.back();
+    EXPECT_EQ(linesOf(refused.errors).size(), 1u) << refused.errors;
+  }
+}
+
 TEST_F(Command, limbsOfWhatHasNone) {
   const Outcome outcome = run({"limbs", kData + "/prism.obj", "--json"});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command.h"
+#include "test_paths.h"
 
 namespace girth::test {
 namespace {
@@ -142,7 +143,7 @@ TEST_F(PackedModels, standardInput) {
   const std::string model = kData + "/prism.obj";
   const auto piped = [&](const std::string& input, const std::string& command) {
     const std::string line =
-        std::string(GIRTH_COMMAND) + " " + command + " < '" + input + "' > '" + path("out") + "'";
+        girthCommand() + " " + command + " < '" + input + "' > '" + path("out") + "'";
     return std::system(line.c_str()) == 0 ? contentOf(path("out")) : std::string("failed");
   };
   EXPECT_EQ(piped(model, "igf - -o - --format csv"), expected_);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "../model_folder.h"
+#include "test_paths.h"
 
 namespace girth::test {
 namespace {
@@ -18,7 +19,7 @@ class Resources : public ModelFolder {
   /// What `girth info` says of a model whose buffer has that address.
   std::string infoWith(const std::string& uri) const {
     const std::string model = gltfWith(uri);
-    const std::string command = std::string(GIRTH_COMMAND) + " info '" + model + "' 2>&1";
+    const std::string command = girthCommand() + " info '" + model + "' 2>&1";
     std::FILE* pipe = popen(command.c_str(), "r");
     std::string output;
     char block[256];

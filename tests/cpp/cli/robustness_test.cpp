@@ -37,6 +37,7 @@ TEST_F(Command, studyOfRobustness) {
 
   EXPECT_EQ(run(with({"-o", path("table.txt")})).exitCode, 1);
   EXPECT_EQ(run(with({"--stretch", "nan"})).exitCode, 1);
+  EXPECT_EQ(run(with({"--handles", "0"})).exitCode, 1);
   EXPECT_EQ(run(with({"--sizes", "1"})).exitCode, 1);
   EXPECT_EQ(run(with({"--poses", path("absent.obj")})).exitCode, 2);
   EXPECT_EQ(run({"study", "robustness", path("absent.obj")}).exitCode, 2);

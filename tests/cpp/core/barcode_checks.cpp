@@ -109,4 +109,30 @@ int expectSampledBarcodes(std::uint64_t seed, Index vertices, double share) {
   return seen;
 }
 
+void expectPersistentGirths(std::uint64_t seed) {
+  const RandomMesh random = randomMesh(seed, 0.02);
+  const SurfaceMesh mesh = random.shape.mesh(OpenEdges::Boundary);
+  GirthSolver whole(mesh), persistent(mesh);
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", vertex " + std::to_string(v) + ": " +
+                 random.history);
+    const auto barcode = whole.barcode(Vertex(v), {});
+    ASSERT_TRUE(barcode);
+    const double girth = barcode.value().girth(0).length;
+    std::vector<double> taus{1e-6 * girth, 0.02 * girth, 0.1 * girth, girth};
+    for (std::size_t i = 0; i < std::min<std::size_t>(barcode.value().bars.size(), 3); ++i) {
+      const double length = barcode.value().bars[i].persistence();
+      if (!std::isfinite(length)) continue;
+      taus.insert(taus.end(), {length * (1 - 1e-5), length * (1 + 1e-5)});
+    }
+    for (const double tau : taus) {
+      persistent.setPersistence(tau);
+      const auto value = persistent.value(Vertex(v));
+      ASSERT_TRUE(value);
+      EXPECT_EQ(value.value().length, barcode.value().girth(tau).length) << "tau " << tau;
+      EXPECT_EQ(value.value().kind, barcode.value().girth(tau).kind) << "tau " << tau;
+    }
+  }
+}
+
 }  // namespace girth::test

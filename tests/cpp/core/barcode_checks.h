@@ -19,4 +19,9 @@ int expectSampledBarcode(const SurfaceMesh& mesh, TextbookMmp& textbook, const S
 /// with samples as far apart as a share of the greatest distance. Bars that were long enough.
 int expectSampledBarcodes(std::uint64_t seed, Index vertices, double share);
 
+/// Checks on the random surface of a seed, at every vertex, that the persistent girth is to the bit
+/// what the whole barcode says, for which all maxima were looked for; also for tau just below and
+/// above how long a saddle lasts.
+void expectPersistentGirths(std::uint64_t seed);
+
 }  // namespace girth::test

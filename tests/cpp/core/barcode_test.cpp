@@ -14,8 +14,6 @@
 namespace girth::test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 Barcode barcodeOf(GirthSolver& solver, Vertex v, const BarcodeOptions& options = {}) {
   auto barcode = solver.barcode(v, options);
   EXPECT_TRUE(barcode);
@@ -96,6 +94,31 @@ TEST(Barcode, GivesThePersistentGirth) {
   }
 }
 
+// Whether a saddle lasts is mostly seen from its sides. The whole barcode knows it from all maxima,
+// at every vertex, and for tau just below and above how long saddles last.
+TEST(Barcode, IsForeseenFromTheSidesOfSaddles) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) expectPersistentGirths(seed);
+}
+
+// Far from the ends of a rod both sides of the loop go on, as its length shows: at most vertices
+// nothing is computed beyond the loop.
+TEST(Barcode, OfARodTakesLittleMoreThanTheLoop) {
+  const SurfaceMesh mesh = perturbed(prism(regularPolygon(9, 1), 40, 60), 0.1, 1).mesh();
+  GirthSolver plain(mesh), persistent(mesh);
+  persistent.setPersistence(4);
+  int seen = 0, quick = 0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const double z = mesh.position(Vertex(v)).z;
+    if (std::fabs(z - 20) > 5) continue;
+    EXPECT_EQ(persistent.value(Vertex(v)).value().length, plain.value(Vertex(v)).value().length);
+    const std::size_t windows = plain.statistics().windowsCrossed;
+    if (persistent.statistics().windowsCrossed < windows + windows / 5) ++quick;
+    ++seen;
+  }
+  EXPECT_GT(seen, 100);
+  EXPECT_GT(quick, seen * 3 / 4);
+}
+
 // Neighbours bracket each other; scaling, renumbering and threads change nothing.
 TEST(Barcode, IsStableFromPointToPoint) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -168,7 +191,7 @@ TEST(Barcode, RefusesWhatIsNoPersistence) {
   const SurfaceMesh mesh = octasphere(1).mesh();
   GirthSolver solver(mesh);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const double tau : {-1.0, nan, kInfinity}) {
+  for (const double tau : {-1.0, nan, std::numeric_limits<double>::infinity()}) {
     solver.setPersistence(tau);
     EXPECT_EQ(solver.value(Vertex(0)).error().code, ErrorCode::InvalidOption);
     EXPECT_EQ(solver.loop(Vertex(0)).error().code, ErrorCode::InvalidOption);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -14,6 +15,7 @@
 #include "mesh/angles.h"
 #include "mesh/vector.h"
 #include "shapes.h"
+#include "small_handles.h"
 
 namespace girth {
 namespace {
@@ -21,6 +23,7 @@ namespace {
 using test::lathe;
 using test::Ring;
 using test::Shape;
+using test::volumeOf;
 
 CutSurface cut(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& curves, bool cap = false) {
   auto result = cutSurface(mesh, curves, {cap});
@@ -32,17 +35,6 @@ CutSurface cut(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& curves,
 int eulerCharacteristic(const SurfaceMesh& mesh) {
   return static_cast<int>(mesh.vertexCount()) - static_cast<int>(mesh.edgeCount()) +
          static_cast<int>(mesh.faceCount());
-}
-
-double volumeOf(const SurfaceMesh& mesh) {
-  double volume = 0;
-  for (const Face f : mesh.faces()) {
-    const auto corners = mesh.faceVertices(f);
-    volume += dot(mesh.position(corners[0]),
-                  cross(mesh.position(corners[1]), mesh.position(corners[2]))) /
-              6;
-  }
-  return volume;
 }
 
 /// What must hold for every cut without caps.
@@ -171,6 +163,102 @@ TEST(CutSurface, pointsNearVerticesAreMovedToThem) {
   expectConsistent(mesh, parts);
   EXPECT_EQ(parts.mesh.faceCount(), mesh.faceCount());
   EXPECT_EQ(parts.mesh.componentCount(), 2u);
+}
+
+TEST(CutSurface, aLoopThroughOneVertexTwice) {
+  const SurfaceMesh mesh = test::torus(4, 1, 9, 8).mesh();
+  // Round two faces that have nothing but a vertex in common, in one curve: both come off.
+  const Halfedge first = mesh.outgoing(Vertex(20));
+  std::vector<Halfedge> around;
+  for (Halfedge h = first;;) {
+    around.push_back(h);
+    h = mesh.twin(SurfaceMesh::previous(h));
+    if (h == first) break;
+  }
+  ASSERT_GE(around.size(), 4u);
+  SurfaceCurve eight;
+  for (const Halfedge h : {around[0], around[2]}) {
+    eight.push_back(SurfacePoint::atVertex(mesh.from(h)));
+    eight.push_back(SurfacePoint::atVertex(mesh.to(h)));
+    eight.push_back(SurfacePoint::atVertex(mesh.from(SurfaceMesh::previous(h))));
+  }
+  eight.push_back(eight.front());
+  const CutSurface parts = cut(mesh, {eight});
+  EXPECT_NEAR(parts.mesh.area(), mesh.area(), 1e-9);
+  EXPECT_EQ(parts.mesh.componentCount(), 3u);
+  EXPECT_EQ(parts.mesh.faceCount(), mesh.faceCount());
+  const auto sides = sidesOf(mesh, eight).value();
+  ASSERT_EQ(sides.size(), 3u);
+  EXPECT_NEAR(sides[0].area + sides[1].area + sides[2].area, mesh.area(), 1e-9);
+  // Round the tube and along it, through one vertex both times: what is left is a disk.
+  SurfaceCurve both;
+  for (Index i = 0; i < 8; ++i) both.push_back(SurfacePoint::atVertex(Vertex(i)));
+  for (Index k = 0; k < 9; ++k) both.push_back(SurfacePoint::atVertex(Vertex(8 * k)));
+  both.push_back(both.front());
+  const CutSurface disk = cut(mesh, {both});
+  EXPECT_NEAR(disk.mesh.area(), mesh.area(), 1e-9);
+  EXPECT_EQ(disk.mesh.componentCount(), 1u);
+  EXPECT_EQ(disk.mesh.genus(0), 0u);
+  EXPECT_EQ(disk.mesh.boundaryCount(0), 1u);
+}
+
+TEST(CutSurface, curvesThatTouch) {
+  const SurfaceMesh mesh = test::torus(4, 1, 9, 8).mesh();
+  const Halfedge first = mesh.outgoing(Vertex(20));
+  std::vector<SurfaceCurve> faces;  // round each face at a vertex
+  for (Halfedge h = first;;) {
+    faces.emplace_back();
+    for (const Vertex v : mesh.faceVertices(SurfaceMesh::faceOf(h))) {
+      faces.back().push_back(SurfacePoint::atVertex(v));
+    }
+    faces.back().push_back(faces.back().front());
+    h = mesh.twin(SurfaceMesh::previous(h));
+    if (h == first) break;
+  }
+  // In a vertex, along an edge, and both; the same curve twice is once.
+  for (const auto& [curves, parts] :
+       {std::pair<std::vector<SurfaceCurve>, Index>{{faces[0], faces[2]}, 3},
+        {{faces[0], faces[1]}, 3},
+        {{faces[0], faces[1], faces[3]}, 4},
+        {{faces[0], faces[0]}, 2}}) {
+    const CutSurface pieces = cut(mesh, curves);
+    EXPECT_EQ(pieces.mesh.componentCount(), parts);
+    EXPECT_EQ(pieces.mesh.faceCount(), mesh.faceCount());
+    EXPECT_NEAR(pieces.mesh.area(), mesh.area(), 1e-9);
+  }
+  // A loop round the tube and a face beside it: what is left is a tube without the face.
+  SurfaceCurve meridian;
+  for (Index i = 0; i < 8; ++i) meridian.push_back(SurfacePoint::atVertex(Vertex(i)));
+  meridian.push_back(meridian.front());
+  const Face beside = SurfaceMesh::faceOf(mesh.outgoing(Vertex(0)));
+  SurfaceCurve face;
+  for (const Vertex v : mesh.faceVertices(beside)) face.push_back(SurfacePoint::atVertex(v));
+  face.push_back(face.front());
+  const CutSurface tube = cut(mesh, {meridian, face});
+  EXPECT_EQ(tube.mesh.componentCount(), 2u);
+  EXPECT_NEAR(tube.mesh.area(), mesh.area(), 1e-9);
+}
+
+TEST(CutSurface, curvesThatCrossAtVertices) {
+  // Two equators of an octahedron meet at two of its corners: four quarters.
+  const SurfaceMesh mesh = test::octasphere(0).mesh();
+  ASSERT_EQ(mesh.faceCount(), 8u);
+  const auto through = [](const std::array<Index, 4>& corners) {
+    SurfaceCurve curve;
+    for (const Index v : corners) curve.push_back(SurfacePoint::atVertex(Vertex(v)));
+    curve.push_back(curve.front());
+    return curve;
+  };
+  const std::vector<SurfaceCurve> equators{through({0, 1, 3, 4}), through({0, 2, 3, 5})};
+  const CutSurface quarters = cut(mesh, equators);
+  EXPECT_EQ(quarters.mesh.componentCount(), 4u);
+  EXPECT_EQ(quarters.mesh.vertexCount(), 16u);
+  EXPECT_NEAR(quarters.mesh.area(), mesh.area(), 1e-12);
+  for (Index c = 0; c < 4; ++c) EXPECT_EQ(quarters.mesh.boundaryCount(c), 1u);
+  const auto capped = cutSurface(mesh, equators, {true});
+  ASSERT_TRUE(capped.ok());
+  EXPECT_EQ(capped.value().mesh.componentCount(), 4u);
+  for (Index c = 0; c < 4; ++c) EXPECT_EQ(capped.value().mesh.boundaryCount(c), 0u);
 }
 
 TEST(CutSurface, isCancelled) {

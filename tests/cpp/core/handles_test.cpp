@@ -359,6 +359,20 @@ TEST(Handles, sameForAnyNumberOfThreads) {
   }
 }
 
+TEST(Handles, areCancelledAtAnyTime) {
+  const SurfaceMesh mesh = test::perturbed(test::plate(2, 2), 0.1, 5).mesh();
+  for (const double share : {0.0, 0.2, 0.5, 0.8}) {
+    std::atomic<bool> cancel{false};
+    ExecutionContext context{2, &cancel, {}};
+    context.onProgress = [&](double fraction) {
+      if (fraction >= share) cancel = true;
+    };
+    const auto found = findHandles(mesh, {}, context);
+    ASSERT_FALSE(found.ok()) << share;
+    EXPECT_EQ(found.error().code, ErrorCode::Cancelled);
+  }
+}
+
 TEST(Handles, badInput) {
   const SurfaceMesh mesh = test::torus(3, 1, 6, 5).mesh();
   EXPECT_EQ(findHandles(mesh, {0}).error().code, ErrorCode::InvalidOption);

@@ -233,6 +233,29 @@ TEST(Necks, meridiansOfATorusAreNecksWithoutProminence) {
   for (std::size_t i = 1; i < kAround; ++i) EXPECT_NEAR(found.necks[i].prominence, 0, 1e-9);
 }
 
+TEST(Necks, aProminenceOfLessThanAThousandthIsNone) {
+  // Rings of nearly the same length, one behind the other.
+  constexpr Index kRings = 12;
+  constexpr double kRise = 1e-4;
+  std::vector<Ring> rings;
+  for (Index i = 0; i < kRings; ++i) {
+    rings.push_back({2.0 * i, 1 + (i % 2 == 0 ? 0 : kRise) + (i == 6 ? 0.05 : 0)});
+  }
+  rings.front().radius = rings.back().radius = 1.5;
+  const SurfaceMesh mesh = lathe(rings, 8).mesh();
+  const Necks found = necksOf(mesh);
+  expectConsistent(mesh, found);
+  // On both sides of the ring that stands out, and of several there one is as good as another.
+  std::vector<double> prominences;
+  for (const Neck& neck : found.necks) {
+    if (neck.prominence > 0) prominences.push_back(neck.prominence / neck.length);
+  }
+  ASSERT_EQ(prominences.size(), 2u);
+  EXPECT_EQ(prominences[0], kInfinity);
+  EXPECT_NEAR(prominences[1], 0.05, 0.011);
+  EXPECT_EQ(found.necks.size(), 4u);
+}
+
 TEST(Necks, longerThanTheGirthBesideAThinnerPart) {
   // A thin hole: round the ring's inside the way is shorter than round its tube, whose loops are
   // necks as well.
@@ -313,6 +336,23 @@ TEST(Necks, sameForAnyNumberOfThreads) {
     EXPECT_EQ(one.necks[i].length, three.necks[i].length);
     EXPECT_EQ(one.necks[i].prominence, three.necks[i].prominence);
     EXPECT_EQ(one.necks[i].vertices, three.necks[i].vertices);
+  }
+}
+
+TEST(Necks, areCancelledAtAnyTime) {
+  const std::vector<Ring> rings{{0, 1}, {1, 2}, {2.5, 1}, {4, 2}, {5, 0.8}, {6.5, 2}, {7, 1}};
+  const SurfaceMesh mesh = test::perturbed(test::subdivided(lathe(rings, 6)), 0.1, 1).mesh();
+  const std::vector<double> girth = girthField(mesh).values;
+  // While loops are drawn tight, and while prominences are searched for.
+  for (const double share : {0.0, 0.3, 0.81}) {
+    std::atomic<bool> cancel{false};
+    ExecutionContext context{2, &cancel, {}};
+    context.onProgress = [&](double fraction) {
+      if (fraction >= share) cancel = true;
+    };
+    const auto found = findNecks(mesh, girth, {}, context);
+    ASSERT_FALSE(found.ok()) << share;
+    EXPECT_EQ(found.error().code, ErrorCode::Cancelled);
   }
 }
 

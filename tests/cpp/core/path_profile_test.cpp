@@ -110,6 +110,48 @@ TEST(PathProfile, samplesAndCrossings) {
   EXPECT_EQ(along(mesh, {from, from}, {5, false}).size(), 1u);
 }
 
+TEST(PathProfile, pathsThroughPointsAreTheirPieces) {
+  const SurfaceMesh mesh = test::perturbed(test::torus(4, 1, 9, 7), 0.1, 3).mesh();
+  const std::vector<SurfacePoint> points{SurfacePoint::atVertex(Vertex(0)),
+                                         SurfacePoint::inFace(Face(50), {0.2, 0.3, 0.5}),
+                                         SurfacePoint::atVertex(Vertex(20))};
+  std::vector<SurfacePoint> pieces = shortestPath(mesh, points[0], points[1]);
+  const auto second = shortestPath(mesh, points[1], points[2]);
+  pieces.insert(pieces.end(), second.begin(), second.end());
+  const auto path = shortestPathThrough(mesh, points).value();
+  ASSERT_EQ(path.size(), pieces.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    EXPECT_EQ(norm(positionOf(mesh, path[i]) - positionOf(mesh, pieces[i])), 0);
+  }
+  expectConsistent(mesh, path, along(mesh, path, {20, true}));
+  // A point that is named twice is no detour.
+  EXPECT_EQ(
+      along(mesh, shortestPathThrough(mesh, std::vector{points[0], points[0]}).value()).size(), 1u);
+  EXPECT_EQ(shortestPathThrough(mesh, std::vector{points[0]}).error().code, ErrorCode::Usage);
+  EXPECT_EQ(
+      shortestPathThrough(mesh, std::vector{points[0], SurfacePoint::atVertex(Vertex(99'999))})
+          .error()
+          .code,
+      ErrorCode::VertexOutOfRange);
+}
+
+TEST(PathProfile, noPathLeadsToAnotherComponent) {
+  test::Shape two = test::box(1, 1, 1, 1, 1, 1);
+  const test::Shape other = test::box(1, 1, 1, 1, 1, 1);
+  const Index first = two.vertexCount();
+  for (std::size_t i = 0; i < other.positions.size(); ++i) {
+    two.positions.push_back(other.positions[i] + 5);
+  }
+  for (const Index v : other.triangles) two.triangles.push_back(first + v);
+  const SurfaceMesh mesh = two.mesh();
+  ASSERT_EQ(mesh.componentCount(), 2u);
+  const SurfacePoint a = SurfacePoint::atVertex(Vertex(0)), b = SurfacePoint::atVertex(Vertex(1)),
+                     c = SurfacePoint::atVertex(Vertex(first));
+  const auto refused = shortestPathThrough(mesh, std::vector{a, b, c});
+  EXPECT_EQ(refused.error().code, ErrorCode::InvalidPoint);
+  EXPECT_EQ(refused.error().element, 2);
+}
+
 TEST(PathProfile, sameForAnyNumberOfThreads) {
   const SurfaceMesh mesh = test::perturbed(test::torus(4, 1, 9, 7), 0.1, 3).mesh();
   const auto path =

@@ -20,7 +20,7 @@ namespace {
 
 using test::Shape;
 
-const double kNone = std::numeric_limits<double>::quiet_NaN();
+const double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<PersistentMaximum> maximaOf(const SurfaceMesh& mesh,
                                         const std::vector<double>& values) {
@@ -62,11 +62,11 @@ TEST(PersistentMaxima, OfConstantAndMissingValues) {
   EXPECT_EQ(flat[0].vertex, 0u);
   EXPECT_EQ(flat[0].persistence, 0);
   // Two vertices without a value cut the strip.
-  const auto cut = maximaOf(strip(6), {1, 2, kNone, kNone, 5, 4});
+  const auto cut = maximaOf(strip(6), {1, 2, kNaN, kNaN, 5, 4});
   ASSERT_EQ(cut.size(), 2u);
   EXPECT_EQ(cut[0].saddle, kNoIndex);
   EXPECT_EQ(cut[1].saddle, kNoIndex);
-  EXPECT_TRUE(maximaOf(strip(6), std::vector<double>(6, kNone)).empty());
+  EXPECT_TRUE(maximaOf(strip(6), std::vector<double>(6, kNaN)).empty());
   const auto wrong = persistentMaxima(strip(6), std::vector<double>(5, 1.0));
   ASSERT_FALSE(wrong.ok());
   EXPECT_EQ(wrong.error().code, ErrorCode::Usage);

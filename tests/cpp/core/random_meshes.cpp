@@ -10,7 +10,7 @@ namespace girth::test {
 
 namespace {
 
-std::array<double, 3> at(const Shape& shape, Index v) {
+std::array<double, 3> placeOf(const Shape& shape, Index v) {
   return {shape.positions[3 * v], shape.positions[3 * v + 1], shape.positions[3 * v + 2]};
 }
 
@@ -86,7 +86,7 @@ void divide(Shape& shape, Index side, double s, double r) {
   std::vector<Index>& t = shape.triangles;
   const Index f = side / 3;
   const Index a = t[side], b = t[3 * f + (side + 1) % 3], c = t[3 * f + (side + 2) % 3];
-  const auto pa = at(shape, a), pb = at(shape, b), pc = at(shape, c);
+  const auto pa = placeOf(shape, a), pb = placeOf(shape, b), pc = placeOf(shape, c);
   std::array<double, 3> p{};
   for (int k = 0; k < 3; ++k) {
     p[k] = pa[k] + s * (pb[k] - pa[k]);
@@ -188,7 +188,7 @@ Shape withoutLoneVertices(const Shape& shape) {
   std::vector<Index> newNumber(shape.vertexCount(), kNoIndex);
   for (const Index v : shape.triangles) {
     if (newNumber[v] == kNoIndex) {
-      const auto p = at(shape, v);
+      const auto p = placeOf(shape, v);
       newNumber[v] = result.add(p[0], p[1], p[2]);
     }
     result.triangles.push_back(newNumber[v]);
@@ -226,8 +226,8 @@ Shape reflected(const Shape& shape, std::uint64_t seed) {
     length += x * x;
   }
   for (double& x : normal) x /= std::sqrt(length);
-  const auto a = at(shape, random.below(shape.vertexCount()));
-  const auto b = at(shape, random.below(shape.vertexCount()));
+  const auto a = placeOf(shape, random.below(shape.vertexCount()));
+  const auto b = placeOf(shape, random.below(shape.vertexCount()));
   for (int k = 0; k < 3; ++k) through[k] = 0.4 * a[k] + 0.6 * b[k];
   const auto above = [&](const std::array<double, 3>& p) {
     double height = 0;
@@ -238,7 +238,7 @@ Shape reflected(const Shape& shape, std::uint64_t seed) {
   result.positions = shape.positions;
   std::vector<double> height(shape.vertexCount());
   for (Index v = 0; v < shape.vertexCount(); ++v) {
-    height[v] = above(at(shape, v));
+    height[v] = above(placeOf(shape, v));
     if (height[v] <= 0) continue;
     for (Index k = 0; k < 3; ++k) result.positions[3 * v + k] -= 2 * height[v] * normal[k];
   }
@@ -246,7 +246,7 @@ Shape reflected(const Shape& shape, std::uint64_t seed) {
   const auto cut = [&](Index u, Index v) {
     const auto [it, isNew] = cuts.try_emplace(std::minmax(u, v), result.vertexCount());
     if (isNew) {
-      const auto pu = at(shape, it->first.first), pv = at(shape, it->first.second);
+      const auto pu = placeOf(shape, it->first.first), pv = placeOf(shape, it->first.second);
       const double hu = height[it->first.first], hv = height[it->first.second];
       const double s = hu / (hu - hv);
       result.add(pu[0] + s * (pv[0] - pu[0]), pu[1] + s * (pv[1] - pu[1]),

@@ -19,7 +19,7 @@ PreparedSurface prepared(const TriangleSoup& soup) {
 }
 
 /// A prism over a square of side 1, as long as wished, in 12 faces.
-TriangleSoup box(double length) {
+TriangleSoup beam(double length) {
   return {
       {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, length, 1, 0, length, 1, 1, length, 0, 1, length},
       {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
@@ -29,7 +29,7 @@ TriangleSoup box(double length) {
 TEST(RefineSurface, hasAsManyFacesAsWantedOnAnySurface) {
   // A closed one, one with a boundary, and one whose faces are needles.
   const TriangleSoup sheet{{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}};
-  for (const TriangleSoup& soup : {box(1), box(1000), sheet}) {
+  for (const TriangleSoup& soup : {beam(1), beam(1000), sheet}) {
     const PreparedSurface coarse = prepared(soup);
     for (const Index faces : {1u, 13u, 114u, 3000u}) {
       const auto fine = refineSurface(prepared(soup), faces);
@@ -54,7 +54,7 @@ TEST(RefineSurface, hasAsManyFacesAsWantedOnAnySurface) {
 }
 
 TEST(RefineSurface, facesCoverTheirTriangleOfTheInput) {
-  const TriangleSoup soup = box(3);
+  const TriangleSoup soup = beam(3);
   const auto fine = refineSurface(prepared(soup), 200);
   ASSERT_TRUE(fine.ok());
   const SurfaceMesh coarse = prepared(soup).mesh;
@@ -66,7 +66,7 @@ TEST(RefineSurface, facesCoverTheirTriangleOfTheInput) {
 }
 
 TEST(RefineSurface, theGirthStays) {
-  const TriangleSoup soup = box(10);
+  const TriangleSoup soup = beam(10);
   const SurfaceMesh coarse = prepared(soup).mesh;
   const auto fine = refineSurface(prepared(soup), 500);
   ASSERT_TRUE(fine.ok());
@@ -81,7 +81,7 @@ TEST(RefineSurface, stopsAtOnce) {
   std::atomic<bool> cancel{true};
   ExecutionContext context;
   context.cancel = &cancel;
-  const auto stopped = refineSurface(prepared(box(1)), 100'000, context);
+  const auto stopped = refineSurface(prepared(beam(1)), 100'000, context);
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
 }

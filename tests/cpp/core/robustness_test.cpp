@@ -60,6 +60,24 @@ TEST(Robustness, OfABentRod) {
   EXPECT_LT(rows[4].difference, rows[5].difference);
 }
 
+TEST(Robustness, OfTinyHandles) {
+  RobustnessOptions options = small();
+  options.tinyHandles = {1, 3};
+  const auto study = robustnessStudy(test::bentRod(12, 40).mesh(), {}, options);
+  ASSERT_TRUE(study.ok());
+  const std::vector<RobustnessRow>& rows = study.value();
+  ASSERT_EQ(rows.size(), 12u);
+  const RobustnessRow *one = &rows[8], *three = &rows[10];
+  EXPECT_EQ(one->change, "tiny handles: 1");
+  EXPECT_EQ(three[1].change, "tiny handles: 3, removed");
+  EXPECT_EQ(one->faces + 8, three->faces);
+  EXPECT_TRUE(one->unchanged.has_value());
+  for (const RobustnessRow* row : {one, three}) {
+    EXPECT_GT(row->difference, 0);
+    EXPECT_LT(row[1].difference, row->difference);
+  }
+}
+
 TEST(Robustness, SaysWhatCannotBeDone) {
   const auto study = robustnessStudy(test::box(3, 1, 1, 6, 2, 2).mesh(), {}, small());
   ASSERT_TRUE(study.ok());

@@ -14,7 +14,7 @@ namespace {
 
 using test::Shape;
 
-Spectrum spectrumOf(const SurfaceMesh& mesh, Index pairs) {
+Spectrum pairsOf(const SurfaceMesh& mesh, Index pairs) {
   auto spectrum = laplaceSpectrum(mesh, {pairs});
   EXPECT_TRUE(spectrum.ok());
   return spectrum.ok() ? std::move(spectrum).value() : Spectrum{};
@@ -47,7 +47,7 @@ TEST(HeatKernel, ByHand) {
 TEST(HeatKernel, OfASphere) {
   // Σ (2 l + 1) exp(−l (l + 1) t) / 4π everywhere.
   const SurfaceMesh mesh = test::icosphere(4).mesh();
-  const Spectrum spectrum = spectrumOf(mesh, 144);
+  const Spectrum spectrum = pairsOf(mesh, 144);
   const double times[] = {0.1, 0.5, 2};
   const auto heat = heatKernelSignature(spectrum, times);
   ASSERT_TRUE(heat.ok());
@@ -64,7 +64,7 @@ TEST(HeatKernel, OfASphere) {
 
 TEST(HeatKernel, ItsIntegralIsTheSumOverTheValues) {
   const SurfaceMesh mesh = bumpy().mesh();
-  const Spectrum spectrum = spectrumOf(mesh, 50);
+  const Spectrum spectrum = pairsOf(mesh, 50);
   const double times[] = {0.3};
   const auto heat = heatKernelSignature(spectrum, times);
   ASSERT_TRUE(heat.ok());
@@ -78,7 +78,7 @@ TEST(HeatKernel, ItsIntegralIsTheSumOverTheValues) {
 
 TEST(HeatKernel, ScaleInvariantMeansSo) {
   const Shape shape = bumpy();
-  const auto one = scaleInvariantHeatKernelSignature(spectrumOf(shape.mesh(), 60));
+  const auto one = scaleInvariantHeatKernelSignature(pairsOf(shape.mesh(), 60));
   ASSERT_TRUE(one.ok());
   EXPECT_EQ(one.value().dimensions, 19u);
   double greatest = 0;
@@ -89,7 +89,7 @@ TEST(HeatKernel, ScaleInvariantMeansSo) {
   EXPECT_GT(greatest, 0.1);
   for (const double scale : {1e-100, 3.0, 1e100}) {
     const auto scaled =
-        scaleInvariantHeatKernelSignature(spectrumOf(test::moved(shape, scale, 0, 0).mesh(), 60));
+        scaleInvariantHeatKernelSignature(pairsOf(test::moved(shape, scale, 0, 0).mesh(), 60));
     ASSERT_TRUE(scaled.ok());
     for (std::size_t i = 0; i < one.value().values.size(); ++i) {
       ASSERT_NEAR(scaled.value().values[i], one.value().values[i], 1e-7 * greatest);
@@ -152,9 +152,9 @@ TEST(WaveKernel, WeighsTheFunctionsByTheirEnergy) {
 TEST(WaveKernel, ShrinksWithTheAreaAndHasItsMean) {
   const Shape shape = bumpy();
   const SurfaceMesh mesh = shape.mesh();
-  const Spectrum spectrum = spectrumOf(mesh, 60);
+  const Spectrum spectrum = pairsOf(mesh, 60);
   const auto one = waveKernelSignature(spectrum);
-  const auto scaled = waveKernelSignature(spectrumOf(test::moved(shape, 1e50, 0, 0).mesh(), 60));
+  const auto scaled = waveKernelSignature(pairsOf(test::moved(shape, 1e50, 0, 0).mesh(), 60));
   ASSERT_TRUE(one.ok() && scaled.ok());
   ASSERT_EQ(one.value().dimensions, 100u);
   for (std::size_t i = 0; i < one.value().values.size(); ++i) {

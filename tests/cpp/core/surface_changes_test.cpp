@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "girth/remove_handles.h"
 #include "mesh/vector.h"
 #include "shapes.h"
 
@@ -98,6 +99,23 @@ TEST(SurfaceChanges, ABridgeIsAHandle) {
   EXPECT_EQ(bridged.value().faceCount(), mesh.faceCount() + 4);
   EXPECT_EQ(codeOf(withBridge(mesh, Face(3), Face(3))), ErrorCode::InvalidOption);
   EXPECT_EQ(codeOf(withBridge(mesh, Face(0), Face(mesh.faceCount()))), ErrorCode::InvalidOption);
+}
+
+TEST(SurfaceChanges, TinyHandlesAreShortAndApart) {
+  const SurfaceMesh sphere = test::icosphere(4).mesh();
+  const auto rough = withTinyHandles(sphere, 5);
+  ASSERT_TRUE(rough.ok());
+  EXPECT_EQ(rough.value().genus(0), 5u);
+  EXPECT_EQ(rough.value().vertexCount(), sphere.vertexCount());
+  EXPECT_EQ(rough.value().faceCount(), sphere.faceCount() + 20);
+  const double length = kTinyLoop * sphere.meanEdgeLength();
+  const auto removal = removeHandles(rough.value(), length);
+  ASSERT_TRUE(removal.ok());
+  EXPECT_EQ(removal.value().genusAfter, 0u);
+  EXPECT_EQ(removal.value().removed.size(), 5u);
+  EXPECT_EQ(codeOf(withTinyHandles(sphere, 100000)), ErrorCode::InvalidOption);
+  EXPECT_EQ(codeOf(withTinyHandles(test::box(1, 1, 1, 1, 1, 1).mesh(), 1)),
+            ErrorCode::InvalidOption);
 }
 
 TEST(SurfaceChanges, PartsFaceEachOtherAcrossGaps) {

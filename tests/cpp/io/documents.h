@@ -19,6 +19,12 @@
 
 namespace girth::io::testing {
 
+/// The tetrahedron: as lines of text, and as what is read.
+inline const std::string kVertexLines = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+inline const std::string kFaceLines = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+inline const std::vector<double> kTetrahedronPositions{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+inline const std::vector<Index> kTetrahedronTriangles{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+
 inline std::vector<std::byte> bytesOf(std::string_view text) {
   const auto* first = reinterpret_cast<const std::byte*>(text.data());
   return {first, first + text.size()};

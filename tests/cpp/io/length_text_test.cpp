@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "test_paths.h"
 #include "text/length_text.h"
 #include "text/number_text.h"
 
@@ -12,7 +13,7 @@ namespace girth::io {
 namespace {
 
 TEST(LengthText, readsAsThePageDoes) {
-  std::ifstream file(GIRTH_TEST_DATA "/lengths.json");
+  std::ifstream file(test::testData() + "/lengths.json");
   const auto cases = nlohmann::json::parse(file);
   ASSERT_GT(cases.size(), 20u);
   for (const auto& one : cases) {
@@ -35,7 +36,7 @@ TEST(LengthText, keepsTheUnitThatWasTyped) {
 }
 
 TEST(LengthText, readsSharesAsThePageDoes) {
-  std::ifstream file(GIRTH_TEST_DATA "/shares.json");
+  std::ifstream file(test::testData() + "/shares.json");
   const auto cases = nlohmann::json::parse(file);
   ASSERT_GT(cases.size(), 10u);
   for (const auto& one : cases) {
@@ -52,7 +53,7 @@ TEST(LengthText, readsSharesAsThePageDoes) {
 }
 
 TEST(NumberText, isReadAsOnThePage) {
-  std::ifstream file(GIRTH_TEST_DATA "/numbers.json");
+  std::ifstream file(test::testData() + "/numbers.json");
   const auto cases = nlohmann::json::parse(file);
   ASSERT_GT(cases.size(), 10u);
   for (const auto& one : cases) {

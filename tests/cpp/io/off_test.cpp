@@ -4,27 +4,22 @@
 namespace girth::io::testing {
 namespace {
 
-const std::string kVertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
-const std::string kFaces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-const std::vector<double> kPositions{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-const std::vector<Index> kTriangles{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-
 void expectTetrahedron(std::string_view text, std::string_view name = "a.off") {
   const auto model = modelOf(text, name);
   ASSERT_TRUE(model.ok()) << text << messageOf(model);
   EXPECT_EQ(model.value().format, Format::Off);
-  EXPECT_EQ(model.value().soup.positions, kPositions) << text;
-  EXPECT_EQ(model.value().soup.triangles, kTriangles) << text;
+  EXPECT_EQ(model.value().soup.positions, kTetrahedronPositions) << text;
+  EXPECT_EQ(model.value().soup.triangles, kTetrahedronTriangles) << text;
   EXPECT_TRUE(model.value().notes.empty()) << text;
 }
 
 TEST(Off, ascii) {
-  expectTetrahedron("OFF\n4 4 6\n" + kVertices + kFaces);
-  expectTetrahedron("OFF\n4 4 6\n" + kVertices + kFaces, "a.obj");
+  expectTetrahedron("OFF\n4 4 6\n" + kVertexLines + kFaceLines);
+  expectTetrahedron("OFF\n4 4 6\n" + kVertexLines + kFaceLines, "a.obj");
 }
 
 TEST(Off, headerVariants) {
-  const std::string rest = "\n" + kVertices + kFaces;
+  const std::string rest = "\n" + kVertexLines + kFaceLines;
   for (const char* begin : {"OFF 4 4 6", "OFF\n4 4", "OFF\n4\n4\n6", "OFF4 4 0", "off\n4 4 6",
                             "# first\n\nOFF # keyword\n# counts\n4 4 6 # edges"}) {
     expectTetrahedron(begin + rest);
@@ -34,11 +29,12 @@ TEST(Off, headerVariants) {
 
 TEST(Off, whatPrefixesAnnounceIsPassedOver) {
   expectTetrahedron(
-      "COFF\n4 4 6\n0 0 0 255 0 0 255\n1 0 0 1 1 1 1\n0 1 0 0 0 0 0\n0 0 1 1 0 0 1\n" + kFaces);
-  expectTetrahedron("NOFF\n4 4 6\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 1 0 0 1\n" + kFaces);
-  expectTetrahedron("STOFF\n4 4 6\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n0 0 1 1 1\n" + kFaces);
+      "COFF\n4 4 6\n0 0 0 255 0 0 255\n1 0 0 1 1 1 1\n0 1 0 0 0 0 0\n0 0 1 1 0 0 1\n" + kFaceLines);
+  expectTetrahedron("NOFF\n4 4 6\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 1 0 0 1\n" +
+                    kFaceLines);
+  expectTetrahedron("STOFF\n4 4 6\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n0 0 1 1 1\n" + kFaceLines);
   for (const char* keyword : {"CNOFF", "NCOFF", "STCNOFF"}) {
-    expectTetrahedron(std::string(keyword) + "\n4 4 6\n" + kVertices + kFaces);
+    expectTetrahedron(std::string(keyword) + "\n4 4 6\n" + kVertexLines + kFaceLines);
   }
   // Colours of vertices that no prefix announces, and of faces in every form.
   expectTetrahedron(
@@ -47,7 +43,7 @@ TEST(Off, whatPrefixesAnnounceIsPassedOver) {
 }
 
 TEST(Off, homogeneousCoordinatesAreDivided) {
-  expectTetrahedron("4OFF\n4 4 6\n0 0 0 2\n2 0 0 2\n0 -3 0 -3\n0 0 0.5 0.5\n" + kFaces);
+  expectTetrahedron("4OFF\n4 4 6\n0 0 0 2\n2 0 0 2\n0 -3 0 -3\n0 0 0.5 0.5\n" + kFaceLines);
   const auto atInfinity = soupOf("4OFF\n4 4 6\n0 0 0 2\n2 0 0 0\n", "a.off");
   EXPECT_EQ(codeOf(atInfinity), "NON_FINITE_POSITION");
 }
@@ -106,18 +102,19 @@ TEST(BadOff, codesAndLines) {
           Refused{"OFF\nx 4 0\n", "MALFORMED_FILE", 2, "\"x\""},
           Refused{"OFF\n-4 4 0\n", "MALFORMED_FILE", 2, "\"-4\""},
           Refused{"OFF\n4000000000 4 0\n0 0 0\n", "MALFORMED_FILE", 2, "more than the file"},
-          Refused{"OFF\n4 4 0\n" + kVertices.substr(0, 12), "MALFORMED_FILE", 5,
+          Refused{"OFF\n4 4 0\n" + kVertexLines.substr(0, 12), "MALFORMED_FILE", 5,
                   "ends after 2 of 4 vertices"},
           Refused{"OFF\n4 4 0\n0 0\n0 0 0\n0 0 0\n", "MALFORMED_FILE", 3, "fewer than 3"},
           Refused{"OFF\n4 4 0\n0 0 o\n0 0 0\n0 0 0\n", "MALFORMED_FILE", 3, "\"o\""},
           Refused{"OFF\n4 4 0\n0 0 inf\n0 0 0\n0 0 0\n", "NON_FINITE_POSITION", 3, "vertex 0"},
-          Refused{"OFF\n4 4 0\n" + kVertices + "3 0 1 2\n", "MALFORMED_FILE", 8, "1 of 4 faces"},
-          Refused{"OFF\n4 4 0\n" + kVertices + "3 0 1\n3 0 1 2\n", "MALFORMED_FILE", 7,
+          Refused{"OFF\n4 4 0\n" + kVertexLines + "3 0 1 2\n", "MALFORMED_FILE", 8, "1 of 4 faces"},
+          Refused{"OFF\n4 4 0\n" + kVertexLines + "3 0 1\n3 0 1 2\n", "MALFORMED_FILE", 7,
                   "2 corners in place of 3"},
-          Refused{"OFF\n4 4 0\n" + kVertices + "3 0 1 4\n", "INDEX_OUT_OF_RANGE", 7,
+          Refused{"OFF\n4 4 0\n" + kVertexLines + "3 0 1 4\n", "INDEX_OUT_OF_RANGE", 7,
                   "vertex 4 of 4"},
-          Refused{"OFF\n4 4 0\n" + kVertices + "3 0 1 -1\n", "INDEX_OUT_OF_RANGE", 7, "vertex -1"},
-          Refused{"OFF\n4 0 0\n" + kVertices, "EMPTY_MESH", -1, "point cloud: 4 points"},
+          Refused{"OFF\n4 4 0\n" + kVertexLines + "3 0 1 -1\n", "INDEX_OUT_OF_RANGE", 7,
+                  "vertex -1"},
+          Refused{"OFF\n4 0 0\n" + kVertexLines, "EMPTY_MESH", -1, "point cloud: 4 points"},
           Refused{"OFF\n0 0 0\n", "EMPTY_MESH", -1, "neither"},
           Refused{"nOFF\n4\n4 4 0\n", "UNSUPPORTED_FEATURE", 1, "nOFF"},
           Refused{"4nOFF\n4\n4 4 0\n", "UNSUPPORTED_FEATURE", 1, "nOFF"},
@@ -125,7 +122,7 @@ TEST(BadOff, codesAndLines) {
 }
 
 TEST(BadOff, whatFollowsIsNoted) {
-  const auto model = modelOf("OFF\n4 3 0\n" + kVertices + kFaces, "a.off");
+  const auto model = modelOf("OFF\n4 3 0\n" + kVertexLines + kFaceLines, "a.off");
   ASSERT_TRUE(model.ok());
   EXPECT_EQ(model.value().notes.size(), 1u);
 }

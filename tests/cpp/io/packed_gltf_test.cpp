@@ -487,6 +487,58 @@ TEST(Draco, sharedStreamsAndStrips) {
   EXPECT_EQ(soup.value().triangles.size(), 2 * grid.triangles.size());
 }
 
+TEST(Draco, attributesOfPoints) {
+  const Grid grid = gridOf(8);
+  const auto mesh = builtGrid(grid);
+  draco::GeometryAttribute kind;
+  kind.Init(draco::GeometryAttribute::COLOR, nullptr, 3, draco::DT_UINT8, true, 3, 0);
+  const int id = mesh->AddAttribute(kind, true, 64);
+  for (std::uint32_t v = 0; v < 64; ++v) {
+    const std::uint8_t colour[3] = {static_cast<std::uint8_t>(4 * v), 255, 51};
+    mesh->attribute(id)->SetAttributeValue(draco::AttributeValueIndex(v), colour);
+  }
+  for (const int method : {draco::MESH_SEQUENTIAL_ENCODING, draco::MESH_EDGEBREAKER_ENCODING}) {
+    draco::Encoder encoder;
+    encoder.SetEncodingMethod(method);
+    draco::EncoderBuffer buffer;
+    ASSERT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
+    TinyGltf tiny = dracoGltf({buffer.data(), buffer.size()}, 64, grid.triangles.size());
+    tiny.accessors += R"(,{"componentType":5121,"normalized":true,"count":64,"type":"VEC3"})";
+    const auto write = [&](const std::string& number) {
+      tiny.primitives = R"({"attributes":{"POSITION":0,"COLOR_0":2},"indices":1,"extensions":)"
+                        R"({"KHR_draco_mesh_compression":{"bufferView":0,)"
+                        R"("attributes":{"POSITION":0,"COLOR_0":)" +
+                        number + "}}}}";
+      return readModel(bytesOf(tiny.file()), "grid.glb", {}, {true});
+    };
+    const auto model = write(std::to_string(mesh->attribute(id)->unique_id()));
+    ASSERT_TRUE(model.ok()) << messageOf(model);
+    ASSERT_EQ(model.value().attributes.size(), 1u);
+    const Attribute& colours = model.value().attributes[0];
+    // Points may have another order; what stands where tells them apart.
+    const TriangleSoup& soup = model.value().soup;
+    for (std::size_t c = 0; c < soup.triangles.size(); ++c) {
+      const double* place = soup.positions.data() + std::size_t{3} * soup.triangles[c];
+      std::size_t v = 0;
+      while (v < 64 && (double{grid.positions[3 * v]} != place[0] ||
+                        double{grid.positions[3 * v + 1]} != place[1])) {
+        ++v;
+      }
+      ASSERT_LT(v, 64u);
+      const double* colour = colours.values.data() + std::size_t{3} * colours.corners[c];
+      EXPECT_EQ(colour[0], 4.0 * static_cast<double>(v) / 255);
+      EXPECT_EQ(colour[1], 1);
+      EXPECT_EQ(colour[2], 0.2);
+    }
+    // The surface is read without it.
+    const auto other = write("77");
+    ASSERT_TRUE(other.ok()) << messageOf(other);
+    EXPECT_TRUE(other.value().attributes.empty());
+    ASSERT_EQ(other.value().attributeNotes.size(), 1u);
+    EXPECT_TRUE(contains(other.value().attributeNotes[0], "its Draco stream has no attribute 77"));
+  }
+}
+
 TEST(Draco, countsHaveToAgree) {
   const Grid grid = gridOf(8);
   const std::string stream = dracoBytes(grid, draco::MESH_EDGEBREAKER_ENCODING, 12);

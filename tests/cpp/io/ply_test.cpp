@@ -8,9 +8,6 @@
 namespace girth::io::testing {
 namespace {
 
-const std::string kVertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
-const std::string kFaces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-
 /// The header of the tetrahedron.
 std::string header(const std::string& format) {
   return "ply\nformat " + format +
@@ -18,13 +15,10 @@ std::string header(const std::string& format) {
          "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
-const std::vector<double> kPositions{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-const std::vector<Index> kTriangles{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-
 void expectTetrahedron(const Result<TriangleSoup>& soup, const std::string& about = {}) {
   ASSERT_TRUE(soup.ok()) << messageOf(soup) << about;
-  EXPECT_EQ(soup.value().positions, kPositions) << about;
-  EXPECT_EQ(soup.value().triangles, kTriangles) << about;
+  EXPECT_EQ(soup.value().positions, kTetrahedronPositions) << about;
+  EXPECT_EQ(soup.value().triangles, kTetrahedronTriangles) << about;
 }
 
 /// A number as any scalar type of PLY, in either byte order.
@@ -48,8 +42,8 @@ std::string scalar(const std::string& type, double number, bool bigEndian) {
 }
 
 TEST(Ply, ascii) {
-  expectTetrahedron(soupOf(header("ascii") + kVertices + kFaces, "a.ply"));
-  const auto model = modelOf(header("ascii") + kVertices + kFaces, "a.obj");
+  expectTetrahedron(soupOf(header("ascii") + kVertexLines + kFaceLines, "a.ply"));
+  const auto model = modelOf(header("ascii") + kVertexLines + kFaceLines, "a.obj");
   ASSERT_TRUE(model.ok());
   EXPECT_EQ(model.value().format, Format::Ply);
   EXPECT_EQ(model.value().unit, "");
@@ -69,10 +63,11 @@ TEST(Ply, everyScalarTypeInBothByteOrders) {
                          " 1.0\nelement vertex 4\nproperty " + type + " x\nproperty " + type +
                          " y\nproperty " + type + " z\nelement face 4\nproperty list " + countType +
                          " " + type + " vertex_index\nend_header\n";
-      for (const double number : kPositions) file += scalar(type, number, big);
+      for (const double number : kTetrahedronPositions) file += scalar(type, number, big);
       for (std::size_t f = 0; f < 4; ++f) {
         file += scalar(countType, 3, big);
-        for (std::size_t k = 0; k < 3; ++k) file += scalar(type, kTriangles[3 * f + k], big);
+        for (std::size_t k = 0; k < 3; ++k)
+          file += scalar(type, kTetrahedronTriangles[3 * f + k], big);
       }
       expectTetrahedron(soupOf(file, "a.ply"), type + (big ? " big" : " little"));
     }
@@ -107,16 +102,16 @@ TEST(Ply, otherElementsAndPropertiesAnywhere) {
   add("float", {0.1, 0.2, 0.3});
   for (std::size_t v = 0; v < 4; ++v) {
     add("uchar", {255});
-    add("float", {kPositions[3 * v + 1]});
+    add("float", {kTetrahedronPositions[3 * v + 1]});
     add("uchar", {static_cast<double>(v)});
     for (std::size_t i = 0; i < v; ++i) add("int", {7});
-    add("double", {kPositions[3 * v]});
-    add("float", {kPositions[3 * v + 2], 0.5});
+    add("double", {kTetrahedronPositions[3 * v]});
+    add("float", {kTetrahedronPositions[3 * v + 2], 0.5});
   }
   add("int", {0, 1, 1, 2});
   for (std::size_t f = 0; f < 4; ++f) {
     add("uchar", {0, 3});
-    for (std::size_t k = 0; k < 3; ++k) add("uint", {double(kTriangles[3 * f + k])});
+    for (std::size_t k = 0; k < 3; ++k) add("uint", {double(kTetrahedronTriangles[3 * f + k])});
     add("uchar", {2});
     add("float", {0.5, 0.25});
   }
@@ -127,26 +122,27 @@ TEST(Ply, otherElementsAndPropertiesAnywhere) {
 TEST(Ply, moreValuesThanTheHeaderDeclaresArePassedOver) {
   // MeshLab wrote a list of colours behind each face without declaring it.
   const std::string faces = "3 0 2 1 3 255 0 0\n3 0 1 3 3 0 255 0\n3 0 3 2\n3 1 2 3 3 0 0 255\n";
-  const auto model = modelOf(header("ascii") + kVertices + faces, "a.ply");
+  const auto model = modelOf(header("ascii") + kVertexLines + faces, "a.ply");
   ASSERT_TRUE(model.ok()) << messageOf(model);
-  EXPECT_EQ(model.value().soup.positions, kPositions);
-  EXPECT_EQ(model.value().soup.triangles, kTriangles);
+  EXPECT_EQ(model.value().soup.positions, kTetrahedronPositions);
+  EXPECT_EQ(model.value().soup.triangles, kTetrahedronTriangles);
   EXPECT_EQ(
       model.value().notes,
       std::vector<std::string>{"Extra text on 3 lines was passed over, first \"3\" on line 14."});
-  expectTetrahedron(soupOf(header("ascii") + "0 0 0 9\n" + kVertices.substr(6) + kFaces, "a.ply"));
+  expectTetrahedron(
+      soupOf(header("ascii") + "0 0 0 9\n" + kVertexLines.substr(6) + kFaceLines, "a.ply"));
 }
 
 TEST(Ply, facesBeforeVertices) {
   expectTetrahedron(soupOf(
       "ply\nformat ascii 1.0\nelement face 4\nproperty list uchar int vertex_indices\n"
       "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n" +
-          kFaces + kVertices,
+          kFaceLines + kVertexLines,
       "a.ply"));
 }
 
 TEST(Ply, lineEndsAndWhiteSpace) {
-  std::string text = header("ascii") + kVertices + kFaces;
+  std::string text = header("ascii") + kVertexLines + kFaceLines;
   for (const std::string end : {"\r\n", "\r", "\n\n", " \t\n"}) {
     // The first line takes no blank lines after it in the header's mark.
     std::string other;
@@ -155,15 +151,17 @@ TEST(Ply, lineEndsAndWhiteSpace) {
   }
   expectTetrahedron(soupOf("\xEF\xBB\xBF" + text, "a.ply"));
   // An element may go on on the next line.
-  expectTetrahedron(soupOf(header("ascii") + "0\n0 0\n1 0\n\n0\n0 1 0\n0 0 1\n" + kFaces, "a.ply"));
+  expectTetrahedron(
+      soupOf(header("ascii") + "0\n0 0\n1 0\n\n0\n0 1 0\n0 0 1\n" + kFaceLines, "a.ply"));
 }
 
 TEST(Ply, binaryBodyBehindEveryLineEnd) {
   std::string body;
-  for (const double number : kPositions) body += scalar<float>(number, false);
+  for (const double number : kTetrahedronPositions) body += scalar<float>(number, false);
   for (std::size_t f = 0; f < 4; ++f) {
     body += '\x03';
-    for (std::size_t k = 0; k < 3; ++k) body += scalar<std::int32_t>(kTriangles[3 * f + k], false);
+    for (std::size_t k = 0; k < 3; ++k)
+      body += scalar<std::int32_t>(kTetrahedronTriangles[3 * f + k], false);
   }
   const std::string lines = header("binary_little_endian");
   expectTetrahedron(soupOf(lines + body, "a.ply"));
@@ -182,7 +180,7 @@ TEST(Ply, binaryBodyBehindEveryLineEnd) {
     const auto soup = soupOf(beginning + body, "a.ply");
     ASSERT_TRUE(soup.ok()) << messageOf(soup);
     EXPECT_GT(soup.value().positions[0], 0);
-    EXPECT_EQ(soup.value().triangles, kTriangles);
+    EXPECT_EQ(soup.value().triangles, kTetrahedronTriangles);
   }
 }
 
@@ -207,7 +205,8 @@ TEST(Ply, polygonsAreCutInside) {
 }
 
 TEST(Ply, facesWithoutAnInsideAreCounted) {
-  const auto model = modelOf(header("ascii") + kVertices + "3 0 2 1\n2 0 1\n0\n3 0 1 3\n", "a.ply");
+  const auto model =
+      modelOf(header("ascii") + kVertexLines + "3 0 2 1\n2 0 1\n0\n3 0 1 3\n", "a.ply");
   ASSERT_TRUE(model.ok());
   EXPECT_EQ(model.value().soup.triangles.size(), 6u);
   ASSERT_EQ(model.value().notes.size(), 1u);
@@ -237,9 +236,9 @@ TEST(Ply, triangleStrips) {
 }
 
 TEST(Ply, coordinatesInTextAreDoubles) {
-  const auto soup =
-      soupOf(header("ascii") + "0.1 1e-300 -0\n1.7976931348623157e308 0 0\n0 1 0\n0 0 1\n" + kFaces,
-             "a.ply");
+  const auto soup = soupOf(
+      header("ascii") + "0.1 1e-300 -0\n1.7976931348623157e308 0 0\n0 1 0\n0 0 1\n" + kFaceLines,
+      "a.ply");
   ASSERT_TRUE(soup.ok()) << messageOf(soup);
   EXPECT_EQ(soup.value().positions[0], 0.1);
   EXPECT_EQ(soup.value().positions[1], 1e-300);
@@ -276,7 +275,7 @@ TEST(BadPly, codesAndPlaces) {
                   "element face 1\nproperty list uchar int corners\nend_header\n0 0 0\n3 0 0 0\n",
               "MALFORMED_FILE", -1, "vertex_indices"},
           Refused{header("ascii") + "0 0 0\n1 0 zero\n", "MALFORMED_FILE", 11, "\"zero\""},
-          Refused{header("ascii") + "0 0 0 1 0 0\n0 1 0 0 0 1\n" + kFaces, "MALFORMED_FILE", 16,
+          Refused{header("ascii") + "0 0 0 1 0 0\n0 1 0 0 0 1\n" + kFaceLines, "MALFORMED_FILE", 16,
                   "the first line with more values than the header declares is 10"},
           Refused{"ply\nformat ascii 1.0\nelement vertex 7\n" + xyz +
                       "property float f_dc_0\nproperty float opacity\nproperty float scale_0\n"
@@ -286,15 +285,15 @@ TEST(BadPly, codesAndPlaces) {
                   "element vertex 256\nproperty uint packed_position\n"
                   "property uint packed_rotation\nend_header\n",
                   "EMPTY_MESH", -1, "Gaussian splats, 256 of them"},
-          Refused{header("ascii") + kVertices, "MALFORMED_FILE", 14, "ends before face 0 of 4"},
-          Refused{header("ascii") + kVertices + "3 0 2\n", "MALFORMED_FILE", 15, "face 0 of 4"},
-          Refused{header("ascii") + kVertices + "3 0 2 1.5\n", "MALFORMED_FILE", 14, "whole"},
-          Refused{header("ascii") + kVertices + "-3 0 2 1\n", "MALFORMED_FILE", 14, "-3"},
-          Refused{header("ascii") + kVertices + "3 0 2 4\n" + kFaces.substr(8),
+          Refused{header("ascii") + kVertexLines, "MALFORMED_FILE", 14, "ends before face 0 of 4"},
+          Refused{header("ascii") + kVertexLines + "3 0 2\n", "MALFORMED_FILE", 15, "face 0 of 4"},
+          Refused{header("ascii") + kVertexLines + "3 0 2 1.5\n", "MALFORMED_FILE", 14, "whole"},
+          Refused{header("ascii") + kVertexLines + "-3 0 2 1\n", "MALFORMED_FILE", 14, "-3"},
+          Refused{header("ascii") + kVertexLines + "3 0 2 4\n" + kFaceLines.substr(8),
                   "INDEX_OUT_OF_RANGE", 14, "vertex 4 of 4"},
-          Refused{header("ascii") + kVertices + "3 0 2 -1\n", "INDEX_OUT_OF_RANGE", 14,
+          Refused{header("ascii") + kVertexLines + "3 0 2 -1\n", "INDEX_OUT_OF_RANGE", 14,
                   "vertex -1 of 4"},
-          Refused{header("ascii") + kVertices + "3 0 2 4294967296\n", "INDEX_OUT_OF_RANGE", 14,
+          Refused{header("ascii") + kVertexLines + "3 0 2 4294967296\n", "INDEX_OUT_OF_RANGE", 14,
                   "vertex 4294967296"},
           Refused{header("ascii") + "0 0 0\n1 nan 0\n", "NON_FINITE_POSITION", 1, "line 11"},
           Refused{header("ascii") + "0 0 0\n1 1e999 0\n", "NON_FINITE_POSITION", 1, "vertex 1"},
@@ -348,10 +347,11 @@ TEST(BadPly, countsAreNotTrusted) {
 
 TEST(BadPly, truncatedAtEveryByte) {
   std::string whole = header("binary_little_endian");
-  for (const double number : kPositions) whole += scalar<float>(number, false);
+  for (const double number : kTetrahedronPositions) whole += scalar<float>(number, false);
   for (std::size_t f = 0; f < 4; ++f) {
     whole += '\x03';
-    for (std::size_t k = 0; k < 3; ++k) whole += scalar<std::int32_t>(kTriangles[3 * f + k], false);
+    for (std::size_t k = 0; k < 3; ++k)
+      whole += scalar<std::int32_t>(kTetrahedronTriangles[3 * f + k], false);
   }
   for (std::size_t length = 5; length < whole.size(); ++length) {
     const auto result = soupOf(whole.substr(0, length), "a.ply");

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "documents.h"
+#include "test_paths.h"
 
 namespace girth::io::testing {
 namespace {
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 TEST(Regression, everyFindingIsASurfaceOrACodedError) {
   std::size_t files = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(GIRTH_TEST_DATA) / "regressions")) {
+  for (const auto& entry : fs::directory_iterator(fs::path(test::testData()) / "regressions")) {
     const std::string name = entry.path().filename().string();
     std::ifstream file(entry.path(), std::ios::binary);
     std::string content((std::istreambuf_iterator<char>(file)), {});

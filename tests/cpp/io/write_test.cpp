@@ -17,6 +17,7 @@
 #include "girth/io/write_field.h"
 #include "girth/io/write_loop.h"
 #include "girth/io/write_mesh.h"
+#include "test_paths.h"
 #include "text/number_text.h"
 
 namespace girth::io::testing {
@@ -80,7 +81,7 @@ bool setDecimalComma() {
   std::string folder = (std::filesystem::temp_directory_path() / "girth-XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) return false;
   // It complains of all that the locale does not say, and writes what it does.
-  const std::string make = "localedef --quiet -c -i \"" GIRTH_TEST_DATA "/comma.locale\" \"" +
+  const std::string make = "localedef --quiet -c -i \"" + test::testData() + "/comma.locale\" \"" +
                            folder + "/comma\" 2> /dev/null";
   const bool made = std::system(make.c_str()) != -1;
   setenv("LOCPATH", folder.c_str(), 1);

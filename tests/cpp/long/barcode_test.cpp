@@ -16,6 +16,12 @@ TEST_P(SampledBarcodes, Agree) {
   expectSampledBarcodes(static_cast<std::uint64_t>(GetParam()), 0, 0.03);
 }
 
+TEST_P(SampledBarcodes, AreForeseen) {
+  for (std::uint64_t k = 0; k < 2; ++k) {
+    expectPersistentGirths(100 * k + static_cast<std::uint64_t>(GetParam()));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(RandomMeshes, SampledBarcodes, testing::Range(1, 51),
                          [](const auto& test) { return std::to_string(test.param); });
 

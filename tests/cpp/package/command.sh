@@ -27,7 +27,7 @@ for page in girth girth-igf girth-study-robustness; do
 done
 expect 0 '--resume' bash -c "source '$share/bash-completion/completions/girth'
   COMP_WORDS=(girth igf --res) COMP_CWORD=2; _girth; echo \"\${COMPREPLY[@]}\""
-expect 0 'exact naive ms' bash -c "source '$share/bash-completion/completions/girth'
+expect 0 'exact refined naive ms' bash -c "source '$share/bash-completion/completions/girth'
   COMP_WORDS=(girth igf --method '') COMP_CWORD=3; _girth; echo \"\${COMPREPLY[@]}\""
 expect 0 'accuracy robustness' bash -c "source '$share/bash-completion/completions/girth'
   COMP_WORDS=(girth study '') COMP_CWORD=2; _girth; echo \"\${COMPREPLY[@]}\""

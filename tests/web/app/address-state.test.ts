@@ -12,6 +12,7 @@ const whole: PageState = {
   closed: true,
   components: [0, 4],
   faces: 5000,
+  handles: 0.25,
   unit: 'mm',
   shown: 'in',
   scale: 1.125,
@@ -23,6 +24,7 @@ const whole: PageState = {
   range: '5% 95%',
   isolines: 12,
   edges: true,
+  section: '-x 40.5%',
   camera: { polar: 1.1868, azimuth: -0.5, distance: 4.5, target: [0, 0.25, -1] },
   loops: [17, { face: 3, weights: [0.125, 0.25, 0.625] }],
   names: ['neck', 'left, leg & 50%'],
@@ -35,11 +37,24 @@ const whole: PageState = {
   tube: 3,
   wall: 0.8,
   printer: 'sla',
+  bottleneck: [4, { face: 9, weights: [0.5, 0.25, 0.25] }],
+  profile: [{ face: 0, weights: [1, 0, 0] }, 12],
+  axis: 1,
+  prominence: 0.5,
+  cut: 'neck:2',
+  rims: true,
   panel: 'parts',
 };
 
 test('a link reproduces everything', () => {
   expect(readState(`#${writeState(whole)}`)).toEqual(whole);
+});
+
+test('two fields in one, and values of a file, are fields too', () => {
+  for (const field of ['igf-sdf', 'igf/_heat', '_heat']) {
+    expect(readState(writeState({ field }))).toEqual({ field });
+  }
+  expect(readState('field=igf-angle&section=w%205%25')).toEqual({});
 });
 
 test('the address of a model and a file’s name survive, whatever letters they have', () => {
@@ -54,12 +69,51 @@ test('the address of a model and a file’s name survive, whatever letters they 
 });
 
 test('in another size the lengths of a link grow, and what holds for every size stays', () => {
-  const { girth, diameter, jump, range, tube } = resized(whole, 2);
+  const { handles, girth, diameter, jump, range, tube, prominence } = resized(whole, 2);
+  expect(prominence).toBe(1);
   // What can be printed does not grow with the model.
   expect([girth, diameter, jump, range, tube]).toEqual([1.5, Infinity, 0.02, '5% 95%', 3]);
+  expect(handles).toBe(0.5);
+  expect(readState('handles=-1').handles).toBeUndefined();
   expect(resized({ range: '1 2' }, 2)).toEqual({});
   expect(readState('scale=0').scale).toBeUndefined();
   expect(preparationOf({ closed: true, scale: 2 })).toEqual({ closeHoles: true, scale: 2 });
+});
+
+test('what is between two points needs both of them', () => {
+  expect(readState('bottleneck=3,9').bottleneck).toEqual([3, 9]);
+  for (const points of ['3', '3,', '3,x', '', '-1,2', '3,9:0.9:0.9', '3,9,x']) {
+    expect(readState(`bottleneck=${points}&profile=${points}`)).toEqual({});
+  }
+  // A path may lead through more.
+  const drawn = { profile: [3, { face: 9, weights: [0.5, 0.25, 0.25] as const }, 12] };
+  expect(readState('bottleneck=3,9:0.5:0.25,12&profile=3,9:0.5:0.25,12')).toEqual(drawn);
+  expect(readState(writeState(drawn))).toEqual(drawn);
+  const long = Array.from({ length: 201 }, (_, i) => i);
+  expect(readState(`profile=${long.slice(1).join(',')}`).profile).toHaveLength(200);
+  expect(readState(`profile=${long.join(',')}`)).toEqual({});
+});
+
+test('what is shown cut is all necks, one loop, the bottleneck, what is pinned, or a value of the girth', () => {
+  for (const cut of ['necks', 'bottleneck', 'neck:1', 'handle:12', 'pin', 'at:0.03'] as const) {
+    expect(readState(writeState({ cut }))).toEqual({ cut });
+  }
+  expect(resized({ cut: 'at:0.03' }, 1000)).toEqual({ cut: 'at:30' });
+  expect(resized({ cut: 'pin' }, 1000)).toEqual({ cut: 'pin' });
+  for (const cut of [
+    'neck',
+    'neck:0',
+    'handle:-1',
+    'all',
+    'neck:1.5',
+    'necks:2',
+    'at:',
+    'at:0',
+    'at:x',
+    'at:inf',
+  ]) {
+    expect(readState(`cut=${cut}&prominence=-1&rims=0`)).toEqual({});
+  }
 });
 
 test('names of loops keep their order, and whatever cannot be read is no name', () => {

@@ -9,7 +9,10 @@ import {
 
 const values: Partial<Record<AttributeName, { right: string[]; wrong: string[] }>> = {
   unit: { right: ['mm', 'inch'], wrong: ['furlong', 'MM'] },
-  field: { right: ['igf', 'kind', 'none'], wrong: ['foo', 'IGF', 'toString'] },
+  field: {
+    right: ['igf', 'kind', 'none', '_HEAT', 'igf-sdf', 'igf/angle', '_HEAT-igf'],
+    wrong: ['foo', 'IGF', 'toString', 'igf-angle', 'igf-kind', 'IGF-sdf'],
+  },
   colormap: { right: ['viridis', 'rdbu'], wrong: ['rainbow'] },
   range: { right: ['auto', '1 2', '5% 95%'], wrong: ['zz', '2 1', '-1% 5%'] },
   isolines: { right: ['0', '12', '100'], wrong: ['many', '-3', '7.6', '1e9', '101'] },
@@ -32,11 +35,31 @@ const values: Partial<Record<AttributeName, { right: string[]; wrong: string[] }
     wrong: ['-1', '#0', 'some', '#x'],
   },
   parts: { right: ['0.2 0.05', 'inf 5cm', '1 2 0.1'], wrong: ['1', '1 2 3 4', '1 -2', '1 2 x'] },
+  bottleneck: {
+    right: ['12, 4031', '7:0.2:0.3,12'],
+    wrong: ['12', '12 4031', '1,2,3', '1,x', 'none'],
+  },
+  profile: { right: ['0,1'], wrong: ['0,-1'] },
   camera: {
     right: ['front', '1.2,0.5,4.5,0,0,0', ' 1.2 -0.5, 4.5 0 0 0 '],
     wrong: ['back', '1,2', '1,2,3,4,5,6,7', '1,2,0,0,0,0', '1,2,x,0,0,0', '1,,3,4,5,6'],
   },
   controls: { right: ['none', 'legend', 'full', 'true'], wrong: ['zz', 'all'] },
+  section: {
+    right: ['x 40%', ' -z 0.5% ', '0.5,-0.2,1e-1 100%'],
+    wrong: [
+      'x',
+      '40%',
+      'x 40',
+      'w 40%',
+      'x 101%',
+      'x -1%',
+      '0,0,0 5%',
+      '1,2 5%',
+      '1,2,x 5%',
+      'x %',
+    ],
+  },
   up: { right: ['-z'], wrong: ['up', '+z'] },
 };
 

@@ -1,5 +1,8 @@
 import { expect, test } from 'vitest';
+import { combine as combineBy } from '../../../web/src/element/combined-field.js';
 import { Fields, type FieldState } from '../../../web/src/element/fields.js';
+import { failure } from '../../../web/src/kernel/errors.js';
+import { summaryOf } from '../../../web/src/kernel/field-run.js';
 import type { Field, FieldName, FieldOptions, Mesh } from '../../../web/src/kernel/types.js';
 
 const vertexCount = 3;
@@ -102,4 +105,37 @@ test('a field that nobody asked for has no values', () => {
   const { fields } = drawn();
   expect([...fields.valuesOf('angle')]).toEqual([NaN, NaN, NaN]);
   expect(fields.shareOf('angle')).toBe(0);
+});
+
+test('two fields in one are computed when they are asked for, and anew when one of them is another', async () => {
+  const { fields, runs } = drawn();
+  const asked = fields.combine('igf/sdf');
+  await expect.poll(() => runs.map(({ name }) => name)).toEqual(['igf', 'sdf']);
+  expect(fields.combinedOf('igf/sdf')).toBeUndefined();
+  for (const { finish } of runs) finish();
+  const made = await asked;
+  expect([...made.values]).toEqual([1, 1, 1]);
+  expect([...fields.valuesOf('igf/sdf')]).toEqual([1, 1, 1]);
+  expect(fields.combinedOf('igf/sdf')).toBe(made);
+  expect(await fields.combine('igf/sdf')).toBe(made);
+  fields.forget('igf');
+  expect(fields.combinedOf('igf/sdf')).toBeUndefined();
+  expect([...fields.valuesOf('igf/sdf')]).toEqual([NaN, NaN, NaN]);
+  await expect(fields.combine('igf-_heat')).rejects.toMatchObject({ code: 'USAGE' });
+});
+
+const combine = (by: 'difference' | 'ratio', first: Field, second: Field) =>
+  combineBy(by, first, second, { failure, summaryOf });
+
+test('values of different units have no difference, and nothing is divided by 0', () => {
+  const operand = (unit: string, ...values: number[]) =>
+    ({ name: 'igf', unit, values: Float64Array.from(values) }) as unknown as Field;
+  const [lengths, others] = [operand('m', 3, NaN, 2), operand('m', 1, 1, 0)];
+  const difference = combine('difference', lengths, others);
+  expect([...difference.values]).toEqual([2, NaN, 2]);
+  expect(difference).toMatchObject({ range: [2, 2], withoutValue: 1 });
+  expect([...combine('ratio', lengths, others).values]).toEqual([3, NaN, NaN]);
+  const refused = () => combine('difference', lengths, operand('K', 1, 1, 1));
+  expect(refused).toThrow(/values in m and in K have no difference/);
+  expect(combine('difference', lengths, operand('', 1, 1, 1)).range).toEqual([1, 2]);
 });

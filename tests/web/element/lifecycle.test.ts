@@ -60,7 +60,7 @@ beforeEach(() => {
 });
 
 /** Asks for a model whose reading ends when the test says so, however little it heeds its end. */
-function ask(name: string, origin?: { mesh: FakeMesh }) {
+function ask(name: string, origin?: { mesh: FakeMesh }, mesh = new FakeMesh(name)) {
   const read = deferred<FakeMesh>();
   let signal!: AbortSignal;
   const done = life.load({
@@ -76,7 +76,6 @@ function ask(name: string, origin?: { mesh: FakeMesh }) {
     () => 'shown',
     (error: Error) => error.message,
   );
-  const mesh = new FakeMesh(name);
   return { ...read, mesh, outcome, signal, arrive: () => read.resolve(mesh) };
 }
 
@@ -226,6 +225,41 @@ test('with a remeshed surface both meshes go when the element does', async () =>
   const made = await shown('made', { mesh: file });
   life.detach();
   expect([file.disposed, made.disposed]).toEqual([1, 1]);
+});
+
+test('what a surface was made of is shown again', async () => {
+  life.attach();
+  const file = await shown('file');
+  const made = await shown('made', { mesh: file });
+  // Not before it is there: the surface that was made stays, and so does what it was made of.
+  const late = ask('file', undefined, file);
+  life.cancelLoad();
+  late.arrive();
+  expect(await late.outcome).not.toBe('shown');
+  expect([file.disposed, made.disposed]).toEqual([0, 0]);
+  const again = ask('file', undefined, file);
+  again.arrive();
+  expect(await again.outcome).toBe('shown');
+  expect(life.shown?.mesh).toBe(file);
+  expect(life.origin).toBe(undefined);
+  expect([file.disposed, made.disposed]).toEqual([0, 1]);
+  life.detach();
+  expect(file.disposed).toBe(1);
+});
+
+test('a load that brings what is shown already changes nothing', async () => {
+  life.attach();
+  const file = await shown('file');
+  const same = ask('file', { mesh: file }, file);
+  same.arrive();
+  expect(await same.outcome).toBe('shown');
+  expect([life.phase, life.shown?.mesh, life.origin, file.disposed]).toEqual([
+    'shown',
+    file,
+    undefined,
+    0,
+  ]);
+  expect(events).toEqual(['show file']);
 });
 
 test('nothing is computed before it is in view', async () => {

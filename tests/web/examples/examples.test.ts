@@ -52,6 +52,8 @@ const faceCounts: Record<string, [number, number]> = {
   dumbbell: [3000, 3400],
   cup: [4700, 5300],
   vessel: [7500, 8500],
+  spine: [3000, 3400],
+  hook: [3000, 3400],
 };
 
 /** Height and greatest width in metres, to within a tenth. */
@@ -62,6 +64,8 @@ const sizes: Record<string, [number, number]> = {
   dumbbell: [0.2, 0.465],
   cup: [0.096, 0.12],
   vessel: [0.36, 0.27],
+  spine: [0.233, 0.381],
+  hook: [0.059, 0.063],
 };
 
 describe.each(models.map((model) => [model.name, model] as const))('%s', (name, model) => {

@@ -109,7 +109,7 @@ export function fakeSurface(count: number): Behaviour {
       case 'writeLoops':
         return { files: [new Uint8Array(1)] };
       case 'loop':
-        return { length: 1, polyline: new Float32Array(6) };
+        return { length: 1, points: new Float64Array(8), polyline: new Float32Array(6) };
       case 'take':
       case 'read':
       case 'remesh':

@@ -1,3 +1,11 @@
+import {
+  interpolateCividis,
+  interpolateMagma,
+  interpolatePlasma,
+  interpolateRdBu,
+  interpolateTurbo,
+  interpolateViridis,
+} from 'd3-scale-chromatic';
 import { expect, test } from 'vitest';
 import { colormapNames, isColormapName } from '../../../web/src/view/colormap-names.js';
 import { colormapSize, colormapTable, colourAt } from '../../../web/src/view/colormaps.js';
@@ -14,6 +22,27 @@ test('every map is a full table of opaque colours', () => {
     expect(table).toHaveLength(4 * colormapSize);
     for (let i = 3; i < table.length; i += 4) expect(table[i]).toBe(255);
     expect(new Set([table[0], table[4 * 128], table[4 * 255]]).size, name).toBeGreaterThan(1);
+  }
+});
+
+test('every colour is that of d3-scale-chromatic', () => {
+  const theirs = {
+    viridis: interpolateViridis,
+    cividis: interpolateCividis,
+    plasma: interpolatePlasma,
+    magma: interpolateMagma,
+    turbo: interpolateTurbo,
+    // Blue below the middle, red above.
+    rdbu: (place: number) => interpolateRdBu(1 - place),
+  };
+  for (const name of colormapNames) {
+    for (let i = 0; i < colormapSize; ++i) {
+      const css = theirs[name](i / (colormapSize - 1));
+      const [r, g, b] = css.startsWith('#')
+        ? [1, 3, 5].map((at) => Number.parseInt(css.slice(at, at + 2), 16))
+        : css.match(/\d+/g)!.map(Number);
+      expect(colourAt(name, i / (colormapSize - 1)), `${name} ${i}`).toBe(`rgb(${r} ${g} ${b})`);
+    }
   }
 });
 

@@ -7,7 +7,8 @@ import { pathToFileURL } from 'node:url';
 import type { Triangles } from './polygonise.ts';
 
 interface Failed {
-  error: { message: string };
+  code: string;
+  message: string;
 }
 
 /** What is used of the module (`web/src/kernel/wasm-modules.d.ts`). */
@@ -37,7 +38,7 @@ export interface Core {
 }
 
 function checked<Answer>(answer: Answer | Failed): Answer {
-  if ('error' in (answer as Failed)) throw new Error((answer as Failed).error.message);
+  if ('code' in (answer as Failed)) throw new Error((answer as Failed).message);
   return answer as Answer;
 }
 

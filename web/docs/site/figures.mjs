@@ -34,6 +34,10 @@ export const figures = {
   'octopus-sdf': { model: 'octopus', attributes: { field: 'sdf' } },
   'chair-sdf': { model: 'chair', attributes: { field: 'sdf' } },
   'chair-parts': { model: 'chair', attributes: { field: 'parts' } },
+  'spine-neck': { model: 'spine', attributes: { field: 'igf', pins: '704 neck' } },
+  'vessel-narrowing': { model: 'vessel', attributes: { field: 'igf', pins: '120 narrowing' } },
+  'dumbbell-waist': { model: 'dumbbell', attributes: { field: 'igf', pins: '806 waist' } },
+  'hook-weak': { model: 'hook', attributes: { field: 'igf', pins: '456 weakest' } },
   'vessel-parts': { model: 'vessel', attributes: { field: 'parts' } },
 };
 

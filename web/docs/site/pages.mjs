@@ -62,6 +62,7 @@ const placed = [
     pages: [
       { file: 'README.md', url: 'readme.html', label: 'Everything on one page' },
       document('choosing', 'Choosing'),
+      document('projects'),
       document('outputs', 'Outputs'),
       document('print-check', 'The print check'),
       document('python', 'Python, all calls'),

@@ -48,12 +48,18 @@ export interface GirthViewerAttributes {
   tips?: boolean | string;
   /** Where tubes and plates begin. */
   parts?: string;
+  /** Two points whose bottleneck is drawn. */
+  bottleneck?: string;
+  /** Two points or more: the shortest path through them is drawn. */
+  profile?: string;
   /** From where the surface is seen. */
   camera?: string;
   /** Whether the mesh's edges are drawn. */
   edges?: boolean | '';
   /** How the surface is drawn. */
   shading?: Look;
+  /** Where a plane cuts it. */
+  section?: string;
   /** Which way is up. */
   up?: UpName;
   /** Whether the next model is seen from where this one is. */

@@ -2,7 +2,7 @@
 
 import type { GirthErrorFields } from '../kernel/types.js';
 import { colormapNames } from '../view/colormap-names.js';
-import { derivedNames, fieldNames, isGivenName, isShownName } from '../view/field-words.js';
+import { derivedNames, fieldNames, isShownName } from '../view/field-words.js';
 import { findLengthUnit, lengthUnits, readLengthOrShare } from '../view/length-text.js';
 import { lookNames } from '../view/look.js';
 import { straightNames } from '../view/straight-names.js';
@@ -10,7 +10,8 @@ import { upNames } from '../view/up-axis.js';
 import type { GirthViewerAttributes } from './attribute-types.js';
 import { mostIsolines, parseRange } from './parse.js';
 import { readCamera } from './place-words.js';
-import { parseParts, parsePins, parseTips } from './wish-words.js';
+import { parseSection } from './section-words.js';
+import { parseParts, parsePath, parsePins, parseTips, parseTwoPoints } from './wish-words.js';
 
 interface Rule {
   /** For people: it can be … */
@@ -46,6 +47,17 @@ const lengthUnit: Rule = {
   accepts: (text) => findLengthUnit(text) !== undefined,
 };
 
+const twoPoints: Rule = {
+  allowed: 'two vertices with a comma between them, as in 12, 4031, or points as in 7:0.2:0.3',
+  accepts: (text) => parseTwoPoints(text) !== undefined,
+};
+
+const path: Rule = {
+  allowed:
+    'vertices with commas between them, as in 12, 4031, or points as in 7:0.2:0.3; at least two',
+  accepts: (text) => parsePath(text) !== undefined,
+};
+
 /** What lies on the surface beside it: nothing, the legend, or the legend and a bar. */
 const controlNames = ['none', 'legend', 'full'] as const;
 
@@ -57,8 +69,11 @@ const rules: Record<AttributeName, Rule> = {
   unit: lengthUnit,
   'shown-unit': lengthUnit,
   field: {
-    allowed: listed([...fieldNames, ...derivedNames, 'none', 'values of the file as in _heat']),
-    accepts: (text) => isShownName(text) || isGivenName(text.toLowerCase()),
+    allowed: listed([
+      ...[...fieldNames, ...derivedNames, 'none', 'values of the file as in _heat'],
+      'two of these as in igf-sdf, igf/sdf',
+    ]),
+    accepts: (text) => isShownName(text.replace(/_\w+/g, (own) => own.toLowerCase())),
   },
   'field-title': { allowed: 'words for the legend', accepts: () => true },
   colormap: oneOf(colormapNames),
@@ -97,6 +112,8 @@ const rules: Record<AttributeName, Rule> = {
       'the girth and the thickness where tubes and plates begin, as in 200mm 50mm, and a number for the smoothing',
     accepts: (text) => parseParts(text) !== undefined,
   },
+  bottleneck: twoPoints,
+  profile: path,
   camera: {
     allowed: `${listed(straightNames)}, or six numbers: polar angle, azimuth, distance and the target’s x, y, z`,
     accepts: (text) =>
@@ -104,6 +121,10 @@ const rules: Record<AttributeName, Rule> = {
   },
   edges: flag,
   shading: oneOf(lookNames),
+  section: {
+    allowed: 'a direction and the share along it that is left, as in x 40%',
+    accepts: (text) => parseSection(text) !== undefined,
+  },
   up: oneOf(upNames),
   'keep-view': flag,
   controls: {

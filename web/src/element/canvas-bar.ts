@@ -36,18 +36,19 @@ const paths = {
   play: 'M6 4l10 6-10 6z',
 } as const;
 
-function icon(name: keyof typeof paths): SVGElement {
+export function icon(shape: string): SVGElement {
   const space = 'http://www.w3.org/2000/svg';
   const picture = document.createElementNS(space, 'svg');
   picture.setAttribute('viewBox', '0 0 20 20');
   picture.setAttribute('aria-hidden', 'true');
   const path = document.createElementNS(space, 'path');
-  path.setAttribute('d', paths[name]);
+  path.setAttribute('d', shape);
   picture.append(path);
   return picture;
 }
 
-function button(words: string, ...content: Node[]): HTMLButtonElement {
+/** A button that has only a picture. */
+export function button(words: string, ...content: Node[]): HTMLButtonElement {
   return make('button', { type: 'button', 'aria-label': words, title: words }, ...content);
 }
 
@@ -60,8 +61,8 @@ function keyed(control: HTMLButtonElement, key: string): HTMLButtonElement {
 export class CanvasBar {
   readonly element = make('div', { class: 'bar-tools', role: 'toolbar', 'aria-label': 'View' });
   /** Starts and stops the turning. */
-  readonly turn = button('Pause the turning', icon('pause'));
-  readonly #home = keyed(button('First view (0)', icon('home')), '0');
+  readonly turn = button('Pause the turning', icon(paths.pause));
+  readonly #home = keyed(button('First view (0)', icon(paths.home)), '0');
   readonly #sketch = new AxesSketch();
   readonly #upShown = make('small');
   readonly #axes = make(
@@ -71,13 +72,13 @@ export class CanvasBar {
     this.#sketch.element,
     this.#upShown,
   );
-  readonly #look = button('How the surface is drawn', icon('look'));
+  readonly #look = button('How the surface is drawn', icon(paths.look));
   readonly #up = make('select', { 'aria-label': 'Which way is up' });
   readonly #fitting = make('option', { value: '' });
   readonly #looks: HTMLInputElement[];
   readonly #edges = make('input', { type: 'checkbox', name: 'edges' });
   readonly #keep = make('input', { type: 'checkbox', name: 'keep' });
-  readonly #menus: [HTMLButtonElement, HTMLElement][];
+  readonly #menus: [HTMLButtonElement, HTMLElement][] = [];
 
   constructor(actions: BarActions) {
     this.#home.addEventListener('click', () => actions.home());
@@ -111,17 +112,9 @@ export class CanvasBar {
       ...this.#looks.map((input, i) => make('label', {}, input, lookWords[lookNames[i]!])),
       make('label', {}, this.#edges, 'Edges'),
     );
-    this.#menus = [
-      [this.#axes, axesMenu],
-      [this.#look, lookMenu],
-    ];
-    for (const [opener, menu] of this.#menus) {
-      opener.setAttribute('aria-expanded', 'false');
-      opener.addEventListener('click', () => this.#open(menu.hidden ? menu : undefined));
-      this.element.append(make('div', { class: 'tool' }, opener, menu));
-    }
-    this.element.prepend(this.#home);
-    this.element.append(this.turn);
+    this.element.append(this.#home, this.turn);
+    this.add(this.#axes, axesMenu);
+    this.add(this.#look, lookMenu);
     this.element.addEventListener('focusout', ({ relatedTarget }) => {
       const stays = relatedTarget instanceof Node && this.element.contains(relatedTarget);
       if (relatedTarget && !stays) this.#open(undefined);
@@ -134,6 +127,16 @@ export class CanvasBar {
       this.#open(undefined);
       open[0].focus();
     });
+  }
+
+  /** Another menu, with what opens it. */
+  add(opener: HTMLButtonElement, menu: HTMLElement): void {
+    this.#menus.push([opener, menu]);
+    opener.setAttribute('aria-expanded', 'false');
+    opener.addEventListener('click', () => this.#open(menu.hidden ? menu : undefined));
+    const tool = make('div', { class: 'tool' }, opener, menu);
+    tool.hidden = this.#home.hidden;
+    this.turn.before(tool);
   }
 
   /** Closes what is open; for actions elsewhere. */
@@ -179,7 +182,7 @@ export class CanvasBar {
     if (this.turn.title === words) return;
     this.turn.title = words;
     this.turn.setAttribute('aria-label', words);
-    this.turn.replaceChildren(icon(isTurning ? 'pause' : 'play'));
+    this.turn.replaceChildren(icon(isTurning ? paths.pause : paths.play));
   }
 
   #open(wanted: HTMLElement | undefined): void {

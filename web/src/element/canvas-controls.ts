@@ -1,10 +1,13 @@
 // Where one looks and how the surface is drawn, as the element's attributes, its bar and its keys have it.
 
-import { type CameraView, type Stage, lookNames } from '../view/index.js';
+import { type CameraView, type Stage, formatLength, lookNames } from '../view/index.js';
 import { attributeOf, controlsOf, isOn } from './attributes.js';
-import { CanvasBar } from './canvas-bar.js';
+import { CanvasBar, button, icon } from './canvas-bar.js';
+import { make } from './dom.js';
 import { press } from './keys.js';
 import type { Presented } from './presented.js';
+import type { SectionTool } from './section-tool.js';
+import { parseSection } from './section-words.js';
 import { isMotionReduced } from './surroundings.js';
 import { Turning } from './turning.js';
 
@@ -19,6 +22,9 @@ export class CanvasControls {
   readonly #host: ControlsHost;
   readonly #bar: CanvasBar;
   readonly #turning: Turning;
+  /** What cuts the surface, once that is asked for or there is a bar to ask on. */
+  #section: SectionTool | undefined;
+  #isFetching = false;
   /** From where the last model was seen. */
   #view: CameraView | undefined;
 
@@ -67,6 +73,7 @@ export class CanvasControls {
     if (isKept) this.#host.stage()?.lookFrom(this.#view!);
     this.#draw();
     this.#update();
+    void this.#cut();
     return isKept;
   }
 
@@ -77,6 +84,7 @@ export class CanvasControls {
     if (name === 'edges' || name === 'shading') this.#draw();
     if (name === 'up' && presented) presented.standing.wished = attributeOf(element, 'up');
     if (name === 'turn') this.#turning.update();
+    if (name === 'section' || name === 'controls') void this.#cut();
     this.#update();
   }
 
@@ -105,12 +113,38 @@ export class CanvasControls {
     return true;
   }
 
-  /** Something was chosen on the bar: an attribute, so that the page can see it and keep it. */
-  #choose(name: string, value: string | null): void {
+  /**
+   * Something was chosen on the bar: an attribute, so that the page can see it and keep it; not yet, while the hand is
+   * moving.
+   */
+  #choose(name: string, value: string | null, isMoving = false): void {
     const { element } = this.#host;
     if (value === null) element.removeAttribute(name);
     else element.setAttribute(name, value);
-    element.dispatchEvent(new CustomEvent('view'));
+    if (!isMoving) element.dispatchEvent(new CustomEvent('view'));
+  }
+
+  /** Cuts the surface as the attribute asks for. */
+  async #cut(): Promise<void> {
+    const { element } = this.#host;
+    if (!this.#section) {
+      const isNeeded = controlsOf(element) === 'full' || attributeOf(element, 'section') !== null;
+      if (!isNeeded || this.#isFetching) return;
+      this.#isFetching = true;
+      const { SectionTool } = await import('./section-tool.js');
+      this.#section = new SectionTool({
+        stage: () => this.#host.stage(),
+        surface: () => this.#host.presented()?.model.surface,
+        kit: { make, button, icon },
+        root: element.shadowRoot!,
+        lengthWords: (length) => formatLength(length, this.#host.presented()!.lengthFormat),
+        origin: () => this.#host.presented()!.model.mesh.geometry.origin,
+        wished: () => parseSection(attributeOf(element, 'section') ?? ''),
+        choose: (text, isMoving) => this.#choose('section', text, isMoving),
+      });
+      this.#bar.add(this.#section.opener, this.#section.menu);
+    }
+    if (this.#host.presented()) this.#section.update();
   }
 
   get #look() {

@@ -1,22 +1,32 @@
 // The fields of one model: each is computed when it is first asked for, kept, and known in part meanwhile.
 
+import { failure } from '../kernel/errors.js';
+import { summaryOf } from '../kernel/field-run.js';
 import type {
   Barcodes,
   Field,
   FieldName,
   Mesh,
   MeshInfo,
+  NamedField,
   PartialField,
   SpectralOptions,
 } from '../kernel/types.js';
 import {
   type Adjacency,
+  type CombinedName,
   FieldPreview,
   type GivenName,
   type ShownName,
   TimeLeft,
+  type ValuesName,
+  combinationOf,
+  combinedUnit,
+  fieldUnit,
   isFieldName,
+  isGivenName,
 } from '../view/index.js';
+import type { CombinedField, Operand } from './combined-field.js';
 import type { GivenField } from './given-fields.js';
 
 /** One field, as far as it is computed. */
@@ -42,11 +52,19 @@ export interface FieldsHost {
   ended(state: FieldState, error?: unknown): void;
 }
 
+const combiningKit = { failure, summaryOf, isFieldName, combinedUnit };
+
+/** Whether a field depends on how long saddles must last. */
+const concernsSaddles = (name: FieldName): boolean => name === 'igf' || name === 'angle';
+
 export class Fields {
   readonly #states = new Map<FieldName, FieldState>();
   readonly #given = new Map<string, GivenField>();
+  readonly #combined = new Map<ShownName, CombinedField>();
   /** The girth itself, also while one with a persistence is shown. */
   #girth: Field | undefined;
+  /** What was computed before, elsewhere, with the options that it was computed with. */
+  readonly #adopted: { field: Field; spectral: SpectralOptions | undefined }[] = [];
   /** The saddles of all vertices, where they are kept. */
   #barcodes: Barcodes | undefined;
   /** Set while they are computed. */
@@ -55,14 +73,16 @@ export class Fields {
   readonly #adjacency: Adjacency;
   readonly #host: FieldsHost;
 
-  /** `given`: what the model's file has for the surface's vertices. */
+  /** `given`: what the model's file has for the surface's vertices. `girth`: that, where it is known already. */
   constructor(
     mesh: Mesh,
     adjacency: Adjacency,
     host: FieldsHost,
     given: readonly GivenField[] = [],
+    girth?: Field,
   ) {
     this.#mesh = mesh;
+    this.#girth = girth;
     for (const field of given) this.#given.set(field.name, field);
     this.#adjacency = adjacency;
     this.#host = host;
@@ -86,6 +106,48 @@ export class Fields {
     return this.#given.get(name);
   }
 
+  /** The unit of what the model's file has of a name; undefined where that does not count. */
+  givenUnit(name: ShownName): string | undefined {
+    const given = this.givenOf(name);
+    return given && isGivenName(given.name) ? given.unit : undefined;
+  }
+
+  /** A whole field, computed or as the file has it. */
+  wholeOf(name: ValuesName): Operand | undefined {
+    return this.givenOf(name) ?? (isFieldName(name) ? this.#states.get(name)?.field : undefined);
+  }
+
+  /** Two fields in one; undefined before `combine`, and once one of them is another than then. */
+  combinedOf(name: ShownName): CombinedField | undefined {
+    const made = this.#combined.get(name);
+    const of = made && combinationOf(name);
+    const isStill = of && made.first === this.wholeOf(of.first);
+    return isStill && made.second === this.wholeOf(of.second) ? made : undefined;
+  }
+
+  /** Makes one field of two, each of which is computed unless it is there. Errors: USAGE where there are none such. */
+  async combine(name: CombinedName): Promise<CombinedField> {
+    const { combined } = await import('./combined-field.js');
+    const made =
+      this.combinedOf(name) ?? (await combined(this, combinationOf(name)!, combiningKit));
+    this.#combined.set(name, made);
+    return made;
+  }
+
+  /** The same for a file, where `unit` is that of lengths. */
+  async combinedToWrite(name: CombinedName, unit: string): Promise<NamedField> {
+    const made = await this.combine(name);
+    const { combinedToWrite } = await import('./combined-field.js');
+    const unitOf = (of: ValuesName): string => this.givenUnit(of) ?? fieldUnit(of, unit);
+    return combinedToWrite(combinationOf(name)!, made, unitOf, combiningKit);
+  }
+
+  /** Fails as a wish for values does that the file has not. */
+  async notGiven(name: GivenName): Promise<never> {
+    const { notGiven } = await import('./own-values.js');
+    throw notGiven(name, this.givenNames, failure);
+  }
+
   /** The names of what the model's file has, in its order. */
   get givenNames(): (FieldName | GivenName)[] {
     return [...this.#given.values()].map(({ name }) => name);
@@ -98,9 +160,10 @@ export class Fields {
   }
 
   /** The values there are, one per vertex; NaN where there is none, or none yet. */
-  valuesOf(name: FieldName): Float64Array {
-    const state = this.#states.get(name);
+  valuesOf(name: ShownName): Float64Array {
+    const state = isFieldName(name) ? this.#states.get(name) : undefined;
     return (
+      this.combinedOf(name)?.values ??
       state?.field?.values ??
       this.#given.get(name)?.values ??
       state?.preview?.values ??
@@ -130,6 +193,12 @@ export class Fields {
       state.running = { promise: this.#run(state, abort), abort };
     }
     return state.running.promise;
+  }
+
+  /** The girth itself, whatever persistence the one that is shown has. */
+  async girth(signal: AbortSignal): Promise<Field> {
+    if (this.persistence === 0) return this.compute('igf');
+    return (this.#girth ??= this.#known('igf', 0) ?? (await this.#mesh.field('igf', { signal })));
   }
 
   /** Which number of its signature a field is. */
@@ -202,8 +271,21 @@ export class Fields {
     }
   }
 
-  /** What of the girth is known without computing it again. */
+  /** Takes a whole field that was computed before in place of computing it. */
+  adopt(field: Field, spectral: SpectralOptions | undefined): void {
+    this.#adopted.push({ field, spectral });
+  }
+
+  /** What is known of a field without computing it again. */
   #known(name: FieldName, persistence: number): Field | undefined {
+    const wish = JSON.stringify(this.spectralOf(name));
+    const adopted = this.#adopted.find(
+      ({ field, spectral }) =>
+        field.name === name &&
+        (field.persistence ?? 0) === (concernsSaddles(name) ? persistence : 0) &&
+        JSON.stringify(spectral) === wish,
+    );
+    if (adopted) return adopted.field;
     if (name !== 'igf') return undefined;
     if (persistence === 0) return this.#girth;
     const barcodes = this.#barcodes;

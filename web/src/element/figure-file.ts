@@ -251,7 +251,7 @@ function linesOf(
       const [x, y, z] = listOf(loop['midpoint']).map((coordinate) => scale * numberOf(coordinate));
       must(z !== undefined);
       loops.push({
-        ...{ kind, polyline, unit, midpoint: [x!, y!, z] },
+        ...{ kind, polyline, unit, points: [], midpoint: [x!, y!, z] },
         length: scale * numberOf(loop['length']),
         base: countOf(loop['vertex'], most),
         angle: numberOf(loop['angle']),

@@ -34,7 +34,7 @@ export async function figureOf(
   const { loops, tips, unit, ownUnit } = file;
   const fields = givenFields(file.fields);
   const mesh = await meshOf(file, name, signal);
-  return { mesh, content: { fields, loops, tips, ownUnit, isAll: true }, unit };
+  return { mesh, content: { fields, loops, tips, ownUnit, leads: true, isAll: true }, unit };
 }
 
 async function meshOf(

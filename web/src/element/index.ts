@@ -30,7 +30,9 @@ export type {
 export type { PickDetail, PinnedLoop } from './loops-on-surface.js';
 export type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
 export type { ShownField, ShownPlaces } from './shading.js';
+export type { DrawingOptions } from './drawing.js';
 export type { FigureOptions } from './snapshot.js';
+export type { StrokeOptions } from './stroke.js';
 export type { TipsChoice } from './tips-on-surface.js';
 export type { GirthViewerAttributes, ViewerState } from './attribute-types.js';
 export { make } from './dom.js';
@@ -42,7 +44,9 @@ export {
   writeCamera,
   writePoint,
 } from './place-words.js';
+export { type SectionWish, parseSection } from './section-words.js';
 export { sentence } from './sentence.js';
+export { mostPathPoints, parsePath, parseTwoPoints, writePath } from './wish-words.js';
 export { useKernel } from './shared-kernel.js';
 export type { CameraView, ScreenPoint } from '../view/index.js';
 export { type Category, girthKinds, partKinds } from '../view/categories.js';
@@ -53,12 +57,18 @@ export {
   isForAllEyes,
 } from '../view/colormap-names.js';
 export {
+  type Combination,
+  type CombinedName,
   type GivenName,
   type ShownName,
+  type ValuesName,
+  combinationOf,
   derivedNames,
   fieldNames,
   fieldTitle,
+  inSentence,
   isFieldName,
+  isGivenName,
   isShownName,
 } from '../view/field-words.js';
 export {

@@ -32,7 +32,7 @@ export function press(
     stage.lookStraight(straightNames[Number(key) - 1]!, atOnce);
   } else if (key === 'c') return loops.turnAboutProbe();
   else if (key === 'Enter') return loops.pinProbe();
-  else if (key === 'Escape') return loops.clear();
+  else if (key === 'Escape') return loops.stopChoosing() || loops.clear();
   else if (key === 'Delete' || key === 'Backspace') loops.unpinLast();
   else return false;
   return true;

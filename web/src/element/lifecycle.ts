@@ -11,7 +11,8 @@
 // | `cancelLoad`         |          |          | empty ¹      |           | shown ¹      |
 //
 // ¹ The load before is ended: its promise rejects, and what it still brings is disposed of.
-// ² The model that was shown is dropped; a mesh that the next model was made of stays.
+// ² The model that was shown is dropped; a mesh that the next model was made of stays. That mesh can be shown
+//   again. Where a load brings what is shown already, nothing is dropped.
 // ³ It is read, and shown if the element is attached by then; otherwise it fails.
 // ⁴ The host is given the reason.
 //
@@ -142,14 +143,17 @@ export class Lifecycle<
           signal,
           onProgress: (share) => onProgress(readingShare * share),
         });
+        // What is shown already, or was before, is not this load's to dispose of.
+        const isOwn = mesh !== this.#present?.mesh && mesh !== this.#origin?.mesh;
         try {
           onProgress(readingShare);
           signal.throwIfAborted();
+          if (mesh === this.#present?.mesh) return mesh;
           const model = await this.#host.prepare(mesh, signal);
           signal.throwIfAborted();
           this.#replace(mesh, model, origin);
         } catch (error) {
-          mesh.dispose();
+          if (isOwn) mesh.dispose();
           throw error;
         }
         return mesh;
@@ -213,22 +217,22 @@ export class Lifecycle<
 
   #replace(mesh: Mesh, model: Model, origin: Origin | undefined): void {
     if (!this.#isAttached) throw new Error('the element is no longer on a page');
-    this.#drop(origin);
+    this.#drop([mesh, ...(origin ? [origin.mesh] : [])]);
     this.#origin = origin;
     const shown = this.#host.present(model, origin);
     this.#present = { mesh, shown };
     this.#host.presented(shown);
   }
 
-  /** `kept` is still wanted: what comes next was made of it. */
-  #drop(kept?: Origin): void {
+  /** `kept` are still wanted: what comes next, and what that was made of. */
+  #drop(kept: readonly Mesh[] = []): void {
     const [present, origin] = [this.#present, this.#origin];
-    if (origin && origin.mesh !== kept?.mesh) origin.mesh.dispose();
+    if (origin && !kept.includes(origin.mesh)) origin.mesh.dispose();
     this.#origin = undefined;
     this.#present = undefined;
     this.#halted = undefined;
     this.#wanted = undefined;
     this.#colouring = 'none';
-    if (present) this.#host.drop(present.shown, kept?.mesh === present.mesh);
+    if (present) this.#host.drop(present.shown, kept.includes(present.mesh));
   }
 }

@@ -1,5 +1,6 @@
 // The loop under the pointer, under the finger or at the keyboard's probe, and the pinned loops.
 
+import { cancelled } from '../kernel/errors.js';
 import type { Loop, SurfacePoint } from '../kernel/types.js';
 import {
   Latest,
@@ -14,6 +15,7 @@ import {
 import { make } from './dom.js';
 import type { Model } from './model.js';
 import { placeLabels } from './label-places.js';
+import type { StrokeOptions } from './stroke.js';
 import { PinTag, Readout, type TagLabel, kindWords } from './readout.js';
 import { isMotionReduced } from './surroundings.js';
 
@@ -120,6 +122,8 @@ export class LoopsOnSurface {
   #awaited: SurfacePoint | undefined;
   #pinning: ReturnType<typeof setTimeout> | undefined;
   #pickRequested = 0;
+  /** Somebody who asks for a point: the next click is theirs. */
+  #chooser: { take(point: SurfacePoint): void; stop(): void } | undefined;
   readonly #stage: Stage;
   readonly #canvas: HTMLCanvasElement;
   readonly #model: Model;
@@ -201,6 +205,65 @@ export class LoopsOnSurface {
     this.#live.textContent = `Loop ${id} pinned: ${formatLength(loop.length, this.#format)}`;
     this.#host.picked({ action: 'pin', loop });
     return { id, name: pin.name, loop };
+  }
+
+  /** The next point that is clicked, tapped or chosen by Enter; a newer call ends an older one. */
+  choosePoint(signal: AbortSignal | undefined): Promise<SurfacePoint> {
+    this.stopChoosing();
+    return new Promise((resolve, reject) => {
+      const end = (): void => {
+        this.#chooser = undefined;
+        signal?.removeEventListener('abort', stop);
+        this.#canvas.classList.remove('choosing');
+      };
+      const stop = (): void => {
+        end();
+        reject(cancelled());
+      };
+      if (signal?.aborted) {
+        stop();
+        return;
+      }
+      const take = (point: SurfacePoint): void => {
+        end();
+        this.#live.textContent = 'Point chosen';
+        resolve(point);
+      };
+      signal?.addEventListener('abort', stop);
+      this.#chooser = { take, stop };
+      this.#canvas.classList.add('choosing');
+    });
+  }
+
+  /** The same, or the points along the way of a pointer that is dragged over the surface. */
+  async chooseStroke({ signal, drawn }: StrokeOptions): Promise<SurfacePoint[]> {
+    const ending = new AbortController();
+    const end = (): void => ending.abort();
+    signal?.addEventListener('abort', end);
+    if (signal?.aborted) end();
+    const click = this.choosePoint(ending.signal).then((point) => [point]);
+    try {
+      const { rounded, strokeOn } = await import('./stroke.js');
+      const pick = (x: number, y: number) => this.#stage.pick(x, y);
+      const stroke = strokeOn(this.#canvas, pick, ending.signal, (points) => {
+        this.#stage.touch();
+        this.clear();
+        drawn?.(points.map(rounded));
+      });
+      return (await Promise.race([click, stroke])).map(rounded);
+    } finally {
+      signal?.removeEventListener('abort', end);
+      // Whichever of the two has not been answered is not waited for.
+      click.catch(() => undefined);
+      end();
+    }
+  }
+
+  /** Nobody gets a point any more; false where nobody has asked for one. */
+  stopChoosing(): boolean {
+    const chooser = this.#chooser;
+    chooser?.stop();
+    return chooser !== undefined;
   }
 
   /** Computes the pinned loops anew, each in its place: another persistence is wanted. */
@@ -340,6 +403,7 @@ export class LoopsOnSurface {
 
   dispose(): void {
     this.#ending.abort();
+    this.stopChoosing();
     clearTimeout(this.#pinning);
     clearTimeout(this.#placing);
     clearTimeout(this.#besideLater);
@@ -420,6 +484,10 @@ export class LoopsOnSurface {
     }
     this.#pinNow();
     this.#clicked = { x: event.clientX, y: event.clientY, time: event.timeStamp };
+    if (this.#chooser) {
+      if (point !== undefined) this.#chooser.take(point);
+      return;
+    }
     if (!this.#host.followsPointer()) return;
     this.#remember(event);
     if (isTouch) this.#host.pointed(point && this.#model.surface.nearestVertex(point));
@@ -533,6 +601,10 @@ export class LoopsOnSurface {
   /** Keeps the loop that was asked for last, even if it is still to come; false where there is none. */
   pinProbe(): boolean {
     if (this.#hovered === undefined) return false;
+    if (this.#chooser) {
+      this.#chooser.take(this.#hovered);
+      return true;
+    }
     this.#pinHere(this.#hovered);
     return true;
   }
@@ -551,7 +623,7 @@ export class LoopsOnSurface {
 
   /** Moves the loop from vertex to vertex along edges, to the right and up on the screen. */
   moveProbe(right: number, up: number): void {
-    if (!this.#host.followsPointer()) return;
+    if (!this.#host.followsPointer() && !this.#chooser) return;
     const [stage, model] = [this.#stage, this.#model];
     this.#pointer = undefined;
     this.#isQuiet = false;

@@ -3,6 +3,7 @@
 import { linked } from '../kernel/abort.js';
 import { failure } from '../kernel/errors.js';
 import type {
+  Field,
   FieldName,
   Limbs,
   Loop,
@@ -36,15 +37,18 @@ export interface FileContent {
   tips: Tips | undefined;
   /** The unit that lengths are written in, unless another one is wished for; '' for the model's. */
   ownUnit: string;
+  /** Whether the first of its values are shown where nothing else is wished for. */
+  leads: boolean;
   /** Nothing else can be computed of it: that takes the kernel, which has not read it. */
   isAll: boolean;
 }
 
-const onlySurface: FileContent = {
+export const onlySurface: FileContent = {
   fields: [],
   loops: [],
   tips: undefined,
   ownUnit: '',
+  leads: false,
   isAll: false,
 };
 
@@ -66,12 +70,13 @@ export class Model {
     this.fields = fields;
   }
 
-  /** Makes a mesh ready to draw, in slices of time. */
+  /** Makes a mesh ready to draw, in slices of time. `girth`: that, where it is known already. */
   static async of(
     mesh: Mesh,
     host: FieldsHost,
     signal: AbortSignal,
     file: FileContent = onlySurface,
+    girth?: Field,
   ): Promise<Model> {
     const { positions, indices, boundary } = mesh.geometry;
     checkSize(Math.max(...mesh.info.size));
@@ -81,7 +86,8 @@ export class Model {
     );
     const creased = await inSlices(splitCreases(positions, indices, creaseAngle), signal);
     const surface = new Surface(positions, indices, boundary, adjacency, creased);
-    return new Model(mesh, surface, new Fields(mesh, adjacency, host, file.fields), file);
+    const fields = new Fields(mesh, adjacency, host, file.fields, girth);
+    return new Model(mesh, surface, fields, file);
   }
 
   /** The girth is to be another one: what was made of it no longer counts. */

@@ -1,6 +1,6 @@
 // One model on a stage: its colours and legend, its loops and tips, what is marked, where one looks.
 
-import type { FieldName, Loop, PartThresholds, Parts } from '../kernel/types.js';
+import type { FieldName, Loop, PartThresholds, Parts, SurfacePoint } from '../kernel/types.js';
 import {
   Latest,
   type LegendContent,
@@ -49,6 +49,8 @@ export interface PartsWish extends PartThresholds {
 
 /** Points of a region that suffice to find where it is. */
 const enoughPoints = 300;
+/** Of more points between which something is drawn only the ends are marked. */
+const mostMarked = 12;
 const pathStyle = { colour: '#3fd0ff', weight: 0.9 };
 const curveStyle = { colour: '#e8c35a', weight: 0.6 };
 const pictureStyle = { colour: '#ff7a45', weight: 1.1 };
@@ -67,6 +69,9 @@ export class Presented {
   #points: PointMarks | undefined;
   #path: LoopBand | undefined;
   #curves: LoopBand[] = [];
+  /** What the two are drawn of. */
+  #pathLine: Float32Array | undefined;
+  #curveLines: readonly Float32Array[] = [];
   #marked: ArrayLike<number> | undefined;
   #wished: PartsWish | undefined;
   #format: LengthFormat;
@@ -195,16 +200,17 @@ export class Presented {
     this.#stage.invalidate();
   }
 
-  showPoints(vertices: ArrayLike<number>): void {
+  showPoints(points: ArrayLike<SurfacePoint>): void {
     if (this.#points) this.#stage.remove(this.#points);
     const { surface } = this.model;
-    const places = Array.from(vertices, (vertex) => surface.positionOf(vertex).toArray());
+    const places = Array.from(points, (point) => surface.positionOf(point).toArray());
     this.#points = places.length > 0 ? new PointMarks(places) : undefined;
     if (this.#points) this.#stage.add(this.#points);
   }
 
   showPath(polyline: Float32Array | undefined): void {
     if (this.#path) this.#stage.remove(this.#path);
+    this.#pathLine = polyline;
     const midpoint = polyline && [...polyline.slice(-3)];
     this.#path =
       midpoint?.length === 3
@@ -216,8 +222,15 @@ export class Presented {
     if (this.#path) this.#stage.add(this.#path);
   }
 
+  /** What is between points, with them; of a path that was drawn, with its ends. */
+  showBetween(points: readonly SurfacePoint[], polyline: Float32Array | undefined): void {
+    this.showPoints(points.length > mostMarked ? [points[0]!, points.at(-1)!] : points);
+    this.showPath(polyline);
+  }
+
   showCurves(polylines: readonly Float32Array[]): void {
     for (const band of this.#curves) this.#stage.remove(band);
+    this.#curveLines = polylines;
     this.#curves = polylines
       .filter(({ length }) => length > 3)
       .map((polyline) => {
@@ -225,6 +238,19 @@ export class Presented {
         return new LoopBand({ kind: 'loop', polyline, midpoint: [x!, y!, z!] }, curveStyle);
       });
     for (const band of this.#curves) this.#stage.add(band);
+  }
+
+  /** The lines that are drawn on the surface but for its tips and the loop under the pointer, with their CSS colours. */
+  get lines(): { polyline: Float32Array; colour: string }[] {
+    const path = this.#pathLine ? [this.#pathLine] : [];
+    return [
+      ...this.#curveLines.map((polyline) => ({ polyline, colour: curveStyle.colour })),
+      ...path.map((polyline) => ({ polyline, colour: pathStyle.colour })),
+      ...this.loops.pinned.map(({ loop }) => ({
+        polyline: loop.polyline,
+        colour: pictureStyle.colour,
+      })),
+    ];
   }
 
   flyTo(place: PlaceOnSurface, atOnce: boolean): void {

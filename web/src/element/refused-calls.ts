@@ -9,8 +9,9 @@ type Known = 'info' | 'geometry' | 'vertexOfInput' | 'vertexAreas' | 'dispose';
 export const refusedCalls = (refuse: () => Promise<never>): Omit<Mesh, Known> => ({
   ...{ field: refuse, loop: refuse, path: refuse, barcode: refuse, barcodes: refuse },
   ...{ tips: refuse, limbs: refuse, necks: refuse, handles: refuse },
-  ...{ cut: refuse, exportCut: refuse },
-  ...{ parts: refuse, suggestedThresholds: refuse },
+  ...{ bottleneck: refuse, profile: refuse, axis: refuse, exportProfile: refuse },
+  ...{ removeHandles: refuse, levelCurves: refuse, cut: refuse, exportCut: refuse },
+  ...{ parts: refuse, suggestedThresholds: refuse, segments: refuse, exportSegments: refuse },
   ...{ printCheck: refuse, maxima: refuse, heatMaxima: refuse, difference: refuse },
   ...{ exportField: refuse, exportFields: refuse, exportLoops: refuse, exportTips: refuse },
   ...{ exportLimbs: refuse, exportParts: refuse, exportWeakPlaces: refuse, remesh: refuse },

@@ -17,7 +17,7 @@ interface PageContent extends Pick<ShownContent, 'name' | 'unit' | 'origin' | 's
   /** The row of the caller's arrays that each vertex is, -1 for none; null where it is the vertex itself. */
   rows: Packed | null;
   field: (Pick<Field, 'name' | 'unit' | 'method'> & { values: Packed; kinds: Packed }) | null;
-  loops: (Omit<Loop, 'polyline'> & { polyline: Packed })[];
+  loops: (Omit<Loop, 'points' | 'polyline'> & { polyline: Packed })[];
   /** Vertices that are marked by points. */
   points: number[];
 }
@@ -40,6 +40,7 @@ async function contentOf(page: PageContent): Promise<ShownContent> {
     loops: await Promise.all(
       page.loops.map(async (loop) => ({
         ...loop,
+        points: [],
         polyline: new Float32Array(await unpacked(loop.polyline)),
       })),
     ),

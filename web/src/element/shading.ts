@@ -1,17 +1,18 @@
 // What colours the surface of a model: a field, its range and its lines, or categories; and the legend.
 
-import { failure } from '../kernel/errors.js';
 import type { Field, Parts, PartThresholds, PartialField, Tips } from '../kernel/types.js';
 import {
   type Category,
   type ColormapName,
   type FieldPreview,
-  type GivenName,
+  type CombinedName,
   type LegendContent,
   type LengthFormat,
   type ScaleContent,
   type ShownName,
   borrowedWeight,
+  combinationOf,
+  combinedUnit,
   computedWeight,
   fieldTitle,
   fieldUnit,
@@ -25,6 +26,7 @@ import {
   shareWithin,
 } from '../view/index.js';
 import { ColourRange, type Ends } from './colour-range.js';
+import type { CombinedField } from './combined-field.js';
 import type { FieldState } from './fields.js';
 import type { GivenField } from './given-fields.js';
 import type { Model } from './model.js';
@@ -142,9 +144,12 @@ export class Shading {
   }
 
   /** What is known of a name: a whole field, computed or as the model's file has it; or what there is of it so far. */
-  #knownOf(name: ShownName): { field?: Field | GivenField; preview?: FieldPreview } {
+  #knownOf(name: ShownName): {
+    field?: Field | GivenField | CombinedField;
+    preview?: FieldPreview;
+  } {
     const { fields } = this.#model;
-    const given = fields.givenOf(name);
+    const given = fields.givenOf(name) ?? fields.combinedOf(name);
     if (given) return { field: given };
     const { field, preview } = (isFieldName(name) && fields.get(name)) || {};
     return { ...(field && { field }), ...(preview && { preview }) };
@@ -164,10 +169,11 @@ export class Shading {
     const { name, range } = this.wishes;
     if (name === 'none') return;
     if (isGivenName(name)) {
-      if (!this.#knownOf(name).field) throw this.#notGiven(name);
+      if (!this.#knownOf(name).field) await model.fields.notGiven(name);
     } else if (this.isReady && name !== 'tips') {
       // As the model's file has it.
     } else if (isFieldName(name)) await model.fields.compute(name);
+    else if (combinationOf(name)) await model.fields.combine(name as CombinedName);
     else if (name === 'kind') await model.fields.compute('igf');
     else if (name === 'tips') this.#keepTips(await model.tips());
     else {
@@ -189,10 +195,20 @@ export class Shading {
 
   /** How a field's values are written. */
   formatOf(name: ShownName): LengthFormat {
-    const largest = this.#extentOf(name)?.[1] ?? 2 * this.#model.surface.bounds.radius;
-    const { unit, shownUnit } = this.wishes;
-    const own = isGivenName(name) ? this.#knownOf(name).field?.unit : undefined;
-    return lengthFormat(largest, own ?? fieldUnit(name, unit), shownUnit);
+    const extent = this.#extentOf(name);
+    const largest = extent
+      ? Math.max(extent[1], -extent[0])
+      : 2 * this.#model.surface.bounds.radius;
+    return lengthFormat(largest, this.#unitOf(name), this.wishes.shownUnit);
+  }
+
+  #unitOf(name: ShownName): string {
+    const combined = combinationOf(name);
+    if (combined) {
+      const { by, first, second } = combined;
+      return combinedUnit(by, this.#unitOf(first), this.#unitOf(second));
+    }
+    return this.#model.fields.givenUnit(name) ?? fieldUnit(name, this.wishes.unit);
   }
 
   /** Takes new values and colours their vertices. */
@@ -264,7 +280,7 @@ export class Shading {
       this.#paintParts();
     } else if (name === 'tips') {
       this.#paintScalar(this.#tips?.jumps, () => computedWeight);
-    } else if (isFieldName(name) || isGivenName(name)) {
+    } else if (name !== 'none') {
       const { field, preview } = this.#knownOf(name);
       this.#paintScalar(field?.values ?? preview?.shown, (vertex) =>
         !preview || preview.isComputed(vertex) ? computedWeight : borrowedWeight,
@@ -333,7 +349,8 @@ export class Shading {
       if (note) this.#content = { title, categories: [], note };
       return;
     }
-    const isSigned = extent[0] < 0 && extent[1] > 0;
+    const isDifference = combinationOf(name)?.by === 'difference';
+    const isSigned = isDifference || (extent[0] < 0 && extent[1] > 0);
     const colormap = wished ?? (isSigned ? 'rdbu' : 'viridis');
     const range = kept?.range ?? this.#rangeOf(name, extent, colormap === 'rdbu' && isSigned);
     // Where all values are the same but for rounding, they have the same colour.
@@ -361,15 +378,7 @@ export class Shading {
 
   /** Of the girth, where it is whole; otherwise empty. */
   get #kinds(): Uint8Array {
-    return this.#knownOf('igf').field?.kinds ?? new Uint8Array(0);
-  }
-
-  #notGiven(name: GivenName): Error {
-    const known = this.#model.fields.givenNames;
-    const { length } = known;
-    return failure('USAGE', `the model has no values called ${name}`, {
-      hint: length > 0 ? `it has ${known.join(', ')}` : 'only GLB files have values in them',
-    });
+    return this.#model.fields.wholeOf('igf')?.kinds ?? new Uint8Array(0);
   }
 
   #usedGirthKinds() {

@@ -1,7 +1,6 @@
 // A picture of the surface as a figure: with its legend, the labels of its loops and a scale bar.
 
-import { type LegendContent, type LengthFormat, drawLegend, formatLength } from '../view/index.js';
-
+import { type LegendContent, type LengthFormat, drawLegend } from '../view/index.js';
 import type { TagLabel } from './readout.js';
 
 /** What a picture has beside the surface. */
@@ -25,6 +24,8 @@ export interface FigureParts {
   /** CSS pixels for each unit of length. */
   scale: number;
   format: LengthFormat;
+  /** Writes a length: handed in, since pages that take no picture need it too. */
+  lengthWords(this: void, length: number, format: LengthFormat): string;
 }
 
 const margin = 16;
@@ -102,7 +103,7 @@ export function scaleBarLength(most: number, scale: number, format: LengthFormat
 
 function drawScaleBar(
   context: CanvasRenderingContext2D,
-  { scale, format }: FigureParts,
+  { scale, format, lengthWords }: FigureParts,
   ink: string,
   right: number,
   bottom: number,
@@ -114,6 +115,6 @@ function drawScaleBar(
   context.textBaseline = 'bottom';
   context.textAlign = 'center';
   const decimals = Math.max(0, -Math.floor(Math.log10(length * format.scale) + 1e-9));
-  context.fillText(formatLength(length, { ...format, decimals }), right - width / 2, bottom - 7);
+  context.fillText(lengthWords(length, { ...format, decimals }), right - width / 2, bottom - 7);
   context.textAlign = 'start';
 }

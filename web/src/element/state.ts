@@ -22,7 +22,7 @@ export const stateNames = attributeNames.filter(
 );
 
 /** An attribute of something that hands and methods change as well. */
-export type WishName = 'pins' | 'tips' | 'parts' | 'camera';
+export type WishName = 'pins' | 'tips' | 'parts' | 'bottleneck' | 'profile' | 'camera';
 
 /** The attributes that a state asks for, with their texts; throws INVALID_OPTION for whatever is no state. */
 export function attributesOf(state: unknown): Map<StateName, string> {

@@ -13,7 +13,7 @@ canvas {
   outline: none;
 }
 canvas:active { cursor: grabbing; }
-canvas.picking { cursor: crosshair; }
+canvas.picking, canvas.choosing { cursor: crosshair; }
 canvas:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: -3px; }
 
 .plate {

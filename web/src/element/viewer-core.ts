@@ -6,6 +6,8 @@ import type {
   Field,
   FieldName,
   GirthErrorFields,
+  HandleOptions,
+  HandleRemoval,
   LoadOptions,
   Mesh,
   MeshInfo,
@@ -22,6 +24,7 @@ import {
   Stage,
   fieldTitle,
   fieldUnit,
+  formatLength,
   isColormapName,
   isShownName,
   lengthFormat,
@@ -31,20 +34,22 @@ import type { ViewerState } from './attribute-types.js';
 import { attributeOf, controlsOf, isOn } from './attributes.js';
 import { CanvasControls } from './canvas-controls.js';
 import { make } from './dom.js';
+import type { DrawingOptions } from './drawing.js';
 import type { GirthViewerEvents } from './events.js';
 import type { FieldState, FieldsHost } from './fields.js';
+import { readFigure } from './figure-file.js';
+import { carriedTo, givenFields } from './given-fields.js';
 import { Lifecycle } from './lifecycle.js';
 import type { MessageBox } from './message-box.js';
 import { noGraphics, requireGraphics } from './no-graphics.js';
-import { type FileContent, Model } from './model.js';
+import { type FileContent, Model, onlySurface } from './model.js';
 import { openModel, openToCompute, tipsCarriedTo } from './open-model.js';
 import { fieldsOf, nameOf, parseRange, parseSpectral } from './parse.js';
 import { type PlacePicture, Presented } from './presented.js';
 import type { ShadingWishes } from './shading.js';
 import { sharedKernel } from './shared-kernel.js';
-import { withDensity } from './png-density.js';
 import { StatusBar } from './status-bar.js';
-import { type FigureOptions, figure } from './snapshot.js';
+import type { FigureOptions, FigureParts } from './snapshot.js';
 import { style } from './style.js';
 import type { TipsChoice } from './tips-on-surface.js';
 import { watchSurroundings } from './surroundings.js';
@@ -56,13 +61,17 @@ import { Work, type Watched } from './work.js';
 /** In an element up to this wide, as in the style, the legend lies at the bottom; CSS pixels. */
 const narrow = 520;
 const legendHeight = 92;
+/** In a drawing, what is in front of a line by less than this share of the surface's radius does not hide it. */
+const drawnSlack = 0.004;
 /** Of the status, with its margin, at the bottom; CSS pixels. */
 const statusHeight = 56;
 
-/** What a remeshed surface was made of. */
+/** What a surface was made of, by remeshing it or by taking its handles away. */
 export interface Original {
   mesh: Mesh;
   field: Field | undefined;
+  /** What was taken away. */
+  removal?: HandleRemoval;
 }
 
 /** What was shown of a model as its file has it, and is shown of the mesh that the kernel has read. */
@@ -119,7 +128,8 @@ export class ViewerCore {
     new Work(this.#status),
     {
       prepare: async (mesh, signal) => {
-        const model = await Model.of(mesh, this.#fieldsHost, signal, this.#contents.get(mesh));
+        const [content, girth] = [this.#contents.get(mesh), this.#girths.get(mesh)];
+        const model = await Model.of(mesh, this.#fieldsHost, signal, content, girth);
         await this.stage?.prepare(model.surface.object);
         return model;
       },
@@ -141,6 +151,8 @@ export class ViewerCore {
   readonly #reported = new WeakSet<object>();
   /** What files have besides the surface, by the meshes that were made of them. */
   readonly #contents = new WeakMap<Mesh, FileContent>();
+  /** The girths of meshes that were shown before. */
+  readonly #girths = new WeakMap<Mesh, Field>();
   /** Where the kernel can read a model that is shown as its file has it. */
   readonly #addresses = new WeakMap<Mesh, URL>();
   #reading: Promise<Presented> | undefined;
@@ -301,6 +313,8 @@ export class ViewerCore {
       case 'pins':
       case 'tips':
       case 'parts':
+      case 'bottleneck':
+      case 'profile':
       case 'camera':
         this.#asked.follow(name);
         break;
@@ -319,7 +333,8 @@ export class ViewerCore {
 
   /** Brings about again what an attribute asks for, whatever was done since. */
   followAgain(name: string, value: string | null): void {
-    const isWish = ['pins', 'tips', 'parts', 'camera'].includes(name);
+    const wishes = ['pins', 'tips', 'parts', 'bottleneck', 'profile', 'camera'];
+    const isWish = wishes.includes(name);
     if (isWish || (name === 'src' && !this.#isOfSrc && !this.#isOpening)) this.follow(name, value);
   }
 
@@ -334,7 +349,7 @@ export class ViewerCore {
     return this.#lifecycle.shown;
   }
 
-  /** What the shown surface was remeshed from; undefined where it was not. */
+  /** What the shown surface was made of; undefined where it was not. */
   get madeFrom(): Original | undefined {
     return this.#lifecycle.origin;
   }
@@ -360,7 +375,13 @@ export class ViewerCore {
     const address = typeof source === 'string' ? new URL(source, this.#element.baseURI) : source;
     return this.bring(`Reading ${name || 'the model'} …`, name, async (watched) => {
       const kernel = await sharedKernel();
-      return kernel.load(address, { ...options, ...watched });
+      const mesh = await kernel.load(address, { ...options, ...watched });
+      const { ownValues } = await import('./own-values.js');
+      const scale = options.prepare?.scale ?? 1;
+      const kit = { readFigure, givenFields, carriedTo, onlySurface };
+      const content = await ownValues(source, mesh, scale, kit);
+      if (content) this.#contents.set(mesh, content);
+      return mesh;
     }).then((info) => {
       this.#isOfSrc = false;
       return info;
@@ -435,6 +456,44 @@ export class ViewerCore {
     return (await this.#lifecycle.load({ words, name, read, origin })).info;
   }
 
+  /** Shows the surface without its short handles; see `GirthViewer.removeHandles`. */
+  async removeHandles(
+    length: number,
+    options: Pick<HandleOptions, 'basePoints'>,
+  ): Promise<HandleRemoval> {
+    const { mesh, fields } = (await this.whole()).model;
+    const { name } = mesh.info;
+    const origin: Original = { mesh, field: fields.get('igf')?.field };
+    let removal: HandleRemoval;
+    await this.bring(
+      'Removing handles …',
+      name,
+      async (watched) => {
+        const made = await mesh.removeHandles(length, { ...options, ...watched });
+        origin.removal = removal = made.removal;
+        if (removal.removed.length > 0) return made;
+        made.dispose();
+        return mesh;
+      },
+      origin,
+    );
+    return removal!;
+  }
+
+  /** Shows again what the shown surface was made of; see `GirthViewer.restore`. */
+  async restore(): Promise<MeshInfo> {
+    const { madeFrom } = this;
+    if (!madeFrom) {
+      throw failure('USAGE', 'the surface was not made of another one', {
+        hint: 'load the model again',
+      });
+    }
+    const { mesh, field } = madeFrom;
+    if (field && !field.persistence) this.#girths.set(mesh, field);
+    const { name } = mesh.info;
+    return this.bring(`Showing ${name || 'the model'} …`, name, () => Promise.resolve(mesh));
+  }
+
   /** Draws the tips' contours and apexes and tints their regions, or no longer. */
   async showTips(choice: TipsChoice): Promise<void> {
     const before = this.require();
@@ -457,18 +516,58 @@ export class ViewerCore {
 
   /** The picture as it is now, as a PNG; see `GirthViewer.snapshot`. */
   async snapshot(options: FigureOptions): Promise<Blob> {
-    const { stage, presented } = this;
+    if (this.stage) requireGraphics(this.stage.graphics);
+    const { figure } = await import('./snapshot.js');
+    const { stage } = this;
     if (!stage) throw new Error('the element is not on a page');
-    requireGraphics(stage.graphics);
     const { width, dotsPerInch } = options;
-    const parts = {
-      legend: presented?.shading.legend,
-      labels: presented?.loops.labels ?? [],
+    const parts = this.#figureParts(stage);
+    const blob = await blobOf(figure(stage.picture(width), parts, options, this.#element));
+    if (dotsPerInch === undefined) return blob;
+    const { withDensity } = await import('./png-density.js');
+    return withDensity(blob, dotsPerInch);
+  }
+
+  /** The outline and the loops as SVG; see `GirthViewer.drawing`. */
+  async drawing(options: DrawingOptions): Promise<string> {
+    const [{ drawingSvg }, { scaleBarLength }] = await Promise.all([
+      import('./drawing.js'),
+      import('./snapshot.js'),
+    ]);
+    const { model } = this.require();
+    const { surface, mesh } = model;
+    if (!surface.canPick) await this.#prepareToPick(model);
+    const { stage, presented } = this;
+    if (!stage || presented?.model !== model) throw new Error('the element is not on a page');
+    const { x, y, z } = stage.eye;
+    const point = surface.positionOf(0);
+    const slack = drawnSlack * surface.bounds.radius;
+    const { width, height } = this.#host.frame.getBoundingClientRect();
+    return drawingSvg(
+      {
+        scene: {
+          ...mesh.geometry,
+          eye: [x, y, z],
+          place: (...at) => stage.placeOf(point.set(...at)),
+          hides: (...at) => surface.hides(point.set(...at), stage.eye, slack),
+        },
+        lines: presented.lines,
+        parts: this.#figureParts(stage),
+        ...{ width, height, title: mesh.info.name, barLength: scaleBarLength },
+      },
+      options,
+    );
+  }
+
+  /** What a picture has beside the surface. */
+  #figureParts(stage: Stage): FigureParts {
+    return {
+      legend: this.presented?.shading.legend,
+      labels: this.presented?.loops.labels ?? [],
       scale: stage.pixelsPerUnit,
       format: this.lengthFormat,
+      lengthWords: formatLength,
     };
-    const blob = await blobOf(figure(stage.picture(width), parts, options, this.#element));
-    return dotsPerInch === undefined ? blob : withDensity(blob, dotsPerInch);
   }
 
   /** A picture of one place; see `GirthViewer.snapshotOf`. */
@@ -489,7 +588,9 @@ export class ViewerCore {
 
   /** Computes the saddles of all vertices, with progress, and keeps them. */
   async keepBarcodes(maxPersistence: number): Promise<void> {
-    const { fields } = (await this.whole()).model;
+    // Begun at once where the file has been read, so that `cancel` reaches it from then on.
+    const { model } = this.require().model.file.isAll ? await this.whole() : this.require();
+    const { fields } = model;
     try {
       await fields.keepBarcodes(maxPersistence);
     } finally {
@@ -717,7 +818,7 @@ export class ViewerCore {
   /** What they ask for of a model, which need not be shown yet. */
   #wishesFor(model: Model | undefined): ShadingWishes {
     const field = attributeOf(this.#element, 'field')?.toLowerCase() ?? null;
-    const given = model?.fields.givenNames ?? [];
+    const given = model?.file.leads ? model.fields.givenNames : [];
     const usual = given.includes('igf') ? 'igf' : (given[0] ?? 'igf');
     const colormap = attributeOf(this.#element, 'colormap');
     return {

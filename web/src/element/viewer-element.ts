@@ -3,6 +3,8 @@
 import type {
   Barcode,
   BarcodeOptions,
+  Bottleneck,
+  CallOptions,
   Cut,
   CutFormat,
   CutOptions,
@@ -10,11 +12,16 @@ import type {
   FieldFormat,
   FieldName,
   HandleOptions,
+  HandleRemoval,
   Handles,
+  Limb,
+  LevelCurve,
+  LimbAxis,
   Limbs,
   Loop,
   LoopFormat,
   Maximum,
+  MeshGeometry,
   MeshInfo,
   NamedField,
   NeckOptions,
@@ -24,20 +31,34 @@ import type {
   PartThresholds,
   PrintCheck,
   PrintLimits,
+  Profile,
+  ProfileOptions,
+  SegmentOptions,
+  Segments,
   SpectralOptions,
   SurfacePath,
   SurfacePoint,
   Tips,
   WatchedOptions,
 } from '../kernel/types.js';
-import type { CameraView, LengthFormat, ScreenPoint, ShownName, UpAxis } from '../view/index.js';
-import { isFieldName } from '../view/field-words.js';
+import type {
+  CameraView,
+  CombinedName,
+  LengthFormat,
+  ScreenPoint,
+  ShownName,
+  UpAxis,
+  ValuesName,
+} from '../view/index.js';
+import { combinationOf, isFieldName, isGivenName } from '../view/field-words.js';
 import { lengthFormat } from '../view/numbers.js';
 import type { GirthViewerEventMap, GirthViewerListener } from './events.js';
 import type { PinnedLoop } from './loops-on-surface.js';
 import type { PartsWish, PlaceOnSurface, PlacePicture, Presented } from './presented.js';
 import type { ShownField, ShownPlaces } from './shading.js';
+import type { DrawingOptions } from './drawing.js';
 import type { FigureOptions } from './snapshot.js';
+import type { StrokeOptions } from './stroke.js';
 import { takeTexts } from './property-texts.js';
 import type { TipsChoice } from './tips-on-surface.js';
 import { ViewerShell } from './viewer-shell.js';
@@ -59,13 +80,14 @@ import { ViewerShell } from './viewer-shell.js';
  *   and `geofarthest` (mean and greatest geodesic distance), `angle` (of the loop at its base), `hks`, `wks`
  *   and `sihks` (one number of the heat, wave and scale-invariant heat kernel signatures), `kind` (of the
  *   loop), `tips` (how far the girth rises at the tip that a place is in), `parts` (tubes, plates and
- *   body) or `none`.
+ *   body) or `none`; values of the file as in `_heat`; or two of these in one: their difference, `igf-sdf`, where they
+ *   have the same unit, or their ratio, `igf/sdf`.
  * - `persistence`: passes over loops whose saddles last no longer than this, as noise makes them: a length in
  *   model units or with a unit, as in `0.5` or `3mm`, or a share of the square root of the area, as in `2%`.
  *   It holds for the girth, for what is made of it and for loops; pinned ones are computed anew.
  * - `field-title`: what the legend calls the field; by default its usual name.
  * - `colormap`: `viridis` (default), `cividis`, `plasma`, `magma`, `turbo`, or `rdbu`, which diverges and is
- *   the default where values have both signs.
+ *   the default for differences, round 0, and where values have both signs.
  * - `range`: `auto` (default), the body of the values, without what few places stretch it by; two numbers, the values at the ends of the colour map; or two percentages as
  *   in `5% 95%`, the shares of the surface's area that lie below them.
  * - `log`: the colour map is logarithmic, where all values in it are above 0.
@@ -83,10 +105,17 @@ import { ViewerShell } from './viewer-shell.js';
  *   highest being 1. `none` draws none, not even those that the file has.
  * - `parts`: the girth and the thickness where tubes and plates begin, and the smoothing, as in
  *   `parts="200mm 50mm 0.1"`; by default as the model's own values suggest. `field="parts"` colours by them.
+ * - `bottleneck`: two points, as in `bottleneck="12, 4031"`: they are marked, and the narrowest loop on the widest way between them
+ *   is drawn.
+ * - `profile`: two points or more, up to 200: the shortest path through them is drawn, and its points are marked; of more
+ *   than twelve, its ends.
  * - `camera`: from where the surface is seen: `front`, `side`, `top`, or the six numbers of a `CameraView`: `polar`,
  *   `azimuth`, `distance` and the three of `target`; by default from where it is seen whole.
  * - `edges`: draws the mesh's edges.
  * - `shading`: `smooth` (default); `flat`, so that each face can be seen; or `transparent`.
+ * - `section`: cuts away what lies beyond a plane across a direction of the file, `x`, `-y` or three numbers, and a share
+ *   of the surface's extent along it: `x 40%` leaves the first 40% along x. The inside is drawn plainly; what is cut away is not
+ *   picked.
  * - `up`: the direction of the file that is up: `y`, `z`, `-y`, `-z`, `x` or `-x`. Default: the format's
  *   convention (y of glTF and OBJ, z of STL), otherwise a guess from the shape; see `upAxis`.
  * - `keep-view`: the next model is seen from where this one is, in sizes of the models.
@@ -158,6 +187,11 @@ export class GirthViewer extends ViewerShell {
     return this.require().model.mesh.vertexOfInput;
   }
 
+  /** The surface that is drawn: do not modify its arrays. */
+  get geometry(): MeshGeometry {
+    return this.require().model.mesh.geometry;
+  }
+
   /** How the element writes lengths: those of loops, and the girth. */
   get lengthFormat(): LengthFormat {
     return this.core?.lengthFormat ?? lengthFormat(1, this.unit, this.shownUnit);
@@ -179,8 +213,8 @@ export class GirthViewer extends ViewerShell {
   }
 
   /**
-   * Shows a surface of about `faces` faces in place of the present one; of a remeshed surface, in
-   * place of that which it was made of.
+   * Shows a surface of about `faces` faces in place of the present one; where that was made of another one, in
+   * place of that.
    */
   async remesh(faces: number): Promise<MeshInfo> {
     const { mesh, fields } = (await this.#whole()).model;
@@ -191,13 +225,37 @@ export class GirthViewer extends ViewerShell {
     return core.bring(words, name, (watched) => from.mesh.remesh(faces, watched), from);
   }
 
-  /** What the surface was remeshed from; undefined where it was not. */
+  /**
+   * Shows the surface without the handles and tunnels whose loops are shorter than a length, in model units, in place
+   * of the present one, which `restore` shows again. Where there are none, what is shown stays.
+   * @experimental
+   */
+  async removeHandles(
+    length: number,
+    options: Pick<HandleOptions, 'basePoints'> = {},
+  ): Promise<HandleRemoval> {
+    const core = await this.needed();
+    return core.removeHandles(length, options);
+  }
+
+  /** Shows again what the surface was made of, with its girth. Rejected with USAGE where it was not made of another one. */
+  async restore(): Promise<MeshInfo> {
+    const core = await this.needed();
+    return core.restore();
+  }
+
+  /** What the surface was made of by `remesh` or `removeHandles`; undefined where it was not. */
   get original(): MeshInfo | undefined {
     return this.core?.madeFrom?.mesh.info;
   }
 
+  /** What `removeHandles` took away from the original; undefined where it was not made so. */
+  get removal(): HandleRemoval | undefined {
+    return this.core?.madeFrom?.removal;
+  }
+
   /**
-   * How far the field of a remeshed surface is from that of the original: equation (1) of the paper;
+   * How far the field of a surface that was made of another is from that of the original: equation (1) of the paper;
    * undefined where one of the two is not computed.
    */
   async differenceToOriginal(): Promise<number | undefined> {
@@ -216,11 +274,21 @@ export class GirthViewer extends ViewerShell {
 
   // ---- fields, tips and parts
 
-  /** A copy of a field's values, one per vertex of the surface; NaN where not (yet) computed. */
-  values(name: FieldName): Float64Array {
+  /**
+   * A copy of a field's values, one per vertex of the surface; NaN where not (yet) computed, and for two fields in one
+   * as long as these do not colour the surface.
+   */
+  values(name: ValuesName | CombinedName): Float64Array {
     const { fields } = this.require().model;
-    if (!isFieldName(name)) throw new RangeError(`no field is called ${String(name)}`);
+    if (!isFieldName(name) && !isGivenName(name) && !combinationOf(name)) {
+      throw new RangeError(`no field is called ${String(name)}`);
+    }
     return fields.valuesOf(name).slice();
+  }
+
+  /** The values at every vertex that the model's file has, in its order: `_heat`. */
+  get given(): ValuesName[] {
+    return this.presented?.model.fields.givenNames ?? [];
   }
 
   /** A whole field; computed now, in view of the user, unless it is there. Cancelling rejects. */
@@ -230,6 +298,23 @@ export class GirthViewer extends ViewerShell {
     const given = fields.givenOf(name);
     if (file.isAll && given) return { ...given, name };
     return (await this.#whole()).model.fields.compute(name);
+  }
+
+  /**
+   * Takes a whole field that was computed before of the same surface, for example on an earlier visit, in place of computing
+   * it; `options` are those of a signature that it was computed with. In a listener of `load`, before anything is
+   * computed. Throws a RangeError where it does not fit the surface.
+   * @experimental
+   */
+  adopt(field: Field, options?: SpectralOptions): void {
+    const { fields, mesh } = this.require().model;
+    const { name, values, kinds } = field;
+    const { vertexCount } = mesh.info;
+    const kindCount = name === 'igf' ? vertexCount : 0;
+    if (!isFieldName(name) || values.length !== vertexCount || kinds.length !== kindCount) {
+      throw new RangeError('the field is not one of this surface');
+    }
+    fields.adopt(field, options);
   }
 
   /** The computed share of a field's vertices. */
@@ -272,9 +357,9 @@ export class GirthViewer extends ViewerShell {
     return (await this.#whole()).model.heatMaxima(options);
   }
 
-  /** Marks vertices with diamonds, to be compared with the tips; without an argument none. */
-  showPoints(vertices: ArrayLike<number> = []): void {
-    this.require().showPoints(vertices);
+  /** Marks points of the surface with diamonds; without an argument none. */
+  showPoints(points: ArrayLike<SurfacePoint> = []): void {
+    this.require().showPoints(points);
   }
 
   /** Thresholds to start from; girth and shape diameter are computed first. */
@@ -358,6 +443,57 @@ export class GirthViewer extends ViewerShell {
   }
 
   /**
+   * The narrowest place on the widest way from one point to another; the girth is computed first unless it is there.
+   * @experimental
+   */
+  async bottleneck(
+    from: SurfacePoint,
+    to: SurfacePoint,
+    options: WatchedOptions = {},
+  ): Promise<Bottleneck> {
+    const { mesh, life, fields } = (await this.#whole()).model;
+    const { signal } = life;
+    return mesh.bottleneck(await fields.girth(signal), from, to, { signal, ...options });
+  }
+
+  /**
+   * The girth along the shortest path through two points or more.
+   * @experimental
+   */
+  async profile(points: readonly SurfacePoint[], options: ProfileOptions = {}): Promise<Profile> {
+    const { mesh, life } = (await this.#whole()).model;
+    return mesh.profile(points, { signal: life.signal, ...options });
+  }
+
+  /**
+   * The girth along the axis of a limb, with the loops that are swept along it.
+   * @experimental
+   */
+  async axis(limb: Pick<Limb, 'profile'>, options: WatchedOptions = {}): Promise<LimbAxis> {
+    const { mesh, life } = (await this.#whole()).model;
+    return mesh.axis(limb, { signal: life.signal, ...options });
+  }
+
+  /**
+   * The next point of the surface that is clicked, tapped, or chosen with Enter, which then pins no loop. Rejected with
+   * CANCELLED after Escape, when the signal fires, and when another model comes or the method is called again.
+   */
+  async choosePoint({ signal }: CallOptions = {}): Promise<SurfacePoint> {
+    return (await this.#whole()).loops.choosePoint(signal);
+  }
+
+  /**
+   * The next points of a path that is drawn by hand: one that is clicked, tapped or chosen with Enter, or those along
+   * the way of a pointer that is dragged over the surface, which does not turn meanwhile; beside it a drag turns
+   * it. `drawn` has the points so far, while the pointer moves. Rejected as `choosePoint` is.
+   * @experimental
+   */
+  async chooseStroke(options: StrokeOptions = {}): Promise<SurfacePoint[]> {
+    const { loops } = await this.#whole();
+    return loops.chooseStroke(options);
+  }
+
+  /**
    * Short loops round the surface's handles and through its holes.
    * @experimental
    */
@@ -367,12 +503,33 @@ export class GirthViewer extends ViewerShell {
   }
 
   /**
+   * Where the girth has one value; it is computed first unless it is there.
+   * @experimental
+   */
+  async levelCurves(girth: number, options: CallOptions = {}): Promise<LevelCurve[]> {
+    const { mesh, life, fields } = (await this.#whole()).model;
+    const igf = await fields.compute('igf');
+    return mesh.levelCurves(igf, girth, { signal: life.signal, ...options });
+  }
+
+  /**
    * The parts of the surface, cut along curves; what is shown stays whole.
    * @experimental
    */
   async cut(curves: readonly (readonly SurfacePoint[])[], options: CutOptions = {}): Promise<Cut> {
     const { mesh, life } = (await this.#whole()).model;
     return mesh.cut(curves, { signal: life.signal, ...options });
+  }
+
+  /**
+   * What the surface falls into at its necks, and what each part is; girth and shape diameter are computed first. What is
+   * shown stays whole.
+   * @experimental
+   */
+  async segments(options: SegmentOptions = {}): Promise<Segments> {
+    const { model } = await this.#whole();
+    const { igf, sdf } = await model.girthAndDiameter();
+    return model.mesh.segments(igf, sdf, { signal: model.life.signal, ...options });
   }
 
   /** Draws lines on the surface, each given by x, y, z of its points; without an argument none. */
@@ -399,9 +556,10 @@ export class GirthViewer extends ViewerShell {
     return this.require().model.surface.longWay();
   }
 
-  /** Computes the loop at a vertex or at a point of a face, and keeps it on the surface. */
-  async pin(point: SurfacePoint): Promise<PinnedLoop> {
-    return (await this.#whole()).loops.pin(point);
+  /** Computes the loop at a vertex or at a point of a face, and keeps it on the surface; one that is known is only kept. */
+  async pin(point: SurfacePoint | Loop): Promise<PinnedLoop> {
+    const { loops } = await this.#whole();
+    return typeof point === 'object' && 'polyline' in point ? loops.keep(point) : loops.pin(point);
   }
 
   /** Calls a pinned loop by a name, '' for none; nothing happens where there is none of that id. */
@@ -433,7 +591,7 @@ export class GirthViewer extends ViewerShell {
     const { direction } = upAxis;
     const axis = direction.findIndex((share) => Math.abs(share) === 1);
     if (axis >= 0) return info.size[axis]!;
-    const { positions } = this.require().model.mesh.geometry;
+    const { positions } = this.geometry;
     let [low, high] = [Infinity, -Infinity];
     for (let i = 0; i < positions.length; i += 3) {
       const above = direction.reduce((sum, share, k) => sum + share * positions[i + k]!, 0);
@@ -480,6 +638,17 @@ export class GirthViewer extends ViewerShell {
   }
 
   /**
+   * The outline of the surface, its sharp edges, and the loops and lines that are drawn on it, as SVG: what the surface
+   * hides is left out, but for loops, which are dashed there; words are text. A section cuts, and has no line of its own.
+   * @experimental
+   */
+  async drawing(options: DrawingOptions = {}): Promise<string> {
+    this.require();
+    const core = await this.needed();
+    return core.drawing(options);
+  }
+
+  /**
    * A picture of one place as a PNG with a transparent background: the camera looks at it from where it
    * is seen best, its loop is drawn if it is given, and the rest of the surface is faded. What is on the
    * element stays as it is. Rejected with NO_WEBGL where there is no picture.
@@ -491,22 +660,27 @@ export class GirthViewer extends ViewerShell {
 
   // ---- files, in the element's unit
 
-  /** A field as a file's content; computed first unless it is there. */
-  async exportField(format: FieldFormat, name: FieldName = 'igf'): Promise<Uint8Array> {
-    const { mesh, life } = (await this.#whole()).model;
-    const { unit } = this;
-    return mesh.exportField(await this.fieldOf(name), format, { signal: life.signal, unit });
+  /** A field, or two in one, as a file's content; computed first unless it is there. */
+  async exportField(
+    format: FieldFormat,
+    name: FieldName | CombinedName = 'igf',
+  ): Promise<Uint8Array> {
+    return this.exportFields([name], format);
   }
 
   /** Several fields in one file, also such as were not computed here; NPY takes only one. */
   async exportFields(
-    fields: readonly (FieldName | NamedField)[],
+    fields: readonly (FieldName | CombinedName | NamedField)[],
     format: FieldFormat,
   ): Promise<Uint8Array> {
-    const { mesh, life } = (await this.#whole()).model;
+    const { mesh, life, fields: known } = (await this.#whole()).model;
     const { unit } = this;
     const whole = await Promise.all(
-      fields.map(async (field) => (typeof field === 'string' ? this.fieldOf(field) : field)),
+      fields.map(async (field) => {
+        if (typeof field !== 'string') return field;
+        if (isFieldName(field)) return this.fieldOf(field);
+        return known.combinedToWrite(field, unit);
+      }),
     );
     return mesh.exportFields(whole, format, { signal: life.signal, unit });
   }
@@ -542,7 +716,7 @@ export class GirthViewer extends ViewerShell {
   }
 
   /**
-   * The parts of the surface, cut along curves, as files: one, or with 'stl' one for each part.
+   * The parts of the surface, cut along curves, as files: one, or with 'stl' and 'ply' one for each part.
    * @experimental
    */
   async exportCut(
@@ -552,6 +726,36 @@ export class GirthViewer extends ViewerShell {
   ): Promise<Uint8Array[]> {
     const { mesh, life } = (await this.#whole()).model;
     return mesh.exportCut(curves, format, { signal: life.signal, unit: this.unit, ...options });
+  }
+
+  /**
+   * The segments as a file's content: a label for each face, everything, or a node for each segment.
+   * @experimental
+   */
+  async exportSegments(
+    format: 'csv' | 'json' | 'glb',
+    options: SegmentOptions = {},
+  ): Promise<Uint8Array> {
+    const { model } = await this.#whole();
+    const { igf, sdf } = await model.girthAndDiameter();
+    const { signal } = model.life;
+    const { unit } = this;
+    return model.mesh.exportSegments(igf, sdf, format, { signal, unit, ...options });
+  }
+
+  /**
+   * The girth along the shortest path through points, or what was measured along a path or an axis, as a file's content: a
+   * row for each place, or everything; the loops of an axis also as lines.
+   * @experimental
+   */
+  async exportProfile<Along extends readonly SurfacePoint[] | Profile | LimbAxis>(
+    along: Along,
+    format: 'csv' | 'json' | (Along extends LimbAxis ? 'obj' | 'glb' : never),
+    options: ProfileOptions = {},
+  ): Promise<Uint8Array> {
+    const { mesh, life } = (await this.#whole()).model;
+    const { signal } = life;
+    return mesh.exportProfile(along as LimbAxis, format, { signal, unit: this.unit, ...options });
   }
 
   /** The pinned loops, oldest first, a file's content for each. */

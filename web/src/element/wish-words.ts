@@ -6,6 +6,8 @@ import { readCount, readNumber, readPoint, writePoint } from './place-words.js';
 
 /** More loops than these are not pinned by an attribute: each costs a computation. */
 const mostPins = 1000;
+/** A path is through no more points than these. */
+export const mostPathPoints = 200;
 
 /** Which tips are drawn. */
 export interface TipsWish {
@@ -92,6 +94,24 @@ function escaped(name: string): string {
   const [first] = words;
   const isNumber = readPoint(words.split(/\s/)[0]!) !== undefined;
   return isNumber && first ? `%${first.charCodeAt(0).toString(16)}${words.slice(1)}` : words;
+}
+
+/** Two points or more with commas between them, as in '12, 4031'; undefined for anything else. */
+export function parsePath(text: string): SurfacePoint[] | undefined {
+  const points = text.split(',').map((word) => readPoint(word.trim()));
+  if (points.length < 2 || points.length > mostPathPoints) return undefined;
+  return points.every((point) => point !== undefined) ? points : undefined;
+}
+
+/** The same of two points alone. */
+export function parseTwoPoints(text: string): SurfacePoint[] | undefined {
+  const points = parsePath(text);
+  return points?.length === 2 ? points : undefined;
+}
+
+/** The points as `parsePath` reads them. */
+export function writePath(points: readonly SurfacePoint[]): string {
+  return points.map(writePoint).join(', ');
 }
 
 const isLength = (text: string): boolean => 'length' in readLength(text, 'm');

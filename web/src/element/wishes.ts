@@ -2,6 +2,7 @@
 // is followed when it is set and when a model comes; hands and methods go on from there.
 
 import { GirthError } from '../kernel/errors.js';
+import type { Mesh, SurfacePoint } from '../kernel/types.js';
 import { type Stage, readLength, straightNames } from '../view/index.js';
 import { attributeOf, isOn } from './attributes.js';
 import type { ViewerState } from './attribute-types.js';
@@ -9,7 +10,15 @@ import { readCamera, writeCamera, writePoint } from './place-words.js';
 import type { PartsWish, Presented } from './presented.js';
 import { type WishName, pinsOf } from './state.js';
 import type { TipsChoice } from './tips-on-surface.js';
-import { parseParts, parseTips, writeParts, writePins, writeTips } from './wish-words.js';
+import {
+  parseParts,
+  parsePath,
+  parseTips,
+  parseTwoPoints,
+  writeParts,
+  writePins,
+  writeTips,
+} from './wish-words.js';
 
 export interface WishesHost {
   readonly element: HTMLElement;
@@ -31,6 +40,8 @@ export class Wishes {
   #pinTurn = 0;
   /** Whether loops that are wished for are not pinned yet. */
   #isPinning = false;
+  /** The same for what is between two points. */
+  #betweenTurn = 0;
   /** Whether tips that are wished for are not drawn yet. */
   #isFinding = false;
 
@@ -50,6 +61,7 @@ export class Wishes {
     if (name === 'camera') this.#look();
     else if (name === 'parts') this.#divide(presented, true);
     else if (name === 'tips') void this.#showTips(presented);
+    else if (name === 'bottleneck' || name === 'profile') void this.#showBetween(presented, true);
     else void this.pin(presented, true);
   }
 
@@ -57,6 +69,7 @@ export class Wishes {
   greet(presented: Presented, isSeen: boolean): void {
     if (!isSeen && attributeOf(this.#host.element, 'camera')) this.#look();
     this.#divide(presented, false);
+    void this.#showBetween(presented, false);
   }
 
   /** The same for tips, of which there may be none to draw. */
@@ -82,6 +95,32 @@ export class Wishes {
       if (!presented.model.life.signal.aborted) this.#host.failed(error);
     } finally {
       this.#isFinding = false;
+    }
+  }
+
+  /** Draws what is asked for between two points, with the points; `anew`: something else may be drawn. */
+  async #showBetween(presented: Presented, anew: boolean): Promise<void> {
+    const { element } = this.#host;
+    const turn = ++this.#betweenTurn;
+    const neck = parseTwoPoints(attributeOf(element, 'bottleneck') ?? '');
+    const points = neck ?? parsePath(attributeOf(element, 'profile') ?? '');
+    if (anew) presented.showBetween([], undefined);
+    if (!points) return;
+    const { mesh, life, fields, file } = presented.model;
+    const { signal } = life;
+    try {
+      if (file.isAll) {
+        // The attribute is followed again of what the kernel makes of it.
+        await this.#host.whole();
+        return;
+      }
+      const [from, to] = points as [SurfacePoint, SurfacePoint];
+      const { polyline } = neck
+        ? await mesh.bottleneck(await fields.girth(signal), from, to, { signal })
+        : await pathThrough(points, mesh, signal);
+      if (turn === this.#betweenTurn) presented.showBetween(points, polyline);
+    } catch (error) {
+      if (turn === this.#betweenTurn && !signal.aborted) this.#host.failed(error);
     }
   }
 
@@ -177,6 +216,18 @@ export class Wishes {
     const hint = 'state the unit of the file with the attribute unit, or leave the unit out';
     throw new GirthError({ code: 'INVALID_OPTION', element: -1, message: read.fault, hint });
   }
+}
+
+/** The shortest paths from each point to the next, as one line. */
+async function pathThrough(
+  points: readonly SurfacePoint[],
+  mesh: Mesh,
+  signal: AbortSignal,
+): Promise<{ polyline: Float32Array }> {
+  const pieces = await Promise.all(
+    points.slice(1).map((to, i) => mesh.path(points[i]!, to, { signal })),
+  );
+  return { polyline: Float32Array.from(pieces.flatMap(({ polyline }) => [...polyline])) };
 }
 
 const lengthWords = (length: number): string => (length === Infinity ? 'inf' : String(length));

@@ -1,7 +1,7 @@
 // Files that were given together: which of them are models, and which of them a model refers to.
 
 import { failure } from './errors.js';
-import { isZip, safePath, unpack, unpackBudget, zipEntries } from './zip.js';
+import { isZip, readZip, safePath } from './zip.js';
 
 /** A file of the set. Its bytes are read when they are needed. */
 export interface SetFile {
@@ -101,10 +101,5 @@ function modelsAmong(files: readonly SetFile[], given: readonly SetFile[]): stri
 function expanded(file: SetFile, prefix: string): SetFile[] {
   const archive = file.bytes();
   if (!isZip(archive)) return [file];
-  const budget = unpackBudget(archive.length);
-  return zipEntries(archive).map((entry) => ({
-    path: prefix + entry.path,
-    size: entry.size,
-    bytes: () => unpack(archive, entry, budget),
-  }));
+  return readZip(archive).map((inner) => ({ ...inner, path: prefix + inner.path }));
 }

@@ -132,16 +132,66 @@ serveRequests<JobOperations>({
     return checked(module.necks(surfaces.get(surface), girth, minProminence, progressTo(report)));
   },
 
+  bottleneck({ surface, girth, from, to }, report) {
+    const progress = progressTo(report);
+    return checked(module.bottleneck(surfaces.get(surface), girth, from, to, progress));
+  },
+
+  profile({ surface, points, samples, crossings }, report) {
+    const progress = progressTo(report);
+    return checked(module.profile(surfaces.get(surface), points, samples, crossings, progress));
+  },
+
+  axis({ surface, profile }, report) {
+    return checked(module.axis(surfaces.get(surface), profile, progressTo(report)));
+  },
+
   handles({ surface, basePoints }, report) {
     return checked(module.handles(surfaces.get(surface), basePoints, progressTo(report)));
+  },
+
+  removeHandles({ surface, length, basePoints, info }, report) {
+    const from = surfaces.get(surface);
+    const { described, removal } = checked(
+      module.removeHandles(from, length, basePoints, progressTo(report)),
+    );
+    return { opened: remeshedSurface(described, info), removal };
+  },
+
+  levelCurves({ surface, values, level }) {
+    return checked(module.levelCurves(surfaces.get(surface), values, level));
   },
 
   cut({ surface, curves, cap }) {
     return checked(module.cut(surfaces.get(surface), curves, cap));
   },
 
-  writeCut({ surface, model, curves, cap, format }) {
-    return checked(module.writeCut(surfaces.get(surface), model, curves, cap, format));
+  writeProfile({ surface, model, points, samples, crossings, format }, report) {
+    const progress = progressTo(report);
+    const from = surfaces.get(surface);
+    return checked(module.writeProfile(from, model, points, samples, crossings, format, progress));
+  },
+
+  writeStations({ surface, model, stations, format }) {
+    return checked(module.writeStations(surfaces.get(surface), model, stations, format));
+  },
+
+  writeAxis({ surface, model, loops, format }) {
+    return checked(module.writeAxis(surfaces.get(surface), model, loops, format));
+  },
+
+  writeCut({ surface, model, content, curves, cap, format }) {
+    return checked(module.writeCut(surfaces.get(surface), model, content, curves, cap, format));
+  },
+
+  segments({ surface, fields, options }, report) {
+    return checked(module.segments(surfaces.get(surface), fields, options, progressTo(report)));
+  },
+
+  writeSegments({ surface, model, content, fields, options, format }, report) {
+    const progress = progressTo(report);
+    const from = surfaces.get(surface);
+    return checked(module.writeSegments(from, model, content, fields, options, format, progress));
   },
 
   thresholds({ surface, fields }) {

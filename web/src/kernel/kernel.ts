@@ -39,7 +39,7 @@ import type {
   WatchedOptions,
 } from './types.js';
 import { WorkerClient } from './worker-client.js';
-import { moduleWorkers, type WorkerFactory } from './workers.js';
+import { moduleWorkers, workersIn, type WorkerFactory } from './workers.js';
 
 /** More workers would cost more memory than they save time. */
 const mostThreads = 8;
@@ -47,10 +47,11 @@ const mostThreads = 8;
 /**
  * Starts the workers, and waits until one of them can read models. Rejected with a GirthError of code
  * PROGRAM_NOT_LOADED where there are no workers or no WebAssembly or a part of the package cannot be fetched (its
- * hint says what to allow), OUT_OF_MEMORY where the memory does not suffice.
+ * hint says what to allow), OUT_OF_MEMORY where the memory does not suffice, USAGE where `base` is no address.
  */
-export function createKernel(options: KernelOptions = {}): Promise<Kernel> {
-  return openKernel(options, moduleWorkers);
+export async function createKernel(options: KernelOptions = {}): Promise<Kernel> {
+  const { base } = options;
+  return openKernel(options, base === undefined ? moduleWorkers : workersIn(base));
 }
 
 /** `createKernel` with workers of the caller's choice, on a page or elsewhere. */

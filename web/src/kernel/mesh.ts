@@ -15,22 +15,27 @@ import type { MeshHost } from './mesh-host.js';
 import type {
   Answer,
   Arguments,
+  FileContent,
   GirthAndDiameter,
   JobOperations,
   OpenedSurface,
+  PlacedStation,
   PrintArrays,
   Report,
+  SegmentRequest,
   StudiesOperations,
   SurfaceWithInput,
+  WrittenLoop,
   WrittenModel,
 } from './protocol.js';
-import { checkedPoint } from './surface-point.js';
-import { bytesOf, type SurfaceSource } from './surface-source.js';
+import { checkedPoint, unpackedPoints } from './surface-point.js';
+import { bytesOf, sizeOf, type SurfaceSource } from './surface-source.js';
 import type {
   Barcode,
   BarcodeOptions,
   Barcodes,
   BarcodesOptions,
+  Bottleneck,
   CallOptions,
   Cut,
   CutFormat,
@@ -42,6 +47,9 @@ import type {
   FieldOptions,
   HandleOptions,
   Handles,
+  LevelCurve,
+  Limb,
+  LimbAxis,
   LimbOptions,
   Limbs,
   Loop,
@@ -56,12 +64,18 @@ import type {
   PartOptions,
   Parts,
   PartThresholds,
+  PathStation,
   PrintCheck,
   PrintFields,
   PrintLimits,
+  Profile,
+  ProfileOptions,
   RemeshedMesh,
   RemeshOptions,
+  RepairedMesh,
   SaddleBar,
+  SegmentOptions,
+  Segments,
   SpectralFieldName,
   SpectralOptions,
   SurfacePath,
@@ -100,6 +114,9 @@ const wholeLimits = ({ tubeDiameter, wallThickness, gap = 0 }: PrintLimits) => (
 /** Stations of a limb's profile, unless more are asked for: as in `limbs.h`. */
 const limbStations = 64;
 
+/** Places of a profile, unless others are asked for: as in `path_profile.h`. */
+const profilePlaces = { samples: 100, crossings: true };
+
 /** Points of a component whose loops are compared, unless others are asked for: as in `handles.h`. */
 const handleBasePoints = 32;
 
@@ -109,6 +126,13 @@ const whole = ({ girth, thickness, smoothing = 0 }: PartOptions) => ({
   smoothing,
 });
 
+const divided = ({
+  girth,
+  thickness,
+  minProminence = 0,
+  smoothing = 0,
+}: SegmentOptions): SegmentRequest => ({ girth, thickness, minProminence, smoothing });
+
 export class MeshOfWorkers implements Mesh {
   readonly info: Mesh['info'];
   readonly geometry: Mesh['geometry'];
@@ -117,12 +141,15 @@ export class MeshOfWorkers implements Mesh {
   readonly surface: SurfaceSource;
   /** As the workers for jobs know it. */
   readonly #jobSurface: SurfaceSource<SurfaceWithInput>;
+  /** What the file has besides. */
+  readonly #content: FileContent;
   readonly #host: MeshHost;
   readonly #life = new AbortController();
 
   constructor(host: MeshHost, opened: OpenedSurface) {
     const { info, arrays, origin, drawn, boundary, vertexOfInput, inputOfVertex } = opened;
     this.#host = host;
+    this.#content = opened.content;
     this.surface = host.introduce(arrays, this.#life.signal);
     this.#jobSurface = { ...this.surface, arrays: { ...arrays, vertexOfInput, inputOfVertex } };
     this.info = info;
@@ -164,7 +191,7 @@ export class MeshOfWorkers implements Mesh {
     const base = checkedPoint(point, this.info);
     const args = { point: base, persistence };
     const found = await this.#host.atPoint(this.surface, 'loop', args, options);
-    return { ...found, base, unit };
+    return { ...found, points: unpackedPoints(found.points), base, unit };
   }
 
   async barcode(
@@ -183,7 +210,9 @@ export class MeshOfWorkers implements Mesh {
     const bars = Array.from({ length: found.bars.length / 2 }, (_, i): SaddleBar => {
       return { birth: found.bars[2 * i]!, death: found.bars[2 * i + 1]! };
     });
-    const loops = found.loops.map((loop): Loop => ({ ...loop, base, unit }));
+    const loops = found.loops.map((loop): Loop => {
+      return { ...loop, points: unpackedPoints(loop.points), base, unit };
+    });
     const rest = { length: found.rest, kind: found.restKind };
     return { bars, loops, maxPersistence, rest, unit };
   }
@@ -230,6 +259,71 @@ export class MeshOfWorkers implements Mesh {
     return this.#ask('necks', { girth, minProminence }, signal, { onProgress });
   }
 
+  async bottleneck(
+    igf: Field,
+    from: SurfacePoint,
+    to: SurfacePoint,
+    { signal, onProgress }: WatchedOptions = {},
+  ): Promise<Bottleneck> {
+    const girth = this.#own(igf, 'igf');
+    if (igf.persistence) {
+      throw failure('USAGE', 'the girth is one with a persistence', {
+        hint: 'compute it without: a bottleneck is one of the girth itself',
+      });
+    }
+    const [start, end] = [from, to].map((point) => checkedPoint(point, this.info));
+    const args = { girth, from: start!, to: end! };
+    return this.#ask('bottleneck', args, signal, { onProgress });
+  }
+
+  async profile(
+    points: readonly SurfacePoint[],
+    { signal, onProgress, ...options }: ProfileOptions = {},
+  ): Promise<Profile> {
+    const { unit } = this.info;
+    const args = { points: this.#checked(points), ...profilePlaces, ...options };
+    const found = await this.#ask('profile', args, signal, { onProgress });
+    return { ...found, unit };
+  }
+
+  async axis(
+    { profile }: Pick<Limb, 'profile'>,
+    { signal, onProgress }: WatchedOptions = {},
+  ): Promise<LimbAxis> {
+    const { unit } = this.info;
+    const stations = profile.map(({ distance, least, place }): PlacedStation => {
+      return place === undefined
+        ? { distance, least }
+        : { distance, least, place: checkedPoint(place, this.info) };
+    });
+    const found = await this.#ask('axis', { profile: stations }, signal, { onProgress });
+    return { ...found, unit };
+  }
+
+  async exportProfile(
+    given: readonly SurfacePoint[] | Profile | LimbAxis,
+    format: 'csv' | 'json' | 'obj' | 'glb',
+    { signal, unit, onProgress, ...options }: ExportOptions & ProfileOptions = {},
+  ): Promise<Uint8Array> {
+    const model = this.#written(unit);
+    if ('loops' in given) {
+      const loops = given.loops.map((loop): WrittenLoop => {
+        const { distance, along, girth, centre, area } = loop;
+        return { distance, along, girth, centre, area, points: this.#checked(loop.points) };
+      });
+      return (await this.#ask('writeAxis', { model, loops, format }, signal)).bytes;
+    }
+    if ('stations' in given) {
+      const stations = given.stations.map(({ place, ...station }): PathStation => {
+        return { ...station, place: checkedPoint(place, this.info) };
+      });
+      return (await this.#ask('writeStations', { model, stations, format }, signal)).bytes;
+    }
+    const points = this.#checked(given);
+    const args = { model, points, ...profilePlaces, ...options, format };
+    return (await this.#ask('writeProfile', args, signal, { onProgress })).bytes;
+  }
+
   async handles({
     signal,
     onProgress,
@@ -238,11 +332,32 @@ export class MeshOfWorkers implements Mesh {
     return this.#ask('handles', { basePoints }, signal, { onProgress });
   }
 
+  async removeHandles(
+    length: number,
+    { signal, onProgress, basePoints = handleBasePoints }: HandleOptions = {},
+  ): Promise<RepairedMesh> {
+    const passing = bytesOf(this.#jobSurface);
+    const args = { length, basePoints, info: this.info };
+    const watched = { onProgress, passing };
+    const { opened, removal } = await this.#ask('removeHandles', args, signal, watched);
+    return Object.assign(new MeshOfWorkers(this.#host, opened), { removal });
+  }
+
+  async levelCurves(
+    { values }: NamedField,
+    level: number,
+    { signal }: CallOptions = {},
+  ): Promise<LevelCurve[]> {
+    this.#checkCount(values);
+    const { curves } = await this.#ask('levelCurves', { values, level }, signal);
+    return curves;
+  }
+
   async cut(
     curves: readonly (readonly SurfacePoint[])[],
     { signal, cap = false }: CutOptions = {},
   ): Promise<Cut> {
-    return this.#ask('cut', { curves: this.#checkedCurves(curves), cap }, signal);
+    return this.#ask('cut', { curves: curves.map((curve) => this.#checked(curve)), cap }, signal);
   }
 
   async exportCut(
@@ -250,13 +365,50 @@ export class MeshOfWorkers implements Mesh {
     format: CutFormat,
     { signal, unit, cap = false }: ExportOptions & CutOptions = {},
   ): Promise<Uint8Array[]> {
-    const args = { model: this.#written(unit), curves: this.#checkedCurves(curves), cap, format };
-    const { files } = await this.#ask('writeCut', args, signal);
+    const content = this.#content;
+    const passing = this.#contentSize();
+    const model = this.#written(unit);
+    const args = {
+      model,
+      content,
+      curves: curves.map((curve) => this.#checked(curve)),
+      cap,
+      format,
+    };
+    const { files } = await this.#ask('writeCut', args, signal, { passing });
     return files;
   }
 
-  #checkedCurves(curves: readonly (readonly SurfacePoint[])[]): SurfacePoint[][] {
-    return curves.map((curve) => curve.map((point) => checkedPoint(point, this.info)));
+  #checked(points: readonly SurfacePoint[]): SurfacePoint[] {
+    return points.map((point) => checkedPoint(point, this.info));
+  }
+
+  async segments(
+    igf: Field,
+    sdf: Field,
+    { signal, onProgress, ...options }: SegmentOptions = {},
+  ): Promise<Segments> {
+    const args = { fields: this.#girthAndDiameter(igf, sdf), options: divided(options) };
+    return this.#ask('segments', args, signal, { onProgress });
+  }
+
+  async exportSegments(
+    igf: Field,
+    sdf: Field,
+    format: 'csv' | 'json' | 'glb',
+    { signal, onProgress, unit, ...options }: ExportOptions & SegmentOptions = {},
+  ): Promise<Uint8Array> {
+    const fields = this.#girthAndDiameter(igf, sdf);
+    const [model, content] = [this.#written(unit), this.#content];
+    const args = { model, content, fields, options: divided(options), format };
+    const passing = this.#contentSize();
+    const { bytes } = await this.#ask('writeSegments', args, signal, { onProgress, passing });
+    return bytes;
+  }
+
+  #contentSize(): number {
+    const { inputOfFace, rowOfCorner, values } = this.#content;
+    return sizeOf([inputOfFace, rowOfCorner, values]);
   }
 
   async suggestedThresholds(
@@ -395,16 +547,9 @@ export class MeshOfWorkers implements Mesh {
     faces: number,
     { even = false, signal, onProgress }: RemeshOptions = {},
   ): Promise<RemeshedMesh> {
-    const { info } = this;
-    const surface = this.#jobSurface;
-    const opened = await this.#host.job(
-      { surfaces: [surface], passing: bytesOf(surface) },
-      signal,
-      (worker) => {
-        const onReport = progressOf(signal, onProgress);
-        return worker.requestOn(surface, 'remesh', { faces, even, info }, { onReport });
-      },
-    );
+    const passing = bytesOf(this.#jobSurface);
+    const args = { faces, even, info: this.info };
+    const opened = await this.#ask('remesh', args, signal, { onProgress, passing });
     const mesh = new MeshOfWorkers(this.#host, opened);
     return Object.assign(mesh, {
       carryBack: (values: Float64Array, options: CallOptions = {}) =>
@@ -457,12 +602,13 @@ export class MeshOfWorkers implements Mesh {
     {
       other = this,
       onProgress,
-    }: { other?: MeshOfWorkers } & Pick<WatchedOptions, 'onProgress'> = {},
+      passing = 0,
+    }: { other?: MeshOfWorkers; passing?: number } & Pick<WatchedOptions, 'onProgress'> = {},
   ): Promise<Answer<JobOperations, K>> {
     const onReport = progressOf(signal, onProgress);
     const surface = this.#jobSurface;
     const surfaces = [surface, ...(other === this ? [] : [other.#jobSurface])];
-    return this.#host.job({ surfaces }, signal, async (worker) => {
+    return this.#host.job({ surfaces, passing }, signal, async (worker) => {
       for (const one of surfaces.slice(1)) await worker.adopt(one);
       return worker.requestOn(surface, operation, args, { onReport });
     });

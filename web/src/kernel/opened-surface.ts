@@ -1,7 +1,7 @@
 // Surfaces of the module in the form that the page receives.
 
 import type { Described, ModuleOptions, Prepared } from './wasm/girth.mjs';
-import type { OpenedSurface } from './protocol.js';
+import type { FileContent, OpenedSurface } from './protocol.js';
 import type { MeshInfo, PrepareOptions } from './types.js';
 
 /** The options in the module's form. Numbers that no component can have stay invalid. */
@@ -18,17 +18,29 @@ export function openedSurface(
   prepared: Prepared,
   source: Pick<MeshInfo, 'name' | 'models' | 'unreadable'>,
 ): OpenedSurface {
-  const { vertexOfInput, inputOfVertex, unit, report, notes, parts, format } = prepared;
+  const { vertexOfInput, inputOfVertex, content, unit, report, notes, parts, format } = prepared;
   const said = { format, unit: unit === 'metre' ? 'm' : unit, report, notes, parts };
-  return { ...surfaceWith(prepared, { ...source, ...said }), vertexOfInput, inputOfVertex };
+  const surface = surfaceWith(prepared, { ...source, ...said });
+  return { ...surface, vertexOfInput, inputOfVertex, content };
 }
 
-/** A surface that was made of another one, whose `info` is given. Its input are its own vertices. */
+/** A surface that was made of another one, whose `info` is given. Its input are its own vertices and faces. */
 export function remeshedSurface(described: Described, info: MeshInfo): OpenedSurface {
   const made = surfaceWith(described, info);
-  const same = Uint32Array.from({ length: made.info.vertexCount }, (_, vertex) => vertex);
-  return { ...made, vertexOfInput: same, inputOfVertex: same.slice() };
+  const { vertexCount, faceCount } = made.info;
+  const same = upTo(vertexCount);
+  const content: FileContent = {
+    faceCount,
+    inputOfFace: upTo(faceCount),
+    attributes: [],
+    rowOfCorner: new Uint32Array(0),
+    values: new Float64Array(0),
+  };
+  return { ...made, vertexOfInput: same, inputOfVertex: same.slice(), content };
 }
+
+/** 0, 1, 2, … */
+const upTo = (count: number) => Uint32Array.from({ length: count }, (_, number) => number);
 
 function surfaceWith(
   described: Described,

@@ -3,13 +3,19 @@
 // flag that cancels the threads.
 
 import type {
+  AxisLoop,
+  Bottleneck,
   Cut,
   CutFormat,
   Field,
   FieldFormat,
   FileWithPath,
   GirthErrorFields,
+  GirthStation,
+  HandleRemoval,
   Handles,
+  LevelCurve,
+  LimbAxis,
   Limbs,
   Loop,
   LoopFormat,
@@ -22,9 +28,13 @@ import type {
   PartOptions,
   Parts,
   PartThresholds,
+  PathStation,
   PrepareOptions,
   PrintCheck,
   PrintLimits,
+  Profile,
+  SegmentOptions,
+  Segments,
   SpectralFieldName,
   SpectralOptions,
   SurfacePoint,
@@ -36,6 +46,20 @@ import type {
 export interface SurfaceArrays {
   positions: Float64Array<ArrayBuffer>;
   indices: Uint32Array<ArrayBuffer>;
+}
+
+/** What a model's file has besides its surface, for the files of parts of it. */
+export interface FileContent {
+  /** Of the file. */
+  faceCount: number;
+  /** For each face of the surface that of the file; 0xFFFFFFFF for those that were made. */
+  inputOfFace: Uint32Array<ArrayBuffer>;
+  /** Colours and other values of vertices (`girth/io/attributes.h`): rows of so many numbers. */
+  attributes: { name: string; width: number; isLinear: boolean }[];
+  /** For each corner of the surface's faces its row; empty where there are no attributes. */
+  rowOfCorner: Uint32Array<ArrayBuffer>;
+  /** The rows. */
+  values: Float64Array<ArrayBuffer>;
 }
 
 /** A surface that a worker has made, as the page receives it. */
@@ -50,6 +74,7 @@ export interface OpenedSurface {
   boundary: Uint32Array<ArrayBuffer>;
   vertexOfInput: Uint32Array<ArrayBuffer>;
   inputOfVertex: Uint32Array<ArrayBuffer>;
+  content: FileContent;
 }
 
 /** A surface's arrays with the numbers that its vertices have in the input, for files in its order. */
@@ -87,6 +112,10 @@ export interface SpectralRequest extends Required<SpectralOptions> {
   name: SpectralFieldName;
 }
 
+/** At which necks a surface is divided; thresholds that are missing are suggested ones. */
+export type SegmentRequest = Pick<SegmentOptions, 'girth' | 'thickness'> &
+  Required<Pick<SegmentOptions, 'minProminence' | 'smoothing'>>;
+
 /** The two fields that parts are divided by, one value per vertex. */
 export interface GirthAndDiameter {
   girth: Float64Array;
@@ -100,7 +129,10 @@ export interface PrintArrays {
 }
 
 /** A loop as a worker finds it. */
-export type FoundLoop = Omit<Loop, 'base' | 'unit'>;
+export interface FoundLoop extends Omit<Loop, 'base' | 'points' | 'unit'> {
+  /** Packed: `unpackedPoints`. */
+  points: Float64Array;
+}
 
 /** A barcode as a worker finds it. */
 export interface FoundBarcode {
@@ -174,6 +206,12 @@ export interface SingleOperations extends CommonOperations {
   ];
 }
 
+/** What an axis needs of a limb's stations. */
+export type PlacedStation = Pick<GirthStation, 'distance' | 'least' | 'place'>;
+
+/** A loop of an axis as it is written. */
+export type WrittenLoop = Omit<AxisLoop, 'polyline'>;
+
 /** A worker for jobs: it reads models, and analyses, remeshes and writes surfaces. */
 export interface JobOperations extends CommonOperations {
   /** Reads the model of the path `model`, or the first one, and prepares its surface. */
@@ -206,17 +244,65 @@ export interface JobOperations extends CommonOperations {
   /** The limbs of all tips, with so many stations each. */
   limbs: [{ surface: number; girth: Float64Array; stations: number }, Limbs];
   necks: [{ surface: number; girth: Float64Array; minProminence: number }, Necks];
+  bottleneck: [
+    { surface: number; girth: Float64Array; from: SurfacePoint; to: SurfacePoint },
+    Bottleneck,
+  ];
+  profile: [
+    { surface: number; points: readonly SurfacePoint[]; samples: number; crossings: boolean },
+    Omit<Profile, 'unit'>,
+  ];
+  axis: [{ surface: number; profile: readonly PlacedStation[] }, Omit<LimbAxis, 'unit'>];
   handles: [{ surface: number; basePoints: number }, Handles];
+  /** The surface without handles shorter than a length. `info` is that of the original. */
+  removeHandles: [
+    { surface: number; length: number; basePoints: number; info: MeshInfo },
+    { opened: OpenedSurface; removal: HandleRemoval },
+  ];
+  levelCurves: [{ surface: number; values: Float64Array; level: number }, { curves: LevelCurve[] }];
   cut: [{ surface: number; curves: readonly SurfacePoint[][]; cap: boolean }, Cut];
+  writeProfile: [
+    {
+      surface: number;
+      model: WrittenModel;
+      points: readonly SurfacePoint[];
+      samples: number;
+      crossings: boolean;
+      format: string;
+    },
+    { bytes: Uint8Array<ArrayBuffer> },
+  ];
+  /** The same of stations that have been measured. */
+  writeStations: [
+    { surface: number; model: WrittenModel; stations: readonly PathStation[]; format: string },
+    { bytes: Uint8Array<ArrayBuffer> },
+  ];
+  writeAxis: [
+    { surface: number; model: WrittenModel; loops: readonly WrittenLoop[]; format: string },
+    { bytes: Uint8Array<ArrayBuffer> },
+  ];
   writeCut: [
     {
       surface: number;
       model: WrittenModel;
+      content: FileContent;
       curves: readonly SurfacePoint[][];
       cap: boolean;
       format: CutFormat;
     },
     { files: Uint8Array<ArrayBuffer>[] },
+  ];
+  segments: [{ surface: number; fields: GirthAndDiameter; options: SegmentRequest }, Segments];
+  writeSegments: [
+    {
+      surface: number;
+      model: WrittenModel;
+      content: FileContent;
+      fields: GirthAndDiameter;
+      options: SegmentRequest;
+      format: string;
+    },
+    { bytes: Uint8Array<ArrayBuffer> },
   ];
   thresholds: [{ surface: number; fields: GirthAndDiameter }, PartThresholds];
   parts: [{ surface: number; fields: GirthAndDiameter; options: Required<PartOptions> }, Parts];

@@ -29,6 +29,16 @@ export function checkedPoint(
   return { face, weights: [a, b, c] };
 }
 
+/** Points that a worker has packed: four numbers for each, a face and its weights, or a vertex and three NaN. */
+export function unpackedPoints(packed: Float64Array): SurfacePoint[] {
+  return Array.from({ length: packed.length / 4 }, (_, i): SurfacePoint => {
+    const [number, a, b, c] = packed.subarray(4 * i, 4 * i + 4) as unknown as Packed;
+    return Number.isNaN(a) ? number : { face: number, weights: [a, b, c] };
+  });
+}
+
+type Packed = [number: number, a: number, b: number, c: number];
+
 function isBelow(number: number, count: number): boolean {
   return Number.isInteger(number) && number >= 0 && number < count;
 }

@@ -12,8 +12,10 @@ export interface SurfaceSource<A extends SurfaceArrays = SurfaceArrays> {
 
 /** Bytes of the surface's arrays. A worker needs several times as many. */
 export function bytesOf({ arrays }: SurfaceSource): number {
-  return (Object.values(arrays) as ArrayBufferView[]).reduce(
-    (sum, { byteLength }) => sum + byteLength,
-    0,
-  );
+  return sizeOf(Object.values(arrays) as ArrayBufferView[]);
+}
+
+/** Bytes of arrays. */
+export function sizeOf(arrays: readonly ArrayBufferView[]): number {
+  return arrays.reduce((sum, { byteLength }) => sum + byteLength, 0);
 }

@@ -32,6 +32,12 @@ export interface KernelOptions {
    * threads where they can be had and a pool elsewhere. Both give the same values, bit for bit.
    */
   mode?: 'auto' | 'threads' | 'pool';
+  /**
+   * On pages, the address of a copy of the package's folder `dist`, whose workers and WebAssembly modules are used;
+   * relative to the page. For bundlers that do not carry workers along, such as esbuild, and for hosts that keep them
+   * elsewhere. They must be of this version. Default: where the kernel's own script names them. Node.js has no use for it.
+   */
+  base?: string | URL;
 }
 
 /** A mesh as plain arrays. They are copied. */
@@ -379,6 +385,16 @@ export interface ClosedLoop {
   area: number;
 }
 
+/** Where a field has one value (`level_curves.h`). */
+export interface LevelCurve {
+  /** Whether the last point equals the first. Otherwise it ends at the boundary, or where values are missing. */
+  closed: boolean;
+  /** Vertices and points of edges in order; it is straight between them. What is less lies on the left. */
+  points: SurfacePoint[];
+  /** x, y, z of these points, relative to {@link MeshGeometry.origin}. */
+  polyline: Float32Array;
+}
+
 /** A side of a loop that separates its component. */
 export interface LoopSide {
   /** In squared model units. */
@@ -430,6 +446,80 @@ export interface NeckOptions extends WatchedOptions {
  */
 export type HandleKind = 'handle' | 'tunnel' | 'unknown';
 
+/**
+ * What the narrowest place of the widest way is (`bottleneck.h`): a neck between the points; a place between them
+ * whose loop can be made shorter by moving it to one side; or one of the two points, with no neck between them.
+ */
+export type BottleneckKind = 'neck' | 'pass' | 'end';
+
+/** The narrowest place that no way from one point to another avoids. */
+export interface Bottleneck extends Omit<ClosedLoop, 'length'> {
+  /** The least girth on the widest way, in model units: the length of its loop. */
+  girth: number;
+  /** What is there. */
+  kind: BottleneckKind;
+  /** Where on the way the girth is least. */
+  place: SurfacePoint;
+  /** What the loop separates, as of {@link Neck}; none unless it is a neck. */
+  sides: LoopSide[];
+  /** The way that was found, from point to point along pieces of edges: a witness of the girth, and not short. */
+  way: SurfacePoint[];
+}
+
+/** The girth at one place of a path. */
+export interface PathStation {
+  /** Along the path from its first point, in model units. */
+  distance: number;
+  /** There, in model units. */
+  girth: number;
+  /** How it came about. */
+  kind: LoopKind;
+  /** Where: {@link Mesh.loop} gives the loop. */
+  place: SurfacePoint;
+}
+
+/** The girth along a path. */
+export interface Profile {
+  /** Of the path, in model units. */
+  length: number;
+  /** In the order of their distances. */
+  stations: PathStation[];
+  /** x, y, z of the path's points, relative to {@link MeshGeometry.origin}. */
+  polyline: Float32Array;
+  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  unit: string;
+}
+
+/** One of the loops that are swept along a limb (`limb_axis.h`). */
+export interface AxisLoop extends Omit<ClosedLoop, 'length'> {
+  /** Along the axis from its first point to this loop's `centre`, in model units. */
+  distance: number;
+  /** Over the surface, from the limb's apex, in model units. */
+  along: number;
+  /** The loop's length, in model units. */
+  girth: number;
+}
+
+/** The axis of a limb or another tube: the line through the middles of the loops that are swept along it. */
+export interface LimbAxis {
+  /** Of the axis, in model units. */
+  length: number;
+  /** In the order of their distances; none where no loop goes round. */
+  loops: AxisLoop[];
+  /** x, y, z of their middles, relative to {@link MeshGeometry.origin}: the axis, to draw. */
+  polyline: Float32Array;
+  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  unit: string;
+}
+
+/** Where along a path the girth is wanted. */
+export interface ProfileOptions extends WatchedOptions {
+  /** At so many equal distances, both ends among them; 0: none, otherwise at least 2. Default: 100. */
+  samples?: number;
+  /** Also where the path crosses edges and passes vertices. Default: true. */
+  crossings?: boolean;
+}
+
 /** A short loop round a handle, or through a hole. */
 export interface Handle extends ClosedLoop {
   /** Which of the two it is. */
@@ -453,6 +543,28 @@ export interface HandleOptions extends WatchedOptions {
    * As many as it has vertices, or more: all of them. Default: 32.
    */
   basePoints?: number;
+}
+
+/** A handle or tunnel that was taken away: along its loop the surface was cut and closed. */
+export interface RemovedHandle {
+  /** Which of the two it was. */
+  kind: HandleKind;
+  /** Of its loop, in model units. */
+  length: number;
+  /** Mean of the loop's points, in model units. */
+  centre: [number, number, number];
+}
+
+/** What was taken away from a surface, and what is left. */
+export interface HandleRemoval {
+  /** In the order of the cuts. */
+  removed: RemovedHandle[];
+  /** Of all components together. */
+  genusBefore: number;
+  /** The same. */
+  genusAfter: number;
+  /** Faces made or moved that cross others, for want of room. */
+  crossingFaces: number;
 }
 
 /** A part of a surface that was cut. */
@@ -487,8 +599,11 @@ export interface CutOptions extends CallOptions {
   cap?: boolean;
 }
 
-/** Parts as files: GLB with a node for each, OBJ with an object for each, STL files, or what they measure. */
-export type CutFormat = 'glb' | 'obj' | 'stl' | 'json';
+/**
+ * Parts as files: GLB with a node for each, OBJ with an object for each, STL or PLY files, what they measure as JSON,
+ * or as CSV the part of each face of the model's file.
+ */
+export type CutFormat = 'glb' | 'obj' | 'stl' | 'ply' | 'json' | 'csv';
 
 /** What a place of a shape is; 'unknown' where the girth or the thickness has no value (`parts.h`). */
 export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
@@ -537,6 +652,31 @@ export interface Parts {
   /** The parts, largest area first. */
   parts: Part[];
 }
+
+/** A part that a surface falls into at its necks, and what it is (`segments.h`). */
+export interface Segment extends CutPart {
+  /** The kind that has the largest share. */
+  kind: PartKind;
+  /** Of its area, by kind, from 0 to 1; they add up to 1. */
+  shares: Record<PartKind, number>;
+  /** The tips whose apexes lie on it, by their numbers in {@link Tips.tips}, in rising order. */
+  tips: number[];
+}
+
+/** A surface as divided at its necks. */
+export interface Segments {
+  /** The largest area first; one for each component where there are no necks. */
+  segments: Segment[];
+  /** For each face of the surface the index into `segments` of the one that has most of its area. */
+  labels: Uint32Array;
+  /** By which the kinds were told apart. */
+  thresholds: PartThresholds;
+  /** Indices into {@link Necks.necks} of those that were passed over, in rising order: they cross more prominent ones. */
+  crossing: number[];
+}
+
+/** At which necks a surface is divided, and by what its segments are told apart. */
+export interface SegmentOptions extends NeckOptions, Partial<PartOptions> {}
 
 /** What a printer can still make, in model units. */
 export interface PrintLimits {
@@ -606,6 +746,11 @@ export interface Loop {
   kind: LoopKind;
   /** The point p, as it was asked for. */
   base: SurfacePoint;
+  /**
+   * From p to p: p, the edges that it crosses and vertices that it passes; it is straight between them. Along these of
+   * a loop of kind 'loop' {@link Mesh.cut} cuts. Empty where unresolved, and of loops that a file was read with.
+   */
+  points: SurfacePoint[];
   /** x, y, z of each point, from p to p, relative to {@link MeshGeometry.origin}; empty where unresolved. */
   polyline: Float32Array;
   /** x, y, z of the loop's point farthest from p, relative to {@link MeshGeometry.origin}. */
@@ -942,21 +1087,101 @@ export interface Mesh {
    */
   necks(igf: Field, options?: NeckOptions): Promise<Necks>;
   /**
+   * Finds the narrowest place on the widest way from one point to another (`findBottleneck`). `igf` is the field of
+   * that name, without persistence. Errors: VERTEX_OUT_OF_RANGE; INVALID_POINT, also where no way leads from one to the
+   * other.
+   *
+   * @experimental
+   */
+  bottleneck(
+    igf: Field,
+    from: SurfacePoint,
+    to: SurfacePoint,
+    options?: WatchedOptions,
+  ): Promise<Bottleneck>;
+  /**
+   * Measures the girth along the shortest path between two points, or along a drawn path: more points in order, each
+   * joined to the next by a shortest path (`girthAlong`). Nothing is interpolated. Errors: USAGE for fewer points;
+   * VERTEX_OUT_OF_RANGE; INVALID_POINT, also where they lie in different components; INVALID_OPTION; LIMIT_EXCEEDED as
+   * of {@link Mesh.path}.
+   *
+   * @experimental
+   */
+  profile(points: readonly SurfacePoint[], options?: ProfileOptions): Promise<Profile>;
+  /**
+   * Measures the girth along the axis of a limb of this mesh (of {@link Mesh.limbs}), or of another tube (`limbAxis`):
+   * by as many loops as loops go round at its stations. What `girth profile --limb` gives without `--samples` needs
+   * limbs of 100 stations. Errors: VERTEX_OUT_OF_RANGE and INVALID_POINT where its stations are not of this mesh.
+   *
+   * @experimental
+   */
+  axis(limb: Pick<Limb, 'profile'>, options?: WatchedOptions): Promise<LimbAxis>;
+  /**
+   * Writes a profile or an axis as a file, as `girth profile` does: a row for each place, or everything; the loops of an
+   * axis also as lines. Points are measured first, as by {@link Mesh.profile}, with the same errors; what has been
+   * measured is written as it is. Errors: USAGE for OBJ and GLB unless it is an axis; VERTEX_OUT_OF_RANGE and
+   * INVALID_POINT where it is not of this mesh; LIMIT_EXCEEDED where a GLB would pass 4 GB.
+   *
+   * @experimental
+   */
+  exportProfile(
+    points: readonly SurfacePoint[],
+    format: 'csv' | 'json',
+    options?: ExportOptions & ProfileOptions,
+  ): Promise<Uint8Array>;
+  /**
+   * Writes a profile that has been measured, as it is.
+   *
+   * @experimental
+   */
+  exportProfile(
+    profile: Profile,
+    format: 'csv' | 'json',
+    options?: ExportOptions,
+  ): Promise<Uint8Array>;
+  /**
+   * Writes an axis that has been measured, as it is.
+   *
+   * @experimental
+   */
+  exportProfile(
+    axis: LimbAxis,
+    format: 'csv' | 'json' | 'obj' | 'glb',
+    options?: ExportOptions,
+  ): Promise<Uint8Array>;
+  /**
    * Finds short loops round the surface's handles and through its holes (`findHandles`). Errors: INVALID_OPTION.
    *
    * @experimental
    */
   handles(options?: HandleOptions): Promise<Handles>;
   /**
-   * Cuts the surface exactly along curves: `points` of necks and handles, or others whose neighbours lie in one
-   * face, closed where the last one equals the first (`cutSurface`). The surface itself stays as it is. Errors:
+   * Makes a surface without the handles and tunnels whose loops are shorter than a length, in model units: each is cut,
+   * and both rims are closed (`removeHandles`). Its input, as files and `vertexOfInput` count it, are its own vertices.
+   * Errors: INVALID_OPTION where the length is negative or NaN.
+   *
+   * @experimental
+   */
+  removeHandles(length: number, options?: HandleOptions): Promise<RepairedMesh>;
+  /**
+   * Finds the curves where a field has one value, linear between vertices (`levelCurves`); those that end at the boundary
+   * come first. None where the field does not pass the value. Errors: USAGE where the field has not one value for each
+   * vertex; INVALID_OPTION where the value is not finite.
+   *
+   * @experimental
+   */
+  levelCurves(field: NamedField, value: number, options?: CallOptions): Promise<LevelCurve[]>;
+  /**
+   * Cuts the surface exactly along curves: `points` of necks, handles, loops and level curves, or others whose neighbours
+   * lie in one face, closed where the last one equals the first (`cutSurface`). The surface itself stays as it is. Errors:
    * VERTEX_OUT_OF_RANGE; INVALID_POINT where two neighbours lie in no common face; INVALID_OPTION where curves cross.
    *
    * @experimental
    */
   cut(curves: readonly (readonly SurfacePoint[])[], options?: CutOptions): Promise<Cut>;
   /**
-   * Cuts the surface and writes the parts: one file, or one for each part where the format is 'stl'. The same
+   * Cuts the surface and writes the parts: one file, or one for each part where the format is 'stl' or 'ply'. GLB, OBJ
+   * and PLY keep the colours and other values that the model's file gives its vertices, as `girth cut` does. The same
    * errors, and LIMIT_EXCEEDED where a GLB would pass 4 GB.
    *
    * @experimental
@@ -966,6 +1191,28 @@ export interface Mesh {
     format: CutFormat,
     options?: ExportOptions & CutOptions,
   ): Promise<Uint8Array[]>;
+  /**
+   * Divides the surface at its necks (`cutAtNecks`), and says of each part what it is and which tips end on it
+   * (`segmentsOf`). `igf` and `sdf` are the fields of these names. Of necks that cross, the most prominent count;
+   * thresholds that are not given are the suggested ones. Errors: INVALID_OPTION for `minProminence`; USAGE where a
+   * threshold or the smoothing is negative or NaN.
+   *
+   * @experimental
+   */
+  segments(igf: Field, sdf: Field, options?: SegmentOptions): Promise<Segments>;
+  /**
+   * Finds the same and writes it as a file, as `girth segments` does (`write_segments.h`): CSV and JSON have a label for
+   * each face of the model's file, GLB a node for each segment. The same errors, and LIMIT_EXCEEDED where a GLB would
+   * pass 4 GB.
+   *
+   * @experimental
+   */
+  exportSegments(
+    igf: Field,
+    sdf: Field,
+    format: 'csv' | 'json' | 'glb',
+    options?: ExportOptions & SegmentOptions,
+  ): Promise<Uint8Array>;
   /**
    * Suggests thresholds to start from; both are 0 where no vertex has both values. `igf` and `sdf` are the
    * fields of these names, here and below.
@@ -1037,6 +1284,12 @@ export interface RemeshedMesh extends Mesh {
    * USAGE where the values are not as many as its vertices; CANCELLED also when either mesh is disposed of.
    */
   carryBack(values: Float64Array, options?: CallOptions): Promise<Float64Array>;
+}
+
+/** A mesh without the small handles of the one that it was made of. */
+export interface RepairedMesh extends Mesh {
+  /** What was done. */
+  readonly removal: HandleRemoval;
 }
 
 /**

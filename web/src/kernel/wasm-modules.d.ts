@@ -38,6 +38,7 @@ declare module '*/girth.mjs' {
   export interface Prepared extends Described {
     vertexOfInput: Uint32Array<ArrayBuffer>;
     inputOfVertex: Uint32Array<ArrayBuffer>;
+    content: import('./protocol.js').FileContent;
     parts: import('./types.js').MeshPart[];
     report: import('./types.js').PreparationReport;
     format: import('./types.js').MeshInfo['format'];
@@ -145,23 +146,92 @@ declare module '*/girth.mjs' {
       minProminence: number,
       onProgress: OnProgress,
     ): import('./types.js').Necks | Failed;
+    bottleneck(
+      surface: JobSurface,
+      girth: Float64Array,
+      from: Point,
+      to: Point,
+      onProgress: OnProgress,
+    ): import('./types.js').Bottleneck | Failed;
+    /** The girth along the shortest path through points. */
+    profile(
+      surface: JobSurface,
+      points: readonly Point[],
+      samples: number,
+      crossings: boolean,
+      onProgress: OnProgress,
+    ): Omit<import('./types.js').Profile, 'unit'> | Failed;
+    /** The loops along a limb, by its stations. */
+    axis(
+      surface: JobSurface,
+      profile: readonly import('./protocol.js').PlacedStation[],
+      onProgress: OnProgress,
+    ): Omit<import('./types.js').LimbAxis, 'unit'> | Failed;
     handles(
       surface: JobSurface,
       basePoints: number,
       onProgress: OnProgress,
     ): import('./types.js').Handles | Failed;
+    removeHandles(
+      surface: JobSurface,
+      length: number,
+      basePoints: number,
+      onProgress: OnProgress,
+    ): { described: Described; removal: import('./types.js').HandleRemoval } | Failed;
+    levelCurves(
+      surface: JobSurface,
+      values: Float64Array,
+      level: number,
+    ): { curves: import('./types.js').LevelCurve[] } | Failed;
     cut(
       surface: JobSurface,
       curves: readonly (readonly Point[])[],
       cap: boolean,
     ): import('./types.js').Cut | Failed;
+    writeProfile(
+      surface: JobSurface,
+      model: WrittenModel,
+      points: readonly Point[],
+      samples: number,
+      crossings: boolean,
+      format: string,
+      onProgress: OnProgress,
+    ): Bytes | Failed;
+    writeStations(
+      surface: JobSurface,
+      model: WrittenModel,
+      stations: readonly import('./types.js').PathStation[],
+      format: string,
+    ): Bytes | Failed;
+    writeAxis(
+      surface: JobSurface,
+      model: WrittenModel,
+      loops: readonly import('./protocol.js').WrittenLoop[],
+      format: string,
+    ): Bytes | Failed;
     writeCut(
       surface: JobSurface,
       model: import('./protocol.js').WrittenModel,
+      content: import('./protocol.js').FileContent,
       curves: readonly (readonly Point[])[],
       cap: boolean,
       format: string,
     ): { files: Uint8Array<ArrayBuffer>[] } | Failed;
+    segments(
+      surface: JobSurface,
+      fields: GirthAndDiameter,
+      options: import('./protocol.js').SegmentRequest,
+      onProgress: OnProgress,
+    ): import('./types.js').Segments | Failed;
+    writeSegments(
+      surface: JobSurface,
+      model: WrittenModel,
+      content: import('./protocol.js').FileContent,
+      fields: GirthAndDiameter,
+      options: import('./protocol.js').SegmentRequest,
+      format: string,
+      onProgress: OnProgress,
+    ): Bytes | Failed;
     suggestedThresholds(
       surface: JobSurface,
       fields: GirthAndDiameter,

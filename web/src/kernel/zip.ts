@@ -20,6 +20,16 @@ export interface ZipEntry {
   offset: number;
 }
 
+/** A file of an archive, unpacked when it is asked for. */
+export interface ZipFile {
+  /** With '/' between folders, never leading out of the archive. */
+  path: string;
+  /** Bytes when unpacked. */
+  size: number;
+  /** Errors: LIMIT_EXCEEDED, MALFORMED_FILE, UNSUPPORTED_FEATURE. */
+  bytes(): Uint8Array<ArrayBuffer>;
+}
+
 /** How many more bytes of one archive may be unpacked. */
 export interface UnpackBudget {
   left: number;
@@ -69,6 +79,19 @@ class Numbers {
   #check(at: number, length: number): void {
     if (!(at >= 0 && at + length <= this.#view.byteLength)) throw damaged('it ends too early');
   }
+}
+
+/**
+ * The files of a zip, in its order, without folders, names that lead out of it, and files that operating systems add.
+ * Together they unpack to at most 200 times the archive's bytes, at least 64 MB and at most 1 GB. Errors: MALFORMED_FILE.
+ */
+export function readZip(archive: Uint8Array): ZipFile[] {
+  const budget = unpackBudget(archive.length);
+  return zipEntries(archive).map((entry) => ({
+    path: entry.path,
+    size: entry.size,
+    bytes: () => unpack(archive, entry, budget),
+  }));
 }
 
 /**

@@ -1,37 +1,13 @@
 // Colour maps for scalar fields, as tables of sRGB bytes.
 
-import {
-  interpolateCividis,
-  interpolateMagma,
-  interpolatePlasma,
-  interpolateRdBu,
-  interpolateTurbo,
-  interpolateViridis,
-} from 'd3-scale-chromatic';
 import type { ColormapName } from './colormap-names.js';
+import { colormapChannels } from './colormap-tables.js';
 
 /** Entries of a colour table. */
 export const colormapSize = 256;
 
-const interpolators: Record<ColormapName, (place: number) => string> = {
-  viridis: interpolateViridis,
-  cividis: interpolateCividis,
-  plasma: interpolatePlasma,
-  magma: interpolateMagma,
-  turbo: interpolateTurbo,
-  // Blue below the middle, red above.
-  rdbu: (place) => interpolateRdBu(1 - place),
-};
-
-/** sRGB bytes of a CSS colour as d3 writes it: `#rrggbb` or `rgb(r, g, b)`. */
-function parseColour(css: string): [number, number, number] {
-  if (css.startsWith('#')) {
-    const code = Number.parseInt(css.slice(1), 16);
-    return [code >> 16, (code >> 8) & 255, code & 255];
-  }
-  const [r = 0, g = 0, b = 0] = (css.match(/\d+/g) ?? []).map(Number);
-  return [r, g, b];
-}
+/** What stands for no step. */
+const level = 'm'.charCodeAt(0);
 
 const tables = new Map<ColormapName, Uint8Array>();
 
@@ -40,8 +16,12 @@ export function colormapTable(name: ColormapName): Uint8Array {
   let table = tables.get(name);
   if (!table) {
     table = new Uint8Array(4 * colormapSize);
-    for (let i = 0; i < colormapSize; ++i) {
-      table.set([...parseColour(interpolators[name](i / (colormapSize - 1))), 255], 4 * i);
+    table.fill(255);
+    for (const [k, [first, steps]] of colormapChannels[name].entries()) {
+      table[k] = first;
+      for (let i = 1; i < colormapSize; ++i) {
+        table[4 * i + k] = table[4 * (i - 1) + k]! + steps.charCodeAt(i - 1) - level;
+      }
     }
     tables.set(name, table);
   }

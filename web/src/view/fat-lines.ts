@@ -109,15 +109,18 @@ export function makeDots(
   const material = new ShaderMaterial({
     transparent: true,
     depthWrite: false,
+    clipping: true,
     uniforms: { pixelRatio: { value: 1 }, colour: { value: srgb(colour) } },
     vertexShader: /* glsl */ `
       attribute float size;
       uniform float pixelRatio;
       varying float vSize;
+      #include <clipping_planes_pars_vertex>
       void main() {
         vSize = size * pixelRatio;
-        vec4 seen = modelViewMatrix * vec4(position, 1.0);
-        gl_Position = projectionMatrix * vec4(seen.xyz * ${(1 - 2 * lift).toFixed(4)}, 1.0);
+        vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
+        #include <clipping_planes_vertex>
+        gl_Position = projectionMatrix * vec4(mvPosition.xyz * ${(1 - 2 * lift).toFixed(4)}, 1.0);
         gl_PointSize = vSize + 2.0;
       }
     `,
@@ -125,7 +128,9 @@ export function makeDots(
       uniform vec3 colour;
       uniform float pixelRatio;
       varying float vSize;
+      #include <clipping_planes_pars_fragment>
       void main() {
+        #include <clipping_planes_fragment>
         vec2 away = abs(gl_PointCoord - 0.5) * (vSize + 2.0);
         float radius = ${shape === 'round' ? 'length(away)' : 'away.x + away.y'};
         float outer = 0.5 * vSize;

@@ -21,10 +21,26 @@ export const derivedNames = ['kind', 'tips', 'parts'] as const;
 /** Values that only the model's file has: their attribute's name, in small letters. */
 export type GivenName = `_${string}`;
 
-/** What can colour a surface. */
-export type ShownName = FieldName | (typeof derivedNames)[number] | GivenName | 'none';
+/** Numbers at every vertex: a field, or values of the file. */
+export type ValuesName = FieldName | GivenName;
 
-const words: Record<Exclude<ShownName, GivenName>, string> = {
+/** Two of them in one: the first less the second, or divided by it. */
+export type CombinedName = `${ValuesName}${'-' | '/'}${ValuesName}`;
+
+/** What can colour a surface. */
+export type ShownName = ValuesName | (typeof derivedNames)[number] | CombinedName | 'none';
+
+/** What a combined name stands for. */
+export interface Combination {
+  /** What something is taken off, or what is divided. */
+  first: ValuesName;
+  /** What the second is to the first. */
+  by: 'difference' | 'ratio';
+  /** What is taken off, or what divides. */
+  second: ValuesName;
+}
+
+const words: Record<Exclude<ShownName, GivenName | CombinedName>, string> = {
   igf: 'Girth',
   sdf: 'Shape diameter',
   thickness: 'Thickness',
@@ -50,16 +66,48 @@ export function isGivenName(name: string): name is GivenName {
   return /^_[a-z0-9_]{1,60}$/.test(name);
 }
 
+/** Whether a name is of numbers at every vertex. */
+const isValuesName = (name: string): name is ValuesName => isFieldName(name) || isGivenName(name);
+
+/** What 'igf-sdf' or 'igf/sdf' stands for; undefined for all that is no difference of like quantities and no ratio. */
+export function combinationOf(name: string): Combination | undefined {
+  const [, first = '', sign, second = ''] = /^(\w+)([-/])(\w+)$/.exec(name) ?? [];
+  if (!isValuesName(first) || !isValuesName(second) || first === second) return undefined;
+  if (sign === '/') return { first, by: 'ratio', second };
+  // What a file's values are is known when it is read.
+  const isKnown = isFieldName(first) && isFieldName(second);
+  const isLike = !isKnown || fieldUnit(first, 'm') === fieldUnit(second, 'm');
+  return isLike ? { first, by: 'difference', second } : undefined;
+}
+
 /** Whether something of that name can colour a surface. */
 export function isShownName(name: string | null): name is ShownName {
-  return name !== null && (Object.hasOwn(words, name) || isGivenName(name));
+  return (
+    name !== null &&
+    (Object.hasOwn(words, name) || isGivenName(name) || combinationOf(name) !== undefined)
+  );
 }
 
 /** A field's name in words, for a legend; that of values of a file as it is there: 'Wall temperature'. */
 export function fieldTitle(name: ShownName): string {
-  if (!isGivenName(name)) return words[name];
+  const combined = combinationOf(name);
+  if (combined) {
+    const sign = combined.by === 'ratio' ? '÷' : '\u2212';
+    return `${fieldTitle(combined.first)} ${sign} ${inSentence(fieldTitle(combined.second))}`;
+  }
+  if (!isGivenName(name)) return words[name as keyof typeof words];
   const text = name.replaceAll('_', ' ').trim() || name;
   return text[0]!.toUpperCase() + text.slice(1);
+}
+
+/** A title after other words. */
+export const inSentence = (title: string): string => title.charAt(0).toLowerCase() + title.slice(1);
+
+/** The unit of a difference of values, or of a ratio. */
+export function combinedUnit(by: Combination['by'], first: string, second: string): string {
+  if (by === 'difference') return first && second && first;
+  if (first === second || second === '') return first === second ? '' : first;
+  return `${first || '1'}/${second}`;
 }
 
 /** The unit of a field's values, where that of lengths is `unit`. */

@@ -12,12 +12,18 @@ export { colourAt } from './colormaps.js';
 export type { CameraView } from './camera-view.js';
 export { splitCreases } from './creases.js';
 export {
+  type Combination,
+  type CombinedName,
   type GivenName,
   type ShownName,
+  type ValuesName,
+  combinationOf,
+  combinedUnit,
   derivedNames,
   fieldNames,
   fieldTitle,
   fieldUnit,
+  inSentence,
   isFieldName,
   isGivenName,
   isShownName,

@@ -48,6 +48,11 @@ export class Picker {
     return { x: (0.5 + 0.5 * x) * width, y: (0.5 - 0.5 * y) * height };
   }
 
+  /** Where the camera is, in the surface's coordinates. */
+  get eye(): Vector3 {
+    return this.#space.toSurface(this.#camera.position.clone());
+  }
+
   /** Where a point is on a canvas of that size, in CSS pixels; without a surface nothing hides it. */
   project(
     surface: Surface | undefined,
@@ -57,11 +62,10 @@ export class Picker {
   ): ScreenPoint {
     const { x, y, z } = this.#space.toScene(point).project(this.#camera);
     const inside = Math.abs(x) <= 1 && Math.abs(y) <= 1 && z > -1 && z < 1;
-    const eye = this.#space.toSurface(this.#camera.position.clone());
     return {
       x: (0.5 + 0.5 * x) * width,
       y: (0.5 - 0.5 * y) * height,
-      visible: inside && !surface?.hides(point, eye),
+      visible: inside && !surface?.hides(point, this.eye),
     };
   }
 }

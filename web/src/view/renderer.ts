@@ -5,6 +5,7 @@ import { WebGLRenderer } from 'three';
 /** The part of three.js's renderer that is used here. */
 export type Renderer = Pick<
   WebGLRenderer,
+  | 'clippingPlanes'
   | 'compileAsync'
   | 'dispose'
   | 'forceContextLoss'
@@ -23,6 +24,7 @@ function blindRenderer(): Renderer {
   let ratio = 1;
   const size = { x: 1, y: 1 };
   return {
+    clippingPlanes: [],
     compileAsync: (object) => Promise.resolve(object),
     dispose: () => undefined,
     forceContextLoss: () => undefined,

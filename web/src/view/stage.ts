@@ -34,6 +34,7 @@ import { Picker, type ScreenPoint } from './picker.js';
 import { type Place, viewOfPlace } from './place-view.js';
 import { type Borrower, type Drawer, renderers } from './renderer-pool.js';
 import type { Graphics, Renderer } from './renderer.js';
+import type { SectionPlane } from './section-plane.js';
 import { Silhouette } from './silhouette.js';
 import type { StraightName } from './straight-names.js';
 import type { Surface } from './surface.js';
@@ -183,6 +184,17 @@ export class Stage implements Borrower {
     this.#frames.rest(isResting);
   }
 
+  /** Cuts away what lies in front of a plane; undefined: nothing. */
+  cut(section: SectionPlane | undefined): void {
+    if (this.#surface) this.#surface.section = section;
+    this.invalidate();
+  }
+
+  /** Towards the eye, in the surface's coordinates. */
+  get towardsEye(): [number, number, number] {
+    return this.#space.directionToSurface(this.#rig.direction.clone()).toArray();
+  }
+
   /** Asks for a frame. */
   invalidate(): void {
     this.#frames.invalidate();
@@ -220,6 +232,11 @@ export class Stage implements Borrower {
   /** Where a point of the surface is on the canvas, whether it is hidden or not. */
   placeOf(point: Vector3): { x: number; y: number } {
     return this.#picker.place(point, this.#width, this.#height);
+  }
+
+  /** Where the camera is, in the surface's coordinates. */
+  get eye(): Vector3 {
+    return this.#picker.eye;
   }
 
   /** From the surface's coordinates into clip space, by columns, as of the last frame. */
@@ -474,6 +491,10 @@ export class Stage implements Borrower {
 
   #render(camera: PerspectiveCamera): void {
     fitDepth(camera);
-    this.#held().render(this.#scene, camera);
+    const renderer = this.#held();
+    // A picture of a place shows it whole.
+    const section = camera === this.#rig.camera ? this.#surface?.section : undefined;
+    renderer.clippingPlanes = section ? [this.#space.planeOf(section)] : [];
+    renderer.render(this.#scene, camera);
   }
 }

@@ -2,6 +2,7 @@
 // Colours stay sRGB from the tables to the canvas. Each way is a program of its own, since every quantity
 // that is not needed would cost time at every pixel: SHADING is one of the modes; LINES is defined where
 // there are lines of equal value, LOGARITHMIC where the colour map is, FLAGS where there are marks or tips, FLAT where each face has one light.
+// Where three.js has a clipping plane, what lies in front of it is not drawn, the cut has a dark line, and the inside is plain.
 
 import { colormapSize } from './colormaps.js';
 
@@ -198,7 +199,16 @@ export const fragmentShader = /* glsl */ `
     }
   #endif
 
+  #if NUM_CLIPPING_PLANES > 0
+    uniform vec4 clippingPlanes[NUM_CLIPPING_PLANES];
+  #endif
+
   void main() {
+    #if NUM_CLIPPING_PLANES > 0
+      float left = clippingPlanes[0].w - dot(vView, clippingPlanes[0].xyz);
+      float perPixel = max(fwidth(left), 1e-37);
+      if (left < 0.0) discard;
+    #endif
     vec3 colour = surfaceColour();
     #ifdef FLAGS
       colour = flagged(colour);
@@ -212,6 +222,10 @@ export const fragmentShader = /* glsl */ `
     float key = 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.75, 0.65)));
     float rim = 1.0 - clamp(dot(normal, view), 0.0, 1.0);
     float light = mix(0.78, 1.04, smoothstep(0.05, 0.95, key)) - 0.08 * rim * rim * rim;
+    #if NUM_CLIPPING_PLANES > 0
+      if (!gl_FrontFacing) colour = 0.82 * plain;
+      colour *= mix(0.25, 1.0, smoothstep(0.8, 1.8, left / perPixel));
+    #endif
     gl_FragColor = vec4(colour * light, opacity);
   }
 `;

@@ -1,7 +1,8 @@
 // Where a surface is in the scene: upright, and of radius 1 round the origin, so that the camera, its limits and the
 // shaders' 32-bit numbers meet the same sizes whether a file counts in micrometres or in kilometres.
 
-import { Group, Quaternion, type Sphere, type Vector3 } from 'three';
+import { Group, Plane, Quaternion, type Sphere, Vector3 } from 'three';
+import type { SectionPlane } from './section-plane.js';
 import type { Rotation } from './up-axis.js';
 
 /** The surface's own coordinates within the scene's. */
@@ -27,6 +28,16 @@ export class SurfaceSpace {
   /** Turns a direction of the scene into the surface's coordinates, in place. */
   directionToSurface(direction: Vector3): Vector3 {
     return direction.applyQuaternion(this.#back);
+  }
+
+  /** A plane of the surface in the scene, as three.js has it: with what is left above it. */
+  planeOf({ normal, offset }: SectionPlane): Plane {
+    const direction = new Vector3(...normal);
+    const point = this.toScene(direction.clone().multiplyScalar(offset));
+    return new Plane().setFromNormalAndCoplanarPoint(
+      this.directionToScene(direction).negate(),
+      point,
+    );
   }
 
   /** A point of the surface in the scene's coordinates; a new vector. */

@@ -32,6 +32,7 @@ import type { CreasedSurface } from './creases.js';
 import { DrawnVertices } from './drawn-vertices.js';
 import { longWay } from './long-way.js';
 import type { Look } from './look.js';
+import type { SectionPlane } from './section-plane.js';
 import type { Silhouette } from './silhouette.js';
 import {
   type ShadingMode,
@@ -55,6 +56,8 @@ export class Surface {
   /** What to add to a scene. */
   readonly object = new Group();
   readonly bounds: Sphere;
+  /** What lies in front of it is not picked, and hides nothing. */
+  section: SectionPlane | undefined;
 
   readonly #drawn: BufferGeometry;
   readonly #picked: BufferGeometry;
@@ -109,6 +112,7 @@ export class Surface {
       vertexShader,
       fragmentShader,
       side: DoubleSide,
+      clipping: true,
       defines: { SHADING: shadingModes.scalar },
       uniforms: {
         upright: { value: new Matrix3() },
@@ -372,9 +376,14 @@ export class Surface {
     }
   }
 
+  /** Whether what picking needs is there. */
+  get canPick(): boolean {
+    return this.#hierarchy !== undefined;
+  }
+
   /** Where a ray first meets the surface; undefined where it passes by. */
   pick(ray: Ray): FacePoint | undefined {
-    const hit = this.#hierarchy?.raycastFirst(ray, DoubleSide);
+    const hit = this.#firstHit(ray);
     // The hierarchy leaves the faces in their order: their numbers are the mesh's own.
     if (!hit || typeof hit.faceIndex !== 'number') return undefined;
     const [a, b, c] = this.#cornersOf(hit.faceIndex).map((vertex) => this.positionOf(vertex));
@@ -395,16 +404,21 @@ export class Surface {
   }
 
   /**
-   * True where the surface hides a point from the eye, and as long as that is not known; points on
-   * the surface's near side are not hidden.
+   * True where the surface hides a point from the eye, where that is cut away, and as long as it is not known; points on
+   * the surface's near side are not hidden. What is in front of the point by less than `slack` does not count.
    */
-  hides(point: Vector3, eye: Vector3): boolean {
-    if (!this.#hierarchy) return true;
+  hides(point: Vector3, eye: Vector3, slack = 0.01 * this.bounds.radius): boolean {
+    if (!this.#hierarchy || this.section?.cuts(point)) return true;
     const ray = new Ray(eye, point.clone().sub(eye));
     const distance = ray.direction.length();
     ray.direction.divideScalar(distance);
-    const hit = this.#hierarchy.raycastFirst(ray, DoubleSide);
-    return !!hit && hit.distance < distance - 0.01 * this.bounds.radius;
+    const hit = this.#firstHit(ray);
+    return !!hit && hit.distance < distance - slack;
+  }
+
+  #firstHit(ray: Ray) {
+    const [near, far] = this.section?.reach(ray) ?? [0, Infinity];
+    return this.#hierarchy?.raycastFirst(ray, DoubleSide, near, far);
   }
 
   /** Touches the cells that the surface covers; `matrix` brings its points into clip space. */

@@ -13,11 +13,11 @@
 
 namespace girth::io {
 
-/// All `points` of a JSON document as loopJson, necksJson, handlesJson and bottleneckJson write it:
-/// those of the document itself, or of each of its `necks` or `handles`. Vertices are those of the
-/// file that the model was read from. Errors: MALFORMED_FILE (no JSON, no points, or points without
-/// `vertices` and `weights`), INVALID_POINT (element: the point's place in its curve) where the
-/// model has no such vertex, edge or face.
+/// All `points` of a JSON document as loopJson, necksJson, handlesJson, bottleneckJson and
+/// limbAxisJson write it: those of the document itself, or of each of its `necks`, `handles` or
+/// `loops`. Vertices are those of the file that the model was read from. Errors: MALFORMED_FILE (no
+/// JSON, no points, or points without `vertices` and `weights`), INVALID_POINT (element: the
+/// point's place in its curve) where the model has no such vertex, edge or face.
 GIRTH_EXPORT Result<std::vector<SurfaceCurve>> readCurves(std::string_view json,
                                                           const LoadedMesh& loaded);
 

@@ -13,6 +13,7 @@
 #include "girth/error.h"
 #include "girth/execution.h"
 #include "girth/export.h"
+#include "girth/io/attributes.h"
 #include "girth/prepare_surface.h"
 #include "girth/triangle_soup.h"
 
@@ -44,6 +45,10 @@ struct ReadModel {
   std::string unit;
   /// What the reader did that a user may want to know, one sentence each.
   std::vector<std::string> notes;
+  /// Of the vertices, or of the corners of the triangles, where ReadOptions asks for them.
+  std::vector<Attribute> attributes{};
+  /// What is left out of them, or missing somewhere, one sentence each.
+  std::vector<std::string> attributeNotes{};
 };
 
 /// A model's surface, how the file's vertices and triangles map onto it, and what was done.
@@ -54,6 +59,22 @@ struct LoadedMesh : PreparedSurface {
   std::string unit;
   /// As in ReadModel.
   std::vector<std::string> notes;
+  /// Of the corners of the surface's faces, halfedge by halfedge (cornerAttributes); empty where
+  /// the file has none, or nobody asked.
+  std::vector<Attribute> attributes{};
+  /// As in ReadModel.
+  std::vector<std::string> attributeNotes{};
+};
+
+/// What is read besides the surface.
+struct ReadOptions {
+  /// Attributes of vertices. PLY: colours (`red`, `green`, `blue`, `alpha`), texture coordinates
+  /// (`s`, `t` or `u`, `v`), and other properties of one number, but normals, as `_name`. OBJ:
+  /// colours behind the coordinates, and texture coordinates. glTF: `COLOR_0` times the base colour
+  /// of the material, as it is shown, `TEXCOORD_0`, and the application's own scalars, `_NAME`, at
+  /// most 16 of them; an attribute that cannot be read is left out, and `attributeNotes` say so. No
+  /// texture is read, and of STL and OFF nothing.
+  bool attributes{false};
 };
 
 /// Brings a file that a model refers to by a relative name; nothing if there is none.
@@ -79,7 +100,8 @@ using ResourceReader = std::function<std::optional<std::vector<std::byte>>(std::
 /// line), INDEX_OUT_OF_RANGE (glTF: corner of the primitive; others: line or byte), EMPTY_MESH
 /// (also: point clouds and lines), LIMIT_EXCEEDED, OUT_OF_MEMORY.
 GIRTH_EXPORT Result<ReadModel> readModel(std::span<const std::byte> bytes, std::string_view name,
-                                         const ResourceReader& resources = {});
+                                         const ResourceReader& resources = {},
+                                         const ReadOptions& options = {});
 
 /// readModel, then prepareSurface. Errors: those of both.
 GIRTH_EXPORT Result<LoadedMesh> readMesh(std::span<const std::byte> bytes, std::string_view name,

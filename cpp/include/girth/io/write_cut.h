@@ -1,6 +1,7 @@
 // A surface that was cut as a file's content: GLB, OBJ, JSON or CSV.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@ namespace girth::io {
 struct CutModel {
   std::vector<SurfaceComponent> parts;  ///< vertices and faces are those of the cut surface
   std::vector<Face> faces;              ///< of the cut surface: CutSurface::faces
+  std::vector<SurfacePoint> points;     ///< of the cut surface: CutSurface::points
 };
 
 /// The parts of a surface that was cut.
@@ -24,12 +26,22 @@ GIRTH_EXPORT CutModel cutModel(const CutSurface& cut);
 /// boundary.
 GIRTH_EXPORT double partVolume(const SurfaceMesh& part);
 
+// GLB, OBJ and PLY have what `loaded.attributes` says of the vertices, as far as the format can:
+// as it is at vertices of the model, linear between them where new ones stand on edges and in
+// faces, and on caps that of their rims. Where the corners at a vertex differ, as along the seam of
+// a texture, it is written several times. OBJ has colours and texture coordinates, PLY colours as
+// bytes.
+
 /// Each part as a node `part_1`, ... with its triangles, positions rounded to floats. glTF is in
 /// metres, as in meshFile. Error: LIMIT_EXCEEDED where the file would pass 4 GB.
 GIRTH_EXPORT Result<std::string> cutGlb(const LoadedMesh& loaded, const CutModel& model);
 
 /// Each part as an object `part_1`, ...
-GIRTH_EXPORT std::string cutObj(const CutModel& model);
+GIRTH_EXPORT std::string cutObj(const LoadedMesh& loaded, const CutModel& model);
+
+/// One part, from 0, in a file of its own. Errors: as meshFile.
+GIRTH_EXPORT Result<std::string> partFile(const LoadedMesh& loaded, const CutModel& model,
+                                          std::size_t part, Format format);
 
 /// One JSON object: `file`, `unit` and `parts`. Of a part: `area`, `volume` (null where it has a
 /// boundary), `faces`, `vertices`, `genus` and `boundaries`.
@@ -39,6 +51,9 @@ GIRTH_EXPORT std::string cutJson(const LoadedMesh& loaded, const CutModel& model
 /// For each face of the file the part that has most of its area, from 0; kNoIndex where it is not
 /// on the surface.
 GIRTH_EXPORT std::vector<Index> partOfFaces(const LoadedMesh& loaded, const CutModel& model);
+
+/// The same for each of `faceCount` faces of the surface that was cut.
+GIRTH_EXPORT std::vector<Index> partOfFaces(const CutModel& model, Index faceCount);
 
 /// `face,part` and a row for every face of the file that is on the surface: the part that has most
 /// of its area.

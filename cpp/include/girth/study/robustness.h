@@ -38,8 +38,11 @@ struct RobustnessOptions {
   std::uint64_t seed{1};
   /// The humps of Figure 8e.
   HumpOptions humps;
-  /// Changes of topology.
-  std::size_t bridges{2};
+  /// Changes of topology: places that have grown together.
+  Index bridges{2};
+  /// How many tiny handles (withTinyHandles): two rows for each number, with them, and after
+  /// removeHandles has taken away those shorter than kTinyLoop.
+  std::vector<Index> tinyHandles;
 };
 
 /// One change of the surface, and what came of the girth.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -68,11 +69,26 @@ GIRTH_EXPORT Result<SurfaceMesh> withHumps(const SurfaceMesh& mesh, const HumpOp
 /// do not exist or have a vertex in common; NON_MANIFOLD_EDGE where an edge joins them already.
 GIRTH_EXPORT Result<SurfaceMesh> withBridge(const SurfaceMesh& mesh, Face face1, Face face2);
 
+/// Several of them, one after the other; faces are numbered as in the surface without bridges. Of
+/// none: the surface itself.
+GIRTH_EXPORT Result<SurfaceMesh> withBridges(const SurfaceMesh& mesh,
+                                             std::vector<std::pair<Face, Face>> pairs);
+
 /// Up to `count` pairs of faces that face each other across a gap and are far apart along the
 /// surface: where parts grow together in a poor scan. Those first whose way along the surface is
 /// longest against the gap (at least twice as long); ends of different pairs are not near each
 /// other. Looks at 300 places spread evenly. Errors: CANCELLED.
 GIRTH_EXPORT Result<std::vector<std::pair<Face, Face>>> facingPlaces(
     const SurfaceMesh& mesh, std::size_t count, const ExecutionContext& context = {});
+
+/// Tiny handles, as a poor scan has them: so many bridges (withBridge) spread evenly over the
+/// surface, each between two faces a few edges apart. Vertices keep their numbers. Handles have no
+/// vertices in common, nor neighbours. O(count · n). Errors: INVALID_OPTION where there is no room
+/// for so many; those of withBridge.
+GIRTH_EXPORT Result<SurfaceMesh> withTinyHandles(const SurfaceMesh& mesh, std::size_t count);
+
+/// The loops round and through a tiny handle are shorter than this, in mean edge lengths, as a
+/// rule.
+inline constexpr double kTinyLoop = 8;
 
 }  // namespace girth::study

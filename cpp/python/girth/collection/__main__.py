@@ -136,7 +136,7 @@ def run(words: Optional[Sequence[str]] = None) -> int:
         for error in models.failed.values():
             print(error, file=sys.stderr)
         if models.unsaved:
-            raise models.unsaved
+            print(models.unsaved, file=sys.stderr)
         if options.command == "matrix":
             matrix = models.distances(options.name)
             _write(options.output, lambda file: np.save(file, matrix))
@@ -153,7 +153,7 @@ def run(words: Optional[Sequence[str]] = None) -> int:
     except KeyboardInterrupt:
         print("stopped; what was computed is in the store", file=sys.stderr)
         return 3
-    return 2 if models.failed else 0
+    return 2 if models.failed or models.unsaved else 0
 
 
 if __name__ == "__main__":

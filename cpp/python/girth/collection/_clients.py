@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import threading
 from collections import deque
 from concurrent.futures import FIRST_COMPLETED, Executor, ThreadPoolExecutor, wait
 from typing import Any, Callable, Iterator, Optional
@@ -24,10 +25,33 @@ def cores() -> int:
     return os.cpu_count() or 1
 
 
+class _Stopped(BaseException):
+    """What stops a task in a thread of this process, where nobody waits for it any more; no error of a model."""
+
+
+#: `stop`: an event of the work that the task of this thread belongs to.
+_here = threading.local()
+
+
+def until_stopped(_: float) -> None:
+    """Progress of a task: raises where nobody waits for its result any more."""
+    stop = getattr(_here, "stop", None)
+    if stop is not None and stop.is_set():
+        raise _Stopped
+
+
+def _in_thread(stop: threading.Event, function: Callable[..., Any], task: Task) -> Any:
+    _here.stop = stop
+    try:
+        return function(*task)
+    finally:
+        _here.stop = None
+
+
 class Work:
     """Calls of one function whose results come as they are finished; more can be added meanwhile.
 
-    What is still to be done when the iteration is left is cancelled.
+    What is still to be done when the iteration is left is cancelled, and what threads of this process are at is stopped.
     """
 
     def __init__(self, client: Any, function: Callable[..., Any]) -> None:
@@ -56,16 +80,24 @@ class Work:
 
     def _by_executor(self, executor: Executor) -> Iterator[Done]:
         running: dict[Any, Task] = {}
+        stop = threading.Event()
+
+        def submit(task: Task) -> Any:
+            if isinstance(executor, ThreadPoolExecutor):
+                return executor.submit(_in_thread, stop, self._function, task)
+            return executor.submit(self._function, *task)
+
         try:
             while self._tasks or running:
                 while self._tasks and len(running) < WINDOW:
                     task = self._tasks.popleft()
-                    running[executor.submit(self._function, *task)] = task
+                    running[submit(task)] = task
                 for future in wait(running, return_when=FIRST_COMPLETED).done:
                     task = running.pop(future)
                     error = future.exception()
                     yield task, None if error else future.result(), error
         finally:
+            stop.set()
             for future in running:
                 future.cancel()
 

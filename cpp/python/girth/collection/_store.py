@@ -94,7 +94,8 @@ class Store:
         if not self.folder.is_dir():
             raise _error("FILE_UNREADABLE", "the store is no folder", "name a folder", self.folder)
         if not header.exists():
-            if any(self.folder.iterdir()):
+            # Files that begin with a dot are no one's results: such as those that are being written.
+            if any(not path.name.startswith(".") for path in self.folder.iterdir()):
                 raise _error(
                     "UNSUPPORTED_FEATURE",
                     "the folder has files and is no store",
@@ -171,12 +172,13 @@ class Store:
     def _write(self, group: Group, pending: Mapping[str, Fields]) -> Path:
         assert self.folder is not None
         folder = self.folder / group.folder
-        folder.mkdir(parents=True, exist_ok=True)
         header = json.dumps({"format": FORMAT, "program": _girth.version})
+        # The header comes before all else: a folder with anything in it and without a header is no store.
         for path, text in (
             (self.folder / "store.json", header + "\n"),
             (folder / "parameters.txt", group.parameters),
         ):
+            path.parent.mkdir(parents=True, exist_ok=True)
             if not path.exists():
                 _write_whole(path, text.encode())
         all_fields = list(pending.values())

@@ -9,6 +9,7 @@ import numpy as np
 
 from girth import _girth
 from girth._arguments import running
+from girth.collection._clients import until_stopped
 from girth.collection._store import Fields
 from girth.errors import GirthError, LimitError
 from girth.mesh import Mesh, as_mesh
@@ -28,6 +29,7 @@ def _key_of(mesh: Mesh) -> str:
 
 def _guarded(work: Callable[[], Any]) -> Any:
     """What it gives, or the error that it ends in."""
+    until_stopped(0)
     try:
         return work()
     except GirthError as error:
@@ -65,7 +67,7 @@ def computed(
         found = []
         for names in groups:
             weights, values = _girth.compared_fields(
-                mesh._surface, list(names), faces, running(1, None)
+                mesh._surface, list(names), faces, running(1, until_stopped)
             )
             found.append(Fields(weights, {name: values[name][:, 0] for name in names}))
         return _key_of(mesh), found

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "infinity.h"
 #include "mesh/face_shape.h"
+#include "mesh/prepare/least_area.h"
 #include "mesh/sides.h"
 
 namespace girth::prepare {
@@ -13,8 +14,6 @@ namespace girth::prepare {
 namespace {
 
 constexpr std::size_t kMostEdgesForLeastArea = 100;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 class HoleFiller {
  public:
   HoleFiller(const SurfaceMesh& mesh, bool fansOnly) : mesh_(mesh), fansOnly_(fansOnly) {
@@ -92,43 +91,19 @@ class HoleFiller {
     }
   }
 
-  /// The triangulation of a polygon of least area, by its parts from corner i to corner j.
+  /// The least area of a triangulation of a curve; infinite where there is none.
   double leastArea(const std::vector<Index>& curve, std::vector<Index>& triangles) const {
-    const std::size_t n = curve.size();
-    std::vector<Vec3> p(n);
-    for (std::size_t i = 0; i < n; ++i) p[i] = scaled(curve[i]);
-    std::vector<double> least(n * n, 0);
-    std::vector<std::size_t> apex(n * n, 0);
-    for (std::size_t width = 2; width < n; ++width) {
-      for (std::size_t i = 0; i + width < n; ++i) {
-        const std::size_t j = i + width;
-        double best = kInfinity;
-        // A diagonal must not be an edge already; the last one is a side of the polygon.
-        if (width + 1 == n || !areJoined(curve[i], curve[j])) {
-          for (std::size_t k = i + 1; k < j; ++k) {
-            const double parts = least[i * n + k] + least[k * n + j];
-            if (!(parts < best)) continue;
-            const double area = parts + areaOf(p[i], p[k], p[j]);
-            if (!(area < best)) continue;
-            best = area;
-            apex[i * n + j] = k;
-          }
-        }
-        least[i * n + j] = best;
-      }
+    std::vector<Vec3> polygon;
+    polygon.reserve(curve.size());
+    for (const Index vertex : curve) polygon.push_back(scaled(vertex));
+    // A diagonal must not be an edge already.
+    const auto found = leastAreaTriangulation(
+        polygon, [&](std::size_t i, std::size_t j) { return !areJoined(curve[i], curve[j]); });
+    if (!found) return kInfinity;
+    for (const auto& corners : found->triangles) {
+      for (const std::size_t corner : corners) triangles.push_back(curve[corner]);
     }
-    if (least[n - 1] == kInfinity) return kInfinity;
-    std::vector<std::pair<std::size_t, std::size_t>> todo{{0, n - 1}};
-    while (!todo.empty()) {
-      const auto [i, j] = todo.back();
-      todo.pop_back();
-      if (j - i < 2) continue;
-      const std::size_t k = apex[i * n + j];
-      triangles.insert(triangles.end(), {curve[i], curve[k], curve[j]});
-      todo.emplace_back(k, j);
-      todo.emplace_back(i, k);
-    }
-    return least[n - 1];
+    return found->area;
   }
 
   /// The area of a fan round the middle of a curve, which it finds.

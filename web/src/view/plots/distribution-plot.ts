@@ -3,7 +3,8 @@
 
 import { type Cumulative, type Weights, cumulative, histogram } from './distribution.js';
 import { type ValueRange, dragged, movedByKey } from './brush-range.js';
-import { PlotFrame } from './plot-frame.js';
+import { PlotFrame, svgWidth } from './plot-frame.js';
+import type { PlotPen } from './plot-svg.js';
 
 /** Bars, or the cumulative distribution. */
 export type DistributionKind = 'histogram' | 'cdf';
@@ -48,6 +49,12 @@ export interface DistributionContent {
 export interface DistributionAxes {
   /** What the values are, with the unit. */
   label: string;
+}
+
+/** What is written at an axis. */
+export interface AxisWords extends DistributionAxes {
+  /** Writes a value. */
+  format: (value: number) => string;
 }
 
 /** What a plot reports. */
@@ -158,13 +165,22 @@ export class DistributionPlot {
     this.#place();
   }
 
+  /**
+   * The plot as it is now as an SVG file's content, with numbers as text, so many millimetres wide; undefined where nothing
+   * is shown, or it is not on a page. `below`: what is written at the axis of values, where the page writes nothing there.
+   */
+  svg(width = svgWidth, below?: AxisWords): string | undefined {
+    const title = below?.label ?? this.element.getAttribute('aria-label') ?? '';
+    return this.#frame.svg(width, title, below ?? { format: this.#content?.format });
+  }
+
   /** Takes the plot out of use. */
   dispose(): void {
     this.#frame.dispose();
   }
 
   #paintBars(
-    context: CanvasRenderingContext2D,
+    context: PlotPen,
     inside: { left: number; top: number; width: number; height: number },
     pixelRatio: number,
   ): void {
@@ -194,7 +210,7 @@ export class DistributionPlot {
 
   /** Hairlines at the quarters, where no axis has them. */
   #paintQuarters(
-    context: CanvasRenderingContext2D,
+    context: PlotPen,
     inside: { left: number; top: number; width: number; height: number },
     pixelRatio: number,
   ): void {

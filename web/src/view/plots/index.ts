@@ -15,6 +15,7 @@ export { type ColormapName } from '../colormap-names.js';
 export { colourAt } from '../colormaps.js';
 export type { ValueRange } from './brush-range.js';
 export {
+  type AxisWords,
   type BarColour,
   type DistributionAxes,
   type DistributionContent,

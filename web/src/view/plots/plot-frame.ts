@@ -3,7 +3,8 @@
 
 import './locale.js';
 import uPlot from 'uplot';
-import { type Scale, logTicks } from './density.js';
+import { type Scale, logTicks, placeOn } from './density.js';
+import { type PlotPen, type SvgAxis, plotSvg } from './plot-svg.js';
 import { roundTicks } from '../numbers.js';
 
 /** An axis of a plot as the reader sees it. */
@@ -40,8 +41,11 @@ export interface PlotContent {
   at: ArrayLike<number>;
   lines: readonly PlotLine[];
   /** Draws below the lines: the plot's inside in pixels of the canvas, and pixels per CSS pixel. */
-  paint?: (context: CanvasRenderingContext2D, inside: PlotBox, pixelRatio: number) => void;
+  paint?: (context: PlotPen, inside: PlotBox, pixelRatio: number) => void;
 }
+
+/** Millimetres on paper: one column of a paper. */
+export const svgWidth = 85;
 
 const font = '11px system-ui, sans-serif';
 
@@ -97,6 +101,42 @@ export class PlotFrame {
   /** Draws again what `paint` draws. */
   repaint(): void {
     this.#plot?.redraw(false, false);
+  }
+
+  /**
+   * The plot as it is now as SVG, so many millimetres wide on paper; undefined as long as nothing is shown or it is not on
+   * a page. `below`: what is written at the lower axis where the page writes nothing.
+   */
+  svg(
+    paper: number,
+    title: string,
+    below: Pick<PlotAxis, 'format' | 'label'> = {},
+  ): string | undefined {
+    const [content, host] = [this.#content, this.#host];
+    const size = { width: host.clientWidth, height: host.clientHeight };
+    if (!content || size.width === 0 || size.height === 0) return undefined;
+    // What comes below makes the plot higher.
+    if (!content.x.format && below.format) size.height += below.label ? 36 : 20;
+    const axis = (side: 'x' | 'y'): SvgAxis | undefined => {
+      const { scale } = content[side];
+      const { format, label = '' } = side === 'x' && !content.x.format ? below : content[side];
+      if (!format) return undefined;
+      const ticks = this.#ticks(side).map((value) => ({
+        place: placeOn(scale, value),
+        text: format(value),
+      }));
+      return { ticks: ticks.filter(({ place }) => place >= 0 && place <= 1), label };
+    };
+    const places = Array.from(content.at, (value) => placeOn(content.x.scale, value));
+    return plotSvg({
+      ...{ title, size, paper, x: axis('x'), y: axis('y') },
+      lines: content.lines.map(({ y, colour, dash = [] }) => ({
+        points: places.map((place, i) => [place, placeOn(content.y.scale, y[i]!)] as const),
+        // The colour of the page's own words may be light.
+        ...{ colour: colour === getComputedStyle(host).color ? undefined : colour, dash },
+      })),
+      paint: (pen, inside) => content.paint?.(pen, inside, 1),
+    });
   }
 
   dispose(): void {

@@ -1,7 +1,7 @@
 // Values along a way, as lines, with a cursor that the pointer, a finger or the keyboard moves from
 // station to station.
 
-import { PlotFrame, type PlotLine } from './plot-frame.js';
+import { PlotFrame, type PlotLine, svgWidth } from './plot-frame.js';
 
 /** What a plot shows. */
 export interface ProfileContent {
@@ -42,6 +42,8 @@ export class ProfilePlot {
   readonly #mark = document.createElement('div');
   #content: ProfileContent | undefined;
   #station: number | undefined;
+  /** Whether the click that has begun chooses. */
+  #chooses = true;
   readonly #events: ProfileEvents;
 
   /** Makes an empty plot. */
@@ -57,9 +59,18 @@ export class ProfilePlot {
     over.append(this.#mark);
     const point = (event: PointerEvent): void => this.#move(this.#stationAt(event));
     over.addEventListener('pointermove', point);
-    over.addEventListener('pointerdown', point);
-    over.addEventListener('pointerleave', () => this.#move(undefined));
-    over.addEventListener('click', () => this.#choose());
+    // A finger cannot hover: its first tap moves the cursor, which stays, and a tap there chooses.
+    over.addEventListener('pointerdown', (event) => {
+      const before = this.#station;
+      point(event);
+      this.#chooses = event.pointerType !== 'touch' || this.#station === before;
+    });
+    over.addEventListener('pointerleave', ({ pointerType }) => {
+      if (pointerType !== 'touch') this.#move(undefined);
+    });
+    over.addEventListener('click', () => {
+      if (this.#chooses) this.#choose();
+    });
     element.addEventListener('keydown', (event) => this.#key(event));
     element.addEventListener('blur', () => this.#move(undefined));
     this.#place();
@@ -85,6 +96,14 @@ export class ProfilePlot {
   markPlace(place: number | undefined): void {
     this.#station = place === undefined ? undefined : this.#nearest(place);
     this.#place();
+  }
+
+  /**
+   * The plot as it is now as an SVG file's content, with numbers as text, so many millimetres wide; undefined where nothing
+   * is shown, or it is not on a page.
+   */
+  svg(width = svgWidth): string | undefined {
+    return this.#frame.svg(width, this.element.getAttribute('aria-label') ?? '');
   }
 
   /** Takes the plot out of use. */

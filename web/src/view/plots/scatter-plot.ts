@@ -11,7 +11,8 @@ import {
   valueAt,
 } from './density.js';
 import type { Weights } from './distribution.js';
-import { PlotFrame } from './plot-frame.js';
+import { PlotFrame, svgWidth } from './plot-frame.js';
+import type { PlotPen } from './plot-svg.js';
 
 /** Where tubes, plates and body are divided; in model units. */
 export interface Thresholds {
@@ -131,6 +132,14 @@ export class ScatterPlot {
     this.#frame.repaint();
   }
 
+  /**
+   * The plot as it is now as an SVG file's content, with numbers as text, so many millimetres wide; undefined where nothing
+   * is shown, or it is not on a page.
+   */
+  svg(width = svgWidth): string | undefined {
+    return this.#frame.svg(width, this.element.getAttribute('aria-label') ?? '');
+  }
+
   /** Takes the plot out of use. */
   dispose(): void {
     this.#frame.dispose();
@@ -224,7 +233,7 @@ export class ScatterPlot {
 
   /** The points, in the colour of the region that each lies in. */
   #paint(
-    context: CanvasRenderingContext2D,
+    context: PlotPen,
     inside: { left: number; top: number; width: number; height: number },
     pixelRatio: number,
   ): void {

@@ -1,0 +1,152 @@
+// girth segments: the parts that a body falls into at its necks, and what they are.
+#include "girth/segments.h"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "commands/common_options.h"
+#include "commands/table.h"
+#include "girth/io/write_segments.h"
+#include "model/computing.h"
+#include "model/loading.h"
+#include "process/hand_over.h"
+#include "process/output.h"
+#include "process/progress_line.h"
+#include "process/report.h"
+
+namespace girth::cli {
+namespace segments_command {
+namespace {
+
+struct Options {
+  std::string model;
+  ModelOptions preparing;
+  Output output;
+  unsigned threads{0};
+  bool json{false};
+  /// Lengths as typed, with or without a unit. Empty: 0 (prominence), or found from the fields.
+  std::string minProminence, girth, thickness;
+  double smoothing{0};
+};
+
+Result<io::SegmentedModel> segmented(const Options& options, const io::LoadedMesh& loaded) {
+  const SurfaceMesh& mesh = loaded.mesh;
+  // The typed lengths are checked before long work.
+  NeckOptions wanted;
+  PartOptions kinds;
+  kinds.smoothing = options.smoothing;
+  PartThresholds typed;
+  for (const auto& [text, length] : {std::pair{&options.minProminence, &wanted.minProminence},
+                                     {&options.girth, &typed.girth},
+                                     {&options.thickness, &typed.thickness}}) {
+    if (auto error = readLength(*text, loaded.unit, *length)) return *std::move(error);
+  }
+  auto found = computeTips(options.model, mesh, 0, options.threads);
+  if (!found) return found.error();
+  const std::vector<double>& girth = found.value().girth.values;
+  const auto diameter = computeDiameter(options.model, mesh, {}, options.threads);
+  if (!diameter) return diameter.error();
+  PartThresholds& thresholds = kinds.thresholds;
+  thresholds = suggestedThresholds(mesh, girth, diameter.value().values);
+  if (!options.girth.empty()) thresholds.girth = typed.girth;
+  if (!options.thickness.empty()) thresholds.thickness = typed.thickness;
+  const auto parts = findParts(mesh, girth, diameter.value().values, kinds);
+  if (!parts) return parts.error();
+
+  ProgressLine progress(options.model);
+  const auto necks = findNecks(mesh, girth, wanted, watched(options.threads, progress));
+  if (!necks) return necks.error();
+  return io::segmentedModel(mesh, necks.value().necks, parts.value().kinds, kinds,
+                            std::move(found.value().tips.tips), watched(1, progress));
+}
+
+void printText(const std::string& model, const io::LoadedMesh& loaded,
+               const io::SegmentedModel& segmented) {
+  const std::size_t count = segmented.segments.size();
+  std::printf("%s: %zu segment%s\n", model.c_str(), count, count == 1 ? "" : "s");
+  std::printf("  %7s %12s %12s %-8s %6s  %s\n", "segment", "area", "faces", "kind", "share",
+              "tips at vertex");
+  for (std::size_t i = 0; i < count; ++i) {
+    const Segment& segment = segmented.segments[i];
+    std::string tips;
+    for (const Index tip : segment.tips) {
+      tips += (tips.empty() ? "" : ", ") + numberInFile(loaded, segmented.tips[tip].apex);
+    }
+    const double share = segment.kindAreas[static_cast<std::size_t>(segment.kind())] / segment.area;
+    std::printf("  %7zu %12s %12u %-8s %5.0f%%  %s\n", i + 1, readable(segment.area).c_str(),
+                segmented.model.parts[i].mesh.faceCount(),
+                std::string(toString(segment.kind())).c_str(), 100 * share,
+                tips.empty() ? "-" : tips.c_str());
+  }
+  printUnits(loaded.unit);
+}
+
+Result<std::string> contentFor(const std::string& ending, const io::LoadedMesh& loaded,
+                               const io::SegmentedModel& segmented, const std::string& model) {
+  if (ending == ".csv") return io::segmentsCsv(loaded, segmented);
+  if (ending == ".glb") return io::segmentsGlb(loaded, segmented);
+  return io::segmentsJson(loaded, segmented, model);
+}
+
+int run(const Options& options) {
+  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
+    return reportError(options.output.path, *error);
+  }
+  const auto loaded = loadModel(options.model, options.preparing);
+  if (!loaded) return reportError(options.model, loaded.error());
+  noteOneSided(options.model, loaded.value());
+  const auto found = segmented(options, loaded.value());
+  if (!found) return reportError(options.model, found.error());
+  if (const std::size_t crossing = found.value().crossing.size(); crossing > 0) {
+    printNote(options.model,
+              std::to_string(crossing) + (crossing == 1 ? " neck crosses" : " necks cross") +
+                  " a more prominent one and " + (crossing == 1 ? "was" : "were") + " passed over");
+  }
+  return handOver(
+      options.output, options.json,
+      [&](const std::string& ending) {
+        return contentFor(ending, loaded.value(), found.value(), options.model);
+      },
+      [&] { return io::segmentsJson(loaded.value(), found.value(), options.model); },
+      [&] { printText(options.model, loaded.value(), found.value()); });
+}
+
+Run add(OptionTable& table) {
+  const auto options = std::make_shared<Options>();
+  table.add("MODEL", options->model, "The model to read").required();
+  addLengthOption(table, "--min-prominence LENGTH", options->minProminence,
+                  "Divide at necks of at least this prominence, as in 2mm; 0 by default: at all");
+  addLengthOption(table, "--girth LENGTH", options->girth,
+                  "Tubes have a girth below this length (tau 1)");
+  addLengthOption(table, "--thickness LENGTH", options->thickness,
+                  "Tubes and plates are thinner than this length (tau 2)");
+  table
+      .add("--smooth WEIGHT", options->smoothing,
+           "What all neighbours of a vertex count against its own kind; 0 by default")
+      .range(0, 1e6);
+  addOutputOptions(table, options->output, {".json", ".csv", ".glb"},
+                   "Write the segments: .json, .csv (the segment of each face, its kind and its "
+                   "tips), .glb (a node for each, coloured)");
+  addMeasuringOptions(table, options->preparing, options->threads, options->json);
+  table.example("girth segments figure.stl --unit mm --min-prominence 5mm -o segments.csv",
+                "A label for each face: its segment, what that is, and the tips that it ends in.");
+  table.example("girth segments model.glb --min-prominence 5mm -o segments.glb",
+                "The segments in colours.");
+  table.note("What a segment is",
+             "What lies between necks, as girth necks finds and girth cut --necks cuts them; of "
+             "necks that cross, the most prominent. Its kind is that of most of its area, as "
+             "girth parts divides it; its tips are those of girth tips. What has no neck, such as "
+             "a nose, is no segment of its own.");
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+}  // namespace segments_command
+
+const Command kSegments{"segments", "Divide a body at its necks, and say what its parts are",
+                        segments_command::add};
+
+}  // namespace girth::cli

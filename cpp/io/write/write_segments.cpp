@@ -1,0 +1,133 @@
+#include "girth/io/write_segments.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "text/json_text.h"
+#include "text/number_text.h"
+#include "write/glb_writer.h"
+#include "write/part_json.h"
+#include "write/point_json.h"
+
+namespace girth::io {
+namespace {
+
+constexpr std::array kKinds{PartKind::Body, PartKind::Tube, PartKind::Plate, PartKind::Unknown};
+
+/// Colours that most eyes tell apart (Okabe and Ito 2008), linear.
+using Colour = std::array<std::uint16_t, 3>;
+constexpr std::array<Colour, 8> kColours{{{51858, 22721, 0},
+                                          {6099, 29911, 53401},
+                                          {0, 22407, 11235},
+                                          {57105, 50844, 3570},
+                                          {0, 11028, 29176},
+                                          {43606, 7335, 0},
+                                          {39572, 12530, 25325},
+                                          {14146, 14146, 14146}}};
+
+std::string_view kindText(const Segment& segment) { return toString(segment.kind()); }
+
+std::string sharesJson(const Segment& segment) {
+  std::string text;
+  for (const PartKind kind : kKinds) {
+    const double area = segment.kindAreas[static_cast<std::size_t>(kind)];
+    text += (text.empty() ? "{" : ",") + jsonString(toString(kind)) + ":" +
+            numberJson(area / segment.area);
+  }
+  return text + "}";
+}
+
+/// The numbers of a segment's tips, from 1.
+std::string tipsText(const Segment& segment, const char* between) {
+  std::string text;
+  for (const Index tip : segment.tips) {
+    text += (text.empty() ? "" : between) + std::to_string(tip + 1);
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<SegmentedModel> segmentedModel(const SurfaceMesh& mesh, std::span<const Neck> necks,
+                                      std::span<const PartKind> kinds, const PartOptions& options,
+                                      std::vector<Tip> tips, const ExecutionContext& context) {
+  auto cut = cutAtNecks(mesh, necks, context);
+  if (!cut) return cut.error();
+  SegmentedModel result{
+      cutModel(cut.value().cut), {}, std::move(tips), options, std::move(cut.value().crossing)};
+  result.segments = segmentsOf(mesh, cut.value().cut, result.model.parts, kinds, result.tips);
+  return result;
+}
+
+std::string segmentsJson(const LoadedMesh& loaded, const SegmentedModel& segmented,
+                         std::string_view file) {
+  const PartOptions& kinds = segmented.kinds;
+  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+                     ",\"thresholds\":{\"girth\":" + numberJson(kinds.thresholds.girth) +
+                     ",\"thickness\":" + numberJson(kinds.thresholds.thickness) +
+                     "},\"smoothing\":" + formatNumber(kinds.smoothing) + ",\"crossing\":[";
+  for (std::size_t i = 0; i < segmented.crossing.size(); ++i) {
+    text += (i == 0 ? "" : ",") + std::to_string(segmented.crossing[i] + 1);
+  }
+  text += "],\"segments\":[";
+  for (std::size_t i = 0; i < segmented.segments.size(); ++i) {
+    const Segment& segment = segmented.segments[i];
+    text += (i == 0 ? "\n{" : ",\n{") + partMembers(segmented.model.parts[i].mesh) +
+            ",\"kind\":" + jsonString(kindText(segment)) + ",\"shares\":" + sharesJson(segment) +
+            ",\"tips\":[";
+    for (std::size_t k = 0; k < segment.tips.size(); ++k) {
+      const Index tip = segment.tips[k];
+      text += (k == 0 ? "" : ",") + ("{\"tip\":" + std::to_string(tip + 1)) +
+              ",\"apex\":" + pointJson(loaded, SurfacePoint::atVertex(segmented.tips[tip].apex)) +
+              "}";
+    }
+    text += "]}";
+  }
+  text += "],\n\"faces\":[";
+  const std::vector<Index> labels = partOfFaces(loaded, segmented.model);
+  for (std::size_t face = 0; face < labels.size(); ++face) {
+    text += (face == 0 ? "" : ",") +
+            (labels[face] == kNoIndex ? std::string("null") : std::to_string(labels[face] + 1));
+  }
+  return text + "]}\n";
+}
+
+std::string segmentsCsv(const LoadedMesh& loaded, const SegmentedModel& segmented) {
+  const std::vector<Index> labels = partOfFaces(loaded, segmented.model);
+  std::string text = "face,segment,kind,tips\n";
+  for (std::size_t face = 0; face < labels.size(); ++face) {
+    if (labels[face] == kNoIndex) continue;
+    const Segment& segment = segmented.segments[labels[face]];
+    text += std::to_string(face) + "," + std::to_string(labels[face] + 1) + "," +
+            std::string(kindText(segment)) + "," + tipsText(segment, " ") + "\n";
+  }
+  return text;
+}
+
+Result<std::string> segmentsGlb(const LoadedMesh& loaded, const SegmentedModel& segmented) {
+  constexpr std::uint16_t kOpaque = 65535;
+  GlbWriter writer;
+  for (std::size_t i = 0; i < segmented.segments.size(); ++i) {
+    const SurfaceMesh& mesh = segmented.model.parts[i].mesh;
+    const Segment& segment = segmented.segments[i];
+    std::vector<Vec3> places;
+    std::vector<std::uint16_t> channels;
+    const Colour& colour = kColours[i % kColours.size()];
+    for (const Vertex v : mesh.vertices()) {
+      places.push_back(mesh.position(v));
+      channels.insert(channels.end(), {colour[0], colour[1], colour[2], kOpaque});
+    }
+    writer.addPositions(places);
+    writer.addColours(channels);
+    writer.addTriangles(mesh);
+    writer.endMesh(
+        TINYGLTF_MODE_TRIANGLES,
+        "{\"unit\":" + jsonString(loaded.unit) + ",\"kind\":" + jsonString(kindText(segment)) +
+            ",\"shares\":" + sharesJson(segment) + ",\"tips\":[" + tipsText(segment, ",") + "]}",
+        "segment_" + std::to_string(i + 1));
+  }
+  return writer.file(loaded.unit);
+}
+
+}  // namespace girth::io
