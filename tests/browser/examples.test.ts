@@ -14,16 +14,18 @@ const folder = mkdtempSync(join(tmpdir(), 'girth-examples-'));
 const [element, kernel] = [join(folder, 'element'), join(folder, 'kernel')];
 const folders = { '/girth/': packed().folder };
 const [project, esbuild] = [join(folder, 'vite'), join(folder, 'esbuild')];
+const webpack = join(folder, 'webpack');
 const openPage = chromiumForTests();
 
 /** A model for which there are few values: 1,600 or so. */
 const model = join(repository, 'web/app/public/examples/dumbbell.glb');
 
 beforeAll(() => {
-  for (const name of ['element', 'kernel', 'vite', 'esbuild']) {
+  for (const name of ['element', 'kernel', 'vite', 'esbuild', 'webpack']) {
     cpSync(join(repository, 'web/examples', name), join(folder, name), { recursive: true });
   }
-  for (const page of [element, kernel, esbuild]) copyFileSync(model, join(page, 'chair.glb'));
+  for (const page of [element, kernel, esbuild, webpack])
+    copyFileSync(model, join(page, 'chair.glb'));
 });
 
 afterAll(() => rmSync(folder, { recursive: true }));
@@ -120,6 +122,37 @@ test('an esbuild project with element and kernel, whose workers come from a copi
     expect(workers.some((path) => path.includes('threads'))).toBe(isolated);
     // Nothing is looked for beside the bundle.
     expect(server.requests.filter((path) => /^\/(?!girth\/).*worker/.test(path))).toEqual([]);
+    expect(complaints).toEqual([]);
+    await context.close();
+    await server.close();
+  }
+});
+
+/** What `webpack` of the command line does, without the package of that; to make it small would take most of the time. */
+const runWebpack = `
+  import webpack from 'webpack';
+  import config from './webpack.config.js';
+  webpack({ ...config, context: process.cwd(), optimization: { minimize: false } }, (error, stats) => {
+    if (error) throw error;
+    process.stdout.write(stats.toString('errors-warnings'));
+    process.exitCode = stats.hasErrors() ? 1 : 0;
+  });`;
+
+test('a webpack project with element and kernel, whose workers and modules webpack carries along', async () => {
+  installed(webpack, 'webpack', 'fflate', 'three');
+  const built = spawnSync(process.execPath, ['--input-type=module', '--eval', runWebpack], {
+    cwd: webpack,
+    encoding: 'utf8',
+  });
+  expect(built).toMatchObject({ status: 0, stdout: 'webpack compiled successfully', stderr: '' });
+  for (const isolated of [true, false]) {
+    const server = await serve(webpack, { isolated, policy: strictPolicy });
+    const { page, context, complaints } = await openPage(`${server.url}/index.html`);
+    await expect.poll(() => page.locator('#least').textContent()).toMatch(/^0\.1[23]\d m$/);
+    await fieldComplete(page.locator('girth-viewer'));
+    // All but page and model lies in the folder that webpack has made.
+    const others = server.requests.filter((path) => !/^\/dist\/[\w.]+\.(js|wasm)$/.test(path));
+    expect(others).toEqual(['/index.html', '/chair.glb', '/chair.glb']);
     expect(complaints).toEqual([]);
     await context.close();
     await server.close();
