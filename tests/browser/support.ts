@@ -15,6 +15,7 @@ import {
 } from 'playwright-core';
 import { afterAll, beforeAll } from 'vitest';
 import { chromiumPath } from '../../web/scripts/chromium.mjs';
+import { delayAnswers } from './late-answers.js';
 
 /** The top of the repository. */
 export const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -175,6 +176,7 @@ export function chromiumForTests(
   afterAll(() => browser?.close());
   return async (address, options = {}, prepare = () => Promise.resolve()) => {
     const context = await browser.newContext({ ...usual, ...options });
+    await delayAnswers(context);
     const page = await context.newPage();
     const complaints = complaintsOf(page);
     await prepare(page);
@@ -222,6 +224,7 @@ export function pagesForTests(): (
     let keeper = free.get(key)?.pop();
     if (!keeper) {
       const context = await browser.newContext({ ...usual, ...options });
+      await delayAnswers(context);
       keeper = await context.newPage();
       await keeper.goto(`${origin}/no-content`);
     }

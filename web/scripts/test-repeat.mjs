@@ -1,7 +1,8 @@
-// `npm run test:repeat [-- FILE...] [-- --times N] [-- --loaded N]`: runs the browser tests again and again, to
-// find those that do not hold: N times (20 by default) as they are, then N times (as often by default) on
-// one core with two busy loops beside them. What has been built is tested. Prints every failure with its
-// test, and how often each failed.
+// `npm run test:repeat [-- FILE...] [-- --times N] [-- --loaded N] [-- --delay MS]`: runs the browser tests again
+// and again, to find those that do not hold: N times (20 by default) as they are, then N times (as often by
+// default) on one core with two busy loops beside them. With a delay, what workers say comes to the page up to
+// that many milliseconds late, each time another number of them: races show that a quick machine hides. What
+// has been built is tested. Prints every failure with its test, and how often each failed.
 
 import { spawn, spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
@@ -60,11 +61,17 @@ function runOnce(files, { label, before = [], workers }) {
 await script(() => {
   const { values, positionals: files } = parseArgs({
     allowPositionals: true,
-    options: { times: { type: 'string', default: '20' }, loaded: { type: 'string' } },
+    options: {
+      times: { type: 'string', default: '20' },
+      loaded: { type: 'string' },
+      delay: { type: 'string', default: '0' },
+    },
   });
+  process.env['GIRTH_TEST_DELAY'] = values.delay;
   const [times, loaded] = [values.times, values.loaded ?? values.times].map(Number);
-  if (![times, loaded].every((count) => Number.isInteger(count) && Number(count) >= 0)) {
-    throw new Complaint('test:repeat: --times and --loaded take whole numbers');
+  const numbers = [times, loaded, Number(values.delay)];
+  if (!numbers.every((count) => Number.isInteger(count) && Number(count) >= 0)) {
+    throw new Complaint('test:repeat: --times, --loaded and --delay take whole numbers');
   }
   mkdirSync(reports, { recursive: true });
   for (let i = 1; i <= Number(times); ++i) {

@@ -180,7 +180,9 @@ export class Shading {
       await model.girthAndDiameter();
       this.parts ??= { ...(await model.suggestedThresholds()), smoothed: undefined };
     }
-    if (range?.by !== 'values') this.#areas ??= await model.areas();
+    // Categories have no range.
+    if (name === 'kind' || name === 'parts' || range?.by === 'values') return;
+    this.#areas ??= await model.areas();
   }
 
   #keepTips(made: Tips): void {

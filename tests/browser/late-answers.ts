@@ -1,0 +1,34 @@
+// Makes pages slow in the way that a busy machine does: what workers say arrives late.
+
+import type { BrowserContext } from 'playwright-core';
+
+/** The longest that anything is held back, in milliseconds; 0: nothing is. */
+const longest = Number(process.env['GIRTH_TEST_DELAY'] ?? 0);
+
+/** Holds back what workers say to the pages of a context, as `npm run test:repeat -- --delay` asks for. */
+export async function delayAnswers(context: BrowserContext): Promise<void> {
+  if (longest > 0) await context.addInitScript(holdBack, longest);
+}
+
+/** Runs in the page, before its scripts. Messages of a worker keep their order. */
+function holdBack(longest: number): void {
+  const late = new WeakSet<Event>();
+  const wait = (): number => longest * Math.random();
+  const hold = (target: Worker): void => {
+    let due = 0;
+    target.addEventListener('message', (event) => {
+      if (late.has(event)) return;
+      event.stopImmediatePropagation();
+      due = Math.max(due, performance.now() + wait());
+      const again = new MessageEvent('message', { data: event.data as unknown });
+      late.add(again);
+      setTimeout(() => target.dispatchEvent(again), due - performance.now());
+    });
+  };
+  globalThis.Worker = class extends Worker {
+    constructor(...given: ConstructorParameters<typeof Worker>) {
+      super(...given);
+      hold(this);
+    }
+  };
+}
