@@ -83,7 +83,10 @@ test.each([
      <style>girth-viewer { height: 300px }</style>
      <girth-viewer src="dumbbell.glb"></girth-viewer>
      <girth-viewer id="large" src="chair.glb" field="none"></girth-viewer>`,
-    { isolated },
+    {
+      isolated,
+      policy: `require-trusted-types-for 'script'; trusted-types girth 'allow-duplicates'`,
+    },
   );
   await fieldComplete(page.locator('girth-viewer').first());
   const answer = await least(shared.url);
@@ -130,6 +133,21 @@ test('where a policy forbids workers of that sort, kernel and element say what t
   expect(await message.textContent()).not.toContain('dumbbell.glb');
   const code = await message.getAttribute('data-code');
   expect(code).toBe('PROGRAM_NOT_LOADED');
+});
+
+test('where a page trusts no policy of ours, kernel and element say which to allow', async () => {
+  const policy = `require-trusted-types-for 'script'; trusted-types other`;
+  const { page, least } = await pageWith(
+    `<script type="module" src="${shared.url}/dist/girth-viewer.js"></script>
+     <girth-viewer src="dumbbell.glb"></girth-viewer>`,
+    { policy },
+  );
+  const allowed = `trusted-types girth 'allow-duplicates'`;
+  const answer = await least(shared.url);
+  expect(answer).toMatchObject({ name: 'GirthError', code: 'PROGRAM_NOT_LOADED' });
+  expect(answer.hint).toContain(allowed);
+  const message = page.locator('girth-viewer .message');
+  await expect.poll(() => message.textContent()).toContain(allowed);
 });
 
 test.each([

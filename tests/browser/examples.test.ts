@@ -17,6 +17,10 @@ const [project, esbuild] = [join(folder, 'vite'), join(folder, 'esbuild')];
 const webpack = join(folder, 'webpack');
 const openPage = chromiumForTests();
 
+/** Scripts are started only by what these policies have let through. */
+const trustedTypes = `require-trusted-types-for 'script'; trusted-types girth 'allow-duplicates'`;
+const policy = `${strictPolicy}; ${trustedTypes}`;
+
 /** A model for which there are few values: 1,600 or so. */
 const model = join(repository, 'web/app/public/examples/dumbbell.glb');
 
@@ -31,7 +35,7 @@ beforeAll(() => {
 afterAll(() => rmSync(folder, { recursive: true }));
 
 test('a page with the element', async () => {
-  const server = await serve(element, { folders });
+  const server = await serve(element, { folders, policy: trustedTypes });
   const { page, context, complaints } = await openPage(`${server.url}/index.html`);
   const viewer = page.locator('girth-viewer');
   await fieldComplete(viewer);
@@ -42,7 +46,7 @@ test('a page with the element', async () => {
 });
 
 test.each([false, true])('a page with the kernel, isolated: %s', async (isolated) => {
-  const server = await serve(kernel, { isolated, folders });
+  const server = await serve(kernel, { isolated, folders, policy: trustedTypes });
   const { page, context, complaints } = await openPage(`${server.url}/index.html`);
   const narrowest = page.locator('#narrowest');
   await expect.poll(() => narrowest.textContent()).toMatch(/^vertex \d+: 0\.1[23]\d m around$/);
@@ -77,7 +81,7 @@ test('a Vite project with the kernel', async () => {
   expect(stdout + stderr).not.toMatch(/externalized|"fs"|"path"/);
   expect(exit).toBe(0);
 
-  const server = await serve(join(project, 'dist'), { isolated: true, policy: strictPolicy });
+  const server = await serve(join(project, 'dist'), { isolated: true, policy });
   const { page, context, complaints } = await openPage(`${server.url}/index.html`);
   const status = page.locator('#status');
   await page.setInputFiles('#file', model);
@@ -114,7 +118,7 @@ test('an esbuild project with element and kernel, whose workers come from a copi
   expect(tool('tsc', '--project', 'tsconfig.json')).toMatchObject({ status: 0, stdout: '' });
   expect(spawnSync('npm', ['run', 'build'], { cwd: esbuild })).toMatchObject({ status: 0 });
   for (const isolated of [true, false]) {
-    const server = await serve(esbuild, { isolated, policy: strictPolicy });
+    const server = await serve(esbuild, { isolated, policy });
     const { page, context, complaints } = await openPage(`${server.url}/index.html`);
     await expect.poll(() => page.locator('#least').textContent()).toMatch(/^0\.1[23]\d m$/);
     await fieldComplete(page.locator('girth-viewer'));
@@ -146,7 +150,7 @@ test('a webpack project with element and kernel, whose workers and modules webpa
   });
   expect(built).toMatchObject({ status: 0, stdout: 'webpack compiled successfully', stderr: '' });
   for (const isolated of [true, false]) {
-    const server = await serve(webpack, { isolated, policy: strictPolicy });
+    const server = await serve(webpack, { isolated, policy: `${policy} webpack` });
     const { page, context, complaints } = await openPage(`${server.url}/index.html`);
     await expect.poll(() => page.locator('#least').textContent()).toMatch(/^0\.1[23]\d m$/);
     await fieldComplete(page.locator('girth-viewer'));

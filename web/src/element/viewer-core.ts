@@ -697,7 +697,7 @@ export class ViewerCore {
   }
 
   #prepareToPick(model: Model): Promise<void> {
-    return model.surface.prepareToPick((make) => openWorker(make, import.meta.url));
+    return model.surface.prepareToPick(openWorker);
   }
 
   /** A pointer or the focus has come to the surface: loops can be asked for. */

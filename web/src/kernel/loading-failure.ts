@@ -18,7 +18,9 @@ export function workerNotMade(thrown: unknown): GirthError {
   const isRefused = thrown instanceof DOMException && thrown.name === 'SecurityError';
   const hint = isRefused
     ? 'let the content security policy of this page allow worker-src'
-    : `use a browser with workers; in Node.js, import 'girth'`;
+    : /TrustedScriptURL/.test(text)
+      ? `let the content security policy of this page allow trusted-types girth 'allow-duplicates'`
+      : `use a browser with workers; in Node.js, import 'girth'`;
   return failure('PROGRAM_NOT_LOADED', `a worker cannot be made: ${text}`, { hint, cause: thrown });
 }
 

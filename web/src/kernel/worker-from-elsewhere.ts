@@ -2,6 +2,8 @@
 // only with scripts of the page's own origin. So the worker's script is one line that belongs to the page,
 // and imports the other one. The other server has to allow that (CORS), and a policy of the page, too.
 
+import { trustedScript } from './trusted-script.js';
+
 /** Addresses of the scripts of one line, by those of the scripts that they import. */
 const importers = new Map<string, string>();
 
@@ -18,37 +20,29 @@ export function scriptFromElsewhere(worker: object): string | undefined {
   return imported.get(worker);
 }
 
-/** `Worker` that also takes scripts of other origins, all as modules. */
+/** `Worker` that also takes scripts of other origins, all as modules, and has the page trust them. */
 export function workerFromAnywhere(Own: typeof Worker): typeof Worker {
   return class extends Own {
     constructor(script: string | URL, options?: WorkerOptions) {
       const address = String(script);
       if (!isElsewhere(address)) {
-        super(script, options);
+        super(trustedScript(script), options);
         return;
       }
-      super(importerOf(address), { ...options, type: 'module' });
+      super(trustedScript(importerOf(address)), { ...options, type: 'module' });
       imported.set(this, address);
     }
   };
 }
 
 /**
- * Makes a worker wherever its script lies. `open` calls `new Worker(new URL(...))`, as bundlers recognise it,
- * and gives the worker or what holds it; `from` is the address of the module that calls it.
+ * Makes a worker wherever its script lies. `open` calls `new Worker(new URL(...))`, as bundlers recognise it, and
+ * gives the worker or what holds it.
  */
-export function openWorker<Made>(open: () => Made, from: string): Made {
-  if (!isElsewhere(from)) {
-    try {
-      return open();
-    } catch (thrown) {
-      // A bundler may have put the workers' scripts elsewhere, but not the page's.
-      const isRefused = thrown instanceof DOMException && thrown.name === 'SecurityError';
-      if (!isRefused) throw thrown;
-    }
-  }
+export function openWorker<Made>(open: () => Made): Made {
+  const own = globalThis.Worker as typeof Worker | undefined;
+  if (!own) return open();
   // Only `open` knows the script's address. Nothing else runs meanwhile.
-  const own = globalThis.Worker;
   globalThis.Worker = workerFromAnywhere(own);
   try {
     return open();

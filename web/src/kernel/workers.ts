@@ -42,7 +42,7 @@ export function workersIn(base: string | URL): WorkerFactory {
   if (!folder.pathname.endsWith('/')) folder.pathname += '/';
   const opened = (name: string) => () => {
     const script = new URL(`workers/${name}.js`, folder);
-    return openWorker(() => new Worker(script, { type: 'module' }), script.href);
+    return openWorker(() => new Worker(script, { type: 'module' }));
   };
   return {
     single: opened('worker'),
@@ -53,5 +53,5 @@ export function workersIn(base: string | URL): WorkerFactory {
 }
 
 function opening(open: () => Worker): () => Worker {
-  return () => openWorker(open, import.meta.url);
+  return () => openWorker(open);
 }
