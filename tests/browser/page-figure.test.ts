@@ -1,11 +1,12 @@
 // A figure for a paper, from the page alone: an octopus upright with three loops, scale bar and legend, at
 // 300 dpi, transparent; and the same view again of a second model.
 
-import { readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
-import { builtPage, modelIs } from './page-support.js';
+import { builtPage, modelIs, pictures } from './page-support.js';
 import { coveredShares, fieldComplete, pairIsOver, placeOnSurface } from './viewer-page.js';
 
 const openBuilt = builtPage();
@@ -187,4 +188,51 @@ test('an octopus with three loops at 300 dpi, and the same view of another model
   expect(plot).toMatchObject({ name: 'cup-plot.svg', isRead: true, width: '175mm' });
   expect(plot.texts).toContain('Girth, m');
   expect(plot.bars).toBeGreaterThan(10);
+
+  // A width that nobody lists.
+  await page.getByRole('button', { name: 'Export' }).click();
+  await page.locator('#picture-width').selectOption('another width');
+  await page.locator('#picture-millimetres').fill('60');
+  expect(await pictureOf(page)).toMatchObject({ width: 709, density: [11811, 11811] });
+
+  // What the browser itself prints: words and a figure for paper, and nothing that is for hands.
+  const asPrinted = () =>
+    page.evaluate(() => {
+      dispatchEvent(new Event('beforeprint'));
+      const { shadowRoot } = document.querySelector('girth-viewer')!;
+      const visible = (of: Iterable<Element>): Element[] =>
+        [...of].filter((one) => one.checkVisibility({ visibilityProperty: true }));
+      const figure = shadowRoot!.querySelector<HTMLCanvasElement>('.printed');
+      const legend = figure
+        ?.getContext('2d')!
+        .getImageData(0, figure.height / 2, figure.width / 6, figure.height / 2).data;
+      const seen = {
+        words: document.body.innerText,
+        controls: ['button', 'input', 'select', 'summary'].flatMap((name) => [
+          ...visible(document.querySelectorAll(name)),
+          ...visible(shadowRoot!.querySelectorAll(name)),
+        ]).length,
+        frame: visible(shadowRoot!.querySelectorAll('.frame > *')).map((one) => one.className),
+        width: figure?.width,
+        ink: legend?.filter((value, i) => i % 4 === 3 && value === 255).length ?? 0,
+      };
+      dispatchEvent(new Event('afterprint'));
+      return { ...seen, isGone: !shadowRoot!.querySelector('.printed') };
+    });
+  await page.emulateMedia({ media: 'print' });
+  await expect.poll(async () => (await asPrinted()).frame).toEqual(['printed']);
+  const paper = await asPrinted();
+  expect(paper).toMatchObject({ controls: 0, width: 2250, isGone: true });
+  expect(paper.words).toMatch(/^Girth\s+cup\.glb/);
+  expect(paper.words).toMatch(/Colours/);
+  expect(paper.words.length).toBeLessThan(400);
+  expect(paper.ink).toBeGreaterThan(1000);
+  await page.emulateMedia({ media: null });
+  mkdirSync(pictures, { recursive: true });
+  const file = (await page.pdf({ format: 'A4', path: join(pictures, 'page.pdf') })).toString(
+    'latin1',
+  );
+  expect(file.match(/\/Type \/Page\b/g)).toHaveLength(1);
+  const widths = [...file.matchAll(/\/Width (\d+)/g)].map(([, width]) => Number(width));
+  expect(Math.max(...widths)).toBeGreaterThanOrEqual(2000);
 });

@@ -2,7 +2,7 @@
 
 import { expect, test } from 'vitest';
 import { withDensity } from '../../../web/src/element/png-density.js';
-import { scaleBarLength } from '../../../web/src/element/snapshot.js';
+import { scaleBarLength, sizeOf } from '../../../web/src/element/snapshot.js';
 import { crcOf } from '../../../web/src/kernel/crc.js';
 import { lengthFormat } from '../../../web/src/view/numbers.js';
 
@@ -13,6 +13,12 @@ test('a scale bar is the greatest round length that fits, in the unit that is wr
   expect(scaleBarLength(160, 20, metres)).toBe(5);
   // 160 pixels are 16 mm, and written in millimetres.
   expect(scaleBarLength(160, 10_000, lengthFormat(0.05, 'm'))).toBeCloseTo(0.01, 12);
+});
+
+test('a width on paper is one in pixels at a density, 300 where none is asked for', () => {
+  expect(sizeOf({ millimetres: 85 })).toEqual({ width: 1004, dotsPerInch: 300 });
+  expect(sizeOf({ millimetres: 25.4, dotsPerInch: 600 })).toEqual({ width: 600, dotsPerInch: 600 });
+  expect(sizeOf({ width: 500 })).toEqual({ width: 500, dotsPerInch: undefined });
 });
 
 test('a PNG states its density in pixels for each metre', async () => {

@@ -13,8 +13,23 @@ export interface FigureOptions {
   transparent?: boolean;
   /** In pixels. Default: as on the screen. */
   width?: number;
-  /** How large it is printed, in pixels for each inch. Default: not stated. */
+  /** On paper, in place of `width`: so many pixels that it is as wide at `dotsPerInch`, then 300 by default. */
+  millimetres?: number;
+  /** How large it is printed, in pixels for each inch: words are at least seven points high. Default: not stated. */
   dotsPerInch?: number;
+}
+
+const millimetresPerInch = 25.4;
+const usualDensity = 300;
+
+/** Its width in pixels, undefined as on the screen, and its density. */
+export function sizeOf({ width, millimetres, dotsPerInch }: FigureOptions): {
+  width: number | undefined;
+  dotsPerInch: number | undefined;
+} {
+  if (millimetres === undefined) return { width, dotsPerInch };
+  const density = dotsPerInch ?? usualDensity;
+  return { width: Math.round((millimetres / millimetresPerInch) * density), dotsPerInch: density };
 }
 
 export interface FigureParts {
@@ -30,6 +45,10 @@ export interface FigureParts {
 
 const margin = 16;
 const labelHeight = 22;
+/** Of words, in units of the context, and on paper at least, in points. */
+const letters = 13;
+const smallestLetters = 7;
+const pointsPerInch = 72;
 
 /** The picture, which may be larger than the element, with what belongs to it. */
 export function figure(
@@ -50,13 +69,17 @@ export function figure(
   }
   context.drawImage(picture, 0, 0);
   const ratio = picture.width / Math.max(1, element.clientWidth);
-  context.scale(ratio, ratio);
-  const [width, height] = [picture.width / ratio, picture.height / ratio];
+  const { dotsPerInch = 0 } = options;
+  const zoom = Math.max(ratio, ((smallestLetters / pointsPerInch) * dotsPerInch) / letters);
+  context.scale(zoom, zoom);
+  const [width, height] = [picture.width / zoom, picture.height / zoom];
+  /** From the element's pixels to units of the context. */
+  const shrink = ratio / zoom;
   const family = css.fontFamily || 'sans-serif';
   // What is printed on nothing is printed on white.
   const ink = isTransparent ? '#1c1d21' : colour('--girth-ink');
   const quiet = isTransparent ? '#5d6069' : colour('--girth-quiet');
-  context.font = `13px ${family}`;
+  context.font = `${letters}px ${family}`;
   if (options.legend) {
     if (parts.legend) {
       const barHeight = Math.min(150, 0.4 * height);
@@ -68,14 +91,27 @@ export function figure(
         barHeight,
       );
     }
-    for (const label of parts.labels) drawLabel(context, label);
+    for (const { words, x, y, end } of parts.labels) {
+      const wide = context.measureText(words).width + 20;
+      drawLabel(context, words, wide, {
+        // Larger than on the screen, it stays within the picture.
+        x: Math.max(0, Math.min(x * shrink, width - wide)),
+        y: Math.max(0, Math.min(y * shrink, height - labelHeight)),
+        end: { x: end.x * shrink, y: end.y * shrink },
+      });
+    }
   }
-  if (options.scaleBar) drawScaleBar(context, parts, ink, width - margin, height - margin);
+  const scaled = { ...parts, scale: parts.scale * shrink };
+  if (options.scaleBar) drawScaleBar(context, scaled, ink, width - margin, height - margin);
   return whole;
 }
 
-function drawLabel(context: CanvasRenderingContext2D, { words, x, y, end }: TagLabel): void {
-  const width = context.measureText(words).width + 20;
+function drawLabel(
+  context: CanvasRenderingContext2D,
+  words: string,
+  width: number,
+  { x, y, end }: Omit<TagLabel, 'words'>,
+): void {
   const near = (value: number, from: number, size: number): number =>
     Math.max(from, Math.min(from + size, value));
   context.strokeStyle = '#ff7a45';

@@ -206,6 +206,16 @@ canvas:focus-visible { outline: 2px solid var(--girth-accent); outline-offset: -
   clip-path: inset(50%);
 }
 
+/* On paper: a figure where there is one, otherwise what is on the screen without what only hands need. */
+.printed { display: none; }
+@media print {
+  :host { background: none; }
+  canvas { object-fit: contain; }
+  .status, .bar-tools, .readout, .tag button { display: none; }
+  .frame:has(> .printed) > :not(.printed) { display: none; }
+  .printed { display: block; cursor: auto; }
+}
+
 /* What is distinguished by a colour keeps it where the system has few colours. */
 @media (forced-colors: active) {
   .legend-bar, .legend-key i, .legend-line, .axes { forced-color-adjust: none; }

@@ -46,6 +46,7 @@ import { type FileContent, Model, onlySurface } from './model.js';
 import { openModel, openToCompute, tipsCarriedTo } from './open-model.js';
 import { fieldsOf, nameOf, parseRange, parseSpectral } from './parse.js';
 import { type PlacePicture, Presented } from './presented.js';
+import type { Printed } from './printed.js';
 import type { ShadingWishes } from './shading.js';
 import { sharedKernel } from './shared-kernel.js';
 import { StatusBar } from './status-bar.js';
@@ -170,6 +171,7 @@ export class ViewerCore {
   #approachedBy: Model | undefined;
   readonly #controls: CanvasControls;
   #stopWatching: (() => void) | undefined;
+  #printed: Printed | undefined;
   #attached = new AbortController();
 
   constructor(host: ViewerHost) {
@@ -257,6 +259,8 @@ export class ViewerCore {
   detach(): void {
     this.#stopWatching?.();
     this.#stopWatching = undefined;
+    this.#printed?.stop();
+    this.#printed = undefined;
     this.#attached.abort();
     ++this.#openTurn;
     this.#isOpening = false;
@@ -517,12 +521,13 @@ export class ViewerCore {
   /** The picture as it is now, as a PNG; see `GirthViewer.snapshot`. */
   async snapshot(options: FigureOptions): Promise<Blob> {
     if (this.stage) requireGraphics(this.stage.graphics);
-    const { figure } = await import('./snapshot.js');
+    const { figure, sizeOf } = await import('./snapshot.js');
     const { stage } = this;
     if (!stage) throw new Error('the element is not on a page');
-    const { width, dotsPerInch } = options;
+    const { width, dotsPerInch } = sizeOf(options);
     const parts = this.#figureParts(stage);
-    const blob = await blobOf(figure(stage.picture(width), parts, options, this.#element));
+    const drawn = { ...options, dotsPerInch };
+    const blob = await blobOf(figure(stage.picture(width), parts, drawn, this.#element));
     if (dotsPerInch === undefined) return blob;
     const { withDensity } = await import('./png-density.js');
     return withDensity(blob, dotsPerInch);
@@ -557,6 +562,22 @@ export class ViewerCore {
       },
       options,
     );
+  }
+
+  /** From now on the browser prints a figure of what is shown. */
+  async #offerPrint(): Promise<void> {
+    const [{ Printed, printDensity }, { figure }] = await Promise.all([
+      import('./printed.js'),
+      import('./snapshot.js'),
+    ]);
+    if (!this.stage) return;
+    this.#printed ??= new Printed(this.#host.frame, (width) => {
+      const { stage } = this;
+      if (!this.presented || stage?.graphics !== 'drawing') return undefined;
+      const legend = controlsOf(this.#element) !== 'none';
+      const options = { legend, transparent: true, dotsPerInch: printDensity };
+      return figure(stage.picture(width), this.#figureParts(stage), options, this.#element);
+    });
   }
 
   /** What a picture has beside the surface. */
@@ -691,6 +712,7 @@ export class ViewerCore {
         loops.rename((await loops.pin(point)).id, name);
       }
       if (!continued?.isPinned) await this.#asked.pin(presented, false);
+      await this.#offerPrint();
     } catch (error) {
       if (!signal.aborted) this.#fail('', error);
     }
