@@ -1,11 +1,12 @@
 // What browsers, networks and people do wrong: each ends in a working page, or in a message with a way out.
 
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
+import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { smallExamples } from './small-examples.js';
 import { box, torus } from './meshes.js';
@@ -18,10 +19,11 @@ import {
   serve,
   strictPolicy,
 } from './support.js';
-import { fieldComplete, framesPass } from './viewer-page.js';
+import { fieldComplete, framesPass, hover, placeOnSurface } from './viewer-page.js';
 
 const openPage = chromiumForTests();
 const folders = { '/examples/': smallExamples };
+const scratch = mkdtempSync(join(tmpdir(), 'girth-faults-'));
 let server: StaticServer;
 let opened: OpenPage | undefined;
 
@@ -29,7 +31,10 @@ beforeAll(async () => {
   requireBuilt('build/page/index.html', 'build:page');
   server = await serve(site, { isolated: true, policy: strictPolicy, folders });
 });
-afterAll(() => server.close());
+afterAll(async () => {
+  rmSync(scratch, { recursive: true });
+  await server.close();
+});
 afterEach(async () => {
   await opened?.context.close();
   opened = undefined;
@@ -152,24 +157,47 @@ test('a worker that throws while it starts', async () => {
   await messageIs(faulty, 'PROGRAM_NOT_LOADED');
 });
 
-test('memory that ends at 64 MB: words, the model before stays, and small ones are computed', async () => {
-  const most = Buffer.from(
+/** Scripts of workers begin with this: memory of modules ends there. */
+const endsAt = (bytes: number): Buffer =>
+  Buffer.from(
     `{ const grow = WebAssembly.Memory.prototype.grow;
        WebAssembly.Memory.prototype.grow = function (pages) {
-         if (this.buffer.byteLength + 65536 * pages > 64 << 20) throw new RangeError('no more');
+         if (this.buffer.byteLength + 65536 * pages > ${bytes}) throw new RangeError('no more');
          return grow.call(this, pages);
        }; }\n`,
   );
-  const faulty = await openWith((page) =>
-    changed(page, /worker.*\.js$/, (body) => Buffer.concat([most, body])),
-  );
-  await modelIs(faulty.page, 'chair.glb');
-  await drop(faulty.page, { name: 'large.obj', bytes: Buffer.from(torus(500, 400)) });
-  const text = await messageIs(faulty, 'OUT_OF_MEMORY');
-  expect(text).toMatch(/large\.obj/);
-  expect(text).toMatch(/The former model is still here/);
-  await cubeIsComputed(faulty);
-});
+
+/** A file that has this size and no bytes on the disk: an STL of triangles that are points. */
+function emptyFile(name: string, size: number): string {
+  const path = join(scratch, name);
+  const head = Buffer.alloc(84);
+  head.writeUInt32LE(Math.floor((size - head.length) / 50), 80);
+  writeFileSync(path, head);
+  truncateSync(path, size);
+  return path;
+}
+
+test.each([64, 128])(
+  'memory that ends at %i MB: words, the model before stays, and small ones are computed',
+  async (megabytes) => {
+    const most = endsAt(megabytes << 20);
+    const faulty = await openWith((page) =>
+      changed(page, /worker.*\.js$/, (body) => Buffer.concat([most, body])),
+    );
+    const { page } = faulty;
+    await modelIs(page, 'chair.glb');
+    if (megabytes === 64) {
+      // The file fits, its surface does not.
+      await drop(page, { name: 'large.obj', bytes: Buffer.from(torus(500, 400)) });
+    } else {
+      await page.setInputFiles('#file', emptyFile('large.stl', (megabytes << 20) + 134));
+    }
+    const text = await messageIs(faulty, 'OUT_OF_MEMORY');
+    expect(text).toMatch(/large\.(obj|stl)/);
+    expect(text).toMatch(/The former model is still here/);
+    await cubeIsComputed(faulty);
+  },
+);
 
 test('workers that die while they compute: words, and the next model is computed', async () => {
   const faulty = await openWith((page) =>
@@ -361,19 +389,113 @@ test('offline while a model is fetched: words, the model before stays; then it c
 
 // ---- people, and what they have forbidden
 
-test('files that are dropped one upon the other: the last one is shown, and nothing else is said', async () => {
-  const faulty = await openWith(() => Promise.resolve());
-  const { page, viewer } = faulty;
-  await modelIs(page, 'chair.glb');
-  await drop(page, { name: 'first.obj', bytes: Buffer.from(torus(60, 40)) });
-  await drop(page, { name: 'second.obj', bytes: Buffer.from(torus(50, 40)) });
-  await drop(page, cube);
-  await modelIs(page, cube.name);
-  await fieldComplete(viewer);
-  await framesPass(page);
-  expect(await page.locator('#model b').textContent()).toBe(cube.name);
-  expect(await faulty.message.isVisible()).toBe(false);
-  expect(faulty.complaints).toEqual([]);
+/** Lets a tab be hidden by `hide(true)`, as the page sees it. */
+const canBeHidden = (): void => {
+  const [frame, timer] = [requestAnimationFrame, setTimeout];
+  const pending: FrameRequestCallback[] = [];
+  let isHidden = false;
+  const said = {
+    hidden: () => isHidden,
+    visibilityState: () => (isHidden ? 'hidden' : 'visible'),
+  };
+  for (const [name, get] of Object.entries(said)) {
+    Object.defineProperty(Document.prototype, name, { get });
+  }
+  globalThis.requestAnimationFrame = (draw) => (isHidden ? pending.push(draw) : frame(draw));
+  globalThis.setTimeout = ((act: () => void, ms = 0) =>
+    timer(act, isHidden ? Math.max(1000, ms) : ms)) as typeof setTimeout;
+  const hide = (hidden: boolean): void => {
+    isHidden = hidden;
+    document.dispatchEvent(new Event('visibilitychange'));
+    if (!hidden) for (const draw of pending.splice(0)) frame(draw);
+  };
+  Object.assign(globalThis, { hide });
+};
+
+describe('on one page, one after the other', () => {
+  let faulty: Faulty;
+  let shared: OpenPage;
+  beforeAll(async () => {
+    faulty = await openWith((page) => page.addInitScript(canBeHidden));
+    shared = opened!;
+    opened = undefined;
+    await modelIs(faulty.page, 'chair.glb');
+  });
+  afterAll(async () => {
+    await shared.context.close();
+    expect(shared.complaints).toEqual([]);
+  });
+
+  test('files that are dropped one upon the other: the last one is shown, and nothing else is said', async () => {
+    const { page, viewer } = faulty;
+    await drop(page, { name: 'first.obj', bytes: Buffer.from(torus(60, 40)) });
+    await drop(page, { name: 'second.obj', bytes: Buffer.from(torus(50, 40)) });
+    await drop(page, cube);
+    await modelIs(page, cube.name);
+    await fieldComplete(viewer);
+    await framesPass(page);
+    expect(await page.locator('#model b').textContent()).toBe(cube.name);
+    expect(await faulty.message.isVisible()).toBe(false);
+  });
+
+  test('a file of 2 GB: words, before anything of it is read', async () => {
+    const { page } = faulty;
+    const before = await page.locator('#model b').textContent();
+    await page.setInputFiles('#file', emptyFile('scan.stl', 2 ** 31));
+    expect(await messageIs(faulty, 'LIMIT_EXCEEDED')).toMatch(/scan\.stl.*2\.1 GB.*smaller model/);
+    expect(await page.locator('#model b').textContent()).toBe(before);
+    await faulty.message.getByRole('button').click();
+  });
+
+  test('a hidden tab, whose timers are slow and which has no frames: computed meanwhile, drawn once it is seen', async () => {
+    const { page, viewer } = faulty;
+    const hide = (hidden: boolean) =>
+      page.evaluate(
+        (hidden) => (globalThis as unknown as { hide(hidden: boolean): void }).hide(hidden),
+        hidden,
+      );
+    await hide(true);
+    const name = 'unseen.obj';
+    await drop(page, { name, bytes: cube.bytes });
+    await modelIs(page, name);
+    await fieldComplete(viewer);
+    await hide(false);
+    const { x, y } = await placeOnSurface(viewer, 0.5, 0.5);
+    expect((await hover(page, viewer, x, y)).length).toBeGreaterThan(0);
+  });
+
+  test('200 loads and cancels: memory is what it was, to within 10%', async () => {
+    const { page, viewer } = faulty;
+    /** Most are overtaken while they are read, at different moments; some are cancelled while they are computed. */
+    const load = async (times: number): Promise<void> => {
+      await viewer.evaluate(
+        async (element: GirthViewer, [text, times]) => {
+          for (let i = 1; i <= times; ++i) {
+            const loaded = element.load(new File([text], `${i}.obj`)).catch(() => undefined);
+            if (i % 20 > 0) await new Promise((resolve) => setTimeout(resolve, i % 4));
+            else await loaded;
+            element.cancel();
+          }
+        },
+        [torus(60, 40), times] as const,
+      );
+      await cubeIsComputed(faulty);
+    };
+    const session = await page.context().newCDPSession(page);
+    const memory = async (): Promise<number> => {
+      await session.send('HeapProfiler.collectGarbage');
+      const used: { usedSize: number; backingStorageSize?: number } =
+        await session.send('Runtime.getHeapUsage');
+      return used.usedSize + (used.backingStorageSize ?? 0);
+    };
+    await load(20);
+    const [before, workers] = [await memory(), page.workers().length];
+    await load(200);
+    await expect.poll(memory).toBeLessThan(1.1 * before);
+    // Each has a module with a memory of its own.
+    await expect.poll(() => page.workers().length).toBeLessThanOrEqual(workers);
+    expect(await faulty.message.isVisible()).toBe(false);
+  });
 });
 
 test('names that are scripts are names', async () => {

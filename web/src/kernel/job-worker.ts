@@ -15,8 +15,16 @@ import { checked, progressTo, serveRequests } from './worker-loop.js';
 let module: GirthModule;
 const surfaces = new SurfaceStore<JobSurface>();
 
+/** A file must fit into one array, and that into the module's memory. */
+const mostBytes = 2 ** 31 - 1;
+
 function asSetFile({ path, content }: FileWithPath): SetFile {
   const bytes = () => {
+    if (content.size > mostBytes) {
+      throw failure('LIMIT_EXCEEDED', `${path} has ${(content.size / 1e9).toFixed(1)} GB`, {
+        hint: 'use a smaller model: files of 2 GB and more do not fit into the memory of a WebAssembly module; the command reads them',
+      });
+    }
     try {
       return workerFiles.bytesOf(content);
     } catch (cause) {
