@@ -15,14 +15,17 @@ function holdBack(longest: number): void {
   const late = new WeakSet<Event>();
   const wait = (): number => longest * Math.random();
   const hold = (target: Worker): void => {
+    const held: MessageEvent[] = [];
     let due = 0;
     target.addEventListener('message', (event) => {
       if (late.has(event)) return;
       event.stopImmediatePropagation();
-      due = Math.max(due, performance.now() + wait());
       const again = new MessageEvent('message', { data: event.data as unknown });
       late.add(again);
-      setTimeout(() => target.dispatchEvent(again), due - performance.now());
+      held.push(again);
+      due = Math.max(due, performance.now() + wait());
+      // Timers are precise to a millisecond: each lets go of the message that has waited longest.
+      setTimeout(() => target.dispatchEvent(held.shift()!), due - performance.now());
     });
   };
   globalThis.Worker = class extends Worker {

@@ -2,15 +2,18 @@
 // and again, to find those that do not hold: N times (20 by default) as they are, then N times (as often by
 // default) on one core with two busy loops beside them. With a delay, what workers say comes to the page up to
 // that many milliseconds late, each time another number of them: races show that a quick machine hides. What
-// has been built is tested. Prints every failure with its test, and how often each failed.
+// has been built is tested. Prints every failure with its test, and how often each failed; how far a run is
+// stands in build/reports/repeat.log.
 
 import { spawn, spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { closeSync, existsSync, mkdirSync, openSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { Complaint, outputOf, repository, script } from './run.mjs';
 import { browserWorkers, reports, vitestArguments } from './test-parts.mjs';
 
+/** What the run that goes on has come to. */
+const progress = join(reports, 'repeat.log');
 /** @type {Map<string, number>} */
 const failures = new Map();
 let [runs, tests] = [0, 0];
@@ -28,13 +31,16 @@ function runOnce(files, { label, before = [], workers }) {
     ...before,
     join(repository, 'node_modules/.bin/vitest'),
     ...vitestArguments('browser*', { report, workers }),
+    ...['--reporter', 'default'],
     ...files,
   ];
-  const { stderr } = spawnSync(program, args, { cwd: repository, encoding: 'utf8' });
+  const log = openSync(progress, 'w');
+  spawnSync(program, args, { cwd: repository, stdio: ['ignore', log, log] });
+  closeSync(log);
   const seconds = ((performance.now() - begun) / 1000).toFixed(0);
   ++runs;
   if (!existsSync(report)) {
-    console.log(`${label}: nothing was run\n${stderr}`);
+    console.log(`${label}: nothing was run\n${readFileSync(progress, 'utf8')}`);
     failures.set('(no report)', (failures.get('(no report)') ?? 0) + 1);
     return;
   }
