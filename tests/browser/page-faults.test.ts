@@ -493,8 +493,8 @@ describe('on one page, one after the other', () => {
     const [before, workers] = [await memory(), page.workers().length];
     await load(200);
     await expect.poll(memory).toBeLessThan(1.1 * before);
-    // Each has a module with a memory of its own.
-    await expect.poll(() => page.workers().length).toBeLessThanOrEqual(workers);
+    // Each has a module with a memory of its own. One may be on its way while they are counted.
+    await expect.poll(() => page.workers().length).toBeLessThanOrEqual(workers + 1);
     expect(await faulty.message.isVisible()).toBe(false);
   });
 });
