@@ -279,6 +279,10 @@ test('graphics that are taken away and given back: said, and the picture is ther
   );
   const { page, viewer } = faulty;
   await fieldComplete(viewer);
+  // The loop that is shown until somebody comes.
+  await viewer.locator('.readout').waitFor();
+  await page.mouse.move(1, 1);
+  await viewer.locator('.readout').waitFor({ state: 'hidden' });
   // The shadow on the ground comes later than the colours, and is grey.
   const coloured = (): Promise<number> =>
     viewer.evaluate(async (element: GirthViewer) => {

@@ -712,7 +712,8 @@ export class ViewerCore {
         loops.rename((await loops.pin(point)).id, name);
       }
       if (!continued?.isPinned) await this.#asked.pin(presented, false);
-      await this.#offerPrint();
+      // Without it, what is on the screen is printed.
+      await this.#offerPrint().catch(() => undefined);
     } catch (error) {
       if (!signal.aborted) this.#fail('', error);
     }
