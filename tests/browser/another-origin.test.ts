@@ -12,6 +12,7 @@ import {
   serve,
   type ServeOptions,
   type StaticServer,
+  trustedTypes,
 } from './support.js';
 import { fieldComplete, hover, placeOnSurface } from './viewer-page.js';
 
@@ -83,10 +84,7 @@ test.each([
      <style>girth-viewer { height: 300px }</style>
      <girth-viewer src="dumbbell.glb"></girth-viewer>
      <girth-viewer id="large" src="chair.glb" field="none"></girth-viewer>`,
-    {
-      isolated,
-      policy: `require-trusted-types-for 'script'; trusted-types girth 'allow-duplicates'`,
-    },
+    { isolated, policy: trustedTypes },
   );
   await fieldComplete(page.locator('girth-viewer').first());
   const answer = await least(shared.url);

@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { packed } from '../web/package/packed.js';
 import { torus } from './meshes.js';
-import { chromiumForTests, repository, serve, strictPolicy } from './support.js';
+import { chromiumForTests, repository, serve, strictPolicy, trustedTypes } from './support.js';
 import { fieldComplete } from './viewer-page.js';
 
 const folder = mkdtempSync(join(tmpdir(), 'girth-examples-'));
@@ -17,8 +17,6 @@ const [project, esbuild] = [join(folder, 'vite'), join(folder, 'esbuild')];
 const webpack = join(folder, 'webpack');
 const openPage = chromiumForTests();
 
-/** Scripts are started only by what these policies have let through. */
-const trustedTypes = `require-trusted-types-for 'script'; trusted-types girth 'allow-duplicates'`;
 const policy = `${strictPolicy}; ${trustedTypes}`;
 
 /** A model for which there are few values: 1,600 or so. */

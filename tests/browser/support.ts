@@ -28,6 +28,10 @@ export const command =
 export const strictPolicy =
   "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:";
 
+/** Scripts are started only by what this policy of ours has let through; to be joined with another policy by '; '. */
+export const trustedTypes =
+  "require-trusted-types-for 'script'; trusted-types girth 'allow-duplicates'";
+
 export interface ServeOptions {
   /** Send the two headers that make a page cross-origin isolated, so that it may use threads. */
   isolated?: boolean;

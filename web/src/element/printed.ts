@@ -1,8 +1,8 @@
 // What a browser prints of an element: a figure with its legend, made when printing begins, in place of what is on
 // the screen.
 
-/** As printers have them. */
-export const printDensity = 300;
+import { printDensity } from './snapshot.js';
+
 const pixelsPerInch = 96;
 /** Of a sheet of A4 or letter between its margins, in inches. */
 const widestFigure = 7.5;

@@ -20,7 +20,8 @@ export interface FigureOptions {
 }
 
 const millimetresPerInch = 25.4;
-const usualDensity = 300;
+/** Pixels for each inch, as printers have them. */
+export const printDensity = 300;
 
 /** Its width in pixels, undefined as on the screen, and its density. */
 export function sizeOf({ width, millimetres, dotsPerInch }: FigureOptions): {
@@ -28,7 +29,7 @@ export function sizeOf({ width, millimetres, dotsPerInch }: FigureOptions): {
   dotsPerInch: number | undefined;
 } {
   if (millimetres === undefined) return { width, dotsPerInch };
-  const density = dotsPerInch ?? usualDensity;
+  const density = dotsPerInch ?? printDensity;
   return { width: Math.round((millimetres / millimetresPerInch) * density), dotsPerInch: density };
 }
 

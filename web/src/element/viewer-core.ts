@@ -566,7 +566,7 @@ export class ViewerCore {
 
   /** From now on the browser prints a figure of what is shown. */
   async #offerPrint(): Promise<void> {
-    const [{ Printed, printDensity }, { figure }] = await Promise.all([
+    const [{ Printed }, { figure, printDensity }] = await Promise.all([
       import('./printed.js'),
       import('./snapshot.js'),
     ]);
