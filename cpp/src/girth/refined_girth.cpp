@@ -660,8 +660,8 @@ Result<RefinedGirth> refinedGirth(const SurfaceMesh& mesh, const RefinedOptions&
   }
   try {
     if (mesh.faceCount() < kFewFaces) return Refinement(mesh, nullptr, options, context).run();
-    for (const double turn : {kTurnOfDoubles, kTurnOfSingles}) {
-      const auto lean = withoutFlatVertices(mesh, turn, context.ofOneThread());
+    for (const double rounding : {kRoundedDoubles, kRoundedSingles}) {
+      const auto lean = withoutFlatVertices(mesh, rounding, context.ofOneThread());
       if (!lean) return lean.error();
       if (lean.value().mesh.faceCount() > kLeanShare * mesh.faceCount()) continue;
       return Refinement(mesh, &lean.value(), options, context).run();

@@ -28,6 +28,10 @@ constexpr double kPoorShape = 0.05;
 /// Surfaces with larger coordinates, or only smaller ones than the inverse, stay as they are:
 /// fourth powers of lengths must neither overflow nor vanish.
 constexpr double kLargest = 1e60;
+/// Both ends of a line may be off by the rounding, and each of two lines to be compared.
+constexpr double kSlack = 4;
+/// No face or boundary turns by more than this: the sine of the angle.
+constexpr double kMostTurn = 0.05;
 
 double shapeOf(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, bc = c - b, ca = a - c;
@@ -37,15 +41,21 @@ double shapeOf(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 class FlatVertices {
  public:
-  FlatVertices(const SurfaceMesh& original, double turn, const ExecutionContext& context)
+  FlatVertices(const SurfaceMesh& original, double rounding, const ExecutionContext& context)
       : original_(original),
-        turn_(turn),
         lookout_(context),
         mesh_(original),
         planes_(normalsOfFaces(original)),
         first_(original.faceCount(), kNoIndex),
         next_(original.vertexCount(), kNoIndex),
-        places_(original.vertexCount()) {}
+        places_(original.vertexCount()) {
+    for (const Vertex v : original.vertices()) {
+      const Vec3& p = original.position(v);
+      extent_ = std::max({extent_, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    }
+    off_ = kSlack * rounding * extent_;
+    for (const Face f : original.faces()) turns_.push_back(turnOf(f));
+  }
 
   Result<LeanSurface> run() {
     std::deque<Index> queue;
@@ -72,37 +82,42 @@ class FlatVertices {
   }
 
  private:
-  bool isOfOrdinarySize() const {
-    double extent = 0;
-    for (const Vertex v : original_.vertices()) {
-      const Vec3& p = original_.position(v);
-      extent = std::max({extent, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    }
-    return extent <= kLargest && extent >= 1 / kLargest;
+  bool isOfOrdinarySize() const { return extent_ <= kLargest && extent_ >= 1 / kLargest; }
+
+  /// How far rounding turns a face.
+  double turnOf(Face face) const {
+    const auto [a, b, c] = original_.faceVertices(face);
+    const double longest = std::max({norm(original_.position(b) - original_.position(a)),
+                                     norm(original_.position(c) - original_.position(b)),
+                                     norm(original_.position(a) - original_.position(c))});
+    return std::min(kMostTurn, off_ * longest / (2 * original_.area(face)));
   }
 
   /// The edge along which a vertex can go, so that the worst face that is left has the best shape.
   std::optional<Index> bestWay(Index vertex) const {
-    std::optional<Index> best;
-    double bestShape = 0;
+    std::vector<std::pair<double, Index>> ways;
     mesh_.forEachOutgoing(vertex, [&](Index h) {
       const double shape = shapeAfter(h);
-      if (shape > bestShape && keepsLines(h) && mesh_.canCollapse(h)) {
-        best = h;
-        bestShape = shape;
-      }
+      if (shape > 0) ways.emplace_back(shape, h);
     });
-    return best;
+    std::sort(ways.begin(), ways.end(), [](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first > b.first : a.second < b.second;
+    });
+    for (const auto& [shape, h] : ways) {
+      if (keepsLines(h) && mesh_.canCollapse(h) && keepsPoints(h)) return h;
+    }
+    return std::nullopt;
   }
 
-  /// Whether a vector has the direction of a unit vector.
-  bool isAlong(const Vec3& vector, const Vec3& direction) const {
-    return dot(vector, direction) > 0 && norm(cross(vector, direction)) <= turn_ * norm(vector);
+  /// Whether a vector has the direction of a unit vector, but for an angle of this sine.
+  static bool isAlong(const Vec3& vector, const Vec3& direction, double turn) {
+    return dot(vector, direction) > 0 && norm(cross(vector, direction)) <= turn * norm(vector);
   }
   /// Whether there are faces on both sides of an edge, and both lie in one plane.
   bool isFlatAcross(Index h) const {
     const Index twin = mesh_.twin(h);
-    return twin != kNoIndex && isAlong(planes_[h / 3], planes_[twin / 3]);
+    return twin != kNoIndex &&
+           isAlong(planes_[h / 3], planes_[twin / 3], turns_[h / 3] + turns_[twin / 3]);
   }
 
   /// The worst shape of a face after the start of an edge has gone to its end; 0: it may not.
@@ -117,8 +132,8 @@ class FlatVertices {
       before = std::min(before, shapeOf(mesh_.position(vertex), pb, pc));
       if (b == to || c == to) return;
       const Vec3 area = cross(pb - place, pc - place);
-      const Vec3& plane = planes_[out / 3];
-      after = isAlong(area, plane) && remeshing::hasArea(place, pb, pc)
+      const Index face = out / 3;
+      after = isAlong(area, planes_[face], turns_[face]) && remeshing::hasArea(place, pb, pc)
                   ? std::min(after, shapeOf(place, pb, pc))
                   : 0;
     });
@@ -139,7 +154,8 @@ class FlatVertices {
         return;
       }
       const Vec3 one = mesh_.position(to) - place, other = place - mesh_.position(neighbour);
-      isStraight = isStraight && isAlong(one, 1 / norm(other) * other);
+      const double turn = std::min(kMostTurn, off_ / norm(one) + off_ / norm(other));
+      isStraight = isStraight && isAlong(one, 1 / norm(other) * other, turn);
     };
     mesh_.forEachOutgoing(mesh_.from(h), [&](Index out) {
       look(mesh_.to(out), !isFlatAcross(out));
@@ -149,38 +165,64 @@ class FlatVertices {
     return !isAny || (isOnLine && isStraight);
   }
 
-  /// Collapses an edge; what lay in the faces round its start lies in those that are left of them.
-  Index remove(Index h) {
-    const Index vertex = mesh_.from(h);
-    std::vector<Index> faces, points{vertex};
-    mesh_.forEachOutgoing(vertex, [&](Index out) {
-      faces.push_back(out / 3);
-      for (Index p = first_[out / 3]; p != kNoIndex; p = next_[p]) points.push_back(p);
-      first_[out / 3] = kNoIndex;
-    });
-    const Index left = mesh_.collapse(h, mesh_.position(mesh_.to(h)));
-    std::erase_if(faces, [&](Index face) { return !mesh_.isAlive(face); });
-    for (const Index point : points) {
-      double least = std::numeric_limits<double>::infinity();
-      Index nearest = kNoIndex;
-      for (const Index face : faces) {
-        const TrianglePoint found = placeIn(face, point);
-        const Vec3 away = found.position - original_.position(Vertex(point));
+  /// A vertex that has gone, in the face that is nearest to it.
+  struct Place {
+    Index face{kNoIndex};
+    std::array<double, 3> weights{};
+    double squaredDistance{std::numeric_limits<double>::infinity()};
+  };
+
+  /// Calls `visit(vertex, place)` for the start of an edge and all vertices that have gone into its
+  /// faces: where they are after it has gone to the end of the edge.
+  template <class Visit>
+  void eachPlaceAfter(Index h, Visit visit) const {
+    const Index vertex = mesh_.from(h), to = mesh_.to(h);
+    const auto placeAfter = [&](Index point) {
+      const Vec3& position = original_.position(Vertex(point));
+      Place place;
+      mesh_.forEachOutgoing(vertex, [&](Index out) {
+        if (mesh_.to(out) == to || mesh_.apex(out) == to) return;
+        // The corners in the order of the face.
+        std::array<Vec3, 3> corners;
+        for (Index k = 0; k < 3; ++k) {
+          const Index corner = mesh_.from(3 * (out / 3) + k);
+          corners[k] = mesh_.position(corner == vertex ? to : corner);
+        }
+        const TrianglePoint found = nearestInTriangle(position, corners);
+        const Vec3 away = found.position - position;
         const double distance = dot(away, away);
-        if (!(distance < least)) continue;
-        least = distance;
-        nearest = face;
-        places_[point] = SurfacePoint::inFace(Face(face), found.weights);
-      }
-      next_[point] = first_[nearest];
-      first_[nearest] = point;
-    }
-    return left;
+        if (distance < place.squaredDistance) place = {out / 3, found.weights, distance};
+      });
+      return place;
+    };
+    visit(vertex, placeAfter(vertex));
+    mesh_.forEachOutgoing(vertex, [&](Index out) {
+      for (Index p = first_[out / 3]; p != kNoIndex; p = next_[p]) visit(p, placeAfter(p));
+    });
   }
 
-  TrianglePoint placeIn(Index face, Index point) const {
-    const auto corner = [&](Index k) { return mesh_.position(mesh_.from(3 * face + k)); };
-    return nearestInTriangle(original_.position(Vertex(point)), {corner(0), corner(1), corner(2)});
+  bool keepsPoints(Index h) const {
+    bool keeps = true;
+    eachPlaceAfter(h, [&](Index, const Place& place) {
+      keeps = keeps && place.squaredDistance <= off_ * off_;
+    });
+    return keeps;
+  }
+
+  /// Collapses an edge; what lay in the faces round its start lies in those that are left of them.
+  Index remove(Index h) {
+    std::vector<std::pair<Index, Index>> faceOf;
+    eachPlaceAfter(h, [&](Index point, const Place& place) {
+      faceOf.emplace_back(point, place.face);
+      places_[point] = SurfacePoint::inFace(Face(place.face), place.weights);
+    });
+    mesh_.forEachOutgoing(mesh_.from(h), [&](Index out) { first_[out / 3] = kNoIndex; });
+    const Index left = mesh_.collapse(h, mesh_.position(mesh_.to(h)));
+    for (const auto& [point, face] : faceOf) {
+      next_[point] = first_[face];
+      first_[face] = point;
+    }
+    return left;
   }
 
   Result<LeanSurface> collect() {
@@ -201,19 +243,21 @@ class FlatVertices {
   }
 
   const SurfaceMesh& original_;
-  double turn_;
   Lookout lookout_;
   ChangingMesh mesh_;
+  double extent_{0};                  // the largest coordinate
+  double off_{0};                     // how far a vertex may lie beside where it ought to
   std::vector<Vec3> planes_;          // the unit normals of the original faces
+  std::vector<double> turns_;         // and how far these may be turned
   std::vector<Index> first_, next_;   // lists of the vertices that have gone, by their faces
   std::vector<SurfacePoint> places_;  // of these
 };
 
 }  // namespace
 
-Result<LeanSurface> withoutFlatVertices(const SurfaceMesh& mesh, double turn,
+Result<LeanSurface> withoutFlatVertices(const SurfaceMesh& mesh, double rounding,
                                         const ExecutionContext& context) {
-  return FlatVertices(mesh, turn, context).run();
+  return FlatVertices(mesh, rounding, context).run();
 }
 
 }  // namespace girth

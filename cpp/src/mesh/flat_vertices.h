@@ -18,20 +18,22 @@ struct LeanSurface {
   std::vector<SurfacePoint> places;
 };
 
-/// Faces and boundaries that are rounded to doubles turn by no more than this.
-inline constexpr double kTurnOfDoubles = 1e-9;
-/// The same for a plane that was divided finely and rounded to single precision, or to six digits:
-/// lengths of paths then differ by about 1e-7 of themselves.
-inline constexpr double kTurnOfSingles = 5e-4;
+/// How far coordinates may be off, as shares of the largest: midpoints of midpoints in double
+/// precision, and coordinates that a file has in single precision.
+inline constexpr double kRoundedDoubles = 4e-15;
+inline constexpr double kRoundedSingles = 1e-7;
 
 /// Edges are collapsed where all faces round a vertex stay in their planes: inside a plane, along a
-/// straight crease, along a straight boundary. `turn`: how far a face may turn from the plane of
-/// the original one, and a boundary from its direction; the sine of the angle, in (0, 0.1). Faces
-/// that would become needles are left as they are. Components, genus and boundaries stay as they
-/// are, and so does a surface with coordinates beyond 1e60, or all below 1e-60. The same input
-/// always gives the same triangles. O(n) for the usual mesh, some 10 µs a vertex that goes.
+/// straight crease, along a straight boundary. `rounding`: by which share of the largest coordinate
+/// all coordinates may be off; a face may turn from the plane of the original one as far as that
+/// turns it, and vertices that go stay within four times that distance of the surface. Lengths of
+/// paths change by no more than about that distance. Faces that would become needles are left as
+/// they are. Components, genus and boundaries stay as they are, and so does a surface with
+/// coordinates beyond 1e60, or all below 1e-60. The same input always gives the same triangles.
+/// O(n) for the usual mesh, some 10 µs a vertex that goes.
 ///
 /// Errors: CANCELLED.
-Result<LeanSurface> withoutFlatVertices(const SurfaceMesh& mesh, double turn, const ExecutionContext& context);
+Result<LeanSurface> withoutFlatVertices(const SurfaceMesh& mesh, double rounding,
+                                        const ExecutionContext& context);
 
 }  // namespace girth

@@ -16,8 +16,8 @@
 namespace girth::test {
 namespace {
 
-LeanSurface leanOf(const SurfaceMesh& mesh, double turn = kTurnOfDoubles) {
-  auto lean = withoutFlatVertices(mesh, turn, {});
+LeanSurface leanOf(const SurfaceMesh& mesh, double rounding = kRoundedDoubles) {
+  auto lean = withoutFlatVertices(mesh, rounding, {});
   EXPECT_TRUE(lean);
   return std::move(lean).value();
 }
@@ -88,7 +88,7 @@ TEST(FlatVertices, theGirthIsThatOfTheDividedSurface) {
 TEST(FlatVertices, coordinatesMayBeRoundedToSinglePrecision) {
   const Shape shape = perturbed(torus(3, 1, 24, 12), 0.1, 5);
   const SurfaceMesh fine = rounded(subdivided(subdivided(subdivided(shape))));
-  const LeanSurface lean = leanOf(fine, kTurnOfSingles);
+  const LeanSurface lean = leanOf(fine, kRoundedSingles);
   EXPECT_LE(lean.mesh.faceCount(), fine.faceCount() / 50);
   EXPECT_LE(farthestOff(fine, lean), 1e-6);
   GirthSolver onFine(fine), onLean(lean.mesh);
@@ -100,7 +100,7 @@ TEST(FlatVertices, coordinatesMayBeRoundedToSinglePrecision) {
 
 TEST(FlatVertices, whatIsBentAnywhereStays) {
   const SurfaceMesh sphere = icosphere(3).mesh();
-  const LeanSurface lean = leanOf(sphere, kTurnOfSingles);
+  const LeanSurface lean = leanOf(sphere, kRoundedSingles);
   EXPECT_EQ(lean.mesh.faceCount(), sphere.faceCount());
   for (const Vertex v : sphere.vertices()) EXPECT_EQ(lean.places[v].vertex(), v);
 }
@@ -137,7 +137,7 @@ TEST(FlatVertices, sizesWithoutMeasureAndCancelling) {
   ExecutionContext stopped;
   stopped.cancel = &cancel;
   const SurfaceMesh large = subdivided(icosphere(4)).mesh();
-  const auto lean = withoutFlatVertices(large, kTurnOfDoubles, stopped);
+  const auto lean = withoutFlatVertices(large, kRoundedDoubles, stopped);
   ASSERT_FALSE(lean);
   EXPECT_EQ(lean.error().code, ErrorCode::Cancelled);
 }
