@@ -10,21 +10,25 @@
 #include <mutex>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <queue>
 #include <span>
 #include <utility>
 
 #include "geodesic/unfolding.h"
+#include "girth/base_graph.h"
 #include "girth/carried_loops.h"
 #include "girth/face_band.h"
+#include "girth/girth_audit.h"
 #include "girth/parallel.h"
+#include "girth/refined_bases.h"
 #include "girth/remesh.h"
-#include "girth/site_graph.h"
 #include "girth/solver_factory.h"
 #include "girth/transfer.h"
 #include "girth/vertex_function.h"
 #include "idle_pool.h"
 #include "mesh/flat_vertices.h"
+#include "mesh/shifted_paths.h"
 #include "part_of_work.h"
 #include "random.h"
 
@@ -57,8 +61,6 @@ constexpr double kCoarseAtLeast = 0.93;
 constexpr int kMostBands = 4;
 /// Lengths that differ by less, as shares, are equal.
 constexpr double kSame = 1e-9;
-/// The same for the audit.
-constexpr double kAuditSame = 1e-6;
 /// Exact values take at most so many times the windows of what was done before: about as long.
 constexpr double kMostExact = 3;
 /// And of that, those that are only to check.
@@ -72,9 +74,10 @@ constexpr std::size_t kAuditOnAllFaces = 8;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// What is known of a site.
+/// What is known of a base.
 struct Known {
-  double length{kNone};  // in model units
+  double length{kNone};  // on the ground, in model units
+  double excess{0};      // how much longer it is with the flat vertices
   LoopKind kind{LoopKind::Unresolved};
   bool isProved{false};
   bool isDoubted{false};     // and so is to be computed exactly
@@ -82,6 +85,7 @@ struct Known {
   std::vector<Index> faces;  // of its loop, in rising order; empty where there is none to spread
 
   bool isThere() const { return !std::isnan(length); }
+  double value() const { return length + excess; }
 };
 
 bool isSame(double a, double b) { return std::fabs(a - b) <= kSame * b; }
@@ -94,9 +98,7 @@ struct Scratch {
   FaceBand band;
 };
 
-/// Loops are looked for on the ground: the surface, or the same without its flat vertices. Their
-/// bases are sites: first the vertices of the ground, in the numbers of its unfolding, then the
-/// flat vertices, which lie in its faces.
+/// Loops are looked for on the ground: the surface, or the same without its flat vertices.
 class Refinement {
  public:
   /// `lean`: the surface without its flat vertices; null: loops are looked for on `mesh`.
@@ -107,9 +109,13 @@ class Refinement {
         isLean_(lean != nullptr),
         options_(options),
         context_(context),
-        unfolding_(std::make_shared<const Unfolding>(ground_)) {
-    if (isLean_) result_.leanFaces = ground_.faceCount();
-    layOutSites(lean);
+        unfolding_(std::make_shared<const Unfolding>(ground_)),
+        bases_(basesOn(*unfolding_, lean)),
+        known_(bases_.onGround) {
+    if (lean == nullptr) return;
+    result_.leanFaces = ground_.faceCount();
+    shifted_.emplace(mesh, *lean);
+    if (shifted_->isEmpty()) shifted_.reset();
   }
 
   Result<RefinedGirth> run() {
@@ -118,7 +124,7 @@ class Refinement {
       computeAll();
     } else {
       if (auto error = computeOnGround()) return *std::move(error);
-      if (isLean_) computeFlatSites();
+      if (isLean_) computeFlatBases();
     }
     stage_ = partOf(context_, kProved, 1);
     audit();
@@ -135,39 +141,11 @@ class Refinement {
   static constexpr double kCoarse = 0.05, kSeeded = 0.15, kSpread = 0.75;
 
   const Unfolding& unfolding() const { return *unfolding_; }
-  Index groundSites() const { return unfolding().vertexCount(); }
 
-  void layOutSites(const LeanSurface* lean) {
-    const Index count = mesh_.vertexCount();
-    vertexOf_.resize(count);
-    places_.resize(count);
-    std::vector<Index> flat;
-    for (Index v = 0; v < count; ++v) {
-      const SurfacePoint place =
-          lean != nullptr ? lean->places[v] : SurfacePoint::atVertex(Vertex(v));
-      if (place.kind != SurfacePoint::Kind::AtVertex) {
-        flat.push_back(v);
-        continue;
-      }
-      const Index site = unfolding().fromMesh(place).element;
-      vertexOf_[site] = v;
-      places_[site] = place;
-    }
-    // What is near on the surface is near in memory.
-    const auto faceOf = [&](Index v) { return unfolding().fromMesh(lean->places[v]).element; };
-    std::stable_sort(flat.begin(), flat.end(),
-                     [&](Index a, Index b) { return faceOf(a) < faceOf(b); });
-    for (Index i = 0; i < flat.size(); ++i) {
-      vertexOf_[groundSites() + i] = flat[i];
-      places_[groundSites() + i] = lean->places[flat[i]];
-    }
-    known_.resize(groundSites());
-  }
-
-  /// The exact girth at every site: the ground is small.
+  /// The exact girth at every base: the ground is small.
   void computeAll() {
-    connectVertices();
-    known_.resize(places_.size());
+    graph_ = BaseGraph(mesh_, bases_.ofVertices());
+    known_.resize(bases_.places.size());
     std::vector<Index> all(known_.size());
     std::iota(all.begin(), all.end(), Index{0});
     makeExact(all, stage_);
@@ -175,46 +153,41 @@ class Refinement {
 
   std::optional<Error> computeOnGround() {
     stage_ = partOf(context_, 0, isLean_ ? kGround : kProved);
-    std::vector<Index> siteOf(groundSites());
-    for (Index site = 0; site < siteOf.size(); ++site)
-      siteOf[unfolding().vertexInMesh(site)] = site;
-    graph_ = SiteGraph(ground_, siteOf);
+    std::vector<Index> baseOf(bases_.onGround);
+    for (Index base = 0; base < baseOf.size(); ++base)
+      baseOf[unfolding().vertexInMesh(base)] = base;
+    graph_ = BaseGraph(ground_, baseOf);
     if (auto error = seed()) return error;
     spread(kSeeded, kSpread);
-    prove(ground_, siteOf);
+    prove(ground_, baseOf);
     return std::nullopt;
   }
 
   /// Flat vertices, beginning at what is known of the corners of their faces.
-  void computeFlatSites() {
+  void computeFlatBases() {
     stage_ = partOf(context_, kGround, kProved);
-    const std::vector<Index> siteOf = connectVertices();
-    known_.resize(places_.size());
-    floor_.resize(places_.size());
-    for (Index site = groundSites(); site < floor_.size(); ++site) {
-      const Index face = faceOf(site);
-      floor_[site] = std::numeric_limits<double>::infinity();
+    const std::vector<Index> baseOf = bases_.ofVertices();
+    graph_ = BaseGraph(mesh_, baseOf);
+    known_.resize(bases_.places.size());
+    floor_.resize(bases_.places.size());
+    for (Index base = bases_.onGround; base < floor_.size(); ++base) {
+      const Index face = faceOf(base);
+      floor_[base] = std::numeric_limits<double>::infinity();
       for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-        floor_[site] = std::min(floor_[site], floor_[unfolding().crossing(h).from()]);
+        floor_[base] = std::min(floor_[base], floor_[unfolding().crossing(h).from()]);
       }
     }
-    for (Index site = 0; site < groundSites(); ++site) {
-      if (!known_[site].faces.empty()) changed_.push_back(site);
+    for (Index base = 0; base < bases_.onGround; ++base) {
+      if (!known_[base].faces.empty()) changed_.push_back(base);
     }
     spread(0, kSpread);
-    prove(mesh_, siteOf);
+    prove(mesh_, baseOf);
   }
 
-  /// All sites are neighbours as the vertices of the surface are. Returns the site of each vertex.
-  std::vector<Index> connectVertices() {
-    std::vector<Index> siteOf(vertexOf_.size());
-    for (Index site = 0; site < siteOf.size(); ++site) siteOf[vertexOf_[site]] = site;
-    graph_ = SiteGraph(mesh_, siteOf);
-    return siteOf;
+  /// A face that a flat vertex lies in; of two, when it lies on their edge, either.
+  Index faceOf(Index base) const {
+    return faceOfSide(unfolding().home(unfolding().fromMesh(bases_.places[base])));
   }
-
-  /// The face that a flat vertex lies in.
-  Index faceOf(Index site) const { return unfolding().fromMesh(places_[site]).element; }
 
   /// The loops of the coarse surface, each in a band of the ground.
   std::optional<Error> seed() {
@@ -258,14 +231,14 @@ class Refinement {
       }
     }
     const std::vector<Vertex> nearest = nearestVertices(coarse, nearestPoints(coarse, ground_));
-    floor_.resize(groundSites());
-    for (Index v = 0; v < groundSites(); ++v) {
+    floor_.resize(bases_.onGround);
+    for (Index v = 0; v < bases_.onGround; ++v) {
       floor_[v] = kCoarseAtLeast * least[nearest[unfolding().vertexInMesh(v)]];
     }
   }
 
-  /// From neighbour to neighbour, from the sites that have changed on, until no loop becomes
-  /// shorter. Reports from `begin` to `end` of the stage, where they differ. Returns the sites at
+  /// From neighbour to neighbour, from the bases that have changed on, until no loop becomes
+  /// shorter. Reports from `begin` to `end` of the stage, where they differ. Returns the bases at
   /// which it did.
   std::vector<Index> spread(double begin, double end) {
     std::vector<Index> all;
@@ -279,10 +252,10 @@ class Refinement {
       changed_.clear();
       for (std::size_t i = 0; i < besides.size(); ++i) {
         if (!found[i].isThere()) continue;
-        Known& known = known_[besides[i].site];
+        Known& known = known_[besides[i].base];
         reached += known.isThere() ? 0 : 1;
         known = std::move(found[i]);
-        changed_.push_back(besides[i].site);
+        changed_.push_back(besides[i].base);
       }
       all.insert(all.end(), changed_.begin(), changed_.end());
       const double share = static_cast<double>(reached) / static_cast<double>(known_.size());
@@ -291,33 +264,33 @@ class Refinement {
     return all;
   }
 
-  /// A site beside others whose loops have changed.
+  /// A base beside others whose loops have changed.
   struct Beside {
-    Index site;
+    Index base;
     std::vector<Neighbour> changed;
   };
 
   std::vector<Beside> besidesOf(const std::vector<Index>& changed) const {
     std::vector<std::pair<Index, Neighbour>> pairs;
-    for (const Index site : changed) {
-      for (const Neighbour& other : graph_.neighbours(site)) {
-        if (!known_[other.site].isProved) pairs.push_back({other.site, {site, other.distance}});
+    for (const Index base : changed) {
+      for (const Neighbour& other : graph_.neighbours(base)) {
+        if (!known_[other.base].isProved) pairs.push_back({other.base, {base, other.distance}});
       }
     }
     std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) {
-      return a.first != b.first ? a.first < b.first : a.second.site < b.second.site;
+      return a.first != b.first ? a.first < b.first : a.second.base < b.second.base;
     });
     std::vector<Beside> besides;
-    for (const auto& [site, other] : pairs) {
-      if (besides.empty() || besides.back().site != site) besides.push_back({site, {}});
+    for (const auto& [base, other] : pairs) {
+      if (besides.empty() || besides.back().base != base) besides.push_back({base, {}});
       besides.back().changed.push_back(other);
     }
     return besides;
   }
 
-  /// A shorter loop for a site from the bands of its neighbours; `found` stays empty without.
+  /// A shorter loop for a base from the bands of its neighbours; `found` stays empty without.
   void search(const Beside& beside, Scratch& scratch, Known& found) {
-    const Known& own = known_[beside.site];
+    const Known& own = known_[beside.base];
     FaceBand& band = scratch.band;
     if (own.isThere()) {
       // Loops within the band round its own have been looked at.
@@ -325,45 +298,45 @@ class Refinement {
       band.add(own.faces);
       band.grow(kRings);
       if (std::all_of(beside.changed.begin(), beside.changed.end(), [&](const Neighbour& other) {
-            return band.hasAll(known_[other.site].faces);
+            return band.hasAll(known_[other.base].faces);
           })) {
         return;
       }
     }
     band.clear();
-    double floor = floor_[beside.site];
+    double floor = floor_[beside.base];
     for (const Neighbour& other : beside.changed) {
-      const Known& known = known_[other.site];
+      const Known& known = known_[other.base];
       band.add(known.faces);
       // The loop beside one that is proved may be as short, but for the way there and back.
       if (known.isProved || known.isLow) {
         floor = std::min(floor, (known.length - 2 * other.distance) * (1 - kSame));
       }
     }
-    addAround(beside.site, band);
+    addAround(beside.base, band);
     band.grow(kRings);
     found.length = own.length;
-    settle(beside.site, floor, scratch, found);
+    settle(beside.base, floor, scratch, found);
     if (isSame(found.length, own.length)) found.length = kNone;
   }
 
-  void addAround(Index site, FaceBand& band) const {
-    if (site < groundSites()) {
-      band.addAround(site);
+  void addAround(Index base, FaceBand& band) const {
+    if (base < bases_.onGround) {
+      band.addAround(base);
     } else {
-      band.add(faceOf(site));
+      band.add(faceOf(base));
     }
   }
 
   /// The shortest loop in a band, and then in one round that loop where it reaches the rim; into
   /// `known`, if it is shorter, but not below `floor`.
-  void settle(Index site, double floor, Scratch& scratch, Known& known) {
+  void settle(Index base, double floor, Scratch& scratch, Known& known) {
     for (int bands = 0; bands < kMostBands; ++bands) {
-      const auto loop = loopWithin(site, scratch);
+      const auto loop = loopWithin(base, scratch);
       if (!loop || loop->length >= known.length * (1 - kSame)) return;
       if (loop->length < floor) return;
-      take(*loop, known);
-      known.isLow = known.length < floor_[site];
+      take(base, *loop, known);
+      known.isLow = known.length < floor_[base];
       if (!scratch.band.reachesRim(known.faces)) return;
       scratch.band.clear();
       scratch.band.add(known.faces);
@@ -371,24 +344,29 @@ class Refinement {
     }
   }
 
-  std::optional<GirthLoop> loopWithin(Index site, Scratch& scratch) {
-    auto loop = SolverFactory::loopWithin(scratch.solver, places_[site], scratch.band.data(),
+  double excessOf(Index base, const GirthLoop& loop) const {
+    return shifted_ ? shifted_->excess(Vertex(bases_.vertices[base]), loop.points) : 0;
+  }
+
+  std::optional<GirthLoop> loopWithin(Index base, Scratch& scratch) {
+    auto loop = SolverFactory::loopWithin(scratch.solver, bases_.places[base], scratch.band.data(),
                                           context_.ofOneThread());
     count(scratch.solver.statistics());
     return loop;
   }
 
-  void take(const GirthLoop& loop, Known& known) const {
+  void take(Index base, const GirthLoop& loop, Known& known) const {
     known.length = loop.length;
+    known.excess = excessOf(base, loop);
     known.kind = loop.kind;
     known.faces = loop.kind == LoopKind::Loop ? facesOf(unfolding(), loop) : std::vector<Index>{};
   }
 
-  /// Exactly: sites that are contradicted, or have no loop, and then some evenly spread over the
+  /// Exactly: bases that are contradicted, or have no loop, and then some evenly spread over the
   /// surface, since a region may be wrong as a whole without a contradiction. A loop that was
   /// missed spreads from there; where one was too short, the neighbours' may be too. Within bounds;
-  /// what is left is suspect. `mesh`: whose vertices the sites are.
-  void prove(const SurfaceMesh& mesh, const std::vector<Index>& siteOf) {
+  /// what is left is suspect. `mesh`: whose vertices the bases are.
+  void prove(const SurfaceMesh& mesh, const std::vector<Index>& baseOf) {
     const auto before = static_cast<double>(windows());
     const double most = kMostExact * before;
     Doubts doubts(known_.size());
@@ -401,10 +379,10 @@ class Refinement {
              !context_.cancelled()) {
         std::vector<Index> some;
         while (!doubts.empty() && some.size() < kExactAtATime) {
-          const Index site = doubts.take();
+          const Index base = doubts.take();
           // What has spread meanwhile may have put an end to the contradiction.
-          if (!known_[site].isProved && (known_[site].isDoubted || contradicts(site))) {
-            some.push_back(site);
+          if (!known_[base].isProved && (known_[base].isDoubted || contradicts(base))) {
+            some.push_back(base);
           }
         }
         settleExactly(some, doubts);
@@ -414,7 +392,7 @@ class Refinement {
     // Evenly spread, since what is wrong is so in regions, and most contradictions are jumps.
     const std::vector<Vertex> order = coarseToFineOrder(mesh, 1);
     for (const Vertex v : order) {
-      if (contradicts(siteOf[v])) doubts.add(siteOf[v], known_[siteOf[v]].length);
+      if (contradicts(baseOf[v])) doubts.add(baseOf[v], known_[baseOf[v]].length);
     }
     settleAll();
     const double settled = static_cast<double>(windows());
@@ -422,8 +400,8 @@ class Refinement {
     for (std::size_t i = 0; i < order.size() && checks < kMostChecks * settled;) {
       std::vector<Index> some;
       for (; i < order.size() && some.size() < kExactAtATime; ++i) {
-        const Index site = siteOf[order[i]];
-        if (!known_[site].isProved) some.push_back(site);
+        const Index base = baseOf[order[i]];
+        if (!known_[base].isProved) some.push_back(base);
       }
       const auto start = static_cast<double>(windows());
       settleExactly(some, doubts);
@@ -439,18 +417,18 @@ class Refinement {
   /// which cost least.
   class Doubts {
    public:
-    explicit Doubts(std::size_t sites) : isQueued_(sites, false) {}
+    explicit Doubts(std::size_t bases) : isQueued_(bases, false) {}
     bool empty() const { return queue_.empty(); }
-    void add(Index site, double length) {
-      if (isQueued_[site]) return;
-      isQueued_[site] = true;
-      queue_.emplace(std::isnan(length) ? std::numeric_limits<double>::infinity() : length, site);
+    void add(Index base, double length) {
+      if (isQueued_[base]) return;
+      isQueued_[base] = true;
+      queue_.emplace(std::isnan(length) ? std::numeric_limits<double>::infinity() : length, base);
     }
     Index take() {
-      const Index site = queue_.top().second;
+      const Index base = queue_.top().second;
       queue_.pop();
-      isQueued_[site] = false;
-      return site;
+      isQueued_[base] = false;
+      return base;
     }
 
    private:
@@ -460,62 +438,62 @@ class Refinement {
     std::vector<bool> isQueued_;
   };
 
-  /// The exact values of some sites, and what follows from them for others.
-  void settleExactly(const std::vector<Index>& sites, Doubts& doubts) {
+  /// The exact values of some bases, and what follows from them for others.
+  void settleExactly(const std::vector<Index>& bases, Doubts& doubts) {
     std::vector<double> lengths;
-    for (const Index site : sites) lengths.push_back(known_[site].length);
-    makeExact(sites, silent());
+    for (const Index base : bases) lengths.push_back(known_[base].length);
+    makeExact(bases, silent());
     std::vector<Index> changed;
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-      const Known& known = known_[sites[i]];
+    for (std::size_t i = 0; i < bases.size(); ++i) {
+      const Known& known = known_[bases[i]];
       if (!known.isProved || isSame(lengths[i], known.length)) continue;
-      changed.push_back(sites[i]);
+      changed.push_back(bases[i]);
       if (!(known.length > lengths[i])) {
-        if (!known.faces.empty()) changed_.push_back(sites[i]);
+        if (!known.faces.empty()) changed_.push_back(bases[i]);
         continue;
       }
-      for (const Neighbour& other : graph_.neighbours(sites[i])) {
-        if (known_[other.site].isProved) continue;
-        if (known_[other.site].isDoubted) continue;
-        known_[other.site].isDoubted = true;
-        doubts.add(other.site, known_[other.site].length);
+      for (const Neighbour& other : graph_.neighbours(bases[i])) {
+        if (known_[other.base].isProved) continue;
+        if (known_[other.base].isDoubted) continue;
+        known_[other.base].isDoubted = true;
+        doubts.add(other.base, known_[other.base].length);
       }
     }
     const std::vector<Index> spreadTo = spread(0, 0);
     changed.insert(changed.end(), spreadTo.begin(), spreadTo.end());
-    for (const Index site : changed) {
-      if (contradicts(site)) doubts.add(site, known_[site].length);
-      for (const Neighbour& other : graph_.neighbours(site)) {
-        if (!known_[other.site].isProved && contradicts(other.site))
-          doubts.add(other.site, known_[other.site].length);
+    for (const Index base : changed) {
+      if (contradicts(base)) doubts.add(base, known_[base].length);
+      for (const Neighbour& other : graph_.neighbours(base)) {
+        if (!known_[other.base].isProved && contradicts(other.base))
+          doubts.add(other.base, known_[other.base].length);
       }
     }
   }
 
-  void makeExact(const std::vector<Index>& sites, const ExecutionContext& context) {
+  void makeExact(const std::vector<Index>& bases, const ExecutionContext& context) {
     // The loops of vertices of the ground are where flat vertices begin.
-    const bool isBeginning = isLean_ && known_.size() == groundSites();
+    const bool isBeginning = isLean_ && known_.size() == bases_.onGround;
     const bool withLoops = ground_.faceCount() <= kMostFacesForLoops;
-    eachOf(sites.size(), context, [&](std::size_t i, Scratch& scratch) {
-      const SurfacePoint& place = places_[sites[i]];
+    eachOf(bases.size(), context, [&](std::size_t i, Scratch& scratch) {
+      const SurfacePoint& place = bases_.places[bases[i]];
       const auto value = scratch.solver.value(place, context_.ofOneThread());
       if (!value) return;  // cancelled
       count(scratch.solver.statistics());
-      Known& known = known_[sites[i]];
+      Known& known = known_[bases[i]];
       const bool isOther = !isSame(value.value().length, known.length);
       const bool isShorter = !(value.value().length > known.length);
       known.isProved = value.value().kind != LoopKind::Unresolved;
-      if (known.isProved || !known.isThere()) {
-        known.kind = value.value().kind;
-        known.length = value.value().length;
-      }
+      if (!known.isProved && known.isThere()) return;
+      known.kind = value.value().kind;
+      known.length = value.value().length;
       if (!isOther) return;
       known.faces.clear();
-      if (known.kind != LoopKind::Loop || !withLoops || !(isShorter || isBeginning)) return;
+      known.excess = 0;
+      if (!withLoops || !(isShorter || isBeginning || shifted_)) return;
       const auto loop = scratch.solver.loop(place, context_.ofOneThread());
       if (!loop) return;
       count(scratch.solver.statistics());
-      known.faces = facesOf(unfolding(), loop.value());
+      take(bases[i], loop.value(), known);
     });
   }
 
@@ -531,37 +509,20 @@ class Refinement {
     }
     drawn.resize(count);
     std::vector<double> before;
-    for (const Index site : drawn) before.push_back(known_[site].length);
+    for (const Index base : drawn) before.push_back(known_[base].value());
     const ExecutionContext onGround = partOf(stage_, 0, isLean_ ? 0.5 : 1);
     makeExact(drawn, onGround);
     if (isLean_) auditOnAllFaces(drawn);
-    std::vector<double> differences;
-    GirthAudit& result = result_.audit;
+    std::vector<double> found, exact;
     for (std::size_t i = 0; i < count; ++i) {
-      const Known& known = known_[drawn[i]];
-      if (!known.isProved) continue;
-      const double difference = std::isnan(before[i]) ? 1 : std::fabs(before[i] / known.length - 1);
-      differences.push_back(difference);
-      if (difference <= kAuditSame) ++result.equal;
+      if (!known_[drawn[i]].isProved) continue;
+      found.push_back(before[i]);
+      exact.push_back(known_[drawn[i]].value());
     }
-    if (differences.empty()) return;
-    std::sort(differences.begin(), differences.end());
-    const std::size_t last = differences.size() - 1;
-    result.vertices = static_cast<Index>(differences.size());
-    result.median = differences[last / 2];
-    result.percentile95 = differences[std::min(last, differences.size() * 95 / 100)];
-    result.greatest = differences[last];
-    // Wilson's interval, for 95 %.
-    constexpr double z = 1.959963984540054;
-    const double n = result.vertices, share = result.equal / n;
-    const double centre = (share + z * z / (2 * n)) / (1 + z * z / n);
-    const double reach =
-        z / (1 + z * z / n) * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
-    result.atLeast = std::clamp(centre - reach, 0.0, share);
-    result.atMost = std::clamp(centre + reach, share, 1.0);
+    result_.audit = auditOf(found, exact);
   }
 
-  /// The first of the drawn sites on the surface with its flat vertices.
+  /// The first of the drawn bases on the surface with its flat vertices.
   void auditOnAllFaces(const std::vector<Index>& drawn) {
     const auto all = std::make_shared<const Unfolding>(mesh_);
     const ExecutionContext context = partOf(stage_, 0.5, 1);
@@ -569,10 +530,12 @@ class Refinement {
     parallelFor(count, 1, context, [&](std::size_t begin, std::size_t end) {
       GirthSolver solver = SolverFactory::onUnfolding(all);
       for (std::size_t i = begin; i < end; ++i) {
-        const auto value = solver.value(Vertex(vertexOf_[drawn[i]]), context_.ofOneThread());
+        const auto value = solver.value(Vertex(bases_.vertices[drawn[i]]), context_.ofOneThread());
         if (!value) return;  // cancelled
         Known& known = known_[drawn[i]];
-        if (value.value().kind != LoopKind::Unresolved) known.length = value.value().length;
+        if (value.value().kind == LoopKind::Unresolved) continue;
+        known.length = value.value().length;
+        known.excess = 0;
         this->count(solver.statistics());
       }
     });
@@ -583,29 +546,29 @@ class Refinement {
     field.values.assign(known_.size(), kNone);
     field.kinds.assign(known_.size(), LoopKind::Unresolved);
     result_.states.assign(known_.size(), GirthState::Suspect);
-    for (Index site = 0; site < known_.size(); ++site) {
-      const Known& known = known_[site];
-      const Index vertex = vertexOf_[site];
-      field.values[vertex] = known.length;
+    for (Index base = 0; base < known_.size(); ++base) {
+      const Known& known = known_[base];
+      const Index vertex = bases_.vertices[base];
+      field.values[vertex] = known.value();
       field.kinds[vertex] = known.kind;
       if (known.isProved) {
         result_.states[vertex] = GirthState::Proved;
       } else if (known.isThere() && known.kind == LoopKind::Loop && !known.isDoubted &&
-                 !contradicts(site)) {
+                 !contradicts(base)) {
         result_.states[vertex] = GirthState::Consistent;
       }
     }
     field.computed = known_.size();
   }
 
-  /// Whether a site has no loop, or its neighbours' values cannot be true together with its own:
+  /// Whether a base has no loop, or its neighbours' values cannot be true together with its own:
   /// but for jumps, the girth changes by at most twice the way.
-  bool contradicts(Index site) const {
-    const Known& own = known_[site];
+  bool contradicts(Index base) const {
+    const Known& own = known_[base];
     if (!own.isThere()) return true;
-    const auto neighbours = graph_.neighbours(site);
+    const auto neighbours = graph_.neighbours(base);
     return std::any_of(neighbours.begin(), neighbours.end(), [&](const Neighbour& other) {
-      const double difference = std::fabs(known_[other.site].length - own.length);
+      const double difference = std::fabs(known_[other.base].length - own.length);
       return difference > 2 * other.distance * (1 + kSame);
     });
   }
@@ -640,10 +603,10 @@ class Refinement {
   const ExecutionContext& context_;
   ExecutionContext stage_;                      // the part of the progress that runs
   std::shared_ptr<const Unfolding> unfolding_;  // of the ground
-  std::vector<Index> vertexOf_;                 // the vertex of the surface at each site
-  std::vector<SurfacePoint> places_;            // of the sites, on the ground
-  SiteGraph graph_;
-  std::vector<Known> known_;   // of the sites
+  RefinedBases bases_;
+  std::optional<ShiftedPaths> shifted_;  // where flat vertices are a little off
+  BaseGraph graph_;
+  std::vector<Known> known_;   // of the bases
   std::vector<double> floor_;  // shorter loops do not count, until all of the surface is searched
   std::vector<Index> changed_;
   RefinedGirth result_;

@@ -25,11 +25,14 @@ using remeshing::Lookout;
 /// The shape of a face is 1 where its sides are equal, and 0 where it has no area. It may become
 /// worse down to this.
 constexpr double kPoorShape = 0.05;
+/// A vertex that has gone lies on a side of a face where rounding may have put it beside that, but
+/// no farther than this share of the height above.
+constexpr double kOnSide = 0.1;
 /// Surfaces with larger coordinates, or only smaller ones than the inverse, stay as they are:
 /// fourth powers of lengths must neither overflow nor vanish.
 constexpr double kLargest = 1e60;
 /// Both ends of a line may be off by the rounding, and each of two lines to be compared.
-constexpr double kSlack = 4;
+constexpr double kSlack = 2;
 /// No face or boundary turns by more than this: the sine of the angle.
 constexpr double kMostTurn = 0.05;
 
@@ -225,6 +228,19 @@ class FlatVertices {
     return left;
   }
 
+  /// A point of a face; on a side of it where it may be that far off.
+  SurfacePoint onSide(const SurfaceMesh& mesh, Face face,
+                      const std::array<double, 3>& weights) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Halfedge side(3 * face + static_cast<Index>(k));
+      const double height = 2 * mesh.area(face) / mesh.length(side), above = weights[(k + 2) % 3];
+      if (above > kOnSide || above * height > 2 * off_) continue;
+      const double start = weights[k], end = weights[(k + 1) % 3];
+      return SurfacePoint::onHalfedge(side, end / (start + end));
+    }
+    return SurfacePoint::inFace(face, weights);
+  }
+
   Result<LeanSurface> collect() {
     auto result = remeshing::resultOf(mesh_, lookout_,
                                       [](Index v) { return SurfacePoint::atVertex(Vertex(v)); });
@@ -232,7 +248,9 @@ class FlatVertices {
     Index face = 0;
     for (Index f = 0; f < original_.faceCount(); ++f) {
       if (!mesh_.isAlive(f)) continue;
-      for (Index p = first_[f]; p != kNoIndex; p = next_[p]) places_[p].element = face;
+      for (Index p = first_[f]; p != kNoIndex; p = next_[p]) {
+        places_[p] = onSide(result.value().mesh, Face(face), places_[p].weights);
+      }
       ++face;
     }
     const std::vector<SurfacePoint>& kept = result.value().onOriginal;

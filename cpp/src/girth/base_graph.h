@@ -1,5 +1,4 @@
-// Which of the points of a surface, at which the girth is looked for, are neighbours, and how far
-// they are apart.
+// Which bases of loops are neighbours, and how far they are apart.
 #pragma once
 
 #include <algorithm>
@@ -10,24 +9,24 @@
 
 namespace girth {
 
-/// A neighbour of a point.
+/// A neighbour of a base.
 struct Neighbour {
-  Index site;       ///< its number
+  Index base;       ///< its number
   double distance;  ///< along the edge between the two, in model units
 };
 
 /// The graph of the edges of a mesh whose vertices have other numbers.
-class SiteGraph {
+class BaseGraph {
  public:
-  SiteGraph() = default;
-  /// `siteOf`: the number of each vertex of the mesh; each is there once.
-  SiteGraph(const SurfaceMesh& mesh, std::span<const Index> siteOf) {
-    first_.assign(siteOf.size() + 1, 0);
+  BaseGraph() = default;
+  /// `baseOf`: the number of each vertex of the mesh; each is there once.
+  BaseGraph(const SurfaceMesh& mesh, std::span<const Index> baseOf) {
+    first_.assign(baseOf.size() + 1, 0);
     const auto eachEdge = [&](auto&& visit) {
       for (const Halfedge h : mesh.halfedges()) {
         const Halfedge twin = mesh.twin(h);
         if (twin != Halfedge::none && twin < h) continue;
-        visit(siteOf[mesh.from(h)], siteOf[mesh.to(h)], mesh.length(h));
+        visit(baseOf[mesh.from(h)], baseOf[mesh.to(h)], mesh.length(h));
       }
     };
     eachEdge([&](Index a, Index b, double) {
@@ -43,8 +42,8 @@ class SiteGraph {
     });
   }
 
-  std::span<const Neighbour> neighbours(Index site) const {
-    return {neighbours_.data() + first_[site], first_[site + 1] - first_[site]};
+  std::span<const Neighbour> neighbours(Index base) const {
+    return {neighbours_.data() + first_[base], first_[base + 1] - first_[base]};
   }
 
  private:
