@@ -89,6 +89,16 @@ export interface PartsChoice extends PartThresholds {
   smoothed: Parts | undefined;
 }
 
+/** Categories have no range. */
+const isOfCategories = (name: ShownName): boolean => name === 'kind' || name === 'parts';
+
+/**
+ * Whether the colours follow the body of the values where no range is wished for. Angles have the same meaning
+ * everywhere, and most of the surface is in no tip.
+ */
+const hasBody = (name: ShownName): boolean =>
+  !isOfCategories(name) && name !== 'tips' && name !== 'angle';
+
 export class Shading {
   wishes: ShadingWishes;
   /** The thresholds of the parts; undefined until they are first chosen. */
@@ -180,9 +190,8 @@ export class Shading {
       await model.girthAndDiameter();
       this.parts ??= { ...(await model.suggestedThresholds()), smoothed: undefined };
     }
-    // Categories have no range.
-    if (name === 'kind' || name === 'parts' || range?.by === 'values') return;
-    this.#areas ??= await model.areas();
+    const needsAreas = range ? range.by === 'shares' && !isOfCategories(name) : hasBody(name);
+    if (needsAreas) this.#areas ??= await model.areas();
   }
 
   #keepTips(made: Tips): void {
@@ -336,7 +345,7 @@ export class Shading {
     }
     if (name === 'none') return;
     const { title } = this;
-    if (name === 'kind' || name === 'parts') {
+    if (isOfCategories(name)) {
       if (name === 'kind' ? this.#kinds.length === 0 : !this.parts) return;
       const used = name === 'kind' ? this.#usedGirthKinds() : partKinds;
       const colormap = wished ?? 'viridis';
@@ -409,8 +418,7 @@ export class Shading {
 
   /** The extent without what few places stretch it by. */
   #bodyOf(name: ShownName, extent: Ends): Ends {
-    // Angles have the same meaning everywhere, and most of the surface is in no tip.
-    if (name === 'tips' || name === 'angle') return extent;
+    if (!hasBody(name)) return extent;
     const { field, preview } = this.#knownOf(name);
     const values = field?.values ?? preview?.values;
     if (!values) return extent;
