@@ -45,6 +45,7 @@ const attributes = {
   section: ['x', 'x 40%'],
   up: ['north', '-z'],
   'keep-view': ['off', ''],
+  'one-scale': ['no', ''],
   controls: ['zz', ''],
   turn: ['zz', ''],
 } as const;

@@ -127,6 +127,8 @@ const rules: Record<AttributeName, Rule> = {
   },
   up: oneOf(upNames),
   'keep-view': flag,
+  linked: { allowed: 'a name', accepts: () => true },
+  'one-scale': flag,
   controls: {
     allowed: listed(controlNames),
     accepts: (text) => text === 'true' || text === 'controls' || isControls(text),

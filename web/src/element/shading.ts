@@ -99,8 +99,21 @@ const isOfCategories = (name: ShownName): boolean => name === 'kind' || name ===
 const hasBody = (name: ShownName): boolean =>
   !isOfCategories(name) && name !== 'tips' && name !== 'angle';
 
+/** What the colours of a surface span by themselves. */
+export interface OwnRange {
+  /** What colours the surface. */
+  name: ShownName;
+  /** Of the values; '' for none. */
+  unit: string;
+  ends: Ends;
+  /** Whether two numbers were wished for. */
+  isChosen: boolean;
+}
+
 export class Shading {
   wishes: ShadingWishes;
+  /** The range that is shown for the surface's own: others may share it. */
+  rangeFor: (own: OwnRange) => Ends = ({ ends }) => ends;
   /** The thresholds of the parts; undefined until they are first chosen. */
   parts: PartsChoice | undefined;
   /** Shown in place of what the wishes name; undefined for nothing. */
@@ -363,7 +376,7 @@ export class Shading {
     const isDifference = combinationOf(name)?.by === 'difference';
     const isSigned = isDifference || (extent[0] < 0 && extent[1] > 0);
     const colormap = wished ?? (isSigned ? 'rdbu' : 'viridis');
-    const range = kept?.range ?? this.#rangeOf(name, extent, colormap === 'rdbu' && isSigned);
+    const range = kept?.range ?? this.#shownRange(name, extent, colormap === 'rdbu' && isSigned);
     // Where all values are the same but for rounding, they have the same colour.
     const least = 1e-5 * Math.abs(range[1]);
     const widen = range[1] - range[0] < least ? least : 0;
@@ -402,6 +415,15 @@ export class Shading {
     const { field, preview } = this.#knownOf(name);
     const range = field?.range ?? preview?.range;
     return range && Number.isNaN(range[0]) ? undefined : range;
+  }
+
+  #shownRange(name: ShownName, extent: Ends, isCentred: boolean): Ends {
+    return this.rangeFor({
+      name,
+      unit: this.#unitOf(name),
+      ends: this.#rangeOf(name, extent, isCentred),
+      isChosen: this.wishes.range?.by === 'values',
+    });
   }
 
   #rangeOf(

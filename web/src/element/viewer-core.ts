@@ -40,6 +40,7 @@ import type { FieldState, FieldsHost } from './fields.js';
 import { readFigure } from './figure-file.js';
 import { carriedTo, givenFields } from './given-fields.js';
 import { Lifecycle } from './lifecycle.js';
+import type { Link } from './link.js';
 import type { MessageBox } from './message-box.js';
 import { noGraphics, requireGraphics } from './no-graphics.js';
 import { type FileContent, Model, onlySurface } from './model.js';
@@ -140,6 +141,7 @@ export class ViewerCore {
         this.#controls.leave();
         this.#pointedVertex = undefined;
         presented.dispose(keepsMesh);
+        this.#link?.forget();
         this.#status.clear();
         this.#legend.update(undefined);
       },
@@ -172,6 +174,8 @@ export class ViewerCore {
   readonly #controls: CanvasControls;
   #stopWatching: (() => void) | undefined;
   #printed: Printed | undefined;
+  /** What it has in common with other elements, once that is asked for. */
+  #link: Link | undefined;
   #attached = new AbortController();
 
   constructor(host: ViewerHost) {
@@ -224,6 +228,10 @@ export class ViewerCore {
         if (stage.graphics !== 'missing') this.#host.drawn();
       },
       touched: () => this.#controls.touched(),
+      moved: () => {
+        this.#link?.move();
+        this.#send('cameramove', null);
+      },
       rested: () => this.#send('camera', null),
       graphicsChanged: () => this.#host.message.showGraphics(stage.graphics),
     });
@@ -248,6 +256,25 @@ export class ViewerCore {
       this.#canvas.addEventListener(type, () => this.#approached(), { signal });
     }
     if (this.#element.hasAttribute('src')) void this.#loadSrc();
+    void this.#joinLink();
+  }
+
+  /** Links the element as its attribute asks for. */
+  async #joinLink(): Promise<void> {
+    const name = (): string => (this.stage && attributeOf(this.#element, 'linked')) || '';
+    if (!this.#link) {
+      if (name() === '') return;
+      const { Link } = await import('./link.js');
+      this.#link ??= new Link({
+        stage: () => (this.stage?.view ? this.stage : undefined),
+        sharesRange: () => isOn(this.#element, 'one-scale'),
+        refresh: () => {
+          this.presented?.refresh();
+          this.#sendChange();
+        },
+      });
+    }
+    this.#link.join(name());
   }
 
   #resize(width: number, height: number): void {
@@ -268,6 +295,7 @@ export class ViewerCore {
     if (!this.stage) return;
     this.stage.dispose();
     this.stage = undefined;
+    void this.#joinLink();
   }
 
   /** An attribute has changed. */
@@ -298,6 +326,12 @@ export class ViewerCore {
       case 'isolines':
         this.#restyle(false);
         this.#sendChange();
+        break;
+      case 'linked':
+        void this.#joinLink();
+        break;
+      case 'one-scale':
+        this.#link?.changeRange();
         break;
       case 'persistence':
         this.#forgetGirth();
@@ -653,6 +687,7 @@ export class ViewerCore {
         this.#voice.call(this.#canvas, this.presented);
       },
     });
+    presented.shading.rangeFor = (own) => this.#link?.rangeFor(own) ?? own.ends;
     this.#legend.element.after(presented.loops.element);
     return presented;
   }
@@ -687,6 +722,7 @@ export class ViewerCore {
     this.#continued = undefined;
     this.#asked.greet(presented, isSeen || continued !== undefined);
     if (continued?.view) this.stage!.lookFrom(continued.view);
+    this.#link?.arrive();
     if (continued?.tips) presented.tips.show(continued.tips.all, continued.tips.choice);
     else if (!continued) this.#asked.greetTips(presented);
     // What is done then is newer than what attributes ask for.
