@@ -30,8 +30,8 @@ const pages = {
   '/prism.obj': readFileSync(join(repository, 'tests/data/prism.obj'), 'utf8'),
   '/documented.html': head + documented,
   '/units.html': `${head}${script}<div style="display: flex">
-    <girth-viewer src="prism.obj" unit="mm" linked="units" one-scale></girth-viewer>
-    <girth-viewer src="prism.obj" unit="cm" linked="units" one-scale></girth-viewer></div>`,
+    <girth-viewer src="prism.obj" unit="mm" one-scale="units"></girth-viewer>
+    <girth-viewer src="prism.obj" unit="cm" one-scale="units"></girth-viewer></div>`,
   '/alone.html': `${head}${script}<div style="display: flex">
     <girth-viewer src="dumbbell.glb" field="none"></girth-viewer>
     <girth-viewer src="hook.glb" field="none"></girth-viewer></div>`,
@@ -214,6 +214,10 @@ test('one scale is one whatever the units are', async () => {
     return [Math.min(...values), Math.max(...values)] as const;
   });
   const [millimetres, centimetres] = await spans();
+  // Their views are not linked.
+  await a.locator('canvas').press('ArrowLeft');
+  await framesPass(page);
+  expect(await viewOf(b)).not.toEqual(await viewOf(a));
   expect(millimetres![0]).toBeCloseTo(own[0], 9);
   expect(millimetres![1]).toBeCloseTo(10 * own[1], 9);
   expect(centimetres![0]).toBeCloseTo(own[0] / 10, 9);
@@ -238,7 +242,7 @@ test('one scale: from the least to the greatest; two numbers of one are for both
   const [first, second] = await spans();
   expect(first).not.toEqual(second);
   expect(shared).toEqual([Math.min(first![0], second![0]), Math.max(first![1], second![1])]);
-  await set(a, 'one-scale', '');
+  await set(a, 'one-scale', 'pair');
   await expect.poll(spans).toEqual([shared, shared]);
 
   await set(b, 'range', '0.25 0.75');

@@ -5,11 +5,13 @@ import { type GirthViewer, fieldTitle, sentence } from '../src/element/index.js'
 import {
   type PageState,
   type PanelName,
+  besideOf,
   panelNames,
   preparationOf,
   resized,
 } from './address-state.js';
 import { Address } from './address.js';
+import type { Beside } from './beside.js';
 import { ComparePanel } from './compare-panel.js';
 import { ComputedFields } from './computed-fields.js';
 import { byId, once, setAttribute } from './dom.js';
@@ -96,6 +98,7 @@ const compare = new ComparePanel({
     return isShown && (name === 'igf' || computed.has(name)) ? viewer.fieldOf(name) : undefined;
   },
   show: (opened) => void session.open(opened),
+  showBeside: (opened) => void beside().then((one) => one.open(opened)),
   changed,
 });
 const panels: Record<PanelName, Panel> = {
@@ -107,6 +110,21 @@ const panels: Record<PanelName, Panel> = {
   print: print.panel,
   compare: compare.panel,
 };
+
+/** What is shown beside the model, once that was asked for. */
+let second: Beside | undefined;
+/** Until it is there, what a link asks for. */
+let besideWish: PageState = {};
+const beside = once(async () => {
+  const { Beside } = await import('./beside.js');
+  return (second = new Beside(viewer, {
+    gallery: () =>
+      examples.all.map((example) => ({ opened: exampleToOpen(example), title: example.title })),
+    openedBefore: (file) => session.openedBefore(file),
+    changed,
+  }));
+});
+byId('beside-menu').addEventListener('beforetoggle', () => void beside());
 
 // ---- what is shown, and the address that holds it
 
@@ -125,6 +143,7 @@ function read(): PageState {
     ...limbs.read(),
     ...necks.read(),
     ...loops.read(),
+    ...(second?.read() ?? besideWish),
   };
   if (!viewer.info?.unit && viewer.unit) state.unit = viewer.unit;
   if (state.file !== undefined && state.loops) state.values = loops.values;
@@ -159,6 +178,10 @@ function apply(state: PageState, known: Promise<unknown> = Promise.resolve()): v
   necks.apply(state);
   panels[state.panel ?? 'loops'].open();
   if (state.camera) viewer.camera = state.camera;
+  besideWish = besideOf(state);
+  if (second ?? state.beside ?? state.besideFile) {
+    void address.during(beside().then((one) => one.apply(besideOf(state))));
+  }
   if (!isByHand) address.settle();
   isByHand = false;
   void address.during(known.then(() => loops.apply(state)));
@@ -325,6 +348,7 @@ viewer.addEventListener('load', (event) => {
   const isAnother = session.arrived();
   if (isAnother) recent.left();
   missing.hide();
+  byId('beside-open').hidden = false;
   if (isAnother) for (const name of aboutModel) viewer.removeAttribute(name);
   const { prepare = {}, remeshed, handles, link } = session.opened ?? {};
   examples.mark(examples.all.find(({ name }) => name === link?.model));

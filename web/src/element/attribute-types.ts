@@ -66,8 +66,8 @@ export interface GirthViewerAttributes {
   'keep-view'?: boolean | '';
   /** Elements of the same name are seen from the same place. */
   linked?: string;
-  /** Whether its colours span one range with those of linked elements that have it, too. */
-  'one-scale'?: boolean | '';
+  /** The colours of elements of the same name span one range. */
+  'one-scale'?: string;
   /** What lies on the surface beside it. */
   controls?: boolean | '' | 'none' | 'legend' | 'full';
   /** Whether it turns slowly until something is done. */

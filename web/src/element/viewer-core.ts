@@ -40,7 +40,7 @@ import type { FieldState, FieldsHost } from './fields.js';
 import { readFigure } from './figure-file.js';
 import { carriedTo, givenFields } from './given-fields.js';
 import { Lifecycle } from './lifecycle.js';
-import type { Link } from './link.js';
+import type { LinkedView, SharedRange } from './link.js';
 import type { MessageBox } from './message-box.js';
 import { noGraphics, requireGraphics } from './no-graphics.js';
 import { type FileContent, Model, onlySurface } from './model.js';
@@ -141,7 +141,7 @@ export class ViewerCore {
         this.#controls.leave();
         this.#pointedVertex = undefined;
         presented.dispose(keepsMesh);
-        this.#link?.forget();
+        this.#shared?.range.forget();
         this.#status.clear();
         this.#legend.update(undefined);
       },
@@ -175,7 +175,7 @@ export class ViewerCore {
   #stopWatching: (() => void) | undefined;
   #printed: Printed | undefined;
   /** What it has in common with other elements, once that is asked for. */
-  #link: Link | undefined;
+  #shared: { view: LinkedView; range: SharedRange } | undefined;
   #attached = new AbortController();
 
   constructor(host: ViewerHost) {
@@ -229,7 +229,7 @@ export class ViewerCore {
       },
       touched: () => this.#controls.touched(),
       moved: () => {
-        this.#link?.move();
+        this.#shared?.view.move();
         this.#send('cameramove', null);
       },
       rested: () => this.#send('camera', null),
@@ -256,25 +256,26 @@ export class ViewerCore {
       this.#canvas.addEventListener(type, () => this.#approached(), { signal });
     }
     if (this.#element.hasAttribute('src')) void this.#loadSrc();
-    void this.#joinLink();
+    void this.#joinOthers();
   }
 
-  /** Links the element as its attribute asks for. */
-  async #joinLink(): Promise<void> {
-    const name = (): string => (this.stage && attributeOf(this.#element, 'linked')) || '';
-    if (!this.#link) {
-      if (name() === '') return;
-      const { Link } = await import('./link.js');
-      this.#link ??= new Link({
-        stage: () => (this.stage?.view ? this.stage : undefined),
-        sharesRange: () => isOn(this.#element, 'one-scale'),
-        refresh: () => {
+  /** Lets the element have in common with others what its attributes ask for. */
+  async #joinOthers(): Promise<void> {
+    const nameIn = (attribute: 'linked' | 'one-scale'): string =>
+      (this.stage && attributeOf(this.#element, attribute)) || '';
+    if (!this.#shared) {
+      if (nameIn('linked') === '' && nameIn('one-scale') === '') return;
+      const { LinkedView, SharedRange } = await import('./link.js');
+      this.#shared ??= {
+        view: new LinkedView(() => (this.stage?.view ? this.stage : undefined)),
+        range: new SharedRange(() => {
           this.presented?.refresh();
           this.#sendChange();
-        },
-      });
+        }),
+      };
     }
-    this.#link.join(name());
+    this.#shared.view.join(nameIn('linked'));
+    this.#shared.range.join(nameIn('one-scale'));
   }
 
   #resize(width: number, height: number): void {
@@ -295,7 +296,7 @@ export class ViewerCore {
     if (!this.stage) return;
     this.stage.dispose();
     this.stage = undefined;
-    void this.#joinLink();
+    void this.#joinOthers();
   }
 
   /** An attribute has changed. */
@@ -328,10 +329,8 @@ export class ViewerCore {
         this.#sendChange();
         break;
       case 'linked':
-        void this.#joinLink();
-        break;
       case 'one-scale':
-        this.#link?.changeRange();
+        void this.#joinOthers();
         break;
       case 'persistence':
         this.#forgetGirth();
@@ -687,7 +686,7 @@ export class ViewerCore {
         this.#voice.call(this.#canvas, this.presented);
       },
     });
-    presented.shading.rangeFor = (own) => this.#link?.rangeFor(own) ?? own.ends;
+    presented.shading.rangeFor = (own) => this.#shared?.range.of(own) ?? own.ends;
     this.#legend.element.after(presented.loops.element);
     return presented;
   }
@@ -722,7 +721,7 @@ export class ViewerCore {
     this.#continued = undefined;
     this.#asked.greet(presented, isSeen || continued !== undefined);
     if (continued?.view) this.stage!.lookFrom(continued.view);
-    this.#link?.arrive();
+    this.#shared?.view.arrive();
     if (continued?.tips) presented.tips.show(continued.tips.all, continued.tips.choice);
     else if (!continued) this.#asked.greetTips(presented);
     // What is done then is newer than what attributes ask for.

@@ -121,8 +121,8 @@ import { ViewerShell } from './viewer-shell.js';
  * - `keep-view`: the next model is seen from where this one is, in sizes of the models.
  * - `linked`: a name. Elements of a page that have the same one are seen from the same place, in radii of each surface: to move
  *   one moves all, within the frame. As at first, by `0` or `resetView`, all surfaces are seen whole.
- * - `one-scale`: of linked elements, those that have it, and show the same field, have one range of colours: from the least
- *   to the greatest that each would show alone, in units that are known; or the two numbers of `range` of one of them.
+ * - `one-scale`: a name. The colours of elements that have the same one, and show the same field, span one range: from the
+ *   least to the greatest that each would show alone, whatever their units; or the two numbers of `range` of one of them.
  * - `controls`: what lies on the surface beside it: `none`; the `legend` (default); or `full`, and without a value, a small
  *   bar too: first view, axes and straight views, drawing, pause.
  * - `turn`: turns slowly once it is computed and until something is done on the page, unless the system asks
