@@ -474,7 +474,10 @@ explanation.addEventListener('click', (event) => {
 });
 
 // Whoever never asks for them does not fetch them.
-byId('commands').addEventListener('click', () => void palette().then((one) => one.open()));
+byId('commands').addEventListener('click', () => {
+  // What can be opened beside the model is among the commands.
+  void Promise.all([palette(), beside()]).then(([one]) => one.open());
+});
 byId('all-keys').addEventListener('click', () => {
   explanation.close();
   void keyList().then((one) => one.open());
