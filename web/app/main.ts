@@ -14,7 +14,7 @@ import { Address } from './address.js';
 import type { Beside } from './beside.js';
 import { ComparePanel } from './compare-panel.js';
 import { ComputedFields } from './computed-fields.js';
-import { byId, once, setAttribute } from './dom.js';
+import { byId, nextTask, once, setAttribute } from './dom.js';
 import { acceptDrops } from './drop.js';
 import { type Example, ExamplesStrip } from './examples-strip.js';
 import { offerExports } from './export-menu.js';
@@ -52,8 +52,14 @@ const invitation = byId('invitation');
 const projectFault = byId('project-fault');
 const session = new Session(viewer);
 const computed = new ComputedFields(viewer);
-const changed = (): void => address.changed();
+/** Whether all of the page is there: before, nothing is shown whose address could change. */
+let isBuilt = false;
+const changed = (): void => {
+  if (isBuilt) address.changed();
+};
 
+// What takes long is done in several tasks, between which the page answers.
+await nextTask();
 const field = new FieldPanel(viewer, computed, {
   changed,
   partKinds: () => parts.kinds,
@@ -65,6 +71,7 @@ const tips = new TipsPanel(viewer, {
   found: () => field.refresh(),
   colour: (bySdf) => field.colourForPanel('sdf', bySdf),
 });
+await nextTask();
 const limbs = new LimbsPanel(viewer, changed);
 const necks = new NecksPanel(viewer, {
   changed,
@@ -110,6 +117,8 @@ const panels: Record<PanelName, Panel> = {
   print: print.panel,
   compare: compare.panel,
 };
+
+await nextTask();
 
 /** What is shown beside the model, once that was asked for. */
 let second: Beside | undefined;
@@ -500,5 +509,6 @@ const first = address.state;
 if (first.file !== undefined && first.model === undefined) wanted = first;
 pressControls();
 forwardKeys(viewer);
+isBuilt = true;
 await examples.prepare();
 if (!session.isAsked) void address.during(go(first));
