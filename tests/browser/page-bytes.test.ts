@@ -23,7 +23,6 @@ test('before the first surface no more is fetched than it takes', async () => {
   const names = files.map(({ path }) => path);
   expect(names.some((path) => /chair\.glb$/.test(path))).toBe(true);
   // What most visitors never ask for waits until they do.
-  const later =
-    /palette|beside|second-pane|tour|project|compare-panel|draco|studies|snapshot|link-/;
+  const later = /palette|beside|tour|project|compare-panel|draco|studies|snapshot|link-/;
   expect(names.filter((path) => later.test(path))).toEqual([]);
 });

@@ -269,8 +269,10 @@ export class ViewerCore {
       this.#shared ??= {
         view: new LinkedView(() => (this.stage?.view ? this.stage : undefined)),
         range: new SharedRange(() => {
+          const shading = this.presented?.shading;
+          const before = String(shading?.shown?.range);
           this.presented?.refresh();
-          this.#sendChange();
+          if (String(shading?.shown?.range) !== before) this.#sendChange();
         }),
       };
     }
