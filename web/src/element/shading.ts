@@ -223,7 +223,7 @@ export class Shading {
     const largest = extent
       ? Math.max(extent[1], -extent[0])
       : 2 * this.#model.surface.bounds.radius;
-    return lengthFormat(largest, this.#unitOf(name), this.wishes.shownUnit);
+    return this.#formatFor(name, largest);
   }
 
   #unitOf(name: ShownName): string {
@@ -376,7 +376,9 @@ export class Shading {
     const isDifference = combinationOf(name)?.by === 'difference';
     const isSigned = isDifference || (extent[0] < 0 && extent[1] > 0);
     const colormap = wished ?? (isSigned ? 'rdbu' : 'viridis');
-    const range = kept?.range ?? this.#shownRange(name, extent, colormap === 'rdbu' && isSigned);
+    const own = this.#rangeOf(name, extent, colormap === 'rdbu' && isSigned);
+    const range = kept?.range ?? this.#shownRange(name, own);
+    const isShared = !kept && range !== own;
     // Where all values are the same but for rounding, they have the same colour.
     const least = 1e-5 * Math.abs(range[1]);
     const widen = range[1] - range[0] < least ? least : 0;
@@ -392,7 +394,8 @@ export class Shading {
       colormap,
       range,
       extent,
-      format,
+      // What has one range with others is written as theirs is.
+      format: isShared ? this.#formatFor(name, Math.max(range[1], -range[0])) : format,
       log,
       isolines,
       note: kept?.note ?? this.#noteOf(name),
@@ -417,13 +420,14 @@ export class Shading {
     return range && Number.isNaN(range[0]) ? undefined : range;
   }
 
-  #shownRange(name: ShownName, extent: Ends, isCentred: boolean): Ends {
-    return this.rangeFor({
-      name,
-      unit: this.#unitOf(name),
-      ends: this.#rangeOf(name, extent, isCentred),
-      isChosen: this.wishes.range?.by === 'values',
-    });
+  #shownRange(name: ShownName, ends: Ends): Ends {
+    const isChosen = this.wishes.range?.by === 'values';
+    return this.rangeFor({ name, unit: this.#unitOf(name), ends, isChosen });
+  }
+
+  /** How values are written whose largest is this. */
+  #formatFor(name: ShownName, largest: number): LengthFormat {
+    return lengthFormat(largest, this.#unitOf(name), this.wishes.shownUnit);
   }
 
   #rangeOf(
