@@ -4,7 +4,6 @@
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, test } from 'vitest';
-import type { GirthViewer } from '../../web/src/element/index.js';
 import { withoutDrawing } from '../browser/long-tasks.js';
 import {
   chromiumForTests,
@@ -13,12 +12,13 @@ import {
   serve,
   type StaticServer,
 } from '../browser/support.js';
-import { placeOnSurface } from '../browser/viewer-page.js';
 import { figure, printFigures, quantile, type Figure } from './figures.js';
-import { recordTasks } from './tasks.js';
+import { loopTimes } from './hover.js';
+import { tasksOfOpening } from './opening.js';
+import { longestTasks } from './tasks.js';
 
 const site = join(repository, 'build/page');
-const goals = { openedSeconds: 4, task: 50, hover: 30 };
+const goals = { openedSeconds: 4, task: 50, hover: 16 };
 const runs = 3;
 
 const chromium = chromiumForTests();
@@ -53,32 +53,8 @@ describe.each([
   });
 
   test('blocking', async () => {
-    const { context, page, browser } = await chromium('about:blank');
-    await withoutDrawing(page);
-    const recorded = await recordTasks(browser, page);
-    await page.goto(server.url);
-    await complete(page);
-    const from = await page.evaluate(() => {
-      delete document.documentElement.dataset['field'];
-      document.querySelector<HTMLButtonElement>('[data-example=octopus]')!.click();
-      return performance.now();
-    });
-    await complete(page);
-    const tasks = await recorded();
-    await context.close();
-    for (const [phase, inPhase] of [
-      ['opening and the chair', tasks.filter(({ start }) => start < from)],
-      ['loading and computing the octopus', tasks.filter(({ start }) => start >= from)],
-    ] as const) {
-      const longest = (key: 'wall' | 'processor') => Math.max(...inPhase.map((task) => task[key]));
-      const what = `${mode}: longest task, ${phase}`;
-      figures.push(figure(`${what}, by the clock`, 'ms', longest('wall'), goals.task));
-      figures.push(figure(`${what}, processor`, 'ms', longest('processor'), goals.task));
-      for (const { start, wall, processor, inside } of inPhase) {
-        if (Math.max(wall, processor) < 0.6 * goals.task) continue;
-        const sizes = `${wall.toFixed(0)} ms, processor ${processor.toFixed(0)} ms`;
-        console.log(`${mode} at ${start.toFixed(0)} ms: ${sizes}: ${inside.join(', ')}`);
-      }
+    for (const [phase, tasks] of await tasksOfOpening(chromium, server.url)) {
+      figures.push(...longestTasks(`${mode}: ${phase}`, tasks, goals.task));
     }
   });
 
@@ -88,28 +64,7 @@ describe.each([
     await page.goto(server.url);
     const viewer = page.locator('girth-viewer');
     await complete(page);
-    await viewer.evaluate((element: GirthViewer) => {
-      let moved = 0;
-      const shown: number[] = [];
-      Object.assign(globalThis, { shown });
-      element.addEventListener('pointermove', (event) => (moved = event.timeStamp));
-      element.addEventListener('pick', (event) => {
-        if (event.detail.action !== 'hover') return;
-        const asked = moved;
-        // After the frame that has the loop.
-        requestAnimationFrame(() => setTimeout(() => shown.push(performance.now() - asked)));
-      });
-    });
-    for (let i = 0; i < 60; ++i) {
-      const place = await placeOnSurface(
-        viewer,
-        0.3 + 0.4 * ((i * 0.618) % 1),
-        0.3 + 0.5 * (i / 60),
-      );
-      await page.mouse.move(place.x, place.y);
-      await page.waitForTimeout(120);
-    }
-    const shown = await page.evaluate(() => (globalThis as unknown as { shown: number[] }).shown);
+    const shown = await loopTimes(viewer, 60);
     await context.close();
     for (const share of [0.5, 0.95]) {
       const what = `${mode}: pointer to frame with the loop, ${100 * share}% of ${shown.length}`;

@@ -2,6 +2,7 @@
 // in processor time, which does not depend on what else the machine does meanwhile.
 
 import type { Browser, Page } from 'playwright-core';
+import { type Figure, figure } from './figures.js';
 
 export interface Task {
   /** Milliseconds since the page was opened. */
@@ -45,6 +46,20 @@ export async function recordTasks(browser: Browser, page: Page): Promise<() => P
     };
     return tasksOf(trace.traceEvents);
   };
+}
+
+/** The longest of some tasks beside a goal in milliseconds; those that come near it are written on the console. */
+export function longestTasks(what: string, tasks: readonly Task[], goal: number): Figure[] {
+  for (const { start, wall, processor, inside } of tasks) {
+    if (Math.max(wall, processor) < 0.6 * goal) continue;
+    const sizes = `${wall.toFixed(0)} ms, processor ${processor.toFixed(0)} ms`;
+    console.log(`${what}, at ${start.toFixed(0)} ms: ${sizes}: ${inside.join(', ')}`);
+  }
+  const longest = (key: 'wall' | 'processor') => Math.max(...tasks.map((task) => task[key]));
+  return [
+    figure(`longest task, ${what}, by the clock`, 'ms', longest('wall'), goal),
+    figure(`longest task, ${what}, processor`, 'ms', longest('processor'), goal),
+  ];
 }
 
 function tasksOf(events: TraceEvent[]): Task[] {

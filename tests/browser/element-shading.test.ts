@@ -433,6 +433,15 @@ describe('tips', () => {
     expect((await pixelsAt(viewer, closed)).every((pixel) => sum(pixel) > 600)).toBe(true);
   });
 
+  test('as a field they are coloured without the areas of vertices, until a range is in shares of these', async () => {
+    await set(page.locator('girth-viewer'), 'field', 'tips');
+    const viewer = await draw(page, drawing);
+    await legendSays(viewer, 'Rise at the tip');
+    expect(await timesAsked(page, 'areas')).toBe(0);
+    await set(viewer, 'range', '25% 75%');
+    await expect.poll(() => timesAsked(page, 'areas')).toBe(1);
+  });
+
   test('as a field: how far the girth rises', async () => {
     const viewer = await draw(page, drawing);
     await set(viewer, 'field', 'tips');

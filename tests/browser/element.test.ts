@@ -316,7 +316,7 @@ test('a wrong attribute is one warning on the console and an error on each eleme
   const viewer = page.locator('#a');
   await fieldComplete(viewer);
   const names = Object.keys(attributes);
-  expect(names.concat('src', 'poster', 'field-title').sort()).toEqual(
+  expect(names.concat('src', 'poster', 'field-title', 'linked', 'one-scale').sort()).toEqual(
     await viewer.evaluate((element) =>
       (element.constructor as typeof GirthViewer).observedAttributes.slice().sort(),
     ),

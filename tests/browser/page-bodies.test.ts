@@ -31,6 +31,23 @@ test('at 200% nothing covers anything: the page scrolls', async () => {
   expect(await page.getByRole('button', { name: 'Export' }).isVisible()).toBe(true);
 });
 
+test.each([1110, 1200, 1440])('the line about the example has room at %d pixels', async (width) => {
+  const { page } = await open({ viewport: { width, height: 800 } });
+  const line = page.locator('#examples p');
+  const rows = await line.evaluate((element) => {
+    const { lineHeight } = getComputedStyle(element);
+    return Math.round(element.getBoundingClientRect().height / Number.parseFloat(lineHeight));
+  });
+  expect(rows).toBeGreaterThan(0);
+  expect(rows).toBeLessThanOrEqual(2);
+  const [strip, last] = [
+    await boxOf(page.locator('#examples')),
+    await boxOf(page.locator('#examples button').last()),
+  ];
+  expect(last.x + last.width).toBeLessThanOrEqual(strip.x + strip.width);
+  expect(last.y).toBeLessThan(strip.y + 20);
+});
+
 test('in forced colours legend, range, swatches and pressed states are there', async () => {
   const { page, viewer } = await open();
   await page.emulateMedia({ forcedColors: 'active' });

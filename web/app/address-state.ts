@@ -84,6 +84,12 @@ export interface PageState {
   /** Along what the surface is shown cut, and that the rims are left open. */
   cut?: CutWish;
   rims?: boolean;
+  /** What is shown beside it: an example's name, or the address of a model; or the name of a file that was opened. */
+  beside?: string;
+  besideFile?: string;
+  /** That each of the two has a view of its own, and that their colours span one range. */
+  apart?: boolean;
+  oneScale?: boolean;
   panel?: PanelName;
 }
 
@@ -266,6 +272,10 @@ const parts: {
   prominence: [readThreshold, writeLimit],
   cut: [readCut, (cut) => cut],
   rims: [readFlag, () => '1'],
+  beside: [readModel, (model) => model],
+  besideFile: [readFile, (file) => file],
+  apart: [readFlag, () => '1'],
+  oneScale: [readFlag, () => '1'],
   panel: [readPanel, (panel) => panel],
 };
 
@@ -275,6 +285,16 @@ export function preparationOf({ closed, components, scale }: PageState): Prepare
     ...(closed ? { closeHoles: true } : {}),
     ...(components ? { components } : {}),
     ...(scale === undefined ? {} : { scale }),
+  };
+}
+
+/** What a state says of the model that is shown beside. */
+export function besideOf({ beside, besideFile, apart, oneScale }: PageState): PageState {
+  return {
+    ...(beside === undefined ? {} : { beside }),
+    ...(besideFile === undefined ? {} : { besideFile }),
+    ...(apart ? { apart } : {}),
+    ...(oneScale ? { oneScale } : {}),
   };
 }
 

@@ -34,7 +34,7 @@ const descriptors: Record<string, string> = {
 const colours = ['#c2410c', '#0072b2', '#009e73', '#8a6d00', '#56b4e9', '#a0529c', '#6b7280'];
 const dashes = [[], [8, 3], [2, 2], [9, 3, 2, 3], [14, 4]] as const;
 
-type Button = 'keep' | 'gallery' | 'cancel' | 'resume' | 'show' | 'remove' | 'clear';
+type Button = 'keep' | 'gallery' | 'cancel' | 'resume' | 'show' | 'beside' | 'remove' | 'clear';
 
 export interface ComparePage {
   /** The model that is on the page, and its name. */
@@ -45,6 +45,8 @@ export interface ComparePage {
   fieldOf(opened: Opened, name: FieldName): Promise<Field> | undefined;
   /** Shows a model on the page. */
   show(opened: Opened): void;
+  /** Shows it beside the model that is on the page. */
+  showBeside(opened: Opened): void;
   changed(): void;
 }
 
@@ -103,6 +105,7 @@ export class ComparePanel {
       cancel: button('Cancel', () => this.#cancel()),
       resume: button('Go on', () => this.#computeAll()),
       show: button('Show it', () => this.#query && page.show(this.#query.opened)),
+      beside: button('Side by side', () => this.#showBeside()),
       remove: button('Remove it', () => this.#query && this.#remove(this.#query)),
       clear: button('Remove all', () => this.#clear()),
     };
@@ -122,6 +125,7 @@ export class ComparePanel {
         'p',
         { class: 'buttons' },
         this.#buttons.show,
+        this.#buttons.beside,
         this.#buttons.remove,
         this.#buttons.clear,
       ),
@@ -191,6 +195,16 @@ export class ComparePanel {
     if (this.#query === model) this.#query = this.#models[0];
     this.#words.textContent = '';
     this.#refresh();
+  }
+
+  /** Beside what the page shows: what is asked about, or where that is the same, the first of the others. */
+  #showBeside(): void {
+    const present = this.#page.present()?.opened;
+    const isOther = (model: ComparedModel): boolean =>
+      !present || !isSameModel(present, model.opened);
+    const asked = this.#query && isOther(this.#query) ? this.#query : undefined;
+    const model = asked ?? this.#models.find(isOther) ?? this.#query;
+    if (model) this.#page.showBeside(model.opened);
   }
 
   #clear(): void {
@@ -324,7 +338,7 @@ export class ComparePanel {
     this.#results.hidden = models.length === 0;
     buttons.cancel.hidden = !this.#isRunning;
     buttons.resume.hidden = this.#isRunning || !this.#isCancelled || models.length === 0;
-    buttons.show.disabled = buttons.remove.disabled = !query;
+    buttons.show.disabled = buttons.beside.disabled = buttons.remove.disabled = !query;
     if (!this.panel.isOpen || !query) return;
     this.#showPlot();
     this.#showRanking(query);

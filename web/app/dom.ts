@@ -22,3 +22,6 @@ export function setAttribute(element: Element, name: string, value: string | und
   if (value === undefined || value === '') element.removeAttribute(name);
   else element.setAttribute(name, value);
 }
+
+/** Lets the browser do what else there is to do. */
+export const nextTask = (): Promise<void> => new Promise((done) => setTimeout(done));

@@ -133,6 +133,9 @@ export class FieldPanel {
   /** What coloured the surface before a panel wanted something else. */
   #before: ShownName | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** The range of values that is marked. */
+  #brush: [number, number] | undefined;
+  /** The frame in which it may be marked again; 0 for none. */
   #marking = 0;
   readonly #viewer: GirthViewer;
   readonly #computed: ComputedFields;
@@ -480,16 +483,24 @@ export class FieldPanel {
   }
 
   #brushed(range: [number, number] | undefined): void {
-    const viewer = this.#viewer;
-    // Once a frame is enough: a finger moves more often.
-    cancelAnimationFrame(this.#marking);
+    this.#brush = range;
+    if (this.#marking) return;
+    // What a hand marks is in the next frame; once a frame is enough: a finger moves more often.
+    if (range) this.#mark();
     this.#marking = requestAnimationFrame(() => {
-      if (!viewer.info) return;
-      const values = this.#valuesOf(this.name);
-      viewer.mark(range && placesWithin(values, range));
-      const reach = extent(values);
-      if (reach) this.#writeCaption(values, reach);
+      this.#marking = 0;
+      if (!range || this.#brush !== range) this.#mark();
     });
+  }
+
+  /** Marks on the surface what is marked on the plot. */
+  #mark(): void {
+    const viewer = this.#viewer;
+    if (!viewer.info) return;
+    const [range, values] = [this.#brush, this.#valuesOf(this.name)];
+    viewer.mark(range && placesWithin(values, range));
+    const reach = extent(values);
+    if (reach) this.#writeCaption(values, reach);
   }
 
   #writeCaption(values: Float64Array, reach: readonly [number, number]): void {

@@ -5,14 +5,16 @@ import { type GirthViewer, fieldTitle, sentence } from '../src/element/index.js'
 import {
   type PageState,
   type PanelName,
+  besideOf,
   panelNames,
   preparationOf,
   resized,
 } from './address-state.js';
 import { Address } from './address.js';
+import type { Beside } from './beside.js';
 import { ComparePanel } from './compare-panel.js';
 import { ComputedFields } from './computed-fields.js';
-import { byId, once, setAttribute } from './dom.js';
+import { byId, nextTask, once, setAttribute } from './dom.js';
 import { acceptDrops } from './drop.js';
 import { type Example, ExamplesStrip } from './examples-strip.js';
 import { offerExports } from './export-menu.js';
@@ -50,8 +52,14 @@ const invitation = byId('invitation');
 const projectFault = byId('project-fault');
 const session = new Session(viewer);
 const computed = new ComputedFields(viewer);
-const changed = (): void => address.changed();
+/** Whether all of the page is there: before, nothing is shown whose address could change. */
+let isBuilt = false;
+const changed = (): void => {
+  if (isBuilt) address.changed();
+};
 
+// What takes long is done in several tasks, between which the page answers.
+await nextTask();
 const field = new FieldPanel(viewer, computed, {
   changed,
   partKinds: () => parts.kinds,
@@ -63,6 +71,7 @@ const tips = new TipsPanel(viewer, {
   found: () => field.refresh(),
   colour: (bySdf) => field.colourForPanel('sdf', bySdf),
 });
+await nextTask();
 const limbs = new LimbsPanel(viewer, changed);
 const necks = new NecksPanel(viewer, {
   changed,
@@ -96,6 +105,7 @@ const compare = new ComparePanel({
     return isShown && (name === 'igf' || computed.has(name)) ? viewer.fieldOf(name) : undefined;
   },
   show: (opened) => void session.open(opened),
+  showBeside: (opened) => void beside().then((one) => one.open(opened)),
   changed,
 });
 const panels: Record<PanelName, Panel> = {
@@ -107,6 +117,23 @@ const panels: Record<PanelName, Panel> = {
   print: print.panel,
   compare: compare.panel,
 };
+
+await nextTask();
+
+/** What is shown beside the model, once that was asked for. */
+let second: Beside | undefined;
+/** Until it is there, what a link asks for. */
+let besideWish: PageState = {};
+const beside = once(async () => {
+  const { Beside } = await import('./beside.js');
+  return (second = new Beside(viewer, {
+    gallery: () =>
+      examples.all.map((example) => ({ opened: exampleToOpen(example), title: example.title })),
+    openedBefore: (file) => session.openedBefore(file),
+    changed,
+  }));
+});
+byId('beside-menu').addEventListener('beforetoggle', () => void beside());
 
 // ---- what is shown, and the address that holds it
 
@@ -125,6 +152,7 @@ function read(): PageState {
     ...limbs.read(),
     ...necks.read(),
     ...loops.read(),
+    ...(second?.read() ?? besideWish),
   };
   if (!viewer.info?.unit && viewer.unit) state.unit = viewer.unit;
   if (state.file !== undefined && state.loops) state.values = loops.values;
@@ -159,6 +187,10 @@ function apply(state: PageState, known: Promise<unknown> = Promise.resolve()): v
   necks.apply(state);
   panels[state.panel ?? 'loops'].open();
   if (state.camera) viewer.camera = state.camera;
+  besideWish = besideOf(state);
+  if (second ?? state.beside ?? state.besideFile) {
+    void address.during(beside().then((one) => one.apply(besideOf(state))));
+  }
   if (!isByHand) address.settle();
   isByHand = false;
   void address.during(known.then(() => loops.apply(state)));
@@ -325,6 +357,7 @@ viewer.addEventListener('load', (event) => {
   const isAnother = session.arrived();
   if (isAnother) recent.left();
   missing.hide();
+  byId('beside-open').hidden = false;
   if (isAnother) for (const name of aboutModel) viewer.removeAttribute(name);
   const { prepare = {}, remeshed, handles, link } = session.opened ?? {};
   examples.mark(examples.all.find(({ name }) => name === link?.model));
@@ -450,7 +483,10 @@ explanation.addEventListener('click', (event) => {
 });
 
 // Whoever never asks for them does not fetch them.
-byId('commands').addEventListener('click', () => void palette().then((one) => one.open()));
+byId('commands').addEventListener('click', () => {
+  // What can be opened beside the model is among the commands.
+  void Promise.all([palette(), beside()]).then(([one]) => one.open());
+});
 byId('all-keys').addEventListener('click', () => {
   explanation.close();
   void keyList().then((one) => one.open());
@@ -473,5 +509,6 @@ const first = address.state;
 if (first.file !== undefined && first.model === undefined) wanted = first;
 pressControls();
 forwardKeys(viewer);
+isBuilt = true;
 await examples.prepare();
 if (!session.isAsked) void address.during(go(first));

@@ -43,6 +43,10 @@ const whole: PageState = {
   prominence: 0.5,
   cut: 'neck:2',
   rims: true,
+  beside: 'chair',
+  besideFile: 'left, lower jaw.ply',
+  apart: true,
+  oneScale: true,
   panel: 'parts',
 };
 

@@ -53,7 +53,7 @@ test('a state has what attributes ask for, and not what counts for nothing', () 
     ...{ log: '', tips: '', turn: '' },
   });
   expect(stateOf(elementWith({ loop: 'none' }))).toEqual({ loop: 'none', pins: 'none' });
-  expect(stateNames).not.toContain('poster');
+  for (const ofPage of ['poster', 'linked', 'one-scale']) expect(stateNames).not.toContain(ofPage);
 });
 
 test.each([

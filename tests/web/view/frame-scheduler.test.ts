@@ -36,6 +36,7 @@ beforeEach(() => {
   });
 });
 afterEach(() => {
+  scheduler.stop();
   vi.useRealTimers();
   vi.unstubAllGlobals();
 });
@@ -119,4 +120,37 @@ test('requests that are not urgent share one frame; none comes after the end', (
   vi.advanceTimersByTime(5000);
   scheduler.invalidate();
   expect(frames(9)).toBe(0);
+});
+
+test('what one moves in another is drawn in the same frame, whoever comes first', () => {
+  const log: string[] = [];
+  /** Where each of two is; the one that is led goes where the other is. */
+  const places = { leader: 0, led: 0 };
+  const make = (name: keyof typeof places, advance: () => Motion): FrameScheduler =>
+    new FrameScheduler({
+      begin: () => false,
+      isUnhurried: () => false,
+      advance,
+      draw: () => log.push(`${name} ${places[name]}`),
+    });
+  const led = make('led', () => 'none');
+  const leader = make('leader', () => {
+    ++places.leader;
+    places.led = places.leader;
+    led.invalidate();
+    return 'last';
+  });
+  led.rest(false);
+  leader.rest(false);
+  // Both were asked for, first the one that is led: it has advanced already when it is moved.
+  frames(1);
+  expect(log.splice(0)).toEqual(['led 1', 'leader 1']);
+  frames(9);
+  expect(log.splice(0)).toEqual([]);
+  // Nothing was asked of the one that is led.
+  leader.look();
+  frames(1);
+  expect(log.splice(0)).toEqual(['leader 2', 'led 2']);
+  leader.stop();
+  led.stop();
 });

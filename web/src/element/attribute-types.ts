@@ -64,6 +64,10 @@ export interface GirthViewerAttributes {
   up?: UpName;
   /** Whether the next model is seen from where this one is. */
   'keep-view'?: boolean | '';
+  /** Elements of the same name are seen from the same place. */
+  linked?: string;
+  /** The colours of elements of the same name span one range. */
+  'one-scale'?: string;
   /** What lies on the surface beside it. */
   controls?: boolean | '' | 'none' | 'legend' | 'full';
   /** Whether it turns slowly until something is done. */
@@ -75,5 +79,6 @@ export interface GirthViewerAttributes {
  * `true`.
  */
 export type ViewerState = {
-  [Name in keyof Omit<GirthViewerAttributes, 'loading' | 'poster'>]?: string | number | true;
+  [Name in keyof Omit<GirthViewerAttributes, 'loading' | 'poster' | 'linked' | 'one-scale'>]?:
+    string | number | true;
 };

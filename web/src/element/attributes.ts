@@ -58,6 +58,8 @@ const path: Rule = {
   accepts: (text) => parsePath(text) !== undefined,
 };
 
+const named: Rule = { allowed: 'a name', accepts: () => true };
+
 /** What lies on the surface beside it: nothing, the legend, or the legend and a bar. */
 const controlNames = ['none', 'legend', 'full'] as const;
 
@@ -127,6 +129,8 @@ const rules: Record<AttributeName, Rule> = {
   },
   up: oneOf(upNames),
   'keep-view': flag,
+  linked: named,
+  'one-scale': named,
   controls: {
     allowed: listed(controlNames),
     accepts: (text) => text === 'true' || text === 'controls' || isControls(text),

@@ -72,6 +72,11 @@ export interface GirthViewerEvents {
   view: CustomEvent<null>;
   /** Lengths are written in another unit. */
   unit: CustomEvent<null>;
+  /**
+   * The surface is seen from elsewhere than in the last frame. Sent before this frame is drawn, once in it: what a listener
+   * changes in other elements is drawn in the same frame.
+   */
+  cameramove: CustomEvent<null>;
   /** The camera was moved, and is at rest again. */
   camera: CustomEvent<null>;
 }

@@ -89,8 +89,31 @@ export interface PartsChoice extends PartThresholds {
   smoothed: Parts | undefined;
 }
 
+/** Categories have no range. */
+const isOfCategories = (name: ShownName): boolean => name === 'kind' || name === 'parts';
+
+/**
+ * Whether the colours follow the body of the values where no range is wished for. Angles have the same meaning
+ * everywhere, and most of the surface is in no tip.
+ */
+const hasBody = (name: ShownName): boolean =>
+  !isOfCategories(name) && name !== 'tips' && name !== 'angle';
+
+/** What the colours of a surface span by themselves. */
+export interface OwnRange {
+  /** What colours the surface. */
+  name: ShownName;
+  /** Of the values; '' for none. */
+  unit: string;
+  ends: Ends;
+  /** Whether two numbers were wished for. */
+  isChosen: boolean;
+}
+
 export class Shading {
   wishes: ShadingWishes;
+  /** The range that is shown for the surface's own: others may share it. */
+  rangeFor: (own: OwnRange) => Ends = ({ ends }) => ends;
   /** The thresholds of the parts; undefined until they are first chosen. */
   parts: PartsChoice | undefined;
   /** Shown in place of what the wishes name; undefined for nothing. */
@@ -180,9 +203,8 @@ export class Shading {
       await model.girthAndDiameter();
       this.parts ??= { ...(await model.suggestedThresholds()), smoothed: undefined };
     }
-    // Categories have no range.
-    if (name === 'kind' || name === 'parts' || range?.by === 'values') return;
-    this.#areas ??= await model.areas();
+    const needsAreas = range ? range.by === 'shares' && !isOfCategories(name) : hasBody(name);
+    if (needsAreas) this.#areas ??= await model.areas();
   }
 
   #keepTips(made: Tips): void {
@@ -201,7 +223,7 @@ export class Shading {
     const largest = extent
       ? Math.max(extent[1], -extent[0])
       : 2 * this.#model.surface.bounds.radius;
-    return lengthFormat(largest, this.#unitOf(name), this.wishes.shownUnit);
+    return this.#formatFor(name, largest);
   }
 
   #unitOf(name: ShownName): string {
@@ -336,7 +358,7 @@ export class Shading {
     }
     if (name === 'none') return;
     const { title } = this;
-    if (name === 'kind' || name === 'parts') {
+    if (isOfCategories(name)) {
       if (name === 'kind' ? this.#kinds.length === 0 : !this.parts) return;
       const used = name === 'kind' ? this.#usedGirthKinds() : partKinds;
       const colormap = wished ?? 'viridis';
@@ -354,7 +376,9 @@ export class Shading {
     const isDifference = combinationOf(name)?.by === 'difference';
     const isSigned = isDifference || (extent[0] < 0 && extent[1] > 0);
     const colormap = wished ?? (isSigned ? 'rdbu' : 'viridis');
-    const range = kept?.range ?? this.#rangeOf(name, extent, colormap === 'rdbu' && isSigned);
+    const own = this.#rangeOf(name, extent, colormap === 'rdbu' && isSigned);
+    const range = kept?.range ?? this.#shownRange(name, own);
+    const isShared = !kept && range !== own;
     // Where all values are the same but for rounding, they have the same colour.
     const least = 1e-5 * Math.abs(range[1]);
     const widen = range[1] - range[0] < least ? least : 0;
@@ -370,7 +394,8 @@ export class Shading {
       colormap,
       range,
       extent,
-      format,
+      // What has one range with others is written as theirs is.
+      format: isShared ? this.#formatFor(name, Math.max(range[1], -range[0])) : format,
       log,
       isolines,
       note: kept?.note ?? this.#noteOf(name),
@@ -395,6 +420,16 @@ export class Shading {
     return range && Number.isNaN(range[0]) ? undefined : range;
   }
 
+  #shownRange(name: ShownName, ends: Ends): Ends {
+    const isChosen = this.wishes.range?.by === 'values';
+    return this.rangeFor({ name, unit: this.#unitOf(name), ends, isChosen });
+  }
+
+  /** How values are written whose largest is this. */
+  #formatFor(name: ShownName, largest: number): LengthFormat {
+    return lengthFormat(largest, this.#unitOf(name), this.wishes.shownUnit);
+  }
+
   #rangeOf(
     name: ShownName,
     extent: readonly [number, number],
@@ -409,8 +444,7 @@ export class Shading {
 
   /** The extent without what few places stretch it by. */
   #bodyOf(name: ShownName, extent: Ends): Ends {
-    // Angles have the same meaning everywhere, and most of the surface is in no tip.
-    if (name === 'tips' || name === 'angle') return extent;
+    if (!hasBody(name)) return extent;
     const { field, preview } = this.#knownOf(name);
     const values = field?.values ?? preview?.values;
     if (!values) return extent;

@@ -16,9 +16,12 @@ import { type PinWish, parsePins, writePins } from './wish-words.js';
 /** An attribute of a state. */
 export type StateName = keyof ViewerState;
 
+/** What is about the page that an element is on. */
+const pageNames: readonly AttributeName[] = ['loading', 'poster', 'linked', 'one-scale'];
+
 /** All of them. */
 export const stateNames = attributeNames.filter(
-  (name): name is StateName => name !== 'loading' && name !== 'poster',
+  (name): name is StateName => !pageNames.includes(name),
 );
 
 /** An attribute of something that hands and methods change as well. */

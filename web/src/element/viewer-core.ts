@@ -40,6 +40,7 @@ import type { FieldState, FieldsHost } from './fields.js';
 import { readFigure } from './figure-file.js';
 import { carriedTo, givenFields } from './given-fields.js';
 import { Lifecycle } from './lifecycle.js';
+import type { LinkedView, SharedRange } from './link.js';
 import type { MessageBox } from './message-box.js';
 import { noGraphics, requireGraphics } from './no-graphics.js';
 import { type FileContent, Model, onlySurface } from './model.js';
@@ -140,6 +141,7 @@ export class ViewerCore {
         this.#controls.leave();
         this.#pointedVertex = undefined;
         presented.dispose(keepsMesh);
+        this.#shared?.range.forget();
         this.#status.clear();
         this.#legend.update(undefined);
       },
@@ -172,6 +174,8 @@ export class ViewerCore {
   readonly #controls: CanvasControls;
   #stopWatching: (() => void) | undefined;
   #printed: Printed | undefined;
+  /** What it has in common with other elements, once that is asked for. */
+  #shared: { view: LinkedView; range: SharedRange } | undefined;
   #attached = new AbortController();
 
   constructor(host: ViewerHost) {
@@ -224,6 +228,10 @@ export class ViewerCore {
         if (stage.graphics !== 'missing') this.#host.drawn();
       },
       touched: () => this.#controls.touched(),
+      moved: () => {
+        this.#shared?.view.move();
+        this.#send('cameramove', null);
+      },
       rested: () => this.#send('camera', null),
       graphicsChanged: () => this.#host.message.showGraphics(stage.graphics),
     });
@@ -248,6 +256,28 @@ export class ViewerCore {
       this.#canvas.addEventListener(type, () => this.#approached(), { signal });
     }
     if (this.#element.hasAttribute('src')) void this.#loadSrc();
+    void this.#joinOthers();
+  }
+
+  /** Lets the element have in common with others what its attributes ask for. */
+  async #joinOthers(): Promise<void> {
+    const nameIn = (attribute: 'linked' | 'one-scale'): string =>
+      (this.stage && attributeOf(this.#element, attribute)) || '';
+    if (!this.#shared) {
+      if (nameIn('linked') === '' && nameIn('one-scale') === '') return;
+      const { LinkedView, SharedRange } = await import('./link.js');
+      this.#shared ??= {
+        view: new LinkedView(() => (this.stage?.view ? this.stage : undefined)),
+        range: new SharedRange(() => {
+          const shading = this.presented?.shading;
+          const before = String(shading?.shown?.range);
+          this.presented?.refresh();
+          if (String(shading?.shown?.range) !== before) this.#sendChange();
+        }),
+      };
+    }
+    this.#shared.view.join(nameIn('linked'));
+    this.#shared.range.join(nameIn('one-scale'));
   }
 
   #resize(width: number, height: number): void {
@@ -268,6 +298,7 @@ export class ViewerCore {
     if (!this.stage) return;
     this.stage.dispose();
     this.stage = undefined;
+    void this.#joinOthers();
   }
 
   /** An attribute has changed. */
@@ -298,6 +329,10 @@ export class ViewerCore {
       case 'isolines':
         this.#restyle(false);
         this.#sendChange();
+        break;
+      case 'linked':
+      case 'one-scale':
+        void this.#joinOthers();
         break;
       case 'persistence':
         this.#forgetGirth();
@@ -653,6 +688,7 @@ export class ViewerCore {
         this.#voice.call(this.#canvas, this.presented);
       },
     });
+    presented.shading.rangeFor = (own) => this.#shared?.range.of(own) ?? own.ends;
     this.#legend.element.after(presented.loops.element);
     return presented;
   }
@@ -687,6 +723,7 @@ export class ViewerCore {
     this.#continued = undefined;
     this.#asked.greet(presented, isSeen || continued !== undefined);
     if (continued?.view) this.stage!.lookFrom(continued.view);
+    this.#shared?.view.arrive();
     if (continued?.tips) presented.tips.show(continued.tips.all, continued.tips.choice);
     else if (!continued) this.#asked.greetTips(presented);
     // What is done then is newer than what attributes ask for.

@@ -119,6 +119,10 @@ import { ViewerShell } from './viewer-shell.js';
  * - `up`: the direction of the file that is up: `y`, `z`, `-y`, `-z`, `x` or `-x`. Default: the format's
  *   convention (y of glTF and OBJ, z of STL), otherwise a guess from the shape; see `upAxis`.
  * - `keep-view`: the next model is seen from where this one is, in sizes of the models.
+ * - `linked`: a name. Elements of a page that have the same one are seen from the same place, in radii of each surface: to move
+ *   one moves all, within the frame. As at first, by `0` or `resetView`, all surfaces are seen whole.
+ * - `one-scale`: a name. The colours of elements that have the same one, and show the same field, span one range: from the
+ *   least to the greatest that each would show alone, whatever their units; or the two numbers of `range` of one of them.
  * - `controls`: what lies on the surface beside it: `none`; the `legend` (default); or `full`, and without a value, a small
  *   bar too: first view, axes and straight views, drawing, pause.
  * - `turn`: turns slowly once it is computed and until something is done on the page, unless the system asks
@@ -130,7 +134,8 @@ import { ViewerShell } from './viewer-shell.js';
  * Events (`GirthViewerEvents` has them with their types): `load` (`LoadDetail`), `progress` (`ProgressDetail`), `field` (`FieldDetail`: one is computed, or
  * was cancelled), `fieldchange` (`FieldChangeDetail`: the surface is coloured otherwise), `hover`
  * (`HoverDetail`), `pick` (`PickDetail`), `error` (`ErrorDetail`), `touch` (no detail: the surface no
- * longer turns), `view` (no detail: something was chosen on the bar), `unit` (no detail: lengths are written in another unit), `camera` (no detail: it was moved,
+ * longer turns), `view` (no detail: something was chosen on the bar), `unit` (no detail: lengths are written in another unit), `cameramove` (no detail:
+ * the surface is seen from elsewhere than in the last frame; sent before this one is drawn), `camera` (no detail: it was moved,
  * and is at rest again). None bubbles.
  *
  * Keyboard, while the surface has the focus, and by `press`: arrows turn, + and − zoom, 0 resets, 1, 2 and 3
@@ -610,7 +615,10 @@ export class GirthViewer extends ViewerShell {
     return this.core?.stage?.view;
   }
 
-  /** Looks from there at once; what lies beyond the limits of moving by hand is brought within. */
+  /**
+   * Looks from there at once; what lies beyond the limits of moving by hand is brought within. Where it looks from there
+   * already, nothing happens.
+   */
   set camera(view: CameraView) {
     this.core?.stage?.lookFrom(view);
   }

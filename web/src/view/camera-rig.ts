@@ -7,6 +7,7 @@ import {
   type CameraView,
   anglesOf,
   fovFor,
+  isSameView,
   keptFromPoles,
   viewingAngle,
   wholeDistance,
@@ -30,8 +31,32 @@ export interface RigEvents {
   stirred(): void;
   /** The surface was touched: it is moved by hand, or pointed at. */
   touched(): void;
+  /** The camera stands elsewhere than in the last frame; before this one is drawn. */
+  moved(): void;
   /** The camera was moved and has come to rest. */
   rested(): void;
+}
+
+/** A place of a camera, to the last bit. */
+class Standpoint {
+  readonly position = new Vector3();
+  readonly quaternion = new Quaternion();
+  readonly target = new Vector3();
+
+  take(camera: PerspectiveCamera, target: Vector3): void {
+    this.position.copy(camera.position);
+    this.quaternion.copy(camera.quaternion);
+    this.target.copy(target);
+  }
+
+  isAt(camera: PerspectiveCamera, target: Vector3): boolean {
+    const { position, quaternion } = camera;
+    return (
+      this.position.equals(position) &&
+      this.quaternion.equals(quaternion) &&
+      this.target.equals(target)
+    );
+  }
 }
 
 export class CameraRig {
@@ -49,11 +74,9 @@ export class CameraRig {
   #drifting = false;
   #flight: { from: CameraView; to: CameraView; begun: number } | undefined;
   /** Where the camera was for the last frame. */
-  readonly #drawnFrom = {
-    position: new Vector3(),
-    quaternion: new Quaternion(),
-    target: new Vector3(),
-  };
+  readonly #drawnFrom = new Standpoint();
+  /** Where it was when its motion was last reported. */
+  readonly #reported = new Standpoint();
 
   constructor(canvas: HTMLCanvasElement, events: RigEvents) {
     this.#events = events;
@@ -149,8 +172,12 @@ export class CameraRig {
     this.#isHome = true;
   }
 
-  /** Looks from there at once; what lies beyond the limits of moving by hand is brought within. */
+  /**
+   * Looks from there at once; what lies beyond the limits of moving by hand is brought within. Where it looks from there
+   * already, whatever moves goes on.
+   */
   lookFrom(view: CameraView): void {
+    if (isSameView(view, this.view)) return;
     this.#flight = undefined;
     this.touch();
     this.#setView(view);
@@ -193,7 +220,12 @@ export class CameraRig {
   /** Goes on with what a hand has begun, or with the turning, and reports when the camera is at rest. */
   advance(seconds: number): Motion {
     const motion = this.#steer(seconds);
-    if (this.#moved && motion !== 'more' && !this.#flight) {
+    if (!this.#reported.isAt(this.camera, this.#controls.target)) {
+      this.#reported.take(this.camera, this.#controls.target);
+      this.#events.moved();
+      // In the next frame it may be at rest.
+      this.#events.stirred();
+    } else if (this.#moved && motion !== 'more' && !this.#flight) {
       this.#moved = false;
       this.#events.rested();
     }
@@ -202,9 +234,7 @@ export class CameraRig {
 
   /** A frame was drawn from where the camera is. */
   drawn(): void {
-    this.#drawnFrom.position.copy(this.camera.position);
-    this.#drawnFrom.quaternion.copy(this.camera.quaternion);
-    this.#drawnFrom.target.copy(this.#controls.target);
+    this.#drawnFrom.take(this.camera, this.#controls.target);
   }
 
   dispose(): void {

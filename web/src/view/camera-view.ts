@@ -16,6 +16,21 @@ export interface CameraView {
   target: [number, number, number];
 }
 
+/** Radians, and shares of the distance, that are rounding. */
+const rounding = 1e-9;
+
+/** Whether two views are the same but for rounding. */
+export function isSameView(one: CameraView, other: CameraView): boolean {
+  const turn = Math.abs(one.azimuth - other.azimuth) % (2 * Math.PI);
+  const near = rounding * other.distance;
+  return (
+    Math.abs(one.polar - other.polar) <= rounding &&
+    Math.min(turn, 2 * Math.PI - turn) <= rounding &&
+    Math.abs(one.distance - other.distance) <= near &&
+    one.target.every((value, axis) => Math.abs(value - other.target[axis]!) <= near)
+  );
+}
+
 /** Smallest of the two viewing angles, in degrees. */
 export const viewingAngle = 28;
 /** From how far something is seen whole, in its radii. */

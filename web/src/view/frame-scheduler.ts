@@ -23,9 +23,58 @@ export interface FrameWork {
   draw(): void;
 }
 
+/**
+ * The page's frames, one for all schedulers: all advance before any draws, so that what one changes in another is
+ * drawn together with it.
+ */
+class PageFrames {
+  #requested = 0;
+  readonly #next = new Set<FrameScheduler>();
+  /** Those whose frame it is, while they advance. */
+  #advancing: Set<FrameScheduler> | undefined;
+
+  /** Asks for a frame: this one, where others advance and this scheduler is not among them, otherwise the next. */
+  request(scheduler: FrameScheduler): void {
+    if (this.#advancing && !this.#advancing.has(scheduler)) {
+      this.#advancing.add(scheduler);
+      return;
+    }
+    this.#next.add(scheduler);
+    this.#requested ||= requestAnimationFrame((now) => this.#frame(now));
+  }
+
+  leave(scheduler: FrameScheduler): void {
+    this.#advancing?.delete(scheduler);
+    this.#next.delete(scheduler);
+    if (this.#next.size > 0) return;
+    cancelAnimationFrame(this.#requested);
+    this.#requested = 0;
+  }
+
+  #frame(now: number): void {
+    this.#requested = 0;
+    const all = new Set(this.#next);
+    this.#next.clear();
+    this.#advancing = all;
+    try {
+      // Those that are added meanwhile come last.
+      for (const scheduler of all) scheduler.advance(now);
+    } finally {
+      this.#advancing = undefined;
+    }
+    for (const scheduler of all) scheduler.draw();
+  }
+}
+
+const frames = new PageFrames();
+
 export class FrameScheduler {
   readonly #work: FrameWork;
-  #requested = 0;
+  #isRequested = false;
+  /** What the last step of a frame has returned, until the frame is drawn. */
+  #motion: Motion = 'none';
+  /** Whether another frame was asked for by what began this one. */
+  #isAgain = false;
   #soon: ReturnType<typeof setTimeout> | undefined;
   #isDirty = false;
   #lastFrame = 0;
@@ -57,8 +106,9 @@ export class FrameScheduler {
 
   /** Asks for a frame that is drawn only if something turns out to move. */
   look(): void {
-    if (this.#requested || this.#isResting) return;
-    this.#requested = requestAnimationFrame((now) => this.#frame(now));
+    if (this.#isRequested || this.#isResting) return;
+    this.#isRequested = true;
+    frames.request(this);
   }
 
   /** Nothing is drawn while resting, for example out of view. */
@@ -69,30 +119,38 @@ export class FrameScheduler {
 
   /** No frame comes any more. */
   stop(): void {
-    cancelAnimationFrame(this.#requested);
+    frames.leave(this);
     clearTimeout(this.#soon);
     this.#isResting = true;
   }
 
-  #frame(now: number): void {
+  /** For the page's frames: goes on with what moves. */
+  advance(now: number): void {
     // What `begin` changes is drawn in this frame; only what it returns asks for another.
-    const again = this.#work.begin(now);
-    this.#requested = 0;
+    this.#isAgain = this.#work.begin(now);
+    this.#isRequested = false;
+    this.#motion = 'none';
     const elapsed = now - this.#lastFrame;
     if (!this.#isDirty && this.#work.isUnhurried() && elapsed < turningInterval) {
+      this.#isAgain = false;
       this.look();
       return;
     }
     this.#lastFrame = now;
-    const motion = this.#work.advance(Math.min(longestStep, elapsed / 1000));
-    if (this.#isDirty || motion !== 'none') {
+    this.#motion = this.#work.advance(Math.min(longestStep, elapsed / 1000));
+  }
+
+  /** For the page's frames, after `advance`: draws what has changed. */
+  draw(): void {
+    const motion = this.#motion;
+    if ((this.#isDirty || motion !== 'none') && !this.#isResting) {
       this.#isDirty = false;
       const begun = performance.now();
       this.#work.draw();
       // A task of its own comes after the browser has composited what was drawn.
       setTimeout(() => (this.#frameCost = 0.5 * (this.#frameCost + performance.now() - begun)));
     }
-    if (again) this.invalidate();
+    if (this.#isAgain) this.invalidate();
     else if (motion === 'more') this.look();
   }
 }

@@ -48,6 +48,8 @@ export interface StageEvents {
   afterFrame(): void;
   /** The surface was touched: it is moved by hand, or pointed at. */
   touched(): void;
+  /** The surface is seen from elsewhere than in the last frame; before this one is drawn. */
+  moved(): void;
   /** The camera was moved and has come to rest. */
   rested(): void;
   /** The browser has taken the graphics away, or has given them back. */
@@ -72,6 +74,8 @@ export class Stage implements Borrower {
   readonly #frames: FrameScheduler;
   readonly #rig: CameraRig;
   readonly #picker: Picker;
+  /** Other stages, whose surfaces are to be seen as a whole from where this one's is. */
+  companions: () => readonly Stage[] = () => [];
   #surface: Surface | undefined;
   #shadow: GroundShadow | undefined;
   #upright: Rotation = new Quaternion();
@@ -101,6 +105,9 @@ export class Stage implements Borrower {
       changed: () => this.#frames.invalidate(),
       stirred: () => this.#frames.look(),
       touched: () => events.touched(),
+      moved: () => {
+        if (this.#surface) events.moved();
+      },
       rested: () => events.rested(),
     });
     this.#picker = new Picker(canvas, this.#rig.camera, this.#space);
@@ -269,7 +276,7 @@ export class Stage implements Borrower {
 
   /** Back to the standard direction, from where the surface is seen whole. */
   resetView(): void {
-    const points = this.#points();
+    const points = this.#points;
     if (!points) return;
     const seen = this.#turnsAtHome ? turned(points) : points;
     this.#rig.reset(fittedView(seen, homeDirection, this.#rig.room));
@@ -282,7 +289,7 @@ export class Stage implements Borrower {
 
   /** Looks straight at the whole surface: smoothly, or at once. */
   lookStraight(name: StraightName, atOnce: boolean): void {
-    const points = this.#points();
+    const points = this.#points;
     if (!points) return;
     this.#rig.flyTo(fittedView(points, straightDirections[name], this.#rig.room), atOnce);
   }
@@ -458,8 +465,16 @@ export class Stage implements Borrower {
     if (drawn) canvas.getContext('2d')!.drawImage(drawn, 0, 0);
   }
 
-  /** The surface in the scene's coordinates. */
-  #points(): Points | undefined {
+  /** What is to be seen as a whole, in the scene's coordinates. */
+  get #points(): Points | undefined {
+    const own = this.points;
+    if (!own) return undefined;
+    const others = this.companions().flatMap((stage) => stage.points ?? []);
+    return (see) => [own, ...others].forEach((points) => points(see));
+  }
+
+  /** The surface in the scene's coordinates; undefined where there is none. */
+  get points(): Points | undefined {
     const surface = this.#surface;
     if (!surface) return undefined;
     const matrix = this.#space.group.matrixWorld;
