@@ -6,7 +6,7 @@ import { loadedModule } from './loading-failure.js';
 import type { FinishedValues, ThreadsOperations } from './protocol.js';
 import { SurfaceStore } from './surface-store.js';
 import { workerFromAnywhere } from './worker-from-elsewhere.js';
-import { checked, serveRequests } from './worker-loop.js';
+import { checked, progressTo, serveRequests } from './worker-loop.js';
 
 // Emscripten makes the threads of it.
 globalThis.Worker = workerFromAnywhere(globalThis.Worker);
@@ -30,6 +30,11 @@ serveRequests<ThreadsOperations>({
   field({ surface, field, threads }, report) {
     const onPartial = (partial: FinishedValues) => report({ partial });
     return checked(surfaces.get(surface).field(field, threads, onPartial));
+  },
+
+  refinedGirth({ surface, request, threads }, report) {
+    const progress = progressTo(report);
+    return checked(surfaces.get(surface).refinedGirth(request, threads, progress));
   },
 
   drop({ surface }) {
