@@ -1,5 +1,6 @@
 // Which field colours the surface, its distribution, and how it is coloured.
 
+import type { RefinedGirth } from '../src/kernel/index.js';
 import {
   type ColormapName,
   type CombinedName,
@@ -15,6 +16,7 @@ import {
   formatLength,
   formatNumber,
   girthKinds,
+  girthStates,
   isColormapName,
   isFieldName,
   isForAllEyes,
@@ -39,6 +41,7 @@ import { CategoryShares } from './category-shares.js';
 import type { ComputedFields } from './computed-fields.js';
 import { byId, setAttribute } from './dom.js';
 import { Draft } from './draft.js';
+import { MethodChoice } from './method-choice.js';
 import type { PagePlot } from './page-plot.js';
 import { PersistenceChoice } from './persistence-choice.js';
 import { RangeSliders } from './range-sliders.js';
@@ -103,7 +106,10 @@ export class FieldPanel {
   readonly #categories = new CategoryShares();
   readonly #second: SecondField;
   readonly #ofFile = make('optgroup', { label: 'Of the file', hidden: '' });
+  /** What only a refined girth has. */
+  readonly #states: HTMLOptionElement;
   readonly #signature: SignatureChoice;
+  readonly #method: MethodChoice;
   readonly #persistence: PersistenceChoice;
   readonly #log = make('input', { id: 'log', type: 'checkbox' });
   #fault = '';
@@ -144,6 +150,7 @@ export class FieldPanel {
     this.#page = page;
     const [field, plot] = [this.#field, this.#plot];
     field.append(...shownNames.map((name) => make('option', { value: name }, wordsFor(name))));
+    this.#states = field.querySelector<HTMLOptionElement>('[value=state]')!;
     field.append(this.#ofFile);
     this.#fieldDraft = new Draft(field, {
       committed: (name) => this.choose(this.#second.instead(name as ShownName)),
@@ -163,6 +170,7 @@ export class FieldPanel {
       cdf: kindButton('cdf', 'Cumulative distribution'),
     };
     this.#signature = new SignatureChoice(viewer, () => page.changed());
+    this.#method = new MethodChoice(viewer, () => page.changed());
     this.#persistence = new PersistenceChoice(viewer, () => page.changed());
     plot.element.id = 'distribution';
     this.#rangeChoice.append(
@@ -212,6 +220,7 @@ export class FieldPanel {
       make('div', { class: 'ends' }, this.#sliders.low, this.#rangeChoice, this.#sliders.high),
       this.#caption,
       this.#signature.element,
+      this.#method.element,
       this.#persistence.element,
       this.#second.element,
       make(
@@ -275,6 +284,7 @@ export class FieldPanel {
     this.#ofFile.replaceChildren(...own);
     this.#ofFile.hidden = own.length === 0;
     if (!this.#isThere(this.name)) viewer.removeAttribute('field');
+    this.#method.clear();
     this.refresh();
     const { info } = viewer;
     void viewer.areas().then(
@@ -301,7 +311,11 @@ export class FieldPanel {
   read(): PageState {
     const viewer = this.#viewer;
     const { name } = this;
-    const state: PageState = { ...this.#signature.read(), ...this.#persistence.read() };
+    const state: PageState = {
+      ...this.#signature.read(),
+      ...this.#method.read(),
+      ...this.#persistence.read(),
+    };
     if (name !== 'igf') state.field = name;
     const [colormap, range] = [viewer.getAttribute('colormap'), viewer.getAttribute('range')];
     if (colormap) state.colormap = colormap;
@@ -324,6 +338,7 @@ export class FieldPanel {
     const viewer = this.#viewer;
     const { field = null, colormap, range, isolines, edges } = state;
     this.#signature.apply(state);
+    this.#method.apply(state);
     this.#persistence.apply(state);
     const isOther = isShownName(field) && field !== 'igf' && this.#isThere(field);
     setAttribute(viewer, 'field', isOther ? field : '');
@@ -370,6 +385,8 @@ export class FieldPanel {
     explains(this.#field, fieldTerms[first]);
     this.#second.show(name);
     this.#signature.show(first);
+    this.#method.show(first);
+    this.#states.hidden = this.#method.method !== 'refined';
     this.#persistence.show(first);
     const isNumeric = isOfNumbers(name) || name === 'tips';
     const values = this.#valuesOf(name);
@@ -422,12 +439,14 @@ export class FieldPanel {
     if (name === 'parts') categories.show(partKinds, this.#page.partKinds() ?? [], areas);
     else if (name === 'none') categories.clear();
     else {
-      categories.show(girthKinds, [], areas);
+      const words = name === 'state' ? girthStates : girthKinds;
+      categories.show(words, [], areas);
       if (!this.#computed.has('igf')) return;
       const { info } = viewer;
-      void viewer.fieldOf('igf').then(({ kinds }) => {
-        if (viewer.info === info && this.name === 'kind')
-          categories.show(girthKinds, kinds, this.#areas);
+      void viewer.fieldOf('igf').then((igf) => {
+        if (viewer.info !== info || this.name !== name) return;
+        const { states = [] } = igf as Partial<RefinedGirth>;
+        categories.show(words, name === 'state' ? states : igf.kinds, this.#areas);
       });
     }
   }

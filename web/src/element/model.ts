@@ -93,7 +93,6 @@ export class Model {
   /** The girth is to be another one: what was made of it no longer counts. */
   forgetGirth(): void {
     this.fields.forget('igf');
-    this.fields.forget('angle');
     for (const name of this.#kept.keys()) if (name !== 'areas') this.#kept.delete(name);
   }
 

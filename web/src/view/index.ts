@@ -1,7 +1,7 @@
 // What the element uses to show fields and loops.
 
 export { type Adjacency, buildAdjacency } from './adjacency.js';
-export { type Category, girthKinds, partKinds } from './categories.js';
+export { type Category, girthKinds, girthStates, partKinds } from './categories.js';
 export {
   type ColormapName,
   colormapNames,

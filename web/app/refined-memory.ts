@@ -1,0 +1,32 @@
+// How much memory the refined girth takes, before it is computed.
+
+import type { MeshInfo } from '../src/kernel/index.js';
+
+/** Bytes for each vertex, whatever its loop: the surface laid flat, and what is known of it. */
+const perVertex = 800;
+/** Bytes for each edge that the loop of a vertex crosses. */
+const perCrossing = 4;
+/** Edges that a loop crosses on the length of one. */
+const crossingsPerEdge = 2;
+
+/** In bytes, from the girth of a coarse surface, one value for each vertex. */
+export function refinedMemory(
+  { vertexCount, faceCount, area }: Pick<MeshInfo, 'vertexCount' | 'faceCount' | 'area'>,
+  girth: Float64Array,
+): number {
+  // Of triangles with equal sides.
+  const edge = Math.sqrt(((4 / Math.sqrt(3)) * area) / faceCount);
+  let [sum, count] = [0, 0];
+  for (const value of girth) {
+    if (Number.isNaN(value)) continue;
+    sum += value;
+    ++count;
+  }
+  const crossings = count > 0 ? (crossingsPerEdge * sum) / count / edge : 0;
+  return vertexCount * (perVertex + perCrossing * crossings);
+}
+
+/** '300 MB', '1.2 GB'. */
+export function memoryWords(bytes: number): string {
+  return bytes >= 1e9 ? `${(bytes / 1e9).toFixed(1)} GB` : `${Math.ceil(bytes / 1e8) * 100} MB`;
+}
