@@ -86,6 +86,8 @@ const ownRange = 'own';
 const isolineCounts = [0, 5, 10, 20, 40];
 /** Milliseconds between two pictures while values arrive. */
 const interval = 200;
+/** Or so many times what a picture took. */
+const rest = 15;
 
 /** What the panel needs of the page. */
 export interface FieldPage {
@@ -139,6 +141,8 @@ export class FieldPanel {
   /** What coloured the surface before a panel wanted something else. */
   #before: ShownName | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** Milliseconds that the last picture took. */
+  #took = 0;
   #marking = 0;
   readonly #viewer: GirthViewer;
   readonly #computed: ComputedFields;
@@ -237,9 +241,13 @@ export class FieldPanel {
     this.#setKind('histogram');
     this.apply({});
 
-    viewer.addEventListener('progress', () => this.#refreshSoon());
-    viewer.addEventListener('field', () => this.refresh());
-    viewer.addEventListener('fieldchange', () => this.refresh());
+    viewer.addEventListener('progress', ({ detail: { name } }) => {
+      // The others have no values before all are there.
+      if (name !== 'igf' || this.#method.method === 'exact') this.#refreshSoon();
+    });
+    for (const event of ['field', 'fieldchange'] as const) {
+      viewer.addEventListener(event, () => this.#refreshNext());
+    }
     viewer.addEventListener('unit', () => this.refresh());
     viewer.addEventListener('view', () => this.refresh());
     viewer.addEventListener('hover', (event) => {
@@ -372,12 +380,24 @@ export class FieldPanel {
   }
 
   #refreshSoon(): void {
-    this.#timer ??= setTimeout(() => this.refresh(), interval);
+    this.#timer ??= setTimeout(() => this.refresh(), Math.max(interval, rest * this.#took));
+  }
+
+  /** Once after several events, and not in their task, which may have coloured a large surface. */
+  #refreshNext(): void {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.refresh());
   }
 
   refresh(): void {
+    const from = performance.now();
     clearTimeout(this.#timer);
     this.#timer = undefined;
+    this.#show();
+    this.#took = performance.now() - from;
+  }
+
+  #show(): void {
     const [plot, sliders] = [this.#plot, this.#sliders];
     const { name } = this;
     const first = combinationOf(name)?.first ?? name;
@@ -429,8 +449,8 @@ export class FieldPanel {
       `Distribution of ${isFieldName(name) ? wordsFor(name) : fieldTitle(name)} from ${format(reach[0])} to ${format(reach[1])}, median ` +
         `${format(middle)}. Arrows mark a range.`,
     );
-    this.#paint();
-    this.#writeCaption(values, reach);
+    this.#paint(reach);
+    this.#writeCaption(values, reach, middle);
   }
 
   #showShares(): void {
@@ -473,7 +493,7 @@ export class FieldPanel {
   }
 
   /** Colours of the bars, and the ends of the range. */
-  #paint(): void {
+  #paint(reach = extent(this.#valuesOf(this.name))): void {
     const [viewer, plot, sliders] = [this.#viewer, this.#plot, this.#sliders];
     const range = viewer.getAttribute('range') ?? '';
     const offered = ranges.some(([value]) => value === range);
@@ -482,9 +502,7 @@ export class FieldPanel {
       viewer.shown?.colormap ?? viewer.getAttribute('colormap') ?? 'viridis',
     );
     plot.recolour((value) => this.#colourOf(value));
-    sliders.show(extent(this.#valuesOf(this.name)), this.#ends, (value) =>
-      formatLength(value, this.#format),
-    );
+    sliders.show(reach, this.#ends, (value) => formatLength(value, this.#format));
   }
 
   #setRange(range: string): void {
@@ -511,7 +529,7 @@ export class FieldPanel {
     });
   }
 
-  #writeCaption(values: Float64Array, reach: readonly [number, number]): void {
+  #writeCaption(values: Float64Array, reach: readonly [number, number], middle?: number): void {
     if (this.#fault) {
       this.#writeInCaption(`${this.#fault}.`, false);
       return;
@@ -522,7 +540,7 @@ export class FieldPanel {
       const without = values.reduce((count, value) => count + (Number.isFinite(value) ? 0 : 1), 0);
       const isWhole = !isFieldName(this.name) || this.#computed.has(this.name);
       this.#writeInCaption(
-        `median ${format(quantile(values, this.#areas, 0.5))}` +
+        `median ${format(middle ?? quantile(values, this.#areas, 0.5))}` +
           (without > 0 && isWhole ? ` · no value at ${formatCount(without)} vertices` : ''),
         false,
       );

@@ -28,6 +28,7 @@ export class MethodChoice {
   readonly #select = make('select', { id: 'method' });
   readonly #said = make('p', { class: 'hint', role: 'status' });
   readonly #draft: Draft;
+  #name = 'none';
   readonly #viewer: GirthViewer;
   readonly #changed: () => void;
 
@@ -50,7 +51,8 @@ export class MethodChoice {
     viewer.addEventListener('error', ({ detail: { code } }) => {
       if (code === 'OUT_OF_MEMORY' && this.method === 'refined') this.#choose('coarse');
     });
-    this.show('none');
+    viewer.addEventListener('progress', () => this.show(this.#name));
+    this.show(this.#name);
   }
 
   get method(): GirthMethod {
@@ -81,6 +83,7 @@ export class MethodChoice {
 
   /** For what colours the surface; hidden where the method does not matter to it, and for small models. */
   show(name: string): void {
+    this.#name = name;
     const { method } = this;
     this.element.hidden = !concerned.has(name) || (method === 'exact' && this.#usual === 'exact');
     if (this.element.hidden) return;

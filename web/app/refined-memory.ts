@@ -9,6 +9,9 @@ const perCrossing = 4;
 /** Edges that a loop crosses on the length of one. */
 const crossingsPerEdge = 2;
 
+/** Vertices that the mean girth is known by. */
+const enough = 10_000;
+
 /** In bytes, from the girth of a coarse surface, one value for each vertex. */
 export function refinedMemory(
   { vertexCount, faceCount, area }: Pick<MeshInfo, 'vertexCount' | 'faceCount' | 'area'>,
@@ -17,7 +20,9 @@ export function refinedMemory(
   // Of triangles with equal sides.
   const edge = Math.sqrt(((4 / Math.sqrt(3)) * area) / faceCount);
   let [sum, count] = [0, 0];
-  for (const value of girth) {
+  const step = Math.max(1, Math.floor(girth.length / enough));
+  for (let vertex = 0; vertex < girth.length; vertex += step) {
+    const value = girth[vertex]!;
     if (Number.isNaN(value)) continue;
     sum += value;
     ++count;
@@ -28,5 +33,6 @@ export function refinedMemory(
 
 /** '300 MB', '1.2 GB'. */
 export function memoryWords(bytes: number): string {
-  return bytes >= 1e9 ? `${(bytes / 1e9).toFixed(1)} GB` : `${Math.ceil(bytes / 1e8) * 100} MB`;
+  const hundreds = Math.ceil(bytes / 1e8);
+  return hundreds < 10 ? `${hundreds}00 MB` : `${(hundreds / 10).toFixed(1)} GB`;
 }

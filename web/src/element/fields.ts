@@ -192,7 +192,6 @@ export class Fields {
       this.#states.set(name, state);
     }
     if (state.field) return Promise.resolve(state.field);
-    state.preview ??= new FieldPreview(this.#adjacency);
     // One that was cancelled and is only coming to its end does not count.
     if (!state.running || state.running.abort.signal.aborted) {
       const abort = new AbortController();
@@ -316,6 +315,7 @@ export class Fields {
     const { name } = state;
     const spectral = this.spectralOf(name);
     const onProgress = this.#progressOf(name, signal);
+    state.preview ??= new FieldPreview(this.#adjacency);
     onProgress(0);
     if (name === 'igf' && this.method !== 'exact') {
       return this.#girthBy(this.method, state, { signal, onProgress });
@@ -340,10 +340,10 @@ export class Fields {
     const mesh = this.#mesh;
     const watched = { signal, ...(onProgress && { onProgress }) };
     if (method === 'exact') return mesh.field('igf', watched);
-    const { coarseGirth } = await import('./large-girth.js');
+    const { coarseGirth, onItsOwn } = await import('./large-girth.js');
     if (method === 'coarse') {
       const persistence = state ? this.persistence : 0;
-      return coarseGirth(mesh, { ...watched, persistence });
+      return onItsOwn(coarseGirth(mesh, { ...watched, persistence }));
     }
     if (state) {
       const first =
@@ -354,7 +354,7 @@ export class Fields {
         this.#host.lent(state);
       }
     }
-    return mesh.refinedGirth(watched);
+    return onItsOwn(mesh.refinedGirth(watched));
   }
 
   #progressOf(name: FieldName, signal: AbortSignal): (fraction: number) => void {

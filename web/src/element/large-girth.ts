@@ -1,7 +1,7 @@
 // The girth of surfaces with many triangles, computed on fewer and carried back.
 
 import type { Field, Mesh, WatchedOptions } from '../kernel/types.js';
-import { formatCount } from '../view/index.js';
+import { formatCount, nextTask } from '../view/index.js';
 import { onFewer } from './girth-method.js';
 
 /** Triangles that the girth is computed on first. */
@@ -42,4 +42,11 @@ export async function coarseGirth(
   } finally {
     coarse.dispose();
   }
+}
+
+/** What comes of so many values is work of its own, after that of receiving them. */
+export async function onItsOwn(girth: Promise<Field>): Promise<Field> {
+  const field = await girth;
+  await nextTask();
+  return field;
 }

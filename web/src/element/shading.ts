@@ -115,6 +115,8 @@ export class Shading {
   readonly #colourRange = new ColourRange();
   #content: LegendContent | undefined;
   #current: ShownField | undefined;
+  /** The whole field that was painted last; undefined for anything else. */
+  #whole: Field | GivenField | CombinedField | undefined;
   /** What colours the surface until that is there which is wished for. */
   #painted: ShownName = 'none';
   readonly #model: Model;
@@ -271,8 +273,11 @@ export class Shading {
   paint(): void {
     const { name } = this;
     this.#painted = name;
+    const whole = this.places ? undefined : this.#knownOf(name).field;
+    const isPainted = whole !== undefined && whole === this.#whole;
+    this.#whole = whole;
     // Values that are no longer there colour the surface until the new ones come.
-    if (this.#keptOf(name)) this.refresh();
+    if (isPainted || this.#keptOf(name)) this.refresh();
     else this.#paintAs(name);
   }
 

@@ -799,9 +799,9 @@ export class ViewerCore {
       return method === 'coarse' || method === 'refined' ? method : 'exact';
     },
     lent: (state) => {
-      if (this.#isPresent(state) && this.presented!.shading.name === state.name) {
-        this.presented!.paint();
-      }
+      if (!this.#isPresent(state) || this.presented!.shading.name !== state.name) return;
+      this.presented!.paint();
+      this.#sendChange();
     },
     spectral: (name) => parseSpectral(name, (attribute) => attributeOf(this.#element, attribute)),
     received: (state, partial) => {

@@ -590,18 +590,7 @@ export class GirthViewer extends ViewerShell {
 
   /** The model's extent upwards, in model units; 0 before the first model. */
   get height(): number {
-    const { info, upAxis } = this;
-    if (!info || !upAxis) return 0;
-    const { direction } = upAxis;
-    const axis = direction.findIndex((share) => Math.abs(share) === 1);
-    if (axis >= 0) return info.size[axis]!;
-    const { positions } = this.geometry;
-    let [low, high] = [Infinity, -Infinity];
-    for (let i = 0; i < positions.length; i += 3) {
-      const above = direction.reduce((sum, share, k) => sum + share * positions[i + k]!, 0);
-      [low, high] = [Math.min(low, above), Math.max(high, above)];
-    }
-    return high - low;
+    return this.presented?.standing.height ?? 0;
   }
 
   /** Whether the camera is where `resetView` puts it. */

@@ -63,7 +63,7 @@ export { type StraightName, straightNames } from './straight-names.js';
 export { Surface, borrowedWeight, computedWeight } from './surface.js';
 export { type Look, lookNames } from './look.js';
 export { TimeLeft, formatSeconds } from './time-left.js';
-export { inSlices } from './time-slices.js';
+export { inSlices, nextTask } from './time-slices.js';
 export { TipMarks } from './tip-marks.js';
 export {
   type Rotation,
