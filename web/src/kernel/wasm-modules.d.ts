@@ -333,6 +333,7 @@ declare module '*/girth-threads.mjs' {
 
   export default function createModule(options: {
     girthThreads: number;
+    wasmMemory: WebAssembly.Memory;
   }): Promise<GirthThreadsModule>;
 }
 
