@@ -9,8 +9,11 @@ import type {
   ThreadsOperations,
 } from './protocol.js';
 import type { FieldEngine, FieldRun } from './field-run.js';
-import type { SurfaceSource } from './surface-source.js';
+import { bytesOf, type SurfaceSource } from './surface-source.js';
 import type { WorkerClient } from './worker-client.js';
+
+/** The refined girth of a surface of more bytes leaves much memory behind: about 150,000 vertices. */
+const heavy = 8 * 2 ** 20;
 
 export class ThreadsEngine implements FieldEngine {
   readonly #worker: WorkerClient<ThreadsOperations>;
@@ -46,11 +49,16 @@ export class ThreadsEngine implements FieldEngine {
     signal: AbortSignal,
   ): Promise<FoundRefined> {
     const threads = this.#threads;
-    const found = await this.#until(signal, surface, () =>
-      this.#worker.requestOn(surface, 'refinedGirth', { request, threads }, { onReport }),
-    );
-    if (!found) throw cancelled();
-    return found;
+    try {
+      const found = await this.#until(signal, surface, () =>
+        this.#worker.requestOn(surface, 'refinedGirth', { request, threads }, { onReport }),
+      );
+      if (!found) throw cancelled();
+      return found;
+    } finally {
+      // A module's memory never shrinks: the next field has another one.
+      if (bytesOf(surface) > heavy) this.#worker.restart(cancelled());
+    }
   }
 
   /** Runs a call on a surface, which the flag stops when the signal fires; undefined where it has fired before. */
