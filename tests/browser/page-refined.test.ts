@@ -36,8 +36,7 @@ test('few triangles first, then refined: an audit in words, states as colours an
   expect(await chosen(list)).toBe('coarse');
   await said
     .getByText(
-      'Computed on 768 triangles. Its values are carried to 1,536 vertices. Refined, each is computed by itself, and it is ' +
-        'said how sure it is: that takes about 100 MB of memory.',
+      'Computed on 768 triangles. Refined, at each of 1,536 vertices, it takes about 100 MB of memory.',
     )
     .waitFor();
   expect(await viewer.locator('.legend').textContent()).toContain('computed on 768 triangles');

@@ -11,7 +11,8 @@ import {
 import type { PageState } from './address-state.js';
 import { setAttribute } from './dom.js';
 import { Draft } from './draft.js';
-import { memoryWords, refinedMemory } from './refined-memory.js';
+import { kernel } from './kernel.js';
+import { memoryWords, mostMemory, refinedMemory } from './refined-memory.js';
 
 /** Models from this many faces on are computed on few triangles first: exactly they would take long. */
 const manyFaces = 100_000;
@@ -94,9 +95,10 @@ export class MethodChoice {
       this.#say(wordsBefore(method, info));
       return;
     }
-    void this.#viewer.fieldOf('igf').then(
-      (field) => {
-        if (this.#viewer.info === info && this.method === method) this.#say(wordsOf(field, info));
+    void Promise.all([this.#viewer.fieldOf('igf'), kernel]).then(
+      ([field, { mode, threads }]) => {
+        if (this.#viewer.info !== info || this.method !== method) return;
+        this.#say(wordsOf(field, info, mode === 'threads' ? threads : 1));
       },
       () => undefined,
     );
@@ -125,14 +127,15 @@ function wordsBefore(method: GirthMethod, { vertexCount }: MeshInfo): string {
 }
 
 /** What was done, and what else there is. */
-function wordsOf(field: Field, info: MeshInfo): string {
+function wordsOf(field: Field, info: MeshInfo, threads: number): string {
   if ('audit' in field) return auditWords((field as RefinedGirth).audit);
-  // Where there is a persistence, the refined method does not know it.
+  // The refined method knows no persistence; and of what was computed exactly nothing is to be said.
   if (!field.note || field.persistence) return sentence(field.note);
+  const bytes = refinedMemory(info, field.values, threads);
+  const room = bytes > mostMemory ? `, and a page has ${memoryWords(mostMemory)}` : '';
   return (
-    `${sentence(field.note)} Its values are carried to ${formatCount(info.vertexCount)} vertices. Refined, each is ` +
-    `computed by itself, and it is said how sure it is: that takes about ` +
-    `${memoryWords(refinedMemory(info, field.values))} of memory.`
+    `${sentence(field.note)} Refined, at each of ${formatCount(info.vertexCount)} vertices, it takes about ` +
+    `${memoryWords(bytes)} of memory${room}.`
   );
 }
 

@@ -9,13 +9,18 @@ const perCrossing = 4;
 /** Edges that a loop crosses on the length of one. */
 const crossingsPerEdge = 2;
 
+/** Bytes of each thread, for the square root of the number of triangles: the front of its search. */
+const perThread = 70_000;
+/** Bytes that a page has for it. */
+export const mostMemory = 2e9;
 /** Vertices that the mean girth is known by. */
 const enough = 10_000;
 
-/** In bytes, from the girth of a coarse surface, one value for each vertex. */
+/** In bytes, on so many threads, from the girth of a coarse surface, one value for each vertex. */
 export function refinedMemory(
   { vertexCount, faceCount, area }: Pick<MeshInfo, 'vertexCount' | 'faceCount' | 'area'>,
   girth: Float64Array,
+  threads: number,
 ): number {
   // Of triangles with equal sides.
   const edge = Math.sqrt(((4 / Math.sqrt(3)) * area) / faceCount);
@@ -28,7 +33,8 @@ export function refinedMemory(
     ++count;
   }
   const crossings = count > 0 ? (crossingsPerEdge * sum) / count / edge : 0;
-  return vertexCount * (perVertex + perCrossing * crossings);
+  const fronts = threads * perThread * Math.sqrt(faceCount);
+  return vertexCount * (perVertex + perCrossing * crossings) + fronts;
 }
 
 /** '300 MB', '1.2 GB'. */

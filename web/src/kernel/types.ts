@@ -1079,7 +1079,7 @@ export interface Mesh {
    * Computes the girth at all vertices of a large surface, from some 20,000 triangles on, in a fraction of the time that
    * `field('igf')` takes: nearly all values are the same, and it says how sure each of them is (`refined_girth.h`). There
    * are no partial values. It waits for its turn among the fields; by a pool of workers it takes one of them, beside the
-   * fields. Memory: 4 bytes for each edge that the loop of a vertex crosses, and some 600 bytes for each vertex. Errors:
+   * fields. Memory: 4 bytes for each edge that the loop of a vertex crosses, some 800 bytes for each vertex, and 15 to 60 MB for each thread. Errors:
    * INVALID_OPTION for an option that is out of its range; OUT_OF_MEMORY.
    * @experimental
    */
