@@ -1,4 +1,4 @@
-import { expect, test } from 'vitest';
+import { afterEach, expect, test, vi } from 'vitest';
 import { combine as combineBy } from '../../../web/src/element/combined-field.js';
 import { Fields, type FieldState } from '../../../web/src/element/fields.js';
 import { failure } from '../../../web/src/kernel/errors.js';
@@ -58,6 +58,8 @@ function drawn(method: GirthMethod = 'exact', persistence = 0) {
   });
   return { fields, runs, ended, lent, disposed };
 }
+
+afterEach(() => vi.unstubAllGlobals());
 
 test('a field is computed once, however often it is asked for', async () => {
   const { fields, runs, ended } = drawn();
@@ -138,6 +140,18 @@ test('on few triangles: they are let go of, and what was computed on them is kno
   const girth = await fields.girth(new AbortController().signal);
   expect(await fields.girth(new AbortController().signal)).toBe(girth);
   expect(runs.map(({ options }) => options.persistence)).toEqual([0.5, 0]);
+});
+
+test('on few triangles: exact values of some vertices are seen meanwhile, where they take no memory of their own', async () => {
+  vi.stubGlobal('crossOriginIsolated', true);
+  const { fields, runs } = drawn('coarse', 0.5);
+  const computing = fields.compute('igf');
+  await expect.poll(() => runs).toHaveLength(2);
+  const [some] = runs;
+  expect(some!.options.persistence).toBe(0.5);
+  expect(some!.options.signal!.aborted).toBe(true);
+  expect(some!.options.onPartial).toBeDefined();
+  expect((await computing).method).toBe('exact on 9998 faces');
 });
 
 test('refined: values of few triangles are lent until it is there, and know of persistence', async () => {

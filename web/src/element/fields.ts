@@ -6,6 +6,7 @@ import type {
   Barcodes,
   Field,
   FieldName,
+  FieldOptions,
   Mesh,
   MeshInfo,
   NamedField,
@@ -325,10 +326,16 @@ export class Fields {
       persistence: this.persistence,
       ...(spectral ? { spectral } : {}),
       onProgress,
+      ...this.#receiving(state, signal),
+    });
+  }
+
+  #receiving(state: FieldState, signal: AbortSignal): Required<Pick<FieldOptions, 'onPartial'>> {
+    return {
       onPartial: (partial) => {
         if (!signal.aborted) this.#host.received(state, partial);
       },
-    });
+    };
   }
 
   /** The girth by a method; refined, with that of few triangles to be seen until it is there. */
@@ -343,11 +350,12 @@ export class Fields {
     const { coarseGirth, onItsOwn } = await import('./large-girth.js');
     if (method === 'coarse') {
       const persistence = state ? this.persistence : 0;
-      return onItsOwn(coarseGirth(mesh, { ...watched, persistence }));
+      const some = state ? this.#receiving(state, signal) : {};
+      return onItsOwn(coarseGirth(mesh, { ...watched, ...some, persistence }));
     }
     if (state) {
-      const first =
-        this.#girths.get('coarse') ?? (await coarseGirth(mesh, { signal, persistence: 0 }));
+      const some = { signal, persistence: 0, ...this.#receiving(state, signal) };
+      const first = this.#girths.get('coarse') ?? (await coarseGirth(mesh, some));
       this.#girths.set('coarse', first);
       if (state.preview) {
         state.preview.lend(first.values, first.range);

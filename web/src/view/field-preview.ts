@@ -45,10 +45,12 @@ export class FieldPreview {
     return this.#hops[vertex] === 0;
   }
 
-  /** Takes values of elsewhere, one per vertex, until there are better ones: none of them counts as computed. */
+  /** Takes values of elsewhere, one per vertex, in place of what there is: none of them counts as computed. */
   lend(values: Float64Array, range: readonly [number, number]): void {
     this.values.set(values);
     this.shown.set(values);
+    this.#hops.fill(unreached);
+    this.#queue.length = this.#head = this.computed = 0;
     if (!Number.isNaN(range[0])) this.range = [...range];
   }
 
