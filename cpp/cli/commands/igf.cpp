@@ -149,7 +149,8 @@ double nanosecondsPerWindow(const GirthField& field, const Options& options, con
 
 std::string refinedJson(const RefinedGirth& refined) {
   const GirthAudit& audit = refined.audit;
-  std::string text = ",\"coarseFaces\":" + std::to_string(refined.coarseFaces);
+  std::string text = ",\"coarseFaces\":" + std::to_string(refined.coarseFaces) +
+                     ",\"leanFaces\":" + std::to_string(refined.leanFaces);
   for (const GirthState state : kStates) {
     text += "," + io::jsonString(toString(state)) + ":" + std::to_string(refined.count(state));
   }
@@ -200,6 +201,9 @@ void printRefined(const RefinedGirth& refined) {
   std::printf("  %u proved, %u consistent, %u suspect; from a surface of %u triangles\n",
               refined.count(GirthState::Proved), refined.count(GirthState::Consistent),
               refined.count(GirthState::Suspect), refined.coarseFaces);
+  if (refined.leanFaces > 0) {
+    std::printf("  without its flat vertices the surface has %u triangles\n", refined.leanFaces);
+  }
   if (audit.vertices == 0) return;
   std::printf("  audit: %u of %u vertices drawn at random are exact, so %s to %s of all\n",
               audit.equal, audit.vertices, percent(audit.atLeast).c_str(),

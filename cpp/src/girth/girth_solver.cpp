@@ -327,12 +327,12 @@ GirthSolver SolverFactory::onUnfolding(std::shared_ptr<const Unfolding> unfoldin
   return GirthSolver(std::make_unique<GirthSolver::State>(std::move(unfolding)));
 }
 
-std::optional<GirthLoop> SolverFactory::loopWithin(GirthSolver& solver, Vertex vertex,
+std::optional<GirthLoop> SolverFactory::loopWithin(GirthSolver& solver, const SurfacePoint& point,
                                                    const std::uint8_t* band,
                                                    const ExecutionContext& context) {
   GirthSolver::State& state = *solver.state_;
   state.propagation.stayWithin(band);
-  const auto error = state.run(SurfacePoint::atVertex(vertex), Keep::Everything, context);
+  const auto error = state.run(point, Keep::Everything, context);
   state.propagation.stayWithin(nullptr);
   const LoopCandidate* best = error ? nullptr : state.found();
   if (best == nullptr) return std::nullopt;

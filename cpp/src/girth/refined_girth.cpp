@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <numeric>
+#include <queue>
 #include <span>
 #include <utility>
 
@@ -17,9 +19,12 @@
 #include "girth/face_band.h"
 #include "girth/parallel.h"
 #include "girth/remesh.h"
+#include "girth/site_graph.h"
 #include "girth/solver_factory.h"
 #include "girth/transfer.h"
+#include "girth/vertex_function.h"
 #include "idle_pool.h"
+#include "mesh/flat_vertices.h"
 #include "part_of_work.h"
 #include "random.h"
 
@@ -41,6 +46,8 @@ namespace {
 
 /// Surfaces of fewer triangles are computed exactly as a whole.
 constexpr Index kFewFaces = 2'000;
+/// Flat vertices are left out where that leaves no more than this share of the triangles.
+constexpr double kLeanShare = 0.6;
 /// Rings of faces round the loop of a neighbour, and round one that was carried from the coarse
 /// surface.
 constexpr int kRings = 2, kCarriedRings = 3;
@@ -53,19 +60,26 @@ constexpr double kSame = 1e-9;
 /// The same for the audit.
 constexpr double kAuditSame = 1e-6;
 /// Exact values take at most so many times the windows of what was done before: about as long.
-constexpr std::size_t kMostExact = 2;
+constexpr double kMostExact = 3;
+/// And of that, those that are only to check.
+constexpr double kMostChecks = 0.15;
 /// Vertices that are computed exactly at a time, before the work is added up.
 constexpr std::size_t kExactAtATime = 64;
+/// On surfaces of more triangles an exact search does not keep what it needs to draw the loop.
+constexpr Index kMostFacesForLoops = 200'000;
+/// Where flat vertices are left out, so many vertices of the audit are also computed with them.
+constexpr std::size_t kAuditOnAllFaces = 8;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// What is known of a vertex.
+/// What is known of a site.
 struct Known {
   double length{kNone};  // in model units
   LoopKind kind{LoopKind::Unresolved};
   bool isProved{false};
   bool isDoubted{false};     // and so is to be computed exactly
-  std::vector<Index> faces;  // of its loop, in rising order
+  bool isLow{false};         // shorter than its floor, as that of a neighbour that is proved
+  std::vector<Index> faces;  // of its loop, in rising order; empty where there is none to spread
 
   bool isThere() const { return !std::isnan(length); }
 };
@@ -80,24 +94,33 @@ struct Scratch {
   FaceBand band;
 };
 
+/// Loops are looked for on the ground: the surface, or the same without its flat vertices. Their
+/// bases are sites: first the vertices of the ground, in the numbers of its unfolding, then the
+/// flat vertices, which lie in its faces.
 class Refinement {
  public:
-  Refinement(const SurfaceMesh& mesh, const RefinedOptions& options,
+  /// `lean`: the surface without its flat vertices; null: loops are looked for on `mesh`.
+  Refinement(const SurfaceMesh& mesh, const LeanSurface* lean, const RefinedOptions& options,
              const ExecutionContext& context)
       : mesh_(mesh),
+        ground_(lean != nullptr ? lean->mesh : mesh),
+        isLean_(lean != nullptr),
         options_(options),
         context_(context),
-        unfolding_(std::make_shared<const Unfolding>(mesh)),
-        known_(mesh.vertexCount()) {}
+        unfolding_(std::make_shared<const Unfolding>(ground_)) {
+    if (isLean_) result_.leanFaces = ground_.faceCount();
+    layOutSites(lean);
+  }
 
   Result<RefinedGirth> run() {
-    if (mesh_.faceCount() < kFewFaces) {
+    if (ground_.faceCount() < kFewFaces) {
+      stage_ = partOf(context_, 0, kProved);
       computeAll();
     } else {
-      if (auto error = seed()) return *std::move(error);
-      spread();
-      prove();
+      if (auto error = computeOnGround()) return *std::move(error);
+      if (isLean_) computeFlatSites();
     }
+    stage_ = partOf(context_, kProved, 1);
     audit();
     if (context_.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
     collect();
@@ -106,38 +129,113 @@ class Refinement {
   }
 
  private:
-  // Shares of the progress that the steps end at.
-  static constexpr double kCoarse = 0.05, kSeeded = 0.15, kSpread = 0.7, kProved = 0.9;
+  // Shares of the whole progress that the stages end at.
+  static constexpr double kGround = 0.3, kProved = 0.9;
+  // And of the progress of a stage that its steps end at.
+  static constexpr double kCoarse = 0.05, kSeeded = 0.15, kSpread = 0.75;
 
   const Unfolding& unfolding() const { return *unfolding_; }
+  Index groundSites() const { return unfolding().vertexCount(); }
 
-  /// The exact girth of every vertex: there are few.
-  void computeAll() {
-    std::vector<Index> all(known_.size());
-    std::iota(all.begin(), all.end(), Index{0});
-    makeExact(all, partOf(context_, 0, kProved));
+  void layOutSites(const LeanSurface* lean) {
+    const Index count = mesh_.vertexCount();
+    vertexOf_.resize(count);
+    places_.resize(count);
+    std::vector<Index> flat;
+    for (Index v = 0; v < count; ++v) {
+      const SurfacePoint place =
+          lean != nullptr ? lean->places[v] : SurfacePoint::atVertex(Vertex(v));
+      if (place.kind != SurfacePoint::Kind::AtVertex) {
+        flat.push_back(v);
+        continue;
+      }
+      const Index site = unfolding().fromMesh(place).element;
+      vertexOf_[site] = v;
+      places_[site] = place;
+    }
+    // What is near on the surface is near in memory.
+    const auto faceOf = [&](Index v) { return unfolding().fromMesh(lean->places[v]).element; };
+    std::stable_sort(flat.begin(), flat.end(),
+                     [&](Index a, Index b) { return faceOf(a) < faceOf(b); });
+    for (Index i = 0; i < flat.size(); ++i) {
+      vertexOf_[groundSites() + i] = flat[i];
+      places_[groundSites() + i] = lean->places[flat[i]];
+    }
+    known_.resize(groundSites());
   }
 
-  /// The loops of the coarse surface, each in a band of the fine one.
+  /// The exact girth at every site: the ground is small.
+  void computeAll() {
+    connectVertices();
+    known_.resize(places_.size());
+    std::vector<Index> all(known_.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    makeExact(all, stage_);
+  }
+
+  std::optional<Error> computeOnGround() {
+    stage_ = partOf(context_, 0, isLean_ ? kGround : kProved);
+    std::vector<Index> siteOf(groundSites());
+    for (Index site = 0; site < siteOf.size(); ++site)
+      siteOf[unfolding().vertexInMesh(site)] = site;
+    graph_ = SiteGraph(ground_, siteOf);
+    if (auto error = seed()) return error;
+    spread(kSeeded, kSpread);
+    prove(ground_, siteOf);
+    return std::nullopt;
+  }
+
+  /// Flat vertices, beginning at what is known of the corners of their faces.
+  void computeFlatSites() {
+    stage_ = partOf(context_, kGround, kProved);
+    const std::vector<Index> siteOf = connectVertices();
+    known_.resize(places_.size());
+    floor_.resize(places_.size());
+    for (Index site = groundSites(); site < floor_.size(); ++site) {
+      const Index face = faceOf(site);
+      floor_[site] = std::numeric_limits<double>::infinity();
+      for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+        floor_[site] = std::min(floor_[site], floor_[unfolding().crossing(h).from()]);
+      }
+    }
+    for (Index site = 0; site < groundSites(); ++site) {
+      if (!known_[site].faces.empty()) changed_.push_back(site);
+    }
+    spread(0, kSpread);
+    prove(mesh_, siteOf);
+  }
+
+  /// All sites are neighbours as the vertices of the surface are. Returns the site of each vertex.
+  std::vector<Index> connectVertices() {
+    std::vector<Index> siteOf(vertexOf_.size());
+    for (Index site = 0; site < siteOf.size(); ++site) siteOf[vertexOf_[site]] = site;
+    graph_ = SiteGraph(mesh_, siteOf);
+    return siteOf;
+  }
+
+  /// The face that a flat vertex lies in.
+  Index faceOf(Index site) const { return unfolding().fromMesh(places_[site]).element; }
+
+  /// The loops of the coarse surface, each in a band of the ground.
   std::optional<Error> seed() {
     RemeshOptions options;
-    options.faces = std::clamp(options_.coarseFaces, Index{4}, mesh_.faceCount() / 4);
-    const ExecutionContext remeshing = partOf(context_, 0, kCoarse);
-    auto coarse = remesh(mesh_, options, remeshing);
+    options.faces = std::clamp(options_.coarseFaces, Index{4}, ground_.faceCount() / 4);
+    const ExecutionContext remeshing = partOf(stage_, 0, kCoarse);
+    auto coarse = remesh(ground_, options, remeshing);
     if (!coarse) return coarse.error();
     result_.coarseFaces = coarse.value().mesh.faceCount();
-    const ExecutionContext carrying = partOf(context_, kCoarse, (kCoarse + kSeeded) / 2);
+    const ExecutionContext carrying = partOf(stage_, kCoarse, (kCoarse + kSeeded) / 2);
     const auto girth = carriedGirth(coarse.value().mesh, unfolding(), carrying);
     if (!girth) return girth.error();
     setFloor(coarse.value().mesh, girth.value().lengths);
-    const ExecutionContext searching = partOf(context_, (kCoarse + kSeeded) / 2, kSeeded);
+    const ExecutionContext searching = partOf(stage_, (kCoarse + kSeeded) / 2, kSeeded);
     const std::vector<CarriedLoop>& carried = girth.value().loops;
     eachOf(carried.size(), searching, [&](std::size_t i, Scratch& scratch) {
       scratch.band.clear();
       scratch.band.add(carried[i].faces);
       scratch.band.addAround(carried[i].vertex);
       scratch.band.grow(kCarriedRings);
-      settle(carried[i].vertex, scratch, known_[carried[i].vertex]);
+      settle(carried[i].vertex, floor_[carried[i].vertex], scratch, known_[carried[i].vertex]);
     });
     for (const CarriedLoop& loop : carried) {
       if (known_[loop.vertex].isThere()) changed_.push_back(loop.vertex);
@@ -159,16 +257,20 @@ class Refinement {
         }
       }
     }
-    const std::vector<Vertex> nearest = nearestVertices(coarse, nearestPoints(coarse, mesh_));
-    floor_.resize(known_.size());
-    for (Index v = 0; v < known_.size(); ++v) {
+    const std::vector<Vertex> nearest = nearestVertices(coarse, nearestPoints(coarse, ground_));
+    floor_.resize(groundSites());
+    for (Index v = 0; v < groundSites(); ++v) {
       floor_[v] = kCoarseAtLeast * least[nearest[unfolding().vertexInMesh(v)]];
     }
   }
 
-  /// From neighbour to neighbour, until no loop becomes shorter.
-  void spread() {
-    std::size_t reached = changed_.size();
+  /// From neighbour to neighbour, from the sites that have changed on, until no loop becomes
+  /// shorter. Reports from `begin` to `end` of the stage, where they differ. Returns the sites at
+  /// which it did.
+  std::vector<Index> spread(double begin, double end) {
+    std::vector<Index> all;
+    auto reached = static_cast<std::size_t>(
+        std::count_if(known_.begin(), known_.end(), [](const Known& k) { return k.isThere(); }));
     while (!changed_.empty() && !context_.cancelled()) {
       const std::vector<Beside> besides = besidesOf(changed_);
       std::vector<Known> found(besides.size());
@@ -177,68 +279,91 @@ class Refinement {
       changed_.clear();
       for (std::size_t i = 0; i < besides.size(); ++i) {
         if (!found[i].isThere()) continue;
-        Known& known = known_[besides[i].vertex];
+        Known& known = known_[besides[i].site];
         reached += known.isThere() ? 0 : 1;
         known = std::move(found[i]);
-        changed_.push_back(besides[i].vertex);
+        changed_.push_back(besides[i].site);
       }
+      all.insert(all.end(), changed_.begin(), changed_.end());
       const double share = static_cast<double>(reached) / static_cast<double>(known_.size());
-      report(kSeeded + (kSpread - kSeeded) * share);
+      if (begin < end) report(begin + (end - begin) * share);
     }
+    return all;
   }
 
-  /// A vertex beside others whose loops have changed.
+  /// A site beside others whose loops have changed.
   struct Beside {
-    Index vertex;
-    std::vector<Index> changed;
+    Index site;
+    std::vector<Neighbour> changed;
   };
 
   std::vector<Beside> besidesOf(const std::vector<Index>& changed) const {
-    std::vector<std::pair<Index, Index>> pairs;
-    for (const Index vertex : changed) {
-      eachNeighbour(vertex, [&](Index other, double) { pairs.emplace_back(other, vertex); });
+    std::vector<std::pair<Index, Neighbour>> pairs;
+    for (const Index site : changed) {
+      for (const Neighbour& other : graph_.neighbours(site)) {
+        if (!known_[other.site].isProved) pairs.push_back({other.site, {site, other.distance}});
+      }
     }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first < b.first : a.second.site < b.second.site;
+    });
     std::vector<Beside> besides;
-    for (const auto& [vertex, other] : pairs) {
-      if (besides.empty() || besides.back().vertex != vertex) besides.push_back({vertex, {}});
+    for (const auto& [site, other] : pairs) {
+      if (besides.empty() || besides.back().site != site) besides.push_back({site, {}});
       besides.back().changed.push_back(other);
     }
     return besides;
   }
 
-  /// A shorter loop for a vertex from the bands of its neighbours; `found` stays empty without.
+  /// A shorter loop for a site from the bands of its neighbours; `found` stays empty without.
   void search(const Beside& beside, Scratch& scratch, Known& found) {
-    const Known& own = known_[beside.vertex];
+    const Known& own = known_[beside.site];
     FaceBand& band = scratch.band;
     if (own.isThere()) {
       // Loops within the band round its own have been looked at.
       band.clear();
       band.add(own.faces);
       band.grow(kRings);
-      if (std::all_of(beside.changed.begin(), beside.changed.end(),
-                      [&](Index other) { return band.hasAll(known_[other].faces); })) {
+      if (std::all_of(beside.changed.begin(), beside.changed.end(), [&](const Neighbour& other) {
+            return band.hasAll(known_[other.site].faces);
+          })) {
         return;
       }
     }
     band.clear();
-    for (const Index other : beside.changed) band.add(known_[other].faces);
-    band.addAround(beside.vertex);
+    double floor = floor_[beside.site];
+    for (const Neighbour& other : beside.changed) {
+      const Known& known = known_[other.site];
+      band.add(known.faces);
+      // The loop beside one that is proved may be as short, but for the way there and back.
+      if (known.isProved || known.isLow) {
+        floor = std::min(floor, (known.length - 2 * other.distance) * (1 - kSame));
+      }
+    }
+    addAround(beside.site, band);
     band.grow(kRings);
     found.length = own.length;
-    settle(beside.vertex, scratch, found);
+    settle(beside.site, floor, scratch, found);
     if (isSame(found.length, own.length)) found.length = kNone;
   }
 
+  void addAround(Index site, FaceBand& band) const {
+    if (site < groundSites()) {
+      band.addAround(site);
+    } else {
+      band.add(faceOf(site));
+    }
+  }
+
   /// The shortest loop in a band, and then in one round that loop where it reaches the rim; into
-  /// `known`, if it is shorter.
-  void settle(Index vertex, Scratch& scratch, Known& known) {
+  /// `known`, if it is shorter, but not below `floor`.
+  void settle(Index site, double floor, Scratch& scratch, Known& known) {
     for (int bands = 0; bands < kMostBands; ++bands) {
-      const auto loop = loopWithin(vertex, scratch);
+      const auto loop = loopWithin(site, scratch);
       if (!loop || loop->length >= known.length * (1 - kSame)) return;
-      if (loop->length < floor_[vertex]) return;
+      if (loop->length < floor) return;
       take(*loop, known);
+      known.isLow = known.length < floor_[site];
       if (!scratch.band.reachesRim(known.faces)) return;
       scratch.band.clear();
       scratch.band.add(known.faces);
@@ -246,12 +371,10 @@ class Refinement {
     }
   }
 
-  std::optional<GirthLoop> loopWithin(Index vertex, Scratch& scratch) {
-    auto loop = SolverFactory::loopWithin(scratch.solver, Vertex(unfolding().vertexInMesh(vertex)),
-                                          scratch.band.data(), context_.ofOneThread());
-    const SearchStatistics cost = scratch.solver.statistics();
-    const std::lock_guard lock(mutex_);
-    result_.field.statistics += cost;
+  std::optional<GirthLoop> loopWithin(Index site, Scratch& scratch) {
+    auto loop = SolverFactory::loopWithin(scratch.solver, places_[site], scratch.band.data(),
+                                          context_.ofOneThread());
+    count(scratch.solver.statistics());
     return loop;
   }
 
@@ -261,52 +384,138 @@ class Refinement {
     known.faces = loop.kind == LoopKind::Loop ? facesOf(unfolding(), loop) : std::vector<Index>{};
   }
 
-  /// Vertices that are still contradicted, or have no loop, exactly, and their neighbours where
-  /// that changes them, within bounds. What is left is suspect.
-  void prove() {
-    const std::size_t most = kMostExact * result_.field.statistics.windowsCreated;
-    std::size_t done = 0;
-    std::vector<Index> queue = contradicted();
-    std::erase_if(queue, [&](Index v) { return known_[v].isProved; });
-    for (const Index v : queue) known_[v].isDoubted = true;
-    while (!queue.empty() && done < most && !context_.cancelled()) {
-      const std::size_t count = std::min(queue.size(), kExactAtATime);
-      const std::vector<Index> some(queue.begin(),
-                                    queue.begin() + static_cast<std::ptrdiff_t>(count));
-      queue.erase(queue.begin(), queue.begin() + static_cast<std::ptrdiff_t>(count));
-      std::vector<double> before;
-      for (const Index v : some) before.push_back(known_[v].length);
-      const std::size_t windows = result_.field.statistics.windowsCreated;
-      makeExact(some, silent());
-      done += result_.field.statistics.windowsCreated - windows;
-      for (std::size_t i = 0; i < some.size(); ++i) {
-        if (isSame(before[i], known_[some[i]].length)) continue;
-        eachNeighbour(some[i], [&](Index other, double) {
-          if (known_[other].isProved) return;
-          if (!known_[other].isDoubted) queue.push_back(other);
-          known_[other].isDoubted = true;
-        });
+  /// Exactly: sites that are contradicted, or have no loop, and then some evenly spread over the
+  /// surface, since a region may be wrong as a whole without a contradiction. A loop that was
+  /// missed spreads from there; where one was too short, the neighbours' may be too. Within bounds;
+  /// what is left is suspect. `mesh`: whose vertices the sites are.
+  void prove(const SurfaceMesh& mesh, const std::vector<Index>& siteOf) {
+    const auto before = static_cast<double>(windows());
+    const double most = kMostExact * before;
+    Doubts doubts(known_.size());
+    const auto report = [&] {
+      const double share = std::min(1.0, (static_cast<double>(windows()) - before) / most);
+      this->report(kSpread + (1 - kSpread) * share);
+    };
+    const auto settleAll = [&] {
+      while (!doubts.empty() && static_cast<double>(windows()) - before < most &&
+             !context_.cancelled()) {
+        std::vector<Index> some;
+        while (!doubts.empty() && some.size() < kExactAtATime) {
+          const Index site = doubts.take();
+          // What has spread meanwhile may have put an end to the contradiction.
+          if (!known_[site].isProved && (known_[site].isDoubted || contradicts(site))) {
+            some.push_back(site);
+          }
+        }
+        settleExactly(some, doubts);
+        report();
       }
-      report(kSpread + (kProved - kSpread) *
-                           std::min(1.0, static_cast<double>(done) / static_cast<double>(most)));
+    };
+    // Evenly spread, since what is wrong is so in regions, and most contradictions are jumps.
+    const std::vector<Vertex> order = coarseToFineOrder(mesh, 1);
+    for (const Vertex v : order) {
+      if (contradicts(siteOf[v])) doubts.add(siteOf[v], known_[siteOf[v]].length);
     }
-    report(kProved);
+    settleAll();
+    const double settled = static_cast<double>(windows());
+    double checks = 0;
+    for (std::size_t i = 0; i < order.size() && checks < kMostChecks * settled;) {
+      std::vector<Index> some;
+      for (; i < order.size() && some.size() < kExactAtATime; ++i) {
+        const Index site = siteOf[order[i]];
+        if (!known_[site].isProved) some.push_back(site);
+      }
+      const auto start = static_cast<double>(windows());
+      settleExactly(some, doubts);
+      checks += static_cast<double>(windows()) - start;
+      settleAll();
+      report();
+      if (context_.cancelled()) return;
+    }
+    this->report(1);
   }
 
-  void makeExact(const std::vector<Index>& vertices, const ExecutionContext& context) {
-    eachOf(vertices.size(), context, [&](std::size_t i, Scratch& scratch) {
-      const Vertex vertex(unfolding().vertexInMesh(vertices[i]));
-      const auto value = scratch.solver.value(vertex, context_.ofOneThread());
+  /// Sites that are to be looked at, each once at a time: those with the shortest loops first,
+  /// which cost least.
+  class Doubts {
+   public:
+    explicit Doubts(std::size_t sites) : isQueued_(sites, false) {}
+    bool empty() const { return queue_.empty(); }
+    void add(Index site, double length) {
+      if (isQueued_[site]) return;
+      isQueued_[site] = true;
+      queue_.emplace(std::isnan(length) ? std::numeric_limits<double>::infinity() : length, site);
+    }
+    Index take() {
+      const Index site = queue_.top().second;
+      queue_.pop();
+      isQueued_[site] = false;
+      return site;
+    }
+
+   private:
+    std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>,
+                        std::greater<>>
+        queue_;
+    std::vector<bool> isQueued_;
+  };
+
+  /// The exact values of some sites, and what follows from them for others.
+  void settleExactly(const std::vector<Index>& sites, Doubts& doubts) {
+    std::vector<double> lengths;
+    for (const Index site : sites) lengths.push_back(known_[site].length);
+    makeExact(sites, silent());
+    std::vector<Index> changed;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      const Known& known = known_[sites[i]];
+      if (!known.isProved || isSame(lengths[i], known.length)) continue;
+      changed.push_back(sites[i]);
+      if (!(known.length > lengths[i])) {
+        if (!known.faces.empty()) changed_.push_back(sites[i]);
+        continue;
+      }
+      for (const Neighbour& other : graph_.neighbours(sites[i])) {
+        if (known_[other.site].isProved) continue;
+        if (known_[other.site].isDoubted) continue;
+        known_[other.site].isDoubted = true;
+        doubts.add(other.site, known_[other.site].length);
+      }
+    }
+    const std::vector<Index> spreadTo = spread(0, 0);
+    changed.insert(changed.end(), spreadTo.begin(), spreadTo.end());
+    for (const Index site : changed) {
+      if (contradicts(site)) doubts.add(site, known_[site].length);
+      for (const Neighbour& other : graph_.neighbours(site)) {
+        if (!known_[other.site].isProved && contradicts(other.site))
+          doubts.add(other.site, known_[other.site].length);
+      }
+    }
+  }
+
+  void makeExact(const std::vector<Index>& sites, const ExecutionContext& context) {
+    // The loops of vertices of the ground are where flat vertices begin.
+    const bool isBeginning = isLean_ && known_.size() == groundSites();
+    const bool withLoops = ground_.faceCount() <= kMostFacesForLoops;
+    eachOf(sites.size(), context, [&](std::size_t i, Scratch& scratch) {
+      const SurfacePoint& place = places_[sites[i]];
+      const auto value = scratch.solver.value(place, context_.ofOneThread());
       if (!value) return;  // cancelled
-      Known& known = known_[vertices[i]];
+      count(scratch.solver.statistics());
+      Known& known = known_[sites[i]];
+      const bool isOther = !isSame(value.value().length, known.length);
+      const bool isShorter = !(value.value().length > known.length);
       known.isProved = value.value().kind != LoopKind::Unresolved;
       if (known.isProved || !known.isThere()) {
         known.kind = value.value().kind;
         known.length = value.value().length;
       }
-      const SearchStatistics cost = scratch.solver.statistics();
-      const std::lock_guard lock(mutex_);
-      result_.field.statistics += cost;
+      if (!isOther) return;
+      known.faces.clear();
+      if (known.kind != LoopKind::Loop || !withLoops || !(isShorter || isBeginning)) return;
+      const auto loop = scratch.solver.loop(place, context_.ofOneThread());
+      if (!loop) return;
+      count(scratch.solver.statistics());
+      known.faces = facesOf(unfolding(), loop.value());
     });
   }
 
@@ -322,8 +531,10 @@ class Refinement {
     }
     drawn.resize(count);
     std::vector<double> before;
-    for (const Index v : drawn) before.push_back(known_[v].length);
-    makeExact(drawn, partOf(context_, kProved, 1));
+    for (const Index site : drawn) before.push_back(known_[site].length);
+    const ExecutionContext onGround = partOf(stage_, 0, isLean_ ? 0.5 : 1);
+    makeExact(drawn, onGround);
+    if (isLean_) auditOnAllFaces(drawn);
     std::vector<double> differences;
     GirthAudit& result = result_.audit;
     for (std::size_t i = 0; i < count; ++i) {
@@ -350,56 +561,53 @@ class Refinement {
     result.atMost = std::clamp(centre + reach, share, 1.0);
   }
 
+  /// The first of the drawn sites on the surface with its flat vertices.
+  void auditOnAllFaces(const std::vector<Index>& drawn) {
+    const auto all = std::make_shared<const Unfolding>(mesh_);
+    const ExecutionContext context = partOf(stage_, 0.5, 1);
+    const std::size_t count = std::min(drawn.size(), kAuditOnAllFaces);
+    parallelFor(count, 1, context, [&](std::size_t begin, std::size_t end) {
+      GirthSolver solver = SolverFactory::onUnfolding(all);
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto value = solver.value(Vertex(vertexOf_[drawn[i]]), context_.ofOneThread());
+        if (!value) return;  // cancelled
+        Known& known = known_[drawn[i]];
+        if (value.value().kind != LoopKind::Unresolved) known.length = value.value().length;
+        this->count(solver.statistics());
+      }
+    });
+  }
+
   void collect() {
     GirthField& field = result_.field;
     field.values.assign(known_.size(), kNone);
     field.kinds.assign(known_.size(), LoopKind::Unresolved);
     result_.states.assign(known_.size(), GirthState::Suspect);
-    for (Index v = 0; v < known_.size(); ++v) {
-      const Known& known = known_[v];
-      const Index inMesh = unfolding().vertexInMesh(v);
-      field.values[inMesh] = known.length;
-      field.kinds[inMesh] = known.kind;
+    for (Index site = 0; site < known_.size(); ++site) {
+      const Known& known = known_[site];
+      const Index vertex = vertexOf_[site];
+      field.values[vertex] = known.length;
+      field.kinds[vertex] = known.kind;
       if (known.isProved) {
-        result_.states[inMesh] = GirthState::Proved;
+        result_.states[vertex] = GirthState::Proved;
       } else if (known.isThere() && known.kind == LoopKind::Loop && !known.isDoubted &&
-                 !contradicts(v)) {
-        result_.states[inMesh] = GirthState::Consistent;
+                 !contradicts(site)) {
+        result_.states[vertex] = GirthState::Consistent;
       }
     }
     field.computed = known_.size();
   }
 
-  std::vector<Index> contradicted() const {
-    std::vector<Index> vertices;
-    for (Index v = 0; v < known_.size(); ++v) {
-      if (contradicts(v)) vertices.push_back(v);
-    }
-    return vertices;
-  }
-
-  /// Whether a vertex has no loop, or its neighbours' values cannot be true together with its own:
+  /// Whether a site has no loop, or its neighbours' values cannot be true together with its own:
   /// but for jumps, the girth changes by at most twice the way.
-  bool contradicts(Index vertex) const {
-    const Known& own = known_[vertex];
+  bool contradicts(Index site) const {
+    const Known& own = known_[site];
     if (!own.isThere()) return true;
-    bool result = false;
-    eachNeighbour(vertex, [&](Index other, double length) {
-      const double difference = std::fabs(known_[other].length - own.length);
-      if (difference > 2 * length * (1 + kSame)) result = true;
+    const auto neighbours = graph_.neighbours(site);
+    return std::any_of(neighbours.begin(), neighbours.end(), [&](const Neighbour& other) {
+      const double difference = std::fabs(known_[other.site].length - own.length);
+      return difference > 2 * other.distance * (1 + kSame);
     });
-    return result;
-  }
-
-  /// Calls `visit(neighbour, length of the edge)`, twice for most.
-  template <class Visit>
-  void eachNeighbour(Index vertex, Visit visit) const {
-    for (const Index h : unfolding().fan(vertex)) {
-      const Crossing along = unfolding().crossing(h);
-      visit(along.to(), along.length() * unfolding().unit());
-      const Crossing back = unfolding().crossing(Unfolding::previous(h));
-      visit(back.from(), back.length() * unfolding().unit());
-    }
   }
 
   /// Calls `work(i, scratch)` for all numbers below `count`, on all threads.
@@ -416,14 +624,26 @@ class Refinement {
   /// The same threads, without progress.
   ExecutionContext silent() const { return {context_.threads, context_.cancel, {}}; }
   void report(double share) const {
-    if (context_.onProgress) context_.onProgress(share);
+    if (stage_.onProgress) stage_.onProgress(share);
+  }
+
+  std::size_t windows() const { return result_.field.statistics.windowsCreated; }
+  void count(const SearchStatistics& cost) {
+    const std::lock_guard lock(mutex_);
+    result_.field.statistics += cost;
   }
 
   const SurfaceMesh& mesh_;
+  const SurfaceMesh& ground_;
+  bool isLean_;
   RefinedOptions options_;
   const ExecutionContext& context_;
-  std::shared_ptr<const Unfolding> unfolding_;
-  std::vector<Known> known_;   // in the numbers of the unfolding
+  ExecutionContext stage_;                      // the part of the progress that runs
+  std::shared_ptr<const Unfolding> unfolding_;  // of the ground
+  std::vector<Index> vertexOf_;                 // the vertex of the surface at each site
+  std::vector<SurfacePoint> places_;            // of the sites, on the ground
+  SiteGraph graph_;
+  std::vector<Known> known_;   // of the sites
   std::vector<double> floor_;  // shorter loops do not count, until all of the surface is searched
   std::vector<Index> changed_;
   RefinedGirth result_;
@@ -439,7 +659,14 @@ Result<RefinedGirth> refinedGirth(const SurfaceMesh& mesh, const RefinedOptions&
     return makeError(ErrorCode::InvalidOption, -1, "a coarse surface has at least 4 triangles");
   }
   try {
-    return Refinement(mesh, options, context).run();
+    if (mesh.faceCount() < kFewFaces) return Refinement(mesh, nullptr, options, context).run();
+    for (const double turn : {kTurnOfDoubles, kTurnOfSingles}) {
+      const auto lean = withoutFlatVertices(mesh, turn, context.ofOneThread());
+      if (!lean) return lean.error();
+      if (lean.value().mesh.faceCount() > kLeanShare * mesh.faceCount()) continue;
+      return Refinement(mesh, &lean.value(), options, context).run();
+    }
+    return Refinement(mesh, nullptr, options, context).run();
   } catch (const std::bad_alloc&) {
     return makeError(ErrorCode::OutOfMemory, -1, "there is not enough memory for all loops");
   }

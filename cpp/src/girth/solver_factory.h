@@ -14,11 +14,11 @@ namespace girth {
 struct SolverFactory {
   /// One of the solvers of several threads: each has scratch memory of its own.
   static GirthSolver onUnfolding(std::shared_ptr<const geodesic::Unfolding> unfolding);
-  /// The girth of a vertex and its loop, of the loops and paths that stay within some faces of the
+  /// The girth of a point and its loop, of the loops and paths that stay within some faces of the
   /// unfolding: those for which `band` is not 0. Nothing where there is no loop, or the context was
   /// cancelled. The loop is a geodesic of the whole surface; its halves are the shortest of those
   /// within.
-  static std::optional<GirthLoop> loopWithin(GirthSolver& solver, Vertex vertex,
+  static std::optional<GirthLoop> loopWithin(GirthSolver& solver, const SurfacePoint& point,
                                              const std::uint8_t* band,
                                              const ExecutionContext& context);
 };

@@ -73,7 +73,8 @@ TEST(LoopWithin, isTheExactOneWhereAllFacesCount) {
     for (const Vertex v : mesh.vertices()) {
       const auto exact = solver.value(v);
       ASSERT_TRUE(exact);
-      const auto within = SolverFactory::loopWithin(solver, v, all.data(), {});
+      const auto within =
+          SolverFactory::loopWithin(solver, SurfacePoint::atVertex(v), all.data(), {});
       EXPECT_EQ(within.has_value(), exact.value().kind == LoopKind::Loop) << random.history;
       if (within) {
         EXPECT_EQ(within->length, exact.value().length) << random.history;
@@ -96,7 +97,8 @@ TEST(LoopWithin, isAGeodesicLoopOfItsLengthInAnyBand) {
       ASSERT_TRUE(exact);
       if (exact.value().kind != LoopKind::Loop) continue;
       const FaceBand band = bandRound(*unfolding, exact.value(), 1);
-      const auto within = SolverFactory::loopWithin(solver, v, band.data(), {});
+      const auto within =
+          SolverFactory::loopWithin(solver, SurfacePoint::atVertex(v), band.data(), {});
       if (!within) continue;
       ++loops;
       expectGeodesicLoop(mesh, *within);

@@ -1,0 +1,55 @@
+// Which of the points of a surface, at which the girth is looked for, are neighbours, and how far
+// they are apart.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "girth/surface_mesh.h"
+
+namespace girth {
+
+/// A neighbour of a point.
+struct Neighbour {
+  Index site;       ///< its number
+  double distance;  ///< along the edge between the two, in model units
+};
+
+/// The graph of the edges of a mesh whose vertices have other numbers.
+class SiteGraph {
+ public:
+  SiteGraph() = default;
+  /// `siteOf`: the number of each vertex of the mesh; each is there once.
+  SiteGraph(const SurfaceMesh& mesh, std::span<const Index> siteOf) {
+    first_.assign(siteOf.size() + 1, 0);
+    const auto eachEdge = [&](auto&& visit) {
+      for (const Halfedge h : mesh.halfedges()) {
+        const Halfedge twin = mesh.twin(h);
+        if (twin != Halfedge::none && twin < h) continue;
+        visit(siteOf[mesh.from(h)], siteOf[mesh.to(h)], mesh.length(h));
+      }
+    };
+    eachEdge([&](Index a, Index b, double) {
+      ++first_[a + 1];
+      ++first_[b + 1];
+    });
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    neighbours_.resize(first_.back());
+    std::vector<Index> end(first_.begin(), first_.end() - 1);
+    eachEdge([&](Index a, Index b, double length) {
+      neighbours_[end[a]++] = {b, length};
+      neighbours_[end[b]++] = {a, length};
+    });
+  }
+
+  std::span<const Neighbour> neighbours(Index site) const {
+    return {neighbours_.data() + first_[site], first_[site + 1] - first_[site]};
+  }
+
+ private:
+  std::vector<Index> first_;  // of the neighbours of each, and the end
+  std::vector<Neighbour> neighbours_;
+};
+
+}  // namespace girth
