@@ -9,6 +9,7 @@
 
 #include "boundary.h"
 #include "girth/vertex_function.h"
+#include "refined.h"
 #include "vertex_functions.h"
 
 using emscripten::val;
@@ -36,9 +37,7 @@ class Surface {
       const FieldRequest request = requestOf(wanted);
       const Result<AnyFunction> function = functionOf(mesh_, request);
       if (!function) return toJs(function.error());
-      ExecutionContext context;
-      context.threads = threads;
-      context.cancel = &cancelled;
+      const ExecutionContext context{threads, &cancelled, {}};
       const bool complete = std::visit(
           [&](const auto& one) {
             const auto field = evaluateAll(mesh_, one, context, [&](const auto& partial) {
@@ -58,6 +57,14 @@ class Surface {
     });
   }
 
+  /// The refined girth: `FoundRefined` of protocol.ts, or an error; CANCELLED when the flag is set.
+  val refined(const val& request, unsigned threads, const val& onProgress) const {
+    return guarded([&] {
+      const auto report = [onProgress](double fraction) { onProgress(fraction); };
+      return refinedOf(mesh_, request, {threads, &cancelled, report});
+    });
+  }
+
  private:
   SurfaceMesh mesh_;
 };
@@ -65,7 +72,8 @@ class Surface {
 EMSCRIPTEN_BINDINGS(girthThreads) {
   emscripten::class_<Surface>("Surface")
       .smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
-      .function("field", &Surface::field);
+      .function("field", &Surface::field)
+      .function("refinedGirth", &Surface::refined);
   emscripten::function("exactSurface", &exactSurface<Surface>);
   emscripten::function("cancelFlag", &cancelFlag);
 }

@@ -34,14 +34,22 @@ val remeshSurface(const JobSurface& surface, double faces, bool even, const val&
   });
 }
 
-/// {values} of a remeshed surface at the vertices of the original, or an error.
-val carryBack(const JobSurface& original, const JobSurface& remeshed, const val& values) {
+/// {values, kinds} of a remeshed surface at the vertices of the original, or an error. Kinds, which
+/// may be none, are those of the nearest vertices.
+val carryBack(const JobSurface& original, const JobSurface& remeshed, const val& values,
+              const val& kinds) {
   return guarded([&] {
     const std::vector<SurfacePoint> places = nearestPoints(remeshed.mesh(), original.mesh());
     const std::vector<double> carried =
         interpolated(remeshed.mesh(), copyIn<double>(values), places, kSteepestGirth);
+    const auto known = copyIn<std::uint8_t>(kinds);
+    std::vector<std::uint8_t> nearest;
+    if (!known.empty()) {
+      for (const Vertex v : nearestVertices(remeshed.mesh(), places)) nearest.push_back(known[v]);
+    }
     val result = val::object();
     result.set("values", copyOut<double>("Float64Array", carried));
+    result.set("kinds", copyOut<std::uint8_t>("Uint8Array", nearest));
     return result;
   });
 }

@@ -24,7 +24,7 @@ namespace {
 /// A field of JavaScript (`NamedField` of types.ts, complete) with its own memory.
 struct WrittenField {
   std::string name, unit, method;
-  std::vector<double> values;
+  std::vector<double> values, states;
   std::vector<LoopKind> kinds;
 
   explicit WrittenField(const val& field)
@@ -35,6 +35,8 @@ struct WrittenField {
     for (const std::uint8_t kind : copyIn<std::uint8_t>(field["kinds"])) {
       kinds.push_back(static_cast<LoopKind>(kind));
     }
+    const auto codes = copyIn<std::uint8_t>(field["states"]);
+    states.assign(codes.begin(), codes.end());
   }
   io::VertexField view() const { return {name, values, unit, method, kinds}; }
 };
@@ -66,7 +68,12 @@ val writeFields(JobSurface& surface, const val& model, const val& list, const st
     std::vector<WrittenField> owned;
     for (unsigned i = 0; i < list["length"].as<unsigned>(); ++i) owned.emplace_back(list[i]);
     std::vector<io::VertexField> fields;
-    for (const WrittenField& field : owned) fields.push_back(field.view());
+    for (const WrittenField& field : owned) {
+      fields.push_back(field.view());
+      // NumPy's files hold one field.
+      if (field.states.empty() || format == "npy") continue;
+      fields.push_back(io::girthStateField(field.states, field.method));
+    }
     return fileOf(io::fieldFile(loaded, fields, format, nameOf(model)));
   });
 }

@@ -29,6 +29,7 @@ const attributes = {
   range: ['zz', '5% 95%'],
   isolines: ['many', '10'],
   log: ['false', ''],
+  method: ['quick', 'coarse'],
   persistence: ['-1%', '2%'],
   time: ['soon', '0.01'],
   energy: ['1000', '40'],

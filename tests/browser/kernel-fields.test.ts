@@ -49,6 +49,9 @@ type Written = Record<string, unknown>;
 /** Two bulbs on a thin neck: tips, a tube, and thick ends. */
 const bulbs = dumbbell(30, 18);
 
+/** Enough faces to be computed in bands round loops. */
+const ring = torus(64, 24);
+
 /** A model with its faces turned over. */
 const turned = (text: string) => text.replace(/^f (\S+) (\S+) (\S+)$/gm, 'f $1 $3 $2');
 
@@ -186,6 +189,92 @@ for (const mode of ['threads', 'pool'] as const) {
         'VERTEX_OUT_OF_RANGE',
       ]);
       expect(codes).toMatchObject({ whole: 'antipodal', none: 0 });
+    });
+
+    test('the refined girth: the same bits as the command, with states and audit', async () => {
+      const csv = written(ring, 'csv', 'igf', '--method', 'refined', '--audit', '30');
+      const words = ['proved', 'consistent', 'suspect'];
+      const states = csv
+        .trim()
+        .split('\n')
+        .slice(1)
+        .map((row) => words.indexOf(row.split(',')[3]!));
+      const result = await page.evaluate(async (text) => {
+        const kernel = await girth.createKernel({ threads: 2 });
+        const mesh = await kernel.load(girth.obj(text));
+        const progress: number[] = [];
+        const onProgress = (share: number) => progress.push(share);
+        const refined = await mesh.refinedGirth({ audit: 30, onProgress });
+        const file = new TextDecoder().decode(await mesh.exportField(refined, 'csv'));
+        const npy = await mesh.exportField(refined, 'npy');
+        const tips = await mesh.tips(refined);
+        const remeshed = await mesh.remesh(800);
+        const coarse = await remeshed.field('igf');
+        const carried = await remeshed.carryField(coarse);
+        const wrong = [];
+        for (const one of [{ coarseFaces: 3 }, { audit: -1 }, { seed: 0.5 }, { audit: NaN }]) {
+          wrong.push((await girth.refusal(mesh.refinedGirth(one))).code);
+        }
+        const answer = {
+          ...girth.plain(refined),
+          ...{ file, progress, wrong, tips: tips.tips.length, npyBytes: npy.length },
+          same: Array.from(carried.values).every((value, v) => {
+            return Math.abs(value / refined.values[v]! - 1) < 0.1;
+          }),
+          carriedKinds: girth.plain(carried.kinds),
+          size: mesh.info.vertexCount,
+        };
+        kernel.dispose();
+        return answer;
+      }, ring);
+      expect(result.file).toBe(csv);
+      expect(differing(result.values, column(csv, 'igf'))).toBe(0);
+      expect(result.states).toEqual(states);
+      expect(new Set(states)).toEqual(new Set([0, 1]));
+      expect(result).toMatchObject({ name: 'igf', method: 'refined', unit: '', withoutValue: 0 });
+      expect(result).toMatchObject({ note: '', coarseFaces: 768, tips: 0, same: true });
+      expect(result.audit).toMatchObject({ vertices: 30, equal: 30, greatest: 0, atMost: 1 });
+      expect(result.audit.atLeast).toBeGreaterThan(0.88);
+      expect(result.progress).toEqual([...result.progress].sort((a, b) => a - b));
+      expect(result.progress.at(-1)).toBe(1);
+      // Doubles behind a header: no states among them.
+      expect(result.npyBytes).toBe(128 + 8 * result.size);
+      expect(result.carriedKinds).toEqual(result.kinds);
+      expect(result.wrong).toEqual(new Array(4).fill('INVALID_OPTION'));
+    });
+
+    test('the refined girth ends at once when it is cancelled, and the next field is computed', async () => {
+      const result = await page.evaluate(async (text) => {
+        const kernel = await girth.createKernel({ threads: 2 });
+        const mesh = await kernel.load(girth.obj(text));
+        const controller = new AbortController();
+        let told = 0;
+        const { signal } = controller;
+        let stoppedAt = 0;
+        const refined = mesh.refinedGirth({
+          signal,
+          onProgress: () => {
+            ++told;
+            if (stoppedAt > 0) return;
+            stoppedAt = performance.now();
+            controller.abort();
+          },
+        });
+        const { code } = await girth.refusal(refined);
+        const waited = performance.now() - stoppedAt;
+        const toldUntilThen = told;
+        const field = await mesh.field('sdf');
+        const mended = await mesh.refinedGirth({ audit: 0 });
+        kernel.dispose();
+        const { vertices, atLeast, atMost } = mended.audit;
+        return {
+          ...{ code, waited, more: told - toldUntilThen, audit: [vertices, atLeast, atMost] },
+          complete: field.withoutValue === 0 && mended.withoutValue === 0,
+        };
+      }, ring);
+      expect(result).toMatchObject({ code: 'CANCELLED', more: 0, complete: true });
+      expect(result.audit).toEqual([0, 0, 1]);
+      expect(result.waited).toBeLessThan(1000);
     });
 
     test('angle: that of the loops', async () => {

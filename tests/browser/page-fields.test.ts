@@ -254,20 +254,22 @@ test.each([
   [390, 844],
 ])('at %d by %d no list cuts the words of a choice', async (width, height) => {
   await page.setViewportSize({ width, height });
-  const cut = await page.locator('#field select').evaluateAll((selects: HTMLSelectElement[]) => {
-    const words = document.createElement('span');
-    document.body.append(words);
-    const arrow = 20;
-    const found = selects.flatMap((select) =>
-      [...select.options].flatMap(({ text, hidden }) => {
-        words.textContent = text;
-        words.style.cssText = `position: absolute; white-space: nowrap; font: ${getComputedStyle(select).font}`;
-        const fits = words.offsetWidth + arrow <= select.clientWidth;
-        return hidden || fits ? [] : [`${text}: ${words.offsetWidth} in ${select.clientWidth}`];
-      }),
-    );
-    words.remove();
-    return found;
-  });
+  const cut = await page
+    .locator('#field select:visible')
+    .evaluateAll((selects: HTMLSelectElement[]) => {
+      const words = document.createElement('span');
+      document.body.append(words);
+      const arrow = 20;
+      const found = selects.flatMap((select) =>
+        [...select.options].flatMap(({ text, hidden }) => {
+          words.textContent = text;
+          words.style.cssText = `position: absolute; white-space: nowrap; font: ${getComputedStyle(select).font}`;
+          const fits = words.offsetWidth + arrow <= select.clientWidth;
+          return hidden || fits ? [] : [`${text}: ${words.offsetWidth} in ${select.clientWidth}`];
+        }),
+      );
+      words.remove();
+      return found;
+    });
   expect(cut).toEqual([]);
 });

@@ -6,19 +6,17 @@ import type { GirthViewer } from '../../web/src/element/index.js';
 import { withoutDrawing } from './long-tasks.js';
 import { thinRing } from './meshes.js';
 import { builtPage, modelIs } from './page-support.js';
-import { fieldBegun, hover } from './viewer-page.js';
+import { fieldBegun, fieldComplete, hover } from './viewer-page.js';
 
 const openBuilt = builtPage();
 
 test('102,400 vertices: sliders, loops and other fields while the girth is computed', async () => {
-  const { page, viewer } = await openBuilt();
+  const { page, viewer } = await openBuilt('file=ring.obj&method=exact');
   await withoutDrawing(page);
   await page.reload();
-  await modelIs(page, 'chair.glb');
   const buffer = Buffer.from(thinRing(5120, 20));
   await page.locator('#file').setInputFiles({ name: 'ring.obj', mimeType: 'text/plain', buffer });
-  await modelIs(page, 'ring.obj');
-  expect(await page.locator('#model').textContent()).toContain('204,800 faces · genus 1');
+  await page.locator('#model', { hasText: '204,800 faces · genus 1' }).waitFor();
   await fieldBegun(viewer);
   const share = () => viewer.evaluate((element: GirthViewer) => element.shareOf('igf'));
   const begun = await share();
@@ -62,4 +60,30 @@ test('102,400 vertices: sliders, loops and other fields while the girth is compu
   await expect.poll(() => page.locator('.caption').textContent()).toMatch(/ to .*: [<\d.]+/);
   await page.keyboard.press('Escape');
   await expect.poll(() => page.locator('.caption').textContent()).toMatch(/^median/);
+});
+
+test('102,400 faces: the girth of fewer triangles is there first, and what is made of it', async () => {
+  const { page, viewer } = await openBuilt();
+  await modelIs(page, 'chair.glb');
+  const buffer = Buffer.from(thinRing(2560, 20));
+  await page.locator('#file').setInputFiles({ name: 'ring.obj', mimeType: 'text/plain', buffer });
+  await modelIs(page, 'ring.obj');
+  expect(await viewer.getAttribute('method')).toBe('coarse');
+  await fieldComplete(viewer);
+  const { unit, carried } = await viewer.evaluate(async (element: GirthViewer) => {
+    const { values, unit } = await element.fieldOf('igf');
+    return { unit, carried: [values.length, Math.min(...values), Math.max(...values)] };
+  });
+  // Round the tube: a polygon of 20 edges of length 1, or nearly.
+  expect(unit).toBe('');
+  expect(carried[0]).toBe(51_200);
+  expect(carried[1]).toBeGreaterThan(18);
+  expect(carried[2]).toBeLessThan(22);
+  await page.locator('#tips-panel .count', { hasText: '0' }).waitFor();
+  // The link does not say what is usual.
+  expect(new URL(page.url()).hash).not.toContain('method');
+  // Another model is computed as is usual for that one.
+  await page.getByRole('button', { name: 'Dumbbell' }).click();
+  await modelIs(page, 'dumbbell.glb');
+  expect(await viewer.getAttribute('method')).toBe(null);
 });

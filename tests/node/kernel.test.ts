@@ -29,6 +29,8 @@ const inFolder = (name: string) => join(folder, name);
 beforeAll(async () => {
   install(folder);
   writeFileSync(inFolder('torus.obj'), torus(24, 12));
+  // Enough faces to be computed in bands round loops.
+  writeFileSync(inFolder('ring.obj'), torus(64, 24));
   writeFileSync(inFolder('packed.glb'), await dracoGlb(torus(24, 12)));
   mkdirSync(inFolder('scene'));
   const { gltf, bin } = splitGltf(tetrahedron, 'its data/the buffer.bin');
@@ -95,6 +97,8 @@ test.each(['threads', 'pool'])(
     const persistence = 0.03 * Math.sqrt(mesh.info.area);
     const persistent = await mesh.field('igf', { persistence });
     writeFileSync('persistent.csv', await mesh.exportField(persistent, 'csv'));
+    const ring = await kernel.load('ring.obj');
+    writeFileSync('refined.csv', await ring.exportField(await ring.refinedGirth(), 'csv'));
     console.log(JSON.stringify([kernel.mode, kernel.threads, length]));
     kernel.dispose();
   `);
@@ -104,6 +108,8 @@ test.each(['threads', 'pool'])(
     expect(readFileSync(inFolder('igf.csv'), 'utf8')).toBe(girth);
     const persistent = written('igf', 'torus.obj', '--persistence', '3%');
     expect(readFileSync(inFolder('persistent.csv'), 'utf8')).toBe(persistent);
+    const refined = written('igf', 'ring.obj', '--method', 'refined');
+    expect(readFileSync(inFolder('refined.csv'), 'utf8')).toBe(refined);
     for (const name of ['sdf', 'geofarthest']) {
       const theirs = written('field', 'torus.obj', '--field', name);
       expect(readFileSync(inFolder(`${name}.csv`), 'utf8')).toBe(theirs);

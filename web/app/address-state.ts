@@ -3,6 +3,7 @@
 
 import {
   type CameraView,
+  type GirthMethod,
   isShownName,
   parseSection,
   parsePath,
@@ -45,6 +46,8 @@ export interface PageState {
   /** As the element's attribute: two numbers or two percentages. */
   range?: string;
   isolines?: number;
+  /** As the element's attribute: how the girth is computed, where that is not what is usual for the model. */
+  method?: GirthMethod;
   /** As the element's attribute: how long saddles must last to count. */
   persistence?: string;
   edges?: boolean;
@@ -158,6 +161,10 @@ function readPersistence(text: string): string | undefined {
   return /^\d[\d.]{0,12}( ?[a-zµ]{1,3}|%)?$/i.test(text) ? text : undefined;
 }
 
+function readMethod(text: string): GirthMethod | undefined {
+  return (['exact', 'coarse', 'refined'] as const).find((method) => method === text);
+}
+
 function readAll<Type>(
   text: string,
   most: number,
@@ -247,6 +254,7 @@ const parts: {
   colormap: [readWord, (name) => name],
   range: [readRange, (range) => range],
   isolines: [readCount, String],
+  method: [readMethod, (method) => method],
   persistence: [readPersistence, (persistence) => persistence],
   edges: [readFlag, () => '1'],
   log: [readFlag, () => '1'],

@@ -6,8 +6,11 @@ import type { GirthViewer } from '../src/element/index.js';
 export class ComputedFields {
   readonly #names = new Set<FieldName>();
 
+  readonly #viewer: GirthViewer;
+
   /** Listens before anybody who asks. */
   constructor(viewer: GirthViewer) {
+    this.#viewer = viewer;
     viewer.addEventListener('load', () => this.#names.clear());
     viewer.addEventListener('field', (event) => {
       const { name, share } = event.detail;
@@ -16,6 +19,7 @@ export class ComputedFields {
   }
 
   has(name: FieldName): boolean {
-    return this.#names.has(name);
+    // One that is computed again in another way is not.
+    return this.#names.has(name) && this.#viewer.shareOf(name) === 1;
   }
 }

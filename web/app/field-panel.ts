@@ -1,5 +1,6 @@
 // Which field colours the surface, its distribution, and how it is coloured.
 
+import type { RefinedGirth } from '../src/kernel/index.js';
 import {
   type ColormapName,
   type CombinedName,
@@ -15,6 +16,7 @@ import {
   formatLength,
   formatNumber,
   girthKinds,
+  girthStates,
   isColormapName,
   isFieldName,
   isForAllEyes,
@@ -39,6 +41,7 @@ import { CategoryShares } from './category-shares.js';
 import type { ComputedFields } from './computed-fields.js';
 import { byId, setAttribute } from './dom.js';
 import { Draft } from './draft.js';
+import { MethodChoice } from './method-choice.js';
 import type { PagePlot } from './page-plot.js';
 import { PersistenceChoice } from './persistence-choice.js';
 import { RangeSliders } from './range-sliders.js';
@@ -83,6 +86,8 @@ const ownRange = 'own';
 const isolineCounts = [0, 5, 10, 20, 40];
 /** Milliseconds between two pictures while values arrive. */
 const interval = 200;
+/** Or so many times what a picture took. */
+const rest = 15;
 
 /** What the panel needs of the page. */
 export interface FieldPage {
@@ -103,7 +108,10 @@ export class FieldPanel {
   readonly #categories = new CategoryShares();
   readonly #second: SecondField;
   readonly #ofFile = make('optgroup', { label: 'Of the file', hidden: '' });
+  /** What only a refined girth has. */
+  readonly #states: HTMLOptionElement;
   readonly #signature: SignatureChoice;
+  readonly #method: MethodChoice;
   readonly #persistence: PersistenceChoice;
   readonly #log = make('input', { id: 'log', type: 'checkbox' });
   #fault = '';
@@ -137,6 +145,8 @@ export class FieldPanel {
   #brush: [number, number] | undefined;
   /** The frame in which it may be marked again; 0 for none. */
   #marking = 0;
+  /** Milliseconds that the last picture took. */
+  #took = 0;
   readonly #viewer: GirthViewer;
   readonly #computed: ComputedFields;
   readonly #page: FieldPage;
@@ -147,6 +157,7 @@ export class FieldPanel {
     this.#page = page;
     const [field, plot] = [this.#field, this.#plot];
     field.append(...shownNames.map((name) => make('option', { value: name }, wordsFor(name))));
+    this.#states = field.querySelector<HTMLOptionElement>('[value=state]')!;
     field.append(this.#ofFile);
     this.#fieldDraft = new Draft(field, {
       committed: (name) => this.choose(this.#second.instead(name as ShownName)),
@@ -166,6 +177,7 @@ export class FieldPanel {
       cdf: kindButton('cdf', 'Cumulative distribution'),
     };
     this.#signature = new SignatureChoice(viewer, () => page.changed());
+    this.#method = new MethodChoice(viewer, () => page.changed());
     this.#persistence = new PersistenceChoice(viewer, () => page.changed());
     plot.element.id = 'distribution';
     this.#rangeChoice.append(
@@ -215,6 +227,7 @@ export class FieldPanel {
       make('div', { class: 'ends' }, this.#sliders.low, this.#rangeChoice, this.#sliders.high),
       this.#caption,
       this.#signature.element,
+      this.#method.element,
       this.#persistence.element,
       this.#second.element,
       make(
@@ -231,9 +244,13 @@ export class FieldPanel {
     this.#setKind('histogram');
     this.apply({});
 
-    viewer.addEventListener('progress', () => this.#refreshSoon());
-    viewer.addEventListener('field', () => this.refresh());
-    viewer.addEventListener('fieldchange', () => this.refresh());
+    viewer.addEventListener('progress', ({ detail: { name } }) => {
+      // The others have no values before all are there.
+      if (name !== 'igf' || this.#method.method === 'exact') this.#refreshSoon();
+    });
+    for (const event of ['field', 'fieldchange'] as const) {
+      viewer.addEventListener(event, () => this.#refreshNext());
+    }
     viewer.addEventListener('unit', () => this.refresh());
     viewer.addEventListener('view', () => this.refresh());
     viewer.addEventListener('hover', (event) => {
@@ -278,6 +295,7 @@ export class FieldPanel {
     this.#ofFile.replaceChildren(...own);
     this.#ofFile.hidden = own.length === 0;
     if (!this.#isThere(this.name)) viewer.removeAttribute('field');
+    this.#method.clear();
     this.refresh();
     const { info } = viewer;
     void viewer.areas().then(
@@ -304,7 +322,11 @@ export class FieldPanel {
   read(): PageState {
     const viewer = this.#viewer;
     const { name } = this;
-    const state: PageState = { ...this.#signature.read(), ...this.#persistence.read() };
+    const state: PageState = {
+      ...this.#signature.read(),
+      ...this.#method.read(),
+      ...this.#persistence.read(),
+    };
     if (name !== 'igf') state.field = name;
     const [colormap, range] = [viewer.getAttribute('colormap'), viewer.getAttribute('range')];
     if (colormap) state.colormap = colormap;
@@ -327,6 +349,7 @@ export class FieldPanel {
     const viewer = this.#viewer;
     const { field = null, colormap, range, isolines, edges } = state;
     this.#signature.apply(state);
+    this.#method.apply(state);
     this.#persistence.apply(state);
     const isOther = isShownName(field) && field !== 'igf' && this.#isThere(field);
     setAttribute(viewer, 'field', isOther ? field : '');
@@ -360,12 +383,24 @@ export class FieldPanel {
   }
 
   #refreshSoon(): void {
-    this.#timer ??= setTimeout(() => this.refresh(), interval);
+    this.#timer ??= setTimeout(() => this.refresh(), Math.max(interval, rest * this.#took));
+  }
+
+  /** Once after several events, and not in their task, which may have coloured a large surface. */
+  #refreshNext(): void {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.refresh());
   }
 
   refresh(): void {
+    const from = performance.now();
     clearTimeout(this.#timer);
     this.#timer = undefined;
+    this.#show();
+    this.#took = performance.now() - from;
+  }
+
+  #show(): void {
     const [plot, sliders] = [this.#plot, this.#sliders];
     const { name } = this;
     const first = combinationOf(name)?.first ?? name;
@@ -373,6 +408,8 @@ export class FieldPanel {
     explains(this.#field, fieldTerms[first]);
     this.#second.show(name);
     this.#signature.show(first);
+    this.#method.show(first);
+    this.#states.hidden = this.#method.method !== 'refined';
     this.#persistence.show(first);
     const isNumeric = isOfNumbers(name) || name === 'tips';
     const values = this.#valuesOf(name);
@@ -415,8 +452,8 @@ export class FieldPanel {
       `Distribution of ${isFieldName(name) ? wordsFor(name) : fieldTitle(name)} from ${format(reach[0])} to ${format(reach[1])}, median ` +
         `${format(middle)}. Arrows mark a range.`,
     );
-    this.#paint();
-    this.#writeCaption(values, reach);
+    this.#paint(reach);
+    this.#writeCaption(values, reach, middle);
   }
 
   #showShares(): void {
@@ -425,12 +462,14 @@ export class FieldPanel {
     if (name === 'parts') categories.show(partKinds, this.#page.partKinds() ?? [], areas);
     else if (name === 'none') categories.clear();
     else {
-      categories.show(girthKinds, [], areas);
+      const words = name === 'state' ? girthStates : girthKinds;
+      categories.show(words, [], areas);
       if (!this.#computed.has('igf')) return;
       const { info } = viewer;
-      void viewer.fieldOf('igf').then(({ kinds }) => {
-        if (viewer.info === info && this.name === 'kind')
-          categories.show(girthKinds, kinds, this.#areas);
+      void viewer.fieldOf('igf').then((igf) => {
+        if (viewer.info !== info || this.name !== name) return;
+        const { states = [] } = igf as Partial<RefinedGirth>;
+        categories.show(words, name === 'state' ? states : igf.kinds, this.#areas);
       });
     }
   }
@@ -457,7 +496,7 @@ export class FieldPanel {
   }
 
   /** Colours of the bars, and the ends of the range. */
-  #paint(): void {
+  #paint(reach = extent(this.#valuesOf(this.name))): void {
     const [viewer, plot, sliders] = [this.#viewer, this.#plot, this.#sliders];
     const range = viewer.getAttribute('range') ?? '';
     const offered = ranges.some(([value]) => value === range);
@@ -466,9 +505,7 @@ export class FieldPanel {
       viewer.shown?.colormap ?? viewer.getAttribute('colormap') ?? 'viridis',
     );
     plot.recolour((value) => this.#colourOf(value));
-    sliders.show(extent(this.#valuesOf(this.name)), this.#ends, (value) =>
-      formatLength(value, this.#format),
-    );
+    sliders.show(reach, this.#ends, (value) => formatLength(value, this.#format));
   }
 
   #setRange(range: string): void {
@@ -503,7 +540,7 @@ export class FieldPanel {
     if (reach) this.#writeCaption(values, reach);
   }
 
-  #writeCaption(values: Float64Array, reach: readonly [number, number]): void {
+  #writeCaption(values: Float64Array, reach: readonly [number, number], middle?: number): void {
     if (this.#fault) {
       this.#writeInCaption(`${this.#fault}.`, false);
       return;
@@ -514,7 +551,7 @@ export class FieldPanel {
       const without = values.reduce((count, value) => count + (Number.isFinite(value) ? 0 : 1), 0);
       const isWhole = !isFieldName(this.name) || this.#computed.has(this.name);
       this.#writeInCaption(
-        `median ${format(quantile(values, this.#areas, 0.5))}` +
+        `median ${format(middle ?? quantile(values, this.#areas, 0.5))}` +
           (without > 0 && isWhole ? ` · no value at ${formatCount(without)} vertices` : ''),
         false,
       );

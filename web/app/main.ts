@@ -389,20 +389,20 @@ viewer.addEventListener('load', (event) => {
     apply(state, known?.catch(showProjectFault));
   } else changed();
 });
-/** The persistence of the girth that panels have searched by. */
-let searchedWith: string | null = null;
+/** Persistence and method of the girth that panels have searched by. */
+let searchedWith = '';
 viewer.addEventListener('field', (event) => {
   const { name, share } = event.detail;
   if (name !== 'igf') return;
   document.documentElement.dataset['field'] = share === 1 ? 'complete' : 'partial';
   if (share < 1) return;
-  const persistence = viewer.getAttribute('persistence');
+  const girth = ['persistence', 'method'].map((name) => viewer.getAttribute(name)).join();
   // What was found by another girth is out of date.
-  if (persistence !== searchedWith) {
+  if (girth !== searchedWith) {
     limbs.forget();
     necks.forget();
   }
-  searchedWith = persistence;
+  searchedWith = girth;
   void recent.draw();
   void details.compare();
   void tips.compute();

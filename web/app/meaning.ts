@@ -21,10 +21,13 @@ const words: Partial<Record<ShownName, string>> = {
   wks: 'how likely a wave of this energy is met in a place.',
   sihks: 'how heat leaves a place, whatever the size of the shape.',
   kind: 'whether a loop holds in a place, or slips off.',
+  state: 'how sure the loop’s length is.',
   tips: 'how far the loop’s length jumps where it slips off.',
   parts: 'what is thin like a tube, thin like a plate, or neither.',
 };
 
+/** To find a way over a surface of more vertices would hold up the page. */
+const mostVertices = 150_000;
 /** Milliseconds that the loop rests at each place. */
 const pace = 70;
 
@@ -58,6 +61,7 @@ export function explainColours(viewer: GirthViewer, isPrint: () => boolean): () 
  * the system asks for less motion.
  */
 export async function showUntilTouched(viewer: GirthViewer): Promise<void> {
+  if ((viewer.info?.vertexCount ?? 0) > mostVertices) return;
   const ending = new AbortController();
   const { signal } = ending;
   const end = (): void => ending.abort();

@@ -53,7 +53,7 @@ export class PersistenceChoice {
       edited: () => {
         this.#settled ??= viewer.getAttribute('persistence') ?? '';
         this.#write();
-        if (this.#isKept) this.#paintSoon();
+        if (this.#isKept && !viewer.hasAttribute('method')) this.#paintSoon();
       },
       committed: () => void this.#choose(this.#percent),
       ended: () => {
@@ -133,7 +133,9 @@ export class PersistenceChoice {
     const viewer = this.#viewer;
     const { info } = viewer;
     if (!info || percent === this.#wanted) return;
-    if (percent > 0 && !this.#isKept) {
+    // Of few triangles they are found as quickly as they could be kept.
+    const isExact = !viewer.hasAttribute('method');
+    if (percent > 0 && !this.#isKept && isExact) {
       const isWaiting = this.#awaited !== undefined;
       this.#awaited = percent;
       if (isWaiting) return;

@@ -6,10 +6,12 @@ import {
   type Field,
   type FieldName,
   type FileWithPath,
+  type GirthAudit,
   GirthError,
   type Loop,
   type LoopKind,
   type MeshGeometry,
+  type RefinedGirth,
   type SpectralOptions,
   type ZipFile,
   readZip,
@@ -81,10 +83,14 @@ export async function writeProject(
     ...(model === undefined ? {} : { model }),
     state: writeState(shown),
     surface: surfaceKey(geometry),
-    fields: fields.map(({ name, unit, method, note, persistence }) => ({
-      ...{ name, unit, method, note },
-      ...(persistence ? { persistence } : {}),
-    })),
+    fields: fields.map((field) => {
+      const { name, unit, method, note, persistence } = field;
+      return {
+        ...{ name, unit, method, note },
+        ...(persistence ? { persistence } : {}),
+        ...(isRefined(field) ? refinementAbout(field) : {}),
+      };
+    }),
     loops: loops.map(({ length, kind, base, polyline, midpoint, angle, unit }) => ({
       ...{ length, kind, midpoint, angle, unit },
       base: writePoint(base),
@@ -97,15 +103,20 @@ export async function writeProject(
   for (const { path, content } of files) {
     entries[`model/${path}`] = new Uint8Array(await content.arrayBuffer());
   }
-  for (const { name, values, kinds } of fields) {
+  for (const field of fields) {
+    const { name, values, kinds } = field;
     entries[valuesPath(name)] = littleEndian(values);
     if (kinds.length > 0) entries[kindsPath(name)] = kinds;
+    if (isRefined(field)) entries[statesPath] = field.states;
   }
   return zipSync(entries);
 }
 
 const valuesPath = (name: FieldName): string => `results/${name}.f64`;
 const kindsPath = (name: FieldName): string => `results/${name}-kinds.u8`;
+const statesPath = 'results/igf-states.u8';
+
+const isRefined = (field: Field): field is RefinedGirth => 'states' in field;
 
 function littleEndian(values: Float64Array): Uint8Array {
   const view = new DataView(new ArrayBuffer(8 * values.length));
@@ -196,6 +207,32 @@ function fieldOf(
     method: textOf(about['method'], 'method'),
     note: textOf(about['note'], 'note'),
     ...(persistence > 0 ? { persistence } : {}),
+    ...(about['audit'] === undefined ? {} : refinement(about, bytesOf(statesPath, count))),
+  };
+}
+
+/** What a project says of a refined girth besides; its states are a file of their own. */
+function refinementAbout({ audit, coarseFaces, leanFaces }: RefinedGirth): object {
+  return { audit, coarseFaces, leanFaces };
+}
+
+/** What a refined girth has besides. */
+function refinement(
+  about: Json,
+  states: Uint8Array,
+): Pick<RefinedGirth, 'states' | 'audit' | 'coarseFaces' | 'leanFaces'> {
+  if (states.some((state) => state > 2)) throw fault('MALFORMED_FILE', 'a state is none');
+  const audit = objectOf(about['audit'], 'audit');
+  const of = (name: keyof GirthAudit): number => numberOf(audit[name], `the audit’s ${name}`);
+  return {
+    states,
+    audit: {
+      ...{ vertices: of('vertices'), equal: of('equal'), median: of('median') },
+      ...{ atLeast: of('atLeast'), atMost: of('atMost') },
+      ...{ percentile95: of('percentile95'), greatest: of('greatest') },
+    },
+    coarseFaces: numberOf(about['coarseFaces'], 'coarseFaces'),
+    leanFaces: numberOf(about['leanFaces'], 'leanFaces'),
   };
 }
 

@@ -290,14 +290,11 @@ Result<std::string> contentFor(const Work& work, const GirthField& girth, const 
       io::girthVertexField(girth, options.method, work.loaded.unit)};
   fields[0].method = particulars(options, work.persistence);
   std::vector<double> states;
-  std::array<std::string_view, kStates.size()> words;
   // NumPy's files hold one field.
   if (work.refined != nullptr && options.output.ending() != ".npy") {
-    std::transform(kStates.begin(), kStates.end(), words.begin(),
-                   [](GirthState state) { return toString(state); });
     for (const GirthState state : work.refined->states)
       states.push_back(static_cast<double>(state));
-    fields.push_back({"state", states, "", fields[0].method, {}, "kind", words});
+    fields.push_back(io::girthStateField(states, fields[0].method));
   }
   if (options.output.ending() == ".glb") return figureContent(work, fields, options);
   return io::fieldFile(work.loaded, fields, options.output.ending().substr(1), work.model,

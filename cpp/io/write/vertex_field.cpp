@@ -1,6 +1,7 @@
 #include "girth/io/vertex_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -87,6 +88,12 @@ std::optional<Error> checkFields(const LoadedMesh& loaded, std::span<const Verte
 
 VertexField girthVertexField(const GirthField& field, GirthMethod method, std::string_view unit) {
   return {"igf", field.values, std::string(unit), std::string(toString(method)), field.kinds};
+}
+
+VertexField girthStateField(std::span<const double> codes, std::string_view method) {
+  static const std::array words{toString(GirthState::Proved), toString(GirthState::Consistent),
+                                toString(GirthState::Suspect)};
+  return {"state", codes, "", std::string(method), {}, "kind", words};
 }
 
 }  // namespace girth::io

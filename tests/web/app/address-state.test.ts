@@ -23,6 +23,7 @@ const whole: PageState = {
   colormap: 'turbo',
   range: '5% 95%',
   isolines: 12,
+  method: 'refined',
   edges: true,
   section: '-x 40.5%',
   camera: { polar: 1.1868, azimuth: -0.5, distance: 4.5, target: [0, 0.25, -1] },

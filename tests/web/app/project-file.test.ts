@@ -8,7 +8,7 @@ import {
   surfaceKey,
   writeProject,
 } from '../../../web/app/project-file.js';
-import type { Field, Loop, MeshGeometry } from '../../../web/src/kernel/index.js';
+import type { Field, Loop, MeshGeometry, RefinedGirth } from '../../../web/src/kernel/index.js';
 
 const geometry: MeshGeometry = {
   positions: Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0),
@@ -71,6 +71,21 @@ test('a project is read as it was written, to the bit', async () => {
   expect(read.files.map(({ path }) => path)).toEqual(['tri.obj']);
   expect(await read.files[0]!.content.text()).toBe('v 0 0 0');
   expect(read.resultsFor(geometry)).toEqual(results);
+});
+
+test('a refined girth keeps its states and its audit; states that are none are refused', async () => {
+  const audit = {
+    ...{ vertices: 200, equal: 198, atLeast: 0.96, atMost: 0.997, median: 0 },
+    ...{ percentile95: 0, greatest: 0.05 },
+  };
+  const states = Uint8Array.of(0, 2, 1);
+  const faces = { coarseFaces: 9_998, leanFaces: 50_084 };
+  const refined: RefinedGirth = { ...igf, method: 'refined', states, audit, ...faces };
+  const all = await writeProject(project, geometry, { fields: [refined], loops: [] });
+  expect(readProject(all)!.resultsFor(geometry)!.fields).toEqual([refined]);
+  const wrong = { ...unzipSync(all), 'results/igf-states.u8': Uint8Array.of(0, 3, 1) };
+  const read = readProject(zipSync(wrong))!;
+  expect(() => read.resultsFor(geometry)).toThrow('a state is none');
 });
 
 test('results are those of one surface, and of no other', async () => {

@@ -1,22 +1,44 @@
-import { expect, test } from 'vitest';
+import { afterEach, expect, test, vi } from 'vitest';
 import { combine as combineBy } from '../../../web/src/element/combined-field.js';
 import { Fields, type FieldState } from '../../../web/src/element/fields.js';
 import { failure } from '../../../web/src/kernel/errors.js';
 import { summaryOf } from '../../../web/src/kernel/field-run.js';
+import type { GirthMethod } from '../../../web/src/element/attribute-types.js';
 import type { Field, FieldName, FieldOptions, Mesh } from '../../../web/src/kernel/types.js';
 
 const vertexCount = 3;
 const adjacency = { first: Uint32Array.of(0, 1, 3, 4), neighbours: Uint32Array.of(1, 0, 2, 1) };
 
 /** A mesh whose fields are finished by hand, and what the host was told. */
-function drawn() {
+function drawn(method: GirthMethod = 'exact', persistence = 0) {
   const runs: { name: FieldName; options: FieldOptions; finish: () => void }[] = [];
+  const lent: number[][] = [];
+  const disposed: string[] = [];
+  /** One on fewer triangles: it has other values. */
+  const remeshed = {
+    info: { vertexCount: 2, faceCount: 9_998 },
+    field: (_: FieldName, options: FieldOptions) => {
+      runs.push({ name: 'igf', options, finish: () => undefined });
+      return Promise.resolve({ name: 'igf', values: Float64Array.of(5, 6), method: 'exact' });
+    },
+    carryField: (field: Field) =>
+      Promise.resolve({ ...field, values: Float64Array.of(5, 6, 6), range: [5, 6], note: '' }),
+    dispose: () => disposed.push('remeshed'),
+  };
   const mesh = {
-    info: { vertexCount },
+    info: { vertexCount, faceCount: 400_000 },
+    remesh: (faces: number) => {
+      disposed.push(`remeshed to ${faces}`);
+      return Promise.resolve(remeshed);
+    },
+    refinedGirth: () => {
+      const values = Float64Array.of(1, 2, 3);
+      return Promise.resolve({ name: 'igf', values, range: [1, 3], method: 'refined' });
+    },
     field: (name: FieldName, options: FieldOptions) =>
       new Promise<Field>((resolve, reject) => {
         const values = Float64Array.of(1, 2, 3);
-        const field = { name, values, range: [1, 3] } as unknown as Field;
+        const field = { name, values, range: [1, 3], method: 'exact' } as unknown as Field;
         runs.push({ name, options, finish: () => resolve(field) });
         options.signal!.addEventListener('abort', () =>
           reject(Object.assign(new Error('cancelled'), { code: 'CANCELLED' })),
@@ -26,14 +48,18 @@ function drawn() {
   const ended: { name: FieldName; whole: boolean; code: string | undefined }[] = [];
   const fields = new Fields(mesh, adjacency, {
     spectral: (name) => (name === 'hks' ? { time: 0.5 } : undefined),
-    persistence: () => 0,
+    persistence: () => persistence,
+    method: () => method,
+    lent: ({ preview }) => lent.push([...preview!.values]),
     received: ({ preview }, partial) => preview!.receive(partial, () => undefined),
     progressed: () => undefined,
     ended: ({ name, field }: FieldState, error) =>
       ended.push({ name, whole: !!field, code: (error as { code?: string } | undefined)?.code }),
   });
-  return { fields, runs, ended };
+  return { fields, runs, ended, lent, disposed };
 }
+
+afterEach(() => vi.unstubAllGlobals());
 
 test('a field is computed once, however often it is asked for', async () => {
   const { fields, runs, ended } = drawn();
@@ -99,6 +125,45 @@ test('another number of a signature is computed anew; the one before ends withou
     false,
     true,
   ]);
+});
+
+test('on few triangles: they are let go of, and what was computed on them is known again', async () => {
+  const { fields, runs, disposed } = drawn('coarse', 0.5);
+  const field = await fields.compute('igf');
+  expect([...field.values]).toEqual([5, 6, 6]);
+  expect(field).toMatchObject({
+    method: 'exact on 9998 faces',
+    note: 'computed on 9,998 triangles',
+  });
+  expect(disposed).toEqual(['remeshed to 10000', 'remeshed']);
+  expect(runs.map(({ options }) => options.persistence)).toEqual([0.5]);
+  const girth = await fields.girth(new AbortController().signal);
+  expect(await fields.girth(new AbortController().signal)).toBe(girth);
+  expect(runs.map(({ options }) => options.persistence)).toEqual([0.5, 0]);
+});
+
+test('on few triangles: exact values of some vertices are seen meanwhile, where they take no memory of their own', async () => {
+  vi.stubGlobal('crossOriginIsolated', true);
+  const { fields, runs } = drawn('coarse', 0.5);
+  const computing = fields.compute('igf');
+  await expect.poll(() => runs).toHaveLength(2);
+  const [some] = runs;
+  expect(some!.options.persistence).toBe(0.5);
+  expect(some!.options.signal!.aborted).toBe(true);
+  expect(some!.options.onPartial).toBeDefined();
+  expect((await computing).method).toBe('exact on 9998 faces');
+});
+
+test('refined: values of few triangles are lent until it is there, and know of persistence', async () => {
+  const { fields, lent, ended } = drawn('refined');
+  const computing = fields.compute('igf');
+  await expect.poll(() => lent).toEqual([[5, 6, 6]]);
+  expect([...(await computing).values]).toEqual([1, 2, 3]);
+  expect(ended).toEqual([{ name: 'igf', whole: true, code: undefined }]);
+  fields.forget('igf');
+  expect(await fields.compute('igf')).toBe(await computing);
+  expect(lent).toHaveLength(1);
+  expect(drawn('refined', 0.5).fields.method).toBe('coarse');
 });
 
 test('a field that nobody asked for has no values', () => {

@@ -92,6 +92,10 @@ export function fakeSurface(count: number): Behaviour {
           values: Float64Array.from({ length: count }, (_, v) => fakeValue(v)),
           method: 'by fakes',
         };
+      case 'carryBack': {
+        const { values, kinds } = args as { values: Float64Array; kinds: Uint8Array };
+        return { values, kinds };
+      }
       case 'heatMaxima':
       case 'maxima':
         return { maxima: [{ vertex: 1, value: 2, persistence: 2, saddle: -1 }] };

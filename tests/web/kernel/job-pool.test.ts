@@ -262,6 +262,7 @@ describe('the jobs of a mesh', () => {
     await mesh.difference(igf, mesh, igf);
     const remeshed = await mesh.remesh(4);
     await remeshed.carryBack(igf.values);
+    await remeshed.carryField(igf);
     return remeshed;
   }
 
@@ -321,6 +322,12 @@ describe('the jobs of a mesh', () => {
     const short = { ...fieldOf('igf'), values: new Float64Array(1) };
     expect(await codeOf(mesh.difference(short, mesh, fieldOf('igf')))).toBe('USAGE');
     expect(await codeOf(mesh.difference(fieldOf('igf'), mesh, short))).toBe('USAGE');
-    expect(await codeOf((await mesh.remesh(4)).carryBack(short.values))).toBe('USAGE');
+    const remeshed = await mesh.remesh(4);
+    expect(await codeOf(remeshed.carryBack(short.values))).toBe('USAGE');
+    expect(await codeOf(remeshed.carryField(short))).toBe('USAGE');
+    const states = new Uint8Array(1);
+    expect(await codeOf(mesh.exportField({ ...fieldOf('igf'), states } as Field, 'csv'))).toBe(
+      'USAGE',
+    );
   });
 });

@@ -123,3 +123,16 @@ test('it knows whether a value is left to spread', () => {
   preview.receive({ ...partial([4]), values: Float64Array.of(NaN) }, () => undefined);
   expect(preview.isSpread).toBe(true);
 });
+
+test('lent values take the place of all, and do not count as computed', () => {
+  const preview = new FieldPreview(adjacency);
+  preview.receive(partial([3, 40]), () => undefined);
+  const values = Float64Array.from({ length: vertexCount }, (_, v) => v);
+  preview.lend(values, [0, vertexCount - 1]);
+  expect([...preview.values]).toEqual([...values]);
+  expect([...preview.shown]).toEqual([...values]);
+  expect(preview.range).toEqual([0, vertexCount - 1]);
+  expect([preview.computed, preview.isSpread, preview.isComputed(3)]).toEqual([0, true, false]);
+  preview.receive(partial([7]), () => undefined);
+  expect([preview.computed, preview.values[7], preview.values[8]]).toEqual([1, 1007, 8]);
+});

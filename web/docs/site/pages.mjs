@@ -53,6 +53,7 @@ const placed = [
       document('how-to/part-tubes-and-plates'),
       document('how-to/compare-shapes'),
       document('how-to/study-a-collection'),
+      document('how-to/measure-a-large-scan'),
       document('how-to/embed-on-a-static-host', 'Embed on a static host'),
       document('how-to/live-under-a-strict-policy'),
     ],

@@ -5,6 +5,9 @@ import type { ShownName } from '../view/field-words.js';
 import type { Look } from '../view/look.js';
 import type { UpName } from '../view/up-axis.js';
 
+/** How the girth is computed; {@link GirthViewer} says what the words mean. */
+export type GirthMethod = 'exact' | 'coarse' | 'refined';
+
 /**
  * What the attributes can be; {@link GirthViewer} says what they do. Of those without a value `''` and `true` mean that
  * they are there, `false` that they are not.
@@ -32,6 +35,8 @@ export interface GirthViewerAttributes {
   isolines?: number | string;
   /** Whether the colours are logarithmic. */
   log?: boolean | '';
+  /** How the girth is computed. */
+  method?: GirthMethod;
   /** Passes over loops whose saddles last no longer. */
   persistence?: number | string;
   /** Of the heat kernel signature. */

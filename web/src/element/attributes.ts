@@ -85,6 +85,7 @@ const rules: Record<AttributeName, Rule> = {
   },
   isolines: wholeNumber(0, mostIsolines),
   log: flag,
+  method: oneOf(['exact', 'coarse', 'refined']),
   persistence: {
     allowed: 'a length as in 0.5 or 3mm, or a share of the square root of the area as in 2%',
     accepts: (text) => 'length' in readLengthOrShare(text, 'm', 1),

@@ -6,6 +6,7 @@ import type {
   Barcodes,
   Field,
   FieldName,
+  FieldOptions,
   Mesh,
   MeshInfo,
   NamedField,
@@ -26,7 +27,9 @@ import {
   isFieldName,
   isGivenName,
 } from '../view/index.js';
+import type { GirthMethod } from './attribute-types.js';
 import type { CombinedField, Operand } from './combined-field.js';
+import { methodOf } from './girth-method.js';
 import type { GivenField } from './given-fields.js';
 
 /** One field, as far as it is computed. */
@@ -45,6 +48,10 @@ export interface FieldsHost {
   spectral(name: FieldName): SpectralOptions | undefined;
   /** How long saddles must last to count, in model units; 0: all do. */
   persistence(info: MeshInfo): number;
+  /** How the girth is to be computed. */
+  method(): GirthMethod;
+  /** Values of elsewhere are in the state's preview until the field is there. */
+  lent(state: FieldState): void;
   /** New values, not yet in the state's preview. */
   received(state: FieldState, partial: PartialField): void;
   progressed(name: FieldName, fraction: number, secondsLeft: number | undefined): void;
@@ -61,8 +68,8 @@ export class Fields {
   readonly #states = new Map<FieldName, FieldState>();
   readonly #given = new Map<string, GivenField>();
   readonly #combined = new Map<ShownName, CombinedField>();
-  /** The girth itself, also while one with a persistence is shown. */
-  #girth: Field | undefined;
+  /** The girth itself by each method, also while another one is shown, or one with a persistence. */
+  readonly #girths = new Map<GirthMethod, Field>();
   /** What was computed before, elsewhere, with the options that it was computed with. */
   readonly #adopted: { field: Field; spectral: SpectralOptions | undefined }[] = [];
   /** The saddles of all vertices, where they are kept. */
@@ -82,7 +89,7 @@ export class Fields {
     girth?: Field,
   ) {
     this.#mesh = mesh;
-    this.#girth = girth;
+    if (girth) this.#girths.set(methodOf(girth), girth);
     for (const field of given) this.#given.set(field.name, field);
     this.#adjacency = adjacency;
     this.#host = host;
@@ -186,7 +193,6 @@ export class Fields {
       this.#states.set(name, state);
     }
     if (state.field) return Promise.resolve(state.field);
-    state.preview ??= new FieldPreview(this.#adjacency);
     // One that was cancelled and is only coming to its end does not count.
     if (!state.running || state.running.abort.signal.aborted) {
       const abort = new AbortController();
@@ -198,7 +204,18 @@ export class Fields {
   /** The girth itself, whatever persistence the one that is shown has. */
   async girth(signal: AbortSignal): Promise<Field> {
     if (this.persistence === 0) return this.compute('igf');
-    return (this.#girth ??= this.#known('igf', 0) ?? (await this.#mesh.field('igf', { signal })));
+    const known = this.#known('igf', 0);
+    if (known) return known;
+    const { method } = this;
+    const girth = await this.#girthBy(method, undefined, { signal });
+    this.#girths.set(method, girth);
+    return girth;
+  }
+
+  /** How the girth is computed: refined, it knows of no persistence. */
+  get method(): GirthMethod {
+    const method = this.#host.method();
+    return method === 'refined' && this.persistence > 0 ? 'coarse' : method;
   }
 
   /** Which number of its signature a field is. */
@@ -241,11 +258,11 @@ export class Fields {
   async #run(state: FieldState, abort: AbortController): Promise<Field> {
     const { name } = state;
     const { signal } = abort;
-    const { persistence } = this;
+    const { persistence, method } = this;
     let failure: unknown;
     try {
       const field = await (this.#known(name, persistence) ?? this.#computed(state, signal));
-      if (name === 'igf' && persistence === 0) this.#girth = field;
+      if (name === 'igf' && persistence === 0) this.#girths.set(method, field);
       state.field = field;
       state.preview = undefined;
       return field;
@@ -282,12 +299,14 @@ export class Fields {
     const adopted = this.#adopted.find(
       ({ field, spectral }) =>
         field.name === name &&
+        (name !== 'igf' || methodOf(field) === this.method) &&
         (field.persistence ?? 0) === (concernsSaddles(name) ? persistence : 0) &&
         JSON.stringify(spectral) === wish,
     );
     if (adopted) return adopted.field;
     if (name !== 'igf') return undefined;
-    if (persistence === 0) return this.#girth;
+    if (persistence === 0) return this.#girths.get(this.method);
+    if (this.method !== 'exact') return undefined;
     const barcodes = this.#barcodes;
     const isKept = barcodes !== undefined && persistence <= barcodes.maxPersistence;
     return isKept ? barcodes.girth(persistence) : undefined;
@@ -297,16 +316,53 @@ export class Fields {
     const { name } = state;
     const spectral = this.spectralOf(name);
     const onProgress = this.#progressOf(name, signal);
+    state.preview ??= new FieldPreview(this.#adjacency);
     onProgress(0);
+    if (name === 'igf' && this.method !== 'exact') {
+      return this.#girthBy(this.method, state, { signal, onProgress });
+    }
     return this.#mesh.field(name, {
       signal,
       persistence: this.persistence,
       ...(spectral ? { spectral } : {}),
       onProgress,
+      ...this.#receiving(state, signal),
+    });
+  }
+
+  #receiving(state: FieldState, signal: AbortSignal): Required<Pick<FieldOptions, 'onPartial'>> {
+    return {
       onPartial: (partial) => {
         if (!signal.aborted) this.#host.received(state, partial);
       },
-    });
+    };
+  }
+
+  /** The girth by a method; refined, with that of few triangles to be seen until it is there. */
+  async #girthBy(
+    method: GirthMethod,
+    state: FieldState | undefined,
+    { signal, onProgress }: { signal: AbortSignal; onProgress?: (share: number) => void },
+  ): Promise<Field> {
+    const mesh = this.#mesh;
+    const watched = { signal, ...(onProgress && { onProgress }) };
+    if (method === 'exact') return mesh.field('igf', watched);
+    const { coarseGirth, onItsOwn } = await import('./large-girth.js');
+    if (method === 'coarse') {
+      const persistence = state ? this.persistence : 0;
+      const some = state ? this.#receiving(state, signal) : {};
+      return onItsOwn(coarseGirth(mesh, { ...watched, ...some, persistence }));
+    }
+    if (state) {
+      const some = { signal, persistence: 0, ...this.#receiving(state, signal) };
+      const first = this.#girths.get('coarse') ?? (await coarseGirth(mesh, some));
+      this.#girths.set('coarse', first);
+      if (state.preview) {
+        state.preview.lend(first.values, first.range);
+        this.#host.lent(state);
+      }
+    }
+    return onItsOwn(mesh.refinedGirth(watched));
   }
 
   #progressOf(name: FieldName, signal: AbortSignal): (fraction: number) => void {

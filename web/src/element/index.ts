@@ -34,7 +34,7 @@ export type { DrawingOptions } from './drawing.js';
 export type { FigureOptions } from './snapshot.js';
 export type { StrokeOptions } from './stroke.js';
 export type { TipsChoice } from './tips-on-surface.js';
-export type { GirthViewerAttributes, ViewerState } from './attribute-types.js';
+export type { GirthMethod, GirthViewerAttributes, ViewerState } from './attribute-types.js';
 export { make } from './dom.js';
 export {
   readCamera,
@@ -49,7 +49,7 @@ export { sentence } from './sentence.js';
 export { mostPathPoints, parsePath, parseTwoPoints, writePath } from './wish-words.js';
 export { useKernel } from './shared-kernel.js';
 export type { CameraView, ScreenPoint } from '../view/index.js';
-export { type Category, girthKinds, partKinds } from '../view/categories.js';
+export { type Category, girthKinds, girthStates, partKinds } from '../view/categories.js';
 export {
   type ColormapName,
   colormapNames,

@@ -19,7 +19,15 @@ import type {
   Tips,
   WatchedOptions,
 } from '../kernel/types.js';
-import { Surface, buildAdjacency, inSlices, splitCreases } from '../view/index.js';
+import {
+  Surface,
+  type UpAxis,
+  buildAdjacency,
+  inSlices,
+  nextTask,
+  splitCreases,
+  upAxisOf,
+} from '../view/index.js';
 import { Fields, type FieldsHost } from './fields.js';
 import type { GivenField } from './given-fields.js';
 
@@ -61,11 +69,14 @@ export class Model {
   readonly fields: Fields;
   /** What its file has besides the surface. */
   readonly file: FileContent;
+  /** The way up that fits it. */
+  readonly fitting: UpAxis;
 
   /** Made by `Model.of`. */
-  constructor(mesh: Mesh, surface: Surface, fields: Fields, file: FileContent) {
+  constructor(mesh: Mesh, surface: Surface, fields: Fields, file: FileContent, fitting: UpAxis) {
     this.mesh = mesh;
     this.file = file;
+    this.fitting = fitting;
     this.surface = surface;
     this.fields = fields;
   }
@@ -85,15 +96,17 @@ export class Model {
       signal,
     );
     const creased = await inSlices(splitCreases(positions, indices, creaseAngle), signal);
+    const fitting = upAxisOf(null, mesh.info.format, positions, indices);
+    await nextTask();
+    signal.throwIfAborted();
     const surface = new Surface(positions, indices, boundary, adjacency, creased);
     const fields = new Fields(mesh, adjacency, host, file.fields, girth);
-    return new Model(mesh, surface, fields, file);
+    return new Model(mesh, surface, fields, file, fitting);
   }
 
   /** The girth is to be another one: what was made of it no longer counts. */
   forgetGirth(): void {
     this.fields.forget('igf');
-    this.fields.forget('angle');
     for (const name of this.#kept.keys()) if (name !== 'areas') this.#kept.delete(name);
   }
 

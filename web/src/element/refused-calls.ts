@@ -7,7 +7,14 @@ type Known = 'info' | 'geometry' | 'vertexOfInput' | 'vertexAreas' | 'dispose';
 
 /** All calls that compute, each answered by `refuse`. */
 export const refusedCalls = (refuse: () => Promise<never>): Omit<Mesh, Known> => ({
-  ...{ field: refuse, loop: refuse, path: refuse, barcode: refuse, barcodes: refuse },
+  ...{
+    field: refuse,
+    refinedGirth: refuse,
+    loop: refuse,
+    path: refuse,
+    barcode: refuse,
+    barcodes: refuse,
+  },
   ...{ tips: refuse, limbs: refuse, necks: refuse, handles: refuse },
   ...{ bottleneck: refuse, profile: refuse, axis: refuse, exportProfile: refuse },
   ...{ removeHandles: refuse, levelCurves: refuse, cut: refuse, exportCut: refuse },

@@ -1,6 +1,13 @@
 // What colours the surface of a model: a field, its range and its lines, or categories; and the legend.
 
-import type { Field, Parts, PartThresholds, PartialField, Tips } from '../kernel/types.js';
+import type {
+  Field,
+  Parts,
+  PartThresholds,
+  PartialField,
+  RefinedGirth,
+  Tips,
+} from '../kernel/types.js';
 import {
   type Category,
   type ColormapName,
@@ -19,6 +26,7 @@ import {
   formatCount,
   formatLength,
   girthKinds,
+  girthStates,
   isFieldName,
   isGivenName,
   lengthFormat,
@@ -39,6 +47,11 @@ import type { RangeChoice } from './parse.js';
 const steepestGirth = 4;
 /** Milliseconds a frame may spend on spreading colours. */
 const spreadBudget = 5;
+
+/** Codes that the girth has beside its values, and what they mean. */
+const codeWords = { kind: girthKinds, state: girthStates };
+type CodesName = keyof typeof codeWords;
+const isOfCodes = (name: ShownName): name is CodesName => Object.hasOwn(codeWords, name);
 
 /** What the element's attributes ask for. */
 export interface ShadingWishes {
@@ -90,7 +103,7 @@ export interface PartsChoice extends PartThresholds {
 }
 
 /** Categories have no range. */
-const isOfCategories = (name: ShownName): boolean => name === 'kind' || name === 'parts';
+const isOfCategories = (name: ShownName): boolean => isOfCodes(name) || name === 'parts';
 
 /**
  * Whether the colours follow the body of the values where no range is wished for. Angles have the same meaning
@@ -125,6 +138,8 @@ export class Shading {
   readonly #colourRange = new ColourRange();
   #content: LegendContent | undefined;
   #current: ShownField | undefined;
+  /** The whole field that was painted last; undefined for anything else. */
+  #whole: Field | GivenField | CombinedField | undefined;
   /** What colours the surface until that is there which is wished for. */
   #painted: ShownName = 'none';
   readonly #model: Model;
@@ -158,12 +173,12 @@ export class Shading {
     const { fields } = this.#model;
     if (name === 'none') return true;
     if (name === 'tips') return !!this.#tips;
-    if (name === 'kind') return this.#kinds.length > 0;
+    if (isOfCodes(name)) return this.#codesOf(name).length > 0;
     if (name === 'parts') {
       return !!this.parts && !!fields.get('igf')?.field && !!fields.get('sdf')?.field;
     }
     const { field, preview } = this.#knownOf(name);
-    return !!field || !!preview?.computed;
+    return !!field || !!preview?.range;
   }
 
   /** What is known of a name: a whole field, computed or as the model's file has it; or what there is of it so far. */
@@ -181,7 +196,7 @@ export class Shading {
   /** Whether what is wished for can be shown without computing anything. */
   get isReady(): boolean {
     const { name } = this.wishes;
-    if (name === 'kind') return this.#kinds.length > 0;
+    if (isOfCodes(name)) return this.#codesOf(name).length > 0;
     if (name === 'tips') return this.#model.file.tips !== undefined;
     return name === 'none' || !!this.#knownOf(name).field;
   }
@@ -197,7 +212,7 @@ export class Shading {
       // As the model's file has it.
     } else if (isFieldName(name)) await model.fields.compute(name);
     else if (combinationOf(name)) await model.fields.combine(name as CombinedName);
-    else if (name === 'kind') await model.fields.compute('igf');
+    else if (isOfCodes(name)) await model.fields.compute('igf');
     else if (name === 'tips') this.#keepTips(await model.tips());
     else {
       await model.girthAndDiameter();
@@ -280,8 +295,11 @@ export class Shading {
   paint(): void {
     const { name } = this;
     this.#painted = name;
+    const whole = this.places ? undefined : this.#knownOf(name).field;
+    const isPainted = whole !== undefined && whole === this.#whole;
+    this.#whole = whole;
     // Values that are no longer there colour the surface until the new ones come.
-    if (this.#keptOf(name)) this.refresh();
+    if (isPainted || this.#keptOf(name)) this.refresh();
     else this.#paintAs(name);
   }
 
@@ -296,10 +314,10 @@ export class Shading {
     if (this.places) {
       surface.setCategories(this.places.kinds, this.places.categories);
       surface.shadeBy('categories');
-    } else if (name === 'kind') {
-      const kinds = this.#kinds;
-      if (kinds.length > 0) surface.setCategories(kinds, girthKinds);
-      surface.shadeBy(kinds.length > 0 ? 'categories' : 'plain');
+    } else if (isOfCodes(name)) {
+      const codes = this.#codesOf(name);
+      if (codes.length > 0) surface.setCategories(codes, codeWords[name]);
+      surface.shadeBy(codes.length > 0 ? 'categories' : 'plain');
     } else if (name === 'parts') {
       this.#paintParts();
     } else if (name === 'tips') {
@@ -359,8 +377,12 @@ export class Shading {
     if (name === 'none') return;
     const { title } = this;
     if (isOfCategories(name)) {
-      if (name === 'kind' ? this.#kinds.length === 0 : !this.parts) return;
-      const used = name === 'kind' ? this.#usedGirthKinds() : partKinds;
+      if (isOfCodes(name) && this.#codesOf(name).length === 0) {
+        if (name === 'state') this.#content = { title, categories: [], note: this.#noStates };
+        return;
+      }
+      if (name === 'parts' && !this.parts) return;
+      const used = isOfCodes(name) ? this.#usedWords(name) : partKinds;
       const colormap = wished ?? 'viridis';
       const none = { range: undefined, extent: undefined, log: false };
       this.#current = { name, ...none, colormap, format };
@@ -404,13 +426,20 @@ export class Shading {
   }
 
   /** Of the girth, where it is whole; otherwise empty. */
-  get #kinds(): Uint8Array {
-    return this.#model.fields.wholeOf('igf')?.kinds ?? new Uint8Array(0);
+  #codesOf(name: CodesName): Uint8Array {
+    const igf = this.#model.fields.wholeOf('igf');
+    const codes = name === 'kind' ? igf?.kinds : (igf as Partial<RefinedGirth> | undefined)?.states;
+    return codes ?? new Uint8Array(0);
   }
 
-  #usedGirthKinds() {
-    const kinds = this.#kinds;
-    return girthKinds.filter((_, number) => kinds.includes(number));
+  #usedWords(name: CodesName): readonly Category[] {
+    const codes = this.#codesOf(name);
+    return codeWords[name].filter((_, number) => codes.includes(number));
+  }
+
+  /** Why there are no states, once the girth is there. */
+  get #noStates(): string {
+    return this.#model.fields.wholeOf('igf') ? 'only the refined method says how sure it is' : '';
   }
 
   #extentOf(name: ShownName): readonly [number, number] | undefined {

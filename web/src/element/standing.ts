@@ -7,9 +7,8 @@ import type { Model } from './model.js';
 export class Standing {
   readonly #stage: Stage;
   readonly #model: Model;
-  /** The way up that fits the model. */
-  readonly fitting: UpAxis;
   #axis: UpAxis;
+  #measured: { axis: UpAxis; height: number } | undefined;
   #shadowing = new AbortController();
   #hasShadow = false;
 
@@ -17,13 +16,40 @@ export class Standing {
   constructor(stage: Stage, model: Model, wished: string | null) {
     this.#stage = stage;
     this.#model = model;
-    this.fitting = this.#axisFor(null);
     this.#axis = this.#stand(wished);
+  }
+
+  /** The way up that fits the model. */
+  get fitting(): UpAxis {
+    return this.#model.fitting;
   }
 
   /** Which way is up. */
   get axis(): UpAxis {
     return this.#axis;
+  }
+
+  /** The model's extent upwards, in model units. */
+  get height(): number {
+    if (this.#measured?.axis === this.#axis) return this.#measured.height;
+    const height = this.#heightAlong(this.#axis.direction);
+    this.#measured = { axis: this.#axis, height };
+    return height;
+  }
+
+  #heightAlong(direction: UpAxis['direction']): number {
+    const { info, geometry } = this.#model.mesh;
+    const axis = direction.findIndex((share) => Math.abs(share) === 1);
+    if (axis >= 0) return info.size[axis]!;
+    const { positions } = geometry;
+    const [x, y, z] = direction;
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = 0; i < positions.length; i += 3) {
+      const above = x * positions[i]! + y * positions[i + 1]! + z * positions[i + 2]!;
+      if (above < low) low = above;
+      if (above > high) high = above;
+    }
+    return high - low;
   }
 
   /** Another way up is wished for; null: that which fits the model. */
@@ -53,13 +79,11 @@ export class Standing {
     this.#shadowing.abort();
   }
 
-  #axisFor(wished: string | null): UpAxis {
-    const { info, geometry } = this.#model.mesh;
-    return upAxisOf(wished, info.format, geometry.positions, geometry.indices);
-  }
-
   #stand(wished: string | null): UpAxis {
-    const axis = isUpName(wished) ? this.#axisFor(wished) : this.fitting;
+    const { info, geometry } = this.#model.mesh;
+    const axis = isUpName(wished)
+      ? upAxisOf(wished, info.format, geometry.positions, geometry.indices)
+      : this.fitting;
     this.#stage.stand(rotationUp(axis.direction));
     return axis;
   }

@@ -334,8 +334,11 @@ export class ViewerCore {
       case 'one-scale':
         void this.#joinOthers();
         break;
-      case 'persistence':
+      case 'method':
         this.#forgetGirth();
+        break;
+      case 'persistence':
+        this.#persist();
         break;
       case 'time':
         this.#choose('hks');
@@ -800,15 +803,23 @@ export class ViewerCore {
     void this.#showField();
   }
 
-  /** Another persistence is wanted: what was made of the girth no longer counts. */
+  /** Another persistence is wanted: what it concerns no longer counts. */
+  #persist(): void {
+    const { presented } = this;
+    if (!presented) return;
+    const { fields, life } = presented.model;
+    fields.forget('angle');
+    presented.loops.renew().catch((error: unknown) => {
+      if (!life.signal.aborted) this.#fail('', error);
+    });
+    this.#forgetGirth();
+  }
+
+  /** Another girth is wanted: what was made of the one before no longer counts. */
   #forgetGirth(): void {
     const { presented } = this;
     if (!presented) return;
     presented.model.forgetGirth();
-    const { signal } = presented.model.life;
-    presented.loops.renew().catch((error: unknown) => {
-      if (!signal.aborted) this.#fail('', error);
-    });
     if (!presented.model.fields.computing) this.#status.clear();
     this.#restyle(true);
     void this.#showField();
@@ -819,6 +830,15 @@ export class ViewerCore {
       const text = attributeOf(this.#element, 'persistence') ?? '0';
       const read = readLengthOrShare(text, unit || this.#host.unitOf(), Math.sqrt(area));
       return 'length' in read ? read.length : 0;
+    },
+    method: () => {
+      const method = attributeOf(this.#element, 'method');
+      return method === 'coarse' || method === 'refined' ? method : 'exact';
+    },
+    lent: (state) => {
+      if (!this.#isPresent(state) || this.presented!.shading.name !== state.name) return;
+      this.presented!.paint();
+      this.#sendChange();
     },
     spectral: (name) => parseSpectral(name, (attribute) => attributeOf(this.#element, attribute)),
     received: (state, partial) => {

@@ -79,9 +79,13 @@ import { ViewerShell } from './viewer-shell.js';
  * - `field`: what colours the surface: `igf` (the girth, default), `sdf` (the shape diameter), `geoaverage`
  *   and `geofarthest` (mean and greatest geodesic distance), `angle` (of the loop at its base), `hks`, `wks`
  *   and `sihks` (one number of the heat, wave and scale-invariant heat kernel signatures), `kind` (of the
- *   loop), `tips` (how far the girth rises at the tip that a place is in), `parts` (tubes, plates and
+ *   loop), `state` (how sure a refined girth is), `tips` (how far the girth rises at the tip that a place is in), `parts` (tubes, plates and
  *   body) or `none`; values of the file as in `_heat`; or two of these in one: their difference, `igf-sdf`, where they
  *   have the same unit, or their ratio, `igf/sdf`.
+ * - `method`: how the girth is computed. `exact` (default); `coarse`, on about 10,000 triangles, whose values are carried
+ *   back to all vertices; `refined`, at all vertices in a fraction of the time, with states and an audit (`RefinedGirth`), for
+ *   surfaces of more than some 20,000 triangles. The colours are those of `coarse` until a refined girth is there; with
+ *   a `persistence` it is `coarse`.
  * - `persistence`: passes over loops whose saddles last no longer than this, as noise makes them: a length in
  *   model units or with a unit, as in `0.5` or `3mm`, or a share of the square root of the area, as in `2%`.
  *   It holds for the girth, for what is made of it and for loops; pinned ones are computed anew.
@@ -281,7 +285,7 @@ export class GirthViewer extends ViewerShell {
 
   /**
    * A copy of a field's values, one per vertex of the surface; NaN where not (yet) computed, and for two fields in one
-   * as long as these do not colour the surface.
+   * as long as these do not colour the surface. While the refined girth is computed, those of the coarse surface.
    */
   values(name: ValuesName | CombinedName): Float64Array {
     const { fields } = this.require().model;
@@ -307,7 +311,7 @@ export class GirthViewer extends ViewerShell {
 
   /**
    * Takes a whole field that was computed before of the same surface, for example on an earlier visit, in place of computing
-   * it; `options` are those of a signature that it was computed with. In a listener of `load`, before anything is
+   * it; a girth, as long as `method` asks for what it was computed by. `options` are those of a signature that it was computed with. In a listener of `load`, before anything is
    * computed. Throws a RangeError where it does not fit the surface.
    * @experimental
    */
@@ -591,18 +595,7 @@ export class GirthViewer extends ViewerShell {
 
   /** The model's extent upwards, in model units; 0 before the first model. */
   get height(): number {
-    const { info, upAxis } = this;
-    if (!info || !upAxis) return 0;
-    const { direction } = upAxis;
-    const axis = direction.findIndex((share) => Math.abs(share) === 1);
-    if (axis >= 0) return info.size[axis]!;
-    const { positions } = this.geometry;
-    let [low, high] = [Infinity, -Infinity];
-    for (let i = 0; i < positions.length; i += 3) {
-      const above = direction.reduce((sum, share, k) => sum + share * positions[i + k]!, 0);
-      [low, high] = [Math.min(low, above), Math.max(high, above)];
-    }
-    return high - low;
+    return this.presented?.standing.height ?? 0;
   }
 
   /** Whether the camera is where `resetView` puts it. */

@@ -1,7 +1,7 @@
 // One computation of a field, independent of the engine: it collects finished values and reports them at
 // intervals.
 
-import type { FieldRequest } from './protocol.js';
+import type { FieldRequest, FoundRefined, RefinedRequest, Report } from './protocol.js';
 import type { SurfaceSource } from './surface-source.js';
 import type { FieldOptions, PartialField } from './types.js';
 
@@ -20,6 +20,13 @@ export interface FieldEngine {
     run: FieldRun,
     signal: AbortSignal,
   ): Promise<void>;
+  /** The refined girth by all workers, until `signal` fires; undefined where they cannot share one call. */
+  refined?(
+    surface: SurfaceSource,
+    request: RefinedRequest,
+    onReport: (report: Report) => void,
+    signal: AbortSignal,
+  ): Promise<FoundRefined>;
 }
 
 export class FieldRun {

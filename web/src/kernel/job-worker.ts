@@ -110,8 +110,12 @@ serveRequests<JobOperations>({
     return remeshedSurface(made, info);
   },
 
-  carryBack({ surface, remeshed, values }) {
-    return checked(module.carryBack(surfaces.get(surface), surfaces.get(remeshed), values));
+  carryBack({ surface, remeshed, values, kinds }) {
+    return checked(module.carryBack(surfaces.get(surface), surfaces.get(remeshed), values, kinds));
+  },
+
+  refinedGirth({ surface, request }, report) {
+    return checked(module.refinedGirth(surfaces.get(surface), request, progressTo(report)));
   },
 
   difference({ surface, values, other, otherValues }) {

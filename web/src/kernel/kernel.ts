@@ -8,14 +8,16 @@ import { barcodeRequest, hasKinds } from './field-request.js';
 import { FieldRun, summaryOf, type FieldEngine } from './field-run.js';
 import { JobPool, type JobNeeds } from './job-pool.js';
 import { LoopQueue, type PointArguments, type PointOperation } from './loop-queue.js';
-import { MeshOfWorkers } from './mesh.js';
+import { MeshOfWorkers, progressOf } from './mesh.js';
 import type { MeshHost } from './mesh-host.js';
 import { page, type Platform } from './platform.js';
 import { PoolEngine } from './pool-engine.js';
 import type {
   CommonOperations,
   FieldRequest,
+  FoundRefined,
   JobOperations,
+  RefinedRequest,
   Report,
   SingleOperations,
   StudiesOperations,
@@ -245,12 +247,32 @@ export class KernelOfWorkers implements Kernel, MeshHost {
     signal.addEventListener('abort', () => {
       if (asked?.aborted && !surface.life.aborted) run.flush();
     });
-    const finished = this.#fields.then(async () => {
-      if (!signal.aborted) await this.#engine.compute(surface, request, run, signal);
+    await this.#inTurn(signal, () => this.#engine.compute(surface, request, run, signal));
+    if (signal.aborted) throw cancelled();
+  }
+
+  refined(
+    surface: SurfaceSource,
+    request: RefinedRequest,
+    { signal: asked, onProgress }: WatchedOptions,
+    alone: (signal: AbortSignal) => Promise<FoundRefined>,
+  ): Promise<FoundRefined> {
+    const engine = this.#engine;
+    return this.#work([asked, surface.life], async (signal) => {
+      if (!engine.refined) return alone(signal);
+      const onReport = progressOf(signal, onProgress);
+      return this.#inTurn(signal, () => engine.refined!(surface, request, onReport, signal));
+    });
+  }
+
+  /** Runs what all workers do, when what they were asked before is finished. */
+  #inTurn<T>(signal: AbortSignal, work: () => Promise<T>): Promise<T> {
+    const finished = this.#fields.then(() => {
+      if (signal.aborted) throw cancelled();
+      return work();
     });
     this.#fields = finished.catch(() => undefined);
-    await finished;
-    if (signal.aborted) throw cancelled();
+    return finished;
   }
 
   job<R>(

@@ -6,7 +6,9 @@ import type { PointArguments, PointOperation } from './loop-queue.js';
 import type {
   Answer,
   FieldRequest,
+  FoundRefined,
   JobOperations,
+  RefinedRequest,
   SingleOperations,
   StudiesOperations,
   SurfaceArrays,
@@ -25,6 +27,13 @@ export interface MeshHost {
     request: FieldRequest,
     options: FieldOptions,
   ): Promise<Omit<Field, 'unit'>>;
+  /** The refined girth, in the same way where workers can share it; otherwise `alone` computes it, by a job. */
+  refined(
+    surface: SurfaceSource,
+    request: RefinedRequest,
+    options: WatchedOptions,
+    alone: (signal: AbortSignal) => Promise<FoundRefined>,
+  ): Promise<FoundRefined>;
   /** The barcodes of all vertices, in the same way. */
   barcodes(
     surface: SurfaceSource,

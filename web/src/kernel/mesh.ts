@@ -70,6 +70,8 @@ import type {
   PrintLimits,
   Profile,
   ProfileOptions,
+  RefinedGirth,
+  RefinedOptions,
   RemeshedMesh,
   RemeshOptions,
   RepairedMesh,
@@ -99,7 +101,7 @@ function unitName(unit: string): string {
 }
 
 /** Passes a worker's progress on until the signal fires. */
-const progressOf =
+export const progressOf =
   (signal: AbortSignal | undefined, onProgress: WatchedOptions['onProgress']) =>
   (report: Report) => {
     if (!signal?.aborted && 'progress' in report) onProgress?.(report.progress);
@@ -181,6 +183,21 @@ export class MeshOfWorkers implements Mesh {
     const { range, withoutValue } = summaryOf(values);
     onProgress?.(1);
     return { name, values, kinds, range, method, withoutValue, note };
+  }
+
+  async refinedGirth({
+    coarseFaces = 10_000,
+    audit = 200,
+    seed = 1,
+    ...options
+  }: RefinedOptions = {}): Promise<RefinedGirth> {
+    const request = { coarseFaces, audit, seed };
+    const { onProgress } = options;
+    const alone = (signal: AbortSignal) =>
+      this.#ask('refinedGirth', { request }, signal, { onProgress });
+    const found = await this.#host.refined(this.surface, request, options, alone);
+    const { unit } = this.info;
+    return { name: 'igf', method: 'refined', unit, ...summaryOf(found.values), ...found };
   }
 
   async loop(
@@ -470,11 +487,12 @@ export class MeshOfWorkers implements Mesh {
     { signal, unit }: ExportOptions = {},
   ): Promise<Uint8Array> {
     const written = fields.map((field): NamedField => {
-      const { name, values, kinds = new Uint8Array(0), method = '' } = field;
+      const none = new Uint8Array(0);
+      const { name, values, kinds = none, states = none, method = '' } = field;
       this.#checkCount(values);
-      if (kinds.length > 0) this.#checkCount(kinds);
+      for (const codes of [kinds, states]) if (codes.length > 0) this.#checkCount(codes);
       const ofField = isLength(name) ? (unit ?? field.unit) : field.unit;
-      return { name, values, kinds, method, unit: unitName(ofField) };
+      return { name, values, kinds, states, method, unit: unitName(ofField) };
     });
     const length = fields.find(({ name }) => isLength(name));
     const model = this.#written(unit ?? length?.unit);
@@ -551,25 +569,31 @@ export class MeshOfWorkers implements Mesh {
     const args = { faces, even, info: this.info };
     const opened = await this.#ask('remesh', args, signal, { onProgress, passing });
     const mesh = new MeshOfWorkers(this.#host, opened);
+    const none = new Uint8Array(0);
     return Object.assign(mesh, {
-      carryBack: (values: Float64Array, options: CallOptions = {}) =>
-        this.#carryBack(mesh, values, options),
+      carryBack: async (values: Float64Array, options: CallOptions = {}) =>
+        (await this.#carryBack(mesh, values, none, options)).values,
+      carryField: async (field: Field, options: CallOptions = {}) => {
+        const { values, kinds } = field;
+        const carried = await this.#carryBack(mesh, values, kinds, options);
+        return { ...field, ...carried, ...summaryOf(carried.values) };
+      },
     });
   }
 
   async #carryBack(
     remeshed: MeshOfWorkers,
     values: Float64Array,
+    kinds: Uint8Array,
     { signal }: CallOptions,
-  ): Promise<Float64Array> {
+  ): Promise<Pick<Field, 'values' | 'kinds'>> {
     if (values.length !== remeshed.info.vertexCount) {
       throw failure('USAGE', 'there is not one value for each vertex of the remeshed surface', {
         hint: 'carry back its own values',
       });
     }
-    const args = { remeshed: remeshed.surface.number, values };
-    const carried = await this.#ask('carryBack', args, signal, { other: remeshed });
-    return carried.values;
+    const args = { remeshed: remeshed.surface.number, values, kinds };
+    return this.#ask('carryBack', args, signal, { other: remeshed });
   }
 
   async difference(

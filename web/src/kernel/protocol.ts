@@ -33,6 +33,8 @@ import type {
   PrintCheck,
   PrintLimits,
   Profile,
+  RefinedGirth,
+  RefinedOptions,
   SegmentOptions,
   Segments,
   SpectralFieldName,
@@ -106,6 +108,15 @@ export interface FieldRequest {
   /** Of 'geoaverage' and 'geofarthest'. */
   distances: 'fast-marching' | 'exact';
 }
+
+/** How a refined girth is computed. */
+export type RefinedRequest = Required<Pick<RefinedOptions, 'coarseFaces' | 'audit' | 'seed'>>;
+
+/** A refined girth as a worker finds it. */
+export type FoundRefined = Pick<
+  RefinedGirth,
+  'values' | 'kinds' | 'states' | 'audit' | 'coarseFaces' | 'leanFaces' | 'note'
+>;
 
 /** One number of a signature, with all that its values depend on besides the surface. */
 export interface SpectralRequest extends Required<SpectralOptions> {
@@ -225,11 +236,12 @@ export interface JobOperations extends CommonOperations {
   adopt: [{ surface: number; arrays: SurfaceWithInput }, object];
   /** A surface of about so many faces. `info` is that of the original. */
   remesh: [{ surface: number; faces: number; even: boolean; info: MeshInfo }, OpenedSurface];
-  /** Carries values at the vertices of `remeshed` to those of `surface`. */
+  /** Carries values at the vertices of `remeshed`, and kinds where there are some, to those of `surface`. */
   carryBack: [
-    { surface: number; remeshed: number; values: Float64Array },
-    { values: Float64Array<ArrayBuffer> },
+    { surface: number; remeshed: number; values: Float64Array; kinds: Uint8Array },
+    { values: Float64Array<ArrayBuffer>; kinds: Uint8Array<ArrayBuffer> },
   ];
+  refinedGirth: [{ surface: number; request: RefinedRequest }, FoundRefined];
   /** The difference of two fields, each on its surface. */
   difference: [
     { surface: number; values: Float64Array; other: number; otherValues: Float64Array },
@@ -390,6 +402,8 @@ export interface StudiesOperations extends CommonOperations {
 export interface ThreadsOperations extends CommonOperations {
   /** A field at all vertices. Reports each value once; answers early when the flag is set. */
   field: [{ surface: number; field: FieldRequest; threads: number }, { complete: boolean }];
+  /** Fails with CANCELLED when the flag is set. */
+  refinedGirth: [{ surface: number; request: RefinedRequest; threads: number }, FoundRefined];
 }
 
 /** The arguments of an operation of one of the tables above. */

@@ -6,17 +6,32 @@ import { loadedModule } from './loading-failure.js';
 import type { FinishedValues, ThreadsOperations } from './protocol.js';
 import { SurfaceStore } from './surface-store.js';
 import { workerFromAnywhere } from './worker-from-elsewhere.js';
-import { checked, serveRequests } from './worker-loop.js';
+import { checked, progressTo, serveRequests } from './worker-loop.js';
 
 // Emscripten makes the threads of it.
 globalThis.Worker = workerFromAnywhere(globalThis.Worker);
+
+/** The first that the machine has room for, in pages of 64 KB: the refined girth of a large surface takes more than 1 GB. */
+const mostPages = [32_768, 16_384];
+/** What the module begins with. */
+const firstPages = 256;
+
+function sharedMemory([maximum = 0, ...less] = mostPages): WebAssembly.Memory {
+  try {
+    return new WebAssembly.Memory({ initial: firstPages, maximum, shared: true });
+  } catch (thrown) {
+    if (less.length === 0) throw thrown;
+    return sharedMemory(less);
+  }
+}
 
 let module: GirthThreadsModule;
 const surfaces = new SurfaceStore<Surface>();
 
 serveRequests<ThreadsOperations>({
   async start({ threads }) {
-    module = await loadedModule(() => createModule({ girthThreads: threads }), import.meta.url);
+    const load = () => createModule({ girthThreads: threads, wasmMemory: sharedMemory() });
+    module = await loadedModule(load, import.meta.url);
     const { buffer, byteOffset } = module.cancelFlag();
     return { cancelFlag: { buffer, byteOffset } };
   },
@@ -30,6 +45,11 @@ serveRequests<ThreadsOperations>({
   field({ surface, field, threads }, report) {
     const onPartial = (partial: FinishedValues) => report({ partial });
     return checked(surfaces.get(surface).field(field, threads, onPartial));
+  },
+
+  refinedGirth({ surface, request, threads }, report) {
+    const progress = progressTo(report);
+    return checked(surfaces.get(surface).refinedGirth(request, threads, progress));
   },
 
   drop({ surface }) {

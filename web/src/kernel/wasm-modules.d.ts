@@ -124,7 +124,13 @@ declare module '*/girth.mjs' {
       original: JobSurface,
       remeshed: JobSurface,
       values: Float64Array,
-    ): { values: Float64Array<ArrayBuffer> } | Failed;
+      kinds: Uint8Array,
+    ): { values: Float64Array<ArrayBuffer>; kinds: Uint8Array<ArrayBuffer> } | Failed;
+    refinedGirth(
+      surface: JobSurface,
+      request: import('./protocol.js').RefinedRequest,
+      onProgress: OnProgress,
+    ): import('./protocol.js').FoundRefined | Failed;
     /** Equation (1) of the paper. */
     difference(
       one: JobSurface,
@@ -311,6 +317,11 @@ declare module '*/girth-threads.mjs' {
       threads: number,
       onPartial: (partial: import('./protocol.js').FinishedValues) => void,
     ): { complete: boolean } | Failed;
+    refinedGirth(
+      request: import('./protocol.js').RefinedRequest,
+      threads: number,
+      onProgress: (fraction: number) => void,
+    ): import('./protocol.js').FoundRefined | Failed;
     delete(): void;
   }
 
@@ -322,6 +333,7 @@ declare module '*/girth-threads.mjs' {
 
   export default function createModule(options: {
     girthThreads: number;
+    wasmMemory: WebAssembly.Memory;
   }): Promise<GirthThreadsModule>;
 }
 

@@ -26,6 +26,13 @@ export const girthKinds: readonly Category[] = [
   { name: 'not found in time', colour: grey, hatched: true },
 ];
 
+/** How sure a refined girth is, in the order of the states' numbers. */
+export const girthStates: readonly Category[] = [
+  { name: 'proved', colour: blue, hatched: false },
+  { name: 'consistent', colour: skyBlue, hatched: false },
+  { name: 'suspect', colour: orange, hatched: true },
+];
+
 /** The kinds of a part, in the order of their numbers. */
 export const partKinds: readonly Category[] = [
   { name: 'body', colour: light, hatched: false },

@@ -15,7 +15,7 @@ const unreached = 0xffff;
 export class FieldPreview {
   /** One per vertex: computed, or borrowed from the nearest computed one; NaN where there is none. */
   readonly shown: Float32Array;
-  /** One per vertex: the computed value; NaN where there is none, or none yet. */
+  /** One per vertex: the computed value, or a lent one; NaN where there is none, or none yet. */
   readonly values: Float64Array;
   /** Vertices computed so far. */
   computed = 0;
@@ -43,6 +43,15 @@ export class FieldPreview {
   /** True where the vertex's own value has been computed. */
   isComputed(vertex: number): boolean {
     return this.#hops[vertex] === 0;
+  }
+
+  /** Takes values of elsewhere, one per vertex, in place of what there is: none of them counts as computed. */
+  lend(values: Float64Array, range: readonly [number, number]): void {
+    this.values.set(values);
+    this.shown.set(values);
+    this.#hops.fill(unreached);
+    this.#queue.length = this.#head = this.computed = 0;
+    if (!Number.isNaN(range[0])) this.range = [...range];
   }
 
   /** Takes new values; `changed` is called for each of their vertices. */

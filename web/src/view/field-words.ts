@@ -15,8 +15,8 @@ export const fieldNames: readonly FieldName[] = [
   'sihks',
 ];
 
-/** What is made of fields: the girth's kinds, the rise at the tip that a place is in, tubes and plates. */
-export const derivedNames = ['kind', 'tips', 'parts'] as const;
+/** What is made of fields: the girth's kinds and states, the rise at the tip that a place is in, tubes and plates. */
+export const derivedNames = ['kind', 'state', 'tips', 'parts'] as const;
 
 /** Values that only the model's file has: their attribute's name, in small letters. */
 export type GivenName = `_${string}`;
@@ -51,6 +51,7 @@ const words: Record<Exclude<ShownName, GivenName | CombinedName>, string> = {
   wks: 'Wave kernel signature',
   sihks: 'Scale-invariant heat kernel',
   kind: 'Kind of loop',
+  state: 'How sure the girth is',
   tips: 'Rise at the tip',
   parts: 'Parts',
   none: '',
@@ -120,6 +121,7 @@ export function fieldUnit(name: ShownName, unit: string): string {
       return unit && `1/${unit}²`;
     case 'sihks':
     case 'kind':
+    case 'state':
     case 'parts':
     case 'none':
       return '';

@@ -1,7 +1,7 @@
 // What the element uses to show fields and loops.
 
 export { type Adjacency, buildAdjacency } from './adjacency.js';
-export { type Category, girthKinds, partKinds } from './categories.js';
+export { type Category, girthKinds, girthStates, partKinds } from './categories.js';
 export {
   type ColormapName,
   colormapNames,
@@ -63,7 +63,7 @@ export { type StraightName, straightNames } from './straight-names.js';
 export { Surface, borrowedWeight, computedWeight } from './surface.js';
 export { type Look, lookNames } from './look.js';
 export { TimeLeft, formatSeconds } from './time-left.js';
-export { inSlices } from './time-slices.js';
+export { inSlices, nextTask } from './time-slices.js';
 export { TipMarks } from './tip-marks.js';
 export {
   type Rotation,

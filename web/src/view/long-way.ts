@@ -11,17 +11,19 @@ export function longWay({ first, neighbours }: Adjacency): number[] {
   const explore = (from: number): { last: number; cameFrom: Int32Array } => {
     const cameFrom = new Int32Array(first.length - 1).fill(-1);
     cameFrom[from] = from;
-    const queue = [from];
-    // It grows while it is walked through.
-    for (const vertex of queue) {
+    const queue = new Int32Array(first.length - 1);
+    queue[0] = from;
+    let end = 1;
+    for (let at = 0; at < end; ++at) {
+      const vertex = queue[at]!;
       for (let k = first[vertex]!; k < first[vertex + 1]!; ++k) {
         const next = neighbours[k]!;
         if (cameFrom[next] !== -1) continue;
         cameFrom[next] = vertex;
-        queue.push(next);
+        queue[end++] = next;
       }
     }
-    return { last: queue.at(-1)!, cameFrom };
+    return { last: queue[end - 1]!, cameFrom };
   };
   const start = explore(0).last;
   const { last, cameFrom } = explore(start);

@@ -1,7 +1,9 @@
 // Where on the canvas the surface is, coarsely: a grid of cells, each touched by it or clear.
 
-/** More faces than this are not looked at one by one: where there are so many, their corners touch every cell. */
+/** More faces than this are not looked at one by one: where there are so many, some of their corners touch every cell. */
 const mostFaces = 150_000;
+/** So many corners, spread evenly over the numbers of all. */
+const enoughCorners = 60_000;
 
 /** What is cast on the canvas: a mesh, and the matrix that brings its points into clip space, by columns. */
 export interface CastMesh {
@@ -37,10 +39,14 @@ export class Silhouette {
 
   /** Touches every cell that a mesh covers in part, on a canvas of the given size. */
   cast({ positions, indices, matrix: m }: CastMesh, width: number, height: number): void {
-    const count = positions.length / 3;
+    const isOfCorners = indices.length > 3 * mostFaces;
+    const all = positions.length / 3;
+    const step = isOfCorners ? Math.max(1, Math.floor(all / enoughCorners)) : 1;
+    const count = Math.ceil(all / step);
     const places = new Float32Array(2 * count);
     for (let v = 0; v < count; ++v) {
-      const [x, y, z] = [positions[3 * v]!, positions[3 * v + 1]!, positions[3 * v + 2]!];
+      const at = 3 * step * v;
+      const [x, y, z] = [positions[at]!, positions[at + 1]!, positions[at + 2]!];
       const w = m[3]! * x + m[7]! * y + m[11]! * z + m[15]!;
       // What is behind the eye is nowhere.
       const across = w > 0 ? (m[0]! * x + m[4]! * y + m[8]! * z + m[12]!) / w : NaN;
@@ -49,7 +55,7 @@ export class Silhouette {
       places[2 * v + 1] = ((0.5 - 0.5 * up) * height) / this.cell;
     }
     this.#sums = undefined;
-    if (indices.length > 3 * mostFaces) {
+    if (isOfCorners) {
       for (let v = 0; v < count; ++v) {
         const row = Math.floor(places[2 * v + 1]!);
         this.#touchRow(row, places[2 * v]!, places[2 * v]!);

@@ -41,6 +41,9 @@ import type { Surface } from './surface.js';
 import { SurfaceSpace } from './surface-space.js';
 import type { Rotation } from './up-axis.js';
 
+/** So many vertices show from where a surface is seen whole. */
+const enoughToFit = 60_000;
+
 export interface StageEvents {
   /** Before a frame is drawn; returns true to ask for another one. */
   beforeFrame(): boolean;
@@ -483,7 +486,7 @@ export class Stage implements Borrower {
       surface.eachPosition((x, y, z) => {
         point.set(x, y, z).applyMatrix4(matrix);
         see(point.x, point.y, point.z);
-      });
+      }, enoughToFit);
   }
 
   #viewOf(place: Place, surface: Surface): CameraView {

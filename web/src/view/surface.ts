@@ -17,7 +17,7 @@ import {
   Quaternion,
   Ray,
   ShaderMaterial,
-  type Sphere,
+  Sphere,
   Vector2,
   Vector3,
 } from 'three';
@@ -98,8 +98,9 @@ export class Surface {
     this.#drawn.setAttribute('scalar', this.#scalar);
     this.#drawn.setAttribute('flags', this.#flags);
     this.#drawn.setIndex(new BufferAttribute(creased.indices, 1));
-    this.#drawn.computeBoundingSphere();
     this.bounds = boundsOf(positions);
+    // The copies of vertices lie where these do.
+    this.#drawn.boundingSphere = this.bounds.clone();
 
     this.#picked = new BufferGeometry();
     this.#picked.setAttribute('position', new BufferAttribute(positions, 3));
@@ -258,6 +259,7 @@ export class Surface {
 
   /** Shows these vertices as they are and fades the others; undefined: all as they are. */
   mark(vertices: ArrayLike<number> | undefined): void {
+    if (!vertices && this.#material.uniforms['marking']!.value === 0) return;
     this.#setFlags('marking', vertices !== undefined);
     this.#setFlag(0, vertices ? [vertices] : []);
   }
@@ -428,9 +430,10 @@ export class Surface {
   }
 
   /** Calls back with the place of each vertex. */
-  eachPosition(see: (x: number, y: number, z: number) => void): void {
+  eachPosition(see: (x: number, y: number, z: number) => void, about = Infinity): void {
     const positions = this.#positions;
-    for (let i = 0; i < positions.length; i += 3) {
+    const step = 3 * Math.max(1, Math.floor(positions.length / 3 / about));
+    for (let i = 0; i < positions.length; i += step) {
       see(positions[i]!, positions[i + 1]!, positions[i + 2]!);
     }
   }
@@ -481,8 +484,22 @@ export class Surface {
 
 /** The ball round the middle of the bounding box. */
 function boundsOf(positions: Float32Array): Sphere {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(positions, 3));
-  geometry.computeBoundingSphere();
-  return geometry.boundingSphere!;
+  const middle = new Vector3();
+  for (let k = 0; k < 3; ++k) {
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = k; i < positions.length; i += 3) {
+      const x = positions[i]!;
+      if (x < low) low = x;
+      if (x > high) high = x;
+    }
+    middle.setComponent(k, (low + high) / 2);
+  }
+  const { x, y, z } = middle;
+  let most = 0;
+  for (let i = 0; i < positions.length; i += 3) {
+    const [a, b, c] = [positions[i]! - x, positions[i + 1]! - y, positions[i + 2]! - z];
+    const squared = a * a + b * b + c * c;
+    if (squared > most) most = squared;
+  }
+  return new Sphere(middle, Math.sqrt(most));
 }

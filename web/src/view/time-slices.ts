@@ -3,7 +3,8 @@
 /** Milliseconds of work between two looks at the event queue. */
 const slice = 8;
 
-function nextTask(): Promise<void> {
+/** Lets the page breathe. */
+export function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = () => {

@@ -204,13 +204,14 @@ function greatestOf(matrix: readonly (readonly number[])[]): [[number, number, n
 export function uprightPositions(positions: Float32Array, rotation: Rotation): Float32Array {
   if (rotation.w === 1) return positions;
   const turned = new Float32Array(positions.length);
-  const { w } = rotation;
-  const axis: Point = [rotation.x, rotation.y, rotation.z];
+  const { x, y, z, w } = rotation;
+  // Three numbers for each product across: lists of them would be too many.
   for (let i = 0; i < positions.length; i += 3) {
-    const point: Point = [positions[i]!, positions[i + 1]!, positions[i + 2]!];
-    const once = cross(axis, point);
-    const twice = cross(axis, once);
-    for (let k = 0; k < 3; ++k) turned[i + k] = point[k]! + 2 * (w * once[k]! + twice[k]!);
+    const [a, b, c] = [positions[i]!, positions[i + 1]!, positions[i + 2]!];
+    const [u, v, t] = [y * c - z * b, z * a - x * c, x * b - y * a];
+    turned[i] = a + 2 * (w * u + (y * t - z * v));
+    turned[i + 1] = b + 2 * (w * v + (z * u - x * t));
+    turned[i + 2] = c + 2 * (w * t + (x * v - y * u));
   }
   return turned;
 }

@@ -10,6 +10,7 @@
 #include "girth/geodesic_extent.h"
 #include "girth/girth_field.h"
 #include "girth/io/read_mesh.h"
+#include "girth/refined_girth.h"
 #include "girth/shape_diameter.h"
 #include "girth/thickness.h"
 
@@ -66,5 +67,9 @@ GIRTH_EXPORT VertexField girthVertexField(const GirthField& field, GirthMethod m
 /// The values must outlive the view of them.
 VertexField girthVertexField(const GirthField&&, GirthMethod method,
                              std::string_view unit) = delete;
+
+/// How sure the values of a refined girth are as a field with the name "state", with words. Valid
+/// as long as `codes`, the numbers of a `GirthState` for each vertex.
+GIRTH_EXPORT VertexField girthStateField(std::span<const double> codes, std::string_view method);
 
 }  // namespace girth::io

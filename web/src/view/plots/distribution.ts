@@ -134,50 +134,50 @@ const divisions = 1024;
  * none. By counting in ever narrower intervals, since sorting would hold up the page.
  */
 export function quantile(values: ArrayLike<number>, weights: Weights, share: number): number {
-  const reach = extent(values);
-  if (!reach) return NaN;
-  const weightOf = (i: number): number => (weights ? weights[i]! : 1);
-  let places: number[] | undefined;
-  const total = forEachFinite(values, weights, () => {});
+  // The places of finite values, of which those that count are kept in front.
+  const places = new Uint32Array(values.length);
+  let [low, high] = [Infinity, -Infinity];
+  let [count, total] = [0, 0];
+  for (let i = 0; i < values.length; ++i) {
+    const value = values[i]!;
+    if (!Number.isFinite(value)) continue;
+    places[count++] = i;
+    total += weights ? weights[i]! : 1;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  if (count === 0) return NaN;
   let wanted = Math.min(1, Math.max(0, share)) * total;
-  let [low, high] = reach;
-  for (;;) {
-    const count = places?.length ?? values.length;
-    if (count <= fewValues || !(high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high))))
-      break;
+  while (count > fewValues && high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high))) {
     const scale = divisions / (high - low);
     if (!(scale > 0) || !Number.isFinite(scale)) break;
-    const binOf = (value: number): number =>
-      Math.min(divisions - 1, Math.floor((value - low) * scale));
     const sums = new Float64Array(divisions);
-    const each = (act: (i: number, bin: number) => void): void => {
-      for (let k = 0; k < count; ++k) {
-        const i = places ? places[k]! : k;
-        if (Number.isFinite(values[i])) act(i, binOf(values[i]!));
-      }
-    };
-    each((i, bin) => (sums[bin] = sums[bin]! + weightOf(i)));
+    for (let k = 0; k < count; ++k) {
+      const i = places[k]!;
+      const bin = Math.min(divisions - 1, Math.floor((values[i]! - low) * scale));
+      sums[bin] = sums[bin]! + (weights ? weights[i]! : 1);
+    }
     let chosen = 0;
     while (chosen < divisions - 1 && sums[chosen]! < wanted) wanted -= sums[chosen++]!;
     // Rounding in the sums may have run past the last bin that holds anything.
     while (chosen > 0 && sums[chosen] === 0) wanted += sums[--chosen]!;
-    const inside: number[] = [];
     let [least, most] = [Infinity, -Infinity];
-    each((i, bin) => {
-      if (bin !== chosen) return;
-      inside.push(i);
-      least = Math.min(least, values[i]!);
-      most = Math.max(most, values[i]!);
-    });
-    places = inside;
+    let inside = 0;
+    for (let k = 0; k < count; ++k) {
+      const i = places[k]!;
+      const value = values[i]!;
+      if (Math.min(divisions - 1, Math.floor((value - low) * scale)) !== chosen) continue;
+      places[inside++] = i;
+      if (value < least) least = value;
+      if (value > most) most = value;
+    }
+    count = inside;
     [low, high] = [least, most];
   }
-  const last = (places ?? Array.from({ length: values.length }, (_, i) => i))
-    .filter((i) => Number.isFinite(values[i]))
-    .sort((a, b) => values[a]! - values[b]!);
+  const last = places.slice(0, count).sort((a, b) => values[a]! - values[b]!);
   let sum = 0;
   for (const i of last) {
-    sum += weightOf(i);
+    sum += weights ? weights[i]! : 1;
     if (sum >= wanted * (1 - 1e-12)) return values[i]!;
   }
   return values[last.at(-1)!]!;
