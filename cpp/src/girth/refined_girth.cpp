@@ -61,8 +61,9 @@ constexpr double kCoarseAtLeast = 0.93;
 constexpr int kMostBands = 4;
 /// Lengths that differ by less, as shares, are equal.
 constexpr double kSame = 1e-9;
-/// Exact values take at most so many times the windows of what was done before: about as long.
-constexpr double kMostExact = 3;
+/// Exact values take at most so many times the windows of what was done before, or so many, some
+/// minutes of one core: surfaces like spheres have no loops, and all values are exact.
+constexpr double kMostExact = 3, kMostExactWindows = 1e10;
 /// And of that, those that are only to check.
 constexpr double kMostChecks = 0.15;
 /// Vertices that are computed exactly at a time, before the work is added up.
@@ -368,7 +369,7 @@ class Refinement {
   /// what is left is suspect. `mesh`: whose vertices the bases are.
   void prove(const SurfaceMesh& mesh, const std::vector<Index>& baseOf) {
     const auto before = static_cast<double>(windows());
-    const double most = kMostExact * before;
+    const double most = std::max(kMostExact * before, kMostExactWindows);
     Doubts doubts(known_.size());
     const auto report = [&] {
       const double share = std::min(1.0, (static_cast<double>(windows()) - before) / most);
@@ -389,12 +390,11 @@ class Refinement {
         report();
       }
     };
-    // Evenly spread, since what is wrong is so in regions, and most contradictions are jumps.
-    const std::vector<Vertex> order = coarseToFineOrder(mesh, 1);
-    for (const Vertex v : order) {
-      if (contradicts(baseOf[v])) doubts.add(baseOf[v], known_[baseOf[v]].length);
+    for (Index base = 0; base < known_.size(); ++base) {
+      if (contradicts(base)) doubts.add(base, known_[base].length);
     }
     settleAll();
+    const std::vector<Vertex> order = coarseToFineOrder(mesh, 1);
     const double settled = static_cast<double>(windows());
     double checks = 0;
     for (std::size_t i = 0; i < order.size() && checks < kMostChecks * settled;) {
@@ -413,7 +413,7 @@ class Refinement {
     this->report(1);
   }
 
-  /// Sites that are to be looked at, each once at a time: those with the shortest loops first,
+  /// Bases that are to be looked at, each once at a time: those with the shortest loops first,
   /// which cost least.
   class Doubts {
    public:
