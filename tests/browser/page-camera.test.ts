@@ -101,6 +101,9 @@ test(
       viewport,
     });
     await modelIs(page, 'chair.glb');
+    // On the first one a loop shows itself, until the page is touched: it is no picture to compare with.
+    await follows(page, viewer, 'untouched.obj', ring);
+    await page.evaluate(() => delete (globalThis as unknown as { pixels?: unknown }).pixels);
     const usual = await follows(page, viewer, 'usual.obj', ring);
     expect(Math.min(...usual.by)).toBeGreaterThan(25);
     for (const [what, obj] of Object.entries(surfaces)) {

@@ -58,6 +58,10 @@ const changed = (): void => {
   if (isBuilt) address.changed();
 };
 
+// Until somebody does something the page shows by itself what it is about.
+let isUntouched = true;
+viewer.addEventListener('touch', () => (isUntouched = false));
+
 // What takes long is done in several tasks, between which the page answers.
 await nextTask();
 const field = new FieldPanel(viewer, computed, {
@@ -410,9 +414,6 @@ viewer.addEventListener('field', (event) => {
   necks.girthIsThere();
   if (isUntouched) void showUntilTouched(viewer);
 });
-// Until somebody does something the page shows by itself what it is about.
-let isUntouched = true;
-viewer.addEventListener('touch', () => (isUntouched = false));
 const explain = explainColours(viewer, () => print.isColouring);
 for (const event of ['camera', 'unit', 'view']) viewer.addEventListener(event, changed);
 

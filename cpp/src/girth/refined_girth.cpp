@@ -34,7 +34,6 @@
 
 namespace girth {
 
-using geodesic::Crossing;
 using geodesic::Unfolding;
 
 std::string_view toString(GirthState state) {
