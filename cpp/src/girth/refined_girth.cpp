@@ -452,8 +452,7 @@ class Refinement {
         continue;
       }
       for (const Neighbour& other : graph_.neighbours(bases[i])) {
-        if (known_[other.base].isProved) continue;
-        if (known_[other.base].isDoubted) continue;
+        if (known_[other.base].isProved || known_[other.base].isDoubted) continue;
         known_[other.base].isDoubted = true;
         doubts.add(other.base, known_[other.base].length);
       }

@@ -14,6 +14,16 @@ namespace girth {
 /// its shape would be made of rounding errors.
 inline constexpr double kFlattestFace = 1e-12;
 
+/// The size of the largest coordinate of a surface.
+inline double extentOf(const SurfaceMesh& mesh) {
+  double extent = 0;
+  for (const Vertex v : mesh.vertices()) {
+    const Vec3& p = mesh.position(v);
+    extent = std::max({extent, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
+  return extent;
+}
+
 /// A power of two that brings coordinates of at most `extent` to a scale near 1, where products
 /// neither overflow nor lose bits.
 inline double scaleFor(double extent) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "mesh/face_shape.h"
 #include "mesh/nearest_point.h"
 #include "mesh/remesh/changing_mesh.h"
 #include "mesh/remesh/face_checks.h"
@@ -46,16 +47,13 @@ class FlatVertices {
  public:
   FlatVertices(const SurfaceMesh& original, double rounding, const ExecutionContext& context)
       : original_(original),
+        extent_(extentOf(original)),
         lookout_(context),
         mesh_(original),
         planes_(normalsOfFaces(original)),
         first_(original.faceCount(), kNoIndex),
         next_(original.vertexCount(), kNoIndex),
         places_(original.vertexCount()) {
-    for (const Vertex v : original.vertices()) {
-      const Vec3& p = original.position(v);
-      extent_ = std::max({extent_, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    }
     off_ = kSlack * rounding * extent_;
     for (const Face f : original.faces()) turns_.push_back(turnOf(f));
   }
@@ -261,9 +259,9 @@ class FlatVertices {
   }
 
   const SurfaceMesh& original_;
+  double extent_;  // the size of the largest coordinate
   Lookout lookout_;
   ChangingMesh mesh_;
-  double extent_{0};                  // the largest coordinate
   double off_{0};                     // how far a vertex may lie beside where it ought to
   std::vector<Vec3> planes_;          // the unit normals of the original faces
   std::vector<double> turns_;         // and how far these may be turned

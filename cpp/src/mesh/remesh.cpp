@@ -1,7 +1,5 @@
 #include "girth/remesh.h"
 
-#include <algorithm>
-#include <cmath>
 #include <new>
 #include <string>
 #include <utility>
@@ -18,15 +16,6 @@ namespace {
 /// Coordinates with larger exponents, up or down, are brought to a scale near 1 first: squares of
 /// areas must neither overflow nor vanish.
 constexpr double kLargest = 1e60;
-
-double extentOf(const SurfaceMesh& mesh) {
-  double extent = 0;
-  for (const Vertex v : mesh.vertices()) {
-    const Vec3& p = mesh.position(v);
-    extent = std::max({extent, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  }
-  return extent;
-}
 
 /// The same surface, larger or smaller by a power of two.
 Result<SurfaceMesh> scaled(const SurfaceMesh& mesh, double scale) {
