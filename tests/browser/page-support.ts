@@ -1,5 +1,6 @@
 // What the tests of the page share: opening it, dropping files on it, and waiting for models.
 
+import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import type { BrowserContextOptions, Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect } from 'vitest';
@@ -42,7 +43,8 @@ export function builtPage({ isolated = true, examples = 'small' }: BuiltPageOpti
   state?: string,
   options?: BrowserContextOptions,
 ) => Promise<BuiltPage> {
-  const openPage = pagesForTests();
+  const modules = readdirSync(join(site, 'assets')).filter((name) => name.endsWith('.wasm'));
+  const openPage = pagesForTests(modules.map((name) => `/assets/${name}`));
   const open: LentPage[] = [];
   let server: StaticServer;
   beforeAll(async () => {

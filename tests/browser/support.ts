@@ -210,12 +210,12 @@ export interface LentPage {
 /**
  * Chromium for the tests of one file that open pages of one origin: every page is new, but those with the
  * same options share a context, and so a process, one after the other. Starting a process takes as long
- * as opening the page in it. In each context a page without content keeps the process alive.
+ * as opening the page in it. In each context a page without content keeps the process alive, and with it the wasm
+ * modules of these paths, which are compiled once so.
  */
-export function pagesForTests(): (
-  address: string,
-  options?: BrowserContextOptions,
-) => Promise<LentPage> {
+export function pagesForTests(
+  modules: string[] = [],
+): (address: string, options?: BrowserContextOptions) => Promise<LentPage> {
   let browser: Browser;
   const free = new Map<string, Page[]>();
   beforeAll(async () => {
@@ -231,6 +231,10 @@ export function pagesForTests(): (
       await delayAnswers(context);
       keeper = await context.newPage();
       await keeper.goto(`${origin}/no-content`);
+      await keeper.evaluate(async (modules) => {
+        const compiled = modules.map((path) => WebAssembly.compileStreaming(fetch(path)));
+        Object.assign(globalThis, { kept: await Promise.all(compiled) });
+      }, modules);
     }
     const context = keeper.context();
     const page = await context.newPage();

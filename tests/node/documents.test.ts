@@ -48,8 +48,8 @@ beforeAll(() => {
 afterAll(() => rmSync(folder, { recursive: true }));
 
 function run(program: string, args: string[]) {
-  const { status, stdout, stderr } = spawnSync(program, args, { cwd: folder, encoding: 'utf8' });
-  return { status, output: stdout + stderr };
+  const done = spawnSync(program, args, { cwd: folder, encoding: 'utf8' });
+  return { status: done.status ?? done.signal, output: done.stdout + done.stderr };
 }
 
 /** The lines of a block that are the command's, with the exit code that is stated behind them. */

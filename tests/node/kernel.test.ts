@@ -49,8 +49,8 @@ async function run(code: string, ...options: string[]) {
   let [stdout, stderr] = ['', ''];
   child.stdout.on('data', (data) => (stdout += String(data)));
   child.stderr.on('data', (data) => (stderr += String(data)));
-  const [status] = (await once(child, 'close')) as [number];
-  return { status, stdout, stderr };
+  const [exitCode, signal] = (await once(child, 'close')) as [number | null, string | null];
+  return { status: exitCode ?? signal, stdout, stderr };
 }
 
 /** What a program that has gone well prints as JSON. */
@@ -191,6 +191,19 @@ test.each(['threads', 'pool'])(
     expect(answers).toEqual(['CANCELLED', ['CANCELLED', reason, expect.any(String)], 'CANCELLED']);
   },
 );
+
+test('a kernel may be disposed of while its workers start', async () => {
+  const printedBy = await printed(`
+    for (let i = 0; i < 20; ++i) {
+      const kernel = await createKernel();
+      await fails(kernel.load({ name: 'bad.obj', bytes: new TextEncoder().encode('f 1 2 3') }));
+      await new Promise((resolve) => setTimeout(resolve, 3 * i));
+      kernel.dispose();
+    }
+    console.log(true);
+  `);
+  expect(printedBy).toBe(true);
+});
 
 test('a process ends without dispose, and not before what was asked for is done', async () => {
   const { status, stdout, stderr } = await run(`

@@ -29,6 +29,14 @@ Object.assign(globalThis, {
     return new Response(await readFile(new URL(address)), { headers });
   },
 });
+/**
+ * Compiles at once, in this thread: Node.js (20, at the least) crashes where a thread is ended while a module is
+ * checked as it streams in.
+ */
+WebAssembly.instantiateStreaming = async (source, imports) => {
+  const module = new WebAssembly.Module(await (await source).arrayBuffer());
+  return { module, instance: new WebAssembly.Instance(module, imports) };
+};
 Object.defineProperty(globalThis, 'onmessage', {
   // Messages that have come before are kept for it.
   set: (listener: (event: object) => void) =>
