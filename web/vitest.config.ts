@@ -57,7 +57,7 @@ export default defineConfig({
         test: {
           name: 'browser',
           include: ['tests/browser/**/*.test.ts'],
-          exclude: [...kernelInBrowser, 'tests/browser/other-browsers.test.ts'],
+          exclude: [...kernelInBrowser, 'tests/browser/other-browsers/**'],
           globalSetup: ['tests/browser/small-examples.ts'],
           ...inBrowser,
         },
@@ -75,8 +75,9 @@ export default defineConfig({
         root,
         test: {
           name: 'other-browsers',
-          include: ['tests/browser/other-browsers.test.ts'],
-          globalSetup: ['tests/browser/build-kernel-site.ts'],
+          include: ['tests/browser/other-browsers/*.test.ts'],
+          globalSetup: ['tests/browser/build-kernel-site.ts', 'tests/browser/small-examples.ts'],
+          fileParallelism: false,
           testTimeout: 120_000,
           hookTimeout: 120_000,
         },

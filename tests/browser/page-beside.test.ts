@@ -50,6 +50,34 @@ async function expectSameView({ first, second }: Pair): Promise<void> {
   one.forEach((number, i) => expect(number).toBeCloseTo(other[i]!, 8));
 }
 
+/** How far the surface reaches beyond the edges of its element, in CSS pixels. */
+const cutOff = (viewer: Locator): Promise<number> =>
+  viewer.evaluate((element: GirthViewer) => {
+    const { clientWidth, clientHeight } = element;
+    const beyond = Array.from({ length: element.info!.vertexCount }, (_, vertex) => {
+      const { x, y } = element.screenPosition(vertex);
+      return Math.max(-x, -y, x - clientWidth, y - clientHeight);
+    });
+    return Math.max(...beyond);
+  });
+
+test('beside an example that has turned by itself, both are seen whole', async () => {
+  const pair = await openCup('model=cup', { reducedMotion: 'no-preference' });
+  const { page, first, second } = pair;
+  const [, azimuth] = await viewOf(first);
+  await expect.poll(async () => (await viewOf(first))[1]! < azimuth! - 0.05).toBe(true);
+  // What turns by itself is nothing that was done.
+  expect(await page.evaluate(() => location.hash)).toBe('#model=cup');
+  await openBeside(pair);
+  await framesPass(page);
+  for (const viewer of [first, second]) expect(await cutOff(viewer)).toBeLessThan(0);
+  await expectSameView(pair);
+  expect((await viewOf(first))[1]).toBeLessThan(azimuth! - 0.05);
+  await page.setViewportSize({ width: 700, height: 700 });
+  await framesPass(page);
+  for (const viewer of [first, second]) expect(await cutOff(viewer)).toBeLessThan(0);
+});
+
 test('views are linked until they are not, fields are the same, and closing it leaves the page as it was', async () => {
   const pair = await openCup();
   const { page, first, second, pane } = pair;

@@ -150,11 +150,9 @@ test.each([
 
 test('a worker that throws while it starts', async () => {
   const faulty = await openWith((page) =>
-    page.route(/job-worker.*\.js$/, (route) =>
-      route.fulfill({ contentType: 'text/javascript', body: 'throw new Error("no luck");' }),
-    ),
+    changed(page, /job-worker.*\.js$/, () => Buffer.from('throw new Error("no luck");')),
   );
-  await messageIs(faulty, 'PROGRAM_NOT_LOADED');
+  expect(await messageIs(faulty, 'PROGRAM_NOT_LOADED')).toMatch(/no luck.*reload the page/);
 });
 
 /** Scripts of workers begin with this: memory of modules ends there. */

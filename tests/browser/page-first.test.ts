@@ -4,7 +4,7 @@ import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { builtPage, modelIs, pictures } from './page-support.js';
-import { fieldComplete } from './viewer-page.js';
+import { fieldComplete, pairIsOver } from './viewer-page.js';
 
 mkdirSync(pictures, { recursive: true });
 
@@ -34,3 +34,19 @@ for (const isolated of [true, false]) {
     await page.screenshot({ path: join(pictures, `page-${isolated ? 'threads' : 'pool'}.png`) });
   });
 }
+
+const openSmall = builtPage();
+
+test('the loop that slides until somebody comes gives way to the one under the pointer, at once', async () => {
+  const { page, viewer } = await openSmall('model=cup', { reducedMotion: 'no-preference' });
+  await fieldComplete(viewer);
+  const readout = viewer.locator('.readout');
+  await readout.waitFor();
+  // However far it has turned, the cup is in the middle.
+  const { x, y, width, height } = (await viewer.boundingBox())!;
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await viewer.locator('canvas.picking').waitFor();
+  // Longer than the sliding one rests at a place.
+  await pairIsOver(page);
+  expect(await readout.isVisible()).toBe(true);
+});

@@ -1,7 +1,7 @@
 // What every browser test needs: a static server with the headers under test, and Chromium.
 
 import { createReadStream, existsSync } from 'node:fs';
-import { stat } from 'node:fs/promises';
+import { readFile, stat } from 'node:fs/promises';
 import { createServer, type IncomingMessage, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, resolve, sep } from 'node:path';
@@ -43,6 +43,15 @@ export interface ServeOptions {
   pages?: Record<string, string>;
   /** Other folders, by the path that each is served below, for example '/data/'. */
   folders?: Record<string, string>;
+  /** What is answered in place of a file of a folder, where it gives anything. */
+  answers?: (path: string, body: Buffer) => Answer | undefined;
+}
+
+/** Default: as the file is. */
+export interface Answer {
+  status?: number;
+  type?: string;
+  body?: string | Buffer;
 }
 
 export interface StaticServer {
@@ -101,8 +110,11 @@ export async function serve(folder: string, options: ServeOptions = {}): Promise
       return;
     }
     const type = mediaTypes[extname(file)] ?? 'application/octet-stream';
-    response.writeHead(200, { ...headers, 'Content-Type': type });
-    createReadStream(file).pipe(response);
+    const instead = options.answers && options.answers(path, await readFile(file));
+    const status = instead?.status ?? 200;
+    response.writeHead(status, { ...headers, 'Content-Type': instead?.type ?? type });
+    if (instead?.body !== undefined) response.end(instead.body);
+    else createReadStream(file).pipe(response);
   };
   const server = createServer((request, response) => void answer(request, response));
   await new Promise<void>((done) => server.listen(0, '127.0.0.1', done));

@@ -78,13 +78,13 @@ export class Address {
   /** Shows what was shown before the last change of anything that the address holds: the camera, too. */
   undo(): void {
     // What has just been changed is the step to undo.
-    this.#flush();
+    this.flush();
     this.#restore(this.#steps.undo());
   }
 
   /** Shows what was undone last. */
   redo(): void {
-    this.#flush();
+    this.flush();
     this.#restore(this.#steps.redo());
   }
 
@@ -101,8 +101,8 @@ export class Address {
     this.#isRestoring = false;
   }
 
-  /** Writes a change at once that was to be written before long. */
-  #flush(): void {
+  /** Writes a change at once that was to be written before long: what comes next is another step. */
+  flush(): void {
     if (this.#timer !== undefined) this.#write();
   }
 

@@ -162,8 +162,8 @@ function read(): PageState {
   if (state.file !== undefined && state.loops) state.values = loops.values;
   if (viewer.shownUnit) state.shown = viewer.shownUnit;
   const { camera } = viewer;
-  // The first view of a model needs no words.
-  if (camera && !viewer.isAtHome) state.camera = camera;
+  // The first view of a model needs no words, nor does one that passes by.
+  if (camera && !viewer.isAtHome && !viewer.isTurning) state.camera = camera;
   const up = viewer.getAttribute('up');
   if (up) state.up = up;
   for (const name of ['shading', 'section'] as const) {
@@ -280,6 +280,7 @@ const details = new ModelDetails(viewer, {
 const missing = new MissingModel(() => byId<HTMLInputElement>('file').click());
 
 const examples = new ExamplesStrip(byId('examples'), (example) => {
+  address.flush();
   wanted = undefined;
   void openExample(example);
 });
@@ -295,6 +296,7 @@ async function openExample(example: Example, prepare = {}): Promise<void> {
 }
 
 async function openFiles(files: readonly (File | FileWithPath)[]): Promise<void> {
+  address.flush();
   projectFault.hidden = true;
   const names = files.map((file) => (file instanceof File ? file.name : file.path));
   if (names.length === 1 && /\.zip$/i.test(names[0]!) && (await openProject(files[0]!))) return;

@@ -72,29 +72,36 @@ export async function showUntilTouched(viewer: GirthViewer): Promise<void> {
   else await slideLoop(viewer, signal);
 }
 
+/**
+ * Hides the shown loop as the signal comes: what ends it may itself ask for a loop, which a later end would hide.
+ */
+function hideAtEnd(viewer: GirthViewer, signal: AbortSignal): void {
+  const { info } = viewer;
+  signal.addEventListener('abort', () => {
+    if (viewer.info === info) viewer.showLoop();
+  });
+}
+
 /** Shows the loop half-way along the surface, or where one is seen next to it, until the signal. */
 function restLoop(viewer: GirthViewer, signal: AbortSignal): void {
-  const { info } = viewer;
   const way = viewer.longWay();
   const middle = (way.length - 1) / 2;
   const seen = way.map((_, i) => i).filter((i) => viewer.screenPosition(way[i]!).visible);
   const fromMiddle = (i: number): number => Math.abs(i - middle);
   seen.sort((i, j) => fromMiddle(i) - fromMiddle(j));
   viewer.showLoop(way[seen[0] ?? Math.floor(middle)], { quiet: true });
-  signal.addEventListener('abort', () => {
-    if (viewer.info === info) viewer.showLoop();
-  });
+  hideAtEnd(viewer, signal);
 }
 
 /** Slides a loop along the surface and back, until the signal or another model. */
 export async function slideLoop(viewer: GirthViewer, signal: AbortSignal): Promise<void> {
   const { info } = viewer;
   const way = viewer.longWay();
+  hideAtEnd(viewer, signal);
   for (let i = 0, step = 1; !signal.aborted && way.length > 1; i += step) {
     if (viewer.info !== info) return;
     if (i + step < 0 || i + step >= way.length) step = -step;
     viewer.showLoop(way[i], { quiet: true });
     await new Promise((rested) => setTimeout(rested, pace));
   }
-  if (viewer.info === info) viewer.showLoop();
 }

@@ -116,4 +116,9 @@ export function setUpClusters() {
   if (isDebian()) installDebianPackages('debian-packages-clusters.txt');
 }
 
+/** Installs the other browsers that the page is tested with, where they are Debian's. */
+export function setUpBrowsers() {
+  if (isDebian()) installDebianPackages('debian-packages-browsers.txt');
+}
+
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await script(setUp);

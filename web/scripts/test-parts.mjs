@@ -11,7 +11,7 @@ import { lint, lintNative } from './lint.mjs';
 import { installPythonPackage, runClusterTests, runPythonTests } from './python.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
 import { testPythonWithSanitizers, testWithSanitizers } from './sanitizers.mjs';
-import { setUpClusters } from './setup.mjs';
+import { setUpBrowsers, setUpClusters } from './setup.mjs';
 import { testSharedLibraries } from './shared-libraries.mjs';
 import { filesBelow, hashOf } from './stale.mjs';
 
@@ -231,7 +231,10 @@ export const longParts = {
   'other-browsers': {
     title: 'Firefox and WebKit',
     needs: ['bundle', 'compile-native'],
-    run: (count) => vitest('other-browsers', count),
+    run: (count) => {
+      setUpBrowsers();
+      vitest('other-browsers', count);
+    },
   },
   mutation: { title: 'mutation tests', run: () => run('node', ['tests/mutation/run.mjs']) },
 };

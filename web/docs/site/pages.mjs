@@ -69,6 +69,7 @@ const placed = [
       document('python', 'Python, all calls'),
       document('collections', 'Collections'),
       document('embedding', 'Embedding'),
+      document('browsers', 'Browsers'),
       // Made of the table of codes (errors.mjs).
       { file: 'errors', url: 'errors.html' },
       document('definitions', 'Definitions'),

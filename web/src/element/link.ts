@@ -43,7 +43,7 @@ export class LinkedView {
     if (!views.join(this, name)) return;
     const own = this.#stageOf();
     // Of what is to be seen as a whole there is less.
-    for (const stage of own ? [own, ...before] : before) if (stage.isHome) stage.resetView();
+    for (const stage of own ? [own, ...before] : before) stage.refit();
     this.arrive();
   }
 
@@ -54,8 +54,11 @@ export class LinkedView {
     stage.companions = () => this.#others;
     const others = this.#others;
     const leader = others.find(({ isHome }) => !isHome);
-    if (leader) follow(stage, leader);
-    else if (!stage.isHome) this.move();
+    if (leader) {
+      // There is more to be seen as a whole.
+      leader.refit();
+      follow(stage, leader);
+    } else if (!stage.isHome) this.move();
     else if (others.length > 0) for (const one of [stage, ...others]) one.resetView();
   }
 

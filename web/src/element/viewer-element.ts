@@ -603,6 +603,11 @@ export class GirthViewer extends ViewerShell {
     return this.core?.stage?.isHome ?? false;
   }
 
+  /** Whether the surface turns slowly, or will once the work is done, and nothing else has moved it since `resetView`. */
+  get isTurning(): boolean {
+    return this.core?.stage?.isTurning ?? false;
+  }
+
   /** From where the surface is seen; undefined before the first model. */
   get camera(): CameraView | undefined {
     return this.core?.stage?.view;

@@ -49,6 +49,13 @@ export async function workerNotLoaded(worker: object): Promise<GirthError> {
   });
 }
 
+/** Why a worker has ended before it could be asked anything: an error of its script, in the browser's words. */
+export function workerNotStarted(text: string): GirthError {
+  return failure('PROGRAM_NOT_LOADED', `the script of a worker has failed as it started: ${text}`, {
+    hint: 'reload the page; if it stays, a script on the server is damaged or of another version, or the browser is too old',
+  });
+}
+
 /**
  * What `load` gives, a module of WebAssembly; or the reason why it could not be loaded. `from`: the address
  * of the script that loads it.
@@ -64,7 +71,7 @@ export async function loadedModule<Module>(
     if (code !== 'INTERNAL') throw thrown;
     // Emscripten's words around the browser's.
     const text = message.replace(/^Aborted\(([^]*)\)\. Build with .*$/, '$1');
-    const hint = /unsafe-eval|content security policy/i.test(text)
+    const hint = /unsafe-eval|content security policy|blocked by CSP/i.test(text)
       ? `let the content security policy of this page allow script-src 'wasm-unsafe-eval'`
       : isElsewhere(from)
         ? allowOrigin(new URL(from).origin)

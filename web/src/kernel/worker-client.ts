@@ -2,7 +2,7 @@
 // once. A worker that has died is replaced with the next request.
 
 import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
-import { workerNotLoaded, workerNotMade } from './loading-failure.js';
+import { workerNotLoaded, workerNotMade, workerNotStarted } from './loading-failure.js';
 import type {
   AdoptedArrays,
   Answer,
@@ -71,14 +71,14 @@ export class WorkerClient<T extends CommonOperations> {
       worker.onmessage = ({ data }) => this.#receive(data);
       worker.onerror = (event) => {
         event.preventDefault?.();
-        if (event.message || isRunning) {
+        if (isRunning) {
           const { message, ...fields } = fieldsOf(event.message || 'it has ended');
           this.#die(new GirthError({ ...fields, message: `a worker has failed: ${message}` }));
-          return;
-        }
-        void workerNotLoaded(worker).then((error) => {
-          if (this.#worker === worker) this.#die(error);
-        });
+        } else if (event.message) this.#die(workerNotStarted(event.message));
+        else
+          void workerNotLoaded(worker).then((error) => {
+            if (this.#worker === worker) this.#die(error);
+          });
       };
       worker.onmessageerror = () =>
         this.#die(failure('OUT_OF_MEMORY', 'a message of a worker could not be received'));

@@ -2,6 +2,7 @@
 // (`worker.ts` and others) have the operations.
 
 import { GirthError, fieldsOf } from './errors.js';
+import { findKeptModules } from './kept-modules.js';
 import type { Answer, Arguments, CommonOperations, Reply, Report, Request } from './protocol.js';
 import type { GirthErrorFields } from './types.js';
 
@@ -38,6 +39,7 @@ function buffersOf(content: object): ArrayBuffer[] {
 
 /** Serves requests, one after the other, in the order in which they arrive. */
 export function serveRequests<T extends CommonOperations>(handlers: Handlers<T>): void {
+  findKeptModules();
   const scope = self as unknown as DedicatedWorkerGlobalScope;
   const post = (reply: Reply, content: object) => scope.postMessage(reply, buffersOf(content));
 

@@ -64,7 +64,8 @@ export class CameraRig {
   readonly #controls: OrbitControls;
   readonly #events: RigEvents;
   #turnsByItself = false;
-  #isHome = false;
+  /** What has moved the camera since `reset`. */
+  #movedBy: 'nothing' | 'turning' | 'others' = 'others';
   #room: Room = { across: 1, up: 1 };
   /** Whether the camera was moved since it last came to rest. */
   #moved = false;
@@ -89,7 +90,7 @@ export class CameraRig {
     this.#controls.maxDistance = 4 * wholeDistance;
     this.#controls.addEventListener('start', () => {
       this.#flight = undefined;
-      this.#isHome = false;
+      this.#movedBy = 'others';
       this.#held = this.#drifting = true;
       this.touch();
     });
@@ -150,7 +151,12 @@ export class CameraRig {
 
   /** Whether nothing has moved the camera since `reset`. */
   get isHome(): boolean {
-    return this.#isHome;
+    return this.#movedBy === 'nothing';
+  }
+
+  /** Whether nothing but its turning has. */
+  get hasOnlyTurned(): boolean {
+    return this.#movedBy === 'turning';
   }
 
   /** From where it looks now. */
@@ -169,7 +175,13 @@ export class CameraRig {
   reset(home: CameraView): void {
     this.#flight = undefined;
     this.#setView(home);
-    this.#isHome = true;
+    this.#movedBy = 'nothing';
+  }
+
+  /** To another view where the camera would have begun, as far round as it has turned. */
+  refit(home: CameraView): void {
+    this.#setView({ ...home, azimuth: this.view.azimuth });
+    this.#movedBy = 'turning';
   }
 
   /**
@@ -248,7 +260,7 @@ export class CameraRig {
   /** A key has moved the camera to the end of this arm. */
   #take(arm: Vector3): void {
     this.#flight = undefined;
-    this.#isHome = false;
+    this.#movedBy = 'others';
     this.touch();
     this.camera.position.copy(this.#controls.target).add(arm);
     this.#controls.update();
@@ -256,7 +268,7 @@ export class CameraRig {
   }
 
   #setView({ polar, azimuth, distance, target }: CameraView): void {
-    this.#isHome = false;
+    this.#movedBy = 'others';
     // Nothing of what moved before may go on from there.
     this.#finishMotion();
     this.#controls.target.fromArray(target).clampLength(0, farthestTarget);
@@ -275,7 +287,7 @@ export class CameraRig {
     const { camera } = this;
     controls.update(seconds);
     if (this.#turnsByItself) {
-      this.#isHome = false;
+      if (this.isHome) this.#movedBy = 'turning';
       return 'more';
     }
     const moved =

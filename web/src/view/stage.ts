@@ -183,7 +183,7 @@ export class Stage implements Borrower {
     this.#height = Math.max(1, height);
     this.#setRatio(Math.min(2, pixelRatio));
     this.#rig.fit(this.#width, this.#height, top, bottom);
-    if (this.#rig.isHome) this.resetView();
+    this.refit();
     // A picture that is out of view may be stretched.
     if (this.#drawer || !this.#isResting) this.#draw();
   }
@@ -279,15 +279,34 @@ export class Stage implements Borrower {
 
   /** Back to the standard direction, from where the surface is seen whole. */
   resetView(): void {
+    const home = this.#home;
+    if (home) this.#rig.reset(home);
+  }
+
+  /** The surface is seen whole again, from where it is seen, unless something else than its turning has moved the camera. */
+  refit(): void {
+    if (this.#rig.isHome) this.resetView();
+    else if (this.#rig.hasOnlyTurned) {
+      const home = this.#home;
+      if (home) this.#rig.refit(home);
+    }
+  }
+
+  get #home(): CameraView | undefined {
     const points = this.#points;
-    if (!points) return;
+    if (!points) return undefined;
     const seen = this.#turnsAtHome ? turned(points) : points;
-    this.#rig.reset(fittedView(seen, homeDirection, this.#rig.room));
+    return fittedView(seen, homeDirection, this.#rig.room);
   }
 
   /** Whether the camera is where `resetView` puts it. */
   get isHome(): boolean {
     return this.#rig.isHome;
+  }
+
+  /** Whether it turns, or is about to, and nothing else has moved the camera since. */
+  get isTurning(): boolean {
+    return this.#turnsAtHome && (this.#rig.isHome || this.#rig.hasOnlyTurned);
   }
 
   /** Looks straight at the whole surface: smoothly, or at once. */
