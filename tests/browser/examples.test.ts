@@ -50,7 +50,9 @@ test.each([false, true])('a page with the kernel, isolated: %s', async (isolated
   await expect.poll(() => narrowest.textContent()).toMatch(/^vertex \d+: 0\.1[23]\d m around$/);
   expect(server.requests.some((path) => path.includes('girth-threads'))).toBe(isolated);
   // What is for other files and other questions is not fetched.
-  expect(server.requests.filter((path) => /draco|meshopt|studies|three/.test(path))).toEqual([]);
+  expect(
+    server.requests.filter((path) => /analysis|draco|meshopt|studies|three/.test(path)),
+  ).toEqual([]);
   expect(complaints).toEqual([]);
   await context.close();
   await server.close();

@@ -384,7 +384,7 @@ for (const mode of ['threads', 'pool'] as const) {
         readFileSync(join(repository, `web/src/kernel/wasm/${name}.wasm`));
       await other.route(/\.wasm$/, (route) =>
         route.fulfill({
-          body: bytes(route.request().url().includes('threads') ? 'girth' : 'girth-threads'),
+          body: bytes(route.request().url().includes('threads') ? 'girth-files' : 'girth-threads'),
           contentType: 'application/wasm',
         }),
       );

@@ -45,12 +45,12 @@ function checked<Answer>(answer: Answer | Failed): Answer {
 /** Throws where the module has not been built. */
 export async function loadCore(): Promise<Core> {
   const folder = join(process.cwd(), 'web/src/kernel/wasm');
-  const script = pathToFileURL(join(folder, 'girth.mjs')).href;
+  const script = pathToFileURL(join(folder, 'girth-analysis.mjs')).href;
   const { default: create } = (await import(/* @vite-ignore */ script)) as {
     default: CreateModule;
   };
   // Handed in: the module itself knows only how browsers fetch it.
-  const module = await create({ wasmBinary: readFileSync(join(folder, 'girth.wasm')) });
+  const module = await create({ wasmBinary: readFileSync(join(folder, 'girth-analysis.wasm')) });
   return {
     remeshEvenly({ positions, indices }, faces) {
       const own = Uint32Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);

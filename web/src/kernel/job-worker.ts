@@ -1,6 +1,8 @@
-// A worker for jobs: it reads models, and keeps surfaces to analyse, remesh and write them.
+// A worker for jobs: it reads models, and keeps surfaces to analyse, remesh and write them. What the latter takes is
+// loaded with the first of them.
 
-import createModule, { type GirthModule, type JobSurface } from './wasm/girth.mjs';
+import createAnalysis, { type AnalysisModule, type JobSurface } from './wasm/girth-analysis.mjs';
+import createFiles, { type FilesModule } from './wasm/girth-files.mjs';
 import { failure, fieldsOf, GirthError } from './errors.js';
 import { FileSet, type SetFile } from './file-set.js';
 import { loadedModule } from './loading-failure.js';
@@ -12,7 +14,9 @@ import { unpackIfCompressed } from './unpack.js';
 import { workerFiles } from './worker-files.js';
 import { checked, progressTo, serveRequests } from './worker-loop.js';
 
-let module: GirthModule;
+let files: FilesModule;
+/** There as soon as there is a surface. */
+let module: AnalysisModule;
 const surfaces = new SurfaceStore<JobSurface>();
 
 /** A file must fit into one array, and that into the module's memory. */
@@ -57,12 +61,12 @@ async function firstReadable(
 
 serveRequests<JobOperations>({
   async start() {
-    module = await loadedModule(() => createModule(), import.meta.url);
+    files = await loadedModule(() => createFiles(), import.meta.url);
     return {};
   },
 
-  async read({ files, address, model, prepare }, report) {
-    const set = new FileSet(files.map(asSetFile));
+  async read({ files: given, address, model, prepare }, report) {
+    const set = new FileSet(given.map(asSetFile));
     let reported = 0;
     // Progress must not fall where one model follows another that cannot be read.
     const neverFalling = (progress: number) => {
@@ -76,7 +80,7 @@ serveRequests<JobOperations>({
         (address === undefined ? undefined : workerFiles.beside(address, name));
       const unpacked = await unpackIfCompressed(chosen.bytes(), resource);
       const prepared = checked(
-        module.readSurface(
+        files.readSurface(
           unpacked.bytes,
           name,
           unpacked.resource,
@@ -93,12 +97,13 @@ serveRequests<JobOperations>({
   take({ arrays, prepare }, report) {
     const { positions, indices } = arrays;
     const prepared = checked(
-      module.surfaceFromArrays(positions, indices, moduleOptions(prepare), progressTo(report)),
+      files.surfaceFromArrays(positions, indices, moduleOptions(prepare), progressTo(report)),
     );
     return openedSurface(prepared, { name: '', models: [], unreadable: [] });
   },
 
-  adopt({ surface, arrays }) {
+  async adopt({ surface, arrays }) {
+    module ??= await loadedModule(() => createAnalysis(), import.meta.url);
     const { positions, indices, vertexOfInput, inputOfVertex } = arrays;
     const made = module.jobSurface(positions, indices, vertexOfInput, inputOfVertex);
     surfaces.add(surface, checked(made).surface);

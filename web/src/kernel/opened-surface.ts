@@ -1,6 +1,6 @@
 // Surfaces of the module in the form that the page receives.
 
-import type { Described, ModuleOptions, Prepared } from './wasm/girth.mjs';
+import type { Described, ModuleOptions, Prepared } from './wasm/girth-files.mjs';
 import type { FileContent, OpenedSurface } from './protocol.js';
 import type { MeshInfo, PrepareOptions } from './types.js';
 

@@ -34,6 +34,15 @@ declare module '*/girth.mjs' {
     delete(): void;
   }
 
+  export interface GirthModule {
+    /** The surface of a prepared surface's arrays. */
+    exactSurface(positions: Float64Array, indices: Uint32Array): { surface: Surface } | Failed;
+  }
+
+  export default function createModule(): Promise<GirthModule>;
+}
+
+declare module '*/girth-files.mjs' {
   /** A prepared surface as arrays, with a report of what was done to its input. */
   export interface Prepared extends Described {
     vertexOfInput: Uint32Array<ArrayBuffer>;
@@ -74,20 +83,7 @@ declare module '*/girth.mjs' {
     area: number;
   }
 
-  /** A surface that a worker keeps from one job to the next. */
-  export interface JobSurface {
-    delete(): void;
-  }
-
-  type WrittenModel = import('./protocol.js').WrittenModel;
-  type GirthAndDiameter = import('./protocol.js').GirthAndDiameter;
-  type PrintArrays = import('./protocol.js').PrintArrays;
-
-  interface Bytes {
-    bytes: Uint8Array<ArrayBuffer>;
-  }
-
-  export interface GirthModule {
+  export interface FilesModule {
     /** Reads and prepares a model. `resource` returns a file that the model refers to. */
     readSurface(
       bytes: Uint8Array,
@@ -103,9 +99,31 @@ declare module '*/girth.mjs' {
       options: ModuleOptions,
       onProgress: OnProgress,
     ): Prepared | Failed;
-    /** The surface of a prepared surface's arrays. */
-    exactSurface(positions: Float64Array, indices: Uint32Array): { surface: Surface } | Failed;
-    /** The same, with the numbers that its vertices have in the input. */
+  }
+
+  export default function createModule(): Promise<FilesModule>;
+}
+
+declare module '*/girth-analysis.mjs' {
+  type Point = import('./types.js').SurfacePoint;
+  type Described = import('./wasm/girth-files.mjs').Described;
+  type OnProgress = (fraction: number) => void;
+
+  /** A surface that a worker keeps from one job to the next. */
+  export interface JobSurface {
+    delete(): void;
+  }
+
+  type WrittenModel = import('./protocol.js').WrittenModel;
+  type GirthAndDiameter = import('./protocol.js').GirthAndDiameter;
+  type PrintArrays = import('./protocol.js').PrintArrays;
+
+  interface Bytes {
+    bytes: Uint8Array<ArrayBuffer>;
+  }
+
+  export interface AnalysisModule {
+    /** The surface of a prepared surface's arrays, with the numbers that its vertices have in the input. */
     jobSurface(
       positions: Float64Array,
       indices: Uint32Array,
@@ -307,7 +325,7 @@ declare module '*/girth.mjs' {
     ): { files: Uint8Array<ArrayBuffer>[] } | Failed;
   }
 
-  export default function createModule(): Promise<GirthModule>;
+  export default function createModule(): Promise<AnalysisModule>;
 }
 
 declare module '*/girth-threads.mjs' {
