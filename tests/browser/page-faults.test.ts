@@ -8,6 +8,7 @@ import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
+import { endsAt, overlapsOf, stormOfSizes } from './faults.js';
 import { smallExamples } from './small-examples.js';
 import { box, torus } from './meshes.js';
 import { drop, modelIs, openPanel, pictures, site } from './page-support.js';
@@ -155,16 +156,6 @@ test('a worker that throws while it starts', async () => {
   expect(await messageIs(faulty, 'PROGRAM_NOT_LOADED')).toMatch(/no luck.*reload the page/);
 });
 
-/** Scripts of workers begin with this: memory of modules ends there. */
-const endsAt = (bytes: number): Buffer =>
-  Buffer.from(
-    `{ const grow = WebAssembly.Memory.prototype.grow;
-       WebAssembly.Memory.prototype.grow = function (pages) {
-         if (this.buffer.byteLength + 65536 * pages > ${bytes}) throw new RangeError('no more');
-         return grow.call(this, pages);
-       }; }\n`,
-  );
-
 /** A file that has this size and no bytes on the disk: an STL of triangles that are points. */
 function emptyFile(name: string, size: number): string {
   const path = join(scratch, name);
@@ -178,7 +169,7 @@ function emptyFile(name: string, size: number): string {
 test.each([64, 128])(
   'memory that ends at %i MB: words, the model before stays, and small ones are computed',
   async (megabytes) => {
-    const most = endsAt(megabytes << 20);
+    const most = Buffer.from(endsAt(megabytes << 20));
     const faulty = await openWith((page) =>
       changed(page, /worker.*\.js$/, (body) => Buffer.concat([most, body])),
     );
@@ -315,16 +306,7 @@ test('a canvas of no size, and a storm of sizes: the picture fits the last one',
   );
   const { page, viewer } = faulty;
   await page.locator('#examples button').first().waitFor();
-  await page.evaluate(async () => {
-    const surface = document.querySelector<HTMLElement>('.surface')!;
-    surface.style.display = '';
-    for (let i = 0; i < 60; ++i) {
-      surface.style.maxWidth = `${(i * 67) % 500}px`;
-      surface.style.maxHeight = `${(i * 31) % 400}px`;
-      await new Promise((resolve) => setTimeout(resolve));
-    }
-    surface.style.maxWidth = surface.style.maxHeight = '';
-  });
+  await page.evaluate(stormOfSizes);
   await modelIs(page, 'chair.glb');
   await framesPass(page);
   const { picture, element } = await viewer.evaluate(async (element: GirthViewer) => {
@@ -564,17 +546,7 @@ test.each([
   expect(boxes.map(({ name }) => name)).toEqual(
     expect.arrayContaining(['header', 'meaning', 'invitation', 'message', 'examples', 'aside']),
   );
-  const overlaps = boxes.flatMap((a, i) =>
-    boxes
-      .slice(i + 1)
-      .filter(
-        (b) =>
-          Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
-          Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1,
-      )
-      .map((b) => `${a.name} over ${b.name}`),
-  );
-  expect(overlaps).toEqual([]);
+  expect(overlapsOf(boxes)).toEqual([]);
   // Nothing is cut off at the sides, and the rest can be scrolled to.
   for (const { name, left, right } of boxes) {
     expect(left, name).toBeGreaterThanOrEqual(0);

@@ -110,7 +110,7 @@ export async function serve(folder: string, options: ServeOptions = {}): Promise
       return;
     }
     const type = mediaTypes[extname(file)] ?? 'application/octet-stream';
-    const instead = options.answers && options.answers(path, await readFile(file));
+    const instead = options.answers?.(path, await readFile(file));
     const status = instead?.status ?? 200;
     response.writeHead(status, { ...headers, 'Content-Type': instead?.type ?? type });
     if (instead?.body !== undefined) response.end(instead.body);

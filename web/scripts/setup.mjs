@@ -111,14 +111,12 @@ export function setUp() {
   if (!npmPackagesAreFresh()) run('npm', ['ci', '--no-audit', '--no-fund']);
 }
 
-/** Installs what clusters are tested with, where that is Debian's. */
-export function setUpClusters() {
-  if (isDebian()) installDebianPackages('debian-packages-clusters.txt');
-}
-
-/** Installs the other browsers that the page is tested with, where they are Debian's. */
-export function setUpBrowsers() {
-  if (isDebian()) installDebianPackages('debian-packages-browsers.txt');
+/**
+ * Installs what long tests need besides, where it is Debian's.
+ * @param {'browsers' | 'clusters'} list
+ */
+export function setUpMore(list) {
+  if (isDebian()) installDebianPackages(`debian-packages-${list}.txt`);
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await script(setUp);

@@ -11,7 +11,7 @@ import { lint, lintNative } from './lint.mjs';
 import { installPythonPackage, runClusterTests, runPythonTests } from './python.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
 import { testPythonWithSanitizers, testWithSanitizers } from './sanitizers.mjs';
-import { setUpBrowsers, setUpClusters } from './setup.mjs';
+import { setUpMore } from './setup.mjs';
 import { testSharedLibraries } from './shared-libraries.mjs';
 import { filesBelow, hashOf } from './stale.mjs';
 
@@ -117,7 +117,7 @@ async function pytest(count) {
 
 /** @param {Count} count */
 function clusters(count) {
-  setUpClusters();
+  setUpMore('clusters');
   const report = join(reports, 'pytest-clusters.xml');
   try {
     runClusterTests(report);
@@ -232,7 +232,7 @@ export const longParts = {
     title: 'Firefox and WebKit',
     needs: ['bundle', 'compile-native'],
     run: (count) => {
-      setUpBrowsers();
+      setUpMore('browsers');
       vitest('other-browsers', count);
     },
   },
