@@ -1,7 +1,7 @@
 // What a user sees of fields, tips and parts: pixels of drawn surfaces with drawn values.
 
 import { join } from 'node:path';
-import type { Locator, Page } from 'playwright-core';
+import type { Locator, Page, Route } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
 import type { GirthViewer, HoverDetail } from '../../web/src/element/index.js';
 import { partKinds } from '../../web/src/view/categories.js';
@@ -508,6 +508,42 @@ describe('places', () => {
     expect((await last())!.values).toEqual({ igf: rising.fields.igf[vertex] });
     await page.mouse.move(3, 3);
     await expect.poll(async () => (await last())?.vertex).toBeUndefined();
+  });
+
+  test('a pointer that rests on the surface before it can be picked is heard', async () => {
+    let release = (): void => undefined;
+    const released = new Promise<void>((resolve) => (release = resolve));
+    let held = 0;
+    const hold = async (route: Route): Promise<void> => {
+      ++held;
+      await released;
+      await route.continue();
+    };
+    const fresh = await page.context().newPage();
+    try {
+      await fresh.route(/bvh/i, hold);
+      await fresh.goto(page.url());
+      const viewer = await draw(fresh, rising);
+      await legendSays(viewer, 'Girth');
+      const vertex = vertexAt(0.5, 0.25);
+      const place = await viewer.evaluate((element: GirthViewer, vertex) => {
+        const seen: HoverDetail[] = [];
+        Object.assign(globalThis, { seen });
+        element.addEventListener('hover', (event) => seen.push(event.detail));
+        return element.screenPosition(vertex);
+      }, vertex);
+      const heard = () =>
+        fresh.evaluate(() => (globalThis as unknown as { seen: HoverDetail[] }).seen.at(-1));
+      await fresh.mouse.move(place.x + 1, place.y + 1);
+      await fresh.waitForTimeout(300);
+      expect(await heard()).toBeUndefined();
+      expect(held).toBeGreaterThan(0);
+      release();
+      await expect.poll(async () => (await heard())?.vertex).toBe(vertex);
+    } finally {
+      release();
+      await fresh.close();
+    }
   });
 
   test('the camera goes to a place, and a picture of a place leaves it where it is', async () => {

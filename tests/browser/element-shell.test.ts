@@ -196,6 +196,8 @@ test('an element that is moved keeps its model, its view and its loops; one that
   await expect
     .poll(() => viewer.evaluate((element: GirthViewer) => element.pinned?.length ?? 0))
     .toBe(1);
+  // A loop is pinned before the last of the scripts has come that are asked for without haste.
+  await page.waitForLoadState('networkidle');
   const requests = server.requests.length;
   const kept = await viewer.evaluate(async (element: GirthViewer) => {
     element.camera = { ...element.camera!, azimuth: 1.25 };
@@ -206,7 +208,7 @@ test('an element that is moved keeps its model, its view and its loops; one that
     return { isSame, azimuth: element.camera.azimuth, pinned: element.pinned.length };
   });
   expect(kept).toEqual({ isSame: true, azimuth: expect.closeTo(1.25, 9) as number, pinned: 1 });
-  expect(server.requests.length).toBe(requests);
+  expect(server.requests.slice(requests)).toEqual([]);
   const gone = await viewer.evaluate(async (element: GirthViewer) => {
     element.remove();
     await Promise.resolve();

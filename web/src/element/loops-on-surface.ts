@@ -15,7 +15,7 @@ import {
 import { make } from './dom.js';
 import type { Model } from './model.js';
 import { placeLabels } from './label-places.js';
-import type { StrokeOptions } from './stroke.js';
+import { rounded, type StrokeOptions, strokeOn } from './stroke.js';
 import { PinTag, Readout, type TagLabel, kindWords } from './readout.js';
 import { isMotionReduced } from './surroundings.js';
 
@@ -235,7 +235,10 @@ export class LoopsOnSurface {
     });
   }
 
-  /** The same, or the points along the way of a pointer that is dragged over the surface. */
+  /**
+   * The same, or the points along the way of a pointer that is dragged over the surface. The pointer is heard from this
+   * call on: one that is pressed a moment later would turn the surface.
+   */
   async chooseStroke({ signal, drawn }: StrokeOptions): Promise<SurfacePoint[]> {
     const ending = new AbortController();
     const end = (): void => ending.abort();
@@ -243,7 +246,6 @@ export class LoopsOnSurface {
     if (signal?.aborted) end();
     const click = this.choosePoint(ending.signal).then((point) => [point]);
     try {
-      const { rounded, strokeOn } = await import('./stroke.js');
       const pick = (x: number, y: number) => this.#stage.pick(x, y);
       const stroke = strokeOn(this.#canvas, pick, ending.signal, (points) => {
         this.#stage.touch();
@@ -450,6 +452,15 @@ export class LoopsOnSurface {
   #moved(event: PointerEvent): void {
     if (event.buttons !== 0 || event.pointerType === 'touch') return;
     this.#remember(event);
+    this.#pickSoon();
+  }
+
+  /** The surface can be picked now: a pointer that came before may rest on it. */
+  pointAgain(): void {
+    if (this.#pointer && !this.#pointer.isTouch && !this.#pressed) this.#pickSoon();
+  }
+
+  #pickSoon(): void {
     this.#pickRequested ||= requestAnimationFrame(() => {
       this.#pickRequested = 0;
       const pointer = this.#pointer;

@@ -1,4 +1,4 @@
-// A line that a hand draws on the surface: fetched by those who draw.
+// A line that a hand draws on the surface.
 
 import type { CallOptions, FacePoint, SurfacePoint } from '../kernel/types.js';
 

@@ -759,8 +759,9 @@ export class ViewerCore {
     }
   }
 
-  #prepareToPick(model: Model): Promise<void> {
-    return model.surface.prepareToPick(openWorker);
+  async #prepareToPick(model: Model): Promise<void> {
+    await model.surface.prepareToPick(openWorker);
+    if (this.presented?.model === model) this.presented.loops.pointAgain();
   }
 
   /** A pointer or the focus has come to the surface: loops can be asked for. */
