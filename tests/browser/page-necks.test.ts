@@ -280,6 +280,44 @@ test('the bottleneck of two points that are clicked, and the profile between the
   expect(await complaintsOfAxe(page)).toEqual([]);
 });
 
+test('a stroke that begins in the moment after a click is heard, and the surface stays', async () => {
+  const built = await openWith('dumbbell.obj', dumbbell(16, 12));
+  const { viewer } = built;
+  const { ends } = await endsOf(built);
+  const camera = await viewer.evaluate((element: GirthViewer) => element.camera);
+  const counts = await viewer.evaluate(async (element: GirthViewer, [from, to]) => {
+    const canvas = element.shadowRoot!.querySelector('canvas')!;
+    // Pointers that no device has cannot be captured.
+    canvas.setPointerCapture = () => undefined;
+    const box = canvas.getBoundingClientRect();
+    const send = (type: string, share: number, buttons: number): void => {
+      const x = from!.x + share * (to!.x - from!.x);
+      const init = { clientX: box.left + x, clientY: box.top + from!.y, buttons };
+      const kind = { pointerId: 7, isPrimary: true, pointerType: 'mouse', bubbles: true };
+      canvas.dispatchEvent(new PointerEvent(type, { ...init, ...kind, button: 0 }));
+    };
+    // Promises that are kept are heard of; no task is done in between.
+    const turns = async (): Promise<void> => {
+      for (let i = 0; i < 50; ++i) await Promise.resolve();
+    };
+    const one = element.chooseStroke();
+    await turns();
+    send('pointerdown', 0, 1);
+    send('pointerup', 0, 0);
+    const clicked = (await one).length;
+    const next = element.chooseStroke();
+    await turns();
+    send('pointerdown', 0, 1);
+    for (let i = 1; i <= 4; ++i) send('pointermove', i / 8, 1);
+    send('pointerup', 1 / 2, 0);
+    return [clicked, (await next).length];
+  }, ends);
+  // Where the tube is thinner the pointer is beside it.
+  expect(counts[0]).toBe(1);
+  expect(counts[1]).toBeGreaterThan(2);
+  expect(await viewer.evaluate((element: GirthViewer) => element.camera)).toEqual(camera);
+});
+
 test('a path is drawn by clicks and strokes, taken back, measured, and kept in the link', async () => {
   const built = await openWith('dumbbell.obj', dumbbell(16, 12));
   const { page, viewer } = built;
