@@ -1,7 +1,7 @@
 // What a user sees of fields, tips and parts: pixels of drawn surfaces with drawn values.
 
 import { join } from 'node:path';
-import type { Locator, Page, Route } from 'playwright-core';
+import type { Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
 import type { GirthViewer, HoverDetail } from '../../web/src/element/index.js';
 import { partKinds } from '../../web/src/view/categories.js';
@@ -53,6 +53,19 @@ afterEach(() => expect(complaints.splice(0)).toEqual([]));
 /** Waits until the legend says so. */
 async function legendSays(viewer: Locator, text: string): Promise<void> {
   await expect.poll(() => viewer.locator('.legend').innerText()).toContain(text);
+}
+
+/** Where a vertex is on the page, and what `hover` says last from now on. */
+async function hoverOver(viewer: Locator, vertex: number) {
+  const place = await viewer.evaluate((element: GirthViewer, vertex) => {
+    const seen: HoverDetail[] = [];
+    Object.assign(globalThis, { seen });
+    element.addEventListener('hover', (event) => seen.push(event.detail));
+    return element.screenPosition(vertex);
+  }, vertex);
+  const last = () =>
+    viewer.evaluate(() => (globalThis as unknown as { seen: HoverDetail[] }).seen.at(-1));
+  return { place, last };
 }
 
 const set = (viewer: Locator, name: string, value: string): Promise<void> =>
@@ -495,14 +508,7 @@ describe('places', () => {
     const viewer = await draw(page, rising);
     await legendSays(viewer, 'Girth');
     const vertex = vertexAt(0.5, 0.25);
-    const place = await viewer.evaluate((element: GirthViewer, vertex) => {
-      const seen: HoverDetail[] = [];
-      Object.assign(globalThis, { seen });
-      element.addEventListener('hover', (event) => seen.push(event.detail));
-      return element.screenPosition(vertex);
-    }, vertex);
-    const last = () =>
-      page.evaluate(() => (globalThis as unknown as { seen: HoverDetail[] }).seen.at(-1));
+    const { place, last } = await hoverOver(viewer, vertex);
     await page.mouse.move(place.x + 1, place.y + 1);
     await expect.poll(async () => (await last())?.vertex).toBe(vertex);
     expect((await last())!.values).toEqual({ igf: rising.fields.igf[vertex] });
@@ -514,35 +520,30 @@ describe('places', () => {
     let release = (): void => undefined;
     const released = new Promise<void>((resolve) => (release = resolve));
     let held = 0;
-    const hold = async (route: Route): Promise<void> => {
-      ++held;
-      await released;
-      await route.continue();
-    };
-    const fresh = await page.context().newPage();
+    const fresh = await openPage(page.url(), {}, (page) =>
+      page.route(/bvh/i, async (route) => {
+        ++held;
+        await released;
+        await route.continue();
+      }),
+    );
     try {
-      await fresh.route(/bvh/i, hold);
-      await fresh.goto(page.url());
-      const viewer = await draw(fresh, rising);
+      const viewer = await draw(fresh.page, rising);
       await legendSays(viewer, 'Girth');
+      await expect.poll(() => held).toBeGreaterThan(0);
       const vertex = vertexAt(0.5, 0.25);
-      const place = await viewer.evaluate((element: GirthViewer, vertex) => {
-        const seen: HoverDetail[] = [];
-        Object.assign(globalThis, { seen });
-        element.addEventListener('hover', (event) => seen.push(event.detail));
-        return element.screenPosition(vertex);
-      }, vertex);
-      const heard = () =>
-        fresh.evaluate(() => (globalThis as unknown as { seen: HoverDetail[] }).seen.at(-1));
-      await fresh.mouse.move(place.x + 1, place.y + 1);
-      await fresh.waitForTimeout(300);
-      expect(await heard()).toBeUndefined();
-      expect(held).toBeGreaterThan(0);
+      const { place, last } = await hoverOver(viewer, vertex);
+      await fresh.page.mouse.move(place.x + 1, place.y + 1);
+      await viewer.evaluate(async () => {
+        for (let i = 0; i < 3; ++i) await new Promise((done) => requestAnimationFrame(done));
+      });
+      expect(await last()).toBeUndefined();
       release();
-      await expect.poll(async () => (await heard())?.vertex).toBe(vertex);
+      await expect.poll(async () => (await last())?.vertex).toBe(vertex);
+      expect(fresh.complaints).toEqual([]);
     } finally {
       release();
-      await fresh.close();
+      await fresh.page.context().close();
     }
   });
 
