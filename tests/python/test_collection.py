@@ -3,6 +3,7 @@
 import json
 import os
 import resource
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 
@@ -74,8 +75,18 @@ def test_a_second_run_computes_nothing(files, tmp_path, count):
     assert not [path for path in store.rglob("*") if path.name.startswith(".")]
 
 
-def test_what_was_written_before_a_stop_is_kept(files, tmp_path, count):
+def test_what_was_written_before_a_stop_is_kept(files, tmp_path, count, monkeypatch):
     seen = []
+    stopped = threading.Event()
+    compute = girth._girth.compared_fields
+
+    def held(*arguments):
+        # On a busy machine all would be computed before the first result is looked at.
+        if len(count) >= 7:
+            stopped.wait()
+        return compute(*arguments)
+
+    monkeypatch.setattr(girth._girth, "compared_fields", held)
 
     def stop(fraction):
         seen.append(fraction)
@@ -84,7 +95,10 @@ def test_what_was_written_before_a_stop_is_kept(files, tmp_path, count):
 
     with pytest.raises(KeyboardInterrupt), ThreadPoolExecutor(1) as pool:
         options = {"store": tmp_path / "store", "faces": 0, "batch": 1, "save_every": 0}
-        collection.fields(files, client=pool, progress=stop, **options)
+        try:
+            collection.fields(files, client=pool, progress=stop, **options)
+        finally:
+            stopped.set()
     before = len(count)
     assert 5 <= before < 11
     found = collection.fields(files, store=tmp_path / "store", faces=0)
