@@ -55,6 +55,23 @@ inline emscripten::val tripleOf(const Vec3& p) {
   return triple;
 }
 
+/// {positions, indices}: a surface's arrays.
+inline emscripten::val arraysOf(const SurfaceMesh& mesh) {
+  std::vector<double> positions;
+  positions.reserve(3 * std::size_t{mesh.vertexCount()});
+  for (const Vertex v : mesh.vertices()) {
+    const Vec3& p = mesh.position(v);
+    positions.insert(positions.end(), {p.x, p.y, p.z});
+  }
+  std::vector<Index> indices;
+  indices.reserve(mesh.halfedgeCount());
+  for (const Halfedge h : mesh.halfedges()) indices.push_back(mesh.from(h));
+  emscripten::val result = emscripten::val::object();
+  result.set("positions", copyOut<double>("Float64Array", positions));
+  result.set("indices", copyOut<Index>("Uint32Array", indices));
+  return result;
+}
+
 /// A surface's arrays and what follows from them: `Described` of wasm-modules.d.ts.
 inline emscripten::val describe(const SurfaceMesh& mesh) {
   emscripten::val genus = emscripten::val::array();
@@ -63,24 +80,12 @@ inline emscripten::val describe(const SurfaceMesh& mesh) {
     genus.set(c, mesh.genus(c));
     boundaries.set(c, mesh.boundaryCount(c));
   }
-  emscripten::val result = emscripten::val::object();
-  {
-    std::vector<double> positions;
-    positions.reserve(3 * std::size_t{mesh.vertexCount()});
-    for (const Vertex v : mesh.vertices()) {
-      const Vec3& p = mesh.position(v);
-      positions.insert(positions.end(), {p.x, p.y, p.z});
-    }
-    result.set("positions", copyOut<double>("Float64Array", positions));
-  }
-  std::vector<Index> indices, boundary;
-  indices.reserve(mesh.halfedgeCount());
+  emscripten::val result = arraysOf(mesh);
+  std::vector<Index> boundary;
   for (const Halfedge h : mesh.halfedges()) {
-    indices.push_back(mesh.from(h));
     if (mesh.twin(h) == kNoIndex) boundary.insert(boundary.end(), {mesh.from(h), mesh.to(h)});
   }
   result.set("origin", tripleOf(drawingOrigin(mesh)));
-  result.set("indices", copyOut<Index>("Uint32Array", indices));
   result.set("boundary", copyOut<Index>("Uint32Array", boundary));
   result.set("genus", genus);
   result.set("boundaries", boundaries);

@@ -10,7 +10,8 @@ const folder = join(import.meta.dirname, '../../web/src/kernel/wasm');
 
 test.each([
   ['girth-files', 290_000],
-  ['girth', 170_000],
+  ['girth', 120_000],
+  ['girth-fields', 175_000],
   ['girth-threads', 230_000],
   ['girth-analysis', 620_000],
   ['girth-studies', 310_000],

@@ -72,9 +72,10 @@ GIRTH_EXPORT GirthField girthField(const SurfaceMesh& mesh, const GirthOptions& 
 /// The lengths and kinds of values, each in an array of its own.
 GIRTH_EXPORT GirthField girthFieldOf(const VertexValues<GirthValue>& girth);
 
-/// I(v), in model units, with its kind.
-GIRTH_EXPORT VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh,
-                                                      GirthMethod method = GirthMethod::Exact);
+/// I(v), exactly, in model units, with its kind.
+GIRTH_EXPORT VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh);
+/// The same by a method.
+GIRTH_EXPORT VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh, GirthMethod method);
 /// The mesh must outlive the function: keep it in a variable.
 VertexFunction<GirthValue> girthFunction(const SurfaceMesh&&,
                                          GirthMethod method = GirthMethod::Exact) = delete;
@@ -93,10 +94,11 @@ GIRTH_EXPORT VertexFunction<Barcode> barcodeFunction(const SurfaceMesh& mesh,
 VertexFunction<Barcode> barcodeFunction(const SurfaceMesh&&, const BarcodeOptions&) = delete;
 
 /// The angle at v between the two ends of the loop through it (GirthLoop::angle), in radians; NaN
-/// where the loop is unresolved. `persistence`: tau, in model units, where the loop of I_tau is
-/// meant; INVALID_OPTION where it is none (`checkPersistence`).
-GIRTH_EXPORT VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh,
-                                                      double persistence = 0);
+/// where the loop is unresolved.
+GIRTH_EXPORT VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh);
+/// The same of the loop of I_tau. `persistence`: tau, in model units; INVALID_OPTION where it is
+/// none (`checkPersistence`).
+GIRTH_EXPORT VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh, double persistence);
 /// The mesh must outlive the function: keep it in a variable.
 VertexFunction<double> loopAngleFunction(const SurfaceMesh&&, double persistence = 0) = delete;
 

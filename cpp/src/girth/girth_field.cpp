@@ -32,11 +32,8 @@ class Costs {
 /// A solver that reports at its end what all its calls cost.
 class CountedSolver {
  public:
-  CountedSolver(std::shared_ptr<const geodesic::Unfolding> unfolding, double persistence,
-                std::shared_ptr<Costs> costs)
-      : solver_(SolverFactory::onUnfolding(std::move(unfolding))), costs_(std::move(costs)) {
-    solver_.setPersistence(persistence);
-  }
+  CountedSolver(GirthSolver solver, std::shared_ptr<Costs> costs)
+      : solver_(std::move(solver)), costs_(std::move(costs)) {}
   CountedSolver(const CountedSolver&) = delete;
   CountedSolver& operator=(const CountedSolver&) = delete;
   ~CountedSolver() {
@@ -55,15 +52,47 @@ class CountedSolver {
   SearchStatistics statistics_;
 };
 
+/// Makes the solvers of a field.
+class PlainSolvers {
+ public:
+  explicit PlainSolvers(const SurfaceMesh& mesh)
+      : unfolding_(std::make_shared<const geodesic::Unfolding>(mesh)) {}
+  GirthSolver operator()() const { return SolverFactory::onUnfolding(unfolding_); }
+
+ private:
+  std::shared_ptr<const geodesic::Unfolding> unfolding_;
+};
+
+/// The same with a persistence. A class of its own, so that a program that has no use for it is
+/// linked without the search for saddles that last.
+class PersistentSolvers {
+ public:
+  PersistentSolvers(const SurfaceMesh& mesh, double persistence)
+      : plain_(mesh), persistence_(persistence) {}
+  GirthSolver operator()() const {
+    GirthSolver solver = plain_();
+    solver.setPersistence(persistence_);
+    return solver;
+  }
+
+ private:
+  PlainSolvers plain_;
+  double persistence_;
+};
+
+template <class Solvers>
+VertexFunction<GirthValue> exactFunction(const Solvers& solvers,
+                                         const std::shared_ptr<Costs>& costs) {
+  return {[solvers, costs](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
+    const auto solver = std::make_shared<CountedSolver>(solvers(), costs);
+    return [solver, own = context.ofOneThread()](Vertex v) { return solver->value(v, own); };
+  }};
+}
+
 VertexFunction<GirthValue> countedFunction(const SurfaceMesh& mesh, const GirthOptions& options,
                                            const std::shared_ptr<Costs>& costs) {
   if (options.method == GirthMethod::Exact) {
-    const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
-    return {[unfolding, tau = options.persistence,
-             costs](const ExecutionContext& context) -> VertexEvaluator<GirthValue> {
-      const auto solver = std::make_shared<CountedSolver>(unfolding, tau, costs);
-      return [solver, own = context.ofOneThread()](Vertex v) { return solver->value(v, own); };
-    }};
+    return exactFunction(PersistentSolvers(mesh, options.persistence), costs);
   }
   if (options.persistence != 0) {
     return {[](const ExecutionContext&) -> VertexEvaluator<GirthValue> {
@@ -86,7 +115,24 @@ VertexFunction<GirthValue> countedFunction(const SurfaceMesh& mesh, const GirthO
   }};
 }
 
+template <class Solvers>
+VertexFunction<double> angleFunction(const Solvers& solvers) {
+  return {[solvers](const ExecutionContext& context) -> VertexEvaluator<double> {
+    const auto solver = std::make_shared<GirthSolver>(solvers());
+    return [solver, own = context.ofOneThread()](Vertex v) -> Result<double> {
+      const auto loop = solver->loop(v, own);
+      if (!loop) return loop.error();
+      const bool isResolved = loop.value().kind != LoopKind::Unresolved;
+      return isResolved ? loop.value().angle : kNoValue;
+    };
+  }};
+}
+
 }  // namespace
+
+VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh) {
+  return exactFunction(PlainSolvers(mesh), nullptr);
+}
 
 VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh, GirthMethod method) {
   return countedFunction(mesh, {method}, nullptr);
@@ -97,27 +143,21 @@ VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh, const GirthOpt
 }
 
 VertexFunction<Barcode> barcodeFunction(const SurfaceMesh& mesh, const BarcodeOptions& options) {
-  const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
-  return {[unfolding, options](const ExecutionContext& context) -> VertexEvaluator<Barcode> {
-    const auto solver = std::make_shared<GirthSolver>(SolverFactory::onUnfolding(unfolding));
+  const PlainSolvers solvers(mesh);
+  return {[solvers, options](const ExecutionContext& context) -> VertexEvaluator<Barcode> {
+    const auto solver = std::make_shared<GirthSolver>(solvers());
     return [solver, options, own = context.ofOneThread()](Vertex v) {
       return solver->barcode(v, options, own);
     };
   }};
 }
 
+VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh) {
+  return angleFunction(PlainSolvers(mesh));
+}
+
 VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh, double persistence) {
-  const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
-  return {[unfolding, persistence](const ExecutionContext& context) -> VertexEvaluator<double> {
-    const auto solver = std::make_shared<GirthSolver>(SolverFactory::onUnfolding(unfolding));
-    solver->setPersistence(persistence);
-    return [solver, own = context.ofOneThread()](Vertex v) -> Result<double> {
-      const auto loop = solver->loop(v, own);
-      if (!loop) return loop.error();
-      const bool isResolved = loop.value().kind != LoopKind::Unresolved;
-      return isResolved ? loop.value().angle : kNoValue;
-    };
-  }};
+  return angleFunction(PersistentSolvers(mesh, persistence));
 }
 
 GirthField girthFieldOf(const VertexValues<GirthValue>& girth) {

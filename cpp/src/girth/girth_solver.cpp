@@ -49,6 +49,9 @@ struct GirthSolver::State {
   std::optional<PersistentSearch> persistent;
   double persistence{0};     // of value and loop, in model units
   bool isPersistent{false};  // the last run
+  /// `runLasting`, once a persistence is set. A program that sets none is linked without it.
+  std::optional<Error> (State::*runPersistent)(const SurfacePoint&, Keep,
+                                               const ExecutionContext&){nullptr};
 
   explicit State(std::shared_ptr<const Unfolding> shared)
       : unfolding(std::move(shared)), propagation(*unfolding), search(propagation) {}
@@ -57,10 +60,7 @@ struct GirthSolver::State {
   std::optional<Error> run(const SurfacePoint& point, Keep keep, const ExecutionContext& context) {
     if (auto error = checkPersistence(persistence)) return error;
     isPersistent = persistence > 0;
-    if (isPersistent) {
-      constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-      return runPersistent(point, keep, persistence, kAll, false, context);
-    }
+    if (isPersistent) return (this->*runPersistent)(point, keep, context);
     const auto source = geodesic::locate(*unfolding, point);
     if (!source) return source.error();
     search.start(context.cancel);
@@ -71,8 +71,15 @@ struct GirthSolver::State {
     return std::nullopt;
   }
 
-  /// The same until a saddle is found that lasts, or so many saddles have been.
-  std::optional<Error> runPersistent(const SurfacePoint& point, Keep keep, double atLeast,
+  /// The same until a saddle is found that lasts as long as `persistence`.
+  std::optional<Error> runLasting(const SurfacePoint& point, Keep keep,
+                                  const ExecutionContext& context) {
+    constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+    return runForSaddles(point, keep, persistence, kAll, false, context);
+  }
+
+  /// The same until a saddle is found that lasts so long, or so many saddles have been.
+  std::optional<Error> runForSaddles(const SurfacePoint& point, Keep keep, double atLeast,
                                      std::size_t mostSaddles, bool withDeaths,
                                      const ExecutionContext& context) {
     const auto source = geodesic::locate(*unfolding, point);
@@ -306,14 +313,17 @@ Result<Barcode> GirthSolver::barcode(const SurfacePoint& point, const BarcodeOpt
   if (!(options.maxPersistence >= 0)) return *checkPersistence(options.maxPersistence);
   state_->isPersistent = true;
   const Keep keep = options.loops ? Keep::Everything : Keep::Front;
-  if (auto error = state_->runPersistent(point, keep, options.maxPersistence, options.maxSaddles,
+  if (auto error = state_->runForSaddles(point, keep, options.maxPersistence, options.maxSaddles,
                                          true, context)) {
     return *std::move(error);
   }
   return state_->barcode(options, context);
 }
 
-void GirthSolver::setPersistence(double tau) { state_->persistence = tau; }
+void GirthSolver::setPersistence(double tau) {
+  state_->persistence = tau;
+  state_->runPersistent = &State::runLasting;
+}
 void GirthSolver::setBudget(std::size_t windows) { state_->propagation.setBudget(windows); }
 
 SearchStatistics GirthSolver::statistics() const {

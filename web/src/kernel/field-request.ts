@@ -31,6 +31,10 @@ export const isLength = (name: string) =>
 export const isSpectral = (name: FieldName): name is SpectralFieldName =>
   name === 'hks' || name === 'wks' || name === 'sihks';
 
+/** Whether it is the girth or the angle of its loops, with no regard to how long saddles last. */
+export const isPlainGirth = ({ name, persistence }: FieldRequest) =>
+  (name === 'igf' || name === 'angle') && persistence === 0;
+
 /** Whether each value has a kind. */
 export const hasKinds = ({ name }: FieldRequest) => name === 'igf' || name === 'barcode';
 

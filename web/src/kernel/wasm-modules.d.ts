@@ -14,7 +14,10 @@ interface Failed {
 declare module '*/girth.mjs' {
   type Point = import('./types.js').SurfacePoint;
 
+  /** Of the fields it has 'igf' and 'angle', without persistence. */
   export interface Surface {
+    /** What it was made from. */
+    arrays(): { positions: Float64Array; indices: Uint32Array } | Failed;
     values(
       field: import('./protocol.js').FieldRequest,
       vertices: Uint32Array,
@@ -23,13 +26,7 @@ declare module '*/girth.mjs' {
       field: import('./protocol.js').FieldRequest,
       withoutValue: number,
     ): { method: string; note: string } | Failed;
-    loop(point: Point, persistence: number): import('./protocol.js').FoundLoop | Failed;
-    barcode(
-      point: Point,
-      maxPersistence: number,
-      maxSaddles: number,
-      withLoops: boolean,
-    ): import('./protocol.js').FoundBarcode | Failed;
+    loop(point: Point): import('./protocol.js').FoundLoop | Failed;
     order(): Uint32Array<ArrayBuffer> | Failed;
     delete(): void;
   }
@@ -40,6 +37,33 @@ declare module '*/girth.mjs' {
   }
 
   export default function createModule(): Promise<GirthModule>;
+}
+
+declare module '*/girth-fields.mjs' {
+  type Point = import('./types.js').SurfacePoint;
+
+  type PlainSurface = import('./wasm/girth.mjs').Surface;
+
+  /** It has all fields. */
+  export interface FieldsSurface extends PlainSurface {
+    persistentLoop(point: Point, persistence: number): import('./protocol.js').FoundLoop | Failed;
+    barcode(
+      point: Point,
+      maxPersistence: number,
+      maxSaddles: number,
+      withLoops: boolean,
+    ): import('./protocol.js').FoundBarcode | Failed;
+  }
+
+  export interface FieldsModule {
+    /** The surface of a prepared surface's arrays. */
+    exactSurface(
+      positions: Float64Array,
+      indices: Uint32Array,
+    ): { surface: FieldsSurface } | Failed;
+  }
+
+  export default function createModule(): Promise<FieldsModule>;
 }
 
 declare module '*/girth-files.mjs' {

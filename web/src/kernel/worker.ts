@@ -1,13 +1,34 @@
-// A worker with the module without threads: one of a pool, or the one that answers requests for loops.
+// A worker with the module without threads: one of a pool, or the one that answers requests for loops. What goes
+// beyond the girth and its loops is in a larger module, loaded when it is first asked for.
 
 import createModule, { type GirthModule, type Surface } from './wasm/girth.mjs';
+import createFields, { type FieldsModule, type FieldsSurface } from './wasm/girth-fields.mjs';
+import { isPlainGirth } from './field-request.js';
 import { loadedModule } from './loading-failure.js';
-import type { SingleOperations } from './protocol.js';
+import type { FieldRequest, SingleOperations } from './protocol.js';
 import { SurfaceStore } from './surface-store.js';
 import { checked, serveRequests } from './worker-loop.js';
 
 let module: GirthModule;
+let fields: FieldsModule | undefined;
 const surfaces = new SurfaceStore<Surface>();
+
+const hasFields = (surface: Surface): surface is FieldsSurface => 'barcode' in surface;
+
+/** A surface in the larger module. It takes the place of the one that this worker has held. */
+async function withFields(number: number): Promise<FieldsSurface> {
+  const held = surfaces.get(number);
+  if (hasFields(held)) return held;
+  fields ??= await loadedModule(() => createFields(), import.meta.url);
+  const { positions, indices } = checked(held.arrays());
+  const { surface } = checked(fields.exactSurface(positions, indices));
+  surfaces.add(number, surface);
+  return surface;
+}
+
+/** A surface with this field. */
+const surfaceFor = (number: number, field: FieldRequest) =>
+  isPlainGirth(field) ? surfaces.get(number) : withFields(number);
 
 serveRequests<SingleOperations>({
   async start() {
@@ -25,23 +46,27 @@ serveRequests<SingleOperations>({
     return { order: checked(surfaces.get(surface).order()) };
   },
 
-  values({ surface, field, vertices }) {
+  async values({ surface, field, vertices }) {
+    const on = await surfaceFor(surface, field);
     const from = performance.now();
-    const found = checked(surfaces.get(surface).values(field, vertices));
+    const found = checked(on.values(field, vertices));
     return { ...found, milliseconds: performance.now() - from };
   },
 
-  about({ surface, field, withoutValue }) {
-    return checked(surfaces.get(surface).about(field, withoutValue));
+  async about({ surface, field, withoutValue }) {
+    const on = await surfaceFor(surface, field);
+    return checked(on.about(field, withoutValue));
   },
 
-  loop({ surface, point, persistence }) {
-    return checked(surfaces.get(surface).loop(point, persistence));
+  async loop({ surface, point, persistence }) {
+    if (persistence === 0) return checked(surfaces.get(surface).loop(point));
+    const on = await withFields(surface);
+    return checked(on.persistentLoop(point, persistence));
   },
 
-  barcode({ surface, point, maxPersistence, maxSaddles, loops }) {
-    const found = surfaces.get(surface).barcode(point, maxPersistence, maxSaddles, loops);
-    return checked(found);
+  async barcode({ surface, point, maxPersistence, maxSaddles, loops }) {
+    const on = await withFields(surface);
+    return checked(on.barcode(point, maxPersistence, maxSaddles, loops));
   },
 
   drop({ surface }) {
