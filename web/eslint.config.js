@@ -62,7 +62,14 @@ export default defineConfig(
   {
     files: ['web/docs/site/client/*.js'],
     languageOptions: {
-      globals: { document: 'readonly', fetch: 'readonly', IntersectionObserver: 'readonly' },
+      globals: {
+        addEventListener: 'readonly',
+        caches: 'readonly',
+        document: 'readonly',
+        fetch: 'readonly',
+        IntersectionObserver: 'readonly',
+        navigator: 'readonly',
+      },
     },
   },
   { plugins: { '@typescript-eslint': tseslint.plugin } },

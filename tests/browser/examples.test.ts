@@ -51,7 +51,9 @@ test.each([false, true])('a page with the kernel, isolated: %s', async (isolated
   expect(server.requests.some((path) => path.includes('girth-threads'))).toBe(isolated);
   // What is for other files and other questions is not fetched.
   expect(
-    server.requests.filter((path) => /analysis|girth-fields|draco|meshopt|studies|three/.test(path)),
+    server.requests.filter((path) =>
+      /analysis|girth-fields|draco|meshopt|studies|three/.test(path),
+    ),
   ).toEqual([]);
   expect(complaints).toEqual([]);
   await context.close();

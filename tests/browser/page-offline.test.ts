@@ -103,6 +103,32 @@ test.each([
   expect(complaints).toEqual([]);
 });
 
+test('what was read of the documentation can be read again, and searched', async () => {
+  const { page } = await visit();
+  const documentation = `${server.url}/docs`;
+  for (const name of ['site', 'images', 'choosing.html', 'girth.html']) {
+    cpSync(join(site, 'docs', name), join(folder, 'docs', name), { recursive: true });
+  }
+  await page.goto(`${documentation}/choosing.html`);
+  const isKept = (name: string) =>
+    page.evaluate(
+      async (address) => (await caches.match(address)) !== undefined,
+      `${documentation}/${name}`,
+    );
+  for (const name of ['choosing.html', 'site/page.css', 'site/minisearch.js', 'site/search.json']) {
+    await expect.poll(() => isKept(name), { message: name }).toBe(true);
+  }
+  await server.close();
+  await page.reload();
+  expect(await page.locator('h1').textContent()).toMatch(/^Which field, which method/);
+  await page.locator('form.search input').fill('handles');
+  await expect
+    .poll(() => page.locator('form.search [role=status]').textContent())
+    .toMatch(/^\d+ places$/);
+  // What was not read is not there.
+  await expect(page.goto(`${documentation}/girth.html`)).rejects.toThrow();
+});
+
 const modelInFrame = (page: Page, name: string): Promise<unknown> =>
   expect
     .poll(() =>

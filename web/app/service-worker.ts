@@ -3,8 +3,8 @@
 // The build writes the list of files with their hashes into this worker (`web/scripts/offline.mjs`). What is kept is kept
 // by path and hash: another version fetches only what has changed, and a page gets all of its files from one version.
 // Files are as the server has sent them, headers included, so that threads are there offline where they were online. A
-// new version waits until the page asks for it. Files that are not listed, such as models of others and the
-// documentation, are none of its business.
+// new version waits until the page asks for it. Files that are not listed, such as models of others, are none of its
+// business, but for the documentation: what was read of it can be read again.
 
 interface Lasting extends Event {
   waitUntil(work: Promise<unknown>): void;
@@ -28,6 +28,8 @@ const files = new Map(Object.entries(worker.girthFiles));
 const { scope } = worker.registration;
 // Another page of the same server has another store.
 const store = `girth ${scope}`;
+const documentation = new URL('docs/', scope).href;
+const readStore = `girth documentation ${scope}`;
 const first = 'index.html';
 
 /** What a file is kept as. */
@@ -70,10 +72,35 @@ function pathOf({ method, url }: Request): string | undefined {
   return files.has(path) ? path : undefined;
 }
 
+const isDocumentation = ({ method, url }: Request) =>
+  method === 'GET' && url.startsWith(documentation);
+
 async function answer(path: string, request: Request): Promise<Response> {
   // Browsers may clear what is kept at any time.
   const kept = await caches.match(keyOf(path), { cacheName: store, ignoreVary: true });
   return kept ?? fetch(request);
+}
+
+/** The network comes first: what was read is of no version. */
+async function answerAndKeep(event: Fetching): Promise<Response> {
+  const { request } = event;
+  try {
+    const response = await fetch(request);
+    if (response.status === 200) event.waitUntil(keepRead(request, response.clone()));
+    return response;
+  } catch (failure) {
+    const kept = await caches.match(request, { cacheName: readStore, ignoreVary: true });
+    if (!kept) throw failure;
+    return kept;
+  }
+}
+
+async function keepRead(request: Request, response: Response): Promise<void> {
+  try {
+    await (await caches.open(readStore)).put(request, response);
+  } catch {
+    // The browser has no room left.
+  }
 }
 
 worker.addEventListener('install', (event) => event.waitUntil(fetchAll()));
@@ -81,6 +108,7 @@ worker.addEventListener('activate', (event) => event.waitUntil(forgetOthers()));
 worker.addEventListener('fetch', (event) => {
   const path = pathOf(event.request);
   if (path !== undefined) event.respondWith(answer(path, event.request));
+  else if (isDocumentation(event.request)) event.respondWith(answerAndKeep(event));
 });
 worker.addEventListener('message', ({ data }) => {
   if (data === 'take over') void worker.skipWaiting();

@@ -1,7 +1,8 @@
 // What a page of the documentation does beyond being read.
 
 import { startFigures } from './figures.js';
-import { startSearch } from './search.js';
+import { keepSearch, startSearch } from './search.js';
 
 startSearch();
 startFigures();
+addEventListener('load', keepSearch);

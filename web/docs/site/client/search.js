@@ -13,11 +13,22 @@ const top = new URL('../', import.meta.url);
 /** @type {Promise<{ search: (words: string) => any[] }> | undefined} */
 let index;
 
+// By address: both lie beside this script on the site only.
+const script = new URL('minisearch.js', import.meta.url).href;
+const words = new URL('search.json', import.meta.url).href;
+
+/** Lets the search work without a network, where the page's service worker keeps what is fetched here. */
+export async function keepSearch() {
+  if (!navigator.serviceWorker?.controller) return;
+  for (const address of [script, words]) {
+    const isKept = (await caches.match(address)) !== undefined;
+    if (!isKept) await fetch(address).catch(() => undefined);
+  }
+}
+
 async function fetchIndex() {
-  // A name by address: MiniSearch lies beside this script on the site only.
-  const script = new URL('minisearch.js', import.meta.url).href;
   const { default: MiniSearch } = await import(script);
-  const answer = await fetch(new URL('search.json', import.meta.url));
+  const answer = await fetch(words);
   if (!answer.ok) throw new Error(`${answer.status} ${answer.url}`);
   return MiniSearch.loadJSON(await answer.text(), searchOptions);
 }
