@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
 import type { GirthViewer, HoverDetail } from '../../web/src/element/index.js';
+import type { SurfacePoint } from '../../web/src/kernel/types.js';
 import { partKinds } from '../../web/src/view/categories.js';
 import { colourAt } from '../../web/src/view/colormaps.js';
 import {
@@ -516,7 +517,7 @@ describe('places', () => {
     await expect.poll(async () => (await last())?.vertex).toBeUndefined();
   });
 
-  test('a pointer that rests on the surface before it can be picked is heard', async () => {
+  test('a pointer that rests or clicks on the surface before it can be picked is heard', async () => {
     let release = (): void => undefined;
     const released = new Promise<void>((resolve) => (release = resolve));
     let held = 0;
@@ -533,13 +534,24 @@ describe('places', () => {
       await expect.poll(() => held).toBeGreaterThan(0);
       const vertex = vertexAt(0.5, 0.25);
       const { place, last } = await hoverOver(viewer, vertex);
-      await fresh.page.mouse.move(place.x + 1, place.y + 1);
+      await viewer.evaluate((element: GirthViewer) => {
+        const chosen = { at: undefined as SurfacePoint | undefined };
+        Object.assign(globalThis, { chosen });
+        void element.choosePoint().then((point) => (chosen.at = point));
+      });
+      const chosen = () =>
+        fresh.page.evaluate(
+          () => (globalThis as unknown as { chosen: { at?: SurfacePoint } }).chosen.at,
+        );
+      await fresh.page.mouse.click(place.x + 1, place.y + 1);
       await viewer.evaluate(async () => {
         for (let i = 0; i < 3; ++i) await new Promise((done) => requestAnimationFrame(done));
       });
       expect(await last()).toBeUndefined();
+      expect(await chosen()).toBeUndefined();
       release();
       await expect.poll(async () => (await last())?.vertex).toBe(vertex);
+      await expect.poll(chosen).toMatchObject({ face: expect.any(Number) as number });
       expect(fresh.complaints).toEqual([]);
     } finally {
       release();

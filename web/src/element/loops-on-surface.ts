@@ -116,6 +116,8 @@ export class LoopsOnSurface {
   #hovered: SurfacePoint | undefined;
   #pointer: { x: number; y: number; isTouch: boolean } | undefined;
   #pressed: { x: number; y: number } | undefined;
+  /** Clicks and taps since the surface was last moved, while it cannot be picked yet. */
+  #unheard: PointerEvent[] = [];
   /** The last click, until another one cannot make a pair with it. */
   #clicked: { x: number; y: number; time: number } | undefined;
   /** What a single click will pin. */
@@ -438,7 +440,11 @@ export class LoopsOnSurface {
       },
       { signal },
     );
-    canvas.addEventListener('wheel', () => this.#stage.touch(), { signal, passive: true });
+    const zoomed = (): void => {
+      this.#unheard = [];
+      this.#stage.touch();
+    };
+    canvas.addEventListener('wheel', zoomed, { signal, passive: true });
   }
 
   // ---- pointer and finger
@@ -455,8 +461,9 @@ export class LoopsOnSurface {
     this.#pickSoon();
   }
 
-  /** The surface can be picked now: a pointer that came before may rest on it. */
+  /** The surface can be picked now: a pointer that came before may rest on it, or have clicked. */
   pointAgain(): void {
+    for (const click of this.#unheard.splice(0)) this.#click(click);
     if (this.#pointer && !this.#pointer.isTouch && !this.#pressed) this.#pickSoon();
   }
 
@@ -483,7 +490,13 @@ export class LoopsOnSurface {
     const pressed = this.#pressed;
     this.#pressed = undefined;
     if (!pressed || event.button !== 0) return;
-    if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > clickSlack) return;
+    if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > clickSlack) {
+      this.#unheard = [];
+    } else if (this.#model.surface.canPick) this.#click(event);
+    else this.#unheard.push(event);
+  }
+
+  #click(event: PointerEvent): void {
     const isTouch = event.pointerType === 'touch';
     const point = this.#stage.pick(event.clientX, event.clientY);
     if (this.#isSecond(event, isTouch ? fingerWidth : clickSlack)) {

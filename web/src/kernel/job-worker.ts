@@ -16,7 +16,7 @@ import { checked, progressTo, serveRequests } from './worker-loop.js';
 
 let files: FilesModule;
 /** There as soon as there is a surface. */
-let module: AnalysisModule;
+let analysis: AnalysisModule;
 const surfaces = new SurfaceStore<JobSurface>();
 
 /** A file must fit into one array, and that into the module's memory. */
@@ -103,156 +103,160 @@ serveRequests<JobOperations>({
   },
 
   async adopt({ surface, arrays }) {
-    module ??= await loadedModule(() => createAnalysis(), import.meta.url);
+    analysis ??= await loadedModule(() => createAnalysis(), import.meta.url);
     const { positions, indices, vertexOfInput, inputOfVertex } = arrays;
-    const made = module.jobSurface(positions, indices, vertexOfInput, inputOfVertex);
+    const made = analysis.jobSurface(positions, indices, vertexOfInput, inputOfVertex);
     surfaces.add(surface, checked(made).surface);
     return {};
   },
 
   remesh({ surface, faces, even, info }, report) {
-    const made = checked(module.remesh(surfaces.get(surface), faces, even, progressTo(report)));
+    const made = checked(analysis.remesh(surfaces.get(surface), faces, even, progressTo(report)));
     return remeshedSurface(made, info);
   },
 
   carryBack({ surface, remeshed, values, kinds }) {
-    return checked(module.carryBack(surfaces.get(surface), surfaces.get(remeshed), values, kinds));
+    return checked(
+      analysis.carryBack(surfaces.get(surface), surfaces.get(remeshed), values, kinds),
+    );
   },
 
   refinedGirth({ surface, request }, report) {
-    return checked(module.refinedGirth(surfaces.get(surface), request, progressTo(report)));
+    return checked(analysis.refinedGirth(surfaces.get(surface), request, progressTo(report)));
   },
 
   difference({ surface, values, other, otherValues }) {
     return checked(
-      module.difference(surfaces.get(surface), values, surfaces.get(other), otherValues),
+      analysis.difference(surfaces.get(surface), values, surfaces.get(other), otherValues),
     );
   },
 
   path({ surface, from, to }) {
-    return checked(module.path(surfaces.get(surface), from, to));
+    return checked(analysis.path(surfaces.get(surface), from, to));
   },
 
   vertexAreas({ surface }) {
-    return checked(module.vertexAreas(surfaces.get(surface)));
+    return checked(analysis.vertexAreas(surfaces.get(surface)));
   },
 
   tips({ surface, girth }) {
-    return checked(module.tips(surfaces.get(surface), girth));
+    return checked(analysis.tips(surfaces.get(surface), girth));
   },
 
   limbs({ surface, girth, stations }, report) {
-    return checked(module.limbs(surfaces.get(surface), girth, stations, progressTo(report)));
+    return checked(analysis.limbs(surfaces.get(surface), girth, stations, progressTo(report)));
   },
 
   necks({ surface, girth, minProminence }, report) {
-    return checked(module.necks(surfaces.get(surface), girth, minProminence, progressTo(report)));
+    return checked(analysis.necks(surfaces.get(surface), girth, minProminence, progressTo(report)));
   },
 
   bottleneck({ surface, girth, from, to }, report) {
     const progress = progressTo(report);
-    return checked(module.bottleneck(surfaces.get(surface), girth, from, to, progress));
+    return checked(analysis.bottleneck(surfaces.get(surface), girth, from, to, progress));
   },
 
   profile({ surface, points, samples, crossings }, report) {
     const progress = progressTo(report);
-    return checked(module.profile(surfaces.get(surface), points, samples, crossings, progress));
+    return checked(analysis.profile(surfaces.get(surface), points, samples, crossings, progress));
   },
 
   axis({ surface, profile }, report) {
-    return checked(module.axis(surfaces.get(surface), profile, progressTo(report)));
+    return checked(analysis.axis(surfaces.get(surface), profile, progressTo(report)));
   },
 
   handles({ surface, basePoints }, report) {
-    return checked(module.handles(surfaces.get(surface), basePoints, progressTo(report)));
+    return checked(analysis.handles(surfaces.get(surface), basePoints, progressTo(report)));
   },
 
   removeHandles({ surface, length, basePoints, info }, report) {
     const from = surfaces.get(surface);
     const { described, removal } = checked(
-      module.removeHandles(from, length, basePoints, progressTo(report)),
+      analysis.removeHandles(from, length, basePoints, progressTo(report)),
     );
     return { opened: remeshedSurface(described, info), removal };
   },
 
   levelCurves({ surface, values, level }) {
-    return checked(module.levelCurves(surfaces.get(surface), values, level));
+    return checked(analysis.levelCurves(surfaces.get(surface), values, level));
   },
 
   cut({ surface, curves, cap }) {
-    return checked(module.cut(surfaces.get(surface), curves, cap));
+    return checked(analysis.cut(surfaces.get(surface), curves, cap));
   },
 
   writeProfile({ surface, model, points, samples, crossings, format }, report) {
     const progress = progressTo(report);
     const from = surfaces.get(surface);
-    return checked(module.writeProfile(from, model, points, samples, crossings, format, progress));
+    return checked(
+      analysis.writeProfile(from, model, points, samples, crossings, format, progress),
+    );
   },
 
   writeStations({ surface, model, stations, format }) {
-    return checked(module.writeStations(surfaces.get(surface), model, stations, format));
+    return checked(analysis.writeStations(surfaces.get(surface), model, stations, format));
   },
 
   writeAxis({ surface, model, loops, format }) {
-    return checked(module.writeAxis(surfaces.get(surface), model, loops, format));
+    return checked(analysis.writeAxis(surfaces.get(surface), model, loops, format));
   },
 
   writeCut({ surface, model, content, curves, cap, format }) {
-    return checked(module.writeCut(surfaces.get(surface), model, content, curves, cap, format));
+    return checked(analysis.writeCut(surfaces.get(surface), model, content, curves, cap, format));
   },
 
   segments({ surface, fields, options }, report) {
-    return checked(module.segments(surfaces.get(surface), fields, options, progressTo(report)));
+    return checked(analysis.segments(surfaces.get(surface), fields, options, progressTo(report)));
   },
 
   writeSegments({ surface, model, content, fields, options, format }, report) {
     const progress = progressTo(report);
     const from = surfaces.get(surface);
-    return checked(module.writeSegments(from, model, content, fields, options, format, progress));
+    return checked(analysis.writeSegments(from, model, content, fields, options, format, progress));
   },
 
   thresholds({ surface, fields }) {
-    return checked(module.suggestedThresholds(surfaces.get(surface), fields));
+    return checked(analysis.suggestedThresholds(surfaces.get(surface), fields));
   },
 
   parts({ surface, fields, options }) {
-    return checked(module.parts(surfaces.get(surface), fields, options));
+    return checked(analysis.parts(surfaces.get(surface), fields, options));
   },
 
   maxima({ surface, values, minima }) {
-    return checked(module.maxima(surfaces.get(surface), values, minima));
+    return checked(analysis.maxima(surfaces.get(surface), values, minima));
   },
 
   printCheck({ surface, fields, limits }, report) {
-    return checked(module.printCheck(surfaces.get(surface), fields, limits, progressTo(report)));
+    return checked(analysis.printCheck(surfaces.get(surface), fields, limits, progressTo(report)));
   },
 
   writeFields({ surface, model, fields, format }) {
-    return checked(module.writeFields(surfaces.get(surface), model, fields, format));
+    return checked(analysis.writeFields(surfaces.get(surface), model, fields, format));
   },
 
   writeTips({ surface, model, girth, format }) {
-    return checked(module.writeTips(surfaces.get(surface), model, girth, format));
+    return checked(analysis.writeTips(surfaces.get(surface), model, girth, format));
   },
 
   writeLimbs({ surface, model, girth, stations, format }, report) {
     const progress = progressTo(report);
     const from = surfaces.get(surface);
-    return checked(module.writeLimbs(from, model, girth, stations, format, progress));
+    return checked(analysis.writeLimbs(from, model, girth, stations, format, progress));
   },
 
   writeParts({ surface, model, fields, options, format }) {
-    return checked(module.writeParts(surfaces.get(surface), model, fields, options, format));
+    return checked(analysis.writeParts(surfaces.get(surface), model, fields, options, format));
   },
 
   writeWeakPlaces({ surface, model, fields, limits, format }, report) {
     const progress = progressTo(report);
     const from = surfaces.get(surface);
-    return checked(module.writeWeakPlaces(from, model, fields, limits, format, progress));
+    return checked(analysis.writeWeakPlaces(from, model, fields, limits, format, progress));
   },
 
   writeLoops({ surface, model, points, format }) {
-    return checked(module.writeLoops(surfaces.get(surface), model, points, format));
+    return checked(analysis.writeLoops(surfaces.get(surface), model, points, format));
   },
 
   drop({ surface }) {
