@@ -13,7 +13,7 @@ import {
   type StaticServer,
 } from '../browser/support.js';
 import { figure, printFigures, quantile, type Figure } from './figures.js';
-import { recordTasks } from './tasks.js';
+import { longestTasks, recordTasks } from './tasks.js';
 
 const goals = { openedSeconds: 6, task: 50, frame: 1000 / 60 };
 /** Positions of the slider in one drag. */
@@ -61,8 +61,7 @@ async function openedModel(name: string, what: string) {
   figures.push(figure(`${what} opened, an OBJ`, 's', opened, goals.openedSeconds));
   await complete.waitFor({ state: 'attached', timeout: 500_000 });
   const tasks = await recorded();
-  const longest = Math.max(...tasks.map(({ processor }) => processor));
-  figures.push(figure(`${what}: longest task meanwhile, processor`, 'ms', longest, goals.task));
+  figures.push(...longestTasks(`${what} meanwhile`, tasks, goals.task));
   return { context, page };
 }
 
