@@ -3,7 +3,6 @@
 
 #include <emscripten/bind.h>
 
-#include "boundary.h"
 #include "girth/io/vertex_field.h"
 #include "pool_surface.h"
 
@@ -43,16 +42,9 @@ struct AllFields {
 using Surface = PoolSurface<AllFields>;
 
 EMSCRIPTEN_BINDINGS(girthFields) {
-  emscripten::class_<Surface>("Surface")
-      .smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
-      .function("arrays", &Surface::arrays)
-      .function("values", &Surface::values)
-      .function("about", &Surface::about)
-      .function("loop", &Surface::loop)
+  bindPoolSurface<Surface>()
       .function("persistentLoop", &Surface::persistentLoop)
-      .function("barcode", &Surface::barcode)
-      .function("order", &Surface::order);
-  emscripten::function("exactSurface", &exactSurface<Surface>);
+      .function("barcode", &Surface::barcode);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <emscripten/bind.h>
 
-#include "boundary.h"
 #include "girth/girth_field.h"
 #include "girth/io/vertex_field.h"
 #include "pool_surface.h"
@@ -29,16 +28,7 @@ struct GirthFields {
 
 using Surface = PoolSurface<GirthFields>;
 
-EMSCRIPTEN_BINDINGS(girth) {
-  emscripten::class_<Surface>("Surface")
-      .smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
-      .function("arrays", &Surface::arrays)
-      .function("values", &Surface::values)
-      .function("about", &Surface::about)
-      .function("loop", &Surface::loop)
-      .function("order", &Surface::order);
-  emscripten::function("exactSurface", &exactSurface<Surface>);
-}
+EMSCRIPTEN_BINDINGS(girth) { bindPoolSurface<Surface>(); }
 
 }  // namespace
 }  // namespace girth::bind

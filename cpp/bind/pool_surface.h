@@ -2,9 +2,11 @@
 // of a pool has an instance of its module, and so has the worker that answers for the pointer.
 #pragma once
 
+#include <emscripten/bind.h>
 #include <emscripten/val.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -165,5 +167,18 @@ class PoolSurface {
   ValuesAt valuesAt_;
   FieldRequest evaluated_;
 };
+
+/// What each module has of it. Returns the class, for what a module has beyond that.
+template <class Surface>
+emscripten::class_<Surface> bindPoolSurface() {
+  emscripten::function("exactSurface", &exactSurface<Surface>);
+  return emscripten::class_<Surface>("Surface")
+      .template smart_ptr<std::shared_ptr<Surface>>("SurfacePointer")
+      .function("arrays", &Surface::arrays)
+      .function("values", &Surface::values)
+      .function("about", &Surface::about)
+      .function("loop", &Surface::loop)
+      .function("order", &Surface::order);
+}
 
 }  // namespace girth::bind

@@ -15,12 +15,12 @@ let index;
 
 // By address: both lie beside this script on the site only.
 const script = new URL('minisearch.js', import.meta.url).href;
-const words = new URL('search.json', import.meta.url).href;
+const wordIndex = new URL('search.json', import.meta.url).href;
 
 /** Lets the search work without a network, where the page's service worker keeps what is fetched here. */
 export async function keepSearch() {
   if (!navigator.serviceWorker?.controller) return;
-  for (const address of [script, words]) {
+  for (const address of [script, wordIndex]) {
     const isKept = (await caches.match(address)) !== undefined;
     if (!isKept) await fetch(address).catch(() => undefined);
   }
@@ -28,7 +28,7 @@ export async function keepSearch() {
 
 async function fetchIndex() {
   const { default: MiniSearch } = await import(script);
-  const answer = await fetch(words);
+  const answer = await fetch(wordIndex);
   if (!answer.ok) throw new Error(`${answer.status} ${answer.url}`);
   return MiniSearch.loadJSON(await answer.text(), searchOptions);
 }
