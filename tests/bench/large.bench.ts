@@ -13,6 +13,7 @@ import {
   type StaticServer,
 } from '../browser/support.js';
 import { figure, printFigures, quantile, type Figure } from './figures.js';
+import { openServed } from './opening.js';
 import { longestTasks, recordTasks } from './tasks.js';
 
 const goals = { openedSeconds: 6, task: 50, frame: 1000 / 60 };
@@ -41,23 +42,7 @@ async function openedModel(name: string, what: string) {
   const complete = page.locator('html[data-field=complete]');
   await complete.waitFor({ state: 'attached', timeout: 120_000 });
   const recorded = await recordTasks(browser, page);
-  // As a file that is chosen: that the driver hands over so many megabytes is not the page's work.
-  const opened = await page.evaluate(async (name) => {
-    const content = await (await fetch(`/${name}`)).blob();
-    const files = new DataTransfer();
-    files.items.add(new File([content], name));
-    const chooser = document.querySelector<HTMLInputElement>('#file')!;
-    chooser.files = files.files;
-    delete document.documentElement.dataset['field'];
-    const from = performance.now();
-    const loaded = new Promise<number>((done) => {
-      document
-        .querySelector('girth-viewer')!
-        .addEventListener('load', () => done((performance.now() - from) / 1000), { once: true });
-    });
-    chooser.dispatchEvent(new Event('change'));
-    return loaded;
-  }, name);
+  const opened = await openServed(page, name);
   figures.push(figure(`${what} opened, an OBJ`, 's', opened, goals.openedSeconds));
   await complete.waitFor({ state: 'attached', timeout: 500_000 });
   const tasks = await recorded();

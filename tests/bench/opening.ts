@@ -1,5 +1,6 @@
-// The tasks of the page while it opens and computes: its first example, and then another one.
+// Opening models on the page, and its tasks meanwhile: its first example, and then another one.
 
+import type { Page } from 'playwright-core';
 import type { chromiumForTests } from '../browser/support.js';
 import { withoutDrawing } from '../browser/long-tasks.js';
 import { type Task, recordTasks } from './tasks.js';
@@ -27,4 +28,25 @@ export async function tasksOfOpening(
     ['opening and the chair', tasks.filter(({ start }) => start < from)],
     ['loading and computing the octopus', tasks.filter(({ start }) => start >= from)],
   ];
+}
+
+/** Has a page open a file that its server has; the seconds until it is drawn. */
+export function openServed(page: Page, name: string): Promise<number> {
+  // As a file that is chosen: that the driver hands over so many megabytes is not the page's work.
+  return page.evaluate(async (name) => {
+    const content = await (await fetch(`/${name}`)).blob();
+    const files = new DataTransfer();
+    files.items.add(new File([content], name));
+    const chooser = document.querySelector<HTMLInputElement>('#file')!;
+    chooser.files = files.files;
+    delete document.documentElement.dataset['field'];
+    const from = performance.now();
+    const loaded = new Promise<number>((done) => {
+      document
+        .querySelector('girth-viewer')!
+        .addEventListener('load', () => done((performance.now() - from) / 1000), { once: true });
+    });
+    chooser.dispatchEvent(new Event('change'));
+    return loaded;
+  }, name);
 }

@@ -2,12 +2,12 @@
 // renderer's process held above what it held before, as a multiple of the decoded geometry (positions
 // of 8 bytes, triangles of 4). The kernel alone: what drawing needs comes on top.
 
-import { readFileSync, writeFileSync } from 'node:fs';
 import { afterAll, beforeAll, test } from 'vitest';
 import type { KernelPage } from '../browser/kernel-page.js';
 import { kernelSite, setup as buildKernelSite } from '../browser/build-kernel-site.js';
 import { kernelHtml } from '../browser/kernel-site.js';
 import { chromiumForTests, serve } from '../browser/support.js';
+import { watchMemory } from './renderer-memory.js';
 import { figure, printFigures, type Figure } from './figures.js';
 
 /** Inside `page.evaluate` only. */
@@ -91,16 +91,6 @@ function obj({ positions, indices }: ReturnType<typeof torus>): Uint8Array {
   return Buffer.from(lines.join('\n'));
 }
 
-/** Bytes that a process holds, at present or at most since `forgetPeak`. */
-function memoryOf(process: number, what: 'VmRSS' | 'VmHWM'): number {
-  const status = readFileSync(`/proc/${process}/status`, 'utf8');
-  return 1024 * Number(new RegExp(`${what}:\\s+(\\d+)`).exec(status)![1]);
-}
-
-function forgetPeak(process: number): void {
-  writeFileSync(`/proc/${process}/clear_refs`, '5');
-}
-
 test.each([
   { name: 'GLB', write: glb, corners: false },
   { name: 'OBJ', write: obj, corners: false },
@@ -114,16 +104,12 @@ test.each([
   const { page, browser, context } = await openPage(server.url);
   await page.waitForFunction('globalThis.girth');
   await page.route('**/model', (route) => route.fulfill({ body: Buffer.from(bytes) }));
-  const session = await browser.newBrowserCDPSession();
-  const { processInfo } = await session.send('SystemInfo.getProcessInfo');
-  const renderers = processInfo.filter(({ type }) => type === 'renderer').map(({ id }) => id);
   await page.evaluate(async () => {
     const blob = await (await fetch('/model')).blob();
     const kernel = await girth.createKernel({ threads: 2 });
     Object.assign(globalThis, { file: new File([blob], 'model'), kernel });
   });
-  renderers.forEach(forgetPeak);
-  const before = renderers.map((id) => memoryOf(id, 'VmRSS'));
+  const held = await watchMemory(browser);
   const seconds = await page.evaluate(async () => {
     const { file, kernel } = globalThis as unknown as {
       file: File;
@@ -133,11 +119,9 @@ test.each([
     await kernel.load(file);
     return (performance.now() - from) / 1000;
   });
-  const held = renderers.map((id, i) => memoryOf(id, 'VmHWM') - before[i]!);
   figures.push(figure(`${name}: read and prepared`, 's', seconds, timeGoal));
-  const ratio = Math.max(...held) / geometry;
+  const ratio = held() / geometry;
   figures.push(figure(`${name}: memory`, 'times the geometry', ratio, memoryGoal));
-  await session.detach();
   await context.close();
   await server.close();
 });

@@ -6,11 +6,11 @@ import { join } from 'node:path';
 import type { Locator } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
-import type { RefinedGirth } from '../../web/src/kernel/index.js';
+import type { RefinedGirth, SurfacePoint } from '../../web/src/kernel/index.js';
 import { complaintsOfAxe } from './axe.js';
 import { torus } from './meshes.js';
 import { builtPage, cutWords, drop, fragment, modelIs, pictures } from './page-support.js';
-import { fieldComplete } from './viewer-page.js';
+import { fieldComplete, placeOnSurface } from './viewer-page.js';
 
 const openBuilt = builtPage();
 
@@ -84,6 +84,43 @@ test('few triangles first, then refined: an audit in words, states as colours an
   await page.getByRole('button', { name: 'Redo' }).click();
   await expect.poll(() => chosen(list)).toBe('refined');
   expect(await girthOf(viewer)).toEqual(refined);
+});
+
+test('the length under the pointer is there before its loop', async () => {
+  const { page, viewer } = await openBuilt('file=ring.obj&method=refined');
+  await drop(page, ring);
+  await modelIs(page, 'ring.obj');
+  await fieldComplete(viewer);
+  // Loops are asked for in vain until they are let go.
+  await page.evaluate(() => {
+    const held: (() => void)[] = [];
+    // eslint-disable-next-line @typescript-eslint/unbound-method
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (
+      this: Worker,
+      message: { operation?: string },
+      transfer: Transferable[],
+    ) {
+      const send = (): void => post.call(this, message, { transfer });
+      if (message.operation === 'loop') held.push(send);
+      else send();
+    } as typeof post;
+    Object.assign(globalThis, { letGo: () => held.splice(0).forEach((send) => send()) });
+  });
+  const place = await placeOnSurface(viewer, 0.3, 0.4);
+  await page.mouse.move(place.x, place.y);
+  const readout = viewer.locator('.readout');
+  await readout.getByText('As the colours have it; the loop follows.').waitFor();
+  const before = Number(await readout.getAttribute('data-length'));
+  const base = JSON.parse((await readout.getAttribute('data-base'))!) as SurfacePoint;
+  await page.evaluate(() => (globalThis as unknown as { letGo(): void }).letGo());
+  await expect.poll(() => readout.getAttribute('data-kind')).toBe('loop');
+  expect(JSON.parse((await readout.getAttribute('data-base'))!)).toEqual(base);
+  const exact = Number(await readout.getAttribute('data-length'));
+  expect(exact).not.toBe(before);
+  expect(Math.abs(before / exact - 1)).toBeLessThan(0.02);
+  await page.mouse.move(2, 2);
+  await readout.waitFor({ state: 'hidden' });
 });
 
 test('refining is cancelled at once: the colours stay, and what there was is there', async () => {

@@ -1,8 +1,8 @@
-// `npm run bench:paper [-- --naive-seconds S] [-- --folder FOLDER]`: the paper's Table I and Figure 6,
-// measured here and written to web/docs/bench/paper.{md,svg,json}. The naive algorithm runs for at most
-// about S seconds a size. Default: 600. What would take longer is extrapolated, and marked so.
-// A quarter of an hour on a machine that does nothing else, a few minutes with 20 seconds; the figures are
-// of the machine that it runs on.
+// `npm run bench:paper [-- --naive-seconds S] [-- --folder FOLDER]`: the paper's Table I and Figure 6, and
+// the time of the library's methods up to a million triangles, measured here and written to
+// web/docs/bench/paper.{md,json,svg} and scale.svg. The naive algorithm runs for at most about S seconds a size.
+// Default: 600. What would take longer is extrapolated, and marked so. Half an hour on a machine that does nothing
+// else; the figures are of the machine that it runs on.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { availableParallelism, cpus } from 'node:os';
@@ -17,9 +17,12 @@ import { setUp } from './setup.mjs';
  * @typedef {{ seconds: number, threads: number, bytes: number }} Cost
  * @typedef {{ model: string, faces: number, vertices: number, exact: Cost & { windowsPerVertex: number },
  *   naive?: Cost & { vertices: number } }} Figures
+ * @typedef {{ faces: number, vertices: number, exact: { seconds: number, vertices: number },
+ *   refined?: { seconds: number }, carried?: { seconds: number } }} Scale
  */
 
 const program = 'build/native/cpp/bench/paper_figures';
+const scaleProgram = 'build/native/cpp/bench/scale';
 const models = 'build/bench/models';
 const tableSizes = [2000, 4000, 6000, 8000, 10000];
 const plotSizes = [2000, 5000, 10000, 15000, 20000];
@@ -32,6 +35,12 @@ const paperTable = [
   [8000, 395.5, 38.8, 4.39, 1.2],
   [10000, 767.6, 61.3, 7.73, 1.5],
 ];
+
+const scaleSizes = [1000, 2000, 5000, 10_000, 20_000, 50_000, 100_000, 200_000, 500_000, 1_000_000];
+/** Seconds of the paper's elephant of 50,000 faces, with the speed-ups. */
+const paperElephant = [49_918, 507];
+/** The refined method is not measured on more: half an hour each. */
+const mostRefined = 200_000;
 
 /** Every built-in example at every size, as far as its shape allows. */
 function writeModels() {
@@ -86,6 +95,28 @@ function measureTable(naiveSeconds) {
   });
 }
 
+/**
+ * The elephant of the corpus, remeshed to every size but its own; without a corpus the octopus of the examples.
+ * @returns {Scale[]}
+ */
+function measureScale() {
+  const corpus = process.env.GIRTH_DATA;
+  const runs = corpus
+    ? scaleSizes.map((faces) => [
+        ...(faces === 50_000 ? [] : ['--faces', String(faces)]),
+        join(corpus, 'models/elephant_49918f_g3.off'),
+      ])
+    : plotSizes.slice(1).map((faces) => [`${models}/octopus_${String(faces)}.glb`]);
+  return runs.map((args) => {
+    const output = outputOf(scaleProgram, ['--refined-faces', String(1.1 * mostRefined), ...args]);
+    if (output === undefined) throw new Complaint(`${scaleProgram} ${args.join(' ')}: failed`);
+    /** @type {Scale} */
+    const scale = JSON.parse(output);
+    console.log(output.trim());
+    return scale;
+  });
+}
+
 /** @param {string[]} names */
 function measurePlot(names) {
   return names.map((name) => ({
@@ -110,9 +141,10 @@ function markdownTable(rows) {
 }
 
 /**
- * @param {{ machine: string, date: string, table: Figures[], plot: { name: string, figures: Figures[] }[] }} report
+ * @param {{ machine: string, date: string, table: Figures[], scale: Scale[],
+ *   plot: { name: string, figures: Figures[] }[] }} report
  */
-function markdown({ machine, date, table, plot }) {
+function markdown({ machine, date, table, plot, scale }) {
   const horse = table.some(({ model }) => model.startsWith('horse'));
   const rows = table.map(({ faces, vertices, exact, naive }) => {
     if (!naive) throw new Complaint('the naive algorithm was not measured');
@@ -143,6 +175,13 @@ function markdown({ machine, date, table, plot }) {
       String(exact.windowsPerVertex),
     ]),
   );
+  const scaleRows = scale.map(({ faces, vertices, exact, refined, carried }) => [
+    faces.toLocaleString('en'),
+    rounded(exact.seconds) +
+      (exact.vertices < vertices ? ` (from ${exact.vertices.toLocaleString('en')} vertices)` : ''),
+    refined ? rounded(refined.seconds) : '',
+    carried ? rounded(carried.seconds) : '',
+  ]);
   return `# The figures of the paper, measured again
 
 Written by \`npm run bench:paper\` on ${date}: ${machine}.
@@ -170,6 +209,21 @@ The built-in examples, each made from its description at every size; chair and o
 on, since their limbs cannot be made of fewer. ${threads} threads; megabytes of one of them.
 
 ${markdownTable([['model', 'faces', 'seconds', 'MB', 'windows a vertex'], ...plotRows])}
+
+## From a thousand triangles to a million
+
+![Seconds against triangles, by powers of ten](scale.svg)
+
+${
+  process.env.GIRTH_DATA
+    ? 'An elephant of 49,918 faces, and the same remeshed to other sizes'
+    : 'The octopus of the built-in examples'
+}, all vertices, in seconds on ${threads} threads. What the exact method
+would take more than a minute for is extrapolated from some vertices, spread over the surface. _Refined_ is without its audit,
+and was not measured beyond ${mostRefined.toLocaleString('en')} faces; _carried back_ is the exact girth of 10,000 faces at the vertices of all,
+remeshing included. The paper's points are those of its Table I, and its elephant of 50,000 faces: ${String(paperElephant[1])} s.
+
+${markdownTable([['faces', 'exact', 'refined', 'carried back'], ...scaleRows])}
 `;
 }
 
@@ -185,12 +239,14 @@ await script(() => {
   writeModels();
   const table = measureTable(values['naive-seconds']);
   const plot = measurePlot(['chair', 'octopus', 'handles', 'dumbbell', 'cup', 'vessel']);
+  const scale = measureScale();
   const report = {
     date: new Date().toISOString().slice(0, 10),
     machine: `${String(availableParallelism())} cores, ${cpus()[0]?.model.trim() ?? 'unknown'}`,
     table,
     paperTable,
     plot,
+    scale,
   };
   /**
    * @param {(figures: Figures) => number} value
@@ -220,6 +276,39 @@ await script(() => {
       },
     ]),
   );
+  /**
+   * @param {string} name
+   * @param {(one: Scale) => number | undefined} seconds
+   */
+  const scaleLine = (name, seconds) => ({
+    name,
+    points: scale.flatMap((one) => {
+      const y = seconds(one);
+      return y === undefined ? [] : [{ x: one.faces, y }];
+    }),
+  });
+  writeFileSync(
+    join(folder, 'scale.svg'),
+    plotSvg('Seconds for all vertices against triangles, by powers of ten', [
+      {
+        title: `Seconds, ${String(availableParallelism())} threads`,
+        xTitle: 'triangles',
+        isLog: true,
+        lines: [
+          scaleLine('exact', ({ exact }) => exact.seconds),
+          scaleLine('refined', ({ refined }) => refined?.seconds),
+          scaleLine('carried', ({ carried }) => carried?.seconds),
+          {
+            name: 'the paper',
+            isAbove: true,
+            points: [...paperTable.map(([x = 0, , , y = 0]) => [x, y]), paperElephant].map(
+              ([x = 0, y = 0]) => ({ x, y }),
+            ),
+          },
+        ],
+      },
+    ]),
+  );
   runTool('prettier', [
     '--write',
     '--log-level',
@@ -227,5 +316,5 @@ await script(() => {
     join(folder, 'paper.md'),
     join(folder, 'paper.json'),
   ]);
-  console.log(`girth: wrote ${values.folder}/paper.{md,svg,json}`);
+  console.log(`girth: wrote ${values.folder}/paper.{md,svg,json} and scale.svg`);
 });

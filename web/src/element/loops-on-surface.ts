@@ -82,6 +82,11 @@ function isSame(a: SurfacePoint, b: SurfacePoint): boolean {
   return a.face === b.face && a.weights.every((share, k) => share === b.weights[k]);
 }
 
+/** A length that is there. */
+function finite(length: number | undefined): number | undefined {
+  return length !== undefined && Number.isFinite(length) ? length : undefined;
+}
+
 /** The least box round some points. */
 function boxOf(points: readonly { x: number; y: number }[]): Box {
   const [across, down] = [points.map(({ x }) => x), points.map(({ y }) => y)];
@@ -110,6 +115,8 @@ export class LoopsOnSurface {
   #besideAt = 0;
   #besideLater: ReturnType<typeof setTimeout> | undefined;
   #hover: { loop: Loop; band: LoopBand } | undefined;
+  /** The length in words while its loop is still to come. */
+  #awaitedLength: number | undefined;
   /** Bands that are never seen: programs are deleted with the last material that uses them. */
   readonly #compiled: LoopBand[] = [];
   /** The point whose loop is shown or asked for. */
@@ -169,6 +176,7 @@ export class LoopsOnSurface {
     this.#format = format;
     for (const pin of this.#pins) pin.tag.setFormat(format);
     if (this.#hover) this.#readout.show(this.#hover.loop, format);
+    else this.#showLength();
   }
 
   async pin(point: SurfacePoint): Promise<PinnedLoop> {
@@ -346,9 +354,14 @@ export class LoopsOnSurface {
     this.#hovered = undefined;
     this.#request.clear();
     this.#readout.clear();
+    this.#hide();
+    return wasShown;
+  }
+
+  #hide(): void {
     if (this.#hover) this.#stage.remove(this.#hover.band);
     this.#hover = undefined;
-    return wasShown;
+    this.#awaitedLength = undefined;
   }
 
   /** Compiles what loops are drawn with, so that the first one appears at once. */
@@ -481,6 +494,7 @@ export class LoopsOnSurface {
         return;
       }
       this.#stage.touch();
+      this.#isQuiet = false;
       this.#hoverOn(point);
       this.#placeReadout();
     });
@@ -566,12 +580,37 @@ export class LoopsOnSurface {
     if (this.#hovered !== undefined && isSame(point, this.#hovered)) return;
     this.#hovered = point;
     this.#request.request(point);
+    const length = this.#isQuiet ? undefined : this.#lengthAt(point);
+    if (length === undefined) return;
+    this.#hide();
+    this.#awaitedLength = length;
+    this.#showLength();
+  }
+
+  /** Of a surface so large that its loops take a while: the length at a point by the girth that it has. */
+  #lengthAt(point: SurfacePoint): number | undefined {
+    const { fields, mesh } = this.#model;
+    const state = fields.method === 'exact' ? undefined : fields.get('igf');
+    const values = state?.field?.values ?? state?.preview?.values;
+    if (!values) return undefined;
+    if (typeof point === 'number') return finite(values[point]);
+    const { indices } = mesh.geometry;
+    const { face, weights } = point;
+    return finite(
+      weights.reduce((sum, share, k) => sum + share * values[indices[3 * face + k]!]!, 0),
+    );
+  }
+
+  #showLength(): void {
+    if (this.#awaitedLength === undefined || this.#hovered === undefined) return;
+    this.#readout.showLength(this.#hovered, this.#awaitedLength, this.#format);
+    this.#placeReadout();
   }
 
   /** Shows an answer, also one for a place that the pointer has just passed. */
   #show(loop: Loop): void {
     if (this.#hovered === undefined) return;
-    if (this.#hover) this.#stage.remove(this.#hover.band);
+    this.#hide();
     this.#hover = { loop, band: new LoopBand(loop, liveStyle) };
     this.#stage.add(this.#hover.band);
     this.#readout.show(loop, this.#format);
@@ -584,13 +623,15 @@ export class LoopsOnSurface {
   }
 
   #placeReadout(): void {
-    if (!this.#hover) return;
+    const awaited = this.#awaitedLength === undefined ? undefined : this.#hovered;
+    const base = this.#hover?.loop.base ?? awaited;
+    if (base === undefined) return;
     const box = this.#canvas.getBoundingClientRect();
     const pointer = this.#pointer;
     const point =
       pointer && !pointer.isTouch
         ? { x: pointer.x - box.left, y: pointer.y - box.top }
-        : this.#stage.project(this.#model.surface.positionOf(this.#hover.loop.base));
+        : this.#stage.project(this.#model.surface.positionOf(base));
     if (this.#isQuiet) {
       this.#placeBeside(point, box);
       return;

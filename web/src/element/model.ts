@@ -101,6 +101,9 @@ export class Model {
     signal.throwIfAborted();
     const surface = new Surface(positions, indices, boundary, adjacency, creased);
     const fields = new Fields(mesh, adjacency, host, file.fields, girth);
+    // What follows puts it on the stage, and tells the page.
+    await nextTask();
+    signal.throwIfAborted();
     return new Model(mesh, surface, fields, file, fitting);
   }
 

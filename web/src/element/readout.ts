@@ -1,6 +1,6 @@
 // Words on the surface: the length beside the pointer, and a tag on every pinned loop.
 
-import type { Loop } from '../kernel/types.js';
+import type { Loop, SurfacePoint } from '../kernel/types.js';
 import { type Box, type LengthFormat, formatLength } from '../view/index.js';
 import { make } from './dom.js';
 
@@ -42,6 +42,18 @@ export class Readout {
     this.#kind.textContent = name;
     this.#words.textContent = sentence;
     this.#words.hidden = sentence === '';
+  }
+
+  /** The length at a point whose loop is still to come. */
+  showLength(base: SurfacePoint, length: number, format: LengthFormat): void {
+    this.element.hidden = false;
+    this.element.dataset['base'] = JSON.stringify(base);
+    this.element.dataset['length'] = String(length);
+    delete this.element.dataset['kind'];
+    this.#length.textContent = formatLength(length, format);
+    this.#kind.textContent = '';
+    this.#words.textContent = 'As the colours have it; the loop follows.';
+    this.#words.hidden = false;
   }
 
   /** Beside a point of the canvas of the given size, on the side where there is room and nothing else is. */
