@@ -6,6 +6,7 @@
 // Without models: one each of 10,000 and 50,000 faces, the horse and the elephant of the corpus
 // (GIRTH_DATA), otherwise bumpy tori. 500 vertices each, evenly spread over the numbers.
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -25,15 +26,18 @@ void measure(const girth::bench::Model& model, std::size_t count) {
     static_cast<void>(solver.loop(girth::Vertex(v)));
   }
   std::vector<double> milliseconds;
+  std::size_t bytes = 0;
   for (const girth::Index v : vertices) {
     milliseconds.push_back(1e3 * girth::bench::secondsOf([&] {
                              if (!solver.loop(girth::Vertex(v))) std::exit(1);
                            }));
+    bytes = std::max(bytes, solver.statistics().peakBytes);
   }
   const auto at = [&](double share) { return girth::bench::quantile(milliseconds, share); };
-  std::printf("%-22s %6u faces, %zu vertices: median %.2f ms, 95%% %.2f ms, most %.2f ms\n",
-              model.name.c_str(), model.mesh.faceCount(), vertices.size(), at(0.5), at(0.95),
-              at(1));
+  std::printf(
+      "%-22s %6u faces, %zu vertices: median %.2f ms, 95%% %.2f ms, most %.2f ms, %.0f MB\n",
+      model.name.c_str(), model.mesh.faceCount(), vertices.size(), at(0.5), at(0.95), at(1),
+      static_cast<double>(bytes) / 1e6);
   std::fflush(stdout);
 }
 

@@ -13,6 +13,7 @@ import { dividedOff } from './divided.js';
 import { figure, printFigures, quantile, type Figure } from './figures.js';
 import { openServed } from './opening.js';
 import { watchMemory } from './renderer-memory.js';
+import { longestTasks, recordTasks } from './tasks.js';
 
 const goals = { colours: 15, task: 50, length: 50, memory: 1500, minutes: 10, equal: 1 };
 const corpus = process.env['GIRTH_DATA'];
@@ -35,14 +36,15 @@ test.skipIf(!corpus)('a divided dancer, refined', { timeout: 1_800_000 }, async 
   const complete = page.locator('html[data-field=complete]');
   await complete.waitFor({ state: 'attached', timeout: 120_000 });
   const held = await watchMemory(browser);
-  const takeTasks = await watchTasks();
+  const recorded = await recordTasks(browser, page);
 
   const from = performance.now();
   await openServed(page, 'divided.obj');
   await complete.waitFor({ state: 'attached', timeout: 120_000 });
   const colours = (performance.now() - from) / 1000;
-  figures.push(figure('file to first colours', 's', colours, goals.colours));
-  await addTasks('until then');
+  figures.push(figure('file to the girth of few triangles', 's', colours, goals.colours));
+  figures.push(...longestTasks('until then', await recorded(), goals.task));
+  const takeTasks = await watchTasks();
 
   const viewer = page.locator('girth-viewer');
   const begun = performance.now();

@@ -151,6 +151,7 @@ void Propagation::startWithinFace(Index source, Index halfedge) {
 /// A path of this length reaches a vertex; where it is the best so far, the arrival to fill in.
 Arrival* Propagation::reach(Index vertex, double distance) {
   if (!(distance < distance_[vertex] * (1 - kRounding))) return nullptr;
+  if (goal_ != nullptr && !goal_->isInReachOf(vertex, distance)) return nullptr;
   if (std::isinf(distance_[vertex])) {
     reached_.push_back(vertex);
     if (keep_ == Keep::Front) open_.push_back(vertex);
@@ -239,6 +240,7 @@ CrossingResult Propagation::crossFace(Index halfedge) {
   const auto deliver = [&](WindowPool::Side side, WindowRun* run, std::uint32_t windows, Index twin,
                            double nearest) {
     if (windows == 0) return;
+    if (goal_ != nullptr && !goal_->isInReach(twin, nearest)) return;
     pool_.commit(side, run, windows, keep_ != Keep::Nothing);
     receive(twin, run, nearest);
   };
@@ -264,6 +266,7 @@ void Propagation::send(Index halfedge, Vec2 root, double sigma, double gapFrom, 
   if (!(gapFrom + gapTo < c.length() * (1 - kSliver))) return;
   const double aside = lesser(larger(root.x, gapFrom), c.length() - gapTo) - root.x;
   const double nearest = sigma + std::sqrt(aside * aside + root.y * root.y);
+  if (goal_ != nullptr && !goal_->isInReach(halfedge, nearest)) return;
   WindowRun* run = pool_.reserve(WindowPool::Side::Left, 1);
   const double fields[WindowRun::kFields] = {root.x, root.y, sigma, gapFrom, gapTo};
   for (std::size_t i = 0; i < WindowRun::kFields; ++i) run->fields()[i * run->stride] = fields[i];

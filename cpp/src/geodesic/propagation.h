@@ -40,6 +40,7 @@
 
 #include "geodesic/bucket_queue.h"
 #include "geodesic/crossing_kernel.h"
+#include "geodesic/goal.h"
 #include "geodesic/unfolding.h"
 #include "geodesic/window.h"
 #include "geodesic/window_list.h"
@@ -207,6 +208,10 @@ class Propagation {
   /// those of real paths, the shortest among those through these faces.
   void stayWithin(const std::uint8_t* band) { band_ = band; }
 
+  /// From now on only paths go on that may reach a goal in time; null: all. Distances are those of
+  /// real paths; those of paths that reach the goal in time are right.
+  void headFor(const Goal* goal) { goal_ = goal; }
+
   /// `run` gives up when the windows that have crossed a face and the visitor's effort exceed this
   /// number; `gaveUp` is true then. Default: 2^26.
   void setBudget(std::size_t windows) { budget_ = windows; }
@@ -327,6 +332,7 @@ class Propagation {
   std::vector<Index> open_;            // vertices that the frontier may not have passed
   float passed_{0};                    // windows nearer than this are needed no longer
   const std::uint8_t* band_{nullptr};  // of faces that windows enter; null: all
+  const Goal* goal_{nullptr};          // of all paths; null: none
   double keptBeyond_{std::numeric_limits<double>::infinity()};  // but farther ones are
   std::size_t created_{0}, crossed_{0};
   std::size_t budget_{std::size_t{1} << 26};

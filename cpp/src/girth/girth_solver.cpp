@@ -41,6 +41,48 @@ std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop) {
   return points;
 }
 
+namespace {
+
+/// On larger surfaces what all windows of a disk take is too much: a gigabyte at 800,000 triangles.
+constexpr Index kMostFacesKept = 100'000;
+
+/// A search for a loop whose length is known, among paths some of which have been left out: what
+/// is shorter would have been refuted by one of those.
+class KnownLoopSearch {
+ public:
+  /// `length`: in `unfolding.unit()`.
+  KnownLoopSearch(LoopSearch& search, double length) : search_(&search), length_(length) {}
+
+  bool enough(double frontier) {
+    while (search_->enough(frontier)) {
+      if (search_->cancelled()) return true;
+      const double length = search_->best().length;
+      if (length < length_ * (1 - kSame)) continue;
+      found_ = length <= length_ * (1 + kSame);
+      return true;
+    }
+    return false;
+  }
+  void onCrossing(Index halfedge, std::uint32_t first, const geodesic::CrossingResult& result) {
+    search_->onCrossing(halfedge, first, result);
+  }
+  void onVertex(Index vertex) { search_->onVertex(vertex); }
+  std::size_t effort() const { return search_->effort(); }
+  bool interrupted() { return search_->interrupted(); }
+  void restart() { search_->restart(); }
+  bool found() const { return found_; }
+
+ private:
+  /// Lengths that differ by no more are the same, but for rounding.
+  static constexpr double kSame = 1e-12;
+
+  LoopSearch* search_;
+  double length_;
+  bool found_{false};
+};
+
+}  // namespace
+
 struct GirthSolver::State {
   std::shared_ptr<const Unfolding> unfolding;
   Propagation propagation;
@@ -49,6 +91,8 @@ struct GirthSolver::State {
   std::optional<PersistentSearch> persistent;
   double persistence{0};     // of value and loop, in model units
   bool isPersistent{false};  // the last run
+  /// Windows of the run before, where one call takes two.
+  std::size_t createdBefore{0}, crossedBefore{0};
   /// `runLasting`, once a persistence is set. A program that sets none is linked without it.
   std::optional<Error> (State::*runPersistent)(const SurfacePoint&, Keep,
                                                const ExecutionContext&){nullptr};
@@ -60,6 +104,7 @@ struct GirthSolver::State {
   std::optional<Error> run(const SurfacePoint& point, Keep keep, const ExecutionContext& context) {
     if (auto error = checkPersistence(persistence)) return error;
     isPersistent = persistence > 0;
+    createdBefore = crossedBefore = 0;
     if (isPersistent) return (this->*runPersistent)(point, keep, context);
     const auto source = geodesic::locate(*unfolding, point);
     if (!source) return source.error();
@@ -167,6 +212,25 @@ struct GirthSolver::State {
     if (!samePoint(there.front(), result.midpoint)) there.insert(there.begin(), result.midpoint);
     join(there, there, result);
     return result;
+  }
+
+  /// The loop that the last run found without keeping what its points follow from: again, along
+  /// paths to its midpoint alone. Nothing where the context was cancelled, or rounding decides.
+  std::optional<GirthLoop> loopAgain(const ExecutionContext& context) {
+    const LoopCandidate best = search.best();
+    const SurfacePoint source = propagation.source(0);
+    const SurfacePoint middle =
+        unfolding->toMesh(surfacePointAt(*unfolding, best.halfedge, best.midpoint));
+    const geodesic::Goal goal(*unfolding, positionOf(unfolding->mesh(), middle), best.length / 2);
+    createdBefore = propagation.windowsCreated();
+    crossedBefore = propagation.windowsCrossed();
+    search.start(context.cancel);
+    KnownLoopSearch known(search, best.length);
+    propagation.headFor(&goal);
+    propagation.run(std::span(&source, 1), Keep::Everything, known);
+    propagation.headFor(nullptr);
+    if (!known.found()) return std::nullopt;
+    return loopOf(search.best());
   }
 
   /// A loop that was found, with its points.
@@ -300,6 +364,13 @@ Result<GirthLoop> GirthSolver::loop(Vertex vertex, const ExecutionContext& conte
   return loop(SurfacePoint::atVertex(vertex), context);
 }
 Result<GirthLoop> GirthSolver::loop(const SurfacePoint& point, const ExecutionContext& context) {
+  if (state_->unfolding->mesh().faceCount() > kMostFacesKept && state_->persistence == 0) {
+    if (auto error = state_->run(point, Keep::Front, context)) return *std::move(error);
+    if (state_->search.found()) {
+      if (auto loop = state_->loopAgain(context)) return *std::move(loop);
+      if (context.cancelled()) return makeError(ErrorCode::Cancelled, point.element, "cancelled");
+    }
+  }
   if (auto error = state_->run(point, Keep::Everything, context)) return *std::move(error);
   return state_->loop(context);
 }
@@ -312,6 +383,7 @@ Result<Barcode> GirthSolver::barcode(const SurfacePoint& point, const BarcodeOpt
                                      const ExecutionContext& context) {
   if (!(options.maxPersistence >= 0)) return *checkPersistence(options.maxPersistence);
   state_->isPersistent = true;
+  state_->createdBefore = state_->crossedBefore = 0;
   const Keep keep = options.loops ? Keep::Everything : Keep::Front;
   if (auto error = state_->runForSaddles(point, keep, options.maxPersistence, options.maxSaddles,
                                          true, context)) {
@@ -328,7 +400,7 @@ void GirthSolver::setBudget(std::size_t windows) { state_->propagation.setBudget
 
 SearchStatistics GirthSolver::statistics() const {
   const Propagation& p = state_->propagation;
-  return {1, p.windowsCreated(), p.windowsCrossed(),
+  return {1, p.windowsCreated() + state_->createdBefore, p.windowsCrossed() + state_->crossedBefore,
           p.memoryBytes() + state_->search.memoryBytes() +
               (state_->persistent ? state_->persistent->memoryBytes() : 0)};
 }

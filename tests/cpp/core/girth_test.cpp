@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "brute_force.h"
+#include "geodesic/unfolding.h"
 #include "girth/girth.h"
+#include "girth/solver_factory.h"
 #include "girth/study/naive_girth.h"
 #include "loop_checks.h"
 #include "shapes.h"
@@ -391,6 +395,38 @@ TEST(Solver, RefusesVerticesThatDoNotExist) {
   EXPECT_EQ(solver.value(Vertex(4)).error().code, ErrorCode::VertexOutOfRange);
   EXPECT_EQ(solver.loop(Vertex(kNoIndex)).error().code, ErrorCode::VertexOutOfRange);
   EXPECT_EQ(study::naiveGirth(mesh, Vertex(4)).error().code, ErrorCode::VertexOutOfRange);
+}
+
+/// A surface so large that its loops are looked for a second time, along paths to their midpoints.
+void expectLoopsInLittleMemory(const Shape& shape, Index stride) {
+  const SurfaceMesh mesh = shape.mesh();
+  ASSERT_GT(mesh.faceCount(), 100'000u);
+  const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
+  const std::vector<std::uint8_t> everywhere(mesh.faceCount(), 1);
+  GirthSolver solver = SolverFactory::onUnfolding(unfolding);
+  GirthSolver keepsAll = SolverFactory::onUnfolding(unfolding);
+  for (Index v = 0; v < mesh.vertexCount(); v += stride) {
+    const GirthLoop loop = solver.loop(Vertex(v)).value();
+    const std::size_t bytes = solver.statistics().peakBytes;
+    expectGeodesicLoop(mesh, loop);
+    EXPECT_EQ(loop.length, solver.value(Vertex(v)).value().length) << at(v);
+    const auto other = SolverFactory::loopWithin(keepsAll, SurfacePoint::atVertex(Vertex(v)),
+                                                 everywhere.data(), {});
+    ASSERT_TRUE(other) << at(v);
+    EXPECT_EQ(loop.length, other->length) << at(v);
+    ASSERT_EQ(loop.points.size(), other->points.size()) << at(v);
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      EXPECT_EQ(loop.points[i].element, other->points[i].element) << at(v);
+      EXPECT_EQ(loop.points[i].weights, other->points[i].weights) << at(v);
+    }
+    EXPECT_LT(3 * bytes, keepsAll.statistics().peakBytes) << at(v);
+  }
+}
+
+TEST(Solver, FindsLoopsOfLargeSurfacesInLittleMemory) {
+  const Shape ring = torus(2, 0.7, 400, 140);
+  expectLoopsInLittleMemory(perturbed(ring, 0.002, 1), 11'113);
+  expectLoopsInLittleMemory(ring, 20'011);
 }
 
 TEST(Solver, NeighboursDifferByNoMoreThanTheyMustOutsideTips) {

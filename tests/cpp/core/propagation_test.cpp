@@ -14,6 +14,7 @@
 #include <new>
 
 #include "geodesic/crossing_kernel.h"
+#include "geodesic/goal.h"
 #include "girth/farthest_point.h"
 #include "girth/loop_search.h"
 #include "shapes.h"
@@ -104,6 +105,40 @@ TEST(Propagation, WhatIsForgottenDoesNotShow) {
     }
     EXPECT_TRUE(forgotten);
   }
+}
+
+TEST(Propagation, AGoalIsReachedByLess) {
+  struct Ignoring {
+    bool enough(double) { return false; }
+    bool interrupted() { return false; }
+    void restart() {}
+    void onCrossing(Index, std::uint32_t, const CrossingResult&) {}
+    void onVertex(Index) {}
+    std::size_t effort() { return 0; }
+  } visitor;
+  std::size_t windows = 0, towards = 0;
+  for (const Shape& shape : someShapes()) {
+    const SurfaceMesh mesh = shape.mesh();
+    const Unfolding unfolding(mesh);
+    Propagation all(unfolding), some(unfolding);
+    const SurfacePoint source = SurfacePoint::atVertex(Vertex(0));
+    all.run(std::span(&source, 1), Keep::Nothing, visitor);
+    windows += mesh.vertexCount() * all.windowsCreated();
+    for (Index to = 0; to < mesh.vertexCount(); ++to) {
+      const double distance = all.distance(to);
+      const Vec3& place = mesh.position(Vertex(unfolding.vertexInMesh(to)));
+      const geodesic::Goal goal(unfolding, place, distance);
+      some.headFor(&goal);
+      some.run(std::span(&source, 1), Keep::Nothing, visitor);
+      EXPECT_NEAR(some.distance(to), distance, 1e-14 * distance) << to;
+      towards += some.windowsCreated();
+      // What is out of reach is not reached, but by paths that are real.
+      for (Index v = 0; v < mesh.vertexCount(); ++v) {
+        EXPECT_GE(some.distance(v), all.distance(v) * (1 - 1e-14)) << v;
+      }
+    }
+  }
+  EXPECT_LT(3 * towards, windows);
 }
 
 TEST(Propagation, NoMemoryIsTakenOnceItHasRun) {
