@@ -1,6 +1,7 @@
 // The page's side of one worker. Requests are promises of their answers. The worker is given each surface
 // once. A worker that has died is replaced with the next request.
 
+import { copiedInPieces } from './copied-arrays.js';
 import { cancelled, failure, fieldsOf, GirthError } from './errors.js';
 import { workerNotLoaded, workerNotMade, workerNotStarted } from './loading-failure.js';
 import type {
@@ -35,7 +36,12 @@ interface Pending {
 interface HeldSurface {
   adopted: Promise<object>;
   bytes: number;
+  /** Whether it has been sent. */
+  isSent: boolean;
 }
+
+/** Larger surfaces are copied piece by piece. */
+const mostBytesAtOnce = 1 << 21;
 
 /** The surfaces that a worker takes: with the arrays that its operation `adopt` asks for. */
 export type SourceFor<T> = SurfaceSource<AdoptedArrays<T>>;
@@ -45,6 +51,8 @@ export class WorkerClient<T extends CommonOperations> {
   readonly #threads: number;
   #worker: WorkerLike | undefined;
   #closed: GirthError | undefined;
+  /** Why the last worker ended. */
+  #ended: GirthError | undefined;
   #started: Promise<Answer<CommonOperations, 'start'>> | undefined;
   #lastId = 0;
   readonly #pending = new Map<number, Pending>();
@@ -131,20 +139,38 @@ export class WorkerClient<T extends CommonOperations> {
   /** Gives the worker a surface, once. CANCELLED where the surface's mesh has been disposed of. */
   async adopt(surface: SourceFor<T>): Promise<void> {
     await this.start();
-    const { number, arrays, life } = surface;
+    const { number, life } = surface;
     if (life.aborted) throw cancelled();
     let held = this.#surfaces.get(number);
     if (held) {
       this.#surfaces.delete(number);
     } else {
-      const adopted = this.#post('adopt', { surface: number, arrays }, []);
-      const made = (held = { adopted, bytes: bytesOf(surface) });
-      adopted.catch(() => {
+      const made: HeldSurface = {
+        adopted: Promise.resolve({}),
+        bytes: bytesOf(surface),
+        isSent: false,
+      };
+      made.adopted = this.#give(surface, made);
+      made.adopted.catch(() => {
         if (this.#surfaces.get(number) === made) this.#surfaces.delete(number);
       });
+      held = made;
     }
     this.#surfaces.set(number, held);
     await held.adopted;
+  }
+
+  async #give({ number, arrays }: SourceFor<T>, held: HeldSurface): Promise<object> {
+    let transfer: ArrayBuffer[] = [];
+    if (held.bytes > mostBytesAtOnce) {
+      const worker = this.#worker;
+      arrays = await copiedInPieces(arrays);
+      if (this.#worker !== worker) throw this.#ended ?? cancelled();
+      if (this.#surfaces.get(number) !== held) throw cancelled();
+      transfer = (Object.values(arrays) as Float64Array<ArrayBuffer>[]).map(({ buffer }) => buffer);
+    }
+    held.isSent = true;
+    return this.#post('adopt', { surface: number, arrays }, transfer);
   }
 
   /** Whether the present worker has been given the surface. */
@@ -159,7 +185,9 @@ export class WorkerClient<T extends CommonOperations> {
 
   /** Frees a surface in the worker. */
   drop(surface: number): void {
-    if (!this.#surfaces.delete(surface)) return;
+    const held = this.#surfaces.get(surface);
+    this.#surfaces.delete(surface);
+    if (!held?.isSent) return;
     void this.#post('drop', { surface }, []).catch(() => undefined);
   }
 
@@ -218,6 +246,7 @@ export class WorkerClient<T extends CommonOperations> {
     worker.terminate();
     this.#worker = undefined;
     this.#started = undefined;
+    this.#ended = error;
     this.#surfaces.clear();
     const pending = [...this.#pending.values()];
     this.#pending.clear();
