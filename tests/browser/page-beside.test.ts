@@ -172,7 +172,7 @@ test('links and undo have it', async () => {
   await expect.poll(() => pane.count()).toBe(0);
   await expect.poll(() => fragment(page)).toBe('model=cup');
   await page.getByRole('button', { name: 'Redo' }).click();
-  await expect.poll(() => pane.getByText('dumbbell.glb').isVisible()).toBe(true);
+  await expect.poll(() => pane.getByText('dumbbell.glb', { exact: true }).isVisible()).toBe(true);
 
   const linked = await openCup('model=cup&beside=dumbbell&apart=1&oneScale=1');
   await fieldComplete(linked.second);
