@@ -369,6 +369,8 @@ Result<GirthLoop> GirthSolver::loop(const SurfacePoint& point, const ExecutionCo
     if (state_->search.found()) {
       if (auto loop = state_->loopAgain(context)) return *std::move(loop);
       if (context.cancelled()) return makeError(ErrorCode::Cancelled, point.element, "cancelled");
+    } else if (state_->gaveUp()) {
+      return state_->loop(context);  // a second time it would give up as well
     }
   }
   if (auto error = state_->run(point, Keep::Everything, context)) return *std::move(error);

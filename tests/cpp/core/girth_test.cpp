@@ -429,6 +429,20 @@ TEST(Solver, FindsLoopsOfLargeSurfacesInLittleMemory) {
   expectLoopsInLittleMemory(ring, 20'011);
 }
 
+TEST(Solver, GivesUpOnceOnLargeSurfaces) {
+  const SurfaceMesh mesh = torus(2, 0.7, 400, 140).mesh();
+  GirthSolver solver(mesh);
+  solver.setBudget(20'000);
+  const GirthValue value = solver.value(Vertex(7)).value();
+  const std::size_t windows = solver.statistics().windowsCrossed;
+  const GirthLoop loop = solver.loop(Vertex(7)).value();
+  EXPECT_EQ(loop.kind, LoopKind::Unresolved);
+  EXPECT_TRUE(loop.points.empty());
+  EXPECT_EQ(loop.length, value.length);
+  EXPECT_EQ(loop.atMost, value.atMost);
+  EXPECT_EQ(solver.statistics().windowsCrossed, windows);
+}
+
 TEST(Solver, NeighboursDifferByNoMoreThanTheyMustOutsideTips) {
   // |I(a) − I(b)| ≤ 2 |ab| wherever both see the same loop; on a torus everywhere.
   const SurfaceMesh mesh = torus(2, 0.5, 16, 8).mesh();
