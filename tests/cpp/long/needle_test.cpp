@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 #include "core/random_meshes.h"
 #include "core/textbook_mmp.h"
@@ -25,7 +25,7 @@ TEST(Needles, GetAValueInTime) {
     const SurfaceMesh mesh = random.shape.mesh(OpenEdges::Boundary);
     GirthSolver solver(mesh);
     TextbookMmp textbook(mesh);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     for (Index v = 0; v < mesh.vertexCount(); v += 3) {
       const auto result = solver.loop(Vertex(v));
       ASSERT_TRUE(result.ok());
@@ -42,7 +42,7 @@ TEST(Needles, GetAValueInTime) {
       EXPECT_LE(midpoint, loop.length / 2 * (1 + 1e-6)) << "vertex " << v;
       if (std::fabs(midpoint / loop.length - 0.5) > 1e-9) ++wrong;
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+    EXPECT_LT(std::clock() - start, 30 * CLOCKS_PER_SEC);
   }
   std::printf("%d of %d loops at vertices of meshes with needles are not shortest\n", wrong,
               tested);
