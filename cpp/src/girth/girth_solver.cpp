@@ -81,6 +81,24 @@ class KnownLoopSearch {
   bool found_{false};
 };
 
+/// Visits the surface as far as a distance, in `unfolding.unit()`.
+class Within {
+ public:
+  Within(double distance, const ExecutionContext& context)
+      : distance_(distance), context_(&context) {}
+
+  bool enough(double frontier) const { return interrupted() || frontier > distance_; }
+  bool interrupted() const { return context_->cancelled(); }
+  void onCrossing(Index, std::uint32_t, const geodesic::CrossingResult&) {}
+  void onVertex(Index) {}
+  std::size_t effort() const { return 0; }
+  void restart() {}
+
+ private:
+  double distance_;
+  const ExecutionContext* context_;
+};
+
 }  // namespace
 
 struct GirthSolver::State {
@@ -91,7 +109,7 @@ struct GirthSolver::State {
   std::optional<PersistentSearch> persistent;
   double persistence{0};     // of value and loop, in model units
   bool isPersistent{false};  // the last run
-  /// Windows of the run before, where one call takes two.
+  /// Windows of the runs before, where one call takes several.
   std::size_t createdBefore{0}, crossedBefore{0};
   /// `runLasting`, once a persistence is set. A program that sets none is linked without it.
   std::optional<Error> (State::*runPersistent)(const SurfacePoint&, Keep,
@@ -218,19 +236,41 @@ struct GirthSolver::State {
   /// paths to its midpoint alone. Nothing where the context was cancelled, or rounding decides.
   std::optional<GirthLoop> loopAgain(const ExecutionContext& context) {
     const LoopCandidate best = search.best();
+    const double half = best.length / 2;
     const SurfacePoint source = propagation.source(0);
-    const SurfacePoint middle =
-        unfolding->toMesh(surfacePointAt(*unfolding, best.halfedge, best.midpoint));
-    const geodesic::Goal goal(*unfolding, positionOf(unfolding->mesh(), middle), best.length / 2);
-    createdBefore = propagation.windowsCreated();
-    crossedBefore = propagation.windowsCrossed();
+    const SurfacePoint middle = surfacePointAt(*unfolding, best.halfedge, best.midpoint);
+    const auto straightTo = [&](const SurfacePoint& point) {
+      const Vec3 place = positionOf(unfolding->mesh(), unfolding->toMesh(point));
+      return geodesic::Goal(*unfolding, place, half);
+    };
+    const geodesic::Goal back = straightTo(source), straight = straightTo(middle);
+    Within within(half, context);
+    countRun();
+    propagation.headFor(&back);
+    propagation.run(std::span(&middle, 1), Keep::Nothing, within);
+    propagation.headFor(nullptr);
+    if (within.interrupted()) return std::nullopt;
+
+    // What that left out is too far from the midpoint for a way between the two.
+    std::vector<double> least(unfolding->vertexCount());
+    for (Index v = 0; v < least.size(); ++v) {
+      least[v] = std::max(straight.leastFrom(v), std::min(propagation.distance(v), back.mostTo(v)));
+    }
+    const geodesic::Goal goal(*unfolding, std::move(least), half);
     search.start(context.cancel);
     KnownLoopSearch known(search, best.length);
+    countRun();
     propagation.headFor(&goal);
     propagation.run(std::span(&source, 1), Keep::Everything, known);
     propagation.headFor(nullptr);
     if (!known.found()) return std::nullopt;
     return loopOf(search.best());
+  }
+
+  /// The windows of the last run count for the call whose next run comes.
+  void countRun() {
+    createdBefore += propagation.windowsCreated();
+    crossedBefore += propagation.windowsCrossed();
   }
 
   /// A loop that was found, with its points.

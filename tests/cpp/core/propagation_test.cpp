@@ -116,11 +116,11 @@ TEST(Propagation, AGoalIsReachedByLess) {
     void onVertex(Index) {}
     std::size_t effort() { return 0; }
   } visitor;
-  std::size_t windows = 0, towards = 0;
+  std::size_t windows = 0, towards = 0, along = 0;
   for (const Shape& shape : someShapes()) {
     const SurfaceMesh mesh = shape.mesh();
     const Unfolding unfolding(mesh);
-    Propagation all(unfolding), some(unfolding);
+    Propagation all(unfolding), some(unfolding), back(unfolding);
     const SurfacePoint source = SurfacePoint::atVertex(Vertex(0));
     all.run(std::span(&source, 1), Keep::Nothing, visitor);
     windows += mesh.vertexCount() * all.windowsCreated();
@@ -136,9 +136,20 @@ TEST(Propagation, AGoalIsReachedByLess) {
       for (Index v = 0; v < mesh.vertexCount(); ++v) {
         EXPECT_GE(some.distance(v), all.distance(v) * (1 - 1e-14)) << v;
       }
+      // The ways over the surface are better bounds than those through space.
+      const SurfacePoint end = SurfacePoint::atVertex(Vertex(to));
+      back.run(std::span(&end, 1), Keep::Nothing, visitor);
+      std::vector<double> least;
+      for (Index v = 0; v < mesh.vertexCount(); ++v) least.push_back(back.distance(v));
+      const geodesic::Goal better(unfolding, least, distance);
+      some.headFor(&better);
+      some.run(std::span(&source, 1), Keep::Nothing, visitor);
+      EXPECT_NEAR(some.distance(to), distance, 1e-14 * distance) << to;
+      along += some.windowsCreated();
     }
   }
   EXPECT_LT(3 * towards, windows);
+  EXPECT_LT(along, towards);
 }
 
 TEST(Propagation, NoMemoryIsTakenOnceItHasRun) {
