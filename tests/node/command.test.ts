@@ -168,7 +168,7 @@ const main = [
 
 test.each([
   ...main,
-  'remesh model.glb --faces 200 -o small.glb',
+  'remesh model.glb --faces 200 --smooth 2 -o small.glb',
   'compare torus.obj model.glb --json',
   'signature torus.obj -o signature.csv',
   'necks torus.obj --json',

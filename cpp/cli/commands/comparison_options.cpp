@@ -3,6 +3,7 @@
 #include <string>
 
 #include "commands/common_options.h"
+#include "girth/smooth_surface.h"
 #include "model/model_options.h"
 #include "model/persistence.h"
 
@@ -26,6 +27,10 @@ void addComparisonOptions(OptionTable& table, ComparisonOptions& options) {
            "as they "
            "are")
       .range(0, kMostFaces);
+  table
+      .add("--smooth STEPS", options.fields.smoothing,
+           "Smooth every model first: for rough scans, about 3 steps; 0 by default")
+      .range(0, kMostSmoothing);
   table.onFlag(
       "--own-size", [&] { options.fields.unitArea = false; },
       "Leave models as large as they are; by default all are scaled to area 1");

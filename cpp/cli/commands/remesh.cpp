@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "commands/common_options.h"
 #include "commands/table.h"
@@ -12,6 +13,7 @@
 #include "girth/io/write_mesh.h"
 #include "girth/remesh.h"
 #include "girth/remove_handles.h"
+#include "girth/smooth_surface.h"
 #include "model/computing.h"
 #include "model/loading.h"
 #include "process/output.h"
@@ -33,6 +35,8 @@ struct Options {
   bool even{false};
   /// Loops shorter than this are cut, as typed. Empty: none.
   std::string removeHandles;
+  /// Steps; 0: none.
+  Index smoothing{0};
   Output output;
   /// Also compute the girth before and after, and print how far apart the two are.
   bool difference{false};
@@ -99,9 +103,10 @@ Result<double> differenceOf(const Options& options, const SurfaceMesh& before,
   return fieldDifference(before, old.value().values, after, made.value().values);
 }
 
-/// Who asks for finer triangles, or for fewer handles, does not ask for fewer triangles.
+/// Who asks for finer triangles, fewer handles or no wrinkles does not ask for fewer triangles.
 Index mostFaces(const Options& options) {
-  if (options.faces == 0 && !options.removeHandles.empty()) return kMostFaces;
+  const bool isOther = !options.removeHandles.empty() || options.smoothing > 0;
+  if (options.faces == 0 && isOther) return kMostFaces;
   constexpr Index kDefault = 10'000;
   return options.faces > 0 ? options.faces : std::max(kDefault, options.preparing.refine);
 }
@@ -126,7 +131,13 @@ int run(const Options& options) {
     if (!removal) return reportError(options.model, removal.error());
     repaired = std::move(removal).value();
   }
-  const SurfaceMesh& whole = repaired ? repaired->mesh : loaded.value().mesh;
+  std::optional<SurfaceMesh> smooth;
+  if (options.smoothing > 0) {
+    auto made = smoothSurface(repaired ? repaired->mesh : loaded.value().mesh, options.smoothing);
+    if (!made) return reportError(options.model, made.error());
+    smooth = std::move(made).value();
+  }
+  const SurfaceMesh& whole = smooth ? *smooth : repaired ? repaired->mesh : loaded.value().mesh;
   const auto remeshed =
       remeshModel(options.model, whole,
                   {mostFaces(options), options.even ? RemeshMethod::Even : RemeshMethod::Fitting});
@@ -160,6 +171,11 @@ Run add(OptionTable& table) {
   addLengthOption(table, "--remove-handles LENGTH", options->removeHandles,
                   "Cut every handle and close every tunnel with a loop shorter than this, as in "
                   "2mm; keeps the other triangles, unless --faces is given");
+  table
+      .add("--smooth STEPS", options->smoothing,
+           "Take the wrinkles of a rough scan away, as with 3 steps, and leave limbs as thick as "
+           "they are; keeps the triangles, unless --faces is given")
+      .range(0, kMostSmoothing);
   addOutputOptions(table, options->output, {".obj", ".ply", ".stl", ".off", ".glb"},
                    "Write it: .obj, .ply, .stl, .off or .glb")
       .required();
@@ -175,6 +191,7 @@ Run add(OptionTable& table) {
                 "50,000 triangles of the same surface, where it has fewer.");
   table.example("girth remesh scan.ply --remove-handles 2mm --unit mm -o repaired.ply",
                 "Without the handles and tunnels that noise has made.");
+  table.example("girth remesh scan.ply --smooth 3 -o smooth.ply", "Without the wrinkles of noise.");
   table.example("girth remesh model.glb --even -o even.ply --difference",
                 "Even triangles, and how much the girth changes with them.");
   return [options] { return run(*options); };
@@ -183,7 +200,7 @@ Run add(OptionTable& table) {
 }  // namespace
 }  // namespace remesh_command
 
-const Command kRemesh{"remesh", "Write the surface with fewer, more or even triangles",
+const Command kRemesh{"remesh", "Write the surface with fewer, more or even triangles, or smoother",
                       remesh_command::add};
 
 }  // namespace girth::cli

@@ -24,7 +24,7 @@ constexpr std::array kMeasured{
 std::optional<TypicalDistance> typicalDistance(const std::string& descriptor,
                                                const ComparisonOptions& options) {
   const bool isAsMeasured = options.fields.unitArea && options.fields.persistence == 0 &&
-                            options.signatures.bins == 0 &&
+                            options.fields.smoothing == 0 && options.signatures.bins == 0 &&
                             options.signatures.scale == study::ValueScale::AsIs;
   const auto found =
       std::find_if(kMeasured.begin(), kMeasured.end(),

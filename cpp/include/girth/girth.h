@@ -36,6 +36,7 @@
 #include "girth/search_statistics.h"
 #include "girth/segments.h"
 #include "girth/shape_diameter.h"
+#include "girth/smooth_surface.h"
 #include "girth/spectrum.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"

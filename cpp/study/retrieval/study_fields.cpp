@@ -8,8 +8,11 @@
 
 #include "girth/girth_field.h"
 #include "girth/remesh.h"
+#include "girth/smooth_surface.h"
 #include "girth/study/surface_changes.h"
 #include "girth/vertex_areas.h"
+#include "mesh/mesh_arrays.h"
+#include "mesh/vector.h"
 
 namespace girth::study {
 
@@ -21,18 +24,9 @@ Error stopped() { return makeError(ErrorCode::Cancelled, -1, "stopped before it 
 
 /// The same triangles on positions multiplied by `factor`.
 Result<SurfaceMesh> scaled(const SurfaceMesh& mesh, double factor) {
-  std::vector<double> positions;
-  positions.reserve(3 * static_cast<std::size_t>(mesh.vertexCount()));
-  for (const Vertex v : mesh.vertices()) {
-    const Vec3& p = mesh.position(v);
-    positions.insert(positions.end(), {factor * p.x, factor * p.y, factor * p.z});
-  }
-  std::vector<Index> triangles;
-  triangles.reserve(3 * static_cast<std::size_t>(mesh.faceCount()));
-  for (const Face f : mesh.faces()) {
-    for (const Vertex vertex : mesh.faceVertices(f)) triangles.push_back(vertex);
-  }
-  return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Boundary);
+  std::vector<Vec3> positions = positionsOf(mesh);
+  for (Vec3& p : positions) p = factor * p;
+  return surfaceOf(positions, trianglesOf(mesh));
 }
 
 Result<std::vector<StudyField>> girthOf(const SurfaceMesh& surface, const GirthOptions& options,
@@ -170,6 +164,11 @@ Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh, const FieldParameters&
     if (!noisy) return noisy.error();
     remeshed.assign(1, std::move(noisy).value());
   }
+  if (parameters.smoothing != 0) {
+    auto smooth = smoothSurface(remeshed.empty() ? mesh : remeshed.front(), parameters.smoothing);
+    if (!smooth) return smooth.error();
+    remeshed.assign(1, std::move(smooth).value());
+  }
   const SurfaceMesh& surface = remeshed.empty() ? mesh : remeshed.front();
   if (!parameters.unitArea) return surface;
   const double factor = 1 / std::sqrt(surface.area());
@@ -194,6 +193,7 @@ std::string parametersText(FieldGroup group, const FieldParameters& parameters) 
                      std::to_string(parameters.faces) +
                      (parameters.unitArea ? " area 1" : " own area");
   if (parameters.noise != 0) text += " noise " + exactText(parameters.noise);
+  if (parameters.smoothing != 0) text += " smoothing " + std::to_string(parameters.smoothing);
   if (group == FieldGroup::Girth && parameters.persistence != 0) {
     text += " persistence " + exactText(parameters.persistence);
   }

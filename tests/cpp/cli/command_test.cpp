@@ -410,6 +410,30 @@ TEST_F(Command, remeshWritesAsManyFacesAsWanted) {
   }
 }
 
+TEST_F(Command, remeshSmoothsWhatIsRough) {
+  const std::string prism = kData + "/prism.obj";
+  ASSERT_EQ(run({"remesh", prism, "--refine", "20000", "-o", path("fine.ply"), "-q"}).exitCode, 0);
+  const auto smooth = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"remesh", path("fine.ply"), "-o",      path("smooth.ply"),
+                                       "--json", "--force",        "--smooth"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+    return Json::parse(outcome.output);
+  };
+  // Its edges are rounded off, its triangles are as many as before.
+  const Json whole = smooth({"3"});
+  EXPECT_EQ(whole["faces"], whole["facesBefore"]);
+  EXPECT_GT(whole["faces"], 10'000) << "no fewer unless asked for";
+  EXPECT_LT(whole["area"].get<double>(), 0.999 * whole["areaBefore"].get<double>());
+  EXPECT_GT(whole["area"].get<double>(), 0.98 * whole["areaBefore"].get<double>());
+  EXPECT_LE(smooth({"3", "--faces", "500"})["faces"], 500);
+  const Outcome refused =
+      run({"remesh", prism, "-o", path("smooth.ply"), "--force", "--smooth", "101"});
+  EXPECT_EQ(refused.exitCode, 1);
+  EXPECT_EQ(linesOf(refused.errors).size(), 1u) << refused.errors;
+}
+
 TEST_F(Command, facesAreAtMostAndRefiningIsAtLeastSoMany) {
   const std::string prism = kData + "/prism.obj";
   const auto facesOf = [&](std::vector<std::string> options) {

@@ -158,6 +158,25 @@ TEST_F(Retrieve, modelsArePreparedAsAsked) {
             std::string::npos);
 }
 
+TEST_F(Retrieve, roughModelsAreSmoothedAsAsked) {
+  const auto distances = [&](const std::vector<std::string>& options) {
+    EXPECT_EQ(run(arguments("report", options)).exitCode, 0);
+    return contentOf(path("report/distances/igf.csv"));
+  };
+  const std::string asTheyAre = distances({});
+  EXPECT_EQ(distances({"--smooth", "0"}), asTheyAre);
+  EXPECT_NE(distances({"--smooth", "2"}), asTheyAre) << "of its own in the cache";
+  const Outcome refused = run(arguments("report", {"--smooth", "101"}));
+  EXPECT_EQ(refused.exitCode, 1);
+  EXPECT_EQ(linesOf(refused.errors).size(), 1u) << refused.errors;
+
+  // Distances are not those that typical ones were measured with.
+  const std::string model = path("shapes/rod/r0.obj");
+  const Json compared =
+      Json::parse(run({"compare", model, model, "--smooth", "2", "--json"}).output);
+  EXPECT_TRUE(compared["descriptors"][0]["typical"].is_null());
+}
+
 TEST_F(Retrieve, aDamagedCacheIsComputedAgainAndSaidSo) {
   ASSERT_EQ(run(arguments("one")).exitCode, 0);
   const std::string before = contentOf(path("one/distances/igf-sdf.csv"));

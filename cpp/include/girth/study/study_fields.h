@@ -46,6 +46,9 @@ struct FieldParameters {
   /// Every vertex is moved by up to so many mean edge lengths (withNoise), once the surface has
   /// been remeshed: how well shapes are found again in rough scans.
   double noise{0};
+  /// Steps of smoothing (smoothSurface), once there are the triangles and the noise: rough scans
+  /// are found again better so.
+  Index smoothing{0};
   /// Of igf: tau over the square root of the area (girth/barcode.h); 0: the girth itself.
   double persistence{0};
   /// Of the shape diameter.
@@ -82,8 +85,9 @@ struct GIRTH_EXPORT StudyFields {
   const StudyField* find(std::string_view name) const;
 };
 
-/// The surface on which the fields are computed: remeshed and scaled by the parameters. Errors:
-/// those of remesh.h and withNoise; LIMIT_EXCEEDED where the area is no number that can be scaled.
+/// The surface on which the fields are computed: remeshed, smoothed and scaled by the parameters.
+/// Errors: those of remesh, withNoise and smoothSurface; LIMIT_EXCEEDED where the area is no number
+/// that can be scaled.
 GIRTH_EXPORT Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh,
                                               const FieldParameters& parameters,
                                               const ExecutionContext& context = {});
