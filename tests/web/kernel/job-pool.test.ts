@@ -2,7 +2,7 @@
 // workers and surfaces are let go of.
 
 import { beforeEach, describe, expect, test, vi } from 'vitest';
-import { GirthError } from '../../../web/src/kernel/errors.js';
+import { cancelled, GirthError } from '../../../web/src/kernel/errors.js';
 import { JobPool, type JobNeeds } from '../../../web/src/kernel/job-pool.js';
 import { openKernel } from '../../../web/src/kernel/kernel.js';
 import type { JobOperations, SurfaceWithInput } from '../../../web/src/kernel/protocol.js';
@@ -23,7 +23,7 @@ beforeEach(() => {
   stuck = new Set();
 });
 
-function fakePool(mostJobs = 2): JobPool<JobOperations> {
+function fakePool(mostJobs = 2, rest = Infinity): JobPool<JobOperations> {
   const surface = fakeSurface(4);
   const create = () => {
     const worker = new FakeWorker((request, report) =>
@@ -34,7 +34,7 @@ function fakePool(mostJobs = 2): JobPool<JobOperations> {
     workers.push(worker);
     return worker;
   };
-  return new JobPool<JobOperations>(create, { mostJobs, heavy });
+  return new JobPool<JobOperations>(create, { mostJobs, heavy, rest });
 }
 
 interface FakeSource extends SurfaceSource<SurfaceWithInput> {
@@ -140,6 +140,25 @@ describe('a pool', () => {
     large.dispose();
     expect(alive()).toEqual([true, false]);
     expect(await codeOf(job(pool, [large]))).toBe('CANCELLED');
+  });
+
+  test('a worker that holds much is ended when it has had no job for a while, a light one is not', async () => {
+    const rest = 40;
+    const pool = fakePool(2, rest);
+    const [large, light] = [source(2 * heavy), source(80)];
+    await job(pool, [light]);
+    await job(pool, [large]);
+    await job(pool, [large]);
+    expect(alive()).toEqual([true, true]);
+    await vi.waitFor(() => expect(alive()).toEqual([true, false]));
+    // The next job has a worker that is given the surface again, and is not interrupted.
+    stuck.add('vertexAreas');
+    const begun = job(pool, [large]);
+    await vi.waitFor(() => expect(asked(workers[2]!)).toHaveLength(3));
+    await new Promise((done) => setTimeout(done, 2 * rest));
+    expect(alive()).toEqual([true, false, true]);
+    pool.terminate(cancelled());
+    expect(await codeOf(begun)).toBe('CANCELLED');
   });
 
   test('a surface that is disposed of while its worker works is freed after the job', async () => {

@@ -32,28 +32,27 @@ export class Readout {
     this.clear();
   }
 
-  show(loop: Loop, format: LengthFormat): void {
-    this.element.hidden = false;
-    this.element.dataset['base'] = JSON.stringify(loop.base);
-    this.element.dataset['length'] = String(loop.length);
-    this.element.dataset['kind'] = loop.kind;
-    this.#length.textContent = formatLength(loop.length, format);
-    const { name, sentence } = kindWords[loop.kind];
-    this.#kind.textContent = name;
-    this.#words.textContent = sentence;
-    this.#words.hidden = sentence === '';
+  show({ base, length, kind }: Loop, format: LengthFormat): void {
+    const { name, sentence } = kindWords[kind];
+    this.#say(base, formatLength(length, format), name, sentence);
+    this.element.dataset['length'] = String(length);
+    this.element.dataset['kind'] = kind;
   }
 
   /** The length at a point whose loop is still to come. */
   showLength(base: SurfacePoint, length: number, format: LengthFormat): void {
-    this.element.hidden = false;
-    this.element.dataset['base'] = JSON.stringify(base);
+    this.#say(base, formatLength(length, format), '', 'As the colours have it; the loop follows.');
     this.element.dataset['length'] = String(length);
     delete this.element.dataset['kind'];
-    this.#length.textContent = formatLength(length, format);
-    this.#kind.textContent = '';
-    this.#words.textContent = 'As the colours have it; the loop follows.';
-    this.#words.hidden = false;
+  }
+
+  #say(base: SurfacePoint, length: string, kind: string, sentence: string): void {
+    this.element.hidden = false;
+    this.element.dataset['base'] = JSON.stringify(base);
+    this.#length.textContent = length;
+    this.#kind.textContent = kind;
+    this.#words.textContent = sentence;
+    this.#words.hidden = sentence === '';
   }
 
   /** Beside a point of the canvas of the given size, on the side where there is room and nothing else is. */

@@ -7,8 +7,9 @@
 //   replaces one that was ended is given them again.
 // - A module's memory never shrinks. `heavy` bounds what is kept without use: beside the surfaces of the
 //   present job, a worker holds others of at most that many bytes (least recently used dropped first); a
-//   worker that has had more bytes is ended as soon as it holds no surface; a job that passes more bytes
-//   through (a large file, a surface to remesh) has a new worker, which is ended after it.
+//   worker that has had more bytes is ended as soon as it holds no surface, or has had no job for `rest`; a
+//   job that passes more bytes through (a large file, a surface to remesh) has a new worker, which is ended
+//   after it.
 // - At most `mostJobs` workers hold surfaces, and at most one idle worker holds none.
 
 import { cancelled, type GirthError } from './errors.js';
@@ -28,18 +29,23 @@ export interface JobPoolOptions {
   mostJobs?: number;
   /** Bytes of input. Default: 8 MB, a closed surface of about 150,000 vertices. */
   heavy?: number;
+  /** Milliseconds for which a worker is kept that takes much memory and has no job; Infinity: always. Default: 10 000. */
+  rest?: number;
 }
 
 interface Member<T extends CommonOperations> {
   readonly client: WorkerClient<T>;
   /** The most bytes of input that its worker has had at a time. */
   most: number;
+  /** Ends its worker when it has rested long enough. */
+  timer?: ReturnType<typeof setTimeout> | undefined;
 }
 
 export class JobPool<T extends CommonOperations> {
   readonly #create: () => WorkerLike;
   readonly #mostJobs: number;
   readonly #heavy: number;
+  readonly #rest: number;
   readonly #busy = new Set<Member<T>>();
   /** The most recently used first. */
   #idle: Member<T>[] = [];
@@ -51,11 +57,12 @@ export class JobPool<T extends CommonOperations> {
 
   constructor(
     create: () => WorkerLike,
-    { mostJobs = 2, heavy = 8 * 2 ** 20 }: JobPoolOptions = {},
+    { mostJobs = 2, heavy = 8 * 2 ** 20, rest = 10_000 }: JobPoolOptions = {},
   ) {
     this.#create = create;
     this.#mostJobs = mostJobs;
     this.#heavy = heavy;
+    this.#rest = rest;
   }
 
   /** Starts a worker to have it ready. */
@@ -96,7 +103,10 @@ export class JobPool<T extends CommonOperations> {
   /** Ends all workers at once and for good. */
   terminate(error: GirthError): void {
     this.#closed = error;
-    for (const { client } of [...this.#idle, ...this.#busy]) client.terminate(error);
+    for (const { client, timer } of [...this.#idle, ...this.#busy]) {
+      clearTimeout(timer);
+      client.terminate(error);
+    }
     this.#idle = [];
   }
 
@@ -111,6 +121,7 @@ export class JobPool<T extends CommonOperations> {
     const bytes = sum(needed.values());
     const member = this.#chosen([...needed.keys()], bytes, passing) ?? this.#newMember();
     this.#idle = this.#idle.filter((one) => one !== member);
+    clearTimeout(member.timer);
     this.#busy.add(member);
     let others = 0;
     for (const [number, held] of [...member.client.held].reverse()) {
@@ -138,11 +149,20 @@ export class JobPool<T extends CommonOperations> {
 
   /** Keeps a worker for later jobs, or ends it. */
   #keepIdle(member: Member<T>): void {
+    clearTimeout(member.timer);
     if (isBlank(member) && (member.most > this.#heavy || this.#idle.some(isBlank))) {
       member.client.terminate(cancelled());
-    } else {
-      this.#idle.unshift(member);
+      return;
     }
+    this.#idle.unshift(member);
+    if (member.most > this.#heavy && this.#rest < Infinity) {
+      member.timer = afterwards(() => this.#end(member), this.#rest);
+    }
+  }
+
+  #end(member: Member<T>): void {
+    this.#idle = this.#idle.filter((one) => one !== member);
+    member.client.terminate(cancelled());
   }
 
   #follow({ number, life }: SurfaceSource): void {
@@ -160,6 +180,13 @@ export class JobPool<T extends CommonOperations> {
       this.#keepIdle(member);
     }
   }
+}
+
+/** A timer for which no program in Node.js goes on running. */
+function afterwards(what: () => void, milliseconds: number): ReturnType<typeof setTimeout> {
+  const timer = setTimeout(what, milliseconds);
+  (timer as { unref?: () => void }).unref?.();
+  return timer;
 }
 
 const sum = (numbers: Iterable<number>) => [...numbers].reduce((total, one) => total + one, 0);

@@ -64,10 +64,12 @@ export async function openKernel(
 ): Promise<KernelOfWorkers> {
   const threads = threadsOf(options.threads, platform.cores);
   const models = new JobPool<JobOperations>(() => factory.job());
-  // One job at a time, since the next one may need the same spectrum. Any surface's spectrum is heavy.
+  // One job at a time, since the next one may need the same spectrum. Any surface's spectrum is heavy, and takes longer to
+  // compute than its memory is worth.
   const spectral = new JobPool<StudiesOperations>(() => factory.studies(), {
     mostJobs: 1,
     heavy: 0,
+    rest: Infinity,
   });
   const comparing = new JobPool<StudiesOperations>(() => factory.studies());
   const pools = { models, spectral, comparing };
