@@ -6,9 +6,9 @@
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { availableParallelism, cpus } from 'node:os';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { parseArgs } from 'node:util';
-import { buildNative } from './build.mjs';
+import { buildNative, buildWasm } from './build.mjs';
 import { plotSvg } from './plot.mjs';
 import { Complaint, outputOf, repository, run, runTool, script } from './run.mjs';
 import { setUp } from './setup.mjs';
@@ -235,7 +235,8 @@ await script(() => {
     },
   });
   setUp();
-  buildNative();
+  buildWasm();
+  buildNative([program, scaleProgram].map((path) => basename(path)));
   writeModels();
   const table = measureTable(values['naive-seconds']);
   const plot = measurePlot(['chair', 'octopus', 'handles', 'dumbbell', 'cup', 'vessel']);
