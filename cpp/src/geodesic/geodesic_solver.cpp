@@ -8,38 +8,15 @@
 #include "geodesic/locate.h"
 #include "geodesic/path_tracing.h"
 #include "geodesic/propagation.h"
+#include "geodesic/until.h"
 
 namespace girth {
 
-using geodesic::CrossingResult;
 using geodesic::Keep;
 using geodesic::Propagation;
 using geodesic::Unfolding;
+using geodesic::Until;
 using geodesic::Vec2;
-
-namespace {
-
-/// Stops once the frontier has passed the distance that `limit` returns.
-template <class Limit>
-class Until {
- public:
-  Until(Limit limit, const ExecutionContext& context) : limit_(limit), context_(context) {}
-
-  bool enough(double frontier) { return interrupted() || frontier > limit_(); }
-  bool interrupted() { return cancelled_ = context_.cancelled(); }
-  void onCrossing(Index, std::uint32_t, const CrossingResult&) {}
-  void onVertex(Index) {}
-  void restart() {}
-  std::size_t effort() const { return 0; }
-  bool cancelled() const { return cancelled_; }
-
- private:
-  Limit limit_;
-  const ExecutionContext& context_;
-  bool cancelled_{false};
-};
-
-}  // namespace
 
 struct GeodesicSolver::State {
   Unfolding unfolding;

@@ -5,10 +5,13 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "geodesic/locate.h"
 #include "geodesic/path_tracing.h"
 #include "geodesic/propagation.h"
+#include "geodesic/until.h"
 #include "girth/barcode.h"
 #include "girth/farthest_point.h"
 #include "girth/loop_search.h"
@@ -79,24 +82,6 @@ class KnownLoopSearch {
   LoopSearch* search_;
   double length_;
   bool found_{false};
-};
-
-/// Visits the surface as far as a distance, in `unfolding.unit()`.
-class Within {
- public:
-  Within(double distance, const ExecutionContext& context)
-      : distance_(distance), context_(&context) {}
-
-  bool enough(double frontier) const { return interrupted() || frontier > distance_; }
-  bool interrupted() const { return context_->cancelled(); }
-  void onCrossing(Index, std::uint32_t, const geodesic::CrossingResult&) {}
-  void onVertex(Index) {}
-  std::size_t effort() const { return 0; }
-  void restart() {}
-
- private:
-  double distance_;
-  const ExecutionContext* context_;
 };
 
 }  // namespace
@@ -244,12 +229,12 @@ struct GirthSolver::State {
       return geodesic::Goal(*unfolding, place, half);
     };
     const geodesic::Goal back = straightTo(source), straight = straightTo(middle);
-    Within within(half, context);
+    geodesic::Until until([half] { return half; }, context);
     countRun();
     propagation.headFor(&back);
-    propagation.run(std::span(&middle, 1), Keep::Nothing, within);
+    propagation.run(std::span(&middle, 1), Keep::Nothing, until);
     propagation.headFor(nullptr);
-    if (within.interrupted()) return std::nullopt;
+    if (until.cancelled()) return std::nullopt;
 
     // What that left out is too far from the midpoint for a way between the two.
     std::vector<double> least(unfolding->vertexCount());

@@ -1,0 +1,30 @@
+// How far a propagation is to go, where nothing is looked for on the way.
+#pragma once
+
+#include "geodesic/propagation.h"
+#include "girth/execution.h"
+
+namespace girth::geodesic {
+
+/// A visitor of Propagation::run that ends once the frontier has passed the distance that `limit`
+/// returns.
+template <class Limit>
+class Until {
+ public:
+  Until(Limit limit, const ExecutionContext& context) : limit_(limit), context_(context) {}
+
+  bool enough(double frontier) { return interrupted() || frontier > limit_(); }
+  bool interrupted() { return cancelled_ = context_.cancelled(); }
+  void onCrossing(Index, std::uint32_t, const CrossingResult&) {}
+  void onVertex(Index) {}
+  void restart() {}
+  std::size_t effort() const { return 0; }
+  bool cancelled() const { return cancelled_; }
+
+ private:
+  Limit limit_;
+  const ExecutionContext& context_;
+  bool cancelled_{false};
+};
+
+}  // namespace girth::geodesic
