@@ -1,7 +1,7 @@
 // What every browser test needs: a static server with the headers under test, and Chromium.
 
-import { createReadStream, existsSync } from 'node:fs';
-import { readFile, stat } from 'node:fs/promises';
+import { existsSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import { createServer, type IncomingMessage, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, resolve, sep } from 'node:path';
@@ -103,18 +103,19 @@ export async function serve(folder: string, options: ServeOptions = {}): Promise
     const [mount, root] = roots.find(([mount]) => path.startsWith(mount))!;
     const inside = path.slice(mount.length);
     const file = resolve(root, path.endsWith('/') ? `${inside}index.html` : inside);
-    const found =
-      file.startsWith(root + sep) && (await stat(file).catch(() => undefined))?.isFile();
-    if (!found) {
+    // Read as a whole: a test may take files away at any moment.
+    const body = file.startsWith(root + sep)
+      ? await readFile(file).catch(() => undefined)
+      : undefined;
+    if (!body) {
       response.writeHead(404, headers).end('not found');
       return;
     }
     const type = mediaTypes[extname(file)] ?? 'application/octet-stream';
-    const instead = options.answers?.(path, await readFile(file));
+    const instead = options.answers?.(path, body);
     const status = instead?.status ?? 200;
     response.writeHead(status, { ...headers, 'Content-Type': instead?.type ?? type });
-    if (instead?.body !== undefined) response.end(instead.body);
-    else createReadStream(file).pipe(response);
+    response.end(instead?.body ?? body);
   };
   const server = createServer((request, response) => void answer(request, response));
   await new Promise<void>((done) => server.listen(0, '127.0.0.1', done));
