@@ -38,6 +38,23 @@ test('a language that is none, as under LANG=C, keeps nothing from working', asy
   expect(complaints).toEqual([]);
 });
 
+test('a file that is chosen before anybody listens is opened', async () => {
+  let release = (): void => undefined;
+  const released = new Promise<void>((done) => (release = done));
+  const { page, complaints } = await openPage('about:blank', {}, (page) =>
+    page.route('**/assets/*.js', async (route) => {
+      await released;
+      await route.continue();
+    }),
+  );
+  await page.goto(server.url, { waitUntil: 'commit' });
+  await page.locator('#file').setInputFiles(join(repository, 'tests/data/prism.obj'));
+  release();
+  await modelIs(page, 'prism.obj');
+  expect(await page.locator('#file').inputValue()).toBe('');
+  expect(complaints).toEqual([]);
+});
+
 test('a module that throws while it starts ends in words', async () => {
   const { page, complaints } = await openAfter((page) =>
     page.addInitScript(() => {

@@ -452,20 +452,21 @@ function shared(): Shared {
   };
 }
 
-/** Lets a button choose files, or a folder. */
-function choosesFiles(button: string, input: string): void {
+/** Lets a button choose files, or a folder. Returns what opens those that have been chosen. */
+function choosesFiles(button: string, input: string): () => void {
   const chooser = byId<HTMLInputElement>(input);
   byId(button).addEventListener('click', () => chooser.click());
-  chooser.addEventListener('change', () => {
+  const take = (): void => {
     const chosen = [...(chooser.files ?? [])];
     // The same file may be chosen again after it was changed. Nobody types here.
     // eslint-disable-next-line no-restricted-syntax
     chooser.value = '';
     if (chosen.length > 0) void openFiles(chosen);
-  });
+  };
+  chooser.addEventListener('change', take);
+  return take;
 }
-choosesFiles('open', 'file');
-choosesFiles('open-folder', 'folder');
+const takeChosen = [choosesFiles('open', 'file'), choosesFiles('open-folder', 'folder')];
 
 const explanation = byId<HTMLDialogElement>('explanation');
 byId('help').addEventListener('click', () => explanation.showModal());
@@ -513,5 +514,7 @@ if (first.file !== undefined && first.model === undefined) wanted = first;
 pressControls();
 forwardKeys(viewer);
 isBuilt = true;
+// What was chosen before anybody listened.
+for (const take of takeChosen) take();
 await examples.prepare();
 if (!session.isAsked) void address.during(go(first));
