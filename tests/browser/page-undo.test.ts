@@ -42,6 +42,18 @@ test('each change is a step back, and forth again, the model too', async () => {
   await expect.poll(() => viewer.getAttribute('isolines')).toBe('10');
   expect(await isDisabled()).toEqual(['false', 'true']);
 
+  // Two clicks are two steps, however soon the second comes.
+  const log = page.getByRole('checkbox', { name: 'log' });
+  await log.evaluate((box: HTMLInputElement) => {
+    box.click();
+    box.click();
+  });
+  await undo.click();
+  expect(await log.isChecked()).toBe(true);
+  await undo.click();
+  expect(await log.isChecked()).toBe(false);
+  await expect.poll(() => fragment(page)).toContain('isolines=10');
+
   // A file that was dropped comes back, though no link can have it.
   await drop(page, { name: 'cube.obj', bytes: Buffer.from(box(2, 2, 2)) });
   await modelIs(page, 'cube.obj');

@@ -33,6 +33,8 @@ export class Address {
     this.#read = read;
     this.#apply = apply;
     this.#steps = new UndoSteps(stepped);
+    // A click is an action of its own, however soon after another one.
+    window.addEventListener('click', () => this.flush(), { capture: true });
     window.addEventListener('popstate', () => {
       clearTimeout(this.#timer);
       apply(this.state);
