@@ -1,13 +1,15 @@
-// Remeshing, and fields carried from one mesh of a surface to another.
+// Remeshing, smoothing, and fields carried from one mesh of a surface to another.
 
 #include "girth/remesh.h"
 
 #include <emscripten/bind.h>
 
+#include <cmath>
 #include <utility>
 
 #include "boundary.h"
 #include "girth/field_difference.h"
+#include "girth/smooth_surface.h"
 #include "girth/transfer.h"
 #include "job_surface.h"
 
@@ -31,6 +33,17 @@ val remeshSurface(const JobSurface& surface, double faces, bool even, const val&
         remesh(surface.mesh(), options, reportingTo(onProgress));
     if (!remeshed) return toJs(remeshed.error());
     return describe(remeshed.value().mesh);
+  });
+}
+
+/// The surface with its vertices moved, as `describe` gives it, or an error.
+val smoothed(const JobSurface& surface, double steps, const val& onProgress) {
+  return guarded([&] {
+    const bool isNumber = steps >= 0 && steps <= kMostSmoothing && std::floor(steps) == steps;
+    const Result<SurfaceMesh> smooth = smoothSurface(
+        surface.mesh(), isNumber ? static_cast<Index>(steps) : kNoIndex, reportingTo(onProgress));
+    if (!smooth) return toJs(smooth.error());
+    return describe(smooth.value());
   });
 }
 
@@ -67,6 +80,7 @@ val difference(const JobSurface& one, const val& values, const JobSurface& other
 
 EMSCRIPTEN_BINDINGS(girthRemesh) {
   emscripten::function("remesh", &remeshSurface);
+  emscripten::function("smooth", &smoothed);
   emscripten::function("carryBack", &carryBack);
   emscripten::function("difference", &difference);
 }

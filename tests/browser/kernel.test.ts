@@ -281,7 +281,7 @@ for (const mode of ['threads', 'pool'] as const) {
       expect(result).toEqual({ codes: ['CANCELLED', 'CANCELLED', 'CANCELLED'], count: 600 });
     });
 
-    test('another triangulation: its size, its genus, and values carried back', async () => {
+    test('another triangulation, and smoothed: its size, its genus, and values carried back', async () => {
       const result = await page.evaluate(
         async (text) => {
           const kernel = await girth.createKernel({ threads: 1 });
@@ -315,6 +315,15 @@ for (const mode of ['threads', 'pool'] as const) {
               }),
             );
           };
+          const smooth = await mesh.smooth(1);
+          const [before, after] = [mesh, smooth].map(({ geometry }) => geometry);
+          const unmoved = await mesh.smooth(0);
+          const smoothing = {
+            same: String(before!.indices) === String(after!.indices),
+            moved: before!.positions.some((x, i) => x !== after!.positions[i]),
+            none: String(unmoved.geometry.positions) === String(before!.positions),
+            refused: (await girth.refusal(mesh.smooth(101))).code,
+          };
           const evener = (await longest(true)) < (await longest(false));
           kernel.dispose();
           return {
@@ -325,6 +334,7 @@ for (const mode of ['threads', 'pool'] as const) {
             codes,
             progress,
             evener,
+            smoothing,
             length: loop.length,
           };
         },
@@ -335,6 +345,7 @@ for (const mode of ['threads', 'pool'] as const) {
         genus: [1],
         codes: ['CANCELLED', 'INVALID_OPTION'],
         evener: true,
+        smoothing: { same: true, moved: true, none: true, refused: 'INVALID_OPTION' },
       });
       expect(result.same).toBeLessThan(1e-15);
       expect(result.wrong).toBeLessThan(0.05);

@@ -133,6 +133,17 @@ def test_other_triangles_of_the_same_surface():
         np.testing.assert_allclose(other.area, mesh.area, rtol=0.05)
 
 
+def test_smoothed_it_is_nearer_to_what_it_was_before_noise():
+    vertices, faces = torus()
+    noise = np.random.default_rng(1).normal(scale=0.1, size=vertices.shape)
+    rough = girth.Mesh(vertices + noise, faces)
+    smooth = rough.smooth(3)
+    np.testing.assert_array_equal(smooth.faces, rough.faces)
+    error = [np.abs(one.vertices - vertices).mean() for one in (rough, smooth)]
+    assert error[1] < 0.7 * error[0]
+    np.testing.assert_array_equal(rough.smooth(0).vertices, rough.vertices)
+
+
 def test_shapes_of_any_size_and_place_are_the_same():
     vertices, faces = torus()
     turned = vertices[:, [1, 2, 0]] * 7 + 3

@@ -133,7 +133,11 @@ int run(const Options& options) {
   }
   std::optional<SurfaceMesh> smooth;
   if (options.smoothing > 0) {
-    auto made = smoothSurface(repaired ? repaired->mesh : loaded.value().mesh, options.smoothing);
+    auto made = [&] {
+      ProgressLine progress(options.model);
+      return smoothSurface(repaired ? repaired->mesh : loaded.value().mesh, options.smoothing,
+                           watched(options.threads, progress));
+    }();
     if (!made) return reportError(options.model, made.error());
     smooth = std::move(made).value();
   }

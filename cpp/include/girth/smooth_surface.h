@@ -2,6 +2,7 @@
 #pragma once
 
 #include "girth/error.h"
+#include "girth/execution.h"
 #include "girth/export.h"
 #include "girth/surface_mesh.h"
 
@@ -17,7 +18,8 @@ inline constexpr Index kMostSmoothing = 100;
 /// themselves. Three steps do for noise of half an edge. Vertices and faces keep their numbers.
 /// Faces may come to intersect. `steps`: from 0, which is the surface itself. O(steps · n).
 ///
-/// Errors: INVALID_OPTION (steps); DEGENERATE_FACE where a face loses its area.
-GIRTH_EXPORT Result<SurfaceMesh> smoothSurface(const SurfaceMesh& mesh, Index steps);
+/// Errors: INVALID_OPTION (steps); DEGENERATE_FACE where a face loses its area; CANCELLED.
+GIRTH_EXPORT Result<SurfaceMesh> smoothSurface(const SurfaceMesh& mesh, Index steps,
+                                               const ExecutionContext& context = {});
 
 }  // namespace girth

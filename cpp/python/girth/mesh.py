@@ -795,6 +795,29 @@ class Mesh:
         )
         return Mesh(*arrays, unit=self._unit)
 
+    def smooth(self, steps: int, *, progress: Progress = None) -> "Mesh":
+        """The mesh without the wrinkles of a rough scan: the same triangles, vertices moved.
+
+        Wrinkles about as long as an edge go, and limbs stay as thick as they are (Taubin 1995).
+        Rough scans are smoothed before they are compared.
+
+        Parameters
+        ----------
+        steps : int
+            From 0 to 100; three do for noise of half an edge.
+        progress
+            As of `igf`.
+
+        Returns
+        -------
+        Mesh
+            Vertices and faces keep their order; what preparing has left out is not there.
+        """
+        arrays = self._surface.smooth(
+            whole_number(steps, "steps"), running(None, progress)
+        )
+        return Mesh(*arrays, unit=self._unit)
+
     def to_pyvista(self) -> Any:
         """The mesh as PyVista's ``PolyData``.
 

@@ -18,6 +18,7 @@
 #include "girth/io/load_mesh.h"
 #include "girth/refined_girth.h"
 #include "girth/remesh.h"
+#include "girth/smooth_surface.h"
 #include "girth/spectrum.h"
 #include "girth/thickness.h"
 #include "girth/vertex_areas.h"
@@ -340,6 +341,17 @@ py::tuple remeshed(const Shared& surface, std::int64_t faces, bool even, const R
   return py::make_tuple(positionArray(result.mesh), triangleArray(result.mesh));
 }
 
+/// Vertices and faces of the surface with its vertices moved.
+py::tuple smoothed(const Shared& surface, std::int64_t steps, const Running& running) {
+  const bool isIndex = steps >= 0 && steps < std::int64_t{kNoIndex};
+  const Index wanted = isIndex ? static_cast<Index>(steps) : kNoIndex;
+  const auto smooth =
+      compute<SurfaceMesh>(running, [surface, wanted](const ExecutionContext& context) {
+        return smoothSurface(surface->mesh(), wanted, context);
+      });
+  return py::make_tuple(positionArray(smooth), triangleArray(smooth));
+}
+
 }  // namespace
 
 void bindSurface(py::module_& module) {
@@ -379,7 +391,8 @@ void bindSurface(py::module_& module) {
       .def("barcode", &barcodeAt)
       .def("distances", &distancesFrom)
       .def("path", &pathBetween)
-      .def("remesh", &remeshed);
+      .def("remesh", &remeshed)
+      .def("smooth", &smoothed);
 }
 
 }  // namespace girth::python

@@ -8,8 +8,10 @@
 
 #include "geodesic/fast_marching.h"
 #include "geodesic/propagation.h"
+#include "geodesic/until.h"
 #include "girth/parallel.h"
 #include "girth/vertex_areas.h"
+#include "infinity.h"
 #include "mesh/check_vertex.h"
 #include "no_value.h"
 
@@ -27,17 +29,6 @@ struct Sum {
     total += area * distance;
     greatest = std::max(greatest, distance);
   }
-};
-
-/// Lets a propagation run to its end, or until cancelled.
-struct UntilCancelled {
-  const ExecutionContext& context;
-  bool enough(double) const { return interrupted(); }
-  bool interrupted() const { return context.cancelled(); }
-  void onCrossing(Index, std::uint32_t, const geodesic::CrossingResult&) {}
-  void onVertex(Index) {}
-  void restart() {}
-  std::size_t effort() const { return 0; }
 };
 
 /// What the vertices of a surface have in common.
@@ -80,7 +71,7 @@ class ExtentSolver {
     } else {
       const geodesic::Unfolding& unfolding = *shared_->unfolding;
       const SurfacePoint source = unfolding.fromMesh(SurfacePoint::atVertex(vertex));
-      UntilCancelled visitor{context};
+      geodesic::Until visitor([] { return kInfinity; }, context);
       propagation_->run(std::span(&source, 1), geodesic::Keep::Nothing, visitor);
       if (propagation_->gaveUp()) return {};
       for (const Index reached : propagation_->reachedVertices()) {

@@ -30,10 +30,15 @@ Vec3 meanAround(const SurfaceMesh& mesh, const std::vector<Vec3>& positions, Ver
   return isBoundary ? 0.5 * (first + last) : (1 / count) * sum;
 }
 
-/// Moves every vertex by a share of the way to the mean around it.
-void move(const SurfaceMesh& mesh, std::vector<Vec3>& positions, double share) {
+/// So many vertices are moved before it is asked whether to stop.
+constexpr Index kMovedAtATime = 1 << 14;
+
+/// Moves every vertex by a share of the way to the mean around it, unless cancelled.
+void move(const SurfaceMesh& mesh, std::vector<Vec3>& positions, double share,
+          const ExecutionContext& context) {
   std::vector<Vec3> moved(positions);
   for (const Vertex v : mesh.vertices()) {
+    if (v % kMovedAtATime == 0 && context.cancelled()) return;
     moved[v] = positions[v] + share * (meanAround(mesh, positions, v) - positions[v]);
   }
   positions = std::move(moved);
@@ -41,15 +46,18 @@ void move(const SurfaceMesh& mesh, std::vector<Vec3>& positions, double share) {
 
 }  // namespace
 
-Result<SurfaceMesh> smoothSurface(const SurfaceMesh& mesh, Index steps) {
+Result<SurfaceMesh> smoothSurface(const SurfaceMesh& mesh, Index steps,
+                                  const ExecutionContext& context) {
   if (steps > kMostSmoothing) {
     return makeError(ErrorCode::InvalidOption, -1,
                      "smoothing is 0 to " + std::to_string(kMostSmoothing) + " steps");
   }
   std::vector<Vec3> positions = positionsOf(mesh);
   for (Index step = 0; step < steps; ++step) {
-    move(mesh, positions, kThere);
-    move(mesh, positions, kBack);
+    move(mesh, positions, kThere, context);
+    move(mesh, positions, kBack, context);
+    if (context.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
+    if (context.onProgress && step + 1 < steps) context.onProgress((step + 1.0) / steps);
   }
   auto smooth = surfaceOf(positions, trianglesOf(mesh));
   if (!smooth) {
@@ -57,6 +65,7 @@ Result<SurfaceMesh> smoothSurface(const SurfaceMesh& mesh, Index steps) {
     error.hint = "smooth it in fewer steps";
     return error;
   }
+  if (context.onProgress) context.onProgress(1);
   return smooth;
 }
 

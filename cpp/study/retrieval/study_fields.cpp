@@ -165,7 +165,8 @@ Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh, const FieldParameters&
     remeshed.assign(1, std::move(noisy).value());
   }
   if (parameters.smoothing != 0) {
-    auto smooth = smoothSurface(remeshed.empty() ? mesh : remeshed.front(), parameters.smoothing);
+    auto smooth =
+        smoothSurface(remeshed.empty() ? mesh : remeshed.front(), parameters.smoothing, context);
     if (!smooth) return smooth.error();
     remeshed.assign(1, std::move(smooth).value());
   }

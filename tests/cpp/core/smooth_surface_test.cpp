@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -112,6 +113,17 @@ TEST(SmoothSurface, GoesWithScale) {
   for (const Vertex v : small.value().vertices()) {
     EXPECT_EQ(scaled.value().position(v).x, 1024 * small.value().position(v).x);
   }
+}
+
+TEST(SmoothSurface, SaysHowFarItIsAndStops) {
+  const SurfaceMesh mesh = test::torus(2, 0.7, 20, 10).mesh();
+  std::vector<double> shares;
+  std::atomic<bool> cancel{false};
+  const ExecutionContext context{1, &cancel, [&](double share) { shares.push_back(share); }};
+  ASSERT_TRUE(smoothSurface(mesh, 4, context).ok());
+  EXPECT_EQ(shares, (std::vector<double>{0.25, 0.5, 0.75, 1}));
+  cancel = true;
+  EXPECT_EQ(smoothSurface(mesh, 4, context).error().code, ErrorCode::Cancelled);
 }
 
 TEST(SmoothSurface, Refuses) {

@@ -14,6 +14,8 @@ function drawn(method: GirthMethod = 'exact', persistence = 0) {
   const runs: { name: FieldName; options: FieldOptions; finish: () => void }[] = [];
   const lent: number[][] = [];
   const disposed: string[] = [];
+  /** What a whole field waits for. */
+  const waiting: { for: Promise<void> | undefined } = { for: undefined };
   /** One on fewer triangles: it has other values. */
   const remeshed = {
     info: { vertexCount: 2, faceCount: 9_998 },
@@ -53,10 +55,11 @@ function drawn(method: GirthMethod = 'exact', persistence = 0) {
     lent: ({ preview }) => lent.push([...preview!.values]),
     received: ({ preview }, partial) => preview!.receive(partial, () => undefined),
     progressed: () => undefined,
+    arriving: () => waiting.for,
     ended: ({ name, field }: FieldState, error) =>
       ended.push({ name, whole: !!field, code: (error as { code?: string } | undefined)?.code }),
   });
-  return { fields, runs, ended, lent, disposed };
+  return { fields, runs, ended, lent, disposed, waiting };
 }
 
 afterEach(() => vi.unstubAllGlobals());
@@ -91,6 +94,20 @@ test('what was cancelled keeps its values and can be computed again', async () =
   const second = fields.compute('igf');
   runs[1]!.finish();
   expect((await second).values).toHaveLength(vertexCount);
+});
+
+test('a whole field counts once its host is ready for it, and is not lost where it is cancelled meanwhile', async () => {
+  const { fields, runs, ended, waiting } = drawn();
+  let ready = (): void => undefined;
+  waiting.for = new Promise((resolve) => (ready = resolve));
+  const computed = fields.compute('igf');
+  runs[0]!.finish();
+  await new Promise((resolve) => setTimeout(resolve));
+  expect([fields.wholeOf('igf'), fields.computing, ended]).toEqual([undefined, 'igf', []]);
+  fields.cancel();
+  ready();
+  expect((await computed).values).toHaveLength(vertexCount);
+  expect(ended).toEqual([{ name: 'igf', whole: true, code: undefined }]);
 });
 
 test('asked for again before the cancelled computation has ended', async () => {

@@ -5,6 +5,7 @@ import {
   histogram,
   placesWithin,
   quantile,
+  quantiles,
   shareWithin,
 } from '../../../web/src/view/plots/distribution.js';
 
@@ -68,16 +69,19 @@ test('quantiles are those of the sorted values, whatever their weights and sprea
     const sorted = values.map((value, i) => [value, weights[i]!] as const).filter(([v]) => v === v);
     sorted.sort((a, b) => a[0] - b[0]);
     const total = sorted.reduce((sum, [, weight]) => sum + weight, 0);
-    for (const share of [0, 0.05, 0.5, 0.95, 1]) {
+    const shares = [0, 0.95, 0.05, 0.5, 0.5001, 1];
+    const expected = shares.map((share) => {
       let sum = 0;
-      const expected = sorted.find(([, weight]) => (sum += weight) >= share * total)![0];
-      expect(quantile(values, weights, share)).toBe(expected);
-    }
+      return sorted.find(([, weight]) => (sum += weight) >= share * total)![0];
+    });
+    expect(quantiles(values, weights, shares)).toEqual(expected);
+    expect(shares.map((share) => quantile(values, weights, share))).toEqual(expected);
   }
 });
 
 test('quantiles of nothing, of few, and of extreme values', () => {
   expect(quantile([NaN], undefined, 0.5)).toBeNaN();
+  expect(quantiles([NaN, Infinity], undefined, [0.1, 0.9])).toEqual([NaN, NaN]);
   expect(quantile([NaN, 2, 1, NaN, 5], undefined, 0.5)).toBe(2);
   const wide = Array.from({ length: 1000 }, (_, i) => (i < 500 ? -1.7e308 : 1.7e308));
   expect(quantile(wide, undefined, 0.25)).toBe(-1.7e308);

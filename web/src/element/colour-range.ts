@@ -3,7 +3,7 @@
 // Where nothing is wished for, the colours follow the body of the values: where few places stretch the range,
 // the map ends where the body does, and the legend shows what lies beyond.
 
-import { quantile } from '../view/index.js';
+import { quantiles } from '../view/index.js';
 
 /** Shares of the surface that may lie below and above the body. */
 const tail = 0.02;
@@ -51,7 +51,7 @@ export class ColourRange {
   sharesOf(values: Float64Array, weights: Float64Array, shares: Ends): Ends {
     const words = shares.join();
     if (this.#shares?.key !== values || this.#shares.shares !== words) {
-      const [low, high] = shares.map((share) => quantile(values, weights, share));
+      const [low, high] = quantiles(values, weights, shares);
       this.#shares = { key: values, shares: words, ends: [low!, high!] };
     }
     return this.#shares.ends;
@@ -64,7 +64,7 @@ export function withoutTails(
   weights: Float64Array | undefined,
   [low, high]: Ends,
 ): Ends {
-  const [first, last] = [tail, 1 - tail].map((share) => quantile(values, weights, share));
+  const [first, last] = quantiles(values, weights, [tail, 1 - tail]);
   const width = last! - first!;
   if (!(width > 0)) return [low, high];
   return [

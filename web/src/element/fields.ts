@@ -55,6 +55,8 @@ export interface FieldsHost {
   /** New values, not yet in the state's preview. */
   received(state: FieldState, partial: PartialField): void;
   progressed(name: FieldName, fraction: number, secondsLeft: number | undefined): void;
+  /** A whole field has come; it counts once the promise is settled, or at once where there is none. */
+  arriving(state: FieldState, field: Field): Promise<void> | undefined;
   /** The computation is over: complete, cancelled or failed. */
   ended(state: FieldState, error?: unknown): void;
 }
@@ -263,6 +265,8 @@ export class Fields {
     try {
       const field = await (this.#known(name, persistence) ?? this.#computed(state, signal));
       if (name === 'igf' && persistence === 0) this.#girths.set(method, field);
+      const arriving = this.#host.arriving(state, field);
+      if (arriving) await arriving;
       state.field = field;
       state.preview = undefined;
       return field;

@@ -21,5 +21,11 @@ export const refusedCalls = (refuse: () => Promise<never>): Omit<Mesh, Known> =>
   ...{ parts: refuse, suggestedThresholds: refuse, segments: refuse, exportSegments: refuse },
   ...{ printCheck: refuse, maxima: refuse, heatMaxima: refuse, difference: refuse },
   ...{ exportField: refuse, exportFields: refuse, exportLoops: refuse, exportTips: refuse },
-  ...{ exportLimbs: refuse, exportParts: refuse, exportWeakPlaces: refuse, remesh: refuse },
+  ...{
+    exportLimbs: refuse,
+    exportParts: refuse,
+    exportWeakPlaces: refuse,
+    remesh: refuse,
+    smooth: refuse,
+  },
 });

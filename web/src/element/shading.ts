@@ -30,6 +30,7 @@ import {
   isFieldName,
   isGivenName,
   lengthFormat,
+  nextTask,
   partKinds,
   shareWithin,
 } from '../view/index.js';
@@ -47,6 +48,9 @@ import type { RangeChoice } from './parse.js';
 const steepestGirth = 4;
 /** Milliseconds a frame may spend on spreading colours. */
 const spreadBudget = 5;
+
+/** From so many values on their range is found in a task of its own. */
+const manyValues = 50_000;
 
 /** Codes that the girth has beside its values, and what they mean. */
 const codeWords = { kind: girthKinds, state: girthStates };
@@ -220,6 +224,29 @@ export class Shading {
     }
     const needsAreas = range ? range.by === 'shares' && !isOfCategories(name) : hasBody(name);
     if (needsAreas) this.#areas ??= await model.areas();
+  }
+
+  /**
+   * Finds the range of a field that is about to be shown. On a large surface this is a task of its own: together
+   * with the colouring it would hold up the page. Undefined where there is nothing to wait for.
+   */
+  awaitRange(field: Field): Promise<void> | undefined {
+    const { name, range } = this.wishes;
+    const isFound = range ? range.by === 'values' : !hasBody(name);
+    if (field.name !== name || field.values.length < manyValues || isFound) return undefined;
+    return this.#awaitRange(field);
+  }
+
+  async #awaitRange({ values, range: extent }: Field): Promise<void> {
+    // What goes wrong with the areas is reported where the colours are prepared.
+    this.#areas ??= await this.#model.areas().catch(() => undefined);
+    const { range } = this.wishes;
+    if (range?.by === 'shares' && this.#areas) {
+      this.#colourRange.sharesOf(values, this.#areas, range.ends);
+    } else if (!range && !Number.isNaN(extent[0])) {
+      this.#colourRange.bodyOf({ values, count: values.length, weights: this.#areas, extent });
+    }
+    await nextTask();
   }
 
   #keepTips(made: Tips): void {

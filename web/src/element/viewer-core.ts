@@ -856,6 +856,8 @@ export class ViewerCore {
       this.#controls.updateTurning();
       if (fraction > 0) this.#send('progress', { name, fraction, secondsLeft });
     },
+    arriving: (state, field) =>
+      this.#isPresent(state) ? this.presented!.shading.awaitRange(field) : undefined,
     ended: (state, error) => {
       if (!this.#isPresent(state)) return;
       const { name, field } = state;

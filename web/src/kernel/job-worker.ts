@@ -115,6 +115,11 @@ serveRequests<JobOperations>({
     return remeshedSurface(made, info);
   },
 
+  smooth({ surface, steps, info }, report) {
+    const made = checked(analysis.smooth(surfaces.get(surface), steps, progressTo(report)));
+    return remeshedSurface(made, info);
+  },
+
   carryBack({ surface, remeshed, values, kinds }) {
     return checked(
       analysis.carryBack(surfaces.get(surface), surfaces.get(remeshed), values, kinds),

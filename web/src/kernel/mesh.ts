@@ -581,6 +581,15 @@ export class MeshOfWorkers implements Mesh {
     });
   }
 
+  async smooth(steps: number, { signal, onProgress }: WatchedOptions = {}): Promise<Mesh> {
+    const passing = bytesOf(this.#jobSurface);
+    const opened = await this.#ask('smooth', { steps, info: this.info }, signal, {
+      onProgress,
+      passing,
+    });
+    return new MeshOfWorkers(this.#host, opened);
+  }
+
   async #carryBack(
     remeshed: MeshOfWorkers,
     values: Float64Array,

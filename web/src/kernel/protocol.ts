@@ -236,6 +236,8 @@ export interface JobOperations extends CommonOperations {
   adopt: [{ surface: number; arrays: SurfaceWithInput }, object];
   /** A surface of about so many faces. `info` is that of the original. */
   remesh: [{ surface: number; faces: number; even: boolean; info: MeshInfo }, OpenedSurface];
+  /** The surface with its vertices moved. `info` is that of the original. */
+  smooth: [{ surface: number; steps: number; info: MeshInfo }, OpenedSurface];
   /** Carries values at the vertices of `remeshed`, and kinds where there are some, to those of `surface`. */
   carryBack: [
     { surface: number; remeshed: number; values: Float64Array; kinds: Uint8Array },

@@ -1335,6 +1335,13 @@ export interface Mesh {
    */
   remesh(faces: number, options?: RemeshOptions): Promise<RemeshedMesh>;
   /**
+   * Makes a surface with the same triangles whose vertices have moved, so that wrinkles about as long as an edge
+   * are gone and limbs are as thick as before: rough scans are smoothed before they are compared. `steps`: 0 to
+   * 100; three do for noise of half an edge (`smooth_surface.h`). Vertices and faces keep their numbers. Errors:
+   * INVALID_OPTION; DEGENERATE_FACE where a face loses its area.
+   */
+  smooth(steps: number, options?: WatchedOptions): Promise<Mesh>;
+  /**
    * Measures how far a field is from one on another mesh, whatever their sizes: equation (1) of the paper,
    * from 0 (`field_difference.h`). Each field is one of its mesh.
    * @experimental

@@ -161,6 +161,8 @@ declare module '*/girth-analysis.mjs' {
       even: boolean,
       onProgress: OnProgress,
     ): Described | Failed;
+    /** The surface with its vertices moved. */
+    smooth(surface: JobSurface, steps: number, onProgress: OnProgress): Described | Failed;
     /** Values of a remeshed surface at the vertices of the original one. */
     carryBack(
       original: JobSurface,

@@ -55,7 +55,7 @@ export {
 export type { ScreenPoint } from './picker.js';
 export type { Place } from './place-view.js';
 export { PointMarks } from './point-marks.js';
-export { quantile, shareWithin } from './plots/distribution.js';
+export { quantile, quantiles, shareWithin } from './plots/distribution.js';
 export { type Box, Silhouette } from './silhouette.js';
 export { type Graphics } from './renderer.js';
 export { Stage } from './stage.js';

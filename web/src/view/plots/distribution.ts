@@ -130,55 +130,115 @@ const fewValues = 256;
 const divisions = 1024;
 
 /**
- * The least value such that at least `share` of the weight is at most this value; NaN where there is
- * none. By counting in ever narrower intervals, since sorting would hold up the page.
+ * Of each share the least value such that at least this share of the weight is at most this value; NaN where
+ * there is none. By counting in ever narrower intervals, since sorting would hold up the page.
  */
-export function quantile(values: ArrayLike<number>, weights: Weights, share: number): number {
-  // The places of finite values, of which those that count are kept in front.
-  const places = new Uint32Array(values.length);
+export function quantiles(
+  values: ArrayLike<number>,
+  weights: Weights,
+  shares: readonly number[],
+): number[] {
   let [low, high] = [Infinity, -Infinity];
-  let [count, total] = [0, 0];
+  let total = 0;
   for (let i = 0; i < values.length; ++i) {
     const value = values[i]!;
     if (!Number.isFinite(value)) continue;
-    places[count++] = i;
     total += weights ? weights[i]! : 1;
     if (value < low) low = value;
     if (value > high) high = value;
   }
-  if (count === 0) return NaN;
-  let wanted = Math.min(1, Math.max(0, share)) * total;
-  while (count > fewValues && high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high))) {
-    const scale = divisions / (high - low);
-    if (!(scale > 0) || !Number.isFinite(scale)) break;
-    const sums = new Float64Array(divisions);
-    for (let k = 0; k < count; ++k) {
-      const i = places[k]!;
-      const bin = Math.min(divisions - 1, Math.floor((values[i]! - low) * scale));
-      sums[bin] = sums[bin]! + (weights ? weights[i]! : 1);
+  if (!(low <= high)) return shares.map(() => NaN);
+  const wanted = shares.map((share, index) => ({
+    weight: Math.min(1, Math.max(0, share)) * total,
+    index,
+  }));
+  const result = new Array<number>(shares.length);
+  findReached(values, weights, [low, high], wanted, result);
+  return result;
+}
+
+/** `quantiles` of one share. */
+export function quantile(values: ArrayLike<number>, weights: Weights, share: number): number {
+  return quantiles(values, weights, [share])[0]!;
+}
+
+/** Looked for: the value at which the weights, by rising values, sum up to `weight`. */
+interface Wanted {
+  weight: number;
+  /** Where the value goes in the result. */
+  index: number;
+}
+
+/** Finds the values at which weights are reached; the finite values lie from low to high, and some are there. */
+function findReached(
+  values: ArrayLike<number>,
+  weights: Weights,
+  [low, high]: readonly [number, number],
+  wanted: readonly Wanted[],
+  result: number[],
+): void {
+  const scale = divisions / (high - low);
+  const isNarrow = !(high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high)));
+  if (values.length <= fewValues || isNarrow || !(scale > 0) || !Number.isFinite(scale)) {
+    const rising = risingPlaces(values);
+    for (const { weight, index } of wanted) {
+      result[index] = reachedAmong(values, weights, rising, weight);
     }
-    let chosen = 0;
-    while (chosen < divisions - 1 && sums[chosen]! < wanted) wanted -= sums[chosen++]!;
+    return;
+  }
+  const sums = new Float64Array(divisions);
+  const counts = new Uint32Array(divisions);
+  for (let i = 0; i < values.length; ++i) {
+    const value = values[i]!;
+    if (!(value >= low && value <= high)) continue;
+    const bin = Math.min(divisions - 1, Math.floor((value - low) * scale));
+    sums[bin] = sums[bin]! + (weights ? weights[i]! : 1);
+    counts[bin] = counts[bin]! + 1;
+  }
+  const chosen = new Map<number, Wanted[]>();
+  for (const { weight, index } of wanted) {
+    let [bin, rest] = [0, weight];
+    while (bin < divisions - 1 && sums[bin]! < rest) rest -= sums[bin++]!;
     // Rounding in the sums may have run past the last bin that holds anything.
-    while (chosen > 0 && sums[chosen] === 0) wanted += sums[--chosen]!;
+    while (bin > 0 && sums[bin] === 0) rest += sums[--bin]!;
+    chosen.set(bin, [...(chosen.get(bin) ?? []), { weight: rest, index }]);
+  }
+  for (const [bin, inside] of chosen) {
+    const kept = new Float64Array(counts[bin]!);
+    const keptWeights = weights && new Float64Array(kept.length);
     let [least, most] = [Infinity, -Infinity];
-    let inside = 0;
-    for (let k = 0; k < count; ++k) {
-      const i = places[k]!;
+    for (let i = 0, n = 0; n < kept.length; ++i) {
       const value = values[i]!;
-      if (Math.min(divisions - 1, Math.floor((value - low) * scale)) !== chosen) continue;
-      places[inside++] = i;
+      if (!(value >= low && value <= high)) continue;
+      if (Math.min(divisions - 1, Math.floor((value - low) * scale)) !== bin) continue;
+      if (keptWeights) keptWeights[n] = weights[i]!;
+      kept[n++] = value;
       if (value < least) least = value;
       if (value > most) most = value;
     }
-    count = inside;
-    [low, high] = [least, most];
+    findReached(kept, keptWeights, [least, most], inside, result);
   }
-  const last = places.slice(0, count).sort((a, b) => values[a]! - values[b]!);
+}
+
+/** The places of finite values, by rising values. */
+function risingPlaces(values: ArrayLike<number>): Uint32Array {
+  const places = new Uint32Array(values.length);
+  let count = 0;
+  for (let i = 0; i < values.length; ++i) if (Number.isFinite(values[i])) places[count++] = i;
+  return places.subarray(0, count).sort((a, b) => values[a]! - values[b]!);
+}
+
+/** The value at which the weights sum up to `wanted`; `rising` are places of rising values, one at least. */
+function reachedAmong(
+  values: ArrayLike<number>,
+  weights: Weights,
+  rising: Uint32Array,
+  wanted: number,
+): number {
   let sum = 0;
-  for (const i of last) {
+  for (const i of rising) {
     sum += weights ? weights[i]! : 1;
     if (sum >= wanted * (1 - 1e-12)) return values[i]!;
   }
-  return values[last.at(-1)!]!;
+  return values[rising.at(-1)!]!;
 }
