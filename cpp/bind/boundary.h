@@ -4,6 +4,7 @@
 
 #include <emscripten/val.h>
 
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <new>
@@ -42,6 +43,12 @@ emscripten::val guarded(Body&& body) {
   } catch (...) {
     return toJs(makeError(ErrorCode::Internal, -1, "an unknown exception"));
   }
+}
+
+/// A whole number of JavaScript; kNoIndex for whatever else it is.
+inline Index indexOf(double number) {
+  const bool isIndex = number >= 0 && number < kNoIndex && std::floor(number) == number;
+  return isIndex ? static_cast<Index>(number) : kNoIndex;
 }
 
 /// A typed array with its own memory. A view into the heap would be detached when the heap grows.

@@ -50,7 +50,7 @@ val fieldGroups(const val& names) {
 }
 
 /// `StudyFields` of protocol.ts: one group of a surface, or an error.
-val studyFields(StudiesSurface& surface, const std::string& name, double faces,
+val studyFields(StudiesSurface& surface, const std::string& name, double faces, double smooth,
                 const val& onProgress) {
   return guarded([&] {
     const auto* const end = std::end(study::kFieldGroups);
@@ -66,6 +66,7 @@ val studyFields(StudiesSurface& surface, const std::string& name, double faces,
     }
     study::FieldParameters parameters;
     parameters.faces = static_cast<Index>(faces);
+    parameters.smoothing = indexOf(smooth);
     const ExecutionContext context = reportingTo(onProgress);
     if (const auto error = surface.prepareStudy(parameters)) return toJs(*error);
     const auto fields = study::studyFields(surface.study(), *group, parameters, context);

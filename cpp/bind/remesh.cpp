@@ -4,7 +4,6 @@
 
 #include <emscripten/bind.h>
 
-#include <cmath>
 #include <utility>
 
 #include "boundary.h"
@@ -39,9 +38,8 @@ val remeshSurface(const JobSurface& surface, double faces, bool even, const val&
 /// The surface with its vertices moved, as `describe` gives it, or an error.
 val smoothed(const JobSurface& surface, double steps, const val& onProgress) {
   return guarded([&] {
-    const bool isNumber = steps >= 0 && steps <= kMostSmoothing && std::floor(steps) == steps;
-    const Result<SurfaceMesh> smooth = smoothSurface(
-        surface.mesh(), isNumber ? static_cast<Index>(steps) : kNoIndex, reportingTo(onProgress));
+    const Result<SurfaceMesh> smooth =
+        smoothSurface(surface.mesh(), indexOf(steps), reportingTo(onProgress));
     if (!smooth) return toJs(smooth.error());
     return describe(smooth.value());
   });

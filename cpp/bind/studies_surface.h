@@ -36,12 +36,15 @@ class StudiesSurface {
   /// Makes the surface that fields are compared on, unless the last call did. Errors: those of
   /// study_fields.h.
   std::optional<Error> prepareStudy(const study::FieldParameters& parameters) {
-    if (study_ && parameters.faces == studyFaces_) return std::nullopt;
+    if (study_ && parameters.faces == studyFaces_ && parameters.smoothing == studySmoothing_) {
+      return std::nullopt;
+    }
     study_.reset();  // its memory first
     Result<SurfaceMesh> study = study::studySurface(mesh_, parameters);
     if (!study) return study.error();
     study_ = std::move(study).value();
     studyFaces_ = parameters.faces;
+    studySmoothing_ = parameters.smoothing;
     return std::nullopt;
   }
 
@@ -52,7 +55,7 @@ class StudiesSurface {
   SurfaceMesh mesh_;
   Index pairs_{0};
   std::optional<Spectrum> spectrum_;
-  Index studyFaces_{0};
+  Index studyFaces_{0}, studySmoothing_{0};
   std::optional<SurfaceMesh> study_;
 };
 

@@ -376,16 +376,25 @@ for (const mode of ['threads', 'pool'] as const) {
           const refused = [
             await girth.refusal(kernel.compare(meshes, { descriptors: ['igf', 'none'] })),
             await girth.refusal(kernel.compare(meshes, { descriptors: ['igf'], faces: -1 })),
+            await girth.refusal(kernel.compare(meshes, { descriptors: ['igf'], smooth: 1.5 })),
           ];
+          const smooth = await Promise.all(meshes.map((mesh) => mesh.smooth(3)));
+          const smoothed = [
+            await kernel.compare(meshes, { descriptors: ['igf'], smooth: 3 }),
+            await kernel.compare(smooth, { descriptors: ['igf'] }),
+          ].map((compared) => Array.from(compared.matrices[0]!.distances));
           const few = await kernel.compare(meshes, { descriptors: ['igf'], faces: 300 });
           kernel.dispose();
           const plain = matrices.map(({ distances }) => Array.from(distances));
           const fewer = Array.from(few.matrices[0]!.distances);
-          return { matrices: plain, failed, progress, differences, refused, fewer };
+          return { matrices: plain, failed, progress, differences, refused, fewer, smoothed };
         },
         [bulbs, torus(24, 16), torus(30, 18)] as const,
       );
       expect(result.failed).toEqual([]);
+      const [smoothed, ofSmooth] = result.smoothed;
+      expect(smoothed).not.toEqual(result.matrices[0]);
+      smoothed!.forEach((distance, i) => expect(distance).toBeCloseTo(ofSmooth![i]!, 9));
       result.matrices.forEach((matrix) => {
         for (let i = 0; i < 3; ++i) {
           expect(matrix[4 * i]).toBe(0);
@@ -409,7 +418,11 @@ for (const mode of ['threads', 'pool'] as const) {
       expect(result.fewer[1]! / igf[1]!).toBeLessThan(2);
       expect(result.progress).toEqual([...result.progress].sort((a, b) => a - b));
       expect(result.progress.at(-1)).toBe(1);
-      expect(result.refused.map(({ code }) => code)).toEqual(['USAGE', 'INVALID_OPTION']);
+      expect(result.refused.map(({ code }) => code)).toEqual([
+        'USAGE',
+        'INVALID_OPTION',
+        'INVALID_OPTION',
+      ]);
     });
 
     test('a field in mid-run is cancelled, and the next one starts', async () => {

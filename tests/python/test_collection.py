@@ -69,9 +69,10 @@ def test_a_second_run_computes_nothing(files, tmp_path, count):
     collection.fields(files, store=store, names=["igf", "sdf"], faces=0)
     assert count[11:] == [("sdf",)] * 11
     collection.fields(files[:2], store=store, faces=100)
-    assert len(count) == 24
+    collection.fields(files[:2], store=store, faces=0, smooth=3)
+    assert len(count) == 26
     names = sorted(path.name for path in store.iterdir())
-    assert len(names) == 4 and names[-1] == "store.json"
+    assert len(names) == 5 and names[-1] == "store.json"
     assert not [path for path in store.rglob("*") if path.name.startswith(".")]
 
 

@@ -212,6 +212,8 @@ MESH = girth.Mesh(V, F)
         lambda: girth.compare([MESH, MESH], ["beauty"]),
         lambda: girth.compare([MESH, MESH], []),
         lambda: girth.compare([MESH, MESH], faces=-1),
+        lambda: girth.compare([MESH, MESH], smooth=101),
+        lambda: girth.collection.fields([MESH], smooth=-1),
         lambda: girth.compare([MESH, 5]),
         lambda: girth.igf(V),
         lambda: girth.igf(5),

@@ -142,6 +142,14 @@ def test_smoothed_it_is_nearer_to_what_it_was_before_noise():
     error = [np.abs(one.vertices - vertices).mean() for one in (rough, smooth)]
     assert error[1] < 0.7 * error[0]
     np.testing.assert_array_equal(rough.smooth(0).vertices, rough.vertices)
+    # Compared it is smoothed likewise, and nearer.
+    plain = girth.Mesh(vertices, faces)
+    distances = [
+        girth.compare([plain, rough], "igf", smooth=steps)["igf"][0, 1] for steps in (0, 3)
+    ]
+    both = girth.compare([plain.smooth(3), smooth], "igf")["igf"][0, 1]
+    np.testing.assert_allclose(distances[1], both, rtol=1e-9)
+    assert distances[1] < distances[0]
 
 
 def test_shapes_of_any_size_and_place_are_the_same():

@@ -86,6 +86,22 @@ def real_number(value: Any, name: str) -> float:
         raise input_error("INVALID_OPTION", f"{name} is {value!r}, not a number") from None
 
 
+def face_count(value: Any) -> int:
+    """The number of faces that larger models are remeshed to; 0: none is."""
+    count = whole_number(value, "faces")
+    if count != 0 and not 4 <= count <= 100_000_000:
+        raise input_error("INVALID_OPTION", f"faces is {count}", "choose 0, or 4 to 100 million")
+    return count
+
+
+def smoothing_steps(value: Any) -> int:
+    """Steps of smoothing."""
+    count = whole_number(value, "smooth")
+    if not 0 <= count <= 100:
+        raise input_error("INVALID_OPTION", f"smooth is {count}", "choose 0 to 100 steps")
+    return count
+
+
 def one_of(value: Any, name: str, choices: Sequence[str]) -> str:
     """A word of a list."""
     if isinstance(value, str) and value in choices:

@@ -10,11 +10,13 @@ import numpy as np
 from girth import _girth
 from girth._arguments import (
     Progress,
+    face_count,
     faces_of,
     one_of,
     path_of,
     real_number,
     running,
+    smoothing_steps,
     vertices_of,
     whole_number,
 )
@@ -1086,6 +1088,7 @@ def compare(
     descriptors: Sequence[str] = ("igf", "sdf", "geoaverage", "geofarthest"),
     *,
     faces: int = 10_000,
+    smooth: int = 0,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Comparison:
@@ -1100,6 +1103,8 @@ def compare(
         sums such as ``'2*igf+sdf'``.
     faces : int, optional
         Larger models are remeshed to so many; 0: all are taken as they are.
+    smooth : int, optional
+        Steps of smoothing after that, as of `Mesh.smooth`: three for rough scans.
     threads, progress
         As of `Mesh.igf`; the progress is that of all models.
 
@@ -1109,11 +1114,9 @@ def compare(
         Its matrices are symmetric; without unit, since models are scaled to the area 1.
     """
     names = [descriptors] if isinstance(descriptors, str) else [str(name) for name in descriptors]
-    count = whole_number(faces, "faces")
+    count, steps = face_count(faces), smoothing_steps(smooth)
     if not names:
         raise input_error("USAGE", "there is no descriptor", "name one, such as igf")
-    if count != 0 and not 4 <= count <= 100_000_000:
-        raise input_error("INVALID_OPTION", f"faces is {count}", "choose 0, or 4 to 100 million")
     given = list(models)
     if len(given) < 2:
         raise input_error(
@@ -1128,6 +1131,6 @@ def compare(
             report((number + fraction) / len(given))
 
         each = running(threads, None if report is None else share)
-        fields.append(_girth.compared_fields(as_mesh(model)._surface, names, count, each))
+        fields.append(_girth.compared_fields(as_mesh(model)._surface, names, count, steps, each))
     matrices = _girth.compare(fields, names, running(threads, None))
     return Comparison(dict(zip(names, matrices)))

@@ -36,17 +36,18 @@ std::vector<Descriptor> descriptorsOf(const std::vector<std::string>& names) {
   return descriptors;
 }
 
-study::FieldParameters parametersOf(Index faces) {
+study::FieldParameters parametersOf(Index faces, Index smooth) {
   study::FieldParameters parameters;
   parameters.faces = faces;
+  parameters.smoothing = smooth;
   return parameters;
 }
 
 /// All parameters that the fields of these descriptors depend on, as a text.
-std::string parametersText(const std::vector<std::string>& names, Index faces) {
+std::string parametersText(const std::vector<std::string>& names, Index faces, Index smooth) {
   std::string text;
   for (const FieldGroup group : study::groupsOf(descriptorsOf(names))) {
-    text += study::parametersText(group, parametersOf(faces)) + "\n";
+    text += study::parametersText(group, parametersOf(faces, smooth)) + "\n";
   }
   return text;
 }
@@ -54,9 +55,9 @@ std::string parametersText(const std::vector<std::string>& names, Index faces) {
 /// The fields of one surface that the descriptors are made of: (weights, {name: values}), the
 /// values of shape (vertices, numbers of each).
 py::tuple comparedFields(const Shared& surface, const std::vector<std::string>& names, Index faces,
-                         const Running& running) {
+                         Index smooth, const Running& running) {
   const std::vector<FieldGroup> groups = study::groupsOf(descriptorsOf(names));
-  const study::FieldParameters parameters = parametersOf(faces);
+  const study::FieldParameters parameters = parametersOf(faces, smooth);
   auto all = compute<StudyFields>(
       running, [surface, groups, parameters](const ExecutionContext& c) -> Result<StudyFields> {
         const ExecutionContext quiet{c.threads, c.cancel, {}};

@@ -6,7 +6,7 @@ import type { Report, StudiesOperations, StudyFields } from './protocol.js';
 import type { SurfaceSource } from './surface-source.js';
 import type { CompareOptions, Comparison } from './types.js';
 
-/** Groups of fields that have been computed, by the number of faces and their name. */
+/** Groups of fields that have been computed, by how the surface was prepared and their name. */
 const known = new WeakMap<SurfaceSource, Map<string, StudyFields>>();
 
 /** The share of the work that the fields are. */
@@ -15,7 +15,7 @@ const fieldsShare = 0.95;
 export async function compareShapes(
   pool: JobPool<StudiesOperations>,
   surfaces: readonly SurfaceSource[],
-  { descriptors, faces = 10_000, onProgress }: CompareOptions,
+  { descriptors, faces = 10_000, smooth = 0, onProgress }: CompareOptions,
   signal: AbortSignal,
 ): Promise<Comparison> {
   const { groups } = await pool.run(signal, {}, (worker) =>
@@ -32,7 +32,7 @@ export async function compareShapes(
     const found: StudyFields[] = [];
     for (const group of groups) {
       found.push(
-        await studyFields(pool, surface, group, faces, signal, (share) => {
+        await studyFields(pool, surface, { group, faces, smooth }, signal, (share) => {
           shares[place] = (found.length + share) / groups.length;
           report((fieldsShare * shares.reduce((sum, one) => sum + one, 0)) / surfaces.length);
         }),
@@ -71,19 +71,18 @@ export async function compareShapes(
 async function studyFields(
   pool: JobPool<StudiesOperations>,
   surface: SurfaceSource,
-  group: string,
-  faces: number,
+  wanted: { group: string; faces: number; smooth: number },
   signal: AbortSignal,
   onProgress: (share: number) => void,
 ): Promise<StudyFields> {
   let ofSurface = known.get(surface);
   if (!ofSurface) known.set(surface, (ofSurface = new Map<string, StudyFields>()));
-  const key = `${faces} ${group}`;
+  const key = `${wanted.faces} ${wanted.smooth} ${wanted.group}`;
   let fields = ofSurface.get(key);
   if (!fields) {
     const onReport = (report: Report) => 'progress' in report && onProgress(report.progress);
     fields = await pool.run(signal, { surfaces: [surface] }, (worker) =>
-      worker.requestOn(surface, 'studyFields', { group, faces }, { onReport }),
+      worker.requestOn(surface, 'studyFields', wanted, { onReport }),
     );
     ofSurface.set(key, fields);
   }

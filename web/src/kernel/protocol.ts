@@ -391,8 +391,8 @@ export interface StudiesOperations extends CommonOperations {
   heatMaxima: [{ surface: number; field: SpectralRequest }, { maxima: Maximum[] }];
   /** The names of the groups of fields that descriptors need. */
   fieldGroups: [{ descriptors: readonly string[] }, { groups: string[] }];
-  /** One group of fields. The surface is remeshed to about so many faces where it has more. */
-  studyFields: [{ surface: number; group: string; faces: number }, StudyFields];
+  /** One group of fields. The surface is remeshed to about so many faces where it has more, and then smoothed. */
+  studyFields: [{ surface: number; group: string; faces: number; smooth: number }, StudyFields];
   /** For each descriptor the distances between all models, row by row. */
   compare: [
     { models: readonly (readonly StudyFields[])[]; descriptors: readonly string[] },

@@ -34,8 +34,10 @@ serveRequests<StudiesOperations>({
     return checked(module.fieldGroups(descriptors));
   },
 
-  studyFields({ surface, group, faces }, report) {
-    return checked(module.studyFields(surfaces.get(surface), group, faces, progressTo(report)));
+  studyFields({ surface, group, faces, smooth }, report) {
+    return checked(
+      module.studyFields(surfaces.get(surface), group, faces, smooth, progressTo(report)),
+    );
   },
 
   compare({ models, descriptors }, report) {

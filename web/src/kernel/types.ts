@@ -1384,6 +1384,8 @@ export interface CompareOptions extends WatchedOptions {
   descriptors: readonly string[];
   /** Surfaces of more faces are remeshed to about so many; 0: none is. Default: 10,000. */
   faces?: number;
+  /** Steps of smoothing after that, 0 to 100, as of {@link Mesh.smooth}: three for rough scans. Default: 0. */
+  smooth?: number;
 }
 
 /**

@@ -406,6 +406,7 @@ declare module '*/girth-studies.mjs' {
       surface: Surface,
       group: string,
       faces: number,
+      smooth: number,
       onProgress: OnProgress,
     ): import('./protocol.js').StudyFields | Failed;
     compare(

@@ -61,6 +61,9 @@ def _arguments(words: Optional[Sequence[str]]) -> argparse.Namespace:
         command.add_argument(
             "--faces", type=int, default=10_000, help="larger models are remeshed; 0: as they are"
         )
+        command.add_argument(
+            "--smooth", type=int, default=0, metavar="STEPS", help="of rough models; default: 0"
+        )
         command.add_argument("--jobs", type=int, default=0, help="models at a time; 0: one a core")
         if name == "fields":
             command.add_argument("--names", default="igf", help=f"of {','.join(NAMES)}")
@@ -131,6 +134,7 @@ def run(words: Optional[Sequence[str]] = None) -> int:
                 store=options.store,
                 names=names,
                 faces=options.faces,
+                smooth=options.smooth,
                 save_every=getattr(options, "save_every", 5.0),
             )
         for error in models.failed.values():

@@ -9,7 +9,14 @@ from typing import Any, Iterable, NamedTuple, Optional, Sequence, Union
 import numpy as np
 
 from girth import _girth
-from girth._arguments import Progress, real_number, reporter, whole_number
+from girth._arguments import (
+    Progress,
+    face_count,
+    real_number,
+    reporter,
+    smoothing_steps,
+    whole_number,
+)
 from girth.collection._clients import Work
 from girth.collection._search import Distributions, Index, block_of, nearest_of
 from girth.collection._store import NAMES, Group, Store, groups_of
@@ -296,6 +303,7 @@ def fields(
     store: Optional[Union[str, "os.PathLike[str]"]] = None,
     names: Sequence[str] = ("igf",),
     faces: int = 10_000,
+    smooth: int = 0,
     retries: int = 2,
     batch: int = 4,
     save_every: float = 5.0,
@@ -320,6 +328,8 @@ def fields(
         The fields.
     faces : int, optional
         Larger models are remeshed to so many faces; 0: all are taken as they are.
+    smooth : int, optional
+        Steps of smoothing after that, as of `girth.Mesh.smooth`: three for rough scans.
     retries : int, optional
         How often a model is tried again whose file could not be read or whose worker was lost.
     batch : int, optional
@@ -349,9 +359,7 @@ def fields(
     names = [names] if isinstance(names, str) else list(names)
     if not names:
         raise input_error("USAGE", "there is no field", f"name some of {', '.join(NAMES)}")
-    most_faces = whole_number(faces, "faces")
-    if most_faces != 0 and not 4 <= most_faces <= 100_000_000:
-        raise input_error("INVALID_OPTION", f"faces is {most_faces}", "choose 0, or 4 to 100 million")
+    prepared = (face_count(faces), smoothing_steps(smooth))
     again, size = whole_number(retries, "retries"), whole_number(batch, "batch")
     if again < 0 or size < 1:
         raise input_error("INVALID_OPTION", "retries is below 0, or batch below 1")
@@ -361,7 +369,7 @@ def fields(
     if isinstance(files, (str, bytes, os.PathLike)):
         raise input_error("USAGE", "files is one path", "pass a list of paths")
     models = list(files)
-    run = _Run(models, client, Store(store, groups_of(names, most_faces)), most_faces, again, size)
+    run = _Run(models, client, Store(store, groups_of(names, *prepared)), prepared, again, size)
     run.report = reporter(progress)
     run.save_every = interval
     try:
@@ -383,12 +391,19 @@ class _Run:
     """One call of `fields`."""
 
     def __init__(
-        self, models: list, client: Any, store: Store, faces: int, retries: int, batch: int
+        self,
+        models: list,
+        client: Any,
+        store: Store,
+        prepared: tuple[int, int],
+        retries: int,
+        batch: int,
     ) -> None:
         self.models = models
         self.client = client
         self.store = store
-        self.faces = faces
+        #: Faces at most, and steps of smoothing.
+        self.prepared = prepared
         self.retries = retries
         self.batch = batch
         self.keys: list[Optional[str]] = [None] * len(models)
@@ -459,7 +474,7 @@ class _Run:
         def add(numbers: list[int]) -> None:
             models = [self.models[number] for number in numbers]
             names = [[group.names for group in missing[number]] for number in numbers]
-            work.add(numbers, _girth.version, models, names, self.faces)
+            work.add(numbers, _girth.version, models, names, *self.prepared)
 
         for numbers in self._batches(list(wanted.values()), self.batch):
             add(numbers)
@@ -491,5 +506,7 @@ def _keys_task(_: list[int], version: str, models: list) -> list:
     return keys_of(version, models)
 
 
-def _fields_task(_: list[int], version: str, models: list, names: list, faces: int) -> list:
-    return computed(version, models, names, faces)
+def _fields_task(
+    _: list[int], version: str, models: list, names: list, faces: int, smooth: int
+) -> list:
+    return computed(version, models, names, faces, smooth)

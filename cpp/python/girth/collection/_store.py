@@ -42,7 +42,7 @@ class Group(NamedTuple):
     folder: str
 
 
-def groups_of(names: Sequence[str], faces: int) -> list[Group]:
+def groups_of(names: Sequence[str], faces: int, smooth: int) -> list[Group]:
     """The groups of fields, each once."""
     groups: dict[str, Group] = {}
     for name in names:
@@ -50,9 +50,11 @@ def groups_of(names: Sequence[str], faces: int) -> list[Group]:
             raise input_error(
                 "INVALID_OPTION", f"a collection has no {name!r}", f"choose some of {', '.join(NAMES)}"
             )
-        parameters = _girth.parameters_text([name], faces)
+        parameters = _girth.parameters_text([name], faces, smooth)
         together = tuple(
-            other for other in NAMES if _girth.parameters_text([other], faces) == parameters
+            other
+            for other in NAMES
+            if _girth.parameters_text([other], faces, smooth) == parameters
         )
         digest = hashlib.sha256(parameters.encode()).hexdigest()[:12]
         groups[parameters] = Group(together, parameters, f"{together[0]}-{digest}")

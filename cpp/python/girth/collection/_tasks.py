@@ -57,7 +57,11 @@ def keys_of(version: str, models: Sequence[Any]) -> list[Key]:
 
 
 def computed(
-    version: str, models: Sequence[Any], wanted: Sequence[Sequence[tuple[str, ...]]], faces: int
+    version: str,
+    models: Sequence[Any],
+    wanted: Sequence[Sequence[tuple[str, ...]]],
+    faces: int,
+    smooth: int,
 ) -> list[Union[tuple[str, list[Fields]], GirthError]]:
     """Of each model its key and the fields of some groups of names."""
     check_version(version)
@@ -67,7 +71,7 @@ def computed(
         found = []
         for names in groups:
             weights, values = _girth.compared_fields(
-                mesh._surface, list(names), faces, running(1, until_stopped)
+                mesh._surface, list(names), faces, smooth, running(1, until_stopped)
             )
             found.append(Fields(weights, {name: values[name][:, 0] for name in names}))
         return _key_of(mesh), found
