@@ -28,8 +28,9 @@ struct GeodesicPath {
 ///
 /// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it: one
 /// that would be gone at the end of the line is refused when the program is compiled. Memory of a
-/// call grows with the front, that of `path` with all windows up to the second point. Time is about
-/// O(n^1.5) for the usual mesh of n faces.
+/// call grows with the front, that of `path` with all windows up to the second point, and on more
+/// than 30,000 faces with those on the way there. Time is about O(n^1.5) for the usual mesh of n
+/// faces.
 class GIRTH_EXPORT GeodesicSolver {
  public:
   /// Lays the faces flat. O(n log n).

@@ -1,10 +1,12 @@
 #include "girth/geodesic_solver.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "geodesic/corridor.h"
 #include "geodesic/locate.h"
 #include "geodesic/path_tracing.h"
 #include "geodesic/propagation.h"
@@ -12,7 +14,10 @@
 
 namespace girth {
 
+using geodesic::corridor;
+using geodesic::Goal;
 using geodesic::Keep;
+using geodesic::kMostFacesKept;
 using geodesic::Propagation;
 using geodesic::Unfolding;
 using geodesic::Until;
@@ -21,6 +26,8 @@ using geodesic::Vec2;
 struct GeodesicSolver::State {
   Unfolding unfolding;
   Propagation propagation;
+  /// Windows of the runs before, where one call takes several.
+  std::size_t createdBefore{0}, crossedBefore{0};
 
   explicit State(const SurfaceMesh& mesh) : unfolding(mesh), propagation(unfolding) {}
 
@@ -36,6 +43,12 @@ struct GeodesicSolver::State {
           "given up after " + std::to_string(propagation.windowsCrossed()) + " windows");
     }
     return std::nullopt;
+  }
+
+  /// The windows of the last run count for the call whose next run comes.
+  void countRun() {
+    createdBefore += propagation.windowsCreated();
+    crossedBefore += propagation.windowsCrossed();
   }
 };
 
@@ -64,6 +77,7 @@ Result<std::vector<double>> GeodesicSolver::distances(std::span<const SurfacePoi
     located.push_back(point.value());
   }
   const double within = radius / unfolding.unit();
+  state_->createdBefore = state_->crossedBefore = 0;
   if (auto error = state_->run(
           located, Keep::Nothing, [&] { return within; }, context)) {
     return *std::move(error);
@@ -87,10 +101,23 @@ Result<GeodesicPath> GeodesicSolver::path(const SurfacePoint& from, const Surfac
   const Index halfedge = unfolding.home(target.value());
   const Vec2 place = *unfolding.placeIn(halfedge, target.value());
 
+  state_->createdBefore = state_->crossedBefore = 0;
   const auto known = [&] { return propagation.pathTo(halfedge, place).distance; };
-  if (auto error = state_->run(std::span(&source.value(), 1), Keep::Everything, known, context)) {
-    return *std::move(error);
+  const auto run = [&](Keep keep) {
+    return state_->run(std::span(&source.value(), 1), keep, known, context);
+  };
+  std::optional<Goal> goal;
+  if (unfolding.mesh().faceCount() > kMostFacesKept) {
+    if (auto error = run(Keep::Front)) return *std::move(error);
+    if (std::isinf(known())) return GeodesicPath{known(), {}};
+    state_->countRun();
+    goal = corridor(state_->propagation, source.value(), target.value(), known(), context);
+    state_->countRun();
   }
+  if (goal) state_->propagation.headFor(&*goal);
+  auto error = run(Keep::Everything);
+  state_->propagation.headFor(nullptr);
+  if (error) return *std::move(error);
   const geodesic::PathEnd end = propagation.pathTo(halfedge, place);
   GeodesicPath path;
   path.length = end.distance * unfolding.unit();
@@ -111,7 +138,8 @@ void GeodesicSolver::setBudget(std::size_t windows) { state_->propagation.setBud
 
 SearchStatistics GeodesicSolver::statistics() const {
   const Propagation& p = state_->propagation;
-  return {1, p.windowsCreated(), p.windowsCrossed(), p.memoryBytes()};
+  return {1, p.windowsCreated() + state_->createdBefore, p.windowsCrossed() + state_->crossedBefore,
+          p.memoryBytes()};
 }
 
 }  // namespace girth

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "geodesic/corridor.h"
 #include "geodesic/locate.h"
 #include "geodesic/path_tracing.h"
 #include "geodesic/propagation.h"
@@ -45,9 +46,6 @@ std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop) {
 }
 
 namespace {
-
-/// On larger surfaces what all windows of a disk take is too much: a gigabyte at 800,000 triangles.
-constexpr Index kMostFacesKept = 100'000;
 
 /// A search for a loop whose length is known, among paths some of which have been left out: what
 /// is shorter would have been refuted by one of those.
@@ -204,6 +202,11 @@ struct GirthSolver::State {
     if (!found) return found.error();
     const FarthestPoint& farthest = found.value();
     if (!farthest.complete) return unresolved(farthest.distance, farthest.atMost);
+    return antipodal(farthest);
+  }
+
+  /// To the farthest point and back, along a path that the last run has kept.
+  GirthLoop antipodal(const FarthestPoint& farthest) const {
     GirthLoop result;
     result.base = propagation.source(0);
     result.length = result.atMost = inModelUnits(2 * farthest.distance);
@@ -224,32 +227,44 @@ struct GirthSolver::State {
     const double half = best.length / 2;
     const SurfacePoint source = propagation.source(0);
     const SurfacePoint middle = surfacePointAt(*unfolding, best.halfedge, best.midpoint);
-    const auto straightTo = [&](const SurfacePoint& point) {
-      const Vec3 place = positionOf(unfolding->mesh(), unfolding->toMesh(point));
-      return geodesic::Goal(*unfolding, place, half);
-    };
-    const geodesic::Goal back = straightTo(source), straight = straightTo(middle);
-    geodesic::Until until([half] { return half; }, context);
     countRun();
-    propagation.headFor(&back);
-    propagation.run(std::span(&middle, 1), Keep::Nothing, until);
-    propagation.headFor(nullptr);
-    if (until.cancelled()) return std::nullopt;
-
-    // What that left out is too far from the midpoint for a way between the two.
-    std::vector<double> least(unfolding->vertexCount());
-    for (Index v = 0; v < least.size(); ++v) {
-      least[v] = std::max(straight.leastFrom(v), std::min(propagation.distance(v), back.mostTo(v)));
-    }
-    const geodesic::Goal goal(*unfolding, std::move(least), half);
+    const auto goal = corridor(propagation, source, middle, half, context);
+    if (!goal) return std::nullopt;
     search.start(context.cancel);
     KnownLoopSearch known(search, best.length);
-    countRun();
-    propagation.headFor(&goal);
-    propagation.run(std::span(&source, 1), Keep::Everything, known);
-    propagation.headFor(nullptr);
+    runTowards(*goal, source, known);
     if (!known.found()) return std::nullopt;
     return loopOf(search.best());
+  }
+
+  /// The same where the last run has found no loop: a path to the farthest point. An error:
+  /// CANCELLED.
+  std::optional<Result<GirthLoop>> farthestAgain(const ExecutionContext& context) {
+    const auto found = farthest(context);
+    if (!found) return found.error();
+    const FarthestPoint& point = found.value();
+    if (!point.complete) return unresolved(point.distance, point.atMost);
+    const SurfacePoint source = propagation.source(0);
+    const SurfacePoint end = surfacePointAt(*unfolding, point.halfedge, point.point);
+    countRun();
+    const auto goal = corridor(propagation, source, end, point.distance, context);
+    if (!goal) return std::nullopt;
+    geodesic::Until until([&] { return point.distance; }, context);
+    runTowards(*goal, source, until);
+    const double length = propagation.pathTo(point.halfedge, point.point).distance;
+    if (until.cancelled() || !(length <= point.distance * (1 + geodesic::kTie))) {
+      return std::nullopt;
+    }
+    return antipodal(point);
+  }
+
+  /// Goes on with what may reach a goal, and keeps it.
+  template <class Visitor>
+  void runTowards(const geodesic::Goal& goal, const SurfacePoint& source, Visitor& visitor) {
+    countRun();
+    propagation.headFor(&goal);
+    propagation.run(std::span(&source, 1), Keep::Everything, visitor);
+    propagation.headFor(nullptr);
   }
 
   /// The windows of the last run count for the call whose next run comes.
@@ -389,14 +404,17 @@ Result<GirthLoop> GirthSolver::loop(Vertex vertex, const ExecutionContext& conte
   return loop(SurfacePoint::atVertex(vertex), context);
 }
 Result<GirthLoop> GirthSolver::loop(const SurfacePoint& point, const ExecutionContext& context) {
-  if (state_->unfolding->mesh().faceCount() > kMostFacesKept && state_->persistence == 0) {
+  if (state_->unfolding->mesh().faceCount() > geodesic::kMostFacesKept &&
+      state_->persistence == 0) {
     if (auto error = state_->run(point, Keep::Front, context)) return *std::move(error);
     if (state_->search.found()) {
       if (auto loop = state_->loopAgain(context)) return *std::move(loop);
-      if (context.cancelled()) return makeError(ErrorCode::Cancelled, point.element, "cancelled");
     } else if (state_->gaveUp()) {
       return state_->loop(context);  // a second time it would give up as well
+    } else if (auto path = state_->farthestAgain(context)) {
+      return *std::move(path);
     }
+    if (context.cancelled()) return makeError(ErrorCode::Cancelled, point.element, "cancelled");
   }
   if (auto error = state_->run(point, Keep::Everything, context)) return *std::move(error);
   return state_->loop(context);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -11,11 +12,13 @@
 #include <vector>
 
 #include "brute_force.h"
+#include "geodesic/corridor.h"
 #include "geodesic/unfolding.h"
 #include "girth/girth.h"
 #include "girth/solver_factory.h"
 #include "girth/study/naive_girth.h"
 #include "loop_checks.h"
+#include "path_checks.h"
 #include "shapes.h"
 
 namespace girth::test {
@@ -400,7 +403,7 @@ TEST(Solver, RefusesVerticesThatDoNotExist) {
 /// A surface so large that its loops are looked for a second time, along paths to their midpoints.
 void expectLoopsInLittleMemory(const Shape& shape, Index stride) {
   const SurfaceMesh mesh = shape.mesh();
-  ASSERT_GT(mesh.faceCount(), 100'000u);
+  ASSERT_GT(mesh.faceCount(), geodesic::kMostFacesKept);
   const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
   const std::vector<std::uint8_t> everywhere(mesh.faceCount(), 1);
   GirthSolver solver = SolverFactory::onUnfolding(unfolding);
@@ -427,6 +430,72 @@ TEST(Solver, FindsLoopsOfLargeSurfacesInLittleMemory) {
   const Shape ring = torus(2, 0.7, 400, 140);
   expectLoopsInLittleMemory(perturbed(ring, 0.002, 1), 11'113);
   expectLoopsInLittleMemory(ring, 20'011);
+}
+
+/// Round, but nowhere like a sphere: no loops, and one point that is farthest.
+Shape potato(Index levels) {
+  Shape shape = icosphere(levels);
+  for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
+    double* const p = &shape.positions[i];
+    const double radius = 1 + 0.12 * std::sin(3 * p[0] + 1) +
+                          0.1 * std::sin(2.5 * p[1] + 2 * p[2]) + 0.05 * std::cos(4 * p[2] - p[0]);
+    p[0] *= 1.3 * radius;
+    p[1] *= 0.9 * radius;
+    p[2] *= radius;
+  }
+  return shape;
+}
+
+TEST(Solver, GoesToTheFarthestPointOfLargeSurfacesInLittleMemory) {
+  const SurfaceMesh mesh = potato(6).mesh();
+  ASSERT_GT(mesh.faceCount(), geodesic::kMostFacesKept);
+  GirthSolver solver(mesh);
+  for (const Vertex v : {Vertex(1), Vertex(20'005)}) {
+    const GirthValue value = solver.value(v).value();
+    ASSERT_EQ(value.kind, LoopKind::Antipodal) << v;
+    const GirthLoop loop = solver.loop(v).value();
+    // All windows take 400 MB.
+    EXPECT_LT(solver.statistics().peakBytes, 150e6) << v;
+    EXPECT_EQ(loop.kind, LoopKind::Antipodal) << v;
+    EXPECT_EQ(loop.length, value.length) << v;
+    expectGeodesicLoop(mesh, loop);
+  }
+  std::atomic<bool> cancel{true};
+  EXPECT_EQ(solver.loop(Vertex(1), {1, &cancel, {}}).error().code, ErrorCode::Cancelled);
+}
+
+TEST(Solver, FindsPathsOverLargeSurfacesInLittleMemory) {
+  for (const Shape& shape : {potato(6), perturbed(torus(2, 0.7, 200, 90), 0.2, 1)}) {
+    const SurfaceMesh mesh = shape.mesh();
+    ASSERT_GT(mesh.faceCount(), geodesic::kMostFacesKept);
+    GeodesicSolver solver(mesh);
+    const SurfacePoint from = SurfacePoint::atVertex(Vertex(17));
+    const std::vector<double> distances = solver.distances(from).value();
+    for (const Index v : {Index{18}, mesh.vertexCount() / 2, mesh.vertexCount() - 1}) {
+      const SurfacePoint to = SurfacePoint::atVertex(Vertex(v));
+      const GeodesicPath path = solver.path(from, to).value();
+      expectShortestPath(mesh, path, from, to, distances[v]);
+      EXPECT_LT(solver.statistics().peakBytes, 40e6) << v;
+    }
+    std::atomic<bool> cancel{true};
+    EXPECT_EQ(solver.path(from, SurfacePoint::atVertex(Vertex(9)), {1, &cancel, {}}).error().code,
+              ErrorCode::Cancelled);
+  }
+}
+
+TEST(Solver, FindsNoPathToAnotherComponentOfALargeSurface) {
+  Shape two = potato(6);
+  const auto first = static_cast<Index>(two.positions.size() / 3);
+  const Shape other = tetrahedron();
+  two.positions.insert(two.positions.end(), other.positions.begin(), other.positions.end());
+  for (const Index v : other.triangles) two.triangles.push_back(first + v);
+  const SurfaceMesh mesh = two.mesh();
+  const GeodesicPath path =
+      GeodesicSolver(mesh)
+          .path(SurfacePoint::atVertex(Vertex(first)), SurfacePoint::atVertex(Vertex(0)))
+          .value();
+  EXPECT_TRUE(std::isinf(path.length));
+  EXPECT_TRUE(path.points.empty());
 }
 
 TEST(Solver, GivesUpOnceOnLargeSurfaces) {

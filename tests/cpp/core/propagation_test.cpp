@@ -1,6 +1,7 @@
 // The engine by itself: what may differ inside must not show outside.
 
 #include "geodesic/propagation.h"
+#include "geodesic/corridor.h"
 
 #include <gtest/gtest.h>
 
@@ -138,11 +139,9 @@ TEST(Propagation, AGoalIsReachedByLess) {
       }
       // The ways over the surface are better bounds than those through space.
       const SurfacePoint end = SurfacePoint::atVertex(Vertex(to));
-      back.run(std::span(&end, 1), Keep::Nothing, visitor);
-      std::vector<double> least;
-      for (Index v = 0; v < mesh.vertexCount(); ++v) least.push_back(back.distance(v));
-      const geodesic::Goal better(unfolding, least, distance);
-      some.headFor(&better);
+      const auto better = geodesic::corridor(back, source, end, distance, {});
+      ASSERT_TRUE(better);
+      some.headFor(&*better);
       some.run(std::span(&source, 1), Keep::Nothing, visitor);
       EXPECT_NEAR(some.distance(to), distance, 1e-14 * distance) << to;
       along += some.windowsCreated();
