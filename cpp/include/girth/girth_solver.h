@@ -77,7 +77,7 @@ struct BarcodeOptions;
 /// Keeps its scratch memory between calls; one solver per thread. The mesh must outlive it: one
 /// that would be gone at the end of the line is refused when the program is compiled. Time grows
 /// with the windows inside the disk of radius I(p)/2, about O(n^1.5) for the usual mesh of n faces
-/// where the disk is large; memory of `value` with the front of that disk, of `loop` with all of
+/// where the disk is large; memory of `value` with the front of that disk, of loops with all of
 /// it, and on more than 30,000 faces with the part of it on the way to the loop's midpoint or to
 /// the farthest point.
 class GIRTH_EXPORT GirthSolver {

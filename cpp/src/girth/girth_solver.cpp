@@ -47,20 +47,25 @@ std::vector<Vec3> polyline(const SurfaceMesh& mesh, const GirthLoop& loop) {
 
 namespace {
 
-/// A search for a loop whose length is known, among paths some of which have been left out: what
-/// is shorter would have been refuted by one of those.
+/// A search for a loop that is known, among paths some of which have been left out: what is shorter
+/// would have been refuted by one of those, or was found before it.
 class KnownLoopSearch {
  public:
-  /// `length`: in `unfolding.unit()`.
-  KnownLoopSearch(LoopSearch& search, double length) : search_(&search), length_(length) {}
+  KnownLoopSearch(LoopSearch& search, const Unfolding& unfolding, const LoopCandidate& known)
+      : search_(&search),
+        unfolding_(&unfolding),
+        length_(known.length),
+        middle_(placeOf(known)),
+        near_(kNear * unfolding.unit() * length_ + geodesic::kTie * norm(middle_)) {}
 
   bool enough(double frontier) {
     while (search_->enough(frontier)) {
       if (search_->cancelled()) return true;
       const double length = search_->best().length;
-      if (length < length_ * (1 - kSame)) continue;
-      found_ = length <= length_ * (1 + kSame);
-      return true;
+      if (length > length_ * (1 + kSame)) return true;
+      const double aside = norm(placeOf(search_->best()) - middle_);
+      found_ = length >= length_ * (1 - kSame) && aside <= near_;
+      if (found_) return true;
     }
     return false;
   }
@@ -74,11 +79,21 @@ class KnownLoopSearch {
   bool found() const { return found_; }
 
  private:
-  /// Lengths that differ by no more are the same, but for rounding.
-  static constexpr double kSame = 1e-12;
+  /// Lengths that differ by no more are the same, but for rounding; and midpoints by a share of the
+  /// length.
+  static constexpr double kSame = 1e-12, kNear = 1e-9;
+
+  /// Its midpoint in space.
+  Vec3 placeOf(const LoopCandidate& loop) const {
+    const SurfacePoint middle = surfacePointAt(*unfolding_, loop.halfedge, loop.midpoint);
+    return positionOf(unfolding_->mesh(), unfolding_->toMesh(middle));
+  }
 
   LoopSearch* search_;
+  const Unfolding* unfolding_;
   double length_;
+  Vec3 middle_;
+  double near_;
   bool found_{false};
 };
 
@@ -220,18 +235,17 @@ struct GirthSolver::State {
     return result;
   }
 
-  /// The loop that the last run found without keeping what its points follow from: again, along
+  /// A loop at a point that a run found without keeping what its points follow from: again, along
   /// paths to its midpoint alone. Nothing where the context was cancelled, or rounding decides.
-  std::optional<GirthLoop> loopAgain(const ExecutionContext& context) {
-    const LoopCandidate best = search.best();
+  std::optional<GirthLoop> loopAgain(const SurfacePoint& source, const LoopCandidate& best,
+                                     const ExecutionContext& context) {
     const double half = best.length / 2;
-    const SurfacePoint source = propagation.source(0);
     const SurfacePoint middle = surfacePointAt(*unfolding, best.halfedge, best.midpoint);
     countRun();
     const auto goal = corridor(propagation, source, middle, half, context);
     if (!goal) return std::nullopt;
     search.start(context.cancel);
-    KnownLoopSearch known(search, best.length);
+    KnownLoopSearch known(search, *unfolding, best);
     runTowards(*goal, source, known);
     if (!known.found()) return std::nullopt;
     return loopOf(search.best());
@@ -300,6 +314,27 @@ struct GirthSolver::State {
     result.base = unfolding->toMesh(result.base);
     result.midpoint = unfolding->toMesh(result.midpoint);
     for (SurfacePoint& point : result.points) point = unfolding->toMesh(point);
+  }
+
+  /// The bars of the last run, which has kept nothing, and their loops, one after the other.
+  /// Nothing where the context was cancelled, or rounding decides.
+  std::optional<Result<Barcode>> barcodeAgain(BarcodeOptions options,
+                                              const ExecutionContext& context) {
+    options.loops = false;
+    auto result = barcode(options, context);
+    if (!result) return result;
+    std::vector<LoopCandidate> lasting;
+    for (std::size_t i = 0; i < persistent->decided(); ++i) {
+      const PersistentSearch::Saddle& saddle = persistent->saddles()[i];
+      if (saddle.death > saddle.loop.length / 2) lasting.push_back(saddle.loop);
+    }
+    const SurfacePoint source = propagation.source(0);
+    for (const LoopCandidate& loop : lasting) {
+      auto found = loopAgain(source, loop, context);
+      if (!found) return std::nullopt;
+      result.value().loops.push_back(*std::move(found));
+    }
+    return result;
   }
 
   /// The bars of the last run.
@@ -404,11 +439,12 @@ Result<GirthLoop> GirthSolver::loop(Vertex vertex, const ExecutionContext& conte
   return loop(SurfacePoint::atVertex(vertex), context);
 }
 Result<GirthLoop> GirthSolver::loop(const SurfacePoint& point, const ExecutionContext& context) {
-  if (state_->unfolding->mesh().faceCount() > geodesic::kMostFacesKept &&
-      state_->persistence == 0) {
+  if (state_->unfolding->mesh().faceCount() > geodesic::kMostFacesKept) {
     if (auto error = state_->run(point, Keep::Front, context)) return *std::move(error);
-    if (state_->search.found()) {
-      if (auto loop = state_->loopAgain(context)) return *std::move(loop);
+    if (const LoopCandidate* const found = state_->found()) {
+      const LoopCandidate best = *found;
+      const SurfacePoint source = state_->propagation.source(0);
+      if (auto loop = state_->loopAgain(source, best, context)) return *std::move(loop);
     } else if (state_->gaveUp()) {
       return state_->loop(context);  // a second time it would give up as well
     } else if (auto path = state_->farthestAgain(context)) {
@@ -429,11 +465,16 @@ Result<Barcode> GirthSolver::barcode(const SurfacePoint& point, const BarcodeOpt
   if (!(options.maxPersistence >= 0)) return *checkPersistence(options.maxPersistence);
   state_->isPersistent = true;
   state_->createdBefore = state_->crossedBefore = 0;
-  const Keep keep = options.loops ? Keep::Everything : Keep::Front;
-  if (auto error = state_->runForSaddles(point, keep, options.maxPersistence, options.maxSaddles,
-                                         true, context)) {
-    return *std::move(error);
+  const auto run = [&](Keep keep) {
+    return state_->runForSaddles(point, keep, options.maxPersistence, options.maxSaddles, true,
+                                 context);
+  };
+  if (options.loops && state_->unfolding->mesh().faceCount() > geodesic::kMostFacesKept) {
+    if (auto error = run(Keep::Front)) return *std::move(error);
+    if (auto barcode = state_->barcodeAgain(options, context)) return *std::move(barcode);
+    if (context.cancelled()) return makeError(ErrorCode::Cancelled, point.element, "cancelled");
   }
+  if (auto error = run(options.loops ? Keep::Everything : Keep::Front)) return *std::move(error);
   return state_->barcode(options, context);
 }
 

@@ -464,6 +464,61 @@ TEST(Solver, GoesToTheFarthestPointOfLargeSurfacesInLittleMemory) {
   EXPECT_EQ(solver.loop(Vertex(1), {1, &cancel, {}}).error().code, ErrorCode::Cancelled);
 }
 
+TEST(Solver, FindsLastingLoopsOfLargeSurfacesInLittleMemory) {
+  const SurfaceMesh mesh = perturbed(potato(6), 0.3, 2).mesh();
+  GirthSolver solver(mesh);
+  std::size_t others = 0;
+  for (const Vertex v : {Vertex(1), Vertex(9'001), Vertex(30'002)}) {
+    solver.setPersistence(0);
+    const double first = solver.value(v).value().length;
+    for (const double persistence : {0.002, 0.02}) {
+      solver.setPersistence(persistence);
+      const GirthValue value = solver.value(v).value();
+      const GirthLoop loop = solver.loop(v).value();
+      EXPECT_LT(solver.statistics().peakBytes, 150e6) << v;
+      EXPECT_EQ(loop.kind, value.kind) << v;
+      EXPECT_EQ(loop.length, value.length) << v;
+      expectGeodesicLoop(mesh, loop);
+      if (value.length > first) ++others;
+    }
+  }
+  EXPECT_GT(others, 1u);
+}
+
+TEST(Solver, FindsBarcodesOfLargeSurfacesInLittleMemory) {
+  std::size_t saddles = 0;
+  for (const Shape& shape :
+       {perturbed(potato(6), 0.3, 2), perturbed(torus(2, 0.7, 200, 90), 0.1, 1)}) {
+    const SurfaceMesh mesh = shape.mesh();
+    ASSERT_GT(mesh.faceCount(), geodesic::kMostFacesKept);
+    GirthSolver solver(mesh);
+    for (const Vertex v : {Vertex(1), Vertex(9'001)}) {
+      BarcodeOptions options;
+      options.maxSaddles = 6;
+      const Barcode plain = solver.barcode(v, options).value();
+      options.loops = true;
+      const Barcode barcode = solver.barcode(v, options).value();
+      EXPECT_LT(solver.statistics().peakBytes, 150e6) << v;
+      ASSERT_EQ(barcode.bars.size(), plain.bars.size()) << v;
+      ASSERT_EQ(barcode.loops.size(), plain.bars.size()) << v;
+      EXPECT_EQ(barcode.rest.length, plain.rest.length) << v;
+      for (std::size_t i = 0; i < barcode.bars.size(); ++i) {
+        EXPECT_EQ(barcode.bars[i].birth, plain.bars[i].birth) << v;
+        EXPECT_EQ(barcode.bars[i].death, plain.bars[i].death) << v;
+        expectClose(barcode.loops[i].length, 2 * barcode.bars[i].birth, at(v));
+        expectGeodesicLoop(mesh, barcode.loops[i]);
+        ++saddles;
+      }
+    }
+    std::atomic<bool> cancel{true};
+    BarcodeOptions options;
+    options.loops = true;
+    EXPECT_EQ(solver.barcode(Vertex(1), options, {1, &cancel, {}}).error().code,
+              ErrorCode::Cancelled);
+  }
+  EXPECT_GT(saddles, 3u);
+}
+
 TEST(Solver, FindsPathsOverLargeSurfacesInLittleMemory) {
   for (const Shape& shape : {potato(6), perturbed(torus(2, 0.7, 200, 90), 0.2, 1)}) {
     const SurfaceMesh mesh = shape.mesh();
