@@ -1,7 +1,7 @@
 // What elements of a page have in common: those of one name are seen from the same place, in radii of each surface, or
 // their colours span one range. Fetched when an element asks for it.
 
-import { type Stage, findLengthUnit } from '../view/index.js';
+import { type CameraView, type Stage, findLengthUnit, isSameView } from '../view/index.js';
 import type { Ends } from './colour-range.js';
 import type { OwnRange } from './shading.js';
 
@@ -31,6 +31,8 @@ const ranges = new Groups<SharedRange>();
 /** From where an element is seen, which others are seen from, too. */
 export class LinkedView {
   readonly #stageOf: () => Stage | undefined;
+  /** From where it looks since it was made to follow another one. */
+  #followed: CameraView | undefined;
 
   /** `stage`: undefined as long as nothing is shown. */
   constructor(stage: () => Stage | undefined) {
@@ -57,7 +59,7 @@ export class LinkedView {
     if (leader) {
       // There is more to be seen as a whole.
       leader.refit();
-      follow(stage, leader);
+      this.#follow(leader);
     } else if (!stage.isHome) this.move();
     else if (others.length > 0) for (const one of [stage, ...others]) one.resetView();
   }
@@ -65,19 +67,26 @@ export class LinkedView {
   /** The element is seen from elsewhere than before. */
   move(): void {
     const stage = this.#stageOf();
-    if (stage) for (const other of this.#others) follow(other, stage);
+    if (!stage) return;
+    // What has only followed has no news for the one that it followed, which may have gone on since.
+    if (this.#followed && stage.view && isSameView(this.#followed, stage.view)) return;
+    this.#followed = undefined;
+    for (const one of views.of(this)) if (one !== this) one.#follow(stage);
+  }
+
+  /** Looks at its surface from where another is seen. */
+  #follow(leader: Stage): void {
+    const stage = this.#stageOf();
+    if (!stage) return;
+    if (leader.isHome) stage.resetView();
+    else if (leader.view) stage.lookFrom(leader.view);
+    this.#followed = stage.view;
   }
 
   /** Those of the others where there is something to be seen. */
   get #others(): Stage[] {
     return views.of(this).flatMap((one) => (one === this ? [] : (one.#stageOf() ?? [])));
   }
-}
-
-/** Looks at one surface from where another is seen. */
-function follow(stage: Stage, leader: Stage): void {
-  if (leader.isHome) stage.resetView();
-  else if (leader.view) stage.lookFrom(leader.view);
 }
 
 /** The range that an element's colours span, which others' span, too. */

@@ -9,7 +9,7 @@ export {
   isForAllEyes,
 } from './colormap-names.js';
 export { colourAt } from './colormaps.js';
-export type { CameraView } from './camera-view.js';
+export { type CameraView, isSameView } from './camera-view.js';
 export { splitCreases } from './creases.js';
 export {
   type Combination,
