@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geodesic/corridor.h"
+#include "geodesic/earlier_runs.h"
 #include "geodesic/locate.h"
 #include "geodesic/path_tracing.h"
 #include "geodesic/propagation.h"
@@ -26,8 +27,7 @@ using geodesic::Vec2;
 struct GeodesicSolver::State {
   Unfolding unfolding;
   Propagation propagation;
-  /// Windows of the runs before, where one call takes several.
-  std::size_t createdBefore{0}, crossedBefore{0};
+  geodesic::EarlierRuns earlier;
 
   explicit State(const SurfaceMesh& mesh) : unfolding(mesh), propagation(unfolding) {}
 
@@ -43,12 +43,6 @@ struct GeodesicSolver::State {
           "given up after " + std::to_string(propagation.windowsCrossed()) + " windows");
     }
     return std::nullopt;
-  }
-
-  /// The windows of the last run count for the call whose next run comes.
-  void countRun() {
-    createdBefore += propagation.windowsCreated();
-    crossedBefore += propagation.windowsCrossed();
   }
 };
 
@@ -77,7 +71,7 @@ Result<std::vector<double>> GeodesicSolver::distances(std::span<const SurfacePoi
     located.push_back(point.value());
   }
   const double within = radius / unfolding.unit();
-  state_->createdBefore = state_->crossedBefore = 0;
+  state_->earlier = {};
   if (auto error = state_->run(
           located, Keep::Nothing, [&] { return within; }, context)) {
     return *std::move(error);
@@ -101,7 +95,7 @@ Result<GeodesicPath> GeodesicSolver::path(const SurfacePoint& from, const Surfac
   const Index halfedge = unfolding.home(target.value());
   const Vec2 place = *unfolding.placeIn(halfedge, target.value());
 
-  state_->createdBefore = state_->crossedBefore = 0;
+  state_->earlier = {};
   const auto known = [&] { return propagation.pathTo(halfedge, place).distance; };
   const auto run = [&](Keep keep) {
     return state_->run(std::span(&source.value(), 1), keep, known, context);
@@ -110,9 +104,9 @@ Result<GeodesicPath> GeodesicSolver::path(const SurfacePoint& from, const Surfac
   if (unfolding.mesh().faceCount() > kMostFacesKept) {
     if (auto error = run(Keep::Front)) return *std::move(error);
     if (std::isinf(known())) return GeodesicPath{known(), {}};
-    state_->countRun();
+    state_->earlier.add(propagation);
     goal = corridor(state_->propagation, source.value(), target.value(), known(), context);
-    state_->countRun();
+    state_->earlier.add(propagation);
   }
   if (goal) state_->propagation.headFor(&*goal);
   auto error = run(Keep::Everything);
@@ -138,8 +132,8 @@ void GeodesicSolver::setBudget(std::size_t windows) { state_->propagation.setBud
 
 SearchStatistics GeodesicSolver::statistics() const {
   const Propagation& p = state_->propagation;
-  return {1, p.windowsCreated() + state_->createdBefore, p.windowsCrossed() + state_->crossedBefore,
-          p.memoryBytes()};
+  return {1, p.windowsCreated() + state_->earlier.created,
+          p.windowsCrossed() + state_->earlier.crossed, p.memoryBytes()};
 }
 
 }  // namespace girth

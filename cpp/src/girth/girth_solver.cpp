@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "geodesic/corridor.h"
+#include "geodesic/earlier_runs.h"
 #include "geodesic/locate.h"
 #include "geodesic/path_tracing.h"
 #include "geodesic/propagation.h"
@@ -107,8 +110,7 @@ struct GirthSolver::State {
   std::optional<PersistentSearch> persistent;
   double persistence{0};     // of value and loop, in model units
   bool isPersistent{false};  // the last run
-  /// Windows of the runs before, where one call takes several.
-  std::size_t createdBefore{0}, crossedBefore{0};
+  geodesic::EarlierRuns earlier;
   /// `runLasting`, once a persistence is set. A program that sets none is linked without it.
   std::optional<Error> (State::*runPersistent)(const SurfacePoint&, Keep,
                                                const ExecutionContext&){nullptr};
@@ -120,7 +122,7 @@ struct GirthSolver::State {
   std::optional<Error> run(const SurfacePoint& point, Keep keep, const ExecutionContext& context) {
     if (auto error = checkPersistence(persistence)) return error;
     isPersistent = persistence > 0;
-    createdBefore = crossedBefore = 0;
+    earlier = {};
     if (isPersistent) return (this->*runPersistent)(point, keep, context);
     const auto source = geodesic::locate(*unfolding, point);
     if (!source) return source.error();
@@ -241,7 +243,7 @@ struct GirthSolver::State {
                                      const ExecutionContext& context) {
     const double half = best.length / 2;
     const SurfacePoint middle = surfacePointAt(*unfolding, best.halfedge, best.midpoint);
-    countRun();
+    earlier.add(propagation);
     const auto goal = corridor(propagation, source, middle, half, context);
     if (!goal) return std::nullopt;
     search.start(context.cancel);
@@ -260,7 +262,7 @@ struct GirthSolver::State {
     if (!point.complete) return unresolved(point.distance, point.atMost);
     const SurfacePoint source = propagation.source(0);
     const SurfacePoint end = surfacePointAt(*unfolding, point.halfedge, point.point);
-    countRun();
+    earlier.add(propagation);
     const auto goal = corridor(propagation, source, end, point.distance, context);
     if (!goal) return std::nullopt;
     geodesic::Until until([&] { return point.distance; }, context);
@@ -275,16 +277,10 @@ struct GirthSolver::State {
   /// Goes on with what may reach a goal, and keeps it.
   template <class Visitor>
   void runTowards(const geodesic::Goal& goal, const SurfacePoint& source, Visitor& visitor) {
-    countRun();
+    earlier.add(propagation);
     propagation.headFor(&goal);
     propagation.run(std::span(&source, 1), Keep::Everything, visitor);
     propagation.headFor(nullptr);
-  }
-
-  /// The windows of the last run count for the call whose next run comes.
-  void countRun() {
-    createdBefore += propagation.windowsCreated();
-    crossedBefore += propagation.windowsCrossed();
   }
 
   /// A loop that was found, with its points.
@@ -316,6 +312,18 @@ struct GirthSolver::State {
     for (SurfacePoint& point : result.points) point = unfolding->toMesh(point);
   }
 
+  /// Of those that the last run has decided, the ones that die later than they are born.
+  std::vector<PersistentSearch::Saddle> lastingSaddles() const {
+    const auto& saddles = persistent->saddles();
+    std::vector<PersistentSearch::Saddle> lasting;
+    std::copy_if(saddles.begin(),
+                 saddles.begin() + static_cast<std::ptrdiff_t>(persistent->decided()),
+                 std::back_inserter(lasting), [](const PersistentSearch::Saddle& saddle) {
+                   return saddle.death > saddle.loop.length / 2;
+                 });
+    return lasting;
+  }
+
   /// The bars of the last run, which has kept nothing, and their loops, one after the other.
   /// Nothing where the context was cancelled, or rounding decides.
   std::optional<Result<Barcode>> barcodeAgain(BarcodeOptions options,
@@ -323,14 +331,9 @@ struct GirthSolver::State {
     options.loops = false;
     auto result = barcode(options, context);
     if (!result) return result;
-    std::vector<LoopCandidate> lasting;
-    for (std::size_t i = 0; i < persistent->decided(); ++i) {
-      const PersistentSearch::Saddle& saddle = persistent->saddles()[i];
-      if (saddle.death > saddle.loop.length / 2) lasting.push_back(saddle.loop);
-    }
     const SurfacePoint source = propagation.source(0);
-    for (const LoopCandidate& loop : lasting) {
-      auto found = loopAgain(source, loop, context);
+    for (const PersistentSearch::Saddle& saddle : lastingSaddles()) {
+      auto found = loopAgain(source, saddle.loop, context);
       if (!found) return std::nullopt;
       result.value().loops.push_back(*std::move(found));
     }
@@ -341,11 +344,8 @@ struct GirthSolver::State {
   Result<Barcode> barcode(const BarcodeOptions& options, const ExecutionContext& context) const {
     Barcode result;
     result.maxPersistence = options.maxPersistence;
-    for (std::size_t i = 0; i < persistent->decided(); ++i) {
-      const PersistentSearch::Saddle& saddle = persistent->saddles()[i];
-      const double birth = saddle.loop.length / 2;
-      if (!(saddle.death > birth)) continue;
-      result.bars.push_back({inModelUnits(birth), inModelUnits(saddle.death)});
+    for (const PersistentSearch::Saddle& saddle : lastingSaddles()) {
+      result.bars.push_back({inModelUnits(saddle.loop.length / 2), inModelUnits(saddle.death)});
       if (options.loops) result.loops.push_back(loopOf(saddle.loop));
     }
     result.rest = {inModelUnits(2 * reached()), LoopKind::Unresolved};
@@ -464,7 +464,7 @@ Result<Barcode> GirthSolver::barcode(const SurfacePoint& point, const BarcodeOpt
                                      const ExecutionContext& context) {
   if (!(options.maxPersistence >= 0)) return *checkPersistence(options.maxPersistence);
   state_->isPersistent = true;
-  state_->createdBefore = state_->crossedBefore = 0;
+  state_->earlier = {};
   const auto run = [&](Keep keep) {
     return state_->runForSaddles(point, keep, options.maxPersistence, options.maxSaddles, true,
                                  context);
@@ -486,7 +486,8 @@ void GirthSolver::setBudget(std::size_t windows) { state_->propagation.setBudget
 
 SearchStatistics GirthSolver::statistics() const {
   const Propagation& p = state_->propagation;
-  return {1, p.windowsCreated() + state_->createdBefore, p.windowsCrossed() + state_->crossedBefore,
+  return {1, p.windowsCreated() + state_->earlier.created,
+          p.windowsCrossed() + state_->earlier.crossed,
           p.memoryBytes() + state_->search.memoryBytes() +
               (state_->persistent ? state_->persistent->memoryBytes() : 0)};
 }

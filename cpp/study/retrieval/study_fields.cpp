@@ -165,8 +165,9 @@ Result<SurfaceMesh> studySurface(const SurfaceMesh& mesh, const FieldParameters&
     remeshed.assign(1, std::move(noisy).value());
   }
   if (parameters.smoothing != 0) {
-    auto smooth =
-        smoothSurface(remeshed.empty() ? mesh : remeshed.front(), parameters.smoothing, context);
+    // Remeshing has said that all is done, and the share never falls.
+    auto smooth = smoothSurface(remeshed.empty() ? mesh : remeshed.front(), parameters.smoothing,
+                                context.ofOneThread());
     if (!smooth) return smooth.error();
     remeshed.assign(1, std::move(smooth).value());
   }

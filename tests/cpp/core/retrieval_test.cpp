@@ -586,6 +586,17 @@ TEST(Signatures, LogarithmsAreOfTheScaledValues) {
   EXPECT_NEAR(signatures.distance("log-igf", 0, 2), 0.5 * std::log(2.0), 1e-15);
 }
 
+TEST(StudyFields, ProgressOfTheSurfaceNeverFalls) {
+  FieldParameters parameters;
+  parameters.faces = 500;
+  parameters.smoothing = 3;
+  std::vector<double> shares;
+  const ExecutionContext context{1, nullptr, [&](double share) { shares.push_back(share); }};
+  ASSERT_TRUE(studySurface(test::icosphere(4).mesh(), parameters, context).ok());
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1);
+}
+
 TEST(StudyFields, LargerSurfacesAreRemeshedSmallerOnesAreNot) {
   const SurfaceMesh fine = test::icosphere(4).mesh();  // 5,120 faces
   FieldParameters parameters;
