@@ -32,11 +32,15 @@ std::vector<Index> facesOf(const Unfolding& unfolding, const GirthLoop& loop) {
 }
 
 FaceBand::FaceBand(const Unfolding& unfolding)
-    : unfolding_(&unfolding), isIn_(unfolding.halfedgeCount() / 3, 0) {}
+    : unfolding_(&unfolding),
+      isIn_(unfolding.halfedgeCount() / 3, 0),
+      isSurrounded_(unfolding.vertexCount(), 0) {}
 
 void FaceBand::clear() {
   for (const Index face : faces_) isIn_[face] = 0;
   faces_.clear();
+  for (const Index vertex : surrounded_) isSurrounded_[vertex] = 0;
+  surrounded_.clear();
   grown_ = 0;
 }
 
@@ -51,6 +55,9 @@ void FaceBand::add(std::span<const Index> faces) {
 }
 
 void FaceBand::addAround(Index vertex) {
+  if (isSurrounded_[vertex] != 0) return;
+  isSurrounded_[vertex] = 1;
+  surrounded_.push_back(vertex);
   for (const Index h : unfolding_->fan(vertex)) add(faceOfSide(h));
 }
 

@@ -40,6 +40,8 @@ class FaceBand {
   std::vector<std::uint8_t> isIn_;
   std::vector<Index> faces_;
   std::size_t grown_{0};  // faces whose neighbours are in the set
+  std::vector<std::uint8_t> isSurrounded_;
+  std::vector<Index> surrounded_;  // vertices of which all faces are in the set
 };
 
 }  // namespace girth
