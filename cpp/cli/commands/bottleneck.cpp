@@ -101,6 +101,7 @@ Run add(OptionTable& table) {
       .required();
   addOutputOptions(table, options->output, {".json", ".obj", ".glb"},
                    "Write the loop and the way: .json, .obj or .glb (lines)");
+  addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth bottleneck vessel.stl 120 4803 --unit mm",
                 "How narrow the way from one end to the other gets.");

@@ -101,6 +101,7 @@ Run add(OptionTable& table) {
       .excludes("--base-points");
   addOutputOptions(table, options->output, {".json", ".csv", ".obj", ".glb"},
                    "Write the loops: .json, .csv (a row for each), .obj or .glb (closed lines)");
+  addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth handles scan.ply", "How many handles it has, and how small they are.");
   table.example("girth handles model.glb -o handles.glb", "Their loops, as lines to look at.");

@@ -348,6 +348,11 @@ Result<GirthField> compute(const std::string& model, const SurfaceMesh& mesh,
     printNote(model, "going on from " + std::to_string(known->computed) + " of " +
                          std::to_string(mesh.vertexCount()) + " vertices");
   }
+  if (!options.naive && options.method == GirthMethod::Exact) {
+    noteLargeSurface(model, mesh,
+                     persistence > 0 ? "--faces 10000 takes seconds"
+                                     : "--faces 10000 takes seconds, and --method refined minutes");
+  }
   ProgressLine progress(model);
   const ExecutionContext context = watched(options.threads, progress);
   const GirthOptions girth{options.method, persistence};

@@ -105,6 +105,7 @@ Run add(OptionTable& table) {
   table.add("--stations N", options->stations, "Stations of each profile. Default: 64")
       .range(1, 10'000);
   addPersistenceOption(table, options->persistence);
+  addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth limbs hand.glb", "Length and girth of each finger.");
   table.example("girth limbs hand.glb --profiles -o fingers.csv",

@@ -98,6 +98,7 @@ Run add(OptionTable& table) {
                   "in 2mm; 0 by default");
   addOutputOptions(table, options->output, {".json", ".csv", ".obj", ".glb"},
                    "Write the necks: .json, .csv (a row for each), .obj or .glb (closed lines)");
+  addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth necks vessel.stl --unit mm", "Where it is narrowest, and how narrow.");
   table.example("girth necks model.glb --min-prominence 2mm -o necks.glb",

@@ -329,6 +329,7 @@ Run add(OptionTable& table) {
                    "Write the answer: .json, or every vertex with its part: .csv, .ply");
   addPositionsOption(table, options->positions);
   addPersistenceOption(table, options->persistence);
+  addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth parts chair.glb -o parts.json",
                 "Tubes, plates and body, by thresholds that the model's own values suggest.");

@@ -197,6 +197,7 @@ Run add(OptionTable& table) {
   addOutputOptions(table, options->output, {".csv", ".json", ".obj", ".glb"},
                    "Write the profile: .csv (a row for each place) or .json; along a limb also "
                    ".obj and .glb, its loops as lines");
+  addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth profile vessel.stl 120 4803 -o profile.csv",
                 "Along the shortest path: where it gets narrower, and how fast.");

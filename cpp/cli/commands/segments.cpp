@@ -95,6 +95,11 @@ int run(const Options& options) {
   if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
     return reportError(options.output.path, *error);
   }
+  if (options.preparing.faces > 0 && options.output.ending() == ".csv") {
+    return reportError(options.output.path,
+                       usageError("with --faces the surface has other faces than the file",
+                                  "write .json or .glb"));
+  }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
   noteOneSided(options.model, loaded.value());
@@ -130,6 +135,7 @@ Run add(OptionTable& table) {
   addOutputOptions(table, options->output, {".json", ".csv", ".glb"},
                    "Write the segments: .json, .csv (the segment of each face, its kind and its "
                    "tips), .glb (a node for each, coloured)");
+  addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth segments figure.stl --unit mm --min-prominence 5mm -o segments.csv",
                 "A label for each face: its segment, what that is, and the tips that it ends in.");

@@ -141,6 +141,7 @@ Run add(OptionTable& table) {
       .range(0, study::kMostNoise)
       .needs("--stability");
   addPersistenceOption(table, options->persistence);
+  addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
   table.example("girth tips hand.glb -o tips.json", "Where the shape ends, each with its contour.");
   table.example("girth tips hand.glb --stability",

@@ -15,8 +15,17 @@ Error cancelled() { return makeError(ErrorCode::Cancelled, -1, "stopped before i
 
 }  // namespace
 
+void noteLargeSurface(const std::string& model, const SurfaceMesh& mesh, std::string_view remedy) {
+  // Two minutes on two cores, of a body with limbs.
+  constexpr Index kMany = 100'000;
+  if (mesh.faceCount() < kMany) return;
+  printNote(model, "the exact girth of " + std::to_string(mesh.faceCount()) +
+                       " triangles may take hours; " + std::string(remedy));
+}
+
 Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh,
-                                double persistence, unsigned threads) {
+                                double persistence, unsigned threads, std::string_view remedy) {
+  noteLargeSurface(model, mesh, remedy);
   ProgressLine progress(model);
   GirthField field =
       girthField(mesh, {GirthMethod::Exact, persistence}, watched(threads, progress));

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "girth/girth_field.h"
@@ -14,10 +15,14 @@
 
 namespace girth::cli {
 
+/// Prints a note before the exact girth of a large surface is computed. `remedy`: what takes less.
+void noteLargeSurface(const std::string& model, const SurfaceMesh& mesh, std::string_view remedy);
+
 /// The girth at all vertices, I_tau for a persistence of more than 0. `model`: for the progress
-/// line. Errors: CANCELLED.
+/// line and the note. Errors: CANCELLED.
 Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh,
-                                double persistence, unsigned threads);
+                                double persistence, unsigned threads,
+                                std::string_view remedy = "--faces 10000 takes seconds");
 
 /// The saddles of all vertices up to a persistence; 0: all that there are. Errors: CANCELLED.
 Result<std::vector<Barcode>> computeBarcodes(const std::string& model, const SurfaceMesh& mesh,

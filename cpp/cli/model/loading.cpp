@@ -7,6 +7,7 @@
 
 #include "girth/io/length_unit.h"
 #include "girth/refine_surface.h"
+#include "model/fewer_triangles.h"
 #include "model/model_file.h"
 #include "process/interrupt.h"
 #include "process/report.h"
@@ -158,9 +159,11 @@ Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& op
   if (!read.attributes.empty()) {
     attributes = io::cornerAttributes(read.attributes, soup, prepare.scale, prepared.value());
   }
-  return io::LoadedMesh{std::move(prepared).value(), read.format,
+  io::LoadedMesh loaded{std::move(prepared).value(), read.format,
                         std::move(read.unit),        std::move(read.notes),
                         std::move(attributes),       std::move(read.attributeNotes)};
+  if (options.faces == 0) return loaded;
+  return inFewerTriangles(path, std::move(loaded), options.faces);
 }
 
 void noteOneSided(const std::string& path, const io::LoadedMesh& loaded) {

@@ -49,6 +49,14 @@ void addRefineOption(OptionTable& table, ModelOptions& options) {
       .range(4, kMostFaces);
 }
 
+void addFacesOption(OptionTable& table, ModelOptions& options) {
+  table
+      .add("--faces N", options.faces,
+           "Measure on at most so many triangles: a larger model is remeshed to them")
+      .range(4, kMostFaces)
+      .excludes("--refine");
+}
+
 std::string preparationText(const ModelOptions& options) {
   std::string text;
   const auto add = [&text](const char* option, const std::string& value) {
@@ -65,6 +73,7 @@ std::string preparationText(const ModelOptions& options) {
   add("--up", options.up);
   add("--entry", options.entry);
   if (options.refine > 0) add("--refine", std::to_string(options.refine));
+  if (options.faces > 0) add("--faces", std::to_string(options.faces));
   return text;
 }
 

@@ -15,6 +15,8 @@ struct ModelOptions {
   bool closeHoles{false};
   /// Cut into so many triangles, if there are fewer; 0: as they are.
   std::uint32_t refine{0};
+  /// Remeshed to at most so many triangles; 0: as it is.
+  std::uint32_t faces{0};
   /// Which file of a zip; empty: the first model.
   std::string entry;
   /// Components to keep, by their numbers in `girth info`, or "largest"; empty: all.
@@ -48,5 +50,8 @@ constexpr std::uint32_t kMostFaces = 100'000'000;
 
 /// Adds `--refine`.
 void addRefineOption(OptionTable& table, ModelOptions& options);
+
+/// Adds `--faces`, for commands that measure.
+void addFacesOption(OptionTable& table, ModelOptions& options);
 
 }  // namespace girth::cli

@@ -80,6 +80,9 @@ Result<SurfacePoint> surfacePoint(const io::LoadedMesh& loaded, const TypedPoint
     if (!vertex) return vertex.error();
     return SurfacePoint::atVertex(vertex.value());
   }
+  if (preparing.faces > 0) {
+    return usageError("with --faces the surface has other faces than the file", "name a vertex");
+  }
   const Index count = loaded.report.inputFaces;
   if (*point.face < 0 || *point.face >= std::int64_t{count}) {
     Error error = makeError(ErrorCode::InvalidPoint, *point.face,

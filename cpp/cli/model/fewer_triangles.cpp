@@ -1,0 +1,37 @@
+#include "model/fewer_triangles.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "girth/transfer.h"
+#include "model/computing.h"
+#include "process/report.h"
+
+namespace girth::cli {
+
+Result<io::LoadedMesh> inFewerTriangles(const std::string& model, io::LoadedMesh loaded,
+                                        std::uint32_t faces) {
+  auto remeshed = remeshModel(model, loaded.mesh, {faces});
+  if (!remeshed) return remeshed.error();
+  if (!remeshed.value()) return loaded;
+  SurfaceMesh few = std::move(remeshed.value()->mesh);
+
+  const std::vector<Vertex> standIn = nearestVertices(few, nearestPoints(few, loaded.mesh));
+  for (Vertex& vertex : loaded.vertexOfInput) {
+    if (vertex != Vertex::none) vertex = standIn[vertex];
+  }
+  const std::vector<Vertex> nearest = nearestVertices(loaded.mesh, nearestPoints(loaded.mesh, few));
+  std::vector<Index> inputOfVertex(few.vertexCount());
+  std::transform(nearest.begin(), nearest.end(), inputOfVertex.begin(),
+                 [&](Vertex vertex) { return loaded.inputOfVertex[vertex]; });
+  loaded.inputOfVertex = std::move(inputOfVertex);
+  loaded.inputOfFace.assign(few.faceCount(), kNoIndex);
+  printNote(model, "measured on " + std::to_string(few.faceCount()) + " triangles in place of " +
+                       std::to_string(loaded.mesh.faceCount()) +
+                       "; vertices have the numbers of the nearest in the file");
+  loaded.mesh = std::move(few);
+  return loaded;
+}
+
+}  // namespace girth::cli
