@@ -18,9 +18,7 @@ std::optional<Goal> corridor(Propagation& propagation, const SurfacePoint& from,
   };
   const Goal back = straightTo(from), straight = straightTo(to);
   Until until([length] { return length; }, context);
-  propagation.headFor(&back);
-  propagation.run(std::span(&to, 1), Keep::Nothing, until);
-  propagation.headFor(nullptr);
+  propagation.run(std::span(&to, 1), Keep::Nothing, until, &back);
   if (until.cancelled() || propagation.gaveUp()) return std::nullopt;
 
   // What that left out is too far from there for a way between the two.

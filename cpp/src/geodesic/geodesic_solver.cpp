@@ -33,9 +33,9 @@ struct GeodesicSolver::State {
 
   template <class Limit>
   std::optional<Error> run(std::span<const SurfacePoint> sources, Keep keep, Limit limit,
-                           const ExecutionContext& context) {
+                           const ExecutionContext& context, const Goal* goal = nullptr) {
     Until until(limit, context);
-    propagation.run(sources, keep, until);
+    propagation.run(sources, keep, until, goal);
     if (until.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
     if (propagation.gaveUp()) {
       return makeError(
@@ -97,10 +97,11 @@ Result<GeodesicPath> GeodesicSolver::path(const SurfacePoint& from, const Surfac
 
   state_->earlier = {};
   const auto known = [&] { return propagation.pathTo(halfedge, place).distance; };
-  const auto run = [&](Keep keep) {
-    return state_->run(std::span(&source.value(), 1), keep, known, context);
-  };
   std::optional<Goal> goal;
+  const auto run = [&](Keep keep) {
+    return state_->run(std::span(&source.value(), 1), keep, known, context,
+                       goal ? &*goal : nullptr);
+  };
   if (unfolding.mesh().faceCount() > kMostFacesKept) {
     if (auto error = run(Keep::Front)) return *std::move(error);
     if (std::isinf(known())) return GeodesicPath{known(), {}};
@@ -108,10 +109,7 @@ Result<GeodesicPath> GeodesicSolver::path(const SurfacePoint& from, const Surfac
     goal = corridor(state_->propagation, source.value(), target.value(), known(), context);
     state_->earlier.add(propagation);
   }
-  if (goal) state_->propagation.headFor(&*goal);
-  auto error = run(Keep::Everything);
-  state_->propagation.headFor(nullptr);
-  if (error) return *std::move(error);
+  if (auto error = run(Keep::Everything)) return *std::move(error);
   const geodesic::PathEnd end = propagation.pathTo(halfedge, place);
   GeodesicPath path;
   path.length = end.distance * unfolding.unit();

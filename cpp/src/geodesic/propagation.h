@@ -105,13 +105,18 @@ class Propagation {
   ///   the
   ///                                         surface is far thinner than its edges are long, paths
   ///                                         wind round it within one
+  /// Towards a `goal` only paths go on that may reach it in time. Distances are then those of real
+  /// paths; those of paths that reach the goal in time are right.
   template <class Visitor>
-  void run(std::span<const SurfacePoint> sources, Keep keep, Visitor& visitor) {
+  void run(std::span<const SurfacePoint> sources, Keep keep, Visitor& visitor,
+           const Goal* goal = nullptr) {
+    goal_ = goal;
     for (double narrowing = 1;; narrowing *= kNarrower) {
       start(sources, keep, narrowing, [&](Index vertex) { visitor.onVertex(vertex); });
-      if (grow(visitor, narrowing > kNarrowest)) return;
+      if (grow(visitor, narrowing > kNarrowest)) break;
       visitor.restart();
     }
+    goal_ = nullptr;
   }
 
   const Unfolding& unfolding() const { return *unfolding_; }
@@ -207,10 +212,6 @@ class Propagation {
   /// From now on windows enter only faces for which this is not 0; null: all. So distances are
   /// those of real paths, the shortest among those through these faces.
   void stayWithin(const std::uint8_t* band) { band_ = band; }
-
-  /// From now on only paths go on that may reach a goal in time; null: all. Distances are those of
-  /// real paths; those of paths that reach the goal in time are right.
-  void headFor(const Goal* goal) { goal_ = goal; }
 
   /// `run` gives up when the windows that have crossed a face and the visitor's effort exceed this
   /// number; `gaveUp` is true then. Default: 2^26.
@@ -332,7 +333,7 @@ class Propagation {
   std::vector<Index> open_;            // vertices that the frontier may not have passed
   float passed_{0};                    // windows nearer than this are needed no longer
   const std::uint8_t* band_{nullptr};  // of faces that windows enter; null: all
-  const Goal* goal_{nullptr};          // of all paths; null: none
+  const Goal* goal_{nullptr};          // of all paths of a run; null: none
   double keptBeyond_{std::numeric_limits<double>::infinity()};  // but farther ones are
   std::size_t created_{0}, crossed_{0};
   std::size_t budget_{std::size_t{1} << 26};

@@ -278,9 +278,7 @@ struct GirthSolver::State {
   template <class Visitor>
   void runTowards(const geodesic::Goal& goal, const SurfacePoint& source, Visitor& visitor) {
     earlier.add(propagation);
-    propagation.headFor(&goal);
-    propagation.run(std::span(&source, 1), Keep::Everything, visitor);
-    propagation.headFor(nullptr);
+    propagation.run(std::span(&source, 1), Keep::Everything, visitor, &goal);
   }
 
   /// A loop that was found, with its points.
