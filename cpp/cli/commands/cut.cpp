@@ -58,8 +58,7 @@ Result<std::vector<SurfaceCurve>> neckCurves(const Options& options, const io::L
   if (const auto error = readLength(options.minProminence, loaded.unit, wanted.minProminence)) {
     return *error;
   }
-  const auto girth = computeGirth(options.model, loaded.mesh, 0, options.threads,
-                                  "girth remesh makes fewer of them");
+  const auto girth = computeGirth(options.model, loaded.mesh, 0, options.threads, kRemeshFirst);
   if (!girth) return girth.error();
   auto found = [&] {
     ProgressLine progress(options.model);
@@ -114,8 +113,7 @@ Result<std::vector<SurfaceCurve>> levelCurvesOf(const Options& options,
                                                 const io::LoadedMesh& loaded) {
   double level = 0;
   if (const auto error = readLength(options.level, loaded.unit, level)) return *error;
-  const auto girth = computeGirth(options.model, loaded.mesh, 0, options.threads,
-                                  "girth remesh makes fewer of them");
+  const auto girth = computeGirth(options.model, loaded.mesh, 0, options.threads, kRemeshFirst);
   if (!girth) return girth.error();
   return levelCurves(loaded.mesh, girth.value().values, level);
 }

@@ -72,6 +72,7 @@ Result<std::vector<ComputedField>> compute(const Options& options, const io::Loa
     return std::vector<ComputedField>{
         {"thickness", io::methodText(thickness), loaded.unit, std::move(field.value().values)}};
   }
+  if (options.field == "angle") noteLargeSurface(options.model, mesh, kRemeshFirst);
   ProgressLine progress(options.model);
   const ExecutionContext context = watched(options.threads, progress);
   if (options.field == "angle") {

@@ -427,6 +427,7 @@ int runOne(const std::string& model, const Options& options) {
   const PartialField partial(options.output.path, mesh, rows, method);
   std::vector<Barcode> barcodes;
   if (options.barcodes.isWanted()) {
+    noteLargeSurface(model, mesh, kRemeshFirst);
     auto found = computeBarcodes(model, mesh, work.persistence, options.threads);
     if (!found) return reportError(model, found.error());
     barcodes = std::move(found).value();

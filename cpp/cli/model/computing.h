@@ -15,6 +15,9 @@
 
 namespace girth::cli {
 
+/// What `remedy` is for commands without `--faces`.
+inline constexpr std::string_view kRemeshFirst = "girth remesh makes fewer of them";
+
 /// Prints a note before the exact girth of a large surface is computed. `remedy`: what takes less.
 void noteLargeSurface(const std::string& model, const SurfaceMesh& mesh, std::string_view remedy);
 
