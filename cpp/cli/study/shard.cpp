@@ -9,10 +9,10 @@
 namespace girth::cli {
 
 Result<Shard> parseShard(const std::string& text) {
-  constexpr double kMost = 1e6;
+  constexpr double kMostShards = 1e6;
   const auto wholeNumber = [](const std::string& digits) {
     const double value = io::parseNumber(digits).value_or(-1);
-    return value >= 0 && value <= kMost && value == std::floor(value) ? value : -1;
+    return value >= 0 && value <= kMostShards && value == std::floor(value) ? value : -1;
   };
   const std::size_t slash = std::min(text.find('/'), text.size());
   const double number = wholeNumber(text.substr(0, slash));

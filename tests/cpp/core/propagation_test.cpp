@@ -129,8 +129,7 @@ TEST(Propagation, AGoalIsReachedByLess) {
       const double distance = all.distance(to);
       const Vec3& place = mesh.position(Vertex(unfolding.vertexInMesh(to)));
       const geodesic::Goal goal(unfolding, place, distance);
-      some.headFor(&goal);
-      some.run(std::span(&source, 1), Keep::Nothing, visitor);
+      some.run(std::span(&source, 1), Keep::Nothing, visitor, &goal);
       EXPECT_NEAR(some.distance(to), distance, 1e-14 * distance) << to;
       towards += some.windowsCreated();
       // What is out of reach is not reached, but by paths that are real.
@@ -141,8 +140,7 @@ TEST(Propagation, AGoalIsReachedByLess) {
       const SurfacePoint end = SurfacePoint::atVertex(Vertex(to));
       const auto better = geodesic::corridor(back, source, end, distance, {});
       ASSERT_TRUE(better);
-      some.headFor(&*better);
-      some.run(std::span(&source, 1), Keep::Nothing, visitor);
+      some.run(std::span(&source, 1), Keep::Nothing, visitor, &*better);
       EXPECT_NEAR(some.distance(to), distance, 1e-14 * distance) << to;
       along += some.windowsCreated();
     }
