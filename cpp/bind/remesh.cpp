@@ -46,16 +46,19 @@ val smoothed(const JobSurface& surface, double steps, const val& onProgress) {
 }
 
 /// {values, kinds} of a remeshed surface at the vertices of the original, or an error. Kinds, which
-/// may be none, are those of the nearest vertices.
+/// only a girth has, are those of the nearest vertices.
 val carryBack(const JobSurface& original, const JobSurface& remeshed, const val& values,
               const val& kinds) {
   return guarded([&] {
     const std::vector<SurfacePoint> places = nearestPoints(remeshed.mesh(), original.mesh());
-    const std::vector<double> carried =
-        interpolated(remeshed.mesh(), copyIn<double>(values), places, kSteepestGirth);
+    const auto field = copyIn<double>(values);
     const auto known = copyIn<std::uint8_t>(kinds);
+    std::vector<double> carried;
     std::vector<std::uint8_t> nearest;
-    if (!known.empty()) {
+    if (known.empty()) {
+      carried = interpolated(remeshed.mesh(), field, places, kSteepestGirth);
+    } else {
+      carried = carriedBack(remeshed.mesh(), field, original.mesh(), places);
       for (const Vertex v : nearestVertices(remeshed.mesh(), places)) nearest.push_back(known[v]);
     }
     val result = val::object();

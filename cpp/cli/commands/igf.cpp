@@ -310,13 +310,11 @@ std::string barcodesFor(const Work& work, std::span<const Barcode> barcodes,
 }
 
 /// The field of a remeshed surface at the vertices of the original.
-GirthField carriedBack(const GirthField& field, const SurfaceMesh& remeshed,
-                       const SurfaceMesh& original) {
-  // Where it is steeper, the girth jumps (web/docs/definitions.md, section 2).
-  constexpr double kSteepest = 2;
+GirthField fieldOnOriginal(const GirthField& field, const SurfaceMesh& remeshed,
+                           const SurfaceMesh& original) {
   const std::vector<SurfacePoint> places = nearestPoints(remeshed, original);
   GirthField carried;
-  carried.values = interpolated(remeshed, field.values, places, kSteepest);
+  carried.values = carriedBack(remeshed, field.values, original, places);
   for (const Index v : nearestVertices(remeshed, places)) carried.kinds.push_back(field.kinds[v]);
   carried.computed =
       static_cast<std::size_t>(std::count_if(carried.values.begin(), carried.values.end(),
@@ -454,7 +452,7 @@ int runOne(const std::string& model, const Options& options) {
   if (!computed) return reportError(partial.path(), computed.error());
   GirthField& field = computed.value();
   if (!field.complete()) return reportStopped(model, field, partial, options);
-  if (remeshed) field = carriedBack(field, remeshed->mesh, work.loaded.mesh);
+  if (remeshed) field = fieldOnOriginal(field, remeshed->mesh, work.loaded.mesh);
   timing.computing = secondsSince(computingStart);
 
   if (options.output.isWanted()) {

@@ -25,6 +25,15 @@ GIRTH_EXPORT std::vector<double> interpolated(
     std::span<const SurfacePoint> points,
     double steepest = std::numeric_limits<double>::infinity());
 
+/// A girth of `surface` at the vertices of another mesh that lies there, whose nearest points are
+/// given. As `interpolated` with 2; but between edges of at most that slope a face may be a little
+/// steeper, which the other mesh's edges would show as jumps: where one rises by up to half more
+/// than twice its length, its upper end is lowered. O(n log n).
+GIRTH_EXPORT std::vector<double> carriedBack(const SurfaceMesh& surface,
+                                             std::span<const double> girth,
+                                             const SurfaceMesh& other,
+                                             std::span<const SurfacePoint> nearest);
+
 /// For each point the nearest corner of its face: the vertex to take kinds from.
 GIRTH_EXPORT std::vector<Vertex> nearestVertices(const SurfaceMesh& surface,
                                                  std::span<const SurfacePoint> points);

@@ -4,8 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <queue>
+#include <utility>
 
 #include "mesh/nearest_point.h"
+#include "mesh/neighbours.h"
 #include "mesh/vertex_normals.h"
 
 namespace girth {
@@ -75,6 +79,42 @@ std::vector<double> interpolated(const SurfaceMesh& surface, std::span<const dou
     result[i] = smooth ? sum : values[shares.vertex[shares.largest()]];
   }
   return result;
+}
+
+std::vector<double> carriedBack(const SurfaceMesh& surface, std::span<const double> girth,
+                                const SurfaceMesh& other, std::span<const SurfacePoint> nearest) {
+  // The girth is steeper where it jumps only (web/docs/definitions.md, section 2).
+  constexpr double kSteepest = 2, kNearly = 1.5, kRounding = 1e-9;
+  const std::vector<double> before = interpolated(surface, girth, nearest, kSteepest);
+  std::vector<double> values = before;
+  using Entry = std::pair<double, Vertex>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> lower;
+  // What an end of an edge may be at most, and whether the edge is no jump.
+  const auto mostBeyond = [&](Vertex from, Halfedge edge) {
+    return values[from] + kSteepest * (1 - kRounding) * other.length(edge);
+  };
+  const auto isGentle = [&](Vertex a, Vertex b, Halfedge edge) {
+    return std::fabs(before[a] - before[b]) <= kNearly * kSteepest * other.length(edge);
+  };
+  for (const Vertex v : other.vertices()) {
+    forEachEdge(other, v, [&](Halfedge edge, Vertex end) {
+      if (isGentle(v, end, edge) && values[end] > mostBeyond(v, edge)) {
+        lower.push({values[v], v});
+      }
+    });
+  }
+  while (!lower.empty()) {
+    const auto [value, v] = lower.top();
+    lower.pop();
+    if (value > values[v]) continue;
+    forEachEdge(other, v, [&, from = v](Halfedge edge, Vertex end) {
+      const double most = mostBeyond(from, edge);
+      if (!isGentle(from, end, edge) || !(values[end] > most)) return;
+      values[end] = most;
+      lower.push({most, end});
+    });
+  }
+  return values;
 }
 
 std::vector<Vertex> nearestVertices(const SurfaceMesh& surface,

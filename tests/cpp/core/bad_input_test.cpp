@@ -238,6 +238,26 @@ TEST(BadInput, ABudgetEndsTheWork) {
             ErrorCode::LimitExceeded);
 }
 
+TEST(BadInput, allOfALargeSurfaceIsWithinTheBudget) {
+  // A bumpy ball of 328,000 triangles takes more windows than a source of a girth may.
+  Shape ball = icosphere(7);
+  for (std::size_t i = 0; i < ball.positions.size(); i += 3) {
+    double &x = ball.positions[i], &y = ball.positions[i + 1], &z = ball.positions[i + 2];
+    const double r = 1 + 0.12 * std::sin(3 * x + 1) + 0.1 * std::sin(2.5 * y + 2 * z) +
+                     0.05 * std::cos(4 * z - x);
+    x *= 1.3 * r;
+    y *= 0.9 * r;
+    z *= r;
+  }
+  const SurfaceMesh mesh = ball.mesh();
+  GeodesicSolver solver(mesh);
+  const auto distances = solver.distances(SurfacePoint::atVertex(Vertex(0)));
+  ASSERT_TRUE(distances) << distances.error().message;
+  EXPECT_GT(solver.statistics().windowsCrossed, std::size_t{1} << 26);
+  EXPECT_TRUE(std::all_of(distances.value().begin(), distances.value().end(),
+                          [](double distance) { return std::isfinite(distance); }));
+}
+
 TEST(BadInput, WhatABudgetLeavesIsBoundedFromBothSides) {
   for (const Shape& shape : {perturbed(octasphere(3), 0.3, 1), box(1, 1, 4, 2, 2, 8),
                              perturbed(torus(3, 1, 16, 9), 0.2, 2), pyramid(40, 1, 3)}) {

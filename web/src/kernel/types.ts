@@ -1106,7 +1106,8 @@ export interface Mesh {
   barcodes(options: BarcodesOptions): Promise<Barcodes>;
   /**
    * Finds a shortest path from one point to another (`geodesic_solver.h`). Errors: VERTEX_OUT_OF_RANGE,
-   * INVALID_POINT; LIMIT_EXCEEDED where it would take more than 67 million windows.
+   * INVALID_POINT; LIMIT_EXCEEDED where it would take more than 67 million windows, or n^1.5 of n faces, which is more
+   * from 165,000 on.
    */
   path(from: SurfacePoint, to: SurfacePoint, options?: CallOptions): Promise<SurfacePath>;
   /**
