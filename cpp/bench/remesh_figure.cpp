@@ -100,8 +100,8 @@ int run(int argc, char** argv) {
     girth::GirthField field;
     const double computing = girth::bench::secondsOf(
         [&] { field = girth::girthField(other, girth::GirthMethod::Exact, context); });
-    const std::vector<double> carried =
-        girth::interpolated(other, field.values, girth::nearestPoints(other, mesh), 2);
+    const std::vector<double> carried = girth::interpolated(
+        other, field.values, girth::nearestPoints(other, mesh), girth::kSteepestGirth);
     std::printf("%u, %u, %.2f s, %.2f %%, %.1f s, %.2e, %.2e\n", faces, other.faceCount(),
                 remeshing, 100 * thinShare(other), computing,
                 girth::fieldDifference(mesh, values, other, field.values),

@@ -17,10 +17,6 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
-/// The girth differs by at most twice the distance along the surface, except where it jumps
-/// (web/docs/definitions.md, section 2).
-constexpr double kSteepestGirth = 2;
-
 /// A surface of about `faces` faces, of even size or as fits the shape, as `describe` gives it, or
 /// an error.
 val remeshSurface(const JobSurface& surface, double faces, bool even, const val& onProgress) {

@@ -347,9 +347,9 @@ Result<GirthField> compute(const std::string& model, const SurfaceMesh& mesh,
                          std::to_string(mesh.vertexCount()) + " vertices");
   }
   if (!options.naive && options.method == GirthMethod::Exact) {
-    noteLargeSurface(model, mesh,
-                     persistence > 0 ? "--faces 10000 takes seconds"
-                                     : "--faces 10000 takes seconds, and --method refined minutes");
+    noteLargeSurface(
+        model, mesh,
+        std::string(kFewerFaces) + (persistence > 0 ? "" : ", and --method refined minutes"));
   }
   ProgressLine progress(model);
   const ExecutionContext context = watched(options.threads, progress);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "commands/common_options.h"
@@ -96,11 +97,10 @@ void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMe
 /// How far the girth of the new surface is from that of the old one, as distributions.
 Result<double> differenceOf(const Options& options, const SurfaceMesh& before,
                             const SurfaceMesh& after) {
-  const auto old =
-      computeGirth(options.model, before, 0, options.threads, "--difference may be left out");
+  constexpr std::string_view kRemedy = "--difference may be left out";
+  const auto old = computeGirth(options.model, before, 0, options.threads, kRemedy);
   if (!old) return old.error();
-  const auto made =
-      computeGirth(options.model, after, 0, options.threads, "--difference may be left out");
+  const auto made = computeGirth(options.model, after, 0, options.threads, kRemedy);
   if (!made) return made.error();
   return fieldDifference(before, old.value().values, after, made.value().values);
 }

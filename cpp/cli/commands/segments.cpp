@@ -11,6 +11,7 @@
 #include "commands/table.h"
 #include "girth/io/write_segments.h"
 #include "model/computing.h"
+#include "model/fewer_triangles.h"
 #include "model/loading.h"
 #include "process/hand_over.h"
 #include "process/output.h"
@@ -96,9 +97,7 @@ int run(const Options& options) {
     return reportError(options.output.path, *error);
   }
   if (options.preparing.faces > 0 && options.output.ending() == ".csv") {
-    return reportError(options.output.path,
-                       usageError("with --faces the surface has other faces than the file",
-                                  "write .json or .glb"));
+    return reportError(options.output.path, otherFaces("write .json or .glb"));
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());

@@ -15,7 +15,8 @@
 
 namespace girth::cli {
 
-/// What `remedy` is for commands without `--faces`.
+/// What `remedy` is for commands with `--faces`, and without.
+inline constexpr std::string_view kFewerFaces = "--faces 10000 takes seconds";
 inline constexpr std::string_view kRemeshFirst = "girth remesh makes fewer of them";
 
 /// Prints a note before the exact girth of a large surface is computed. `remedy`: what takes less.
@@ -25,7 +26,7 @@ void noteLargeSurface(const std::string& model, const SurfaceMesh& mesh, std::st
 /// line and the note. Errors: CANCELLED.
 Result<GirthField> computeGirth(const std::string& model, const SurfaceMesh& mesh,
                                 double persistence, unsigned threads,
-                                std::string_view remedy = "--faces 10000 takes seconds");
+                                std::string_view remedy = kFewerFaces);
 
 /// The saddles of all vertices up to a persistence; 0: all that there are. Errors: CANCELLED.
 Result<std::vector<Barcode>> computeBarcodes(const std::string& model, const SurfaceMesh& mesh,

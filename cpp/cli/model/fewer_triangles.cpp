@@ -15,13 +15,12 @@ Result<io::LoadedMesh> inFewerTriangles(const std::string& model, io::LoadedMesh
   auto remeshed = remeshModel(model, loaded.mesh, {faces});
   if (!remeshed) return remeshed.error();
   if (!remeshed.value()) return loaded;
-  SurfaceMesh few = std::move(remeshed.value()->mesh);
-
+  auto& [few, onOriginal] = *remeshed.value();
   const std::vector<Vertex> standIn = nearestVertices(few, nearestPoints(few, loaded.mesh));
   for (Vertex& vertex : loaded.vertexOfInput) {
     if (vertex != Vertex::none) vertex = standIn[vertex];
   }
-  const std::vector<Vertex> nearest = nearestVertices(loaded.mesh, nearestPoints(loaded.mesh, few));
+  const std::vector<Vertex> nearest = nearestVertices(loaded.mesh, onOriginal);
   std::vector<Index> inputOfVertex(few.vertexCount());
   std::transform(nearest.begin(), nearest.end(), inputOfVertex.begin(),
                  [&](Vertex vertex) { return loaded.inputOfVertex[vertex]; });
@@ -32,6 +31,10 @@ Result<io::LoadedMesh> inFewerTriangles(const std::string& model, io::LoadedMesh
                        "; vertices have the numbers of the nearest in the file");
   loaded.mesh = std::move(few);
   return loaded;
+}
+
+Error otherFaces(const std::string& hint) {
+  return usageError("with --faces the surface has other faces than the file", hint);
 }
 
 }  // namespace girth::cli

@@ -16,4 +16,7 @@ namespace girth::cli {
 Result<io::LoadedMesh> inFewerTriangles(const std::string& model, io::LoadedMesh loaded,
                                         std::uint32_t faces);
 
+/// USAGE: what names faces of the file does not go with `--faces`. `hint`: what does.
+Error otherFaces(const std::string& hint);
+
 }  // namespace girth::cli

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <system_error>
 
+#include "model/fewer_triangles.h"
 #include "model/loading.h"
 #include "process/report.h"
 #include "text/number_text.h"
@@ -80,9 +81,7 @@ Result<SurfacePoint> surfacePoint(const io::LoadedMesh& loaded, const TypedPoint
     if (!vertex) return vertex.error();
     return SurfacePoint::atVertex(vertex.value());
   }
-  if (preparing.faces > 0) {
-    return usageError("with --faces the surface has other faces than the file", "name a vertex");
-  }
+  if (preparing.faces > 0) return otherFaces("name a vertex");
   const Index count = loaded.report.inputFaces;
   if (*point.face < 0 || *point.face >= std::int64_t{count}) {
     Error error = makeError(ErrorCode::InvalidPoint, *point.face,

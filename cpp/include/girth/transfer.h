@@ -11,6 +11,10 @@
 
 namespace girth {
 
+/// The girth differs by at most so many times the distance along the surface, except where it jumps
+/// (web/docs/definitions.md, section 2).
+inline constexpr double kSteepestGirth = 2;
+
 /// For each vertex of `points` the nearest point of `surface`, in space. Of faces that lie back to
 /// back those count that face the same way as the vertex does, so that values do not jump through
 /// thin walls. O((n + m) log n).
@@ -18,7 +22,7 @@ GIRTH_EXPORT std::vector<SurfacePoint> nearestPoints(const SurfaceMesh& surface,
                                                      const SurfaceMesh& points);
 
 /// Values at points of a surface, linear within each face. Where two corners of a face differ by
-/// more than `steepest` times their distance (2 for the girth: beyond that it jumps), the value of
+/// more than `steepest` times their distance (kSteepestGirth for the girth), the value of
 /// the nearest corner is taken instead, and also where a corner has no value (NaN).
 GIRTH_EXPORT std::vector<double> interpolated(
     const SurfaceMesh& surface, std::span<const double> values,
@@ -26,9 +30,9 @@ GIRTH_EXPORT std::vector<double> interpolated(
     double steepest = std::numeric_limits<double>::infinity());
 
 /// A girth of `surface` at the vertices of another mesh that lies there, whose nearest points are
-/// given. As `interpolated` with 2; but between edges of at most that slope a face may be a little
-/// steeper, which the other mesh's edges would show as jumps: where one rises by up to half more
-/// than twice its length, its upper end is lowered. O(n log n).
+/// given. As `interpolated` with kSteepestGirth; but between edges of at most that slope a face may
+/// be a little steeper, which the other mesh's edges would show as jumps: where one rises by up to
+/// half more than twice its length, its upper end is lowered. O(n log n).
 GIRTH_EXPORT std::vector<double> carriedBack(const SurfaceMesh& surface,
                                              std::span<const double> girth,
                                              const SurfaceMesh& other,

@@ -14,9 +14,6 @@ namespace girth {
 
 namespace {
 
-/// The girth changes no faster, but where it jumps.
-constexpr double kSteepestGirth = 2;
-
 /// The point at a share of the side between two corners of a face.
 SurfacePoint between(Face face, Index from, Index to, double share) {
   return to == (from + 1) % 3 ? SurfacePoint::onHalfedge(SurfaceMesh::side(face, from), share)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <utility>
 
@@ -83,33 +84,29 @@ std::vector<double> interpolated(const SurfaceMesh& surface, std::span<const dou
 
 std::vector<double> carriedBack(const SurfaceMesh& surface, std::span<const double> girth,
                                 const SurfaceMesh& other, std::span<const SurfacePoint> nearest) {
-  // The girth is steeper where it jumps only (web/docs/definitions.md, section 2).
-  constexpr double kSteepest = 2, kNearly = 1.5, kRounding = 1e-9;
-  const std::vector<double> before = interpolated(surface, girth, nearest, kSteepest);
+  constexpr double kNearly = 1.5, kRounding = 1e-9;
+  const std::vector<double> before = interpolated(surface, girth, nearest, kSteepestGirth);
   std::vector<double> values = before;
   using Entry = std::pair<double, Vertex>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> lower;
-  // What an end of an edge may be at most, and whether the edge is no jump.
-  const auto mostBeyond = [&](Vertex from, Halfedge edge) {
-    return values[from] + kSteepest * (1 - kRounding) * other.length(edge);
-  };
-  const auto isGentle = [&](Vertex a, Vertex b, Halfedge edge) {
-    return std::fabs(before[a] - before[b]) <= kNearly * kSteepest * other.length(edge);
+  // Where an edge is no jump: what its end may be at most.
+  const auto mostBeyond = [&](Vertex from, Halfedge edge, Vertex end) {
+    const double rise = kSteepestGirth * other.length(edge);
+    const bool isJump = !(std::fabs(before[from] - before[end]) <= kNearly * rise);
+    return isJump ? std::numeric_limits<double>::infinity() : values[from] + rise * (1 - kRounding);
   };
   for (const Vertex v : other.vertices()) {
     forEachEdge(other, v, [&](Halfedge edge, Vertex end) {
-      if (isGentle(v, end, edge) && values[end] > mostBeyond(v, edge)) {
-        lower.push({values[v], v});
-      }
+      if (values[end] > mostBeyond(v, edge, end)) lower.push({values[v], v});
     });
   }
   while (!lower.empty()) {
-    const auto [value, v] = lower.top();
+    const auto [value, from] = lower.top();
     lower.pop();
-    if (value > values[v]) continue;
-    forEachEdge(other, v, [&, from = v](Halfedge edge, Vertex end) {
-      const double most = mostBeyond(from, edge);
-      if (!isGentle(from, end, edge) || !(values[end] > most)) return;
+    if (value > values[from]) continue;
+    forEachEdge(other, from, [&, v = from](Halfedge edge, Vertex end) {
+      const double most = mostBeyond(v, edge, end);
+      if (!(values[end] > most)) return;
       values[end] = most;
       lower.push({most, end});
     });
