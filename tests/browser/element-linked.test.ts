@@ -141,40 +141,58 @@ async function drag(viewer: Locator, button: 'left' | 'right'): Promise<void> {
   await page.mouse.up({ button });
 }
 
-test('as it is documented: to turn, move and zoom one does so with the other, in the same frame', async () => {
-  await open('/documented.html');
-  await fieldComplete(a);
-  await fieldComplete(b);
-  expectSameView(await viewOf(a), await viewOf(b));
-  for (const [moved, act] of [
-    [0, () => drag(a, 'left')],
-    [1, () => drag(b, 'right')],
-    [0, () => page.mouse.wheel(0, 300)],
-    [1, () => b.locator('canvas').press('ArrowLeft')],
-  ] as const) {
-    const before = await viewOf(a);
-    const box = (await [a, b][moved]!.boundingBox())!;
-    await page.mouse.move(box.x + 30, box.y + 30);
-    const { moves, drawn, rests } = await recorded(act);
-    expectSameView(await viewOf(a), await viewOf(b));
-    expect(await viewOf(a)).not.toEqual(before);
-    expect(moves[moved]!.length).toBeGreaterThan(0);
-    // Each is told once in a frame, and each such frame has drawn both.
-    for (const list of moves) expect(new Set(list).size).toBe(list.length);
-    expect(moves[1 - moved]).toEqual(moves[moved]);
-    for (const frame of moves[0]!) {
-      expect(drawn.filter((frames) => frames.includes(frame))).toHaveLength(2);
+test.each([
+  ['as it is documented', false],
+  ['where the other one asks for the frame first', true],
+])(
+  '%s: to turn, move and zoom one does so with the other, in the same frame',
+  async (_, asksFirst) => {
+    await open('/documented.html');
+    await fieldComplete(a);
+    await fieldComplete(b);
+    if (asksFirst) {
+      await page.evaluate(() => {
+        const changeOthers = ({ target }: Event): void => {
+          for (const viewer of document.querySelectorAll('girth-viewer')) {
+            if (viewer !== target) viewer.toggleAttribute('edges');
+          }
+        };
+        for (const type of ['pointermove', 'wheel', 'keydown']) {
+          addEventListener(type, changeOthers, true);
+        }
+      });
     }
-    for (const list of rests) expect(list.length).toBeGreaterThan(0);
-  }
-  // As at first, both are seen whole.
-  await a.locator('canvas').press('0');
-  await framesPass(page);
-  for (const viewer of [a, b]) {
-    expect(await viewer.evaluate((element: GirthViewer) => element.isAtHome)).toBe(true);
-  }
-  expectSameView(await viewOf(a), await viewOf(b));
-});
+    expectSameView(await viewOf(a), await viewOf(b));
+    for (const [moved, act] of [
+      [0, () => drag(a, 'left')],
+      [1, () => drag(b, 'right')],
+      [0, () => page.mouse.wheel(0, 300)],
+      [1, () => b.locator('canvas').press('ArrowLeft')],
+    ] as const) {
+      const before = await viewOf(a);
+      const box = (await [a, b][moved]!.boundingBox())!;
+      await page.mouse.move(box.x + 30, box.y + 30);
+      const { moves, drawn, rests } = await recorded(act);
+      expectSameView(await viewOf(a), await viewOf(b));
+      expect(await viewOf(a)).not.toEqual(before);
+      expect(moves[moved]!.length).toBeGreaterThan(0);
+      // Each is told once in a frame, and each such frame has drawn both.
+      for (const list of moves) expect(new Set(list).size).toBe(list.length);
+      expect(moves[1 - moved]).toEqual(moves[moved]);
+      for (const frame of moves[0]!) {
+        expect(drawn.filter((frames) => frames.includes(frame))).toHaveLength(2);
+      }
+      for (const list of rests) expect(list.length).toBeGreaterThan(0);
+    }
+    // As at first, both are seen whole.
+    await a.locator('canvas').press('0');
+    await framesPass(page);
+    for (const viewer of [a, b]) {
+      expect(await viewer.evaluate((element: GirthViewer) => element.isAtHome)).toBe(true);
+    }
+    expectSameView(await viewOf(a), await viewOf(b));
+  },
+);
 
 test('an element without the attribute is alone, and one that comes back takes the view of the other', async () => {
   await open('/documented.html');

@@ -122,35 +122,64 @@ test('requests that are not urgent share one frame; none comes after the end', (
   expect(frames(9)).toBe(0);
 });
 
-test('what one moves in another is drawn in the same frame, whoever comes first', () => {
+test('what one moves in another is noticed and drawn in the same frame, whoever comes first', () => {
   const log: string[] = [];
   /** Where each of two is; the one that is led goes where the other is. */
   const places = { leader: 0, led: 0 };
-  const make = (name: keyof typeof places, advance: () => Motion): FrameScheduler =>
+  const make = (name: keyof typeof places, advance: () => void): FrameScheduler =>
     new FrameScheduler({
       begin: () => false,
       isUnhurried: () => false,
-      advance,
+      advance: () => {
+        advance();
+        if (told[name] === places[name]) return 'none';
+        log.push(`${name} at ${(told[name] = places[name])}`);
+        return 'last';
+      },
       draw: () => log.push(`${name} ${places[name]}`),
     });
-  const led = make('led', () => 'none');
+  /** Where each has last noticed that it is. */
+  const told = { leader: 0, led: 0 };
+  const led = make('led', () => undefined);
   const leader = make('leader', () => {
     ++places.leader;
     places.led = places.leader;
     led.invalidate();
-    return 'last';
   });
   led.rest(false);
   leader.rest(false);
   // Both were asked for, first the one that is led: it has advanced already when it is moved.
   frames(1);
-  expect(log.splice(0)).toEqual(['led 1', 'leader 1']);
-  frames(9);
+  expect(log.splice(0)).toEqual(['leader at 1', 'led at 1', 'led 1', 'leader 1']);
+  expect(frames(9)).toBe(0);
   expect(log.splice(0)).toEqual([]);
   // Nothing was asked of the one that is led.
   leader.look();
   frames(1);
-  expect(log.splice(0)).toEqual(['leader 2', 'led 2']);
+  expect(log.splice(0)).toEqual(['leader at 2', 'led at 2', 'leader 2', 'led 2']);
   leader.stop();
   led.stop();
+});
+
+test('two that move each other advance twice in a frame, and no more', () => {
+  const turns = [0, 0];
+  const schedulers = [0, 1].map(
+    (i) =>
+      new FrameScheduler({
+        begin: () => false,
+        isUnhurried: () => false,
+        advance: () => {
+          ++turns[i]!;
+          schedulers[1 - i]!.invalidate();
+          return 'none';
+        },
+        draw: () => ++drawn,
+      }),
+  );
+  for (const one of schedulers) one.rest(false);
+  frames(1);
+  expect(turns).toEqual([2, 2]);
+  expect(drawn).toBe(2);
+  for (const one of schedulers) one.stop();
+  expect(frames(9)).toBe(0);
 });

@@ -29,14 +29,22 @@ export interface FrameWork {
  */
 class PageFrames {
   #requested = 0;
-  readonly #next = new Set<FrameScheduler>();
-  /** Those whose frame it is, while they advance. */
-  #advancing: Set<FrameScheduler> | undefined;
+  #next = new Set<FrameScheduler>();
+  /** While a frame's schedulers advance: those that are still to advance. */
+  #due: Set<FrameScheduler> | undefined;
+  /** The one that advances. */
+  #current: FrameScheduler | undefined;
+  /** How often each has begun to advance in this frame. */
+  readonly #turns = new Map<FrameScheduler, number>();
 
-  /** Asks for a frame: this one, where others advance and this scheduler is not among them, otherwise the next. */
+  /**
+   * Asks for a frame: this one, where another scheduler advances, otherwise the next. One that has advanced already then
+   * does so again, once: whoever comes first, what is moved by another notices it in the same frame.
+   */
   request(scheduler: FrameScheduler): void {
-    if (this.#advancing && !this.#advancing.has(scheduler)) {
-      this.#advancing.add(scheduler);
+    if (this.#due && scheduler !== this.#current && (this.#turns.get(scheduler) ?? 0) < 2) {
+      this.#next.delete(scheduler);
+      this.#due.add(scheduler);
       return;
     }
     this.#next.add(scheduler);
@@ -44,7 +52,7 @@ class PageFrames {
   }
 
   leave(scheduler: FrameScheduler): void {
-    this.#advancing?.delete(scheduler);
+    this.#due?.delete(scheduler);
     this.#next.delete(scheduler);
     if (this.#next.size > 0) return;
     cancelAnimationFrame(this.#requested);
@@ -53,16 +61,21 @@ class PageFrames {
 
   #frame(now: number): void {
     this.#requested = 0;
-    const all = new Set(this.#next);
-    this.#next.clear();
-    this.#advancing = all;
+    this.#due = this.#next;
+    this.#next = new Set();
+    this.#turns.clear();
     try {
       // Those that are added meanwhile come last.
-      for (const scheduler of all) scheduler.advance(now);
+      for (const scheduler of this.#due) {
+        this.#due.delete(scheduler);
+        this.#turns.set(scheduler, (this.#turns.get(scheduler) ?? 0) + 1);
+        this.#current = scheduler;
+        scheduler.advance(now);
+      }
     } finally {
-      this.#advancing = undefined;
+      this.#due = this.#current = undefined;
     }
-    for (const scheduler of all) scheduler.draw();
+    for (const scheduler of this.#turns.keys()) scheduler.draw();
   }
 }
 
@@ -70,7 +83,8 @@ const frames = new PageFrames();
 
 export class FrameScheduler {
   readonly #work: FrameWork;
-  #isRequested = false;
+  /** Whether a frame begins: what changes now is drawn in it. */
+  #isBeginning = false;
   /** What the last step of a frame has returned, until the frame is drawn. */
   #motion: Motion = 'none';
   /** Whether another frame was asked for by what began this one. */
@@ -106,9 +120,7 @@ export class FrameScheduler {
 
   /** Asks for a frame that is drawn only if something turns out to move. */
   look(): void {
-    if (this.#isRequested || this.#isResting) return;
-    this.#isRequested = true;
-    frames.request(this);
+    if (!this.#isBeginning && !this.#isResting) frames.request(this);
   }
 
   /** Nothing is drawn while resting, for example out of view. */
@@ -124,11 +136,15 @@ export class FrameScheduler {
     this.#isResting = true;
   }
 
-  /** For the page's frames: goes on with what moves. */
+  /** For the page's frames: goes on with what moves; again in the same frame where another one has moved it. */
   advance(now: number): void {
     // What `begin` changes is drawn in this frame; only what it returns asks for another.
-    this.#isAgain = this.#work.begin(now);
-    this.#isRequested = false;
+    this.#isBeginning = true;
+    try {
+      this.#isAgain = this.#work.begin(now);
+    } finally {
+      this.#isBeginning = false;
+    }
     this.#motion = 'none';
     const elapsed = now - this.#lastFrame;
     if (!this.#isDirty && this.#work.isUnhurried() && elapsed < turningInterval) {
@@ -138,12 +154,12 @@ export class FrameScheduler {
     }
     this.#lastFrame = now;
     this.#motion = this.#work.advance(Math.min(longestStep, elapsed / 1000));
+    if (this.#motion !== 'none') this.#isDirty = true;
   }
 
   /** For the page's frames, after `advance`: draws what has changed. */
   draw(): void {
-    const motion = this.#motion;
-    if ((this.#isDirty || motion !== 'none') && !this.#isResting) {
+    if (this.#isDirty && !this.#isResting) {
       this.#isDirty = false;
       const begun = performance.now();
       this.#work.draw();
@@ -151,6 +167,6 @@ export class FrameScheduler {
       setTimeout(() => (this.#frameCost = 0.5 * (this.#frameCost + performance.now() - begun)));
     }
     if (this.#isAgain) this.invalidate();
-    else if (motion === 'more') this.look();
+    else if (this.#motion === 'more') this.look();
   }
 }
