@@ -2,6 +2,9 @@
 // section 4.1).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "geodesic/unfolding.h"
 
 namespace girth::geodesic {
@@ -18,6 +21,13 @@ struct Window {
 
   /// Length of the path from the source to a point of the face.
   double distanceTo(Vec2 point) const { return sigma + norm(point - root); }
+
+  /// Length of the shortest of its paths to the halfedge, of this length: to no point of the face
+  /// that it covers is one shorter.
+  double nearest(double length) const {
+    const double aside = std::clamp(root.x, gapFrom, std::max(gapFrom, length - gapTo)) - root.x;
+    return sigma + std::sqrt(aside * aside + root.y * root.y);
+  }
 
   /// Whether the straight line from the root to a point above the halfedge (of this length) passes
   /// through the window, up to kTouch of the edge.

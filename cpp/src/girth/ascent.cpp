@@ -25,6 +25,8 @@ namespace {
 /// Distances this share apart are different for certain; by the second one, if they are as exact as
 /// those of one face are. The narrow fans behind vertices of little more than 2π need that.
 constexpr double kApart = 4 * kTogether, kAbove = 2 * kTie;
+/// Windows above that need no closer look.
+constexpr double kSurelyAbove = 1e-6;
 /// A shorter share of an edge is no piece of it; pieces are the same up to kSame of it.
 constexpr double kLeastPiece = 1e-6, kSame = 1e-9;
 constexpr std::size_t kMostPlaces = 256, kMostWork = std::size_t{1} << 18;
@@ -77,13 +79,15 @@ bool findCovered(const Window& w, double length, const Straight& piece, double& 
          keepPositive(cross(right, from), cross(right, to));
 }
 
-/// How far a point is from a segment, in space.
-double fromSegment(Vec3 point, Vec3 from, Vec3 to) {
+double squareOf(Vec3 a) { return girth::dot(a, a); }
+
+/// Square of how far a point is from a segment, in space.
+double squareFromSegment(Vec3 point, Vec3 from, Vec3 to) {
   const Vec3 along = to - from;
-  const double square = girth::dot(along, along);
+  const double square = squareOf(along);
   const double share =
       square > 0 ? std::clamp(girth::dot(point - from, along) / square, 0.0, 1.0) : 0;
-  return girth::norm(point - (from + share * along));
+  return squareOf(point - (from + share * along));
 }
 
 }  // namespace
@@ -98,7 +102,8 @@ void Ascent::start(double low, double high) {
   heap_.clear();
 }
 
-bool Ascent::leads(const SaddleSide& side, double low, double high) {
+/// At a saddle, to look for ways that lead on.
+void Ascent::startAt(const SaddleSide& side, double low, double high) {
   const Unfolding& unfolding = propagation_->unfolding();
   // What lasts no longer than that is not seen to last.
   high = std::max(high, low * (1 + 2 * kApart));
@@ -111,9 +116,17 @@ bool Ascent::leads(const SaddleSide& side, double low, double high) {
   isPassed_ = high * (1 + 2 * kApart) < propagation_->frontier();
   const Crossing c = unfolding.crossing(side.halfedge);
   reached_.assign(1, positionOn(side.halfedge, std::clamp(side.point.x, 0.0, c.length())));
+}
 
+bool Ascent::leadsStraight(const SaddleSide& side, double low, double high) {
+  startAt(side, low, high);
   goStraight(side);
-  if (found_) return true;
+  return found_;
+}
+
+bool Ascent::leads(const SaddleSide& side, double low, double high) {
+  if (leadsStraight(side, low, high)) return true;
+  const Unfolding& unfolding = propagation_->unfolding();
   setOut(side);
   // On a side of the face, the saddle is in the face beyond as well.
   for (const Index h : sidesOf(side.halfedge)) {
@@ -182,7 +195,8 @@ bool Ascent::isClear(Index halfedge, Vec2 from, Vec2 to, bool isFirst) {
     work_ += propagation_->enteredCount(h);
     double begin = 0, end = 0;
     if (propagation_->findEntered(h, [&](const Window& w, std::uint32_t) {
-          return findCovered(w, c.length(), piece, begin, end) &&
+          return w.nearest(c.length()) <= low_ * (1 + kSurelyAbove) &&
+                 findCovered(w, c.length(), piece, begin, end) &&
                  !areLonger(piece, begin, end, w.root, w.sigma, low_);
         })) {
       return false;
@@ -211,7 +225,7 @@ SaddleSide Ascent::beyond(const SaddleSide& side, Index halfedge) const {
 /// From the saddle to the sides of one of its faces.
 void Ascent::setOut(const SaddleSide& side) {
   if (propagation_->forgotten(faceOfSide(side.halfedge))) return;
-  rest_.findBeside(*propagation_, side, low_ * (1 + kAbove));
+  rest_.findBeside(*propagation_, side, low_ * (1 + kAbove), low_ * (1 + kAbove));
   work_ += rest_.takeWork();
   const std::size_t gap = rest_.saddleGap();
   for (const FaceRest::Piece& piece : rest_.pieces()) {
@@ -225,7 +239,8 @@ void Ascent::goOn(const Place& place) {
   const Index twin = unfolding.twin(place.halfedge);
   const Index face = faceOfSide(twin);
   if (propagation_->forgotten(face)) return;
-  rest_.find(*propagation_, face, low_ * (1 + kAbove));
+  const double height = low_ * (1 + kAbove);
+  rest_.find(*propagation_, face, height, isPassed_ ? high_ * (1 + kApart) : height);
   work_ += rest_.takeWork();
   const double at = unfolding.crossing(twin).length() - place.middle();
   const auto& pieces = rest_.pieces();
@@ -246,7 +261,7 @@ void Ascent::goOn(const Place& place) {
 bool Ascent::rises(const FaceRest::Piece& from) {
   const Index face = faceOfSide(from.halfedge);
   if (!isPassed_ || propagation_->farthestWithin(face) <= high_) return false;
-  upper_.find(*propagation_, face, high_ * (1 + kApart));
+  upper_.find(*propagation_, face, high_ * (1 + kApart), high_ * (1 + kApart));
   work_ += upper_.takeWork();
   const Unfolding& unfolding = propagation_->unfolding();
   const auto& pieces = rest_.pieces();
@@ -299,26 +314,33 @@ bool Ascent::isKnown(const std::vector<Place>& places, Index halfedge, double be
   });
 }
 
-/// Whether a point of a halfedge is seen to be farther than `high`, as it lies far off.
+/// Whether a point of a halfedge is seen to be farther than `high`: it lies far off, or no path to
+/// it is shorter where the frontier has passed that.
 bool Ascent::isFarther(Index halfedge, double at) {
-  return girth::norm(positionOn(halfedge, at) - origin_) > straight_ ||
-         (!isPassed_ && isFarFromAll(halfedge, at));
+  const Vec3 point = positionOn(halfedge, at);
+  if (squareOf(point - origin_) > straight_ * straight_) return true;
+  if (!isPassed_) return isFarFromAll(halfedge, point);
+  geodesic::WindowNumber nearer;
+  return !propagation_->forgotten(faceOfSide(halfedge)) &&
+         !propagation_->findNearer(halfedge, {at, 0}, high_ * (1 + kApart), nearer);
 }
 
 /// How far a point is, in space, from what is known to have been reached.
 double Ascent::fromReached(Vec3 point) const {
   double nearest = kInfinity;
-  for (const Vec3 reached : reached_) nearest = std::min(nearest, girth::norm(point - reached));
-  return nearest;
+  for (const Vec3 reached : reached_) nearest = std::min(nearest, squareOf(point - reached));
+  return std::sqrt(nearest);
 }
 
 /// Whether nothing within high − low of a point of a halfedge has been reached up to `low`. What is
 /// so near is so near in space, too, and hangs together across edges that are.
-bool Ascent::isFarFromAll(Index halfedge, double at) {
-  const Unfolding& unfolding = propagation_->unfolding();
-  const Vec3 point = positionOn(halfedge, at);
+bool Ascent::isFarFromAll(Index halfedge, Vec3 point) {
   if (reached_.size() > kMostReached) return false;
-  if (fromReached(point) <= radius_) return false;
+  // What was found last is the nearest, as a rule.
+  for (std::size_t i = reached_.size(); i-- > 0;) {
+    if (squareOf(point - reached_[i]) <= radius_ * radius_) return false;
+  }
+  const Unfolding& unfolding = propagation_->unfolding();
   if (turn_.empty()) turn_.resize(unfolding.halfedgeCount() / 3, 0);
   if (++turns_ == 0) {
     std::fill(turn_.begin(), turn_.end(), 0u);
@@ -337,14 +359,15 @@ bool Ascent::isFarFromAll(Index halfedge, double at) {
     const Index face = around_[i];
     ++work_;
     if (i == kMostAround || !isUnreached(face)) {
-      reached_.push_back(positionOn(3 * face, 0));
+      reached_.push_back(cornerOf(unfolding.crossing(3 * face).from()));
       return false;
     }
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       const Index twin = unfolding.twin(h);
       if (twin == kNoIndex || turn_[faceOfSide(twin)] == turns_) continue;
-      const Vec3 from = positionOn(h, 0), to = positionOn(h, unfolding.crossing(h).length());
-      if (fromSegment(point, from, to) <= radius_) add(twin);
+      const Crossing c = unfolding.crossing(h);
+      const Vec3 from = cornerOf(c.from()), to = cornerOf(c.to());
+      if (squareFromSegment(point, from, to) <= radius_ * radius_) add(twin);
     }
   }
   return true;
@@ -358,10 +381,8 @@ bool Ascent::isUnreached(Index face) const {
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Crossing c = unfolding.crossing(h);
     if (!(propagation_->distance(c.from()) > low)) return false;
-    if (propagation_->findEntered(h, [&](const Window& w, std::uint32_t) {
-          const double nearest = std::clamp(w.root.x, w.gapFrom, c.length() - w.gapTo);
-          return !(w.distanceTo({nearest, 0}) > low);
-        })) {
+    if (propagation_->findEntered(
+            h, [&](const Window& w, std::uint32_t) { return !(w.nearest(c.length()) > low); })) {
       return false;
     }
   }
@@ -374,10 +395,11 @@ bool Ascent::isFilled(const SaddleSide& side, double low, double high) {
   const Unfolding& unfolding = propagation_->unfolding();
   start(low, high);
   const double height = low * (1 - kApart), most = high * (1 - kApart);
-  Index saddleFace = kNoIndex;
+  SaddleSide beside = side;
   const auto seesWhole = [&](const SaddleSide& in) {
-    saddleFace = faceOfSide(in.halfedge);
-    return !propagation_->forgotten(saddleFace) && rest_.findBeside(*propagation_, in, height);
+    beside = in;
+    return !propagation_->forgotten(faceOfSide(in.halfedge)) &&
+           rest_.findBeside(*propagation_, in, height, most);
   };
   const std::array<Index, 3> sides = sidesOf(side.halfedge);
   // Where the loop runs along a side of the face, one side of it is in the face beyond.
@@ -415,20 +437,39 @@ bool Ascent::isFilled(const SaddleSide& side, double low, double high) {
     const Index face = faceOfSide(twin);
     const double length = unfolding.crossing(twin).length(), same = kSame * length;
     const double begin = length - place.end - same, end = length - place.begin + same;
-    if (face == saddleFace) return false;
-    if (propagation_->forgotten(face)) continue;  // it is nearer as a whole
-    rest_.find(*propagation_, face, height);
-    if (propagation_->farthestWithin(face) > most && !rest_.isWithin(most)) return false;
-    gaps_.clear();
-    for (const FaceRest::Piece& piece : rest_.pieces()) {
-      if (piece.halfedge == twin && piece.begin <= end && piece.end >= begin) {
-        gaps_.push_back(piece.gap);
-      }
+    if (propagation_->forgotten(face)) {
+      if (propagation_->farthestWithin(face) <= height) continue;
+      return false;
     }
-    add([&](const FaceRest::Piece& piece) {
+    const auto isEntered = [&](std::size_t to) {
       return std::any_of(gaps_.begin(), gaps_.end(),
-                         [&](std::size_t from) { return rest_.together(from, piece.gap); });
-    });
+                         [&](std::size_t from) { return rest_.together(from, to); });
+    };
+    const auto enter = [&] {
+      gaps_.clear();
+      for (const FaceRest::Piece& piece : rest_.pieces()) {
+        if (piece.halfedge == twin && piece.begin <= end && piece.end >= begin) {
+          gaps_.push_back(piece.gap);
+        }
+      }
+      add([&](const FaceRest::Piece& piece) { return isEntered(piece.gap); });
+    };
+    if (face == faceOfSide(beside.halfedge)) {
+      // Back beside the loop, where it must not come to the saddle from the other side.
+      for (const bool isOther : {false, true}) {
+        SaddleSide part = beside;
+        if (isOther) part.direction = -1 * part.direction;
+        if (!rest_.findBeside(*propagation_, part, height, most) || !rest_.isWithin(most)) {
+          return false;
+        }
+        enter();
+        if (isOther && isEntered(rest_.saddleGap())) return false;
+      }
+      continue;
+    }
+    rest_.find(*propagation_, face, height, most);
+    if (propagation_->farthestWithin(face) > most && !rest_.isWithin(most)) return false;
+    enter();
   }
   return true;
 }
@@ -437,11 +478,14 @@ bool Ascent::isFilled(const SaddleSide& side, double low, double high) {
 Vec3 Ascent::positionOn(Index halfedge, double at) const {
   const Unfolding& unfolding = propagation_->unfolding();
   const Crossing c = unfolding.crossing(halfedge);
-  const auto position = [&](Index vertex) {
-    return unfolding.mesh().position(Vertex(unfolding.vertexInMesh(vertex)));
-  };
-  const Vec3 from = position(c.from());
-  return from + at / c.length() * (position(c.to()) - from);
+  const Vec3 from = cornerOf(c.from());
+  return from + at / c.length() * (cornerOf(c.to()) - from);
+}
+
+/// A vertex in space, in model units.
+Vec3 Ascent::cornerOf(Index vertex) const {
+  const Unfolding& unfolding = propagation_->unfolding();
+  return unfolding.mesh().position(Vertex(unfolding.vertexInMesh(vertex)));
 }
 
 std::size_t Ascent::memoryBytes() const {

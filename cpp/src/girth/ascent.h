@@ -24,6 +24,8 @@ class Ascent {
   /// `low`. False: none was found, though there may be one. Distances are in the unit of the
   /// unfolding. Time: at most a quarter of a million paths are looked at.
   bool leads(const SaddleSide& side, double low, double high);
+  /// The same for the way that goes straight on from the saddle, which most do: much quicker.
+  bool leadsStraight(const SaddleSide& side, double low, double high);
 
   /// Whether all of the rest on one side of a saddle is seen, and nothing of it is
   /// farther than `high`, which the frontier has passed. False: it was not seen, though it may be
@@ -43,6 +45,7 @@ class Ascent {
   };
 
   void start(double low, double high);
+  void startAt(const SaddleSide& side, double low, double high);
   SaddleSide beyond(const SaddleSide& side, Index halfedge) const;
   void goStraight(const SaddleSide& side);
   bool isClear(Index halfedge, geodesic::Vec2 from, geodesic::Vec2 to, bool isFirst);
@@ -52,11 +55,12 @@ class Ascent {
   void reach(const FaceRest::Piece& piece);
   bool rises(const FaceRest::Piece& from);
   bool isFarther(Index halfedge, double at);
-  bool isFarFromAll(Index halfedge, double at);
+  bool isFarFromAll(Index halfedge, Vec3 point);
   double fromReached(Vec3 point) const;
   bool isUnreached(Index face) const;
   bool isKnown(const std::vector<Place>& places, Index halfedge, double begin, double end) const;
   Vec3 positionOn(Index halfedge, double at) const;
+  Vec3 cornerOf(Index vertex) const;
 
   const geodesic::Propagation* propagation_;
   double low_{0}, high_{0};

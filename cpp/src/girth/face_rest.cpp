@@ -53,14 +53,15 @@ void clip(std::vector<Vec2>& polygon, std::vector<Vec2>& kept, Vec2 origin, Vec2
 
 }  // namespace
 
-void FaceRest::find(const Propagation& propagation, Index face, double height) {
-  gather(propagation, face);
+void FaceRest::find(const Propagation& propagation, Index face, double height, double longest) {
+  gather(propagation, face, longest);
   block(height, nullptr);
 }
 
-bool FaceRest::findBeside(const Propagation& propagation, const SaddleSide& side, double height) {
+bool FaceRest::findBeside(const Propagation& propagation, const SaddleSide& side, double height,
+                          double longest) {
   const Index face = faceOfSide(side.halfedge);
-  gather(propagation, face);
+  gather(propagation, face, longest);
   const Unfolding& unfolding = propagation.unfolding();
   const auto place = [&](Vec2 p) { return unfolding.toFrame(side.halfedge, 3 * face, p); };
   const Vec2 point = place(side.point);
@@ -73,11 +74,11 @@ bool FaceRest::findBeside(const Propagation& propagation, const SaddleSide& side
   return isWhole;
 }
 
-/// The sites and the sides of the whole face.
-void FaceRest::gather(const Propagation& propagation, Index face) {
+/// The sites, up to paths so long, and the sides of the whole face.
+void FaceRest::gather(const Propagation& propagation, Index face, double longest) {
   propagation_ = &propagation;
   const Unfolding& unfolding = propagation.unfolding();
-  findSites(propagation, face, sites_);
+  findSites(propagation, face, longest, sites_);
   const std::array<Vec2, 3> corners = cornersOf(unfolding, face);
   sides_.clear();
   slack_ = 0;

@@ -35,12 +35,14 @@ class FaceRest {
   };
 
   /// Finds the pieces of a face, which has not been forgotten and which the frontier has passed up
-  /// to the height. Time: O(k log k) for k paths into the face.
-  void find(const geodesic::Propagation& propagation, Index face, double height);
+  /// to the height. `longest`: longer paths are not looked at, which may be the height, or what
+  /// `isWithin` is to be asked for. Time: O(k log k) for k paths into the face.
+  void find(const geodesic::Propagation& propagation, Index face, double height, double longest);
   /// The same of the part of a face on one side of a saddle's loop, which nothing crosses but
   /// there. `height` differs from that of the saddle by rounding. False: the saddle lies on a side
   /// of the face that the loop crosses, or this side of the loop is in the face beyond.
-  bool findBeside(const geodesic::Propagation& propagation, const SaddleSide& side, double height);
+  bool findBeside(const geodesic::Propagation& propagation, const SaddleSide& side, double height,
+                  double longest);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
   /// The gap that the saddle lies in.
@@ -93,7 +95,7 @@ class FaceRest {
   };
   using Triangle = std::array<geodesic::Vec2, 3>;
 
-  void gather(const geodesic::Propagation& propagation, Index face);
+  void gather(const geodesic::Propagation& propagation, Index face, double longest);
   bool cutAlong(const SaddleSide& side);
   void block(double height, const SaddleSide* side);
   Sight sightOf(const Pie& pie, geodesic::Vec2 point) const;

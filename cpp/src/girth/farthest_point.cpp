@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "girth/sites.h"
+#include "infinity.h"
 
 namespace girth {
 
@@ -123,7 +124,7 @@ class Search {
 
   void open(Index face) {
     std::vector<Site> sites;
-    findSites(propagation_, face, sites);
+    findSites(propagation_, face, kInfinity, sites);
     add(cornersOf(propagation_.unfolding(), face), sites);
   }
 

@@ -66,7 +66,7 @@ class MaximaSearch {
   std::vector<Site> sites_, roots_;
   std::vector<Site> bounds_;  // corners that send no paths into the face
   std::vector<Cell> cells_;
-  std::vector<geodesic::Vec2> tried_;  // points of the face
+  std::vector<geodesic::Vec2> tried_, found_;  // points of the face, and the maxima among them
   Arrivals arrivals_;
   std::size_t work_{0};
 };

@@ -27,8 +27,11 @@ struct Site {
   }
 };
 
-/// The sites of a face, in the frame of its first halfedge: `sites` is filled in anew.
-void findSites(const geodesic::Propagation& propagation, Index face, std::vector<Site>& sites);
+/// The sites of a face, in the frame of its first halfedge: `sites` is filled in anew. Windows
+/// whose paths into the face are all longer than `longest` are left out, but for some that are
+/// hardly longer.
+void findSites(const geodesic::Propagation& propagation, Index face, double longest,
+               std::vector<Site>& sites);
 
 /// Adds one site of each root to `roots`, which must come empty: windows that differ only in the
 /// way they pass flat vertices, within `slack`, count once. False: there are more than `most`.

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "barcode_checks.h"
+#include "corpus.h"
 #include "girth/girth.h"
 #include "random_meshes.h"
 #include "shapes.h"
@@ -110,6 +111,33 @@ TEST(Barcode, GivesThePersistentGirthWhereHeightsAreEqual) {
 // at every vertex, and for tau just below and above how long saddles last.
 TEST(Barcode, IsForeseenFromTheSidesOfSaddles) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) expectPersistentGirths(seed);
+}
+
+// The same on animals, at vertices where one of the two was wrong once.
+TEST(Barcode, IsForeseenOnRealModels) {
+  if (!corpusIsThere()) GTEST_SKIP() << "skipped: no corpus";
+  const struct {
+    const char* name;
+    double percent;  // of the square root of the area
+    std::vector<Index> vertices;
+  } cases[] = {
+      {"horse0", 8, {3183, 3672, 3675}},
+      {"cat3", 2, {1545, 1912}},
+      {"david0", 2, {3668, 4763}},
+      {"wolf0", 2, {2860, 2868, 2870, 2872, 2873, 2874, 2875, 2879, 2885, 2925, 2928, 2945}},
+  };
+  for (const auto& [name, percent, vertices] : cases) {
+    SCOPED_TRACE(name);
+    const SurfaceMesh mesh = corpusModel(std::string("../retrieval/tosca_iso_5k/") + name + ".off");
+    const double tau = percent / 100 * std::sqrt(mesh.area());
+    GirthSolver solver(mesh), persistent(mesh);
+    persistent.setPersistence(tau);
+    for (const Index v : vertices) {
+      SCOPED_TRACE("vertex " + std::to_string(v));
+      const Barcode barcode = barcodeOf(solver, Vertex(v), {.maxPersistence = tau});
+      EXPECT_EQ(persistent.value(Vertex(v)).value().length, barcode.girth(tau).length);
+    }
+  }
 }
 
 // Far from the ends of a rod both sides of the loop go on, as its length shows: at most vertices

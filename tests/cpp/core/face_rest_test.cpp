@@ -103,7 +103,7 @@ class Comparison {
   explicit Comparison(const Propagation& propagation) : propagation_(&propagation) {}
 
   void compare(Index face, Samples& samples, double height) {
-    rest_.find(*propagation_, face, height);
+    rest_.find(*propagation_, face, height, height);
     const std::vector<FaceRest::Piece> pieces = rest_.pieces();
     const auto sample = [&](const FaceRest::Piece& piece) {
       const double length = propagation_->unfolding().crossing(piece.halfedge).length();
@@ -177,7 +177,8 @@ TEST(FaceRest, HangsTogetherAsSamplesDo) {
       }
       if (line.size() != 2) continue;
       const auto corners = cornersOf(unfolding, face);
-      rest.find(propagation, face, loop.length / 2 / unfolding.unit() * (1 + 1e-9));
+      const double height = loop.length / 2 / unfolding.unit() * (1 + 1e-9);
+      rest.find(propagation, face, height, height);
       const std::vector<FaceRest::Piece> pieces = rest.pieces();
       const auto isLeft = [&](const FaceRest::Piece& piece) {
         const Vec2 from = corners[piece.halfedge % 3], to = corners[(piece.halfedge % 3 + 1) % 3];
