@@ -25,7 +25,7 @@ struct Window {
   /// Length of the shortest of its paths to the halfedge, of this length: to no point of the face
   /// that it covers is one shorter.
   double nearest(double length) const {
-    const double aside = std::clamp(root.x, gapFrom, std::max(gapFrom, length - gapTo)) - root.x;
+    const double aside = std::max(gapFrom, std::min(root.x, length - gapTo)) - root.x;
     return sigma + std::sqrt(aside * aside + root.y * root.y);
   }
 

@@ -102,8 +102,7 @@ void Ascent::start(double low, double high) {
   heap_.clear();
 }
 
-/// At a saddle, to look for ways that lead on.
-void Ascent::startAt(const SaddleSide& side, double low, double high) {
+bool Ascent::leads(const SaddleSide& side, double low, double high) {
   const Unfolding& unfolding = propagation_->unfolding();
   // What lasts no longer than that is not seen to last.
   high = std::max(high, low * (1 + 2 * kApart));
@@ -116,17 +115,9 @@ void Ascent::startAt(const SaddleSide& side, double low, double high) {
   isPassed_ = high * (1 + 2 * kApart) < propagation_->frontier();
   const Crossing c = unfolding.crossing(side.halfedge);
   reached_.assign(1, positionOn(side.halfedge, std::clamp(side.point.x, 0.0, c.length())));
-}
 
-bool Ascent::leadsStraight(const SaddleSide& side, double low, double high) {
-  startAt(side, low, high);
   goStraight(side);
-  return found_;
-}
-
-bool Ascent::leads(const SaddleSide& side, double low, double high) {
-  if (leadsStraight(side, low, high)) return true;
-  const Unfolding& unfolding = propagation_->unfolding();
+  if (found_) return true;
   setOut(side);
   // On a side of the face, the saddle is in the face beyond as well.
   for (const Index h : sidesOf(side.halfedge)) {
@@ -314,15 +305,11 @@ bool Ascent::isKnown(const std::vector<Place>& places, Index halfedge, double be
   });
 }
 
-/// Whether a point of a halfedge is seen to be farther than `high`: it lies far off, or no path to
-/// it is shorter where the frontier has passed that.
+/// Whether a point of a halfedge is seen to be farther than `high`, as it lies far off.
 bool Ascent::isFarther(Index halfedge, double at) {
   const Vec3 point = positionOn(halfedge, at);
-  if (squareOf(point - origin_) > straight_ * straight_) return true;
-  if (!isPassed_) return isFarFromAll(halfedge, point);
-  geodesic::WindowNumber nearer;
-  return !propagation_->forgotten(faceOfSide(halfedge)) &&
-         !propagation_->findNearer(halfedge, {at, 0}, high_ * (1 + kApart), nearer);
+  return squareOf(point - origin_) > straight_ * straight_ ||
+         (!isPassed_ && isFarFromAll(halfedge, point));
 }
 
 /// How far a point is, in space, from what is known to have been reached.
@@ -410,68 +397,76 @@ bool Ascent::isFilled(const SaddleSide& side, double low, double high) {
       })) {
     return false;
   }
-  // The pieces that hang together with one of these gaps lead on, unless they lead back into what
-  // has been seen.
-  const auto add = [&](const auto& isFrom) {
-    for (const FaceRest::Piece& piece : rest_.pieces()) {
-      if (!isFrom(piece)) continue;
-      seen_.push_back({piece.halfedge, piece.begin, piece.end});
-      const Index twin = unfolding.twin(piece.halfedge);
-      const double length = unfolding.crossing(piece.halfedge).length();
-      if (twin != kNoIndex && (isKnown(seen_, twin, length - piece.end, length - piece.begin) ||
-                               isKnown(places_, piece.halfedge, piece.begin, piece.end))) {
-        continue;
-      }
-      places_.push_back({piece.halfedge, piece.begin, piece.end});
-    }
-    work_ += rest_.takeWork();
-  };
-  const std::size_t gap = rest_.saddleGap();
   if (!rest_.isWithin(most)) return false;
-  add([&](const FaceRest::Piece& piece) { return rest_.together(gap, piece.gap); });
+  gaps_.clear();
+  gaps_.push_back(rest_.saddleGap());
+  addEntered();
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (i == kMostPlaces || work_ > kMostWork) return false;
     const Place place = places_[i];
     const Index twin = unfolding.twin(place.halfedge);
     if (twin == kNoIndex) return false;
     const Index face = faceOfSide(twin);
-    const double length = unfolding.crossing(twin).length(), same = kSame * length;
-    const double begin = length - place.end - same, end = length - place.begin + same;
     if (propagation_->forgotten(face)) {
       if (propagation_->farthestWithin(face) <= height) continue;
       return false;
     }
-    const auto isEntered = [&](std::size_t to) {
-      return std::any_of(gaps_.begin(), gaps_.end(),
-                         [&](std::size_t from) { return rest_.together(from, to); });
-    };
-    const auto enter = [&] {
-      gaps_.clear();
-      for (const FaceRest::Piece& piece : rest_.pieces()) {
-        if (piece.halfedge == twin && piece.begin <= end && piece.end >= begin) {
-          gaps_.push_back(piece.gap);
-        }
-      }
-      add([&](const FaceRest::Piece& piece) { return isEntered(piece.gap); });
-    };
-    if (face == faceOfSide(beside.halfedge)) {
-      // Back beside the loop, where it must not come to the saddle from the other side.
-      for (const bool isOther : {false, true}) {
-        SaddleSide part = beside;
-        if (isOther) part.direction = -1 * part.direction;
-        if (!rest_.findBeside(*propagation_, part, height, most) || !rest_.isWithin(most)) {
-          return false;
-        }
-        enter();
-        if (isOther && isEntered(rest_.saddleGap())) return false;
-      }
+    if (face != faceOfSide(beside.halfedge)) {
+      rest_.find(*propagation_, face, height, most);
+      if (propagation_->farthestWithin(face) > most && !rest_.isWithin(most)) return false;
+      enter(place);
+      addEntered();
       continue;
     }
-    rest_.find(*propagation_, face, height, most);
-    if (propagation_->farthestWithin(face) > most && !rest_.isWithin(most)) return false;
-    enter();
+    // Back beside the loop, where it must not come to the saddle from the other side.
+    for (const bool isOther : {false, true}) {
+      SaddleSide part = beside;
+      if (isOther) part.direction = -1 * part.direction;
+      const bool isWhole = rest_.findBeside(*propagation_, part, height, most);
+      if (!isWhole || !rest_.isWithin(most)) return false;
+      enter(place);
+      if (isOther && isEntered(rest_.saddleGap())) return false;
+      addEntered();
+    }
   }
   return true;
+}
+
+/// The gaps of the face beyond a place that lie at it.
+void Ascent::enter(const Place& place) {
+  const Unfolding& unfolding = propagation_->unfolding();
+  const Index twin = unfolding.twin(place.halfedge);
+  const double length = unfolding.crossing(twin).length(), same = kSame * length;
+  const double begin = length - place.end - same, end = length - place.begin + same;
+  gaps_.clear();
+  for (const FaceRest::Piece& piece : rest_.pieces()) {
+    if (piece.halfedge == twin && piece.begin <= end && piece.end >= begin) {
+      gaps_.push_back(piece.gap);
+    }
+  }
+}
+
+/// Whether a gap hangs together with one of those.
+bool Ascent::isEntered(std::size_t gap) {
+  return std::any_of(gaps_.begin(), gaps_.end(),
+                     [&](std::size_t from) { return rest_.together(from, gap); });
+}
+
+/// The pieces that hang together with them lead on, unless they lead back into what has been seen.
+void Ascent::addEntered() {
+  const Unfolding& unfolding = propagation_->unfolding();
+  for (const FaceRest::Piece& piece : rest_.pieces()) {
+    if (!isEntered(piece.gap)) continue;
+    seen_.push_back({piece.halfedge, piece.begin, piece.end});
+    const Index twin = unfolding.twin(piece.halfedge);
+    const double length = unfolding.crossing(piece.halfedge).length();
+    if (twin != kNoIndex && (isKnown(seen_, twin, length - piece.end, length - piece.begin) ||
+                             isKnown(places_, piece.halfedge, piece.begin, piece.end))) {
+      continue;
+    }
+    places_.push_back({piece.halfedge, piece.begin, piece.end});
+  }
+  work_ += rest_.takeWork();
 }
 
 /// A point of a halfedge in space, in model units.

@@ -24,8 +24,6 @@ class Ascent {
   /// `low`. False: none was found, though there may be one. Distances are in the unit of the
   /// unfolding. Time: at most a quarter of a million paths are looked at.
   bool leads(const SaddleSide& side, double low, double high);
-  /// The same for the way that goes straight on from the saddle, which most do: much quicker.
-  bool leadsStraight(const SaddleSide& side, double low, double high);
 
   /// Whether all of the rest on one side of a saddle is seen, and nothing of it is
   /// farther than `high`, which the frontier has passed. False: it was not seen, though it may be
@@ -45,7 +43,6 @@ class Ascent {
   };
 
   void start(double low, double high);
-  void startAt(const SaddleSide& side, double low, double high);
   SaddleSide beyond(const SaddleSide& side, Index halfedge) const;
   void goStraight(const SaddleSide& side);
   bool isClear(Index halfedge, geodesic::Vec2 from, geodesic::Vec2 to, bool isFirst);
@@ -54,6 +51,9 @@ class Ascent {
   bool isKnown(const FaceRest::Piece& piece) const;
   void reach(const FaceRest::Piece& piece);
   bool rises(const FaceRest::Piece& from);
+  void enter(const Place& place);
+  bool isEntered(std::size_t gap);
+  void addEntered();
   bool isFarther(Index halfedge, double at);
   bool isFarFromAll(Index halfedge, Vec3 point);
   double fromReached(Vec3 point) const;

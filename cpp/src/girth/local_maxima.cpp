@@ -217,7 +217,6 @@ void MaximaSearch::tryFace(Index face) {
   });
   face_ = face;
   tried_.clear();
-  found_.clear();
   cells_.clear();
   cells_.push_back({cornersOf(propagation_->unfolding(), face), sites_});
 }
@@ -313,17 +312,16 @@ void MaximaSearch::tryPoint(Vec2 point, double distance) {
   }
   // What is no maximum may lie beside one by less: where two roots and the point lie on one line,
   // the root whose paths do not come there meets others almost where the right one does.
-  const auto isNear = [&](Vec2 known) { return norm(known - *within) <= kTogether * distance; };
-  const auto isSame = [&](Vec2 known) { return known.x == within->x && known.y == within->y; };
-  if (std::any_of(found_.begin(), found_.end(), isNear)) return;
-  if (std::any_of(tried_.begin(), tried_.end(), isSame)) return;
-  tried_.push_back(*within);
+  for (const Tried& known : tried_) {
+    if (norm(known.point - *within) <= (known.isMaximum ? kTogether * distance : 0)) return;
+  }
+  tried_.push_back({*within, false});
   geodesic::WindowNumber nearer;
   if (propagation_->findNearer(3 * face_, *within, distance * (1 - kTogether / 10), nearer)) return;
   findArrivals(*propagation_, 3 * face_, *within, distance * (1 + kTogether), arrivals_);
   work_ += arrivals_.paths.size();
   if (arrivals_.open || !arrivals_.surround(kNoGap)) return;
-  found_.push_back(*within);
+  tried_.back().isMaximum = true;
   add(distance, kNoIndex, 3 * face_, *within);
 }
 
@@ -357,8 +355,7 @@ void MaximaSearch::add(double distance, Index vertex, Index halfedge, Vec2 point
 
 std::size_t MaximaSearch::memoryBytes() const {
   return (sites_.capacity() + roots_.capacity()) * sizeof(Site) + cells_.capacity() * sizeof(Cell) +
-         (tried_.capacity() + found_.capacity()) * sizeof(Vec2) +
-         arrivals_.paths.capacity() * sizeof(PathArrival);
+         tried_.capacity() * sizeof(Tried) + arrivals_.paths.capacity() * sizeof(PathArrival);
 }
 
 }  // namespace girth

@@ -47,6 +47,12 @@ class MaximaSearch {
     std::vector<Site> sites;
   };
 
+  /// A point of the face.
+  struct Tried {
+    geodesic::Vec2 point;
+    bool isMaximum;
+  };
+
   void tryVertex(Index vertex);
   bool sendsInto(Index out) const;
   bool allFromOneSide(Index face);
@@ -66,7 +72,7 @@ class MaximaSearch {
   std::vector<Site> sites_, roots_;
   std::vector<Site> bounds_;  // corners that send no paths into the face
   std::vector<Cell> cells_;
-  std::vector<geodesic::Vec2> tried_, found_;  // points of the face, and the maxima among them
+  std::vector<Tried> tried_;
   Arrivals arrivals_;
   std::size_t work_{0};
 };

@@ -158,21 +158,20 @@ PersistentSearch::Fate PersistentSearch::foresee(const Saddle& saddle, double en
     return SaddleSide{loop.halfedge, loop.midpoint, roots,
                       k == 0 ? Vec2{-line.y, line.x} : Vec2{line.y, -line.x}};
   };
-  const auto finds = [&](bool (Ascent::*what)(const SaddleSide&, double, double), std::size_t k) {
-    const bool isFound = (ascent_.*what)(side(k), height, end);
-    work_ += ascent_.work();
-    return isFound;
-  };
-  if (isPassed) {
-    // What does not lead straight on is filled, as a rule.
-    for (const std::size_t k : {0, 1}) leads_[k] = leads_[k] || finds(&Ascent::leadsStraight, k);
+  // What does not lead on at once is filled, as a rule.
+  if (isPassed && !withDeaths_ && isAlone(saddle)) {
     for (const std::size_t k : {0, 1}) {
-      if (leads_[k] || withDeaths_ || !isAlone(saddle)) continue;
-      if (finds(&Ascent::isFilled, k)) return Fate::Dies;
+      if (leads_[k]) continue;
+      const bool isFilled = ascent_.isFilled(side(k), height, end);
+      work_ += ascent_.work();
+      if (isFilled) return Fate::Dies;
     }
   }
   for (const std::size_t k : {0, 1}) {
-    leads_[k] = leads_[k] || finds(&Ascent::leads, k);
+    if (!leads_[k]) {
+      leads_[k] = ascent_.leads(side(k), height, end);
+      work_ += ascent_.work();
+    }
     if (!leads_[k]) return Fate::Unknown;
   }
   return Fate::Lasts;
