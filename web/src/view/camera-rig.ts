@@ -178,9 +178,9 @@ export class CameraRig {
     this.#movedBy = 'nothing';
   }
 
-  /** To another view where the camera would have begun, as far round as it has turned. */
-  refit(home: CameraView): void {
-    this.#setView({ ...home, azimuth: this.view.azimuth });
+  /** To a view from which the whole is seen, as far round as the camera has turned. */
+  refit(whole: CameraView): void {
+    this.#setView(whole);
     this.#movedBy = 'turning';
   }
 

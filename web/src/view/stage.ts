@@ -20,6 +20,7 @@ import type { FacePoint } from '../kernel/types.js';
 import { CameraRig } from './camera-rig.js';
 import {
   type CameraView,
+  type Direction,
   fitDepth,
   fovFor,
   homeDirection,
@@ -287,16 +288,21 @@ export class Stage implements Borrower {
   refit(): void {
     if (this.#rig.isHome) this.resetView();
     else if (this.#rig.hasOnlyTurned) {
-      const home = this.#home;
-      if (home) this.#rig.refit(home);
+      const whole = this.#wholeFrom(this.#rig.view);
+      if (whole) this.#rig.refit(whole);
     }
   }
 
   get #home(): CameraView | undefined {
+    return this.#wholeFrom(homeDirection);
+  }
+
+  /** From where the whole is seen in a direction; if it turns there, all the way round. */
+  #wholeFrom(direction: Direction): CameraView | undefined {
     const points = this.#points;
     if (!points) return undefined;
     const seen = this.#turnsAtHome ? turned(points) : points;
-    return fittedView(seen, homeDirection, this.#rig.room);
+    return fittedView(seen, direction, this.#rig.room);
   }
 
   /** Whether the camera is where `resetView` puts it. */
