@@ -264,8 +264,7 @@ void Propagation::send(Index halfedge, Vec2 root, double sigma, double gapFrom, 
   if (!trim(root, distance_[c.from()] - sigma, gapFrom)) return;
   if (!trim({c.length() - root.x, root.y}, distance_[c.to()] - sigma, gapTo)) return;
   if (!(gapFrom + gapTo < c.length() * (1 - kSliver))) return;
-  const double aside = lesser(larger(root.x, gapFrom), c.length() - gapTo) - root.x;
-  const double nearest = sigma + std::sqrt(aside * aside + root.y * root.y);
+  const double nearest = Window{root, sigma, gapFrom, gapTo}.nearest(c.length());
   if (goal_ != nullptr && !goal_->isInReach(halfedge, nearest)) return;
   WindowRun* run = pool_.reserve(WindowPool::Side::Left, 1);
   const double fields[WindowRun::kFields] = {root.x, root.y, sigma, gapFrom, gapTo};

@@ -2,9 +2,7 @@
 // section 4.1).
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
+#include "geodesic/min_max.h"
 #include "geodesic/unfolding.h"
 
 namespace girth::geodesic {
@@ -25,8 +23,11 @@ struct Window {
   /// Length of the shortest of its paths to the halfedge, of this length: to no point of the face
   /// that it covers is one shorter.
   double nearest(double length) const {
-    const double aside = std::max(gapFrom, std::min(root.x, length - gapTo)) - root.x;
-    return sigma + std::sqrt(aside * aside + root.y * root.y);
+    return distanceTo({lesser(larger(root.x, gapFrom), length - gapTo), 0});
+  }
+  /// Whether all of them are longer than that, whatever rounding does.
+  bool isSurelyLonger(double length, double distance) const {
+    return nearest(length) > distance * (1 + 1e-6);
   }
 
   /// Whether the straight line from the root to a point above the halfedge (of this length) passes

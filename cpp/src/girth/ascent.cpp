@@ -25,8 +25,6 @@ namespace {
 /// Distances this share apart are different for certain; by the second one, if they are as exact as
 /// those of one face are. The narrow fans behind vertices of little more than 2π need that.
 constexpr double kApart = 4 * kTogether, kAbove = 2 * kTie;
-/// Windows above that need no closer look.
-constexpr double kSurelyAbove = 1e-6;
 /// A shorter share of an edge is no piece of it; pieces are the same up to kSame of it.
 constexpr double kLeastPiece = 1e-6, kSame = 1e-9;
 constexpr std::size_t kMostPlaces = 256, kMostWork = std::size_t{1} << 18;
@@ -186,7 +184,7 @@ bool Ascent::isClear(Index halfedge, Vec2 from, Vec2 to, bool isFirst) {
     work_ += propagation_->enteredCount(h);
     double begin = 0, end = 0;
     if (propagation_->findEntered(h, [&](const Window& w, std::uint32_t) {
-          return w.nearest(c.length()) <= low_ * (1 + kSurelyAbove) &&
+          return !w.isSurelyLonger(c.length(), low_) &&
                  findCovered(w, c.length(), piece, begin, end) &&
                  !areLonger(piece, begin, end, w.root, w.sigma, low_);
         })) {
@@ -408,6 +406,8 @@ bool Ascent::isFilled(const SaddleSide& side, double low, double high) {
     if (twin == kNoIndex) return false;
     const Index face = faceOfSide(twin);
     if (propagation_->forgotten(face)) {
+      // It is nearer than what was kept last; a saddle below that may have a side that leads on
+      // there.
       if (propagation_->farthestWithin(face) <= height) continue;
       return false;
     }

@@ -17,7 +17,6 @@ using geodesic::Vec2;
 
 void findSites(const Propagation& propagation, Index face, double longest,
                std::vector<Site>& sites) {
-  constexpr double kSurelyLonger = 1e-6;
   const Unfolding& unfolding = propagation.unfolding();
   sites.clear();
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
@@ -28,7 +27,7 @@ void findSites(const Propagation& propagation, Index face, double longest,
           {place({0, 0}), propagation.distance(c.from()), {0, 0}, {0, 0}, h - 3 * face});
     }
     propagation.eachEntered(h, [&](const geodesic::Window& w) {
-      if (w.nearest(c.length()) > longest * (1 + kSurelyLonger)) return;
+      if (w.isSurelyLonger(c.length(), longest)) return;
       const Vec2 root = place(w.root);
       const Vec2 left = place({w.gapFrom, 0}) - root;
       const Vec2 right = place({c.length() - w.gapTo, 0}) - root;

@@ -53,6 +53,7 @@ class PageFrames {
 
   leave(scheduler: FrameScheduler): void {
     this.#due?.delete(scheduler);
+    this.#turns.delete(scheduler);
     this.#next.delete(scheduler);
     if (this.#next.size > 0) return;
     cancelAnimationFrame(this.#requested);
