@@ -500,4 +500,9 @@ std::size_t Propagation::memoryBytes() const {
          lists_.memoryBytes() + (reached_.capacity() + open_.capacity()) * sizeof(Index);
 }
 
+bool Propagation::passesStraight(Index vertex, double leaving) const {
+  if (!settled(vertex)) return false;
+  return isSource(vertex) || unfolding_->straight(vertex, arrivalDirection(vertex), leaving);
+}
+
 }  // namespace girth::geodesic

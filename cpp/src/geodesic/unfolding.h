@@ -117,6 +117,11 @@ class Unfolding {
   /// Direction of a halfedge at the vertex it starts from: its angle, counter-clockwise, from
   /// outgoing(vertex), in [0, totalAngle).
   double direction(Index halfedge) const { return direction_[halfedge]; }
+  /// Direction of its edge at the vertex it ends at.
+  double directionBack(Index halfedge) const {
+    const Index back = twin(halfedge);
+    return back != kNoIndex ? direction(back) : totalAngle(crossing(halfedge).to());
+  }
   /// Total angle of a vertex, inside the surface.
   double totalAngle(Index vertex) const { return totalAngle_[vertex]; }
   bool boundary(Index vertex) const { return twin(outgoing(vertex)) == kNoIndex; }

@@ -24,23 +24,29 @@ void findArrivalsAtVertex(const Propagation& propagation, Index vertex, double r
   const Index start = unfolding.outgoing(vertex);
   for (Index out = start;;) {
     const Crossing side = unfolding.crossing(out);
-    const auto alongEdge = [&](Index neighbour, double length, double direction) {
-      if (propagation.settled(neighbour) && propagation.distance(neighbour) + length <= reach) {
-        arrivals.paths.push_back({direction, {{}, neighbour}});
+    const auto alongEdge = [&](Index neighbour, double length, double direction, double leaving) {
+      const double whole = propagation.distance(neighbour) + length;
+      if (whole <= reach && propagation.passesStraight(neighbour, leaving)) {
+        arrivals.paths.push_back({direction, whole, {{}, neighbour}});
       }
     };
-    alongEdge(side.to(), side.length(), unfolding.direction(out));
+    alongEdge(side.to(), side.length(), unfolding.direction(out), unfolding.directionBack(out));
     const Index opposite = Unfolding::next(out);
     const Crossing entry = unfolding.crossing(opposite);
     propagation.eachEntered(opposite, [&](const Window& w) {
-      if (w.distanceTo(entry.apex()) <= reach && w.covers(entry.length(), entry.apex())) {
+      const double whole = w.distanceTo(entry.apex());
+      if (whole <= reach && w.covers(entry.length(), entry.apex())) {
         arrivals.paths.push_back(
             {unfolding.directionOf(out, unfolding.toPrevious(opposite, w.root)),
+             whole,
              {{opposite, w.root, w.sigma}, kNoIndex}});
       }
     });
     const Index left = unfolding.turnLeft(out);
-    if (left == kNoIndex) alongEdge(side.apexVertex(), side.leftLength(), arrivals.total);
+    if (left == kNoIndex) {
+      alongEdge(side.apexVertex(), side.leftLength(), arrivals.total,
+                unfolding.direction(Unfolding::previous(out)));
+    }
     if (left == kNoIndex || left == start) break;
     out = left;
   }
@@ -95,25 +101,27 @@ void findArrivals(const Propagation& propagation, Index halfedge, Vec2 point, do
   arrivals.total = arrivals.open ? kPi : 2 * kPi;
   arrivals.base = base;
   const Vec2 q = unfolding.toFrame(halfedge, base, point);
-  const auto arrive = [&](Vec2 from, const PathHalf& half) {
-    arrivals.paths.push_back({arrivals.directionTo(unfolding, base, q, from), half});
+  const auto arrive = [&](Vec2 from, double length, const PathHalf& half) {
+    arrivals.paths.push_back({arrivals.directionTo(unfolding, base, q, from), length, half});
   };
   for (const Index h : {base, Unfolding::next(base), Unfolding::previous(base)}) {
     const Crossing c = unfolding.crossing(h);
     const Vec2 there = unfolding.toFrame(base, h, q);
-    if (propagation.settled(c.from()) && propagation.distance(c.from()) + norm(there) <= reach) {
-      arrive(unfolding.toFrame(h, base, {0, 0}), {{}, c.from()});
+    const double over = propagation.distance(c.from()) + norm(there);
+    if (over <= reach && propagation.passesStraight(c.from(), unfolding.directionOf(h, there))) {
+      arrive(unfolding.toFrame(h, base, {0, 0}), over, {{}, c.from()});
     }
     propagation.eachEntered(h, [&](const Window& w) {
-      if (w.distanceTo(there) <= reach && w.covers(c.length(), there)) {
-        arrive(unfolding.toFrame(h, base, w.root), {{h, w.root, w.sigma}, kNoIndex});
+      const double whole = w.distanceTo(there);
+      if (whole <= reach && w.covers(c.length(), there)) {
+        arrive(unfolding.toFrame(h, base, w.root), whole, {{h, w.root, w.sigma}, kNoIndex});
       }
     });
   }
   for (const Propagation::Origin& origin : propagation.origins()) {
     if (origin.face != face) continue;
     const Vec2 place = unfolding.toFrame(3 * face, base, origin.place);
-    if (norm(place - q) <= reach) arrive(place, {});
+    if (norm(place - q) <= reach) arrive(place, norm(place - q), {});
   }
 }
 

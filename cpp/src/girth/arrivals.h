@@ -15,6 +15,11 @@ inline constexpr double kFullGap = kPi - 1e-4;
 /// Paths to one point whose lengths differ by less than this share arrive together.
 inline constexpr double kTogether = 1e-9;
 
+/// Arrivals that leave a gap of this or more leave the frontier a way on. It is less than π by as
+/// much as the direction of a path changes that arrives later by a share of kTogether: so a point
+/// is no maximum where the saddle beside it is none.
+inline constexpr double kNoGap = kPi - 2 * kTogether;
+
 /// What a path from p to a point of a face ends with.
 struct PathHalf {
   geodesic::Bundle bundle;  ///< a bundle of the face; otherwise
@@ -23,7 +28,7 @@ struct PathHalf {
 
 /// A path that arrives at a point, and the direction back along it.
 struct PathArrival {
-  double direction;
+  double direction, length;
   PathHalf half;
 };
 
@@ -46,9 +51,10 @@ struct Arrivals {
                      geodesic::Vec2 other) const;
 };
 
-/// The paths to a point of a face, given in the frame of a halfedge, that are no longer than
-/// `reach`. The frontier has passed that, and no face at the point has been forgotten. `arrivals`
-/// is filled in anew.
+/// The shortest paths to a point of a face, given in the frame of a halfedge, that are no longer
+/// than `reach`. A way over a vertex at which it bends is none, however little it is longer than
+/// the one that passes beside the vertex. The frontier has passed that, and no face at the point
+/// has been forgotten. `arrivals` is filled in anew.
 void findArrivals(const geodesic::Propagation& propagation, Index halfedge, geodesic::Vec2 point,
                   double reach, Arrivals& arrivals);
 

@@ -20,10 +20,8 @@ using geodesic::Vec2;
 
 namespace {
 
-/// Arrivals that leave a gap of this or more leave the frontier a way on. It is less than π by as
-/// much as the direction of a path changes that arrives later by a share of kTogether: so a point
-/// is no maximum where the saddle beside it is none.
-constexpr double kNoGap = kPi - 2 * kTogether;
+/// Roots of which paths of one length are no farther apart than this share of it are one.
+constexpr double kSameRoot = 1e-9;
 
 /// A point lies in the triangle of three roots, up to this angle.
 constexpr double kAngle = 1e-7;
@@ -38,6 +36,24 @@ double distanceAmong(const std::vector<Site>& sites, Vec2 q, double slack, const
     }
   }
   return distance;
+}
+
+bool isNearer(const std::vector<Site>& sites, Vec2 q, double distance) {
+  for (const Site& site : sites) {
+    if (site.distanceTo(q) < distance) return true;
+  }
+  return false;
+}
+
+/// Whether one of these sites sends a path of this length from a root to a point. Where two roots
+/// and the point lie on one line, one whose paths do not come there meets others almost where the
+/// right one does.
+bool comesFrom(const Site& root, const std::vector<Site>& sites, Vec2 q, double length) {
+  for (const Site& site : sites) {
+    const double off = norm(site.root - root.root) + std::fabs(site.distanceTo(q) - length);
+    if (off <= kSameRoot * length && site.meetsDisk(q, kSameRoot * length)) return true;
+  }
+  return false;
 }
 
 /// How far a point lies in a direction before all of a triangle: of a corner of it, before the
@@ -286,13 +302,15 @@ void MaximaSearch::tryTriples(const std::vector<Site>& roots, const Cell& cell, 
               !isBetween(roots[i].root - q, roots[j].root - q, roots[k].root - q)) {
             continue;
           }
-          const double there = roots[i].distanceTo(q);
+          const double there = roots[i].distanceTo(q), slack = kTie * there;
           const Site* nearest = nullptr;
-          const double distance = distanceAmong(cell.sites, q, kTie * there, nearest);
-          const bool isBounded = std::any_of(
-              bounds_.begin(), bounds_.end(),
-              [&](const Site& bound) { return bound.distanceTo(q) < there * (1 - 1e-9); });
-          if (!isBounded && std::fabs(distance - there) <= 1e-9 * there) tryPoint(q, distance);
+          const double distance = distanceAmong(cell.sites, q, slack, nearest);
+          if (!(std::fabs(distance - there) <= slack)) continue;
+          if (comesFrom(roots[i], cell.sites, q, there) &&
+              comesFrom(roots[j], cell.sites, q, there) &&
+              comesFrom(roots[k], cell.sites, q, there) && !isNearer(bounds_, q, there - slack)) {
+            tryPoint(q, distance);
+          }
         }
       }
     }

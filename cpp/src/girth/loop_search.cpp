@@ -179,7 +179,9 @@ void LoopSearch::tryApex(Index halfedge, const Window& window) {
   if (!candidate) return;
   const Index out = Unfolding::previous(halfedge);
   const Vec2 towards = unfolding.toPrevious(halfedge, window.root);
-  if (passesStraight(c.apexVertex(), unfolding.directionOf(out, towards))) propose(*candidate);
+  if (propagation_->passesStraight(c.apexVertex(), unfolding.directionOf(out, towards))) {
+    propose(*candidate);
+  }
 }
 
 // The same where the other end is p itself, inside the face or on a side of it.
@@ -232,20 +234,11 @@ void LoopSearch::tryEdge(Index halfedge) {
   const double length = atFrom + c.length() + atTo;
   const Vec2 q{std::clamp(along, 0.0, c.length()), 0};
   if (!worthwhile(length, halfedge, q)) return;
-  const Index next = Unfolding::next(halfedge), twin = unfolding.twin(halfedge);
-  const double back = twin != kNoIndex
-                          ? unfolding.direction(twin)
-                          : unfolding.directionOf(next, unfolding.crossing(next).left());
-  if (!passesStraight(c.from(), unfolding.direction(halfedge)) || !passesStraight(c.to(), back))
+  if (!propagation_->passesStraight(c.from(), unfolding.direction(halfedge)) ||
+      !propagation_->passesStraight(c.to(), unfolding.directionBack(halfedge))) {
     return;
+  }
   propose({length, {{}, c.from()}, {{}, c.to()}, halfedge, q});
-}
-
-/// Whether the path to a vertex goes on straight in a direction. At p any direction will do.
-bool LoopSearch::passesStraight(Index vertex, double leaving) const {
-  return propagation_->isSource(vertex) ||
-         propagation_->unfolding().straight(vertex, propagation_->arrivalDirection(vertex),
-                                            leaving);
 }
 
 /// Most pairs are refuted at once: q lies outside the face, or is nearer over a corner.

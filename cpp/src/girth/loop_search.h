@@ -98,7 +98,6 @@ class LoopSearch {
                  const geodesic::Propagation::Origin& origin);
   void tryEdgesOnwards(Index vertex);
   void tryEdge(Index halfedge);
-  bool passesStraight(Index vertex, double leaving) const;
   bool worthwhile(double length, Index halfedge, geodesic::Vec2 midpoint) const;
   void propose(const LoopCandidate& candidate);
   bool proven(const LoopCandidate& candidate);

@@ -67,13 +67,15 @@ bool PersistentSearch::enough(double frontier) {
 }
 
 void PersistentSearch::add(const LoopCandidate& loop) {
-  if (!divides(loop)) return;
   const double height = loop.length / 2;
+  findArrivals(*propagation_, loop.halfedge, loop.midpoint, height * (1 + kTogether), arrivals_);
+  work_ += arrivals_.paths.size();
+  const bool isPlain = arrivals_.vertex == kNoIndex && arrivals_.paths.size() == 2;
+  if (!isPlain && !divides(loop)) return;
   if (saddles_.empty()) {
     measured_ = height * (1 - 4 * kTogether);
     propagation_->keepBeyond(measured_);
   }
-  const bool isPlain = arrivals_.vertex == kNoIndex && arrivals_.paths.size() == 2;
   saddles_.push_back({loop, kInfinity, isPlain});
   // The same loop may be found in several faces, and past a flat vertex on either side.
   const double least = height * (1 - 4 * kTogether);
@@ -105,13 +107,11 @@ void PersistentSearch::findEnds() {
 /// one side may be filled at once: a saddle and a maximum in one, which has no persistence. At a
 /// vertex with several gaps, of the loops that divide them alike one counts.
 bool PersistentSearch::divides(const LoopCandidate& loop) {
-  findArrivals(*propagation_, loop.halfedge, loop.midpoint, loop.length / 2 * (1 + kTogether),
-               arrivals_);
-  work_ += arrivals_.paths.size();
+  const Index vertex = arrivals_.vertex;
+  if (vertex == kNoIndex) leaveOutApart(loop);
   arrivals_.surround(kFullGap);  // sorts
   const std::vector<PathArrival>& paths = arrivals_.paths;
   if (paths.empty()) return false;
-  const Index vertex = arrivals_.vertex;
   const bool mayPart = vertex != kNoIndex && courses_.bends(vertex);
   if (mayPart && loop.there.vertex != vertex && loop.back.vertex != vertex) return false;
   const bool isStored = loop.there.vertex == vertex;
@@ -144,6 +144,23 @@ bool PersistentSearch::divides(const LoopCandidate& loop) {
   }
   atVertices_.push_back(here);
   return true;
+}
+
+/// Takes paths from the arrivals that meet the two halves of a loop so far beside its midpoint that
+/// there is a maximum of its own, if the frontier vanishes there: as far as the two then leave less
+/// than kNoGap on the side of the loop.
+void PersistentSearch::leaveOutApart(const LoopCandidate& loop) {
+  const double height = loop.length / 2;
+  const double from = directionOf(loop, loop.there);
+  const double bend = 1 / norm(rootOf(loop, loop.there) - loop.midpoint) +
+                      1 / norm(rootOf(loop, loop.back) - loop.midpoint);
+  std::erase_if(arrivals_.paths, [&](const PathArrival& path) {
+    const double later = path.length - height * (1 + geodesic::kRounding);
+    // The angle between the path and the nearer half, for its sine: at most half as much again.
+    const double apart = std::fabs(path.direction - from);
+    const double off = std::min({apart, std::fabs(apart - kPi), 2 * kPi - apart});
+    return later * bend > (kPi - kNoGap) * off;
+  });
 }
 
 /// What becomes of a saddle, as far as its two sides show: whether both lead farther than `end`, or

@@ -51,7 +51,9 @@ class PersistentSearch {
   };
   /// Those that were met, in the order of their heights.
   const std::vector<Saddle>& saddles() const { return saddles_; }
-  /// So many of them, the first ones, have been decided: it is known whether they last.
+  /// The maxima that were looked for, in no order.
+  const std::vector<LocalMaximum>& maxima() const { return maxima_; }
+  /// So many of the saddles, the first ones, have been decided: it is known whether they last.
   std::size_t decided() const { return decided_; }
   /// Whether the last one decided lasts.
   bool found() const { return found_; }
@@ -65,6 +67,7 @@ class PersistentSearch {
  private:
   void add(const LoopCandidate& loop);
   bool divides(const LoopCandidate& loop);
+  void leaveOutApart(const LoopCandidate& loop);
   double directionOf(const LoopCandidate& loop, const PathHalf& half) const;
   geodesic::Vec2 rootOf(const LoopCandidate& loop, const PathHalf& half) const;
   enum class Fate : std::uint8_t { Lasts, Dies, Unknown };

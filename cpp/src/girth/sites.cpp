@@ -60,6 +60,30 @@ std::array<Vec2, 3> cornersOf(const Unfolding& unfolding, Index face) {
   return corners;
 }
 
+namespace {
+
+/// A point at one distance from three sites, more exactly: where two of them lie almost behind each
+/// other, the squares of the distances give it to half the digits only.
+Vec2 refined(Vec2 q, const Site& a, const Site& b, const Site& c) {
+  const auto missing = [&](Vec2 p) {
+    return Vec2{a.distanceTo(p) - b.distanceTo(p), a.distanceTo(p) - c.distanceTo(p)};
+  };
+  const auto away = [&](const Site& site) { return (1 / norm(q - site.root)) * (q - site.root); };
+  Vec2 off = missing(q);
+  for (int step = 0; step < 3; ++step) {
+    const Vec2 x = away(a) - away(b), y = away(a) - away(c);
+    const Vec2 p =
+        q - (1 / cross(x, y)) * Vec2{off.x * y.y - off.y * x.y, off.y * x.x - off.x * y.x};
+    const Vec2 left = missing(p);
+    if (!(norm(left) < norm(off))) break;
+    q = p;
+    off = left;
+  }
+  return q;
+}
+
+}  // namespace
+
 int meetingPoints(const Site& a, const Site& b, const Site& c, std::array<Vec2, 2>& points) {
   // With a at the origin and D' = D − σ_a:  |q| = D',  |q − r_i| = D' − s_i.  Subtracting the
   // squares leaves  2 r_i·q = |r_i|² − s_i² + 2 s_i D'  for i = b, c: linear in q = u + v D'.
@@ -78,11 +102,10 @@ int meetingPoints(const Site& a, const Site& b, const Site& c, std::array<Vec2, 
   // The stable pair of solutions.
   const double t = q >= 0 ? -q - root : -q + root;
   int count = 0;
-  const auto take = [&](double distance) {
-    if (std::isfinite(distance) && distance >= 0) points[count++] = a.root + (u + distance * v);
-  };
-  if (t != 0) take(r / t);
-  if (p != 0) take(t / p);
+  for (const double distance : {r / t, t / p}) {
+    if (!(std::isfinite(distance) && distance >= 0)) continue;
+    points[count++] = refined(a.root + (u + distance * v), a, b, c);
+  }
   return count;
 }
 

@@ -57,21 +57,6 @@ class SaddlesUpTo {
   double kept_, end_;
 };
 
-/// A rod with bumps and dents, and round ends.
-SurfaceMesh bumpyRod(Index around, Index rings, double height) {
-  Shape shape = prism(regularPolygon(around, 2 * std::sin(kPi / around)), height, rings);
-  for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
-    double &x = shape.positions[i], &y = shape.positions[i + 1];
-    const double z = shape.positions[i + 2], angle = std::atan2(y, x);
-    const double end = 0.1 + 0.9 * std::sqrt(1 - std::pow(std::fabs(2 * z / height - 1), 8));
-    const double bumps = 0.3 * std::sin(3 * angle + 1 + 0.7 * std::sin(z)) * std::sin(2 * z + 2) +
-                         0.15 * std::sin(6 * angle + 1.7 * z);
-    x *= end * (1 + bumps);
-    y *= end * (1 + bumps);
-  }
-  return shape.mesh();
-}
-
 /// The two sides of a saddle inside a face.
 std::array<SaddleSide, 2> sidesOf(const Unfolding& unfolding, const LoopCandidate& loop) {
   std::array<Vec2, 2> roots;
@@ -135,7 +120,7 @@ class Comparison {
 
 // However much has been forgotten.
 TEST(Ascent, NeverSaysWhatTheMaximaRefute) {
-  const SurfaceMesh mesh = bumpyRod(40, 120, 9);
+  const SurfaceMesh mesh = bumpyRod(40, 120, 9).mesh();
   const Unfolding unfolding(mesh);
   GirthSolver solver(mesh);
   Comparison comparison(unfolding);

@@ -113,6 +113,20 @@ Shape bentRod(Index corners, Index rings) {
   return shape;
 }
 
+Shape bumpyRod(Index around, Index rings, double height) {
+  Shape shape = prism(regularPolygon(around, 2 * std::sin(M_PI / around)), height, rings);
+  for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
+    double &x = shape.positions[i], &y = shape.positions[i + 1];
+    const double z = shape.positions[i + 2], angle = std::atan2(y, x);
+    const double end = 0.1 + 0.9 * std::sqrt(1 - std::pow(std::fabs(2 * z / height - 1), 8));
+    const double bumps = 0.3 * std::sin(3 * angle + 1 + 0.7 * std::sin(z)) * std::sin(2 * z + 2) +
+                         0.15 * std::sin(6 * angle + 1.7 * z);
+    x *= end * (1 + bumps);
+    y *= end * (1 + bumps);
+  }
+  return shape;
+}
+
 Shape pyramid(Index sides, double apexAngle, Index rings) {
   Shape shape;
   // Edges of length 1 from the apex; each face has its share of the apex angle.

@@ -44,6 +44,9 @@ std::vector<double> regularPolygon(Index sides, double side, Index parts = 1);
 /// A rod with `corners` sides in `rings` bands, bent to most of a circle: its ends face each other.
 Shape bentRod(Index corners, Index rings);
 
+/// A rod with bumps and dents, and round ends.
+Shape bumpyRod(Index around, Index rings, double height);
+
 /// A pyramid over a regular polygon: `sides` faces with the given angle at the apex and slant edge
 /// of length 1, in `rings` bands. Vertex 0 is the apex; then come the rings, `sides` vertices each.
 Shape pyramid(Index sides, double apexAngle, Index rings);
