@@ -222,6 +222,7 @@ for (const mode of ['threads', 'pool'] as const) {
             return Math.abs(value / refined.values[v]! - 1) < 0.1;
           }),
           carriedKinds: girth.plain(carried.kinds),
+          carriedMethod: carried.method,
           size: mesh.info.vertexCount,
         };
         kernel.dispose();
@@ -240,6 +241,7 @@ for (const mode of ['threads', 'pool'] as const) {
       // Doubles behind a header: no states among them.
       expect(result.npyBytes).toBe(128 + 8 * result.size);
       expect(result.carriedKinds).toEqual(result.kinds);
+      expect(result.carriedMethod).toBe('exact on 800 faces');
       expect(result.wrong).toEqual(new Array(4).fill('INVALID_OPTION'));
     });
 

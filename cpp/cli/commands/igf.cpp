@@ -126,12 +126,19 @@ struct Work {
   double persistence;
   /// What is known besides of values that were refined; null: they were not.
   const RefinedGirth* refined{nullptr};
+  /// Triangles that it was computed on; 0: those of the file.
+  Index fewerFaces{0};
 };
 
-/// The method with its persistence: values of equal texts belong together.
-std::string particulars(const Options& options, double persistence) {
+/// The method with the triangles it was used on, where they are fewer, and its persistence: values
+/// of equal texts belong together.
+std::string particulars(const Options& options, const Work& work) {
   const bool isOther = options.naive || options.refined;
-  return isOther ? methodText(options) : io::methodText({options.method, persistence});
+  std::string text =
+      isOther ? methodText(options) : io::methodText({options.method, work.persistence});
+  if (work.fewerFaces == 0) return text;
+  return text.insert(std::min(text.find(','), text.size()),
+                     " on " + std::to_string(work.fewerFaces) + " faces");
 }
 
 struct Timing {
@@ -169,19 +176,20 @@ void printJson(const Work& work, const GirthField& field, const Options& options
   const auto number = [&](double value) {
     return summary.computed > 0 ? io::formatNumber(value) : std::string("null");
   };
-  std::string text = "{\"file\":" + io::jsonString(work.model) +
-                     ",\"field\":\"igf\",\"method\":" + io::jsonString(methodText(options)) +
-                     ",\"persistence\":" + io::formatNumber(work.persistence) +
-                     ",\"unit\":" + io::jsonString(work.loaded.unit) +
-                     ",\"vertices\":" + std::to_string(field.values.size()) +
-                     ",\"computed\":" + std::to_string(summary.computed) +
-                     ",\"complete\":" + (field.complete() ? "true" : "false") +
-                     ",\"min\":" + number(summary.least) + ",\"median\":" + number(summary.median) +
-                     ",\"max\":" + number(summary.greatest) +
-                     ",\"loop\":" + std::to_string(summary.loops) +
-                     ",\"antipodal\":" + std::to_string(summary.antipodal) +
-                     ",\"unresolved\":" + std::to_string(summary.unresolved) +
-                     ",\"seconds\":" + readable(timing.computing);
+  std::string text =
+      "{\"file\":" + io::jsonString(work.model) +
+      ",\"field\":\"igf\",\"method\":" + io::jsonString(methodText(options)) +
+      (work.fewerFaces == 0 ? "" : ",\"fewerFaces\":" + std::to_string(work.fewerFaces)) +
+      ",\"persistence\":" + io::formatNumber(work.persistence) +
+      ",\"unit\":" + io::jsonString(work.loaded.unit) +
+      ",\"vertices\":" + std::to_string(field.values.size()) +
+      ",\"computed\":" + std::to_string(summary.computed) +
+      ",\"complete\":" + (field.complete() ? "true" : "false") +
+      ",\"min\":" + number(summary.least) + ",\"median\":" + number(summary.median) +
+      ",\"max\":" + number(summary.greatest) + ",\"loop\":" + std::to_string(summary.loops) +
+      ",\"antipodal\":" + std::to_string(summary.antipodal) +
+      ",\"unresolved\":" + std::to_string(summary.unresolved) +
+      ",\"seconds\":" + readable(timing.computing);
   if (work.refined != nullptr) text += refinedJson(*work.refined);
   if (options.output.isWanted()) text += ",\"output\":" + io::jsonString(options.output.path);
   if (options.stats) {
@@ -288,7 +296,7 @@ Result<std::string> figureContent(const Work& work, std::span<const io::VertexFi
 Result<std::string> contentFor(const Work& work, const GirthField& girth, const Options& options) {
   std::vector<io::VertexField> fields{
       io::girthVertexField(girth, options.method, work.loaded.unit)};
-  fields[0].method = particulars(options, work.persistence);
+  fields[0].method = particulars(options, work);
   std::vector<double> states;
   // NumPy's files hold one field.
   if (work.refined != nullptr && options.output.ending() != ".npy") {
@@ -419,9 +427,10 @@ int runOne(const std::string& model, const Options& options) {
   if (remeshed) {
     rows.clear();
     for (const Vertex v : remeshed->mesh.vertices()) rows.push_back(v);
+    work.fewerFaces = remeshed->mesh.faceCount();
   }
   const SurfaceMesh& mesh = remeshed ? remeshed->mesh : work.loaded.mesh;
-  const std::string method = particulars(options, work.persistence);
+  const std::string method = particulars(options, work);
   const PartialField partial(options.output.path, mesh, rows, method);
   std::vector<Barcode> barcodes;
   if (options.barcodes.isWanted()) {

@@ -29,6 +29,7 @@ Result<io::LoadedMesh> inFewerTriangles(const std::string& model, io::LoadedMesh
   printNote(model, "measured on " + std::to_string(few.faceCount()) + " triangles in place of " +
                        std::to_string(loaded.mesh.faceCount()) +
                        "; vertices have the numbers of the nearest in the file");
+  loaded.fewerFaces = few.faceCount();
   loaded.mesh = std::move(few);
   return loaded;
 }

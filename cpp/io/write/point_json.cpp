@@ -8,6 +8,11 @@
 
 namespace girth::io {
 
+std::string modelJson(std::string_view file, const LoadedMesh& loaded) {
+  return "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+         (loaded.fewerFaces == 0 ? "" : ",\"fewerFaces\":" + std::to_string(loaded.fewerFaces));
+}
+
 std::string pointText(const Vec3& point, char separator) {
   return formatNumber(point.x) + separator + formatNumber(point.y) + separator +
          formatNumber(point.z);

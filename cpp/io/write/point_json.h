@@ -1,8 +1,9 @@
-// Points and vertices of a surface as text, in the numbers of the file.
+// A model, and points and vertices of its surface, as text, in the numbers of the file.
 #pragma once
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "girth/cut_surface.h"
@@ -10,6 +11,10 @@
 #include "girth/surface_point.h"
 
 namespace girth::io {
+
+/// What the JSON about a model begins with: `file`, `unit`, and where it was measured on fewer
+/// triangles than the file has, `fewerFaces`, their number.
+std::string modelJson(std::string_view file, const LoadedMesh& loaded);
 
 /// x, y and z between separators.
 std::string pointText(const Vec3& point, char separator);

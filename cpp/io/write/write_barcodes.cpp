@@ -7,6 +7,7 @@
 #include "text/json_text.h"
 #include "text/number_text.h"
 #include "write/npy.h"
+#include "write/point_json.h"
 
 namespace girth::io {
 namespace {
@@ -48,8 +49,7 @@ std::string barcodesJson(const LoadedMesh& loaded, std::span<const Barcode> barc
   column("restKind", ",",
          [](const Barcode& barcode) { return jsonString(toString(barcode.rest.kind)); });
   const double maxPersistence = barcodes.empty() ? 0 : barcodes.front().maxPersistence;
-  return "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
-         ",\"maxPersistence\":" + numberJson(maxPersistence) +
+  return modelJson(file, loaded) + ",\"maxPersistence\":" + numberJson(maxPersistence) +
          ",\"vertices\":" + std::to_string(loaded.vertexOfInput.size()) + columns + "}\n";
 }
 

@@ -11,8 +11,7 @@ namespace girth::io {
 
 std::string bottleneckJson(const LoadedMesh& loaded, const Bottleneck& bottleneck,
                            std::string_view file) {
-  return "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
-         ",\"kind\":" + jsonString(toString(bottleneck.kind)) +
+  return modelJson(file, loaded) + ",\"kind\":" + jsonString(toString(bottleneck.kind)) +
          ",\"girth\":" + formatNumber(bottleneck.girth) +
          ",\"place\":" + pointJson(loaded, bottleneck.place) + ",\"centre\":[" +
          pointText(bottleneck.centre, ',') + "],\"area\":" + formatNumber(bottleneck.area) +

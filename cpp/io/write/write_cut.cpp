@@ -128,8 +128,7 @@ Result<std::string> partFile(const LoadedMesh& loaded, const CutModel& model, st
 }
 
 std::string cutJson(const LoadedMesh& loaded, const CutModel& model, std::string_view file) {
-  std::string text =
-      "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) + ",\"parts\":[";
+  std::string text = modelJson(file, loaded) + ",\"parts\":[";
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     text += (i == 0 ? "\n{" : ",\n{") + partMembers(model.parts[i].mesh) + "}";
   }

@@ -237,8 +237,7 @@ std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fie
                                      : std::string("null");
     });
   }
-  return "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
-         ",\"complete\":" + (complete ? "true" : "false") +
+  return modelJson(file, loaded) + ",\"complete\":" + (complete ? "true" : "false") +
          ",\"vertices\":" + std::to_string(loaded.vertexOfInput.size()) + ",\"fields\":[" + about +
          "]" + columns + "}\n";
 }

@@ -20,7 +20,7 @@ std::string nameOf(const Handles& handles, std::size_t i) {
 }  // namespace
 
 std::string handlesJson(const LoadedMesh& loaded, const Handles& handles, std::string_view file) {
-  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+  std::string text = modelJson(file, loaded) +
                      ",\"unresolved\":" + std::to_string(handles.unresolved) + ",\"handles\":[";
   const char* separator = "\n";
   for (const Handle& handle : handles.handles) {

@@ -21,7 +21,7 @@ std::string limbAxisCsv(const LoadedMesh& loaded, std::span<const AxisStation> a
 
 std::string limbAxisJson(const LoadedMesh& loaded, std::span<const AxisStation> axis,
                          std::string_view file) {
-  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+  std::string text = modelJson(file, loaded) +
                      ",\"length\":" + formatNumber(axis.empty() ? 0 : axis.back().distance) +
                      ",\"loops\":[";
   const char* separator = "\n";

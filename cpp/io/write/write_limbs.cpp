@@ -46,8 +46,7 @@ std::string cell(double value) { return std::isnan(value) ? std::string() : form
 
 std::string limbsJson(const LoadedMesh& loaded, const Limbs& limbs, std::string_view file,
                       double persistence) {
-  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
-                     persistenceJson(persistence) + ",\"limbs\":[";
+  std::string text = modelJson(file, loaded) + persistenceJson(persistence) + ",\"limbs\":[";
   for (std::size_t i = 0; i < limbs.limbs.size(); ++i) {
     text += (i == 0 ? "\n" : ",\n") + limbJson(loaded, limbs.limbs[i]);
   }

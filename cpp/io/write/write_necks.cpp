@@ -30,7 +30,7 @@ std::string neckJson(const LoadedMesh& loaded, const Neck& neck) {
 }  // namespace
 
 std::string necksJson(const LoadedMesh& loaded, const Necks& necks, std::string_view file) {
-  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+  std::string text = modelJson(file, loaded) +
                      ",\"unresolved\":" + std::to_string(necks.unresolved) + ",\"necks\":[";
   for (std::size_t i = 0; i < necks.necks.size(); ++i) {
     text += (i == 0 ? "\n" : ",\n") + neckJson(loaded, necks.necks[i]);

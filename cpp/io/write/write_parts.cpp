@@ -53,8 +53,7 @@ std::string placeJson(const LoadedMesh& loaded, const WeakPlace& place) {
 
 std::string partsJson(const LoadedMesh& loaded, const Parts& parts, const PartOptions& options,
                       std::string_view file, double persistence) {
-  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
-                     persistenceJson(persistence) +
+  std::string text = modelJson(file, loaded) + persistenceJson(persistence) +
                      ",\"thresholds\":{\"girth\":" + numberJson(options.thresholds.girth) +
                      ",\"thickness\":" + numberJson(options.thresholds.thickness) +
                      "},\"smoothing\":" + formatNumber(options.smoothing) + ",\"parts\":[";
@@ -66,8 +65,7 @@ std::string partsJson(const LoadedMesh& loaded, const Parts& parts, const PartOp
 
 std::string printCheckJson(const LoadedMesh& loaded, const PrintCheck& check,
                            const PrintLimits& limits, std::string_view file, double persistence) {
-  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
-                     persistenceJson(persistence) +
+  std::string text = modelJson(file, loaded) + persistenceJson(persistence) +
                      ",\"limits\":{\"tubeDiameter\":" + formatNumber(limits.tubeDiameter) +
                      ",\"wallThickness\":" + formatNumber(limits.wallThickness) +
                      ",\"gap\":" + formatNumber(limits.gap) +

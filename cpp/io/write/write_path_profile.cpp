@@ -18,10 +18,9 @@ std::string pathProfileCsv(const LoadedMesh& loaded, std::span<const PathStation
 
 std::string pathProfileJson(const LoadedMesh& loaded, std::span<const PathStation> stations,
                             std::string_view file) {
-  std::string text =
-      "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
-      ",\"length\":" + formatNumber(stations.empty() ? 0 : stations.back().distance) +
-      ",\"stations\":[";
+  std::string text = modelJson(file, loaded) + ",\"length\":" +
+                     formatNumber(stations.empty() ? 0 : stations.back().distance) +
+                     ",\"stations\":[";
   const char* separator = "\n";
   for (const PathStation& station : stations) {
     text += separator + ("{\"distance\":" + formatNumber(station.distance)) +

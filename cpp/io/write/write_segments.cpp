@@ -63,7 +63,7 @@ Result<SegmentedModel> segmentedModel(const SurfaceMesh& mesh, std::span<const N
 std::string segmentsJson(const LoadedMesh& loaded, const SegmentedModel& segmented,
                          std::string_view file) {
   const PartOptions& kinds = segmented.kinds;
-  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
+  std::string text = modelJson(file, loaded) +
                      ",\"thresholds\":{\"girth\":" + numberJson(kinds.thresholds.girth) +
                      ",\"thickness\":" + numberJson(kinds.thresholds.thickness) +
                      "},\"smoothing\":" + formatNumber(kinds.smoothing) + ",\"crossing\":[";

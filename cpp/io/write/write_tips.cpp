@@ -52,8 +52,7 @@ void appendLine(const LoadedMesh& loaded, const ContourLine& line, std::size_t& 
 
 std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_view file,
                      std::string_view trials, double persistence) {
-  std::string text = "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
-                     persistenceJson(persistence) +
+  std::string text = modelJson(file, loaded) + persistenceJson(persistence) +
                      ",\"crossedEdges\":" + std::to_string(tips.crossedEdges) + ",\"tips\":[";
   for (std::size_t i = 0; i < tips.tips.size(); ++i) {
     text += (i == 0 ? "\n" : ",\n") + tipJson(loaded, tips.tips[i]);

@@ -65,6 +65,36 @@ TEST_F(FewerTriangles, aNoteSaysHowMany) {
   const Outcome enough = measure({"handles", "--faces", "6400", "--json"});
   ASSERT_EQ(enough.exitCode, 0) << enough.errors;
   EXPECT_EQ(enough.errors, "");
+  EXPECT_FALSE(Json::parse(enough.output).contains("fewerFaces"));
+}
+
+TEST_F(FewerTriangles, outputsSayOnHowMany) {
+  const std::vector<std::vector<std::string>> commands = {
+      {"tips"},
+      {"limbs"},
+      {"necks"},
+      {"handles"},
+      {"parts"},
+      {"segments"},
+      {"profile", "0", "9"},
+      {"bottleneck", "0", "9"},
+  };
+  for (std::vector<std::string> arguments : commands) {
+    SCOPED_TRACE(arguments[0]);
+    arguments.insert(arguments.end(), {"--faces", "1000", "--json"});
+    const Outcome outcome = measure(arguments);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    const Json faces = Json::parse(outcome.output)["fewerFaces"];
+    ASSERT_TRUE(faces.is_number()) << outcome.output.substr(0, 200);
+    EXPECT_TRUE(contains(outcome.errors, "on " + faces.dump() + " triangles")) << outcome.errors;
+  }
+
+  const Outcome girth = measure(
+      {"igf", "--faces", "1000", "--persistence", "0.5", "--json", "-o", path("girth.json")});
+  ASSERT_EQ(girth.exitCode, 0) << girth.errors;
+  const std::string faces = Json::parse(girth.output)["fewerFaces"].dump();
+  EXPECT_EQ(Json::parse(contentOf(path("girth.json")))["fields"][0]["method"],
+            "exact on " + faces + " faces, persistence 0.5");
 }
 
 TEST_F(FewerTriangles, verticesAreThoseOfTheFile) {

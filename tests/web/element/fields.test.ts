@@ -24,7 +24,15 @@ function drawn(method: GirthMethod = 'exact', persistence = 0) {
       return Promise.resolve({ name: 'igf', values: Float64Array.of(5, 6), method: 'exact' });
     },
     carryField: (field: Field) =>
-      Promise.resolve({ ...field, values: Float64Array.of(5, 6, 6), range: [5, 6], note: '' }),
+      Promise.resolve({
+        ...field,
+        ...{
+          values: Float64Array.of(5, 6, 6),
+          range: [5, 6],
+          note: '',
+          method: 'exact on 9998 faces',
+        },
+      }),
     dispose: () => disposed.push('remeshed'),
   };
   const mesh = {

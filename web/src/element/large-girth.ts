@@ -3,7 +3,6 @@
 import { linked } from '../kernel/abort.js';
 import type { Field, FieldOptions, Mesh, WatchedOptions } from '../kernel/types.js';
 import { formatCount, nextTask } from '../view/index.js';
-import { onFewer } from './girth-method.js';
 
 /** Triangles that the girth is computed on first. */
 const mostCoarseFaces = 10_000;
@@ -41,11 +40,7 @@ export async function coarseGirth(
     const { note, ...carried } = await coarse.carryField(field, signal ? { signal } : {});
     onProgress?.(1);
     const where = `computed on ${formatCount(coarse.info.faceCount)} triangles`;
-    return {
-      ...carried,
-      method: `${onFewer}${coarse.info.faceCount} faces`,
-      note: note ? `${where}; ${note}` : where,
-    };
+    return { ...carried, note: note ? `${where}; ${note}` : where };
   } finally {
     coarse.dispose();
   }

@@ -574,9 +574,10 @@ export class MeshOfWorkers implements Mesh {
       carryBack: async (values: Float64Array, options: CallOptions = {}) =>
         (await this.#carryBack(mesh, values, none, options)).values,
       carryField: async (field: Field, options: CallOptions = {}) => {
-        const { values, kinds } = field;
+        const { values, kinds, method: by = '' } = field;
         const carried = await this.#carryBack(mesh, values, kinds, options);
-        return { ...field, ...carried, ...summaryOf(carried.values) };
+        const method = by && by.replace(/(?=,|$)/, ` on ${mesh.info.faceCount} faces`);
+        return { ...field, ...carried, ...summaryOf(carried.values), method };
       },
     });
   }

@@ -64,6 +64,9 @@ struct LoadedMesh : PreparedSurface {
   std::vector<Attribute> attributes{};
   /// As in ReadModel.
   std::vector<std::string> attributeNotes{};
+  /// Where the surface has fewer triangles than the file, as it was remeshed to be measured: how
+  /// many. Writers of JSON state it. 0: it has those of the file.
+  Index fewerFaces{0};
 };
 
 /// What is read besides the surface.
