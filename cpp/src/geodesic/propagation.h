@@ -135,8 +135,8 @@ class Propagation {
     return unfolding_->directionOf(arrival_[vertex].corner, arrival_[vertex].towards);
   }
   bool isSource(Index vertex) const { return arrival_[vertex].way == Arrival::Way::Source; }
-  /// Whether a vertex is settled, and its path goes on straight in a direction. At a source any will
-  /// do.
+  /// Whether a vertex is settled, and its path goes on straight in a direction. At a source any
+  /// will do.
   bool passesStraight(Index vertex, double leaving) const;
   /// The vertices that a path has reached.
   const std::vector<Index>& reachedVertices() const { return reached_; }

@@ -38,12 +38,6 @@ bool leavesRightOf(const Course& a, const Course& b) {
   return i < a.size() && i < b.size() && a[i].turn < b[i].turn;
 }
 
-bool sameCourse(const Course& a, const Course& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Bend& x, const Bend& y) {
-    return x.vertex == y.vertex && std::fabs(x.turn - y.turn) <= kSameTurn;
-  });
-}
-
 Course Courses::ofHalf(const LoopCandidate& loop, const PathHalf& half,
                        const PathHalf& other) const {
   if (half.bundle.halfedge != kNoIndex || half.vertex == kNoIndex) {

@@ -28,9 +28,6 @@ using Course = std::vector<Bend>;
 /// Whether `a` leaves p to the right of `b`; the order is cut open at direction 0.
 bool leavesRightOf(const Course& a, const Course& b);
 
-/// Whether two courses are that of one path, give or take rounding.
-bool sameCourse(const Course& a, const Course& b);
-
 /// Finds the courses of shortest paths that a propagation has found. The way back is straight
 /// through the unfolded faces, from root to root; it needs no windows. O(faces on the path).
 class Courses {

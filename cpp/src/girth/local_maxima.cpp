@@ -328,18 +328,15 @@ void MaximaSearch::tryPoint(Vec2 point, double distance) {
     const Vec2 corner = unfolding.toFrame(h, 3 * face_, {0, 0});
     if (norm(*within - corner) <= kTogether * c.length()) return;  // a vertex: tried as one
   }
-  // What is no maximum may lie beside one by less: where two roots and the point lie on one line,
-  // the root whose paths do not come there meets others almost where the right one does.
-  for (const Tried& known : tried_) {
-    if (norm(known.point - *within) <= (known.isMaximum ? kTogether * distance : 0)) return;
+  for (const Vec2 known : tried_) {
+    if (norm(known - *within) <= kTogether * distance) return;
   }
-  tried_.push_back({*within, false});
+  tried_.push_back(*within);
   geodesic::WindowNumber nearer;
   if (propagation_->findNearer(3 * face_, *within, distance * (1 - kTogether / 10), nearer)) return;
   findArrivals(*propagation_, 3 * face_, *within, distance * (1 + kTogether), arrivals_);
   work_ += arrivals_.paths.size();
   if (arrivals_.open || !arrivals_.surround(kNoGap)) return;
-  tried_.back().isMaximum = true;
   add(distance, kNoIndex, 3 * face_, *within);
 }
 
@@ -373,7 +370,7 @@ void MaximaSearch::add(double distance, Index vertex, Index halfedge, Vec2 point
 
 std::size_t MaximaSearch::memoryBytes() const {
   return (sites_.capacity() + roots_.capacity()) * sizeof(Site) + cells_.capacity() * sizeof(Cell) +
-         tried_.capacity() * sizeof(Tried) + arrivals_.paths.capacity() * sizeof(PathArrival);
+         tried_.capacity() * sizeof(Vec2) + arrivals_.paths.capacity() * sizeof(PathArrival);
 }
 
 }  // namespace girth

@@ -47,12 +47,6 @@ class MaximaSearch {
     std::vector<Site> sites;
   };
 
-  /// A point of the face.
-  struct Tried {
-    geodesic::Vec2 point;
-    bool isMaximum;
-  };
-
   void tryVertex(Index vertex);
   bool sendsInto(Index out) const;
   bool allFromOneSide(Index face);
@@ -72,7 +66,7 @@ class MaximaSearch {
   std::vector<Site> sites_, roots_;
   std::vector<Site> bounds_;  // corners that send no paths into the face
   std::vector<Cell> cells_;
-  std::vector<Tried> tried_;
+  std::vector<geodesic::Vec2> tried_;  // points of the face
   Arrivals arrivals_;
   std::size_t work_{0};
 };

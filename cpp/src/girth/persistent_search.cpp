@@ -76,21 +76,36 @@ void PersistentSearch::add(const LoopCandidate& loop) {
     measured_ = height * (1 - 4 * kTogether);
     propagation_->keepBeyond(measured_);
   }
-  saddles_.push_back({loop, kInfinity, isPlain});
-  // The same loop may be found in several faces, and past a flat vertex on either side.
-  const double least = height * (1 - 4 * kTogether);
-  if (saddles_.size() < 2 || saddles_[saddles_.size() - 2].loop.length / 2 < least) return;
-  findEnds();
-  const SaddleEnds& ends = ends_.back();
-  for (std::size_t i = ends_.size() - 1; i-- > 0 && ends_[i].height >= least;) {
-    const SaddleEnds& known = ends_[i];
-    if ((sameCourse(known.there, ends.there) && sameCourse(known.back, ends.back)) ||
-        (sameCourse(known.there, ends.back) && sameCourse(known.back, ends.there))) {
-      saddles_.pop_back();
-      ends_.pop_back();
-      return;
+  const Saddle saddle{loop, kInfinity, isPlain, arrivals_.vertex};
+  if (!isKnown(saddle)) saddles_.push_back(saddle);
+}
+
+/// Whether it has been found already, in another face, or by another path that arrives in the same
+/// direction. A point has one saddle, but for vertices at which paths may part.
+bool PersistentSearch::isKnown(const Saddle& saddle) const {
+  const LoopCandidate& loop = saddle.loop;
+  const Unfolding& unfolding = propagation_->unfolding();
+  if (saddle.vertex != kNoIndex && courses_.bends(saddle.vertex)) return false;
+  const Index face = faceOfSide(loop.halfedge);
+  const auto isThere = [&](Index halfedge, Vec2 point, const LoopCandidate& known) {
+    const Vec2 off = unfolding.toFrame(halfedge, known.halfedge, point) - known.midpoint;
+    return norm(off) <= kTogether * known.length;
+  };
+  for (std::size_t i = saddles_.size(); i-- > 0;) {
+    const Saddle& known = saddles_[i];
+    if (known.loop.length < loop.length * (1 - 4 * kTogether)) return false;
+    if (saddle.vertex != known.vertex) continue;
+    if (saddle.vertex != kNoIndex) return true;
+    const Index knownFace = faceOfSide(known.loop.halfedge);
+    if (knownFace == face && isThere(loop.halfedge, loop.midpoint, known.loop)) return true;
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      const Index twin = unfolding.twin(h);
+      if (twin == kNoIndex || faceOfSide(twin) != knownFace) continue;
+      const Vec2 at = unfolding.toFrame(loop.halfedge, h, loop.midpoint);
+      if (isThere(twin, unfolding.toTwin(h, at), known.loop)) return true;
     }
   }
+  return false;
 }
 
 /// The courses of all loops.

@@ -48,6 +48,7 @@ class PersistentSearch {
     double death;
     /// Its midpoint lies inside a face, or on an edge, and no third path arrives there.
     bool isPlain;
+    Index vertex;  ///< that the midpoint is; kNoIndex: none
   };
   /// Those that were met, in the order of their heights.
   const std::vector<Saddle>& saddles() const { return saddles_; }
@@ -66,6 +67,7 @@ class PersistentSearch {
 
  private:
   void add(const LoopCandidate& loop);
+  bool isKnown(const Saddle& saddle) const;
   bool divides(const LoopCandidate& loop);
   void leaveOutApart(const LoopCandidate& loop);
   double directionOf(const LoopCandidate& loop, const PathHalf& half) const;

@@ -86,14 +86,18 @@ int expectSampledBarcode(const SurfaceMesh& mesh, TextbookMmp& textbook, const S
 
 int expectSampledBarcodes(std::uint64_t seed, Index vertices, double share) {
   const RandomMesh random = randomMesh(seed, 0.02);
+  SCOPED_TRACE("seed " + std::to_string(seed) + ": " + random.history);
   const SurfaceMesh mesh = random.shape.mesh(OpenEdges::Boundary);
+  const Index step = vertices == 0 ? 1 : 1 + (mesh.vertexCount() - 1) / vertices;
+  return expectSampledBarcodes(mesh, static_cast<Index>(seed % step), step, share);
+}
+
+int expectSampledBarcodes(const SurfaceMesh& mesh, Index first, Index step, double share) {
   GirthSolver solver(mesh);
   TextbookMmp textbook(mesh);
   int seen = 0;
-  const Index step = vertices == 0 ? 1 : 1 + (mesh.vertexCount() - 1) / vertices;
-  for (Index v = static_cast<Index>(seed % step); v < mesh.vertexCount(); v += step) {
-    SCOPED_TRACE("seed " + std::to_string(seed) + ", vertex " + std::to_string(v) + ": " +
-                 random.history);
+  for (Index v = first; v < mesh.vertexCount(); v += step) {
+    SCOPED_TRACE("vertex " + std::to_string(v));
     const auto point = SurfacePoint::atVertex(Vertex(v));
     const auto barcode = solver.barcode(point, {});
     EXPECT_TRUE(barcode);

@@ -27,6 +27,18 @@ TEST(Barcode, IsThatOfTheSampledField) {
   EXPECT_GT(seen, 20);
 }
 
+// On flat faces many ways are equally long: several may meet at one point, and go on as one.
+TEST(Barcode, IsThatOfTheSampledFieldWhereHeightsAreEqual) {
+  int seen = 0;
+  for (const Shape& shape :
+       {box(1, 1, 1, 3, 3, 3), box(1, 2, 3, 2, 3, 4), prism(regularPolygon(4, 1), 4, 4), plate(1),
+        plate(2, 2), plate(3, 1), torus(3, 1, 12, 6), reflected(box(1, 2, 3, 1, 2, 3), 1)}) {
+    SCOPED_TRACE(std::to_string(shape.vertexCount()) + " vertices");
+    seen += expectSampledBarcodes(shape.mesh(), 0, 3, 0.035);
+  }
+  EXPECT_GT(seen, 100);
+}
+
 TEST(Barcode, HasTwoBarsWithoutEndOnATorus) {
   const SurfaceMesh mesh = perturbed(torus(3, 1, 12, 8), 0.1, 1).mesh();
   GirthSolver solver(mesh);
