@@ -54,13 +54,17 @@ std::vector<Index> everyVertex(const SurfaceMesh& mesh, Index step) {
 }
 
 TEST(SaddleCount, FitsTheMaximaOnRodsWithBumps) {
+  // At one vertex of each a path passes so close beside a vertex that the way over it ties.
+  const std::pair<std::uint64_t, Index> cases[] = {{2, 782}, {3, 994}, {5, 1688}};
   std::size_t saddles = 0;
-  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+  for (const auto& [seed, close] : cases) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const SurfaceMesh mesh = perturbed(bumpyRod(30, 90, 9), 0.1, seed).mesh();
-    saddles += expectCountsFit(mesh, 0, everyVertex(mesh, 11));
+    std::vector<Index> vertices = everyVertex(mesh, 23);
+    vertices.push_back(close);
+    saddles += expectCountsFit(mesh, 0, vertices);
   }
-  EXPECT_GT(saddles, 2500U);
+  EXPECT_GT(saddles, 1500U);
 }
 
 TEST(SaddleCount, FitsTheMaximaOnRoughTori) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "girth/transfer.h"
+#include "mesh/vector.h"
 
 namespace girth {
 namespace {
