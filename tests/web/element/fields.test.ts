@@ -26,12 +26,10 @@ function drawn(method: GirthMethod = 'exact', persistence = 0) {
     carryField: (field: Field) =>
       Promise.resolve({
         ...field,
-        ...{
-          values: Float64Array.of(5, 6, 6),
-          range: [5, 6],
-          note: '',
-          method: 'exact on 9998 faces',
-        },
+        values: Float64Array.of(5, 6, 6),
+        range: [5, 6],
+        note: '',
+        method: 'exact on 9998 faces',
       }),
     dispose: () => disposed.push('remeshed'),
   };
