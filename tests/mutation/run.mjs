@@ -29,7 +29,8 @@ const tree = join(repository, 'build/mutation/tree');
 const tests = [
   ...['ClosedForm.*', 'Invariance.*', 'Solver.*', 'Shapes/Against*', 'FirstSaddle.*'],
   ...['BadInput.TheSmallest*', 'BadInput.Points*', 'Field.*', '*Geodesic*', '*Boundaries*'],
-  ...['RandomMeshes/*', 'Barcode.IsThat*', 'SaddleCount.*'],
+  ...['RandomMeshes/*', 'Barcode.IsThat*', 'SaddleCount.*', 'LoopCheck.*', 'Doubts.*'],
+  ...['ClearCap.*', 'MovedLoop.*'],
 ].join(':');
 
 /** A test that runs longer than this, in seconds, does so because of the mutation. */

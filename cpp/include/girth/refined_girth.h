@@ -21,9 +21,10 @@ enum class GirthState : std::uint8_t {
   /// Computed exactly, on the whole surface.
   Proved = 0,
   /// The shortest loop in its band, and in agreement with all neighbours: none differs by more than
-  /// twice the length of the edge to it.
+  /// twice the length of the edge to it. Or one is longer by more, where the girth jumps, and this
+  /// loop's halves have been found to be shortest paths of the whole surface.
   Consistent = 1,
-  /// A neighbour differs by more, as where the girth jumps, or no loop was found.
+  /// A neighbour contradicts it, or no loop was found.
   Suspect = 2,
 };
 
@@ -83,12 +84,12 @@ struct GIRTH_EXPORT RefinedGirth {
 /// I(v) for all vertices, the way that web/docs/definitions.md describes in section 3: exact loops
 /// of a coarse surface are carried to the fine one; there each vertex takes the shortest loop in a
 /// band of faces round the loops of its neighbours, until nothing changes. Where neighbours
-/// contradict each other, and at vertices evenly spread, the whole surface is searched, within
-/// bounds. Where many vertices are flat, loops are looked for on the surface without them. The same
+/// contradict each other, the whole surface is asked whether the halves of the shorter loop are
+/// shortest paths; there and at vertices evenly spread it is searched, within bounds. Where many vertices are flat, loops are looked for on the surface without them. The same
 /// bits for any number of threads.
 ///
-/// Time grows with the faces of bands, O(n^1.5) for the usual mesh of n faces: at 50,000 half to a
-/// quarter of the exact method's. Flat vertices cost as much as on the surface without them.
+/// Time grows with the faces of bands, O(n^1.5) for the usual mesh of n faces: at 50,000 a third to
+/// a sixth of the exact method's. Flat vertices cost as much as on the surface without them.
 /// Memory: 4 bytes for each edge that the loop of a vertex crosses there, some 700 MB for 400,000
 /// vertices.
 ///

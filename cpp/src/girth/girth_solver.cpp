@@ -494,6 +494,10 @@ GirthSolver SolverFactory::onUnfolding(std::shared_ptr<const Unfolding> unfoldin
   return GirthSolver(std::make_unique<GirthSolver::State>(std::move(unfolding)));
 }
 
+Propagation& SolverFactory::propagationOf(GirthSolver& solver) {
+  return solver.state_->propagation;
+}
+
 std::optional<GirthLoop> SolverFactory::loopWithin(GirthSolver& solver, const SurfacePoint& point,
                                                    const std::uint8_t* band,
                                                    const ExecutionContext& context) {

@@ -2,24 +2,25 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <numeric>
 #include <optional>
-#include <queue>
 #include <span>
+#include <unordered_set>
 #include <utility>
 
 #include "geodesic/unfolding.h"
 #include "girth/base_graph.h"
 #include "girth/carried_loops.h"
+#include "girth/doubts.h"
 #include "girth/face_band.h"
 #include "girth/girth_audit.h"
+#include "girth/known_loop.h"
+#include "girth/loop_check.h"
 #include "girth/parallel.h"
 #include "girth/refined_bases.h"
 #include "girth/remesh.h"
@@ -58,15 +59,14 @@ constexpr int kRings = 2, kCarriedRings = 3;
 constexpr double kCoarseAtLeast = 0.93;
 /// How often a band is laid anew round a loop that reaches its rim.
 constexpr int kMostBands = 4;
-/// Lengths that differ by less, as shares, are equal.
-constexpr double kSame = 1e-9;
 /// Exact values take at most so many times the windows of what was done before, or so many, some
 /// minutes of one core: surfaces like spheres have no loops, and all values are exact.
 constexpr double kMostExact = 3, kMostExactWindows = 1e10;
 /// And of that, those that are only to check.
 constexpr double kMostChecks = 0.15;
-/// Vertices that are computed exactly at a time, before the work is added up.
-constexpr std::size_t kExactAtATime = 64;
+/// Vertices that are looked at in one go, before what follows from them spreads and the work is
+/// added up.
+constexpr std::size_t kAtATime = 64;
 /// On surfaces of more triangles an exact search does not keep what it needs to draw the loop.
 constexpr Index kMostFacesForLoops = 200'000;
 /// Where flat vertices are left out, so many vertices of the audit are also computed with them.
@@ -74,27 +74,14 @@ constexpr std::size_t kAuditOnAllFaces = 8;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// What is known of a base.
-struct Known {
-  double length{kNone};  // on the ground, in model units
-  double excess{0};      // how much longer it is with the flat vertices
-  LoopKind kind{LoopKind::Unresolved};
-  bool isProved{false};
-  bool isDoubted{false};     // and so is to be computed exactly
-  bool isLow{false};         // shorter than its floor, as that of a neighbour that is proved
-  std::vector<Index> faces;  // of its loop, in rising order; empty where there is none to spread
-
-  bool isThere() const { return !std::isnan(length); }
-  double value() const { return length + excess; }
-};
-
-bool isSame(double a, double b) { return std::fabs(a - b) <= kSame * b; }
-
 /// What a thread works with.
 struct Scratch {
   explicit Scratch(const std::shared_ptr<const Unfolding>& unfolding)
-      : solver(SolverFactory::onUnfolding(unfolding)), band(*unfolding) {}
+      : solver(SolverFactory::onUnfolding(unfolding)),
+        check(SolverFactory::propagationOf(solver)),
+        band(*unfolding) {}
   GirthSolver solver;
+  LoopCheck check;  // with the memory of the solver
   FaceBand band;
 };
 
@@ -111,7 +98,8 @@ class Refinement {
         context_(context),
         unfolding_(std::make_shared<const Unfolding>(ground_)),
         bases_(basesOn(*unfolding_, lean)),
-        known_(bases_.onGround) {
+        known_(bases_.onGround),
+        refuted_(bases_.onGround, 0) {
     if (lean == nullptr) return;
     result_.leanFaces = ground_.faceCount();
     shifted_.emplace(mesh, *lean);
@@ -169,6 +157,7 @@ class Refinement {
     const std::vector<Index> baseOf = bases_.ofVertices();
     graph_ = BaseGraph(mesh_, baseOf);
     known_.resize(bases_.places.size());
+    refuted_.resize(bases_.places.size(), 0);
     floor_.resize(bases_.places.size());
     for (Index base = bases_.onGround; base < floor_.size(); ++base) {
       const Index face = faceOf(base);
@@ -242,17 +231,17 @@ class Refinement {
   /// which it did.
   std::vector<Index> spread(double begin, double end) {
     std::vector<Index> all;
-    auto reached = static_cast<std::size_t>(
-        std::count_if(known_.begin(), known_.end(), [](const Known& k) { return k.isThere(); }));
+    auto reached = static_cast<std::size_t>(std::count_if(
+        known_.begin(), known_.end(), [](const KnownLoop& k) { return k.isThere(); }));
     while (!changed_.empty() && !context_.cancelled()) {
       const std::vector<Beside> besides = besidesOf(changed_);
-      std::vector<Known> found(besides.size());
+      std::vector<KnownLoop> found(besides.size());
       eachOf(besides.size(), silent(),
              [&](std::size_t i, Scratch& scratch) { search(besides[i], scratch, found[i]); });
       changed_.clear();
       for (std::size_t i = 0; i < besides.size(); ++i) {
         if (!found[i].isThere()) continue;
-        Known& known = known_[besides[i].base];
+        KnownLoop& known = known_[besides[i].base];
         reached += known.isThere() ? 0 : 1;
         known = std::move(found[i]);
         changed_.push_back(besides[i].base);
@@ -289,10 +278,12 @@ class Refinement {
   }
 
   /// A shorter loop for a base from the bands of its neighbours; `found` stays empty without.
-  void search(const Beside& beside, Scratch& scratch, Known& found) {
-    const Known& own = known_[beside.base];
+  void search(Beside beside, Scratch& scratch, KnownLoop& found) {
+    const KnownLoop& own = known_[beside.base];
     FaceBand& band = scratch.band;
     if (own.isThere()) {
+      leaveOutNoGain(beside);
+      if (beside.changed.empty()) return;
       // Loops within the band round its own have been looked at.
       band.clear();
       band.add(own.faces);
@@ -306,18 +297,33 @@ class Refinement {
     band.clear();
     double floor = floor_[beside.base];
     for (const Neighbour& other : beside.changed) {
-      const Known& known = known_[other.base];
+      const KnownLoop& known = known_[other.base];
       band.add(known.faces);
       // The loop beside one that is proved may be as short, but for the way there and back.
       if (known.isProved || known.isLow) {
-        floor = std::min(floor, (known.length - 2 * other.distance) * (1 - kSame));
+        floor = std::min(floor, (known.length - 2 * other.distance) * (1 - kSameLength));
       }
     }
+    floor = std::max(floor, refuted_[beside.base]);
     addAround(beside.base, band);
     band.grow(kRings);
     found.length = own.length;
     settle(beside.base, floor, scratch, found);
-    if (isSame(found.length, own.length)) found.length = kNone;
+    if (isSameLength(found.length, own.length)) found.length = kNone;
+  }
+
+  /// Of neighbours that have changed, those whose loops cannot be shorter at the base. What is
+  /// proved counts always: it may lower the floor.
+  void leaveOutNoGain(Beside& beside) const {
+    const auto positionOfBase = [&](Index base) {
+      return mesh_.position(Vertex(bases_.vertices[base]));
+    };
+    const Vec3 place = positionOfBase(beside.base);
+    std::erase_if(beside.changed, [&](const Neighbour& other) {
+      const KnownLoop& loop = known_[other.base];
+      return !loop.isProved &&
+             isNoGain(known_[beside.base], loop, place - positionOfBase(other.base));
+    });
   }
 
   void addAround(Index base, FaceBand& band) const {
@@ -330,10 +336,10 @@ class Refinement {
 
   /// The shortest loop in a band, and then in one round that loop where it reaches the rim; into
   /// `known`, if it is shorter, but not below `floor`.
-  void settle(Index base, double floor, Scratch& scratch, Known& known) {
+  void settle(Index base, double floor, Scratch& scratch, KnownLoop& known) {
     for (int bands = 0; bands < kMostBands; ++bands) {
       const auto loop = loopWithin(base, scratch);
-      if (!loop || loop->length >= known.length * (1 - kSame)) return;
+      if (!loop || loop->length >= known.length * (1 - kSameLength)) return;
       if (loop->length < floor) return;
       take(base, *loop, known);
       known.isLow = known.length < floor_[base];
@@ -355,17 +361,22 @@ class Refinement {
     return loop;
   }
 
-  void take(Index base, const GirthLoop& loop, Known& known) const {
+  void take(Index base, const GirthLoop& loop, KnownLoop& known) const {
     known.length = loop.length;
     known.excess = excessOf(base, loop);
     known.kind = loop.kind;
+    known.stands = false;
     known.faces = loop.kind == LoopKind::Loop ? facesOf(unfolding(), loop) : std::vector<Index>{};
+    known.middle = loop.midpoint;
+    known.pull = pullOf(ground_, loop);
   }
 
-  /// Exactly: bases that are contradicted, or have no loop, and then some evenly spread over the
-  /// surface, since a region may be wrong as a whole without a contradiction. A loop that was
-  /// missed spreads from there; where one was too short, the neighbours' may be too. Within bounds;
-  /// what is left is suspect. `mesh`: whose vertices the bases are.
+  Question question(Index base) const { return questionAt(base, known_, graph_); }
+
+  /// What neighbours' values cannot be true together with: first whether the short loop of two
+  /// stands, then, exactly, what the long one is, and what has no loop. Then some bases evenly
+  /// spread over the surface, exactly, since a region may be wrong as a whole without a
+  /// contradiction. Within bounds; what is left is suspect. `mesh`: whose vertices the bases are.
   void prove(const SurfaceMesh& mesh, const std::vector<Index>& baseOf) {
     const auto before = static_cast<double>(windows());
     const double most = std::max(kMostExact * before, kMostExactWindows);
@@ -377,28 +388,18 @@ class Refinement {
     const auto settleAll = [&] {
       while (!doubts.empty() && static_cast<double>(windows()) - before < most &&
              !context_.cancelled()) {
-        std::vector<Index> some;
-        while (!doubts.empty() && some.size() < kExactAtATime) {
-          const Index base = doubts.take();
-          // What has spread meanwhile may have put an end to the contradiction.
-          if (!known_[base].isProved && (known_[base].isDoubted || contradicts(base))) {
-            some.push_back(base);
-          }
-        }
-        settleExactly(some, doubts);
+        settleSome(doubts);
         report();
       }
     };
-    for (Index base = 0; base < known_.size(); ++base) {
-      if (contradicts(base)) doubts.add(base, known_[base].length);
-    }
+    for (Index base = 0; base < known_.size(); ++base) doubt(base, doubts);
     settleAll();
     const std::vector<Vertex> order = coarseToFineOrder(mesh, 1);
     const double settled = static_cast<double>(windows());
     double checks = 0;
     for (std::size_t i = 0; i < order.size() && checks < kMostChecks * settled;) {
       std::vector<Index> some;
-      for (; i < order.size() && some.size() < kExactAtATime; ++i) {
+      for (; i < order.size() && some.size() < kAtATime; ++i) {
         const Index base = baseOf[order[i]];
         if (!known_[base].isProved) some.push_back(base);
       }
@@ -412,60 +413,126 @@ class Refinement {
     this->report(1);
   }
 
-  /// Bases that are to be looked at, each once at a time: those with the shortest loops first,
-  /// which cost least.
-  class Doubts {
-   public:
-    explicit Doubts(std::size_t bases) : isQueued_(bases, false) {}
-    bool empty() const { return queue_.empty(); }
-    void add(Index base, double length) {
-      if (isQueued_[base]) return;
-      isQueued_[base] = true;
-      queue_.emplace(std::isnan(length) ? std::numeric_limits<double>::infinity() : length, base);
-    }
-    Index take() {
-      const Index base = queue_.top().second;
-      queue_.pop();
-      isQueued_[base] = false;
-      return base;
-    }
+  /// Adds a base to the doubts, if there is a question.
+  void doubt(Index base, Doubts& doubts) const {
+    if (question(base) != Question::None) doubts.add(base, known_[base].length);
+  }
+  void doubtAround(Index base, Doubts& doubts) const {
+    doubt(base, doubts);
+    for (const Neighbour& other : graph_.neighbours(base)) doubt(other.base, doubts);
+  }
 
-   private:
-    std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>,
-                        std::greater<>>
-        queue_;
-    std::vector<bool> isQueued_;
+  void settleSome(Doubts& doubts) {
+    std::vector<Index> asked, exact;
+    // What has spread meanwhile may have put an end to a question.
+    for (const Index base : doubts.take(kAtATime, graph_, [&](Index candidate) {
+           return question(candidate) != Question::None;
+         })) {
+      (question(base) == Question::DoesItStand ? asked : exact).push_back(base);
+    }
+    settleByAsking(asked, doubts);
+    settleExactly(exact, doubts);
+  }
+
+  /// What is said of a loop.
+  struct Answer {
+    bool stands{false};
+    std::vector<Index> refuted;  // it and others, where it does not
   };
 
-  /// The exact values of some bases, and what follows from them for others.
+  /// Whether the loops of some bases stand. Those that do not are forgotten, together with those
+  /// around that they refute, and there the longer loops beside them spread; what is as short
+  /// beside them is doubted.
+  void settleByAsking(const std::vector<Index>& bases, Doubts& doubts) {
+    std::vector<Answer> answers(bases.size());
+    eachOf(bases.size(), silent(),
+           [&](std::size_t i, Scratch& scratch) { answers[i] = answerAt(bases[i], scratch); });
+    if (context_.cancelled()) return;
+    std::vector<std::pair<Index, double>> forgotten;
+    for (std::size_t i = 0; i < bases.size(); ++i) {
+      KnownLoop& own = known_[bases[i]];
+      if (answers[i].stands) {
+        own.stands = true;
+        own.isDoubted = false;
+        doubtAround(bases[i], doubts);
+      }
+      for (const Index base : answers[i].refuted) {
+        const double length = known_[base].length;
+        if (std::isnan(length)) continue;  // by another one
+        forgotten.emplace_back(base, length);
+        refuted_[base] = std::max(refuted_[base], length * (1 + 2 * kSameLength));
+        known_[base] = {};
+      }
+    }
+    for (const auto& [base, length] : forgotten) {
+      for (const Neighbour& other : graph_.neighbours(base)) {
+        KnownLoop& loop = known_[other.base];
+        if (isContradicted(length, loop.length, other.distance)) {
+          if (!loop.faces.empty()) changed_.push_back(other.base);
+        } else if (loop.isThere() && !loop.isProved && !loop.stands) {
+          loop.isDoubted = true;
+          doubts.add(other.base, loop.length);
+        }
+      }
+    }
+    std::sort(changed_.begin(), changed_.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+    for (const Index base : spread(0, 0)) doubtAround(base, doubts);
+    for (const auto& [base, length] : forgotten) doubt(base, doubts);
+  }
+
+  Answer answerAt(Index base, Scratch& scratch) {
+    const KnownLoop& own = known_[base];
+    const auto stands =
+        scratch.check.stands(bases_.places[base], own.length, own.middle, context_.ofOneThread());
+    SearchStatistics cost;
+    cost.windowsCreated = scratch.check.windows();
+    count(cost);
+    if (!stands) return {};
+    if (*stands) return {true, {}};
+    // From base to base, as long as loops are refuted.
+    std::vector<Index> refuted{base};
+    std::vector<double> away{0};
+    std::unordered_set<Index> seen{base};
+    for (std::size_t i = 0; i < refuted.size(); ++i) {
+      for (const Neighbour& other : graph_.neighbours(refuted[i])) {
+        const KnownLoop& loop = known_[other.base];
+        if (loop.isProved || loop.stands || loop.faces.empty()) continue;
+        const double way = away[i] + other.distance;
+        if (!scratch.check.refutes(way, loop.length, loop.middle)) continue;
+        if (!seen.insert(other.base).second) continue;
+        refuted.push_back(other.base);
+        away.push_back(way);
+      }
+    }
+    return {false, std::move(refuted)};
+  }
+
+  /// The exact values of some bases, and what follows from them for others: what was missed
+  /// spreads from there; where a loop was too short, those of the neighbours may be, too.
   void settleExactly(const std::vector<Index>& bases, Doubts& doubts) {
     std::vector<double> lengths;
     for (const Index base : bases) lengths.push_back(known_[base].length);
     makeExact(bases, silent());
     std::vector<Index> changed;
     for (std::size_t i = 0; i < bases.size(); ++i) {
-      const Known& known = known_[bases[i]];
-      if (!known.isProved || isSame(lengths[i], known.length)) continue;
+      const KnownLoop& known = known_[bases[i]];
+      if (!known.isProved || isSameLength(lengths[i], known.length)) continue;
       changed.push_back(bases[i]);
       if (!(known.length > lengths[i])) {
         if (!known.faces.empty()) changed_.push_back(bases[i]);
         continue;
       }
       for (const Neighbour& other : graph_.neighbours(bases[i])) {
-        if (known_[other.base].isProved || known_[other.base].isDoubted) continue;
-        known_[other.base].isDoubted = true;
-        doubts.add(other.base, known_[other.base].length);
+        KnownLoop& loop = known_[other.base];
+        if (loop.isProved || loop.stands) continue;
+        loop.isDoubted = true;
+        doubts.add(other.base, loop.length);
       }
     }
     const std::vector<Index> spreadTo = spread(0, 0);
     changed.insert(changed.end(), spreadTo.begin(), spreadTo.end());
-    for (const Index base : changed) {
-      if (contradicts(base)) doubts.add(base, known_[base].length);
-      for (const Neighbour& other : graph_.neighbours(base)) {
-        if (!known_[other.base].isProved && contradicts(other.base))
-          doubts.add(other.base, known_[other.base].length);
-      }
-    }
+    for (const Index base : changed) doubtAround(base, doubts);
   }
 
   void makeExact(const std::vector<Index>& bases, const ExecutionContext& context) {
@@ -477,8 +544,8 @@ class Refinement {
       const auto value = scratch.solver.value(place, context_.ofOneThread());
       if (!value) return;  // cancelled
       count(scratch.solver.statistics());
-      Known& known = known_[bases[i]];
-      const bool isOther = !isSame(value.value().length, known.length);
+      KnownLoop& known = known_[bases[i]];
+      const bool isOther = !isSameLength(value.value().length, known.length);
       const bool isShorter = !(value.value().length > known.length);
       known.isProved = value.value().kind != LoopKind::Unresolved;
       if (!known.isProved && known.isThere()) return;
@@ -530,7 +597,7 @@ class Refinement {
       for (std::size_t i = begin; i < end; ++i) {
         const auto value = solver.value(Vertex(bases_.vertices[drawn[i]]), context_.ofOneThread());
         if (!value) return;  // cancelled
-        Known& known = known_[drawn[i]];
+        KnownLoop& known = known_[drawn[i]];
         if (value.value().kind == LoopKind::Unresolved) continue;
         known.length = value.value().length;
         known.excess = 0;
@@ -545,30 +612,17 @@ class Refinement {
     field.kinds.assign(known_.size(), LoopKind::Unresolved);
     result_.states.assign(known_.size(), GirthState::Suspect);
     for (Index base = 0; base < known_.size(); ++base) {
-      const Known& known = known_[base];
+      const KnownLoop& known = known_[base];
       const Index vertex = bases_.vertices[base];
       field.values[vertex] = known.value();
       field.kinds[vertex] = known.kind;
       if (known.isProved) {
         result_.states[vertex] = GirthState::Proved;
-      } else if (known.isThere() && known.kind == LoopKind::Loop && !known.isDoubted &&
-                 !contradicts(base)) {
+      } else if (question(base) == Question::None) {
         result_.states[vertex] = GirthState::Consistent;
       }
     }
     field.computed = known_.size();
-  }
-
-  /// Whether a base has no loop, or its neighbours' values cannot be true together with its own:
-  /// but for jumps, the girth changes by at most twice the way.
-  bool contradicts(Index base) const {
-    const Known& own = known_[base];
-    if (!own.isThere()) return true;
-    const auto neighbours = graph_.neighbours(base);
-    return std::any_of(neighbours.begin(), neighbours.end(), [&](const Neighbour& other) {
-      const double difference = std::fabs(known_[other.base].length - own.length);
-      return difference > 2 * other.distance * (1 + kSame);
-    });
   }
 
   /// Calls `work(i, scratch)` for all numbers below `count`, on all threads.
@@ -604,8 +658,9 @@ class Refinement {
   RefinedBases bases_;
   std::optional<ShiftedPaths> shifted_;  // where flat vertices are a little off
   BaseGraph graph_;
-  std::vector<Known> known_;   // of the bases
-  std::vector<double> floor_;  // shorter loops do not count, until all of the surface is searched
+  std::vector<KnownLoop> known_;  // of the bases
+  std::vector<double> floor_;    // shorter loops do not count, until all of the surface is searched
+  std::vector<double> refuted_;  // nor do loops that are no longer than one that does not stand
   std::vector<Index> changed_;
   RefinedGirth result_;
   std::mutex mutex_;  // for what it costs

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "geodesic/propagation.h"
 #include "geodesic/unfolding.h"
 #include "girth/girth_solver.h"
 
@@ -14,6 +15,8 @@ namespace girth {
 struct SolverFactory {
   /// One of the solvers of several threads: each has scratch memory of its own.
   static GirthSolver onUnfolding(std::shared_ptr<const geodesic::Unfolding> unfolding);
+  /// What a solver searches with: between two calls another search may use it.
+  static geodesic::Propagation& propagationOf(GirthSolver& solver);
   /// The girth of a point and its loop, of the loops and paths that stay within some faces of the
   /// unfolding: those for which `band` is not 0. Nothing where there is no loop, or the context was
   /// cancelled. The loop is a geodesic of the whole surface; its halves are the shortest of those
