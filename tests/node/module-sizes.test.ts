@@ -12,9 +12,9 @@ test.each([
   ['girth-files', 290_000],
   ['girth', 120_000],
   ['girth-fields', 175_000],
-  ['girth-threads', 235_000],
-  ['girth-analysis', 620_000],
-  ['girth-studies', 310_000],
+  ['girth-threads', 240_000],
+  ['girth-analysis', 625_000],
+  ['girth-studies', 312_000],
 ])('%s.wasm is at most %i bytes', (name, most) => {
   const { length } = gzipSync(readFileSync(join(folder, `${name}.wasm`)), { level: 9 });
   console.info(`${name}.wasm: ${length} bytes by gzip`);

@@ -85,8 +85,9 @@ struct GIRTH_EXPORT RefinedGirth {
 /// of a coarse surface are carried to the fine one; there each vertex takes the shortest loop in a
 /// band of faces round the loops of its neighbours, until nothing changes. Where neighbours
 /// contradict each other, the whole surface is asked whether the halves of the shorter loop are
-/// shortest paths; there and at vertices evenly spread it is searched, within bounds. Where many vertices are flat, loops are looked for on the surface without them. The same
-/// bits for any number of threads.
+/// shortest paths; there and at vertices evenly spread it is searched, within bounds. Where many
+/// vertices are flat, loops are looked for on the surface without them. The same bits for any
+/// number of threads.
 ///
 /// Time grows with the faces of bands, O(n^1.5) for the usual mesh of n faces: at 50,000 a third to
 /// a sixth of the exact method's. Flat vertices cost as much as on the surface without them.

@@ -1,17 +1,20 @@
 // How far a propagation is to go, where nothing is looked for on the way.
 #pragma once
 
+#include <functional>
+#include <utility>
+
 #include "geodesic/propagation.h"
 #include "girth/execution.h"
 
 namespace girth::geodesic {
 
 /// A visitor of Propagation::run that ends once the frontier has passed the distance that `limit`
-/// returns.
-template <class Limit>
+/// returns, which is asked once a bucket. One type for all limits, so that `run` is compiled once.
 class Until {
  public:
-  Until(Limit limit, const ExecutionContext& context) : limit_(limit), context_(context) {}
+  Until(std::function<double()> limit, const ExecutionContext& context)
+      : limit_(std::move(limit)), context_(context) {}
 
   bool enough(double frontier) { return interrupted() || frontier > limit_(); }
   bool interrupted() { return cancelled_ = context_.cancelled(); }
@@ -22,7 +25,7 @@ class Until {
   bool cancelled() const { return cancelled_; }
 
  private:
-  Limit limit_;
+  std::function<double()> limit_;
   const ExecutionContext& context_;
   bool cancelled_{false};
 };

@@ -10,7 +10,6 @@
 #include <numeric>
 #include <optional>
 #include <span>
-#include <unordered_set>
 #include <utility>
 
 #include "geodesic/unfolding.h"
@@ -83,6 +82,7 @@ struct Scratch {
   GirthSolver solver;
   LoopCheck check;  // with the memory of the solver
   FaceBand band;
+  std::vector<bool> isRefuted;  // of the bases, while others are looked for
 };
 
 /// Loops are looked for on the ground: the surface, or the same without its flat vertices.
@@ -493,18 +493,21 @@ class Refinement {
     // From base to base, as long as loops are refuted.
     std::vector<Index> refuted{base};
     std::vector<double> away{0};
-    std::unordered_set<Index> seen{base};
+    std::vector<bool>& isRefuted = scratch.isRefuted;
+    isRefuted.resize(known_.size());
+    isRefuted[base] = true;
     for (std::size_t i = 0; i < refuted.size(); ++i) {
       for (const Neighbour& other : graph_.neighbours(refuted[i])) {
         const KnownLoop& loop = known_[other.base];
-        if (loop.isProved || loop.stands || loop.faces.empty()) continue;
+        if (isRefuted[other.base] || loop.isProved || loop.stands || loop.faces.empty()) continue;
         const double way = away[i] + other.distance;
         if (!scratch.check.refutes(way, loop.length, loop.middle)) continue;
-        if (!seen.insert(other.base).second) continue;
+        isRefuted[other.base] = true;
         refuted.push_back(other.base);
         away.push_back(way);
       }
     }
+    for (const Index other : refuted) isRefuted[other] = false;
     return {false, std::move(refuted)};
   }
 
