@@ -1,10 +1,11 @@
-// `npm run bench:paper [-- --naive-seconds S] [-- --folder FOLDER]`: the paper's Table I and Figure 6, and
+// `npm run bench:paper [-- --naive-seconds S] [-- --folder FOLDER] [-- --scale]`: the paper's Table I and Figure 6, and
 // the time of the library's methods up to a million triangles, measured here and written to
 // web/docs/bench/paper.{md,json,svg} and scale.svg. The naive algorithm runs for at most about S seconds a size.
 // Default: 600. What would take longer is extrapolated, and marked so. Half an hour on a machine that does nothing
-// else; the figures are of the machine that it runs on.
+// else; the figures are of the machine that it runs on. --scale: only the methods up to a million triangles, ten
+// minutes; the rest stays as paper.json has it.
 
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { availableParallelism, cpus } from 'node:os';
 import { basename, join } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -19,6 +20,9 @@ import { setUp } from './setup.mjs';
  *   naive?: Cost & { vertices: number } }} Figures
  * @typedef {{ faces: number, vertices: number, exact: { seconds: number, vertices: number },
  *   refined?: { seconds: number }, carried?: { seconds: number } }} Scale
+ * @typedef {{ date: string, machine: string }} When
+ * @typedef {When & { table: Figures[], paperTable: number[][],
+ *   plot: { name: string, figures: Figures[] }[] }} Paper the first two parts
  */
 
 const program = 'build/native/cpp/bench/paper_figures';
@@ -140,11 +144,8 @@ function markdownTable(rows) {
   return [lines[0], rule, ...lines.slice(1)].join('\n');
 }
 
-/**
- * @param {{ machine: string, date: string, table: Figures[], scale: Scale[],
- *   plot: { name: string, figures: Figures[] }[] }} report
- */
-function markdown({ machine, date, table, plot, scale }) {
+/** @param {Paper & { scale: Scale[], scaleWhen: When }} report */
+function markdown({ machine, date, table, plot, scale, scaleWhen }) {
   const horse = table.some(({ model }) => model.startsWith('horse'));
   const rows = table.map(({ faces, vertices, exact, naive }) => {
     if (!naive) throw new Complaint('the naive algorithm was not measured');
@@ -221,7 +222,7 @@ ${
 }, all vertices, in seconds on ${threads} threads. What the exact method
 would take more than a minute for is extrapolated from some vertices, spread over the surface. _Refined_ is without its audit,
 and was not measured beyond ${mostRefined.toLocaleString('en')} faces; _carried back_ is the exact girth of 10,000 faces at the vertices of all,
-remeshing included. The paper's points are those of its Table I, and its elephant of 50,000 faces: ${String(paperElephant[1])} s.
+remeshing included. Measured on ${scaleWhen.date}: ${scaleWhen.machine}. The paper's points are those of its Table I, and its elephant of 50,000 faces: ${String(paperElephant[1])} s.
 
 ${markdownTable([['faces', 'exact', 'refined', 'carried back'], ...scaleRows])}
 `;
@@ -232,23 +233,31 @@ await script(() => {
     options: {
       'naive-seconds': { type: 'string', default: '600' },
       folder: { type: 'string', default: 'web/docs/bench' },
+      scale: { type: 'boolean', default: false },
     },
   });
   setUp();
   buildWasm();
   buildNative([program, scaleProgram].map((path) => basename(path)));
   writeModels();
-  const table = measureTable(values['naive-seconds']);
-  const plot = measurePlot(['chair', 'octopus', 'handles', 'dumbbell', 'cup', 'vessel']);
-  const scale = measureScale();
-  const report = {
+  const folder = join(repository, values.folder);
+  const scaleWhen = {
     date: new Date().toISOString().slice(0, 10),
     machine: `${String(availableParallelism())} cores, ${cpus()[0]?.model.trim() ?? 'unknown'}`,
-    table,
-    paperTable,
-    plot,
-    scale,
   };
+  /** @type {() => Paper} */
+  const measurePaper = () => ({
+    ...scaleWhen,
+    table: measureTable(values['naive-seconds']),
+    paperTable,
+    plot: measurePlot(['chair', 'octopus', 'handles', 'dumbbell', 'cup', 'vessel']),
+  });
+  /** @type {() => Paper} */
+  const readPaper = () => JSON.parse(readFileSync(join(folder, 'paper.json'), 'utf8'));
+  const paper = values.scale ? readPaper() : measurePaper();
+  const { plot } = paper;
+  const scale = measureScale();
+  const report = { ...paper, scale, scaleWhen };
   /**
    * @param {(figures: Figures) => number} value
    * @returns {import('./plot.mjs').Line[]}
@@ -258,7 +267,6 @@ await script(() => {
       name,
       points: figures.map((one) => ({ x: one.faces / 1000, y: value(one) })),
     }));
-  const folder = join(repository, values.folder);
   mkdirSync(folder, { recursive: true });
   writeFileSync(join(folder, 'paper.json'), `${JSON.stringify(report, null, 2)}\n`);
   writeFileSync(join(folder, 'paper.md'), markdown(report));
