@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,10 +37,10 @@ struct GeodesicSolver::State {
     propagation.setBudget(std::max(propagation.budget(), most));
   }
 
-  template <class Limit>
-  std::optional<Error> run(std::span<const SurfacePoint> sources, Keep keep, Limit limit,
-                           const ExecutionContext& context, const Goal* goal = nullptr) {
-    Until until(limit, context);
+  std::optional<Error> run(std::span<const SurfacePoint> sources, Keep keep,
+                           std::function<double()> limit, const ExecutionContext& context,
+                           const Goal* goal = nullptr) {
+    Until until(std::move(limit), context);
     propagation.run(sources, keep, until, goal);
     if (until.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
     if (propagation.gaveUp()) {

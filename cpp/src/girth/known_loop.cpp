@@ -31,8 +31,7 @@ Question questionAt(Index base, std::span<const KnownLoop> known, const BaseGrap
 }
 
 Vec3 pullOf(const SurfaceMesh& mesh, const GirthLoop& loop) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (loop.points.size() < 3) return {kNone, kNone, kNone};
+  if (loop.points.size() < 3) return {kNoValue, kNoValue, kNoValue};
   const Vec3 base = positionOf(mesh, loop.base);
   const auto towards = [&](const SurfacePoint& point) {
     const Vec3 way = positionOf(mesh, point) - base;

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,13 +11,14 @@
 #include "girth/girth_solver.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
+#include "no_value.h"
 
 namespace girth {
 
 /// The best loop that is known at a base.
 struct KnownLoop {
   /// In model units; NaN: none is known. On the ground, where flat vertices are left out.
-  double length{std::numeric_limits<double>::quiet_NaN()};
+  double length{kNoValue};
   /// How much longer it is with the flat vertices.
   double excess{0};
   LoopKind kind{LoopKind::Unresolved};

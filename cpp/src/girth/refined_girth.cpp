@@ -29,6 +29,7 @@
 #include "idle_pool.h"
 #include "mesh/flat_vertices.h"
 #include "mesh/shifted_paths.h"
+#include "no_value.h"
 #include "part_of_work.h"
 #include "random.h"
 
@@ -70,8 +71,6 @@ constexpr std::size_t kAtATime = 64;
 constexpr Index kMostFacesForLoops = 200'000;
 /// Where flat vertices are left out, so many vertices of the audit are also computed with them.
 constexpr std::size_t kAuditOnAllFaces = 8;
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// What a thread works with.
 struct Scratch {
@@ -309,7 +308,7 @@ class Refinement {
     band.grow(kRings);
     found.length = own.length;
     settle(beside.base, floor, scratch, found);
-    if (isSameLength(found.length, own.length)) found.length = kNone;
+    if (isSameLength(found.length, own.length)) found.length = kNoValue;
   }
 
   /// Of neighbours that have changed, those whose loops cannot be shorter at the base. What is
@@ -611,7 +610,7 @@ class Refinement {
 
   void collect() {
     GirthField& field = result_.field;
-    field.values.assign(known_.size(), kNone);
+    field.values.assign(known_.size(), kNoValue);
     field.kinds.assign(known_.size(), LoopKind::Unresolved);
     result_.states.assign(known_.size(), GirthState::Suspect);
     for (Index base = 0; base < known_.size(); ++base) {
