@@ -2,15 +2,17 @@
 // back from 10,000 triangles. One JSON object a line; `npm run bench:paper` makes a table and a
 // plot of them.
 //
-//   scale [--threads N] [--faces N] [--exact-seconds S] [--refined-faces N] MODEL...
+//   scale [--threads N] [--faces N] [--divided N] [--exact-seconds S] [--refined-faces N] MODEL...
 //
 // --faces: the model is remeshed to about so many triangles first.
+// --divided: after that each triangle is cut into four equal ones, so many times.
 // --threads: default: all. --exact-seconds: where the exact method takes longer, it computes a
 // sample spread over the numbers of the vertices in about that time, and "vertices" says how many:
 // "seconds" are then extrapolated. Default: 60. --refined-faces: models of more triangles are not
 // refined. Default: no limit.
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -37,6 +39,38 @@ SurfaceMesh remeshed(const SurfaceMesh& mesh, Index faces, const girth::Executio
   auto result = girth::remesh(mesh, options, context);
   if (!result) std::exit(1);
   return std::move(result).value().mesh;
+}
+
+/// The same surface with each triangle cut into four by the middles of its sides.
+SurfaceMesh divided(const SurfaceMesh& mesh) {
+  girth::TriangleSoup soup;
+  const auto add = [&](const girth::Vec3& p) {
+    soup.positions.insert(soup.positions.end(), {p.x, p.y, p.z});
+    return static_cast<Index>(soup.positions.size() / 3 - 1);
+  };
+  for (const Vertex v : mesh.vertices()) add(mesh.position(v));
+  std::vector<Index> middle(mesh.halfedgeCount(), girth::kNoIndex);
+  for (const girth::Halfedge h : mesh.halfedges()) {
+    if (middle[h] != girth::kNoIndex) continue;
+    const girth::Vec3 a = mesh.position(mesh.from(h)), b = mesh.position(mesh.to(h));
+    middle[h] = add({(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2});
+    if (mesh.twin(h) != girth::Halfedge::none) middle[mesh.twin(h)] = middle[h];
+  }
+  for (const girth::Face face : mesh.faces()) {
+    std::array<Index, 3> corner{}, side{};
+    for (Index k = 0; k < 3; ++k) {
+      const girth::Halfedge h(3 * face + k);
+      corner[k] = mesh.from(h);
+      side[k] = middle[h];
+    }
+    for (Index k = 0; k < 3; ++k) {
+      soup.triangles.insert(soup.triangles.end(), {corner[k], side[k], side[(k + 2) % 3]});
+    }
+    soup.triangles.insert(soup.triangles.end(), side.begin(), side.end());
+  }
+  auto prepared = girth::prepareSurface(std::move(soup));
+  if (!prepared) std::exit(1);
+  return std::move(prepared).value().mesh;
 }
 
 /// Seconds for some vertices, divided between threads.
@@ -103,7 +137,7 @@ int main(int argc, char** argv) {
   girth::ExecutionContext context;
   context.threads = std::max(1u, std::thread::hardware_concurrency());
   double exactSeconds = 60;
-  Index faces = 0, refinedFaces = std::numeric_limits<Index>::max();
+  Index faces = 0, divisions = 0, refinedFaces = std::numeric_limits<Index>::max();
   std::vector<std::string> paths;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
@@ -111,6 +145,8 @@ int main(int argc, char** argv) {
       context.threads = std::max(1u, static_cast<unsigned>(std::atoi(argv[++i])));
     } else if (argument == "--faces" && i + 1 < argc) {
       faces = static_cast<Index>(std::atoi(argv[++i]));
+    } else if (argument == "--divided" && i + 1 < argc) {
+      divisions = static_cast<Index>(std::atoi(argv[++i]));
     } else if (argument == "--exact-seconds" && i + 1 < argc) {
       exactSeconds = std::atof(argv[++i]);
     } else if (argument == "--refined-faces" && i + 1 < argc) {
@@ -121,7 +157,8 @@ int main(int argc, char** argv) {
   }
   for (const std::string& path : paths) {
     const girth::bench::Model model = girth::bench::loadModel(path);
-    const SurfaceMesh mesh = faces > 0 ? remeshed(model.mesh, faces, context) : model.mesh;
+    SurfaceMesh mesh = faces > 0 ? remeshed(model.mesh, faces, context) : model.mesh;
+    for (Index i = 0; i < divisions; ++i) mesh = divided(mesh);
     std::printf(R"({"model":"%s","faces":%u,"vertices":%u,"threads":%u)", model.name.c_str(),
                 mesh.faceCount(), mesh.vertexCount(), context.threads);
     printExact(mesh, context, exactSeconds);

@@ -1,9 +1,10 @@
-// `npm run bench:paper [-- --naive-seconds S] [-- --folder FOLDER] [-- --scale]`: the paper's Table I and Figure 6, and
+// `npm run bench:paper [-- --naive-seconds S] [-- --folder FOLDER] [-- --only PART]`: the paper's Table I and Figure 6, and
 // the time of the library's methods up to a million triangles, measured here and written to
 // web/docs/bench/paper.{md,json,svg} and scale.svg. The naive algorithm runs for at most about S seconds a size.
 // Default: 600. What would take longer is extrapolated, and marked so. Half an hour on a machine that does nothing
-// else; the figures are of the machine that it runs on. --scale: only the methods up to a million triangles, ten
-// minutes; the rest stays as paper.json has it.
+// else; the figures are of the machine that it runs on. --only: of `paper`, the first two, `scale`, the methods up to a
+// million triangles (ten minutes), and `divided`, surfaces with flat vertices (five minutes), one alone, or `none`; the
+// rest stays as paper.json has it.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { availableParallelism, cpus } from 'node:os';
@@ -23,6 +24,7 @@ import { setUp } from './setup.mjs';
  * @typedef {{ date: string, machine: string }} When
  * @typedef {When & { table: Figures[], paperTable: number[][],
  *   plot: { name: string, figures: Figures[] }[] }} Paper the first two parts
+ * @typedef {Paper & { scale: Scale[], scaleWhen: When, divided: Scale[], dividedWhen: When }} Report
  */
 
 const program = 'build/native/cpp/bench/paper_figures';
@@ -43,7 +45,7 @@ const paperTable = [
 const scaleSizes = [1000, 2000, 5000, 10_000, 20_000, 50_000, 100_000, 200_000, 500_000, 1_000_000];
 /** Seconds of the paper's elephant of 50,000 faces, with the speed-ups. */
 const paperElephant = [49_918, 507];
-/** The refined method is not measured on more: half an hour each. */
+/** The refined method is not measured on more that is nowhere flat: half an hour each. */
 const mostRefined = 200_000;
 
 /** Every built-in example at every size, as far as its shape allows. */
@@ -111,14 +113,29 @@ function measureScale() {
         join(corpus, 'models/elephant_49918f_g3.off'),
       ])
     : plotSizes.slice(1).map((faces) => [`${models}/octopus_${String(faces)}.glb`]);
-  return runs.map((args) => {
-    const output = outputOf(scaleProgram, ['--refined-faces', String(1.1 * mostRefined), ...args]);
-    if (output === undefined) throw new Complaint(`${scaleProgram} ${args.join(' ')}: failed`);
-    /** @type {Scale} */
-    const scale = JSON.parse(output);
-    console.log(output.trim());
-    return scale;
-  });
+  return runs.map((args) => scaleOf(['--refined-faces', String(1.1 * mostRefined), ...args]));
+}
+
+/**
+ * The dancer of the corpus with each of its triangles cut into four and into sixteen; without a corpus the octopus.
+ * @returns {Scale[]}
+ */
+function measureDivided() {
+  const corpus = process.env.GIRTH_DATA;
+  const model = corpus
+    ? join(corpus, 'models/dancer_49996f_g1.off')
+    : `${models}/octopus_${String(plotSizes[1])}.glb`;
+  return ['1', '2'].map((times) => scaleOf(['--divided', times, model]));
+}
+
+/** @param {string[]} args */
+function scaleOf(args) {
+  const output = outputOf(scaleProgram, args);
+  if (output === undefined) throw new Complaint(`${scaleProgram} ${args.join(' ')}: failed`);
+  /** @type {Scale} */
+  const scale = JSON.parse(output);
+  console.log(output.trim());
+  return scale;
 }
 
 /** @param {string[]} names */
@@ -144,8 +161,23 @@ function markdownTable(rows) {
   return [lines[0], rule, ...lines.slice(1)].join('\n');
 }
 
-/** @param {Paper & { scale: Scale[], scaleWhen: When }} report */
-function markdown({ machine, date, table, plot, scale, scaleWhen }) {
+/** @param {Scale[]} scale */
+const scaleTable = (scale) =>
+  markdownTable([
+    ['faces', 'exact', 'refined', 'carried back'],
+    ...scale.map(({ faces, vertices, exact, refined, carried }) => [
+      faces.toLocaleString('en'),
+      rounded(exact.seconds) +
+        (exact.vertices < vertices
+          ? ` (from ${exact.vertices.toLocaleString('en')} vertices)`
+          : ''),
+      refined ? rounded(refined.seconds) : '',
+      carried ? rounded(carried.seconds) : '',
+    ]),
+  ]);
+
+/** @param {Report} report */
+function markdown({ machine, date, table, plot, scale, scaleWhen, divided, dividedWhen }) {
   const horse = table.some(({ model }) => model.startsWith('horse'));
   const rows = table.map(({ faces, vertices, exact, naive }) => {
     if (!naive) throw new Complaint('the naive algorithm was not measured');
@@ -176,13 +208,6 @@ function markdown({ machine, date, table, plot, scale, scaleWhen }) {
       String(exact.windowsPerVertex),
     ]),
   );
-  const scaleRows = scale.map(({ faces, vertices, exact, refined, carried }) => [
-    faces.toLocaleString('en'),
-    rounded(exact.seconds) +
-      (exact.vertices < vertices ? ` (from ${exact.vertices.toLocaleString('en')} vertices)` : ''),
-    refined ? rounded(refined.seconds) : '',
-    carried ? rounded(carried.seconds) : '',
-  ]);
   return `# The figures of the paper, measured again
 
 Written by \`npm run bench:paper\` on ${date}: ${machine}.
@@ -224,7 +249,12 @@ would take more than a minute for is extrapolated from some vertices, spread ove
 and was not measured beyond ${mostRefined.toLocaleString('en')} faces; _carried back_ is the exact girth of 10,000 faces at the vertices of all,
 remeshing included. Measured on ${scaleWhen.date}: ${scaleWhen.machine}. The paper's points are those of its Table I, and its elephant of 50,000 faces: ${String(paperElephant[1])} s.
 
-${markdownTable([['faces', 'exact', 'refined', 'carried back'], ...scaleRows])}
+${scaleTable(scale)}
+
+The same for ${process.env.GIRTH_DATA ? 'a dancer of 49,996 faces' : 'the octopus'} with each triangle cut into four, and into sixteen. The refined method, _divided_ in
+the plot, looks for loops on the surface without its flat vertices. Measured on ${dividedWhen.date}: ${dividedWhen.machine}.
+
+${scaleTable(divided)}
 `;
 }
 
@@ -233,31 +263,48 @@ await script(() => {
     options: {
       'naive-seconds': { type: 'string', default: '600' },
       folder: { type: 'string', default: 'web/docs/bench' },
-      scale: { type: 'boolean', default: false },
+      only: { type: 'string' },
     },
   });
+  const parts = ['paper', 'scale', 'divided', 'none'];
+  if (values.only && !parts.includes(values.only)) {
+    throw new Complaint(`--only ${values.only}: the parts are ${parts.join(', ')}`);
+  }
   setUp();
   buildWasm();
   buildNative([program, scaleProgram].map((path) => basename(path)));
-  writeModels();
+  // The other parts measure models of the corpus.
+  const isPaper = !values.only || values.only === 'paper';
+  if (isPaper || !process.env.GIRTH_DATA) writeModels();
   const folder = join(repository, values.folder);
-  const scaleWhen = {
+  const now = {
     date: new Date().toISOString().slice(0, 10),
     machine: `${String(availableParallelism())} cores, ${cpus()[0]?.model.trim() ?? 'unknown'}`,
   };
   /** @type {() => Paper} */
   const measurePaper = () => ({
-    ...scaleWhen,
+    ...now,
     table: measureTable(values['naive-seconds']),
     paperTable,
     plot: measurePlot(['chair', 'octopus', 'handles', 'dumbbell', 'cup', 'vessel']),
   });
-  /** @type {() => Paper} */
-  const readPaper = () => JSON.parse(readFileSync(join(folder, 'paper.json'), 'utf8'));
-  const paper = values.scale ? readPaper() : measurePaper();
-  const { plot } = paper;
-  const scale = measureScale();
-  const report = { ...paper, scale, scaleWhen };
+  /** @type {Report | undefined} */
+  const before = values.only && JSON.parse(readFileSync(join(folder, 'paper.json'), 'utf8'));
+  /** @param {string} part */
+  const kept = (part) => (values.only === part ? undefined : before);
+  /** @type {Report} */
+  const report = {
+    ...(kept('paper') ?? measurePaper()),
+    ...((old) => ({
+      scale: old?.scale ?? measureScale(),
+      scaleWhen: old?.scaleWhen ?? now,
+    }))(kept('scale')),
+    ...((old) => ({
+      divided: old?.divided ?? measureDivided(),
+      dividedWhen: old?.dividedWhen ?? now,
+    }))(kept('divided')),
+  };
+  const { plot, scale, divided } = report;
   /**
    * @param {(figures: Figures) => number} value
    * @returns {import('./plot.mjs').Line[]}
@@ -287,11 +334,12 @@ await script(() => {
   );
   /**
    * @param {string} name
+   * @param {Scale[]} of
    * @param {(one: Scale) => number | undefined} seconds
    */
-  const scaleLine = (name, seconds) => ({
+  const scaleLine = (name, of, seconds) => ({
     name,
-    points: scale.flatMap((one) => {
+    points: of.flatMap((one) => {
       const y = seconds(one);
       return y === undefined ? [] : [{ x: one.faces, y }];
     }),
@@ -304,12 +352,13 @@ await script(() => {
         xTitle: 'triangles',
         isLog: true,
         lines: [
-          scaleLine('exact', ({ exact }) => exact.seconds),
-          scaleLine('refined', ({ refined }) => refined?.seconds),
-          scaleLine('carried', ({ carried }) => carried?.seconds),
+          scaleLine('exact', scale, ({ exact }) => exact.seconds),
+          { ...scaleLine('refined', scale, ({ refined }) => refined?.seconds), at: 'below' },
+          scaleLine('divided', divided, ({ refined }) => refined?.seconds),
+          scaleLine('carried', scale, ({ carried }) => carried?.seconds),
           {
             name: 'the paper',
-            isAbove: true,
+            at: 'left',
             points: [...paperTable.map(([x = 0, , , y = 0]) => [x, y]), paperElephant].map(
               ([x = 0, y = 0]) => ({ x, y }),
             ),

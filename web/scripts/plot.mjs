@@ -1,7 +1,7 @@
 // Line plots as SVG, written by hand: readable on light and on dark pages, as a picture of its own.
 
 /**
- * @typedef {{ name: string, points: { x: number, y: number }[], isAbove?: boolean }} Line `isAbove`: the name stands on the left of its end
+ * @typedef {{ name: string, points: { x: number, y: number }[], at?: 'left' | 'below' }} Line `at`: where the name of one that ends early stands, not on the right of its end
  * @typedef {{ title: string, xTitle: string, lines: Line[], isLog?: boolean }} Panel `isLog`: both axes by powers of ten
  */
 
@@ -137,9 +137,9 @@ function panelSvg({ title, xTitle, lines, isLog = false }, left) {
         ),
         ...(endsEarly(line)
           ? [
-              line.isAbove
+              line.at === 'left'
                 ? `<text x="${short(endX - 7)}" y="${short(endY - 3)}" text-anchor="end">${escaped(name)}</text>`
-                : `<text x="${short(endX + 7)}" y="${short(endY + 4)}">${escaped(name)}</text>`,
+                : `<text x="${short(endX + 7)}" y="${short(endY + (line.at === 'below' ? 16 : 4))}">${escaped(name)}</text>`,
             ]
           : [
               // From the line's end to its name, where the name had to move.
