@@ -52,8 +52,7 @@ SurfaceMesh divided(const SurfaceMesh& mesh) {
   std::vector<Index> middle(mesh.halfedgeCount(), girth::kNoIndex);
   for (const girth::Halfedge h : mesh.halfedges()) {
     if (middle[h] != girth::kNoIndex) continue;
-    const girth::Vec3 a = mesh.position(mesh.from(h)), b = mesh.position(mesh.to(h));
-    middle[h] = add({(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2});
+    middle[h] = add(positionOf(mesh, girth::SurfacePoint::onHalfedge(h, 0.5)));
     if (mesh.twin(h) != girth::Halfedge::none) middle[mesh.twin(h)] = middle[h];
   }
   for (const girth::Face face : mesh.faces()) {

@@ -266,44 +266,39 @@ await script(() => {
       only: { type: 'string' },
     },
   });
-  const parts = ['paper', 'scale', 'divided', 'none'];
-  if (values.only && !parts.includes(values.only)) {
-    throw new Complaint(`--only ${values.only}: the parts are ${parts.join(', ')}`);
-  }
-  setUp();
-  buildWasm();
-  buildNative([program, scaleProgram].map((path) => basename(path)));
-  // The other parts measure models of the corpus.
-  const isPaper = !values.only || values.only === 'paper';
-  if (isPaper || !process.env.GIRTH_DATA) writeModels();
   const folder = join(repository, values.folder);
   const now = {
     date: new Date().toISOString().slice(0, 10),
     machine: `${String(availableParallelism())} cores, ${cpus()[0]?.model.trim() ?? 'unknown'}`,
   };
-  /** @type {() => Paper} */
-  const measurePaper = () => ({
-    ...now,
-    table: measureTable(values['naive-seconds']),
-    paperTable,
-    plot: measurePlot(['chair', 'octopus', 'handles', 'dumbbell', 'cup', 'vessel']),
-  });
-  /** @type {Report | undefined} */
-  const before = values.only && JSON.parse(readFileSync(join(folder, 'paper.json'), 'utf8'));
-  /** @param {string} part */
-  const kept = (part) => (values.only === part ? undefined : before);
-  /** @type {Report} */
-  const report = {
-    ...(kept('paper') ?? measurePaper()),
-    ...((old) => ({
-      scale: old?.scale ?? measureScale(),
-      scaleWhen: old?.scaleWhen ?? now,
-    }))(kept('scale')),
-    ...((old) => ({
-      divided: old?.divided ?? measureDivided(),
-      dividedWhen: old?.dividedWhen ?? now,
-    }))(kept('divided')),
+  const parts = {
+    paper: () => ({
+      ...now,
+      table: measureTable(values['naive-seconds']),
+      paperTable,
+      plot: measurePlot(['chair', 'octopus', 'handles', 'dumbbell', 'cup', 'vessel']),
+    }),
+    scale: () => ({ scale: measureScale(), scaleWhen: now }),
+    divided: () => ({ divided: measureDivided(), dividedWhen: now }),
+    none: () => ({}),
   };
+  if (values.only && !Object.hasOwn(parts, values.only)) {
+    throw new Complaint(`--only ${values.only}: the parts are ${Object.keys(parts).join(', ')}`);
+  }
+  const only = /** @type {keyof typeof parts | undefined} */ (values.only);
+  setUp();
+  buildNative([program, scaleProgram].map((path) => basename(path)));
+  // The other parts measure models of the corpus.
+  if (!only || only === 'paper' || !process.env.GIRTH_DATA) {
+    buildWasm();
+    writeModels();
+  }
+  /** @type {() => Report} */
+  const readReport = () => JSON.parse(readFileSync(join(folder, 'paper.json'), 'utf8'));
+  /** @type {Report} */
+  const report = only
+    ? { ...readReport(), ...parts[only]() }
+    : { ...parts.paper(), ...parts.scale(), ...parts.divided() };
   const { plot, scale, divided } = report;
   /**
    * @param {(figures: Figures) => number} value
