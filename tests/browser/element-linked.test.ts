@@ -295,6 +295,7 @@ test('two that set each other’s cameras come to rest, and nothing goes round',
   // What is set to where it is does nothing.
   const again = await recorded(() =>
     b.evaluate((element: GirthViewer) => {
+      // oxlint-disable-next-line no-self-assign -- a setter
       element.camera = element.camera!;
     }),
   );

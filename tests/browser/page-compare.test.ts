@@ -201,7 +201,7 @@ async function countGirths(page: Page): Promise<() => Promise<number>> {
   await page.evaluate(() => {
     const asked = { girths: 0 };
     Object.assign(globalThis, { asked });
-    // eslint-disable-next-line @typescript-eslint/unbound-method
+    // oxlint-disable-next-line typescript/unbound-method
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (
       this: Worker,

@@ -94,7 +94,7 @@ test('the length under the pointer is there before its loop', async () => {
   // Loops are asked for in vain until they are let go.
   await page.evaluate(() => {
     const held: (() => void)[] = [];
-    // eslint-disable-next-line @typescript-eslint/unbound-method
+    // oxlint-disable-next-line typescript/unbound-method
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (
       this: Worker,

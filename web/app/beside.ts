@@ -222,7 +222,7 @@ export class Beside {
     chooser.addEventListener('change', () => {
       const files = [...(chooser.files ?? [])];
       // The same file may be chosen again after it was changed. Nobody types here.
-      // eslint-disable-next-line no-restricted-syntax
+      // oxlint-disable-next-line girth/shown-text
       chooser.value = '';
       const [first] = files;
       if (!first) return;

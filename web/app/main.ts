@@ -459,7 +459,7 @@ function choosesFiles(button: string, input: string): () => void {
   const take = (): void => {
     const chosen = [...(chooser.files ?? [])];
     // The same file may be chosen again after it was changed. Nobody types here.
-    // eslint-disable-next-line no-restricted-syntax
+    // oxlint-disable-next-line girth/shown-text
     chooser.value = '';
     if (chosen.length > 0) void openFiles(chosen);
   };

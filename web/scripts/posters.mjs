@@ -3,7 +3,6 @@
 
 // Half of it runs in the page, half in Node.js: no one set of types has both.
 // @ts-nocheck
-/* global Buffer, OffscreenCanvas, btoa, createImageBitmap, customElements */
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

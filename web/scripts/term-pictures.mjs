@@ -3,7 +3,6 @@
 
 // Half of it runs in the page, half in Node.js: no one set of types has both.
 // @ts-nocheck
-/* global Buffer, OffscreenCanvas, btoa, createImageBitmap */
 
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -21,7 +20,7 @@ const height = 168;
  * @typedef {object} Subject
  * @property {string} model the example's name
  * @property {string} field what colours it
- * @property {(viewer: GirthViewer) => Promise<PlacePicture | undefined>} show runs on the page; undefined:
+ * @property {(viewer: HTMLElement) => Promise<object | undefined>} show runs on the page; undefined:
  *   what the element shows then
  */
 
@@ -84,7 +83,7 @@ const subjects = {
 /**
  * A picture of a place on the page, drawn larger and made smaller, so that it has no steps; in base 64.
  * @param {Element} element
- * @param {{ place: PlacePicture | undefined, width: number, height: number }} wish
+ * @param {{ place: object | undefined, width: number, height: number }} wish
  */
 async function pictureOf(viewer, { place, width, height }) {
   const large = await createImageBitmap(

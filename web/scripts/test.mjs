@@ -97,7 +97,7 @@ async function runParts(names, all, { shown, whole }) {
     const { title, needs = [], background } = part;
     const lane = background ? back : front;
     const outcome = (async () => {
-      const needed = await Promise.all(needs.map((need) => outcomes.get(need)));
+      const needed = await Promise.all(needs.flatMap((need) => outcomes.get(need) ?? []));
       await lane;
       const begun = performance.now();
       let succeeded = false;

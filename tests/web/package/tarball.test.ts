@@ -144,7 +144,7 @@ export const wrong: Props = { shading: 'gouraud' };
 `;
 
 /** What a project that uses the package checks its types with: everything that there is to be strict. */
-async function typeCheck(module: string, moduleResolution: string) {
+async function typeCheck(compiler: string, module: string, moduleResolution: string) {
   const compilerOptions = {
     ...{ target: 'ES2022', lib: ['ES2022', 'DOM', 'DOM.Iterable'], types: [], noEmit: true },
     ...{ strict: true, exactOptionalPropertyTypes: true, noUncheckedIndexedAccess: true },
@@ -153,10 +153,10 @@ async function typeCheck(module: string, moduleResolution: string) {
     ...{ module, moduleResolution, jsx: 'react-jsx' },
   };
   const files = ['kernel.ts', 'element.ts', 'react.tsx', 'vue.ts'];
-  const project = join(folder, `tsconfig.${module}.json`);
+  const project = join(folder, `${compiler}.${module}.json`);
   writeFileSync(project, JSON.stringify({ compilerOptions, files }));
-  const compiler = join(repository, 'node_modules/typescript/bin/tsc');
-  const child = spawn(process.execPath, [compiler, '--project', project], { cwd: folder });
+  const program = join(repository, 'node_modules/.bin', compiler);
+  const child = spawn(program, ['--project', project], { cwd: folder });
   let words = '';
   child.stdout.on('data', (data) => (words += String(data)));
   const [status] = (await once(child, 'close')) as [number];
@@ -236,11 +236,13 @@ test('its types name no package but those that it depends on', () => {
   expect(foreign.sort()).toEqual(examples.map((example) => `dist/${example}`));
 });
 
+// By the compilers of two generations.
 test.concurrent.each([
-  ['NodeNext', 'NodeNext'],
-  ['ESNext', 'Bundler'],
-])('a strict project compiles against its types: %s, %s', async (module, moduleResolution) => {
-  expect(await typeCheck(module, moduleResolution)).toEqual({ status: 0, words: '' });
+  ['tsc', 'NodeNext', 'NodeNext'],
+  ['tsc', 'ESNext', 'Bundler'],
+  ['tsc6', 'NodeNext', 'NodeNext'],
+])('a strict project compiles against its types: %s, %s, %s', async (...how) => {
+  expect(await typeCheck(...how)).toEqual({ status: 0, words: '' });
 });
 
 test('on a server it can be imported, and does nothing; what is for pages refuses a kernel with a code', () => {

@@ -27,7 +27,7 @@ test('a cube keeps its creases: three normals at each corner, each of one side',
     );
   });
   for (let i = 0; i < surface.normals.length; i += 3) {
-    const sorted = [...surface.normals.subarray(i, i + 3)].map(Math.abs).sort();
+    const sorted = [...surface.normals.subarray(i, i + 3)].map(Math.abs).sort((a, b) => a - b);
     expect(sorted[2]).toBeCloseTo(1, 6);
     expect(sorted[1]).toBeCloseTo(0, 6);
   }

@@ -1,6 +1,6 @@
 // The WebAssembly modules as `cpp/bind` makes them; the build writes them into the folder `wasm`.
 
-/* eslint-disable @typescript-eslint/consistent-type-imports --
+/* oxlint-disable typescript/consistent-type-imports --
    an ambient module has no other way to name the types beside it */
 
 /** What functions return instead of their result when they fail. */

@@ -39,8 +39,9 @@ WebAssembly.instantiateStreaming = async (source, imports) => {
 };
 Object.defineProperty(globalThis, 'onmessage', {
   // Messages that have come before are kept for it.
-  set: (listener: (event: object) => void) =>
-    void port.on('message', (data: unknown) => listener({ data })),
+  set: (listener: (event: object) => void) => {
+    port.on('message', (data: unknown) => listener({ data }));
+  },
 });
 
 try {

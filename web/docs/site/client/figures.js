@@ -31,7 +31,7 @@ export function startFigures() {
       near.disconnect();
       for (const figure of figures) bringToLife(figure);
       // A name by address: the element lies beside this script on the site only.
-      import(new URL('../girth/dist/girth-viewer.js', import.meta.url).href);
+      void import(new URL('../girth/dist/girth-viewer.js', import.meta.url).href);
     },
     { rootMargin: '300px' },
   );
