@@ -101,7 +101,12 @@ export interface PageState {
  * bottleneck of the two points; the loops that are pinned; or where the girth has a value, in model units.
  */
 export type CutWish =
-  'necks' | `neck:${number}` | `handle:${number}` | 'bottleneck' | 'pin' | `at:${string}`;
+  | 'necks'
+  | `neck:${number}`
+  | `handle:${number}`
+  | 'bottleneck'
+  | 'pin'
+  | `at:${string}`;
 
 /** A cut where the girth has a value. */
 export const cutAt = (girth: number): CutWish => `at:${writeLimit(girth)}`;

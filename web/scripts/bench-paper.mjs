@@ -362,12 +362,6 @@ await script(() => {
       },
     ]),
   );
-  runTool('prettier', [
-    '--write',
-    '--log-level',
-    'warn',
-    join(folder, 'paper.md'),
-    join(folder, 'paper.json'),
-  ]);
+  runTool('oxfmt', [join(folder, 'paper.md'), join(folder, 'paper.json')]);
   console.log(`girth: wrote ${values.folder}/paper.{md,svg,json} and scale.svg`);
 });

@@ -11,7 +11,7 @@ import {
   interpolateTurbo,
   interpolateViridis,
 } from 'd3-scale-chromatic';
-import { format } from 'prettier';
+import { format } from 'oxfmt';
 import { repository } from './run.mjs';
 
 /** Blue of `rdbu` lies below the middle, red above. */
@@ -58,5 +58,6 @@ export const colormapChannels: Record<ColormapName, readonly [Channel, Channel, 
 ${entries.join('\n')}
 };
 `;
-const style = { parser: 'typescript', singleQuote: true, printWidth: 100 };
-writeFileSync(join(repository, 'web/src/view/colormap-tables.ts'), await format(text, style));
+const style = /** @type {const} */ ({ singleQuote: true, printWidth: 100 });
+const { code } = await format('colormap-tables.ts', text, style);
+writeFileSync(join(repository, 'web/src/view/colormap-tables.ts'), code);

@@ -21,7 +21,7 @@ const sources = (pattern) =>
 /** @param {boolean} fix */
 function format(fix) {
   run('clang-format', [...(fix ? ['-i'] : ['--dry-run', '-Werror']), ...sources(/\.(cpp|h)$/)]);
-  runTool('prettier', [fix ? '--write' : '--check', '--log-level', 'warn', '.']);
+  runTool('oxfmt', [...(fix ? [] : ['--check']), '.']);
 }
 
 /** @param {boolean} fix */

@@ -16,7 +16,12 @@ test('parts are neighbours where they share a face or a vertex of the whole; wha
     part([3], [7, none]),
     part([9], [none]),
   ];
-  expect(neighboursOf(parts).map((of) => [...of].sort((a, b) => a - b))).toEqual([[1], [0, 2], [1], []]);
+  expect(neighboursOf(parts).map((of) => [...of].sort((a, b) => a - b))).toEqual([
+    [1],
+    [0, 2],
+    [1],
+    [],
+  ]);
   expect(neighboursOf([])).toEqual([]);
 });
 

@@ -42,9 +42,9 @@ test('of curves that cross those count that come first, whatever crosses what', 
 
 test('without crossings it is one cut; one curve that crosses itself, and other faults, are faults', async () => {
   cuts = 0;
-  expect((await cutUncrossed([[0, 1], [2, 3], [4, 5]], cutAlong)).used).toEqual([0, 1, 2]); // prettier-ignore
+  expect((await cutUncrossed([[0, 1], [2, 3], [4, 5]], cutAlong)).used).toEqual([0, 1, 2]); // oxfmt-ignore
   expect(cuts).toBe(1);
   await expect(cutUncrossed([[1, 1]], cutAlong)).rejects.toMatchObject({ code: 'INVALID_OPTION' });
   const broken = (): Promise<Cut> => Promise.reject(fault('CANCELLED'));
-  await expect(cutUncrossed([[0, 1], [2, 3]], broken)).rejects.toMatchObject({ code: 'CANCELLED' }); // prettier-ignore
+  await expect(cutUncrossed([[0, 1], [2, 3]], broken)).rejects.toMatchObject({ code: 'CANCELLED' }); // oxfmt-ignore
 });

@@ -85,5 +85,7 @@ export interface GirthViewerAttributes {
  */
 export type ViewerState = {
   [Name in keyof Omit<GirthViewerAttributes, 'loading' | 'poster' | 'linked' | 'one-scale'>]?:
-    string | number | true;
+    | string
+    | number
+    | true;
 };

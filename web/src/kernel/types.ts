@@ -70,7 +70,12 @@ export interface FileWithPath {
  * its address; those of a path in its folder and below.
  */
 export type MeshSource =
-  Blob | string | URL | NamedBytes | readonly (File | FileWithPath)[] | MeshArrays;
+  | Blob
+  | string
+  | URL
+  | NamedBytes
+  | readonly (File | FileWithPath)[]
+  | MeshArrays;
 
 /** How a surface is prepared (`prepare_surface.h`). */
 export interface PrepareOptions {
