@@ -40,3 +40,10 @@ export async function complaintsOfAxe(
     [within, rules] as const,
   );
 }
+
+/**
+ * What it objects to as the page is in dark, where it has been looked at in light: on colours, as nothing else differs.
+ * @param within as above
+ */
+export const complaintsInDark = (page: Page, within?: string): Promise<string[]> =>
+  complaintsOfAxe(page, ['color-contrast'], within);

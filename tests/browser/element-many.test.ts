@@ -9,7 +9,7 @@ import type { GirthViewer } from '../../web/src/element/index.js';
 import { packed } from '../web/package/packed.js';
 import { glbWith } from './glb.js';
 import { box } from './meshes.js';
-import { chromiumForTests, serve, strictPolicy, type StaticServer } from './support.js';
+import { allPixels, chromiumForTests, serve, strictPolicy, type StaticServer } from './support.js';
 
 const count = 50;
 const mostContexts = 8;
@@ -86,7 +86,7 @@ async function coloursOf(number: number): Promise<number> {
 }
 
 test('fifty are scrolled through: none is blank, and eight contexts suffice', async () => {
-  ({ page, complaints } = await openPage(`${server.url}/many.html`, {}, countContexts));
+  ({ page, complaints } = await openPage(`${server.url}/many.html`, allPixels, countContexts));
   const isDrawn = (number: number) =>
     page
       .locator('girth-viewer')

@@ -19,6 +19,7 @@ import {
   type Pixel,
 } from './drawn-page.js';
 import {
+  allPixels,
   chromiumForTests,
   repository,
   requireBuilt,
@@ -38,7 +39,7 @@ beforeAll(async () => {
     policy: strictPolicy,
     pages: drawnPages,
   });
-  ({ page, complaints } = await openPage(`${server.url}/drawn.html`));
+  ({ page, complaints } = await openPage(`${server.url}/drawn.html`, allPixels));
 });
 
 afterAll(() => server?.close());
@@ -521,7 +522,7 @@ describe('places', () => {
     let release = (): void => undefined;
     const released = new Promise<void>((resolve) => (release = resolve));
     let held = 0;
-    const fresh = await openPage(page.url(), {}, (page) =>
+    const fresh = await openPage(page.url(), allPixels, (page) =>
       page.route(/bvh/i, async (route) => {
         ++held;
         await released;

@@ -9,7 +9,7 @@ import type { Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { beside, box, gltf, stl, tube } from './meshes.js';
-import { openPanel, pictures, site } from './page-support.js';
+import { openPanel, picture, site } from './page-support.js';
 import {
   chromiumForTests,
   requireBuilt,
@@ -29,7 +29,6 @@ let complaints: string[];
 
 beforeAll(async () => {
   requireBuilt('build/page/index.html', 'build:page');
-  mkdirSync(pictures, { recursive: true });
   server = await serve(site, { policy: strictPolicy });
   ({ page, complaints } = await openPage(server.url));
   viewer = page.locator('girth-viewer');
@@ -179,12 +178,12 @@ describe('what was done', () => {
     await openPanel(page, 'loops');
     await page.mouse.click(place.x, place.y);
     await page.locator('#loops tbody tr').waitFor();
-    await page.screenshot({ path: join(pictures, 'page-open-tube.png') });
+    await picture(page, 'page-open-tube.png');
 
     const sheet = await openDetails();
     await sheet.getByLabel('Unit of the file').selectOption('mm');
     expect(await sheet.textContent()).toMatch(/2\.000 × 2\.000 × 8\.000\smm/);
-    await page.screenshot({ path: join(pictures, 'page-details.png') });
+    await picture(page, 'page-details.png');
     await page.keyboard.press('Escape');
     expect(await viewer.locator('.legend-title').textContent()).toBe('Girth, mm');
     expect(await page.locator('#loops thead').textContent()).toContain('Girth, mm');

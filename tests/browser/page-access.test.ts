@@ -1,16 +1,12 @@
 // Nothing on the page that axe objects to, in light and dark, at three sizes; and pictures of it.
 
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import type { SurfacePoint } from '../../web/src/kernel/index.js';
-import { complaintsOfAxe } from './axe.js';
-import { builtPage, openPanel, pictures } from './page-support.js';
+import { complaintsInDark, complaintsOfAxe } from './axe.js';
+import { builtPage, openPanel, picture } from './page-support.js';
 import { fieldComplete, framesPass, pairIsOver, placeOnSurface } from './viewer-page.js';
-
-mkdirSync(pictures, { recursive: true });
 
 const openBuilt = builtPage();
 
@@ -18,7 +14,7 @@ interface Look {
   /** A selector of what is new on the page. Default: all of it. */
   within?: string;
   /** What the pictures are called. Default: none are taken. */
-  picture?: string;
+  name?: string;
   /** What is scrolled into view for them. */
   shown?: Locator;
 }
@@ -27,17 +23,19 @@ interface Look {
  * Expects no complaint of axe in light, and none on colours in dark, where nothing else differs; and takes a picture of each,
  * once the plots and the surface are drawn so.
  */
-async function lookAt(page: Page, { within, picture, shown }: Look = {}): Promise<void> {
+async function lookAt(page: Page, { within, name, shown }: Look = {}): Promise<void> {
   for (const colorScheme of ['dark', 'light'] as const) {
     await page.emulateMedia({ colorScheme });
     await framesPass(page);
     // What has been scrolled under the field's row counts as small to axe, for as long as it is there.
     await page.locator('aside').evaluate((aside) => aside.scrollTo(0, 0));
-    const rules = colorScheme === 'dark' ? ['color-contrast'] : undefined;
-    expect(await complaintsOfAxe(page, rules, within), colorScheme).toEqual([]);
-    if (!picture) continue;
+    const complaints = await (colorScheme === 'dark'
+      ? complaintsInDark(page, within)
+      : complaintsOfAxe(page, undefined, within));
+    expect(complaints, colorScheme).toEqual([]);
+    if (!name) continue;
     await shown?.scrollIntoViewIfNeeded();
-    await page.screenshot({ path: join(pictures, `${picture}-${colorScheme}.png`) });
+    await picture(page, `${name}-${colorScheme}.png`);
   }
 }
 
@@ -69,7 +67,7 @@ test.each([
     await page.touchscreen.tap(box.x + x, box.y + y);
   } else await page.mouse.click(place.x, place.y);
   await page.locator('#loops tbody tr').waitFor();
-  await lookAt(page, { picture: `page-${size}` });
+  await lookAt(page, { name: `page-${size}` });
   // The bar's menus, and a legend that is clipped.
   await viewer.evaluate((element: GirthViewer) => {
     const [low, high] = element.shown!.extent!;
@@ -79,7 +77,7 @@ test.each([
     await viewer.getByRole('button', { name }).click();
     if (name === 'Section plane') {
       await viewer.getByRole('button', { name: 'Section across x' }).click();
-      await lookAt(page, { within: 'girth-viewer', picture: `section-${size}` });
+      await lookAt(page, { within: 'girth-viewer', name: `section-${size}` });
     } else await lookAt(page, { within: 'girth-viewer' });
     await page.keyboard.press('Escape');
   }
@@ -94,7 +92,7 @@ test.each([
   ] as const) {
     await button.click();
     await page.locator(`#${sheet}`).waitFor();
-    await lookAt(page, { within: `#${sheet}`, picture: `${sheet}-${size}` });
+    await lookAt(page, { within: `#${sheet}`, name: `${sheet}-${size}` });
     await page.keyboard.press('Escape');
   }
   for (const name of ['tips', 'limbs', 'parts', 'print', 'compare']) {
@@ -106,7 +104,7 @@ test.each([
     }
     await lookAt(page, {
       within: `#${name}-panel`,
-      picture: `${name}-${size}`,
+      name: `${name}-${size}`,
       shown: panel.locator('summary'),
     });
   }

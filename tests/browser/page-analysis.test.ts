@@ -7,7 +7,7 @@ import type { Download, Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { box } from './meshes.js';
-import { builtPage, cutWords, drop, modelIs, openPanel, pictures } from './page-support.js';
+import { builtPage, cutWords, drop, modelIs, openPanel, picture } from './page-support.js';
 import { smallExamples } from './small-examples.js';
 import { command } from './support.js';
 import { fieldComplete } from './viewer-page.js';
@@ -292,7 +292,7 @@ test('beside the tips: heat maxima, extrema of the mean distance, thickness', as
   const before = await camera();
   await rows.nth(2).click();
   await expect.poll(camera).not.toBe(before);
-  await page.screenshot({ path: join(pictures, 'rivals-geoaverage.png') });
+  await picture(page, 'rivals-geoaverage.png');
 
   await choice.selectOption('thickness');
   await expect.poll(() => page.locator('#field-name').inputValue()).toBe('sdf');

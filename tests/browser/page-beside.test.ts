@@ -1,12 +1,11 @@
 // A second model beside the first: one view for both, one scale, and the page as it was when it is closed.
 
-import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { complaintsOfAxe } from './axe.js';
 import { dumbbell, torus } from './meshes.js';
-import { builtPage, drop, fragment, modelIs, openPanel, pictures } from './page-support.js';
+import { builtPage, drop, fragment, modelIs, openPanel, picture } from './page-support.js';
 import { fieldComplete, framesPass } from './viewer-page.js';
 
 const openBuilt = builtPage();
@@ -297,6 +296,6 @@ test.each([
       expect(bottom).toBeLessThanOrEqual(bar.y + bar.height + 1);
     }
     expect(await complaintsOfAxe(page)).toEqual([]);
-    await page.screenshot({ path: join(pictures, `beside-${width}x${height}-${colorScheme}.png`) });
+    await picture(page, `beside-${width}x${height}-${colorScheme}.png`);
   },
 );

@@ -1,15 +1,11 @@
 // The command palette and the list of keys: everything that the page can do, with the keyboard alone; and dark or light.
 
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
-import { complaintsOfAxe } from './axe.js';
-import { builtPage, fragment, modelIs, pictures } from './page-support.js';
+import { complaintsInDark, complaintsOfAxe } from './axe.js';
+import { builtPage, fragment, modelIs, picture } from './page-support.js';
 import { fieldComplete, framesPass } from './viewer-page.js';
-
-mkdirSync(pictures, { recursive: true });
 
 const openBuilt = builtPage();
 
@@ -276,24 +272,24 @@ test.each([
   for (const scheme of ['dark', 'light'] as const) {
     await page.emulateMedia({ colorScheme: scheme });
     await framesPass(page);
-    const keep = (name: string) =>
-      page.screenshot({ path: join(pictures, `${name}-${width}x${height}-${scheme}.png`) });
+    const complaints = scheme === 'dark' ? complaintsInDark : complaintsOfAxe;
+    const keep = (name: string) => picture(page, `${name}-${width}x${height}-${scheme}.png`);
     await keep('front');
     await search(' ');
-    expect(await complaintsOfAxe(page), scheme).toEqual([]);
+    expect(await complaints(page), scheme).toEqual([]);
     await keep('palette-all');
     await search('exp');
     await page.keyboard.press('ArrowDown');
-    expect(await complaintsOfAxe(page), scheme).toEqual([]);
+    expect(await complaints(page), scheme).toEqual([]);
     await keep('palette');
     await page.keyboard.press('Escape');
     await page.keyboard.press('?');
     await page.locator('#key-list').waitFor();
-    expect(await complaintsOfAxe(page), scheme).toEqual([]);
+    expect(await complaints(page), scheme).toEqual([]);
     await keep('keys');
     await page.keyboard.press('Escape');
     await page.locator('#help').click();
-    expect(await complaintsOfAxe(page), scheme).toEqual([]);
+    expect(await complaints(page), scheme).toEqual([]);
     await keep('help');
     await page.keyboard.press('Escape');
   }

@@ -1,7 +1,6 @@
 // Several models on the page: distributions over each other, distances, and a ranking.
 
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { complaintsOfAxe } from './axe.js';
@@ -14,7 +13,7 @@ import {
   fragment,
   modelIs,
   openPanel,
-  pictures,
+  picture,
 } from './page-support.js';
 
 const openBuilt = builtPage();
@@ -303,12 +302,10 @@ test.each([
   const panel = await openPanel(page, 'compare');
   await ranking(page, 4);
   await panel.locator('summary').scrollIntoViewIfNeeded();
-  await page.screenshot({ path: join(pictures, `four-${width}x${height}-${colorScheme}.png`) });
+  await picture(page, `four-${width}x${height}-${colorScheme}.png`);
   const aside = page.locator('aside');
   await aside.evaluate((element) => element.scrollTo(0, element.scrollHeight));
-  await page.screenshot({
-    path: join(pictures, `four-below-${width}x${height}-${colorScheme}.png`),
-  });
+  await picture(page, `four-below-${width}x${height}-${colorScheme}.png`);
   expect(await cutWords(page)).toEqual([]);
 });
 

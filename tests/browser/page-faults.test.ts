@@ -11,7 +11,7 @@ import type { GirthViewer } from '../../web/src/element/index.js';
 import { endsAt, overlapsOf, stormOfSizes } from './faults.js';
 import { smallExamples } from './small-examples.js';
 import { box, torus } from './meshes.js';
-import { drop, modelIs, openPanel, pictures, site } from './page-support.js';
+import { drop, modelIs, openPanel, picture, site } from './page-support.js';
 import {
   type OpenPage,
   type StaticServer,
@@ -310,7 +310,8 @@ test('a canvas of no size, and a storm of sizes: the picture fits the last one',
   await framesPass(page);
   const { picture, element } = await viewer.evaluate(async (element: GirthViewer) => {
     const { width, height } = await createImageBitmap(await element.snapshot());
-    return { picture: [width, height], element: [element.clientWidth, element.clientHeight] };
+    const points = [width, height].map((pixels) => pixels / devicePixelRatio);
+    return { picture: points, element: [element.clientWidth, element.clientHeight] };
   });
   expect(picture).toEqual(element);
   expect(faulty.complaints).toEqual([]);
@@ -551,7 +552,7 @@ test.each([
     expect(left, name).toBeGreaterThanOrEqual(0);
     expect(right, name).toBeLessThanOrEqual(width);
   }
-  await page.screenshot({ path: join(pictures, `fault-${width}x${height}.png`) });
+  await picture(page, `fault-${width}x${height}.png`);
   await message.getByRole('button').click();
   await page.getByRole('button', { name: 'Share' }).click();
   await page.locator('#share').waitFor();

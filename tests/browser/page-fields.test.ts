@@ -1,12 +1,11 @@
 // The page's field panel: what colours the surface, its distribution, and the brush.
 
-import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { glbWith } from './glb.js';
 import { box, dumbbell } from './meshes.js';
-import { builtPage, drop, fragment, modelIs, pictures } from './page-support.js';
+import { builtPage, drop, fragment, modelIs, picture } from './page-support.js';
 import { fieldComplete, hover, placeOnSurface } from './viewer-page.js';
 
 const openBuilt = builtPage();
@@ -86,7 +85,7 @@ test('which number of a signature is shown can be chosen, and is in the link', a
   expect(await values()).not.toEqual(first);
   await page.locator('#field-name').selectOption({ label: 'Wave kernel (WKS)' });
   await expect.poll(() => page.locator('.signature output').textContent()).toBe('20 of 100');
-  await page.screenshot({ path: join(pictures, 'signature.png') });
+  await picture(page, 'signature.png');
 
   // There is no such energy: that is said, and the usual one is shown.
   const usual = await values();

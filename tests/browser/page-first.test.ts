@@ -1,12 +1,8 @@
 // The page as it is met first: its first example, as large as it is.
 
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
 import { expect, test } from 'vitest';
-import { builtPage, modelIs, pictures } from './page-support.js';
+import { builtPage, modelIs, picture } from './page-support.js';
 import { fieldComplete, pairIsOver } from './viewer-page.js';
-
-mkdirSync(pictures, { recursive: true });
 
 for (const isolated of [true, false]) {
   const openBuilt = builtPage({ isolated, examples: 'real' });
@@ -31,7 +27,7 @@ for (const isolated of [true, false]) {
     expect(await viewer.locator('.legend-title').textContent()).toMatch(/Girth, (m|mm)$/);
     // Progress has gone, its place is empty.
     expect(await viewer.locator('[role=progressbar]').isVisible()).toBe(false);
-    await page.screenshot({ path: join(pictures, `page-${isolated ? 'threads' : 'pool'}.png`) });
+    await picture(page, `page-${isolated ? 'threads' : 'pool'}.png`);
   });
 }
 

@@ -1,13 +1,12 @@
 // How thick round is each finger: from the page alone, in four clicks; and loops that slide along a limb.
 
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { clicksOn } from './clicks.js';
 import { hand } from './meshes.js';
-import { builtPage, drop, modelIs, pictures } from './page-support.js';
+import { builtPage, drop, modelIs, picture } from './page-support.js';
 
 const openBuilt = builtPage();
 let page: Page;
@@ -103,7 +102,7 @@ test('a row for each finger, in mm, to a spreadsheet in four clicks', async () =
   const swept = () => viewer.getAttribute('data-swept').then(Number);
   await expect.poll(swept).toBeCloseTo(measured.girths[0]!, 9);
   await expect.poll(() => page.url()).toContain('axis=1');
-  await page.screenshot({ path: join(pictures, 'page-axis.png') });
+  await picture(page, 'page-axis.png');
   await axis.click();
   await along.waitFor({ state: 'hidden' });
   await expect.poll(() => page.url()).not.toContain('axis=1');

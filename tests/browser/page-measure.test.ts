@@ -1,13 +1,13 @@
 // Two loops of a model measured, named and taken to a spreadsheet, from the page alone.
 
-import { mkdirSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { complaintsOfAxe } from './axe.js';
 import { clicksOn } from './clicks.js';
-import { builtPage, drop, fragment, modelIs, pictures } from './page-support.js';
+import { builtPage, drop, fragment, modelIs, picture } from './page-support.js';
 import { repository } from './support.js';
 import { placeOnSurface } from './viewer-page.js';
 
@@ -33,7 +33,6 @@ async function downloaded(page: Page, click: () => Promise<void>) {
 }
 
 test('two loops are named, copied as a table, and written as files of different names', async () => {
-  mkdirSync(pictures, { recursive: true });
   const { page, viewer } = await openBuilt();
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await modelIs(page, 'chair.glb');
@@ -91,7 +90,7 @@ test('two loops are named, copied as a table, and written as files of different 
     'prism-loops-glb.zip',
     'prism-loops.csv',
   ]);
-  await page.screenshot({ path: join(pictures, 'page-loops-table.png') });
+  await picture(page, 'page-loops-table.png');
   expect(await complaintsOfAxe(page)).toEqual([]);
 
   // Both names are in the link, and come back with the model.
@@ -106,7 +105,7 @@ test('two loops are named, copied as a table, and written as files of different 
     expect.stringMatching(/^2left, leg8\.00 m$/),
   ]);
   expect(await viewer.evaluate((element: GirthViewer) => element.info)).toBeUndefined();
-  await page.screenshot({ path: join(pictures, 'page-missing-model.png') });
+  await picture(page, 'page-missing-model.png');
   expect(await complaintsOfAxe(page)).toEqual([]);
   await drop(page, prism);
   await expect

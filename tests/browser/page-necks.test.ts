@@ -1,8 +1,7 @@
 // Necks, handles and tunnels on the page: found, listed, shown, and the surface cut along them; what is between two
 // points; short handles taken away.
 
-import { mkdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
@@ -15,7 +14,7 @@ import {
   fragment,
   modelIs,
   openPanel,
-  pictures,
+  picture,
 } from './page-support.js';
 import { fieldComplete } from './viewer-page.js';
 
@@ -65,7 +64,6 @@ async function downloaded(page: Page, format: string) {
 }
 
 test('a neck is listed, shown, and the surface cut along it', async () => {
-  mkdirSync(pictures, { recursive: true });
   const { page, viewer } = await openWith('dumbbell.obj', dumbbell(16, 12));
   const panel = await openPanel(page, 'necks');
   const rows = panel.getByRole('list', { name: 'Necks' }).getByRole('button');
@@ -99,7 +97,7 @@ test('a neck is listed, shown, and the surface cut along it', async () => {
     [1, 2].map((part) => expect.stringMatching(`^${part}area [\\d.,]+ volume [\\d.,]+`) as unknown),
   );
   await expect.poll(() => fragment(page)).toContain('panel=necks');
-  await page.screenshot({ path: join(pictures, 'page-cut.png') });
+  await picture(page, 'page-cut.png');
   // A line that is scrolled away in part is no touch target.
   await page.locator('aside').evaluate((aside) => aside.scrollTo(0, 0));
   expect(await complaintsOfAxe(page)).toEqual([]);
@@ -196,7 +194,7 @@ test('the bottleneck of two points that are clicked, and the profile between the
   expect(Number.parseFloat(words)).toBeCloseTo(known.girth, 1);
   expect(words).toContain('a neck between the points');
   await panel.getByText(/^Chosen: .* long; it separates an area of /).waitFor();
-  await page.screenshot({ path: join(pictures, 'page-bottleneck.png') });
+  await picture(page, 'page-bottleneck.png');
   await panel.getByRole('button', { name: 'Cut here' }).click();
   await panel.getByText('Cut into 2 parts.').waitFor();
   await panel.getByRole('button', { name: 'Show it whole' }).click();
@@ -219,7 +217,7 @@ test('the bottleneck of two points that are clicked, and the profile between the
   );
   for (let i = 0; i < 3; ++i) await page.keyboard.press('PageUp');
   const said = (await between.locator('.station').textContent())!;
-  await page.screenshot({ path: join(pictures, 'page-profile.png') });
+  await picture(page, 'page-profile.png');
   await page.keyboard.press('Enter');
   const girth = Number.parseFloat(/girth ([\d.]+)/.exec(said)![1]!);
   expect(await hovered).toBeCloseTo(girth, 1);
@@ -277,7 +275,7 @@ test('the bottleneck of two points that are clicked, and the profile between the
   await page.emulateMedia({ colorScheme: 'dark' });
   await page.keyboard.press('0');
   await plot.scrollIntoViewIfNeeded();
-  await page.screenshot({ path: join(pictures, 'page-profile-dark.png') });
+  await picture(page, 'page-profile-dark.png');
   await page.locator('aside').evaluate((aside) => aside.scrollTo(0, 0));
   expect(await complaintsOfAxe(page)).toEqual([]);
 });
@@ -355,7 +353,7 @@ test('a path is drawn by clicks and strokes, taken back, measured, and kept in t
   const count = async () => Number.parseInt((await hint.textContent())!);
   const drawn = await count();
   expect(drawn).toBeGreaterThan(3);
-  await page.screenshot({ path: join(pictures, 'page-drawing.png') });
+  await picture(page, 'page-drawing.png');
   await click(1);
   await expect.poll(count).toBe(drawn + 1);
   await hint.getByRole('button', { name: 'Undo point' }).click();
@@ -402,7 +400,7 @@ test('a path is drawn by clicks and strokes, taken back, measured, and kept in t
   expect(lines.slice(1).map((line) => Number(line.split(',')[1]))).toEqual(
     known.girths.map((girth) => expect.closeTo(girth, 9) as number),
   );
-  await page.screenshot({ path: join(pictures, 'page-drawn.png') });
+  await picture(page, 'page-drawn.png');
 
   // Its ends are two points like others; undone, the path is there again.
   await between.getByRole('button', { name: 'Bottleneck of its ends' }).click();
@@ -429,7 +427,7 @@ test('two points are chosen with a finger, and by the keyboard alone', async () 
   const profile = between.getByRole('button', { name: 'Profile', exact: true });
   await profile.tap();
   await page.locator('#asking p').getByText('Choose the first point').waitFor();
-  await page.screenshot({ path: join(pictures, 'page-choosing-phone.png') });
+  await picture(page, 'page-choosing-phone.png');
   await tap(0);
   await page.locator('#asking p').getByText('Choose the second point').waitFor();
   await tap(1);
@@ -441,7 +439,7 @@ test('two points are chosen with a finger, and by the keyboard alone', async () 
   await plot.tap();
   await between.getByText(/from the first point: girth /).waitFor();
   expect(await pinned()).toBe(0);
-  await page.screenshot({ path: join(pictures, 'page-profile-phone.png') });
+  await picture(page, 'page-profile-phone.png');
   await plot.tap();
   await expect.poll(pinned).toBe(1);
 
@@ -497,7 +495,7 @@ test('what the triangles make is not listed, and short handles are taken away an
   await expect.poll(() => fragment(page)).toContain('handles=');
   expect(await viewer.evaluate((element: GirthViewer) => element.info!.genus)).toEqual([0]);
   await panel.getByText('No handle and no tunnel').waitFor({ timeout: 60_000 });
-  await page.screenshot({ path: join(pictures, 'page-handles-removed.png') });
+  await picture(page, 'page-handles-removed.png');
   await page.locator('#details-open').click();
   await page.getByText('Short handles taken away: 1 handle cut; genus 1 before, 0 now').waitFor();
   await page.keyboard.press('Escape');
@@ -676,7 +674,7 @@ test('a link shows the bottleneck of two points from where it was seen; points t
   await page.keyboard.press('Enter');
   await expect.poll(() => fragment(page)).toContain('&cut=at:0.2&');
   expect(await parts.count()).toBe(3);
-  await page.screenshot({ path: join(pictures, 'page-cut-level.png') });
+  await picture(page, 'page-cut-level.png');
   await page.locator('#undo').click();
   await expect.poll(() => fragment(page)).toContain('&cut=pin&');
   await expect.poll(() => parts.count()).toBe(2);
@@ -728,5 +726,5 @@ test('handles and tunnels are listed by their lengths, on a phone too', async ()
   await rows.first().click();
   await panel.getByRole('button', { name: 'Cut here' }).click();
   await panel.getByText('Cut, and still one part: the loop separates nothing.').waitFor();
-  await page.screenshot({ path: join(pictures, 'page-cut-phone.png') });
+  await picture(page, 'page-cut-phone.png');
 });

@@ -9,7 +9,7 @@ import type { GirthViewer } from '../../web/src/element/index.js';
 import { writeFileList } from '../../web/scripts/offline.mjs';
 import { complaintsOfAxe } from './axe.js';
 import { box } from './meshes.js';
-import { drop, modelIs, openPanel, pictures, site } from './page-support.js';
+import { drop, modelIs, openPanel, picture, site } from './page-support.js';
 import { smallExamples } from './small-examples.js';
 import {
   type OpenPage,
@@ -152,7 +152,7 @@ test('a new version is fetched by what has changed, offered, and there after a r
   expect(server.requests.filter((path) => path !== '/service-worker.js')).toEqual(['/']);
   expect(await editions(page)).toEqual([]);
   expect(await complaintsOfAxe(page)).toEqual([]);
-  await page.screenshot({ path: join(pictures, 'new-version.png') });
+  await picture(page, 'new-version.png');
   await note.getByRole('button', { name: 'Later' }).click();
   expect(await note.isVisible()).toBe(false);
   await page.reload();

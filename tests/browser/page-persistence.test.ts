@@ -1,12 +1,10 @@
 // The girth that noise cannot break on the page: the slider through it, and the saddles of a pinned point.
 
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
 import type { Locator } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { complaintsOfAxe } from './axe.js';
-import { builtPage, fragment, modelIs, pictures } from './page-support.js';
+import { builtPage, fragment, modelIs, picture } from './page-support.js';
 import { fieldComplete } from './viewer-page.js';
 
 const openBuilt = builtPage();
@@ -96,7 +94,6 @@ test('what is stopped while saddles are looked for stays as it was', async () =>
 });
 
 test('the saddles of a pinned point are bars, each shows its loop', async () => {
-  mkdirSync(pictures, { recursive: true });
   const { page, viewer } = await openBuilt('model=dumbbell&loops=40');
   await modelIs(page, 'dumbbell.glb');
   await fieldComplete(viewer);
@@ -119,7 +116,7 @@ test('the saddles of a pinned point are bars, each shows its loop', async () => 
   await bars.first().focus();
   const said = section.getByRole('status');
   await expect.poll(() => said.textContent()).toMatch(/^Loop of [\d.]+\u202fm: /);
-  await page.screenshot({ path: join(pictures, 'page-saddles.png') });
+  await picture(page, 'page-saddles.png');
   expect(await complaintsOfAxe(page)).toEqual([]);
   await page.keyboard.press('Tab');
   await page.locator('#field-name').focus();

@@ -1,20 +1,17 @@
 // Will a chair print that is one unit tall? Its size and unit, a printer, the verdict and what would help.
 
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { complaintsOfAxe } from './axe.js';
 import { clicksOn } from './clicks.js';
 import { box } from './meshes.js';
-import { builtPage, drop, fragment, modelIs, openPanel, pictures } from './page-support.js';
+import { builtPage, drop, fragment, modelIs, openPanel, picture } from './page-support.js';
 
 const openBuilt = builtPage();
 /** 2 × 1 × 2, without a unit: what is up in OBJ is y. */
 const stool = { name: 'stool.obj', bytes: Buffer.from(box(2, 1, 2)) };
 
 test('a model of one unit: its size is questioned, and it prints once it is large enough', async () => {
-  mkdirSync(pictures, { recursive: true });
   const { page, viewer } = await openBuilt();
   await modelIs(page, 'chair.glb');
   await drop(page, stool);
@@ -56,7 +53,7 @@ test('a model of one unit: its size is questioned, and it prints once it is larg
     .toMatch(/Print check.*thick enough.*thin tube.*thin wall/s);
   const meaning = page.locator('#meaning');
   expect(await meaning.textContent()).toMatch(/^Colours: what is too thin to print/);
-  await page.screenshot({ path: join(pictures, 'page-print-fails.png') });
+  await picture(page, 'page-print-fails.png');
   expect(await complaintsOfAxe(page)).toEqual([]);
 
   await panel.getByRole('button', { name: /^Make it \d+%$/ }).click();

@@ -1,15 +1,11 @@
 // Files of earlier visits, with their pictures: opened again, forgotten, and what is said where nothing can be kept.
 
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { complaintsOfAxe } from './axe.js';
+import { complaintsInDark, complaintsOfAxe } from './axe.js';
 import { box, torus } from './meshes.js';
-import { builtPage, drop, fragment, modelIs, pictures } from './page-support.js';
+import { builtPage, drop, fragment, modelIs, picture } from './page-support.js';
 import { fieldComplete, framesPass } from './viewer-page.js';
-
-mkdirSync(pictures, { recursive: true });
 
 const openBuilt = builtPage();
 const ring = { name: 'ring.obj', bytes: Buffer.from(torus(40, 20)) };
@@ -184,13 +180,13 @@ test.each([
   for (const scheme of ['dark', 'light'] as const) {
     await page.emulateMedia({ colorScheme: scheme });
     await framesPass(page);
-    const keep = (name: string) =>
-      page.screenshot({ path: join(pictures, `${name}-${width}x${height}-${scheme}.png`) });
-    expect(await complaintsOfAxe(page), scheme).toEqual([]);
+    const complaints = scheme === 'dark' ? complaintsInDark : complaintsOfAxe;
+    const keep = (name: string) => picture(page, `${name}-${width}x${height}-${scheme}.png`);
+    expect(await complaints(page), scheme).toEqual([]);
     await keep('recent-foot');
     await page.locator('#recent-open').click();
     await page.locator('#recent').waitFor();
-    expect(await complaintsOfAxe(page), scheme).toEqual([]);
+    expect(await complaints(page), scheme).toEqual([]);
     await keep('recent');
     await page.keyboard.press('Escape');
   }

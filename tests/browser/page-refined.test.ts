@@ -1,15 +1,13 @@
 // How the girth of large models is computed on the page: on few triangles first, and refined on demand. Here small models
 // are treated as large ones are, because their links ask for it.
 
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
 import type { Locator } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import type { RefinedGirth, SurfacePoint } from '../../web/src/kernel/index.js';
 import { complaintsOfAxe } from './axe.js';
 import { torus } from './meshes.js';
-import { builtPage, cutWords, drop, fragment, modelIs, pictures } from './page-support.js';
+import { builtPage, cutWords, drop, fragment, modelIs, picture } from './page-support.js';
 import { fieldComplete, placeOnSurface } from './viewer-page.js';
 
 const openBuilt = builtPage();
@@ -73,8 +71,7 @@ test('few triangles first, then refined: an audit in words, states as colours an
   expect(header).toBe('vertex,igf,kind,state');
   expect(first).toMatch(/,loop,(proved|consistent)$/);
   expect(await complaintsOfAxe(page)).toEqual([]);
-  mkdirSync(pictures, { recursive: true });
-  await page.screenshot({ path: join(pictures, 'page-refined.png') });
+  await picture(page, 'page-refined.png');
 
   // There and back, without computing again.
   await page.getByRole('button', { name: 'Undo' }).click();

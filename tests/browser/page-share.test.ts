@@ -6,7 +6,7 @@ import type { GirthViewer, ViewerState } from '../../web/src/element/index.js';
 import { packed } from '../web/package/packed.js';
 import { complaintsOfAxe } from './axe.js';
 import { stl, tube } from './meshes.js';
-import { drop, modelIs, pictures, site } from './page-support.js';
+import { drop, modelIs, picture, site } from './page-support.js';
 import { smallExamples } from './small-examples.js';
 import { chromiumForTests, serve, strictPolicy, type StaticServer } from './support.js';
 import { fieldComplete } from './viewer-page.js';
@@ -80,11 +80,11 @@ test('link, element and frame show on another origin what the page shows', async
     ),
   );
   expect(await complaintsOfAxe(page)).toEqual([]);
-  await page.screenshot({ path: `${pictures}/share.png` });
+  await picture(page, `share.png`);
   for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme });
     await page.setViewportSize({ width: 390, height: 844 });
-    await page.screenshot({ path: `${pictures}/share-phone-${colorScheme}.png` });
+    await picture(page, `share-phone-${colorScheme}.png`);
   }
   expect(complaints).toEqual([]);
 

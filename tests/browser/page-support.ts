@@ -8,6 +8,8 @@ import {
   type LentPage,
   type StaticServer,
   pagesForTests,
+  pictures,
+  picturesWanted,
   repository,
   requireBuilt,
   serve,
@@ -17,7 +19,6 @@ import { smallExamples } from './small-examples.js';
 
 /** The page as `npm run build:page` puts it. */
 export const site = join(repository, 'build/page');
-export const pictures = join(repository, 'build/pictures');
 
 /** The page as a test has it. */
 export interface BuiltPage {
@@ -71,6 +72,11 @@ export function builtPage({ isolated = true, examples = 'small' }: BuiltPageOpti
     open.push(opened);
     return { page: opened.page, viewer: opened.page.locator('girth-viewer'), address: url };
   };
+}
+
+/** Keeps a picture of the page in build/pictures, to be looked at, where pictures are wanted (`GIRTH_PICTURES`). */
+export async function picture(page: Page, name: string): Promise<void> {
+  if (picturesWanted) await page.screenshot({ path: join(pictures, name) });
 }
 
 /** Drops files onto the window, as from the desktop. */

@@ -2,8 +2,7 @@
 
 import type { Locator, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { builtPage, modelIs, openPanel, pictures } from './page-support.js';
-import { join } from 'node:path';
+import { builtPage, modelIs, openPanel, picture } from './page-support.js';
 
 const openBuilt = builtPage();
 
@@ -110,7 +109,7 @@ test.each(['light', 'dark'] as const)('by touch on a phone, %s', async (colorSch
   expect(words.x + words.width).toBeLessThanOrEqual(390);
   // Above or below the word, not on it.
   expect(words.y + words.height <= word.y + 8 || words.y >= word.y + word.height - 8).toBe(true);
-  await page.screenshot({ path: join(pictures, `term-390x844-${colorScheme}.png`) });
+  await picture(page, `term-390x844-${colorScheme}.png`);
   await term.tap();
   await explanation(page).waitFor({ state: 'hidden' });
   await term.tap();
@@ -129,8 +128,6 @@ test.each([
   for (const name of ['tube', 'plate', 'sdf']) {
     await panel.locator(`.term[data-term=${name}]`).hover();
     await expect.poll(async () => (await explained(page)).title.toLowerCase()).toContain(name);
-    await page.screenshot({
-      path: join(pictures, `term-${name}-${width}x${height}-${colorScheme}.png`),
-    });
+    await picture(page, `term-${name}-${width}x${height}-${colorScheme}.png`);
   }
 });

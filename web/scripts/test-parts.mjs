@@ -151,6 +151,12 @@ export const parts = {
     run: buildDocs,
   },
   web: { title: 'web', needs: ['bundle'], run: (count) => vitest('web', count) },
+  python: {
+    title: 'Python package',
+    needs: ['compile-native'],
+    background: true,
+    run: pytest,
+  },
   native: {
     title: 'native tests',
     needs: ['compile-native'],
@@ -164,12 +170,6 @@ export const parts = {
     run: (count) => {
       count.passed += replayFuzzers();
     },
-  },
-  python: {
-    title: 'Python package',
-    needs: ['compile-native'],
-    background: true,
-    run: pytest,
   },
   node: {
     title: 'package in Node.js',

@@ -9,11 +9,13 @@ import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest';
 import type { GirthViewer } from '../../../web/src/element/index.js';
 import { type NamedBox, endsAt, overlapsOf, stormOfSizes } from '../faults.js';
 import { box, torus } from '../meshes.js';
-import { pictures, site } from '../page-support.js';
+import { site } from '../page-support.js';
 import { smallExamples } from '../small-examples.js';
 import {
   type ServeOptions,
   type StaticServer,
+  pictures,
+  picturesWanted,
   requireBuilt,
   serve,
   strictPolicy,
@@ -64,8 +66,6 @@ function dropAll(files: { name: string; text: string }[]): void {
 
 const folders = { '/examples/': smallExamples };
 const cube = { name: 'cube.obj', text: box(2, 2, 2) };
-mkdirSync(pictures, { recursive: true });
-
 const ofProgram = (path: string): boolean => path.endsWith('.wasm');
 
 describe.each(otherBrowsers)('$name', ({ name: browserName, isThere, open }) => {
@@ -131,11 +131,12 @@ describe.each(otherBrowsers)('$name', ({ name: browserName, isThere, open }) => 
       shadowRoot!.querySelector<HTMLElement>('.message button')!.click();
     }, null);
 
-  const keep = async (name: string): Promise<void> =>
-    writeFileSync(
-      join(pictures, `${browserName.toLowerCase()}-${name}.png`),
-      await page.screenshot(),
-    );
+  const keep = async (name: string): Promise<void> => {
+    if (!picturesWanted) return;
+    mkdirSync(pictures, { recursive: true });
+    const file = join(pictures, `${browserName.toLowerCase()}-${name}.png`);
+    writeFileSync(file, await page.screenshot());
+  };
 
   // ---- what is right
 
