@@ -151,12 +151,6 @@ export const parts = {
     run: buildDocs,
   },
   web: { title: 'web', needs: ['bundle'], run: (count) => vitest('web', count) },
-  python: {
-    title: 'Python package',
-    needs: ['compile-native'],
-    background: true,
-    run: pytest,
-  },
   native: {
     title: 'native tests',
     needs: ['compile-native'],
@@ -175,6 +169,11 @@ export const parts = {
     title: 'package in Node.js',
     needs: ['bundle', 'compile-native'],
     run: (count) => vitest('node', count),
+  },
+  python: {
+    title: 'Python package',
+    needs: ['bundle', 'compile-native'],
+    run: pytest,
   },
   'browser-kernel': {
     title: 'kernel in the browser',
