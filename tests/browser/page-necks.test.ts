@@ -207,20 +207,20 @@ test('the bottleneck of two points that are clicked, and the profile between the
   await plot.focus();
   await page.keyboard.press('Home');
   await between.getByText(/^0.* from the first point: girth /).waitFor();
-  const hovered = viewer.evaluate(
-    (element: GirthViewer) =>
-      new Promise<number>((resolve) => {
-        element.addEventListener('pick', ({ detail }) => {
-          if (detail.action === 'pin') resolve(detail.loop.length);
-        });
-      }),
-  );
+  // Listened to before anything is pressed.
+  const pinned = await viewer.evaluateHandle((element: GirthViewer) => ({
+    length: new Promise<number>((resolve) => {
+      element.addEventListener('pick', ({ detail }) => {
+        if (detail.action === 'pin') resolve(detail.loop.length);
+      });
+    }),
+  }));
   for (let i = 0; i < 3; ++i) await page.keyboard.press('PageUp');
   const said = (await between.locator('.station').textContent())!;
   await picture(page, 'page-profile.png');
   await page.keyboard.press('Enter');
   const girth = Number.parseFloat(/girth ([\d.]+)/.exec(said)![1]!);
-  expect(await hovered).toBeCloseTo(girth, 1);
+  expect(await pinned.evaluate(({ length }) => length)).toBeCloseTo(girth, 1);
   // From the surface back to the plot: at a point of the path.
   const box = (await viewer.boundingBox())!;
   const seen = await viewer.evaluate(
