@@ -83,23 +83,23 @@ describe('what is opened', () => {
 
   test('a zip with folders', async () => {
     const archive = zipSync({
-      'model/box.gltf': strToU8(json),
+      'model/zipped.gltf': strToU8(json),
       'model/box data.bin': bin,
       'model/colours.png': strToU8('no picture'),
       '__MACOSX/model/._box.gltf': strToU8('x'),
     });
     await choose({ name: 'download.zip', content: archive });
-    await modelIs('box.gltf');
+    await modelIs('zipped.gltf');
   });
 
   test('a folder', async () => {
     const folder = join(scratch, 'folder');
     mkdirSync(join(folder, 'buffers'), { recursive: true });
     const elsewhere = gltf(box(3, 2, 2), 'buffers/box.bin');
-    writeFileSync(join(folder, 'box.gltf'), elsewhere.json);
+    writeFileSync(join(folder, 'in-folder.gltf'), elsewhere.json);
     writeFileSync(join(folder, 'buffers/box.bin'), elsewhere.bin);
     await page.locator('#folder').setInputFiles(folder);
-    await modelIs('box.gltf');
+    await modelIs('in-folder.gltf');
   });
 
   test('a file that is referred to and absent is named; the former model stays', async () => {

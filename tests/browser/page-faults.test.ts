@@ -5,6 +5,7 @@ import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { strToU8, zipSync } from 'fflate';
 import type { Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
@@ -421,6 +422,38 @@ describe('on one page, one after the other', () => {
     await framesPass(page);
     expect(await page.locator('#model b').textContent()).toBe(cube.name);
     expect(await faulty.message.isVisible()).toBe(false);
+  });
+
+  test('a zip, whose looking into is held up, does not come over what was dropped after it', async () => {
+    const { page, viewer } = faulty;
+    let letGo = (): void => undefined;
+    const held = new Promise<void>((resolve) => (letGo = resolve));
+    await page.route(/\/project-[\w-]+\.js$/, async (route) => {
+      await held;
+      await route.continue();
+    });
+    const names = await viewer.evaluateHandle((element: GirthViewer) => {
+      const names: string[] = [];
+      element.addEventListener('load', ({ detail }) => names.push(detail.info.name));
+      return names;
+    });
+    const zipped = (name: string) => {
+      const bytes = Buffer.from(zipSync({ [`${name}.obj`]: strToU8(box(1, 2, 2)) }));
+      return { name: `${name}.zip`, bytes };
+    };
+    await drop(page, zipped('held'));
+    await drop(page, cube);
+    await modelIs(page, cube.name);
+    await fieldComplete(viewer);
+    const comes = page.waitForResponse(/\/project-[\w-]+\.js$/);
+    letGo();
+    await comes;
+    await framesPass(page);
+    // What is looked into after it comes after it.
+    await drop(page, zipped('next'));
+    await modelIs(page, 'next.obj');
+    expect(await names.jsonValue()).toEqual([cube.name, 'next.obj']);
+    await page.unroute(/\/project-[\w-]+\.js$/);
   });
 
   test('a file of 2 GB: words, before anything of it is read', async () => {

@@ -333,10 +333,14 @@ function showProjectFault(error: unknown): void {
   projectFault.hidden = false;
 }
 
-/** Opens a zip as a project; false where it is none. */
+/** Opens a zip as a project; false where it is none. Where something else was asked for meanwhile, that is what is opened. */
 async function openProject(file: File | FileWithPath): Promise<boolean> {
+  const isLast = session.asks();
   const { projectIn } = await projects();
-  const read = await projectIn(file).catch((error: unknown) => void showProjectFault(error));
+  const read = await projectIn(file).catch((error: unknown) => {
+    if (isLast()) showProjectFault(error);
+  });
+  if (!isLast()) return true;
   if (!read) return false;
   const { name, source, model, state } = read;
   project = read;

@@ -41,6 +41,8 @@ export class Session {
   /** Files that were dropped or chosen on this visit, by the names that links have for them. */
   readonly #files = new Map<string, Opened>();
   readonly #viewer: GirthViewer;
+  /** How many models were asked for. */
+  #asked = 0;
 
   constructor(viewer: GirthViewer) {
     this.#viewer = viewer;
@@ -51,8 +53,15 @@ export class Session {
     return this.#next !== undefined;
   }
 
+  /** Of files that have to be looked into before they are opened: whether nothing else was asked for meanwhile. */
+  asks(): () => boolean {
+    const asked = ++this.#asked;
+    return () => asked === this.#asked;
+  }
+
   /** Shows a model; what goes wrong is written on the surface by the element itself. */
   async open(wanted: Opened): Promise<boolean> {
+    ++this.#asked;
     this.#next = wanted;
     const { source, model, prepare } = wanted;
     const options = model === undefined ? { prepare } : { prepare, model };
