@@ -41,9 +41,10 @@ export async function complaintsOfAxe(
   );
 }
 
-/**
- * What it objects to as the page is in dark, where it has been looked at in light: on colours, as nothing else differs.
- * @param within as above
- */
-export const complaintsInDark = (page: Page, within?: string): Promise<string[]> =>
-  complaintsOfAxe(page, ['color-contrast'], within);
+/** What it objects to in light; in dark on colours alone, as nothing else differs. */
+export const complaintsIn = (
+  colorScheme: 'light' | 'dark',
+  page: Page,
+  within?: string,
+): Promise<string[]> =>
+  complaintsOfAxe(page, colorScheme === 'dark' ? ['color-contrast'] : undefined, within);

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
-import { complaintsInDark, complaintsOfAxe } from './axe.js';
+import { complaintsIn, complaintsOfAxe } from './axe.js';
 import {
   chromiumForTests,
   repository,
@@ -64,8 +64,7 @@ test.each(['light', 'dark'] as const)('axe has no complaint: %s', async (colorSc
   const { page } = await openPage(start(), { colorScheme });
   for (const address of ['', 'girth.html', 'definitions.html', 'how-to/check-a-print.html']) {
     await page.goto(start() + address);
-    const complaints = colorScheme === 'dark' ? complaintsInDark : complaintsOfAxe;
-    expect(await complaints(page), address).toEqual([]);
+    expect(await complaintsIn(colorScheme, page), address).toEqual([]);
   }
 });
 

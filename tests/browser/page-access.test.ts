@@ -4,7 +4,7 @@ import type { Locator, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import type { SurfacePoint } from '../../web/src/kernel/index.js';
-import { complaintsInDark, complaintsOfAxe } from './axe.js';
+import { complaintsIn } from './axe.js';
 import { builtPage, openPanel, picture } from './page-support.js';
 import { fieldComplete, framesPass, pairIsOver, placeOnSurface } from './viewer-page.js';
 
@@ -29,10 +29,7 @@ async function lookAt(page: Page, { within, name, shown }: Look = {}): Promise<v
     await framesPass(page);
     // What has been scrolled under the field's row counts as small to axe, for as long as it is there.
     await page.locator('aside').evaluate((aside) => aside.scrollTo(0, 0));
-    const complaints = await (colorScheme === 'dark'
-      ? complaintsInDark(page, within)
-      : complaintsOfAxe(page, undefined, within));
-    expect(complaints, colorScheme).toEqual([]);
+    expect(await complaintsIn(colorScheme, page, within), colorScheme).toEqual([]);
     if (!name) continue;
     await shown?.scrollIntoViewIfNeeded();
     await picture(page, `${name}-${colorScheme}.png`);

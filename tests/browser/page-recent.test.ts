@@ -2,7 +2,7 @@
 
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { complaintsInDark, complaintsOfAxe } from './axe.js';
+import { complaintsIn } from './axe.js';
 import { box, torus } from './meshes.js';
 import { builtPage, drop, fragment, modelIs, picture } from './page-support.js';
 import { fieldComplete, framesPass } from './viewer-page.js';
@@ -180,13 +180,12 @@ test.each([
   for (const scheme of ['dark', 'light'] as const) {
     await page.emulateMedia({ colorScheme: scheme });
     await framesPass(page);
-    const complaints = scheme === 'dark' ? complaintsInDark : complaintsOfAxe;
     const keep = (name: string) => picture(page, `${name}-${width}x${height}-${scheme}.png`);
-    expect(await complaints(page), scheme).toEqual([]);
+    expect(await complaintsIn(scheme, page), scheme).toEqual([]);
     await keep('recent-foot');
     await page.locator('#recent-open').click();
     await page.locator('#recent').waitFor();
-    expect(await complaints(page), scheme).toEqual([]);
+    expect(await complaintsIn(scheme, page), scheme).toEqual([]);
     await keep('recent');
     await page.keyboard.press('Escape');
   }

@@ -80,7 +80,7 @@ test('link, element and frame show on another origin what the page shows', async
     ),
   );
   expect(await complaintsOfAxe(page)).toEqual([]);
-  await picture(page, `share.png`);
+  await picture(page, 'share.png');
   for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme });
     await page.setViewportSize({ width: 390, height: 844 });
