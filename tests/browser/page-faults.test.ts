@@ -456,6 +456,52 @@ describe('on one page, one after the other', () => {
     await page.unroute(/\/project-[\w-]+\.js$/);
   });
 
+  test('a folder, whose listing is held up, does not come over what was dropped after it', async () => {
+    const { page, viewer } = faulty;
+    const names = await viewer.evaluateHandle((element: GirthViewer) => {
+      const names: string[] = [];
+      element.addEventListener('load', ({ detail }) => names.push(detail.info.name));
+      return names;
+    });
+    /** Drops a folder with one file in it, which can be read when `letGo` is called. */
+    const dropFolder = (name: string) =>
+      page.evaluateHandle(
+        ([name, text]) => {
+          let letGo = (): void => undefined;
+          const held = new Promise<void>((resolve) => (letGo = resolve));
+          const file = {
+            ...{ isFile: true, isDirectory: false, name, fullPath: `/folder/${name}` },
+            file: (take: (file: File) => void) => take(new File([text], name)),
+          };
+          const portions = [[file], []];
+          const readEntries = (take: (entries: unknown[]) => void): void =>
+            void held.then(() => take(portions.shift()!));
+          const folder = {
+            ...{ isFile: false, isDirectory: true, name: 'folder', fullPath: '/folder' },
+            createReader: () => ({ readEntries }),
+          };
+          const items = [{ kind: 'file', webkitGetAsEntry: () => folder }];
+          const event = new DragEvent('drop', { bubbles: true, cancelable: true });
+          Object.defineProperty(event, 'dataTransfer', {
+            value: { types: ['Files'], files: [], items },
+          });
+          document.body.dispatchEvent(event);
+          return letGo;
+        },
+        [name, box(1, 2, 2)] as const,
+      );
+    const held = await dropFolder('held.obj');
+    await drop(page, cube);
+    await modelIs(page, cube.name);
+    await fieldComplete(viewer);
+    await held.evaluate((letGo) => letGo());
+    await framesPass(page);
+    const next = await dropFolder('next.obj');
+    await next.evaluate((letGo) => letGo());
+    await modelIs(page, 'next.obj');
+    expect(await names.jsonValue()).toEqual([cube.name, 'next.obj']);
+  });
+
   test('a file of 2 GB: words, before anything of it is read', async () => {
     const { page } = faulty;
     const before = await page.locator('#model b').textContent();

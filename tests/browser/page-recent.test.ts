@@ -1,5 +1,6 @@
 // Files of earlier visits, with their pictures: opened again, forgotten, and what is said where nothing can be kept.
 
+import { zipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { complaintsIn } from './axe.js';
@@ -155,7 +156,10 @@ test('a handle is read again, as the file is now; one that is gone is said to be
     .toBe('mine.obj could not be read again: it is not where it was.');
 });
 
-test('a file that is dropped before the page is ready is opened when it is', async () => {
+test.each([
+  ['a file', cube],
+  ['a zip', { name: 'cube.zip', bytes: Buffer.from(zipSync({ 'cube.obj': cube.bytes })) }],
+])('%s that is dropped before the page is ready is opened when it is', async (_, dropped) => {
   const { page } = await openBuilt('model=cup');
   let goOn = (): void => undefined;
   const held = new Promise<void>((done) => (goOn = done));
@@ -165,7 +169,7 @@ test('a file that is dropped before the page is ready is opened when it is', asy
   });
   await page.reload({ waitUntil: 'commit' });
   await page.waitForFunction(() => document.documentElement.dataset['scheme'] !== undefined);
-  await drop(page, cube);
+  await drop(page, dropped);
   goOn();
   await modelIs(page, 'cube.obj');
 });

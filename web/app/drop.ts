@@ -17,17 +17,14 @@ interface ItemWithHandle {
   getAsFileSystemHandle?(): Promise<FileSystemHandle | null>;
 }
 
-/** Shows `curtain` while files are over the window and calls `open` when some are dropped. */
+/** Shows `curtain` while files are over the window and calls `open` when some are dropped: folders are still looked into. */
 export function acceptDrops(
   curtain: HTMLElement,
-  open: (files: (File | FileWithPath)[]) => void,
+  open: (files: Promise<(File | FileWithPath)[]>) => void,
 ): void {
   const carriesFiles = (event: DragEvent): boolean =>
     event.dataTransfer?.types.includes('Files') ?? false;
-  const take = (dropped: Dropped): void =>
-    void filesOf(dropped).then((files) => {
-      if (files.length > 0) open(files);
-    });
+  const take = (dropped: Dropped): void => open(filesOf(dropped));
   // Entering a child comes before leaving its parent: count both.
   let depth = 0;
   window.addEventListener('dragenter', (event) => {

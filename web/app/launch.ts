@@ -6,15 +6,15 @@ interface LaunchQueue {
   setConsumer(take: (launch: { files?: readonly FileSystemFileHandle[] }) => void): void;
 }
 
-/** Calls `open` with files that the page was, or is, started with. */
-export function acceptLaunches(open: (files: File[]) => void): void {
+/** Calls `open` with files that the page was, or is, started with: they are still read. */
+export function acceptLaunches(open: (files: Promise<File[]>) => void): void {
   const { launchQueue } = window as { launchQueue?: LaunchQueue };
   launchQueue?.setConsumer(({ files: handles = [] }) => {
     const read = handles.map(async (handle) => keepHandle(await handle.getFile(), handle));
     // What cannot be read is not there any more.
-    void Promise.allSettled(read).then((results) => {
-      const files = results.flatMap((one) => (one.status === 'fulfilled' ? [one.value] : []));
-      if (files.length > 0) open(files);
-    });
+    const files = Promise.allSettled(read).then((results) =>
+      results.flatMap((one) => (one.status === 'fulfilled' ? [one.value] : [])),
+    );
+    open(files);
   });
 }

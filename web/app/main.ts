@@ -201,7 +201,7 @@ function apply(state: PageState, known: Promise<unknown> = Promise.resolve()): v
 }
 
 /** Opens the model that a link names, or the first example, and then applies the rest. */
-async function go(state: PageState): Promise<void> {
+async function go(state: PageState, asked = session.ask()): Promise<void> {
   if (viewer.info && session.isOf(state)) {
     apply(state);
     return;
@@ -225,7 +225,7 @@ async function go(state: PageState): Promise<void> {
     wanted = state;
     const before = session.openedBefore(state.file);
     if (before) {
-      await session.open({ ...before, prepare: preparationOf(state) });
+      await session.open({ ...before, prepare: preparationOf(state) }, asked);
       return;
     }
     // A link cannot have a file in it: wait for it.
@@ -235,9 +235,10 @@ async function go(state: PageState): Promise<void> {
   }
   wanted = state;
   const prepare = preparationOf(state);
-  if (isAddress)
-    await session.open({ source: state.model!, link: { model: state.model! }, prepare });
-  else if (example) await openExample(example, prepare);
+  if (isAddress) {
+    const link = { model: state.model! };
+    await session.open({ source: state.model!, link, prepare }, asked);
+  } else if (example) await openExample(example, prepare, asked);
 }
 
 /** Takes the handles away that a link's surface has not, and then applies the rest. */
@@ -289,22 +290,29 @@ function exampleToOpen(example: Example, prepare = {}): Opened {
   return { source: examples.addressOf(example), link: { model: example.name }, prepare };
 }
 
-async function openExample(example: Example, prepare = {}): Promise<void> {
+async function openExample(example: Example, prepare = {}, asked = session.ask()): Promise<void> {
   projectFault.hidden = true;
   examples.mark(example);
-  await session.open(exampleToOpen(example, prepare));
+  await session.open(exampleToOpen(example, prepare), asked);
 }
 
-async function openFiles(files: readonly (File | FileWithPath)[]): Promise<void> {
+type Files = readonly (File | FileWithPath)[];
+
+/** Opens files, or those that are found in a folder or on the disk, if there are any. What was asked for later stays. */
+async function openFiles(found: Files | Promise<Files>): Promise<void> {
+  const asked = session.ask();
+  const files = await found;
+  if (files.length === 0 || session.isOvertaken(asked)) return;
   address.flush();
   projectFault.hidden = true;
   const names = files.map((file) => (file instanceof File ? file.name : file.path));
-  if (names.length === 1 && /\.zip$/i.test(names[0]!) && (await openProject(files[0]!))) return;
+  if (names.length === 1 && /\.zip$/i.test(names[0]!) && (await openProject(files[0]!, asked)))
+    return;
   const source = files.length === 1 && files[0] instanceof File ? files[0] : files;
   if (!names.some((name) => name === wanted?.file)) wanted = undefined;
   const file = wanted?.file ?? names[0]!;
   const prepare = preparationOf(wanted ?? {});
-  if (!(await session.open({ source, link: { file }, prepare }))) return;
+  if (!(await session.open({ source, link: { file }, prepare }, asked))) return;
   recent.opened(files);
   invitation.hidden = true;
   viewer.removeAttribute('turn');
@@ -333,21 +341,20 @@ function showProjectFault(error: unknown): void {
   projectFault.hidden = false;
 }
 
-/** Opens a zip as a project; false where it is none. Where something else was asked for meanwhile, that is what is opened. */
-async function openProject(file: File | FileWithPath): Promise<boolean> {
-  const isLast = session.asks();
+/** Opens a zip as a project; false where it is none. What was asked for later, and has been opened meanwhile, stays. */
+async function openProject(file: File | FileWithPath, asked: number): Promise<boolean> {
   const { projectIn } = await projects();
   const read = await projectIn(file).catch((error: unknown) => {
-    if (isLast()) showProjectFault(error);
+    if (!session.isOvertaken(asked)) showProjectFault(error);
   });
-  if (!isLast()) return true;
+  if (session.isOvertaken(asked)) return true;
   if (!read) return false;
   const { name, source, model, state } = read;
   project = read;
   wanted = state;
   isByHand = true;
   const prepare = preparationOf(state);
-  if (!(await session.open({ source, link: { file: name }, model, prepare }))) {
+  if (!(await session.open({ source, link: { file: name }, model, prepare }, asked))) {
     // Nothing is left of it for what is opened next.
     if (project === read) {
       project = wanted = undefined;
@@ -423,6 +430,8 @@ viewer.addEventListener('field', (event) => {
 const explain = explainColours(viewer, () => print.isColouring);
 for (const event of ['camera', 'unit', 'view']) viewer.addEventListener(event, changed);
 
+/** What the page opens by itself comes before all that somebody asks for. */
+const atFirst = session.ask();
 const recent = new RecentFiles(viewer, (files) => void openFiles(files));
 acceptDrops(byId('drop'), (files) => void openFiles(files));
 acceptLaunches((files) => void openFiles(files));
@@ -521,4 +530,4 @@ isBuilt = true;
 // What was chosen before anybody listened.
 for (const take of takeChosen) take();
 await examples.prepare();
-if (!session.isAsked) void address.during(go(first));
+if (!session.isOvertaken(atFirst)) void address.during(go(first, atFirst));

@@ -50,7 +50,7 @@ function faultWords(error: unknown): string {
 export class RecentFiles {
   readonly #store = new RecentStore();
   readonly #viewer: GirthViewer;
-  readonly #openFiles: (files: Opened) => void;
+  readonly #openFiles: (files: Promise<Opened>) => void;
   readonly #opener = byId('recent-open');
   readonly #sheet = byId('recent');
   readonly #foot = make('div', { role: 'group', 'aria-label': 'Recent files', class: 'recents' });
@@ -62,7 +62,7 @@ export class RecentFiles {
   /** The one whose picture with all of its colours is there. */
   #drawn: Promise<number | undefined> | undefined;
 
-  constructor(viewer: GirthViewer, openFiles: (files: Opened) => void) {
+  constructor(viewer: GirthViewer, openFiles: (files: Promise<Opened>) => void) {
     this.#viewer = viewer;
     this.#openFiles = openFiles;
     this.#sheet.append(this.#list, make('p', {}, this.#clear), this.#said);
@@ -183,22 +183,28 @@ export class RecentFiles {
       );
     }
     const button = make('button', { type: 'button' }, picture, words);
-    button.addEventListener('click', () => void this.#open(file));
+    button.addEventListener('click', () => this.#open(file));
     return button;
   }
 
-  async #open({ name, handle, copy = [] }: RecentFile): Promise<void> {
+  /** Opens one; if it cannot be read again, says why. */
+  #open({ name, handle, copy = [] }: RecentFile): void {
     this.#said.textContent = '';
-    try {
-      const files = handle ? [await readAgain(handle)] : copy;
-      if (this.#sheet.matches(':popover-open')) this.#sheet.hidePopover();
-      this.#openFiles(files);
-    } catch (error) {
-      const isGone = error instanceof DOMException && error.name === 'NotFoundError';
-      const why = isGone ? 'it is not where it was' : failureWords(error);
-      this.#said.textContent = `${name} could not be read again: ${why}.`;
-      if (!this.#sheet.matches(':popover-open')) this.#sheet.showPopover();
-    }
+    const read = handle ? readAgain(handle).then((file) => [file]) : Promise.resolve(copy);
+    const found = read.then(
+      (files) => {
+        if (this.#sheet.matches(':popover-open')) this.#sheet.hidePopover();
+        return files;
+      },
+      (error: unknown) => {
+        const isGone = error instanceof DOMException && error.name === 'NotFoundError';
+        const why = isGone ? 'it is not where it was' : failureWords(error);
+        this.#said.textContent = `${name} could not be read again: ${why}.`;
+        if (!this.#sheet.matches(':popover-open')) this.#sheet.showPopover();
+        return [];
+      },
+    );
+    this.#openFiles(found);
   }
 }
 

@@ -43,25 +43,29 @@ export class Session {
   readonly #viewer: GirthViewer;
   /** How many models were asked for. */
   #asked = 0;
+  /** The number of the one that was opened last. */
+  #latest = 0;
 
   constructor(viewer: GirthViewer) {
     this.#viewer = viewer;
   }
 
-  /** Whether any model was asked for. */
-  get isAsked(): boolean {
-    return this.#next !== undefined;
+  /** A number for a model that was asked for now, and whose files have to be found or looked into before it is opened. */
+  ask(): number {
+    return ++this.#asked;
   }
 
-  /** Of files that have to be looked into before they are opened: whether nothing else was asked for meanwhile. */
-  asks(): () => boolean {
-    const asked = ++this.#asked;
-    return () => asked === this.#asked;
+  /** Whether a model that was asked for later has been opened meanwhile: it stays. */
+  isOvertaken(asked: number): boolean {
+    return asked < this.#latest;
   }
 
-  /** Shows a model; what goes wrong is written on the surface by the element itself. */
-  async open(wanted: Opened): Promise<boolean> {
-    ++this.#asked;
+  /**
+   * Shows a model; what goes wrong is written on the surface by the element itself. False where that is so.
+   * `asked`: its number. Default: it was asked for now.
+   */
+  async open(wanted: Opened, asked = this.ask()): Promise<boolean> {
+    this.#latest = asked;
     this.#next = wanted;
     const { source, model, prepare } = wanted;
     const options = model === undefined ? { prepare } : { prepare, model };
