@@ -57,7 +57,16 @@ export default defineConfig({
         test: {
           name: 'browser',
           include: ['tests/browser/**/*.test.ts'],
-          exclude: [...kernelInBrowser, 'tests/browser/other-browsers/**'],
+          exclude: [...kernelInBrowser, 'tests/browser/long/**', 'tests/browser/other-browsers/**'],
+          globalSetup: ['tests/browser/small-examples.ts'],
+          ...inBrowser,
+        },
+      },
+      {
+        root,
+        test: {
+          name: 'browser-long',
+          include: ['tests/browser/long/*.test.ts'],
           globalSetup: ['tests/browser/small-examples.ts'],
           ...inBrowser,
         },

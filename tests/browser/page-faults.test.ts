@@ -6,88 +6,29 @@ import type { AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
-import type { Locator, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
-import { endsAt, overlapsOf, stormOfSizes } from './faults.js';
-import { smallExamples } from './small-examples.js';
+import { overlapsOf, stormOfSizes } from './faults.js';
+import {
+  type Faulty,
+  changed,
+  cube,
+  cubeIsComputed,
+  faultyPages,
+  folders,
+  isTooLarge,
+  memoryEndsAt,
+  messageIs,
+} from './faulty-page.js';
 import { box, torus } from './meshes.js';
 import { drop, modelIs, openPanel, picture, site } from './page-support.js';
-import {
-  type OpenPage,
-  type StaticServer,
-  chromiumForTests,
-  requireBuilt,
-  serve,
-  strictPolicy,
-} from './support.js';
+import { serve, strictPolicy } from './support.js';
 import { fieldComplete, framesPass, hover, placeOnSurface } from './viewer-page.js';
 
-const openPage = chromiumForTests();
-const folders = { '/examples/': smallExamples };
+const { openWith, keep } = faultyPages();
 const scratch = mkdtempSync(join(tmpdir(), 'girth-faults-'));
-let server: StaticServer;
-let opened: OpenPage | undefined;
-
-beforeAll(async () => {
-  requireBuilt('build/page/index.html', 'build:page');
-  server = await serve(site, { isolated: true, policy: strictPolicy, folders });
-});
-afterAll(async () => {
-  rmSync(scratch, { recursive: true });
-  await server.close();
-});
-afterEach(async () => {
-  // What the page still fetches when its test is over is no error of the test.
-  await opened?.page.unrouteAll({ behavior: 'ignoreErrors' });
-  await opened?.context.close();
-  opened = undefined;
-});
-
-interface Faulty {
-  page: Page;
-  viewer: Locator;
-  message: Locator;
-  complaints: string[];
-}
-
-/** The page after something was done to it, before any script of it runs. */
-async function openWith(
-  prepare: (page: Page) => Promise<unknown>,
-  address = `${server.url}/`,
-): Promise<Faulty> {
-  opened = await openPage(address, { reducedMotion: 'reduce' }, prepare);
-  const { page, complaints } = opened;
-  const viewer = page.locator('girth-viewer');
-  return { page, viewer, message: viewer.locator('.message'), complaints };
-}
-
-/** Waits for a message; it is announced, and names neither the model nor the inside of the program. */
-async function messageIs({ message }: Faulty, code: string): Promise<string> {
-  await message.waitFor();
-  expect(await message.getAttribute('role')).toBe('alert');
-  const text = (await message.textContent())!;
-  expect(await message.getAttribute('data-code'), text).toBe(code);
-  expect(text).toMatch(/What helps: /);
-  expect(text).not.toMatch(/ASSERTIONS|undefined|\[object/);
-  return text;
-}
-
-const cube = { name: 'cube.obj', bytes: Buffer.from(box(2, 2, 2)) };
-
-/** Drops a model and waits for all of its girth. */
-async function cubeIsComputed({ page, viewer }: Faulty): Promise<void> {
-  await drop(page, cube);
-  await modelIs(page, cube.name);
-  await fieldComplete(viewer);
-}
-
-/** Answers with what `change` makes of a file of the page. */
-const changed = (page: Page, path: RegExp, change: (body: Buffer) => Buffer) =>
-  page.route(path, async (route) => {
-    const response = await route.fetch();
-    await route.fulfill({ response, body: change(await response.body()) });
-  });
+afterAll(() => rmSync(scratch, { recursive: true }));
 
 // ---- the program
 
@@ -166,27 +107,12 @@ function emptyFile(name: string, size: number): string {
   return path;
 }
 
-test.each([64, 128])(
-  'memory that ends at %i MB: words, the model before stays, and small ones are computed',
-  async (megabytes) => {
-    const most = Buffer.from(endsAt(megabytes << 20));
-    const faulty = await openWith((page) =>
-      changed(page, /worker.*\.js$/, (body) => Buffer.concat([most, body])),
-    );
-    const { page } = faulty;
-    await modelIs(page, 'chair.glb');
-    if (megabytes === 64) {
-      // The file fits, its surface does not.
-      await drop(page, { name: 'large.obj', bytes: Buffer.from(torus(500, 400)) });
-    } else {
-      await page.setInputFiles('#file', emptyFile('large.stl', (megabytes << 20) + 134));
-    }
-    const text = await messageIs(faulty, 'OUT_OF_MEMORY');
-    expect(text).toMatch(/large\.(obj|stl)/);
-    expect(text).toMatch(/The former model is still here/);
-    await cubeIsComputed(faulty);
-  },
-);
+test('memory that ends at 128 MB: words, the model before stays, and small ones are computed', async () => {
+  const faulty = await openWith((page) => memoryEndsAt(page, 128 << 20));
+  await modelIs(faulty.page, 'chair.glb');
+  await faulty.page.setInputFiles('#file', emptyFile('large.stl', (128 << 20) + 134));
+  await isTooLarge(faulty, 'large.stl');
+});
 
 test('workers that die while they compute: words, and the next model is computed', async () => {
   const faulty = await openWith((page) =>
@@ -400,16 +326,14 @@ const canBeHidden = (): void => {
 
 describe('on one page, one after the other', () => {
   let faulty: Faulty;
-  let shared: OpenPage;
   beforeAll(async () => {
     faulty = await openWith((page) => page.addInitScript(canBeHidden));
-    shared = opened!;
-    opened = undefined;
+    keep();
     await modelIs(faulty.page, 'chair.glb');
   });
   afterAll(async () => {
-    await shared.context.close();
-    expect(shared.complaints).toEqual([]);
+    await faulty.context.close();
+    expect(faulty.complaints).toEqual([]);
   });
 
   test('files that are dropped one upon the other: the last one is shown, and nothing else is said', async () => {
@@ -527,39 +451,6 @@ describe('on one page, one after the other', () => {
     const { x, y } = await placeOnSurface(viewer, 0.5, 0.5);
     expect((await hover(page, viewer, x, y)).length).toBeGreaterThan(0);
   });
-
-  test('200 loads and cancels: memory is what it was, to within 10%', async () => {
-    const { page, viewer } = faulty;
-    /** Most are overtaken while they are read, at different moments; some are cancelled while they are computed. */
-    const load = async (times: number): Promise<void> => {
-      await viewer.evaluate(
-        async (element: GirthViewer, [text, times]) => {
-          for (let i = 1; i <= times; ++i) {
-            const loaded = element.load(new File([text], `${i}.obj`)).catch(() => undefined);
-            if (i % 20 > 0) await new Promise((resolve) => setTimeout(resolve, i % 4));
-            else await loaded;
-            element.cancel();
-          }
-        },
-        [torus(60, 40), times] as const,
-      );
-      await cubeIsComputed(faulty);
-    };
-    const session = await page.context().newCDPSession(page);
-    const memory = async (): Promise<number> => {
-      await session.send('HeapProfiler.collectGarbage');
-      const used: { usedSize: number; backingStorageSize?: number } =
-        await session.send('Runtime.getHeapUsage');
-      return used.usedSize + (used.backingStorageSize ?? 0);
-    };
-    await load(20);
-    const [before, workers] = [await memory(), page.workers().length];
-    await load(200);
-    await expect.poll(memory).toBeLessThan(1.1 * before);
-    // Each has a module with a memory of its own. One may be on its way while they are counted.
-    await expect.poll(() => page.workers().length).toBeLessThanOrEqual(workers + 1);
-    expect(await faulty.message.isVisible()).toBe(false);
-  });
 });
 
 test('names that are scripts are names', async () => {
@@ -598,41 +489,53 @@ test('nothing stored, nothing copied, and a clock that jumps', async () => {
   expect(faulty.complaints).toEqual([]);
 });
 
-test.each([
-  ['320 by 256, as at four times the size', 320, 256],
-  ['a phone', 390, 844],
-  ['a large window', 1440, 900],
-])('%s: what is wrong with a file lies over nothing else', async (_, width, height) => {
-  const faulty = await openWith((page) => page.setViewportSize({ width, height }));
+test('what is wrong with a file lies over nothing else, at any size', async () => {
+  const faulty = await openWith(() => Promise.resolve());
   const { page, viewer, message } = faulty;
   await fieldComplete(viewer);
   await drop(page, { name: 'nothing.obj', bytes: Buffer.from('nothing') });
   await message.waitFor();
-  const boxes = await page.evaluate(() => {
-    const viewer = document.querySelector('girth-viewer')!;
-    const all = [
-      ...document.querySelectorAll('header, #meaning, #invitation, #examples, aside'),
-      ...viewer.shadowRoot!.querySelectorAll('.message, .legend'),
-    ].filter((element) => element.checkVisibility({ visibilityProperty: true }));
-    return all.map((element) => {
-      const { left, right, top, bottom } = element.getBoundingClientRect();
-      return {
-        name: element.id || element.className || element.localName,
-        ...{ left, right, top, bottom },
-      };
+  // The first is what is left at four times the size.
+  for (const [width, height] of [
+    [320, 256],
+    [390, 844],
+    [1440, 900],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await framesPass(page);
+    const size = `${width}x${height}`;
+    const boxes = await page.evaluate(() => {
+      const viewer = document.querySelector('girth-viewer')!;
+      const all = [
+        ...document.querySelectorAll('header, #meaning, #invitation, #examples, aside'),
+        ...viewer.shadowRoot!.querySelectorAll('.message, .legend'),
+      ].filter((element) => element.checkVisibility({ visibilityProperty: true }));
+      return all.map((element) => {
+        const { left, right, top, bottom } = element.getBoundingClientRect();
+        return {
+          name: element.id || element.className || element.localName,
+          ...{ left, right, top, bottom },
+        };
+      });
     });
-  });
-  expect(boxes.map(({ name }) => name)).toEqual(
-    expect.arrayContaining(['header', 'meaning', 'invitation', 'message', 'examples', 'aside']),
-  );
-  expect(overlapsOf(boxes)).toEqual([]);
-  // Nothing is cut off at the sides, and the rest can be scrolled to.
-  for (const { name, left, right } of boxes) {
-    expect(left, name).toBeGreaterThanOrEqual(0);
-    expect(right, name).toBeLessThanOrEqual(width);
+    expect(
+      boxes.map(({ name }) => name),
+      size,
+    ).toEqual(
+      expect.arrayContaining(['header', 'meaning', 'invitation', 'message', 'examples', 'aside']),
+    );
+    expect(overlapsOf(boxes), size).toEqual([]);
+    // Nothing is cut off at the sides, and the rest can be scrolled to.
+    for (const { name, left, right } of boxes) {
+      expect(left, name).toBeGreaterThanOrEqual(0);
+      expect(right, name).toBeLessThanOrEqual(width);
+    }
+    await picture(page, `fault-${size}.png`);
+    await page.getByRole('button', { name: 'Share' }).click();
+    await page.locator('#share').waitFor();
+    await page.keyboard.press('Escape');
+    await page.locator('#share').waitFor({ state: 'hidden' });
   }
-  await picture(page, `fault-${width}x${height}.png`);
   await message.getByRole('button').click();
-  await page.getByRole('button', { name: 'Share' }).click();
-  await page.locator('#share').waitFor();
+  await message.waitFor({ state: 'hidden' });
 });

@@ -91,9 +91,8 @@ test('by keyboard: shown on focus, gone by Escape, and told to screen readers', 
   await explanation(page).waitFor({ state: 'hidden' });
 });
 
-test.each(['light', 'dark'] as const)('by touch on a phone, %s', async (colorScheme) => {
+test('by touch on a phone', async () => {
   const { page } = await openBuilt('panel=tips', {
-    colorScheme,
     hasTouch: true,
     viewport: { width: 390, height: 844 },
   });
@@ -109,7 +108,10 @@ test.each(['light', 'dark'] as const)('by touch on a phone, %s', async (colorSch
   expect(words.x + words.width).toBeLessThanOrEqual(390);
   // Above or below the word, not on it.
   expect(words.y + words.height <= word.y + 8 || words.y >= word.y + word.height - 8).toBe(true);
-  await picture(page, `term-390x844-${colorScheme}.png`);
+  for (const colorScheme of ['light', 'dark'] as const) {
+    await page.emulateMedia({ colorScheme });
+    await picture(page, `term-390x844-${colorScheme}.png`);
+  }
   await term.tap();
   await explanation(page).waitFor({ state: 'hidden' });
   await term.tap();
@@ -118,16 +120,20 @@ test.each(['light', 'dark'] as const)('by touch on a phone, %s', async (colorSch
   await explanation(page).waitFor({ state: 'hidden' });
 });
 
-test.each([
-  [1440, 900, 'light'],
-  [1024, 768, 'dark'],
-] as const)('pictures of all terms at %d by %d, %s', async (width, height, colorScheme) => {
-  const { page } = await openBuilt(undefined, { colorScheme, viewport: { width, height } });
+test('the terms of a panel are explained at two sizes, and pictures', async () => {
+  const { page } = await openBuilt();
   await modelIs(page, 'chair.glb');
   const panel = await openPanel(page, 'parts');
-  for (const name of ['tube', 'plate', 'sdf']) {
-    await panel.locator(`.term[data-term=${name}]`).hover();
-    await expect.poll(async () => (await explained(page)).title.toLowerCase()).toContain(name);
-    await picture(page, `term-${name}-${width}x${height}-${colorScheme}.png`);
+  for (const [width, height, colorScheme] of [
+    [1440, 900, 'light'],
+    [1024, 768, 'dark'],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await page.emulateMedia({ colorScheme });
+    for (const name of ['tube', 'plate', 'sdf']) {
+      await panel.locator(`.term[data-term=${name}]`).hover();
+      await expect.poll(async () => (await explained(page)).title.toLowerCase()).toContain(name);
+      await picture(page, `term-${name}-${width}x${height}-${colorScheme}.png`);
+    }
   }
 });

@@ -226,6 +226,11 @@ export const longParts = {
     needs: ['python'],
     run: clusters,
   },
+  'browser-long': {
+    title: 'page and element, long tests',
+    needs: ['bundle', 'compile-native'],
+    run: (count) => vitest('browser-long', count, browserWorkers),
+  },
   long: { title: 'long tests', run: () => run('node', ['web/scripts/test-long.mjs']) },
   'other-browsers': {
     title: 'Firefox and WebKit',

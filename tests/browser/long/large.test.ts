@@ -2,11 +2,11 @@
 // fast it is, `npm run bench:page` measures.
 
 import { expect, test } from 'vitest';
-import type { GirthViewer } from '../../web/src/element/index.js';
-import { withoutDrawing } from './long-tasks.js';
-import { thinRing } from './meshes.js';
-import { builtPage, modelIs } from './page-support.js';
-import { fieldBegun, fieldComplete, hover } from './viewer-page.js';
+import type { GirthViewer } from '../../../web/src/element/index.js';
+import { withoutDrawing } from '../long-tasks.js';
+import { thinRing } from '../meshes.js';
+import { builtPage, modelIs } from '../page-support.js';
+import { fieldBegun, fieldComplete, hover } from '../viewer-page.js';
 
 const openBuilt = builtPage();
 

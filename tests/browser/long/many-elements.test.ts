@@ -5,11 +5,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, test } from 'vitest';
-import type { GirthViewer } from '../../web/src/element/index.js';
-import { packed } from '../web/package/packed.js';
-import { glbWith } from './glb.js';
-import { box } from './meshes.js';
-import { allPixels, chromiumForTests, serve, strictPolicy, type StaticServer } from './support.js';
+import type { GirthViewer } from '../../../web/src/element/index.js';
+import { packed } from '../../web/package/packed.js';
+import { glbWith } from '../glb.js';
+import { box } from '../meshes.js';
+import { allPixels, chromiumForTests, serve, strictPolicy, type StaticServer } from '../support.js';
 
 const count = 50;
 const mostContexts = 8;
