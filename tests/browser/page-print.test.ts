@@ -20,13 +20,14 @@ test('a model of one unit: its size is questioned, and it prints once it is larg
     viewer.evaluate((element: GirthViewer) =>
       element.pinned.map(({ name, loop }) => ({ name, length: loop.length })),
     );
+  const clicks = await clicksOn(page);
+  const panel = await openPanel(page, 'print');
+  // Only now: where the list of loops is open, it grows by this, and moves what is about to be clicked.
   await viewer.evaluate(async (element: GirthViewer) => {
     const { id } = await element.pin(0);
     element.nameLoop(id, 'corner');
   });
   const [before] = await pinned();
-  const clicks = await clicksOn(page);
-  const panel = await openPanel(page, 'print');
   await page.locator('#print-unit').selectOption('mm');
   const words = panel.locator('.size-words');
   await expect.poll(() => words.textContent()).toBe('1.00\u202fmm tall: really?');
