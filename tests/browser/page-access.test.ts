@@ -6,7 +6,6 @@ import type { GirthViewer } from '../../web/src/element/index.js';
 import type { SurfacePoint } from '../../web/src/kernel/index.js';
 import { complaintsIn } from './axe.js';
 import { builtPage, openPanel, picture } from './page-support.js';
-import { picturesWanted } from './support.js';
 import { fieldComplete, framesPass, pairIsOver, placeOnSurface } from './viewer-page.js';
 
 const openBuilt = builtPage();
@@ -18,19 +17,14 @@ interface Look {
   name?: string;
   /** What is scrolled into view for them. */
   shown?: Locator;
-  /** Default: both. */
-  schemes?: readonly ('dark' | 'light')[] | undefined;
 }
 
 /**
  * Expects no complaint of axe in light, and none on colours in dark, where nothing else differs; and takes a picture of each,
  * once the plots and the surface are drawn so.
  */
-async function lookAt(
-  page: Page,
-  { within, name, shown, schemes = ['dark', 'light'] }: Look = {},
-): Promise<void> {
-  for (const colorScheme of schemes) {
+async function lookAt(page: Page, { within, name, shown }: Look = {}): Promise<void> {
+  for (const colorScheme of ['dark', 'light'] as const) {
     await page.emulateMedia({ colorScheme });
     await framesPass(page);
     // What has been scrolled under the field's row counts as small to axe, for as long as it is there.
@@ -48,9 +42,6 @@ test.each([
   [390, 844],
 ])('no complaint of axe at %d by %d, and a picture', async (width, height) => {
   const size = `${width}x${height}`;
-  // Colours depend on the room only where a phone has another arrangement.
-  const schemes = width === 1024 && !picturesWanted ? (['light'] as const) : undefined;
-  const look = (what: Look): Promise<void> => lookAt(page, { schemes, ...what });
   const { page, viewer } = await openBuilt(undefined, {
     colorScheme: 'light',
     viewport: { width, height },
@@ -73,7 +64,7 @@ test.each([
     await page.touchscreen.tap(box.x + x, box.y + y);
   } else await page.mouse.click(place.x, place.y);
   await page.locator('#loops tbody tr').waitFor();
-  await look({ name: `page-${size}` });
+  await lookAt(page, { name: `page-${size}` });
   // The bar's menus, and a legend that is clipped.
   await viewer.evaluate((element: GirthViewer) => {
     const [low, high] = element.shown!.extent!;
@@ -83,8 +74,8 @@ test.each([
     await viewer.getByRole('button', { name }).click();
     if (name === 'Section plane') {
       await viewer.getByRole('button', { name: 'Section across x' }).click();
-      await look({ within: 'girth-viewer', name: `section-${size}` });
-    } else await look({ within: 'girth-viewer' });
+      await lookAt(page, { within: 'girth-viewer', name: `section-${size}` });
+    } else await lookAt(page, { within: 'girth-viewer' });
     await page.keyboard.press('Escape');
   }
   await viewer.evaluate((element) => {
@@ -98,7 +89,7 @@ test.each([
   ] as const) {
     await button.click();
     await page.locator(`#${sheet}`).waitFor();
-    await look({ within: `#${sheet}`, name: `${sheet}-${size}` });
+    await lookAt(page, { within: `#${sheet}`, name: `${sheet}-${size}` });
     await page.keyboard.press('Escape');
   }
   for (const name of ['tips', 'limbs', 'parts', 'print', 'compare']) {
@@ -108,7 +99,7 @@ test.each([
       await panel.getByRole('button', { name: 'Add this model' }).click();
       await panel.locator('.places canvas').waitFor();
     }
-    await look({
+    await lookAt(page, {
       within: `#${name}-panel`,
       name: `${name}-${size}`,
       shown: panel.locator('summary'),

@@ -4,7 +4,7 @@ import type { Locator, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { GirthViewer } from '../../web/src/element/index.js';
 import { complaintsIn } from './axe.js';
-import { builtPage, fragment, modelIs, picture } from './page-support.js';
+import { builtPage, fragment, modelIs, screensInBoth, showOn } from './page-support.js';
 import { fieldComplete, framesPass } from './viewer-page.js';
 
 const openBuilt = builtPage();
@@ -267,33 +267,26 @@ test('dark by choice where nothing can be kept: it holds for the visit', async (
 
 test('no complaint of axe at two sizes, and pictures', async () => {
   const { page, search } = await openPalette();
-  for (const [width, height] of [
-    [1440, 900],
-    [390, 844],
-  ] as const) {
-    await page.setViewportSize({ width, height });
-    for (const scheme of ['dark', 'light'] as const) {
-      await page.emulateMedia({ colorScheme: scheme });
-      await framesPass(page);
-      const keep = (name: string) => picture(page, `${name}-${width}x${height}-${scheme}.png`);
-      await keep('front');
-      await search(' ');
-      expect(await complaintsIn(scheme, page), `${scheme}, ${width}`).toEqual([]);
-      await keep('palette-all');
-      await search('exp');
-      await page.keyboard.press('ArrowDown');
-      expect(await complaintsIn(scheme, page), `${scheme}, ${width}`).toEqual([]);
-      await keep('palette');
-      await page.keyboard.press('Escape');
-      await page.keyboard.press('?');
-      await page.locator('#key-list').waitFor();
-      expect(await complaintsIn(scheme, page), `${scheme}, ${width}`).toEqual([]);
-      await keep('keys');
-      await page.keyboard.press('Escape');
-      await page.locator('#help').click();
-      expect(await complaintsIn(scheme, page), `${scheme}, ${width}`).toEqual([]);
-      await keep('help');
-      await page.keyboard.press('Escape');
-    }
+  for (const screen of screensInBoth) {
+    const keep = await showOn(page, screen);
+    const shown = `${screen.scheme}, ${screen.width}`;
+    await keep('front');
+    await search(' ');
+    expect(await complaintsIn(screen.scheme, page), shown).toEqual([]);
+    await keep('palette-all');
+    await search('exp');
+    await page.keyboard.press('ArrowDown');
+    expect(await complaintsIn(screen.scheme, page), shown).toEqual([]);
+    await keep('palette');
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('?');
+    await page.locator('#key-list').waitFor();
+    expect(await complaintsIn(screen.scheme, page), shown).toEqual([]);
+    await keep('keys');
+    await page.keyboard.press('Escape');
+    await page.locator('#help').click();
+    expect(await complaintsIn(screen.scheme, page), shown).toEqual([]);
+    await keep('help');
+    await page.keyboard.press('Escape');
   }
 });

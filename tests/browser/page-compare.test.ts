@@ -13,9 +13,9 @@ import {
   fragment,
   modelIs,
   openPanel,
-  picture,
+  screens,
+  showOn,
 } from './page-support.js';
-import { framesPass } from './viewer-page.js';
 
 const openBuilt = builtPage();
 
@@ -299,19 +299,13 @@ test('four files: no list cuts its words at any size, and pictures', async () =>
   const panel = await openPanel(page, 'compare');
   await ranking(page, 4);
   const aside = page.locator('aside');
-  for (const [width, height, colorScheme] of [
-    [1440, 900, 'light'],
-    [1024, 768, 'dark'],
-    [390, 844, 'light'],
-  ] as const) {
-    await page.setViewportSize({ width, height });
-    await page.emulateMedia({ colorScheme });
-    await framesPass(page);
+  for (const screen of screens) {
+    const keep = await showOn(page, screen);
     await panel.locator('summary').scrollIntoViewIfNeeded();
-    await picture(page, `four-${width}x${height}-${colorScheme}.png`);
+    await keep('four');
     await aside.evaluate((element) => element.scrollTo(0, element.scrollHeight));
-    await picture(page, `four-below-${width}x${height}-${colorScheme}.png`);
-    expect(await cutWords(page), `${width}`).toEqual([]);
+    await keep('four-below');
+    expect(await cutWords(page), `${screen.width}`).toEqual([]);
   }
 });
 

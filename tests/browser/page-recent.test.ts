@@ -5,8 +5,8 @@ import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { complaintsIn } from './axe.js';
 import { box, torus } from './meshes.js';
-import { builtPage, drop, fragment, modelIs, picture } from './page-support.js';
-import { fieldComplete, framesPass } from './viewer-page.js';
+import { builtPage, drop, fragment, modelIs, screensInBoth, showOn } from './page-support.js';
+import { fieldComplete } from './viewer-page.js';
 
 const openBuilt = builtPage();
 const ring = { name: 'ring.obj', bytes: Buffer.from(torus(40, 20)) };
@@ -178,23 +178,16 @@ test('no complaint of axe at two sizes, and pictures', async () => {
   const { page } = await openTwo();
   await page.reload();
   await page.getByRole('group', { name: 'Recent files' }).waitFor();
-  for (const [width, height] of [
-    [1440, 900],
-    [390, 844],
-  ] as const) {
-    await page.setViewportSize({ width, height });
-    for (const scheme of ['dark', 'light'] as const) {
-      await page.emulateMedia({ colorScheme: scheme });
-      await framesPass(page);
-      const keep = (name: string) => picture(page, `${name}-${width}x${height}-${scheme}.png`);
-      expect(await complaintsIn(scheme, page), `${scheme}, ${width}`).toEqual([]);
-      await keep('recent-foot');
-      await page.locator('#recent-open').click();
-      await page.locator('#recent').waitFor();
-      expect(await complaintsIn(scheme, page), `${scheme}, ${width}`).toEqual([]);
-      await keep('recent');
-      await page.keyboard.press('Escape');
-    }
+  for (const screen of screensInBoth) {
+    const keep = await showOn(page, screen);
+    const shown = `${screen.scheme}, ${screen.width}`;
+    expect(await complaintsIn(screen.scheme, page), shown).toEqual([]);
+    await keep('recent-foot');
+    await page.locator('#recent-open').click();
+    await page.locator('#recent').waitFor();
+    expect(await complaintsIn(screen.scheme, page), shown).toEqual([]);
+    await keep('recent');
+    await page.keyboard.press('Escape');
     const overflow = await page.evaluate(
       () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
     );

@@ -16,6 +16,7 @@ import {
   strictPolicy,
 } from './support.js';
 import { smallExamples } from './small-examples.js';
+import { framesPass } from './viewer-page.js';
 
 /** The page as `npm run build:page` puts it. */
 export const site = join(repository, 'build/page');
@@ -77,6 +78,43 @@ export function builtPage({ isolated = true, examples = 'small' }: BuiltPageOpti
 /** Keeps a picture of the page in build/pictures, to be looked at, where pictures are wanted (`GIRTH_PICTURES`). */
 export async function picture(page: Page, name: string): Promise<void> {
   if (picturesWanted) await page.screenshot({ path: join(pictures, name) });
+}
+
+/** What a page is looked at on. */
+export interface Screen {
+  width: number;
+  height: number;
+  scheme: 'dark' | 'light';
+}
+
+const large = { width: 1440, height: 900 };
+const small = { width: 1024, height: 768 };
+const phone = { width: 390, height: 844 };
+
+/** A large screen, a small one, and a phone. */
+export const screens: readonly Screen[] = [
+  { ...large, scheme: 'light' },
+  { ...small, scheme: 'dark' },
+  { ...phone, scheme: 'light' },
+];
+
+/** A large screen and a phone, each in dark and in light. */
+export const screensInBoth: readonly Screen[] = [
+  { ...large, scheme: 'dark' },
+  { ...large, scheme: 'light' },
+  { ...phone, scheme: 'dark' },
+  { ...phone, scheme: 'light' },
+];
+
+/** Shows a page that is open on a screen, and waits until it is drawn so. Returns what keeps a picture of it. */
+export async function showOn(
+  page: Page,
+  { width, height, scheme }: Screen,
+): Promise<(name: string) => Promise<void>> {
+  await page.setViewportSize({ width, height });
+  await page.emulateMedia({ colorScheme: scheme });
+  await framesPass(page);
+  return (name) => picture(page, `${name}-${width}x${height}-${scheme}.png`);
 }
 
 /** Drops files onto the window, as from the desktop. */

@@ -2,7 +2,7 @@
 
 import type { Locator, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { builtPage, modelIs, openPanel, picture } from './page-support.js';
+import { builtPage, modelIs, openPanel, picture, screens, showOn } from './page-support.js';
 
 const openBuilt = builtPage();
 
@@ -124,16 +124,12 @@ test('the terms of a panel are explained at two sizes, and pictures', async () =
   const { page } = await openBuilt();
   await modelIs(page, 'chair.glb');
   const panel = await openPanel(page, 'parts');
-  for (const [width, height, colorScheme] of [
-    [1440, 900, 'light'],
-    [1024, 768, 'dark'],
-  ] as const) {
-    await page.setViewportSize({ width, height });
-    await page.emulateMedia({ colorScheme });
+  for (const screen of screens.slice(0, 2)) {
+    const keep = await showOn(page, screen);
     for (const name of ['tube', 'plate', 'sdf']) {
       await panel.locator(`.term[data-term=${name}]`).hover();
       await expect.poll(async () => (await explained(page)).title.toLowerCase()).toContain(name);
-      await picture(page, `term-${name}-${width}x${height}-${colorScheme}.png`);
+      await keep(`term-${name}`);
     }
   }
 });

@@ -65,6 +65,53 @@ for (const isolated of [true, false]) {
       expect(Math.hypot(box.x + x - place.x, box.y + y - place.y)).toBeLessThan(0.1);
     });
 
+    test('a chosen GLB with seams: welded, and the command’s lengths all over', async () => {
+      await modelIs('chair.glb');
+      const file = join(data, 'prism_seams.glb');
+      await page.locator('#file').setInputFiles(file);
+      await modelIs('prism_seams.glb');
+      expect(await page.locator('#details').textContent()).toContain('vertices welded');
+      await fieldComplete(viewer);
+      for (const [right, down] of [
+        [0.5, 0.4],
+        [0.5, 0.7],
+      ] as const) {
+        const place = await placeOnSurface(viewer, right, down);
+        const shown = await hover(page, viewer, place.x, place.y);
+        expect(shown.length).toBe(loopByCommand(file, shown.base).length);
+      }
+    });
+
+    test('hover, pin, list, remove; the keyboard does the same', async () => {
+      await modelIs('chair.glb');
+      await fieldComplete(viewer);
+      const file = join(smallExamples, 'chair.glb');
+      const place = await placeOnSurface(viewer, 0.5, 0.45);
+      const shown = await hover(page, viewer, place.x, place.y);
+      expect(shown.length).toBe(loopByCommand(file, shown.base).length);
+      await page.mouse.click(place.x, place.y);
+      await page.locator('#loops tbody tr').waitFor();
+      await page.mouse.move(1, 1);
+      const pinned = await viewer.evaluate((element: GirthViewer) => element.pinned[0]!.loop);
+      expect(pinned.base).toEqual(shown.base);
+      expect(pinned.length).toBe(shown.length);
+      const written = shown.text.match(/^[\d.]+/)![0];
+      expect(await page.locator('#loops tbody .number').textContent()).toContain(written);
+      expect(await viewer.locator('.tag').count()).toBe(1);
+
+      await viewer.locator('canvas').focus();
+      await page.keyboard.press('Shift+ArrowRight');
+      await viewer.locator('.readout').waitFor({ state: 'visible' });
+      await page.keyboard.press('Shift+ArrowUp');
+      await page.keyboard.press('Enter');
+      await page.locator('#loops tbody tr').nth(1).waitFor();
+      await page.keyboard.press('Delete');
+      await expect.poll(() => page.locator('#loops tbody tr').count()).toBe(1);
+      await page.locator('#loops tbody button').click();
+      expect(await page.locator('#no-loops').isVisible()).toBe(true);
+      expect(await viewer.locator('.tag').count()).toBe(0);
+    });
+
     test('cancelled in mid-run it keeps what there is and says how much', async () => {
       await modelIs('chair.glb');
       // Minutes of work: it is in mid-run whenever the click comes.
@@ -108,6 +155,45 @@ for (const isolated of [true, false]) {
       expect(await words.isVisible()).toBe(false);
     });
 
+    test('broken files: words, and the former model still there', async () => {
+      await modelIs('chair.glb');
+      const message = viewer.getByRole('alert');
+      for (const name of ['truncated.glb', 'text.glb', 'nan.obj', 'index.obj', 'empty.obj']) {
+        await drop(page, { name, bytes: readFileSync(join(data, 'bad', name)) });
+        const words = viewer.getByText(`${name} could not be used.`);
+        await words.waitFor({ timeout: 20_000 });
+        expect(await message.textContent()).toContain('What helps:');
+        expect(await message.textContent()).toContain('The former model is still here.');
+      }
+      await modelIs('chair.glb');
+      await message.getByRole('button').click();
+      expect(await message.isVisible()).toBe(false);
+      // The former model's computation was not touched either.
+      await fieldComplete(viewer);
+      const place = await placeOnSurface(viewer, 0.5, 0.45);
+      expect((await hover(page, viewer, place.x, place.y)).length).toBeGreaterThan(0);
+    });
+
+    test('the colour map, its range and the edges can be changed', async () => {
+      await modelIs('chair.glb');
+      await fieldComplete(viewer);
+      await page.locator('#colormap').selectOption('magma');
+      expect(await viewer.getAttribute('colormap')).toBe('magma');
+      const top = viewer.locator('.legend-tick').first();
+      const before = await top.textContent();
+      await page.getByLabel('Upper end of the colours').focus();
+      for (let i = 0; i < 3; ++i) await page.keyboard.press('PageDown');
+      expect(await top.textContent()).toMatch(/^≥/);
+      expect(await page.locator('#range').inputValue()).toBe('own');
+      await page.locator('#range').selectOption('auto');
+      expect(await top.textContent()).toBe(before);
+      await page.locator('#range').selectOption('5 to 95 %');
+      await expect.poll(() => top.textContent()).toMatch(/^≥/);
+      await page.getByLabel('How the surface is drawn').click();
+      await page.getByLabel('Edges').check();
+      expect(await viewer.getAttribute('edges')).toBe('');
+    });
+
     // Whatever computes is WebAssembly, so none of it may be started by the page itself. (How long the
     // page's own tasks are depends on what else the machine does: `npm run bench:page` measures it.)
     test('nothing computes on the page’s own thread', async () => {
@@ -142,101 +228,3 @@ for (const isolated of [true, false]) {
     });
   });
 }
-
-describe('page, whatever computes', () => {
-  const openBuilt = builtPage();
-  let page: Page;
-  let viewer: Locator;
-
-  beforeEach(async () => {
-    ({ page, viewer } = await openBuilt());
-  });
-
-  const modelIs = (name: string) => modelIsOn(page, name);
-
-  test('a chosen GLB with seams: welded, and the command’s lengths all over', async () => {
-    await modelIs('chair.glb');
-    const file = join(data, 'prism_seams.glb');
-    await page.locator('#file').setInputFiles(file);
-    await modelIs('prism_seams.glb');
-    expect(await page.locator('#details').textContent()).toContain('vertices welded');
-    await fieldComplete(viewer);
-    for (const [right, down] of [
-      [0.5, 0.4],
-      [0.5, 0.7],
-    ] as const) {
-      const place = await placeOnSurface(viewer, right, down);
-      const shown = await hover(page, viewer, place.x, place.y);
-      expect(shown.length).toBe(loopByCommand(file, shown.base).length);
-    }
-  });
-
-  test('hover, pin, list, remove; the keyboard does the same', async () => {
-    await modelIs('chair.glb');
-    await fieldComplete(viewer);
-    const file = join(smallExamples, 'chair.glb');
-    const place = await placeOnSurface(viewer, 0.5, 0.45);
-    const shown = await hover(page, viewer, place.x, place.y);
-    expect(shown.length).toBe(loopByCommand(file, shown.base).length);
-    await page.mouse.click(place.x, place.y);
-    await page.locator('#loops tbody tr').waitFor();
-    await page.mouse.move(1, 1);
-    const pinned = await viewer.evaluate((element: GirthViewer) => element.pinned[0]!.loop);
-    expect(pinned.base).toEqual(shown.base);
-    expect(pinned.length).toBe(shown.length);
-    const written = shown.text.match(/^[\d.]+/)![0];
-    expect(await page.locator('#loops tbody .number').textContent()).toContain(written);
-    expect(await viewer.locator('.tag').count()).toBe(1);
-
-    await viewer.locator('canvas').focus();
-    await page.keyboard.press('Shift+ArrowRight');
-    await viewer.locator('.readout').waitFor({ state: 'visible' });
-    await page.keyboard.press('Shift+ArrowUp');
-    await page.keyboard.press('Enter');
-    await page.locator('#loops tbody tr').nth(1).waitFor();
-    await page.keyboard.press('Delete');
-    await expect.poll(() => page.locator('#loops tbody tr').count()).toBe(1);
-    await page.locator('#loops tbody button').click();
-    expect(await page.locator('#no-loops').isVisible()).toBe(true);
-    expect(await viewer.locator('.tag').count()).toBe(0);
-  });
-
-  test('broken files: words, and the former model still there', async () => {
-    await modelIs('chair.glb');
-    const message = viewer.getByRole('alert');
-    for (const name of ['truncated.glb', 'text.glb', 'nan.obj', 'index.obj', 'empty.obj']) {
-      await drop(page, { name, bytes: readFileSync(join(data, 'bad', name)) });
-      const words = viewer.getByText(`${name} could not be used.`);
-      await words.waitFor({ timeout: 20_000 });
-      expect(await message.textContent()).toContain('What helps:');
-      expect(await message.textContent()).toContain('The former model is still here.');
-    }
-    await modelIs('chair.glb');
-    await message.getByRole('button').click();
-    expect(await message.isVisible()).toBe(false);
-    // The former model's computation was not touched either.
-    await fieldComplete(viewer);
-    const place = await placeOnSurface(viewer, 0.5, 0.45);
-    expect((await hover(page, viewer, place.x, place.y)).length).toBeGreaterThan(0);
-  });
-
-  test('the colour map, its range and the edges can be changed', async () => {
-    await modelIs('chair.glb');
-    await fieldComplete(viewer);
-    await page.locator('#colormap').selectOption('magma');
-    expect(await viewer.getAttribute('colormap')).toBe('magma');
-    const top = viewer.locator('.legend-tick').first();
-    const before = await top.textContent();
-    await page.getByLabel('Upper end of the colours').focus();
-    for (let i = 0; i < 3; ++i) await page.keyboard.press('PageDown');
-    expect(await top.textContent()).toMatch(/^≥/);
-    expect(await page.locator('#range').inputValue()).toBe('own');
-    await page.locator('#range').selectOption('auto');
-    expect(await top.textContent()).toBe(before);
-    await page.locator('#range').selectOption('5 to 95 %');
-    await expect.poll(() => top.textContent()).toMatch(/^≥/);
-    await page.getByLabel('How the surface is drawn').click();
-    await page.getByLabel('Edges').check();
-    expect(await viewer.getAttribute('edges')).toBe('');
-  });
-});

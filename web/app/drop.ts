@@ -3,6 +3,9 @@
 import type { FileWithPath } from '../src/kernel/index.js';
 import { keepHandle } from './file-handles.js';
 
+/** The files of a model, those in folders with their paths. */
+export type Files = readonly (File | FileWithPath)[];
+
 /** More files than this are not one model's: somebody has dropped the whole disk. */
 const mostFiles = 2000;
 
@@ -18,10 +21,7 @@ interface ItemWithHandle {
 }
 
 /** Shows `curtain` while files are over the window and calls `open` when some are dropped: folders are still looked into. */
-export function acceptDrops(
-  curtain: HTMLElement,
-  open: (files: Promise<(File | FileWithPath)[]>) => void,
-): void {
+export function acceptDrops(curtain: HTMLElement, open: (files: Promise<Files>) => void): void {
   const carriesFiles = (event: DragEvent): boolean =>
     event.dataTransfer?.types.includes('Files') ?? false;
   const take = (dropped: Dropped): void => open(filesOf(dropped));
@@ -55,7 +55,7 @@ export function acceptDrops(
 }
 
 /** The dropped files, those in folders with their paths. */
-export async function filesOf(dropped: Dropped): Promise<(File | FileWithPath)[]> {
+async function filesOf(dropped: Dropped): Promise<Files> {
   // Entries and files have to be asked for at once: afterwards the drop is forgotten.
   const files = [...dropped.files];
   const ofFiles = [...dropped.items].filter(({ kind }) => kind === 'file') as ItemWithHandle[];

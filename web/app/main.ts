@@ -15,7 +15,7 @@ import type { Beside } from './beside.js';
 import { ComparePanel } from './compare-panel.js';
 import { ComputedFields } from './computed-fields.js';
 import { byId, nextTask, once, setAttribute } from './dom.js';
-import { acceptDrops } from './drop.js';
+import { type Files, acceptDrops } from './drop.js';
 import { type Example, ExamplesStrip } from './examples-strip.js';
 import { offerExports } from './export-menu.js';
 import { failureWords } from './failure-words.js';
@@ -295,8 +295,6 @@ async function openExample(example: Example, prepare = {}, asked = session.ask()
   examples.mark(example);
   await session.open(exampleToOpen(example, prepare), asked);
 }
-
-type Files = readonly (File | FileWithPath)[];
 
 /** Opens files, or those that are found in a folder or on the disk, if there are any. What was asked for later stays. */
 async function openFiles(found: Files | Promise<Files>): Promise<void> {

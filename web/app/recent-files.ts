@@ -4,13 +4,11 @@
 import type { FileWithPath } from '../src/kernel/index.js';
 import { type GirthViewer, make } from '../src/element/index.js';
 import { byId } from './dom.js';
+import type { Files } from './drop.js';
 import { failureWords } from './failure-words.js';
 import { handleOf, keepHandle } from './file-handles.js';
 import { recentPicture } from './recent-picture.js';
 import { type RecentFile, RecentStore, mostBytes } from './recent-store.js';
-
-/** Of files, or of a folder. */
-type Opened = readonly (File | FileWithPath)[];
 
 /** What browsers that have handles ask before they are read again. */
 interface AskableHandle extends FileSystemFileHandle {
@@ -50,7 +48,7 @@ function faultWords(error: unknown): string {
 export class RecentFiles {
   readonly #store = new RecentStore();
   readonly #viewer: GirthViewer;
-  readonly #openFiles: (files: Promise<Opened>) => void;
+  readonly #openFiles: (files: Promise<Files>) => void;
   readonly #opener = byId('recent-open');
   readonly #sheet = byId('recent');
   readonly #foot = make('div', { role: 'group', 'aria-label': 'Recent files', class: 'recents' });
@@ -62,7 +60,7 @@ export class RecentFiles {
   /** The one whose picture with all of its colours is there. */
   #drawn: Promise<number | undefined> | undefined;
 
-  constructor(viewer: GirthViewer, openFiles: (files: Promise<Opened>) => void) {
+  constructor(viewer: GirthViewer, openFiles: (files: Promise<Files>) => void) {
     this.#viewer = viewer;
     this.#openFiles = openFiles;
     this.#sheet.append(this.#list, make('p', {}, this.#clear), this.#said);
@@ -73,7 +71,7 @@ export class RecentFiles {
   }
 
   /** Files were opened, and are shown now. */
-  opened(files: Opened): void {
+  opened(files: Files): void {
     this.#foot.hidden = true;
     this.#said.textContent = '';
     this.#shown = this.#keep(files);
@@ -98,7 +96,7 @@ export class RecentFiles {
     await this.#change(() => this.#store.setPicture(id, picture));
   }
 
-  async #keep(files: Opened): Promise<number | undefined> {
+  async #keep(files: Files): Promise<number | undefined> {
     const [first] = files;
     if (!first) return undefined;
     const bytes = files.reduce((sum, file) => sum + contentOf(file).size, 0);
