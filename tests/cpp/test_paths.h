@@ -10,5 +10,8 @@ namespace girth::test {
 std::string testData();
 /// The program `girth` of this build; empty where it is not built.
 std::string girthCommand();
+/// The folder of models from outside the repository that the environment variable GIRTH_DATA names;
+/// empty where it is not set, or set to nothing.
+std::string corpusFolder();
 
 }  // namespace girth::test

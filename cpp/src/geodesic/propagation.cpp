@@ -16,11 +16,15 @@ float roundedDown(double a) { return static_cast<float>(a * (1 - 1e-7)); }
 
 Vec2 normalized(Vec2 a) { return (1 / norm(a)) * a; }
 
+/// Paths that are no longer than this tie with one of this length.
+double tied(double length) { return length * (1 + 2 * kRounding); }
+
 /// Whether the path of a window, on a halfedge of this length, to a point of its face is shorter
 /// than `length`.
 bool reaches(const Window& w, double halfedge, Vec2 point, double length) {
   const double rest = length - w.sigma;
-  return rest > 0 && dot(point - w.root, point - w.root) < rest * rest && w.covers(halfedge, point);
+  return rest > 0 && dot(point - w.root, point - w.root) < rest * rest &&
+         w.covers(halfedge, point) && w.pathTo(halfedge, point) < length;
 }
 
 /// Moves the near end of an interval away from a vertex as far as the path over it wins
@@ -42,6 +46,7 @@ Propagation::Propagation(const Unfolding& unfolding, double bucketWidth)
       distance_(unfolding.vertexCount(), kInfinity),
       reach_(unfolding.vertexCount()),
       arrival_(unfolding.vertexCount()),
+      spread_(unfolding.vertexCount()),
       lists_(unfolding.halfedgeCount()) {}
 
 /// Small components beside large ones would otherwise lie in one bucket as a whole.
@@ -157,16 +162,63 @@ Arrival* Propagation::reach(Index vertex, double distance) {
     if (keep_ == Keep::Front) open_.push_back(vertex);
   }
   distance_[vertex] = distance;
-  reach_[vertex].settled = false;
-  if (unfolding_->passable(vertex)) queue_.push(queue_.bucketOf(distance), vertex | kVertexItem);
+  reach_[vertex].spread = false;
+  if (unfolding_->passable(vertex)) awaitSettling(vertex);
   return &arrival_[vertex];
+}
+
+void Propagation::awaitSettling(Index vertex) {
+  reach_[vertex].settled = false;
+  queue_.push(queue_.bucketOf(distance_[vertex]), vertex | kVertexItem);
+}
+
+/// The direction from which the best path comes in, whether the vertex is settled or not.
+double Propagation::directionOfArrival(const Arrival& arrival) const {
+  if (arrival.way != Arrival::Way::Window) {
+    return unfolding_->directionOf(arrival.corner, arrival.towards);
+  }
+  const Index h = arrival.bundle.halfedge;
+  return unfolding_->directionOf(Unfolding::previous(h),
+                                 unfolding_->toPrevious(h, arrival.bundle.root));
+}
+
+/// A path of this length that is not the best reaches a vertex. Where it ties with the best one and
+/// comes in a little beside it, paths go on from there as well. `direction()` is where it comes in.
+template <class Direction>
+void Propagation::tie(Index vertex, double distance, Direction direction) {
+  if (!(distance <= tied(distance_[vertex])) || !unfolding_->saddle(vertex)) return;
+  const Arrival& arrival = arrival_[vertex];
+  // Nothing ties with a source, or where paths do not go on towards the goal.
+  if (arrival.way == Arrival::Way::Source || arrival.way == Arrival::Way::None) return;
+  double beside = direction() - directionOfArrival(arrival);
+  if (!unfolding_->boundary(vertex)) {
+    const double total = unfolding_->totalAngle(vertex);
+    if (beside > total / 2) beside -= total;
+    if (beside < -total / 2) beside += total;
+  }
+  if (std::fabs(beside) > kBeside) return;
+  Spread spread = spreadAt(vertex);
+  if (beside < spread.clockwise - kFanOverlap) {
+    spread.clockwise = beside;
+  } else if (beside > spread.counterclockwise + kFanOverlap) {
+    spread.counterclockwise = beside;
+  } else {
+    return;
+  }
+  spread_[vertex] = spread;
+  reach_[vertex].spread = true;
+  if (reach_[vertex].settled) awaitSettling(vertex);
 }
 
 /// A path goes from the start of a halfedge along it.
 void Propagation::reachAlong(Index halfedge) {
   const Crossing c = unfolding_->crossing(halfedge);
-  Arrival* arrival = reach(c.to(), distance_[c.from()] + c.length());
-  if (arrival == nullptr) return;
+  const double distance = distance_[c.from()] + c.length();
+  Arrival* arrival = reach(c.to(), distance);
+  if (arrival == nullptr) {
+    tie(c.to(), distance, [&] { return unfolding_->directionBack(halfedge); });
+    return;
+  }
   arrival->way = Arrival::Way::Edge;
   arrival->before = c.from();
   const Index twin = unfolding_->twin(halfedge), next = Unfolding::next(halfedge);
@@ -179,8 +231,12 @@ void Propagation::reachAlong(Index halfedge) {
 /// A path goes from the end of a halfedge, which lies on a boundary, along it to its start.
 void Propagation::reachAgainst(Index halfedge) {
   const Crossing c = unfolding_->crossing(halfedge);
-  Arrival* arrival = reach(c.from(), distance_[c.to()] + c.length());
-  if (arrival == nullptr) return;
+  const double distance = distance_[c.to()] + c.length();
+  Arrival* arrival = reach(c.from(), distance);
+  if (arrival == nullptr) {
+    tie(c.from(), distance, [&] { return unfolding_->direction(halfedge); });
+    return;
+  }
   arrival->way = Arrival::Way::Edge;
   arrival->before = c.to();
   arrival->corner = halfedge;
@@ -246,15 +302,33 @@ CrossingResult Propagation::crossFace(Index halfedge) {
   };
   deliver(WindowPool::Side::Left, left, result.leftCount, c.leftTwin(), result.leftNearest);
   deliver(WindowPool::Side::Right, right, result.rightCount, c.rightTwin(), result.rightNearest);
+  if (result.apexEnd > 0) reachByWindows(halfedge, first, result);
+  return result;
+}
+
+/// Some of the windows that have crossed a face reach the corner opposite.
+void Propagation::reachByWindows(Index halfedge, std::uint32_t first,
+                                 const CrossingResult& result) {
+  const Crossing c = unfolding_->crossing(halfedge);
   if (result.apexWindow >= 0) {
     if (Arrival* arrival = reach(c.apexVertex(), result.distanceApex)) {
-      const auto number = first + static_cast<std::uint32_t>(result.apexWindow);
-      const Window w = window(halfedge, number);
+      const Window w = window(halfedge, first + static_cast<std::uint32_t>(result.apexWindow));
       arrival->way = Arrival::Way::Window;
       arrival->bundle = {halfedge, w.root, w.sigma};
     }
   }
-  return result;
+  const bool isOne = result.apexEnd - result.apexBegin == 1;
+  if ((isOne && result.apexWindow >= 0) || !unfolding_->saddle(c.apexVertex())) return;
+  const double longest = tied(distance_[c.apexVertex()]);
+  for (std::uint32_t i = first + result.apexBegin; i < first + result.apexEnd; ++i) {
+    const Window w = window(halfedge, i);
+    const double distance = w.distanceTo(c.apex());
+    if (distance > longest || !w.covers(c.length(), c.apex())) continue;
+    tie(c.apexVertex(), distance, [&] {
+      return unfolding_->directionOf(Unfolding::previous(halfedge),
+                                     unfolding_->toPrevious(halfedge, w.root));
+    });
+  }
 }
 
 /// A single window begins at a halfedge; trimmed by the ends of it like any other.
@@ -299,6 +373,7 @@ void Propagation::settle(Index vertex) {
 void Propagation::fanBehind(Index vertex) {
   Arrival& arrival = arrival_[vertex];
   const Vec2 onwards = -1 * arrival.towards;
+  const Spread spread = spreadAt(vertex);
 
   const std::span<const Index> fan = unfolding_->fan(vertex);
   const std::size_t last = fan.size() - 1;
@@ -310,7 +385,7 @@ void Propagation::fanBehind(Index vertex) {
   // it. The vector is turned along, so that the angles add up by themselves.
   std::size_t at = arrived;
   Index leftFace = kNoIndex;
-  Vec2 leftRay = onwards;
+  Vec2 leftRay = turnedBack(onwards, {1, kFanOverlap - spread.clockwise});
   do {
     leftRay = turnedBack(leftRay, unfolding_->left(fan[at]));
     if (at == last && open) {
@@ -323,13 +398,12 @@ void Propagation::fanBehind(Index vertex) {
     at = at == last ? 0 : at + 1;
     leftFace = fan[at];
   } while (cross(leftRay, unfolding_->left(fan[at])) < 0);
-  leftRay = turnedBack(leftRay, {1, kFanOverlap});
   if (leftFace != kNoIndex) unfolding_->prefetchCrossing(leftFace);
 
   // And the one that leaves π on its left.
   at = arrived;
   Index rightFace = kNoIndex;
-  Vec2 rightRay = onwards;
+  Vec2 rightRay = turned(onwards, {1, kFanOverlap + spread.counterclockwise});
   do {
     if (at == 0 && open) {
       if (rightRay.x > 0 && std::fabs(rightRay.y) <= kFlatAngle) reachAlong(fan[0]);
@@ -340,7 +414,6 @@ void Propagation::fanBehind(Index vertex) {
     rightFace = fan[at];
     rightRay = turned(rightRay, unfolding_->left(fan[at]));
   } while (rightRay.y < 0);
-  rightRay = turned(rightRay, {1, kFanOverlap});
 
   if (open) {
     // Between the incoming path and the boundary on either side.
@@ -352,12 +425,7 @@ void Propagation::fanBehind(Index vertex) {
   }
   arrival.onwardsFrom = leftFace;
   arrival.onwardsTo = rightFace;
-  if (leftFace == unfolding_->turnLeft(rightFace) &&
-      unfolding_->totalAngle(vertex) - 2 * kPi < kStraight) {
-    reachAlong(leftFace);  // hardly a saddle: both rays run along one edge
-  } else {
-    sendAround(leftFace, &leftRay, rightFace, &rightRay);
-  }
+  sendAround(leftFace, &leftRay, rightFace, &rightRay);
 }
 
 /// Sends windows through the faces of a vertex from `first`, from ray `low` on, round to `last`, up
@@ -425,11 +493,10 @@ PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {
     const Crossing c = unfolding_->crossing(h);
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
     eachEntered(h, [&](const Window& w) {
-      const double distance = w.distanceTo(p);
+      if (w.distanceTo(p) > best.distance || !w.covers(c.length(), p)) return;
+      const double distance = w.pathTo(c.length(), p);
       // Of those that tie, the one that came first.
-      const bool isBest =
-          distance < best.distance || (distance == best.distance && best.bundle.halfedge == h);
-      if (isBest && w.covers(c.length(), p)) {
+      if (distance < best.distance || (distance == best.distance && best.bundle.halfedge == h)) {
         best = {distance, {h, w.root, w.sigma}, kNoIndex, kNoIndex};
       }
     });
@@ -496,13 +563,15 @@ void Propagation::forgetPassed() {
 
 std::size_t Propagation::memoryBytes() const {
   return pool_.memoryBytes() + queue_.memoryBytes() + distance_.capacity() * sizeof(double) +
-         arrival_.capacity() * sizeof(Arrival) + reach_.capacity() * sizeof(Reach) +
-         lists_.memoryBytes() + (reached_.capacity() + open_.capacity()) * sizeof(Index);
+         arrival_.capacity() * sizeof(Arrival) + spread_.capacity() * sizeof(Spread) +
+         reach_.capacity() * sizeof(Reach) + lists_.memoryBytes() +
+         (reached_.capacity() + open_.capacity()) * sizeof(Index);
 }
 
 bool Propagation::passesStraight(Index vertex, double leaving) const {
   if (!settled(vertex)) return false;
-  return isSource(vertex) || unfolding_->straight(vertex, arrivalDirection(vertex), leaving);
+  return isSource(vertex) ||
+         unfolding_->straight(vertex, arrivalDirection(vertex), leaving, spreadAt(vertex));
 }
 
 }  // namespace girth::geodesic

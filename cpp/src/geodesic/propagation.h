@@ -23,6 +23,12 @@
 //   been settled: its distance is final, and where it is a saddle its windows are on their way.
 //   Some windows cross early, together with the rest of their halfedge; what they pass on is real
 //   all the same.
+// - A straight line is a path only as far as its window covers it. Beside the window's end, the
+//   length of a path to a point is that of the way round this end (Window::pathTo): where the end
+//   is a vertex, the surface goes on otherwise than the window's faces do, and the straight line
+//   can be shorter than every path by as much as it passes beside the vertex.
+// - At a vertex the directions of all paths count that tie but for rounding (Spread): lengths tell
+//   directions only to the root of their rounding, and the loop may go on from any of them.
 // - If a vertex becomes nearer after it was settled (possible within one bucket) it is settled
 //   again; what it sent out before is too long, but still real.
 // - A face may be forgotten once its every point is nearer than the frontier and than some vertex:
@@ -291,6 +297,12 @@ class Propagation {
   void startFrom(Index source);
   void startWithinFace(Index source, Index halfedge);
   Arrival* reach(Index vertex, double distance);
+  void awaitSettling(Index vertex);
+  template <class Direction>
+  void tie(Index vertex, double distance, Direction direction);
+  double directionOfArrival(const Arrival& arrival) const;
+  Spread spreadAt(Index vertex) const { return reach_[vertex].spread ? spread_[vertex] : Spread{}; }
+  void reachByWindows(Index halfedge, std::uint32_t first, const CrossingResult& result);
   void reachAlong(Index halfedge);
   void reachAgainst(Index halfedge);
   CrossingResult crossFace(Index halfedge);
@@ -316,6 +328,7 @@ class Propagation {
   struct Reach {
     bool settled{false};
     std::uint8_t windows{0};  // how many have reached it, nearest or not; counted up to kMany
+    bool spread{false};       // whether paths that tie come in from several directions
 
     static constexpr std::uint8_t kMany = 2;
   };
@@ -331,6 +344,7 @@ class Propagation {
   std::vector<double> distance_;       // of the vertices
   std::vector<Reach> reach_;           // of the vertices
   std::vector<Arrival> arrival_;       // of the vertices
+  std::vector<Spread> spread_;         // of the vertices; valid where `reach_` says so
   WindowTable lists_;                  // of the halfedges
   std::vector<Index> reached_;         // vertices to clear
   std::vector<Index> open_;            // vertices that the frontier may not have passed

@@ -1,4 +1,19 @@
 // Every tolerance of the geodesic code, in one place, each free of scale and each with its reason.
+//
+// On regular shapes with rounded coordinates thousands of paths tie, and vertices are flat to the
+// last digit that was kept. There the order of these numbers decides whether the girth is right:
+//
+// | no larger than             | since otherwise                                                  |
+// | -------------------------- | ---------------------------------------------------------------- |
+// | kSliver ≤ kSnap ≤ kAim     | a line could pass between two windows that end at one vertex     |
+// | kSaddleAngle = kFlatAngle  | a vertex could be neither passed nor bent round                  |
+// | kStraight ≤ kFanOverlap    | a path could go on straight where no window was sent             |
+// | kFanOverlap, kAim < kTie   | the midpoint of a loop, which lies as much beside its place as   |
+// |                            | the loop is bent or beside its windows, could be nearer over a   |
+// |                            | third path by more than a tie, or not nearer where it is         |
+// | kRounding < kTie           | a path that is not the shortest could prove a loop               |
+// | √kRounding ≪ kBeside       | of paths that tie, the direction of one could be forgotten: two  |
+// |                            | that arrive ε apart differ in length by ε²/2 of it               |
 #pragma once
 
 namespace girth::geodesic {
@@ -7,13 +22,16 @@ namespace girth::geodesic {
 /// gives about 1e-15 times the number of faces crossed.
 inline constexpr double kTie = 1e-11;
 
-/// A vertex does not become nearer by less than this share, so that of two paths that tie the one
-/// found first stays, and what was concluded from it.
-inline constexpr double kRounding = 1e-13;
+/// Lengths that differ by less than this share differ by rounding. A vertex does not become nearer
+/// by less: of two paths that tie the one found first stays, and what was concluded from it.
+inline constexpr double kRounding = 1e-14;
 
-/// A line that misses the end of a window, or a vertex, by less than this share of the edge still
-/// counts as meeting it. Neighbouring windows that end at one vertex are so never separated by a
-/// crack.
+/// Directions at a root are known to this, in radians: a line that misses the end of a window by
+/// less passes it. Neighbouring windows that end at one vertex are so never separated by a crack.
+inline constexpr double kAim = 1e-12;
+
+/// A point beside an edge, or along it beside its end, by less than this share of the edge lies on
+/// it, or at the end.
 inline constexpr double kTouch = 1e-10;
 
 /// A bounding ray that passes a vertex within this share of the edge passes through it. Far tighter
@@ -21,7 +39,7 @@ inline constexpr double kTouch = 1e-10;
 inline constexpr double kSnap = 1e-12;
 
 /// A window narrower than this share of its edge is a product of rounding and dropped: what it
-/// would have covered lies within kTouch of its neighbour.
+/// would have covered lies within kAim of its neighbour.
 inline constexpr double kSliver = 1e-13;
 
 /// Margin of trimming, as a share of the squared distance: a window keeps what is worse than a path
@@ -29,17 +47,25 @@ inline constexpr double kSliver = 1e-13;
 inline constexpr double kTrim = 2e-13;
 
 /// A vertex can lie on a geodesic if its total angle is at least 2π less this.
-inline constexpr double kFlatAngle = 1e-9;
+inline constexpr double kFlatAngle = 1e-12;
 
 /// A vertex is a source of new windows (a saddle) if its total angle exceeds 2π by more than this.
 inline constexpr double kSaddleAngle = 1e-12;
 
 /// A fan of a saddle is widened by this, so that it overlaps the windows beside it. A path bent by
 /// ε is longer than a straight one by ε²/2 of its length: nothing, in doubles.
-inline constexpr double kFanOverlap = 1e-10;
+inline constexpr double kFanOverlap = 1e-12;
+
+/// Paths that tie at a vertex come in beside one another by less than this: what comes in farther
+/// away is another path, and goes on elsewhere.
+inline constexpr double kBeside = 1e-5;
 
 /// Two ends of a path are straight at a vertex if both sides leave π less this; the error is its
 /// square.
-inline constexpr double kStraight = 1e-8;
+inline constexpr double kStraight = 1e-12;
+
+static_assert(kSliver <= kSnap && kSnap <= kAim && kSaddleAngle == kFlatAngle &&
+              kStraight <= kFanOverlap && kFanOverlap < kTie && kAim < kTie && kRounding < kTie &&
+              100 * kRounding < kBeside * kBeside);
 
 }  // namespace girth::geodesic

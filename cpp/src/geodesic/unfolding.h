@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "geodesic/min_max.h"
 #include "geodesic/prefetch.h"
 #include "geodesic/tolerances.h"
 #include "geodesic/vec2.h"
@@ -60,6 +61,13 @@ class Crossing {
 
  private:
   const FlatHalfedge *side_, *next_, *previous_;
+};
+
+/// Directions beside that of a path, in radians: from `clockwise` ≤ 0 to `counterclockwise` ≥ 0.
+/// Where lengths of paths tie but for rounding, which of them is the shortest cannot be told, and a
+/// geodesic may go on from any.
+struct Spread {
+  double clockwise{0}, counterclockwise{0};
 };
 
 /// A surface prepared for unfolding. Immutable: shared by the solvers of all threads.
@@ -132,13 +140,26 @@ class Unfolding {
   /// the surface.
   bool saddle(Index vertex) const { return passable_[vertex] == 2; }
 
-  /// Whether a path that arrives at a vertex from one direction and leaves in another is locally
-  /// shortest there: every side within the surface has an angle of at least π
-  /// (web/docs/definitions.md, section 1).
-  bool straight(Index vertex, double directionA, double directionB) const {
-    const double between = std::fabs(directionA - directionB);
-    return between >= kPi - kStraight &&
-           (boundary(vertex) || totalAngle(vertex) - between >= kPi - kStraight);
+  /// How near to a convex vertex no midpoint of a loop is looked for; 0 at others. The line beside
+  /// the vertex on its better side keeps twice as far away, as no root is nearer than the shortest
+  /// edge.
+  double shunned(Index vertex) const {
+    if (passable(vertex)) return 0;
+    double shortest = crossing(outgoing(vertex)).length();
+    for (const Index h : fan(vertex)) shortest = lesser(shortest, crossing(h).leftLength());
+    const double missing = (boundary(vertex) ? kPi : 2 * kPi) - totalAngle(vertex);
+    return shortest * lesser(2 * kTouch, missing / 8);
+  }
+
+  /// Whether a path that arrives at a vertex from one direction, or within `spread` of it, and
+  /// leaves in another is locally shortest there: every side within the surface has an angle of at
+  /// least π (web/docs/definitions.md, section 1).
+  bool straight(Index vertex, double arriving, double leaving, Spread spread) const {
+    const double between = std::fabs(arriving - leaving);
+    if (leaving < arriving) spread = {-spread.counterclockwise, -spread.clockwise};
+    return between - spread.clockwise >= kPi - kStraight &&
+           (boundary(vertex) ||
+            totalAngle(vertex) - between + spread.counterclockwise >= kPi - kStraight);
   }
 
   /// Direction, at the vertex where `halfedge` starts, of a vector of its frame that points into

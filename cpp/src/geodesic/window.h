@@ -17,8 +17,19 @@ struct Window {
   double sigma;  ///< distance from the source to the root
   double gapFrom, gapTo;
 
-  /// Length of the path from the source to a point of the face.
+  /// Length of the straight path from the source to a point of the face that the window covers.
   double distanceTo(Vec2 point) const { return sigma + norm(point - root); }
+  /// Length of a path from the source to a point of the face: the straight one where the window
+  /// covers the point, else the one over the end of the window next to it. `length`: of the
+  /// halfedge. A straight line beyond the end would leave the window's faces, and may be shorter
+  /// than every path by as much as it passes beside the end.
+  double pathTo(double length, Vec2 point) const {
+    const Vec2 ray = point - root, from = Vec2{gapFrom, 0} - root,
+               to = Vec2{length - gapTo, 0} - root;
+    if (cross(from, ray) > 0) return sigma + norm(from) + norm(ray - from);
+    if (cross(to, ray) < 0) return sigma + norm(to) + norm(ray - to);
+    return sigma + norm(ray);
+  }
 
   /// Length of the shortest of its paths to the halfedge, of this length: to no point of the face
   /// that it covers is one shorter.
@@ -31,12 +42,16 @@ struct Window {
   }
 
   /// Whether the straight line from the root to a point above the halfedge (of this length) passes
-  /// through the window, up to kTouch of the edge.
+  /// through the window, up to `slack`.
   bool covers(double length, Vec2 point) const {
-    const Vec2 ray = point - root;
-    const double slack = kTouch * length * (std::fabs(ray.x) + std::fabs(ray.y));
-    return cross(Vec2{gapFrom, 0} - root, ray) <= slack &&
-           cross(Vec2{length - gapTo, 0} - root, ray) >= -slack;
+    const Vec2 ray = point - root, from = Vec2{gapFrom, 0} - root,
+               to = Vec2{length - gapTo, 0} - root;
+    return cross(from, ray) <= slack(from, ray) && cross(to, ray) >= -slack(to, ray);
+  }
+  /// A line along `ray` passes an end of the window, which lies along `bound`, if their cross
+  /// product is no more than this beyond.
+  static double slack(Vec2 bound, Vec2 ray) {
+    return kAim * (std::fabs(bound.x) + std::fabs(bound.y)) * (std::fabs(ray.x) + std::fabs(ray.y));
   }
 };
 

@@ -34,8 +34,9 @@ void findArrivalsAtVertex(const Propagation& propagation, Index vertex, double r
     const Index opposite = Unfolding::next(out);
     const Crossing entry = unfolding.crossing(opposite);
     propagation.eachEntered(opposite, [&](const Window& w) {
-      const double whole = w.distanceTo(entry.apex());
-      if (whole <= reach && w.covers(entry.length(), entry.apex())) {
+      if (w.distanceTo(entry.apex()) > reach || !w.covers(entry.length(), entry.apex())) return;
+      const double whole = w.pathTo(entry.length(), entry.apex());
+      if (whole <= reach) {
         arrivals.paths.push_back(
             {unfolding.directionOf(out, unfolding.toPrevious(opposite, w.root)),
              whole,
@@ -70,7 +71,8 @@ double Arrivals::directionTo(const Unfolding& unfolding, Index halfedge, Vec2 po
   const Vec2 d =
       unfolding.toFrame(halfedge, base, other) - unfolding.toFrame(halfedge, base, point);
   const double angle = angleOf(d.x, std::fabs(d.y));
-  return d.y < 0 && !open ? 2 * kPi - angle : angle;
+  if (d.y >= 0) return angle;
+  return open && d.x > 0 ? -angle : 2 * kPi - angle;
 }
 
 void findArrivals(const Propagation& propagation, Index halfedge, Vec2 point, double reach,
@@ -84,7 +86,7 @@ void findArrivals(const Propagation& propagation, Index halfedge, Vec2 point, do
     const Crossing c = unfolding.crossing(corner);
     const Vec2 q = unfolding.toFrame(halfedge, corner, point);
     if (norm(q) > kTogether * c.length()) continue;
-    return findArrivalsAtVertex(propagation, c.from(), reach, arrivals);
+    return findArrivalsAtVertex(propagation, c.from(), reach + norm(q), arrivals);
   }
 
   // Inside the face or on a side of it: as seen from that side.
@@ -112,8 +114,9 @@ void findArrivals(const Propagation& propagation, Index halfedge, Vec2 point, do
       arrive(unfolding.toFrame(h, base, {0, 0}), over, {{}, c.from()});
     }
     propagation.eachEntered(h, [&](const Window& w) {
-      const double whole = w.distanceTo(there);
-      if (whole <= reach && w.covers(c.length(), there)) {
+      if (w.distanceTo(there) > reach || !w.covers(c.length(), there)) return;
+      const double whole = w.pathTo(c.length(), there);
+      if (whole <= reach) {
         arrive(unfolding.toFrame(h, base, w.root), whole, {{h, w.root, w.sigma}, kNoIndex});
       }
     });

@@ -105,8 +105,8 @@ void LoopSearch::pairAcross(Index halfedge, std::uint32_t first, Index other) {
     const Vec2 to = unfolding.toFrame(halfedge, other, {length - a.gapTo, 0}) - root;
     for (const Window& b : *others) {
       const Vec2 ray = b.root - root;
-      const double slack = kTouch * length * (std::fabs(ray.x) + std::fabs(ray.y));
-      if (cross(from, ray) <= slack && cross(to, ray) >= -slack && b.covers(otherLength, root)) {
+      if (cross(from, ray) <= Window::slack(from, ray) &&
+          cross(to, ray) >= -Window::slack(to, ray) && b.covers(otherLength, root)) {
         pair(halfedge, a, other, b);
       }
     }
@@ -206,12 +206,9 @@ void LoopSearch::tryEdgesOnwards(Index vertex) {
     tryEdge(unfolding.turnLeft(arrival.onwardsTo));
     return;
   }
-  const double arrived = propagation_->arrivalDirection(vertex);
   const std::span<const Index> fan = unfolding.fan(vertex);
   for (const Index edge : fan) {
-    if (unfolding.straight(vertex, arrived, unfolding.direction(edge))) {
-      tryEdge(edge);
-    }
+    if (propagation_->passesStraight(vertex, unfolding.direction(edge))) tryEdge(edge);
   }
   // The boundary on the far side.
   if (unfolding.boundary(vertex)) tryEdge(Unfolding::previous(fan.back()));
@@ -252,7 +249,7 @@ bool LoopSearch::worthwhile(double length, Index halfedge, Vec2 midpoint) const 
     const double rest = half - propagation_->distance(c.from());
     if (rest > 0 && rest * rest > dot(q, q)) return false;
     // No geodesic passes a convex vertex, though its neighbours on one side may tend to that line.
-    if (!unfolding.passable(c.from()) && norm(q) <= 2 * kTouch * c.length()) return false;
+    if (norm(q) < 2 * kTouch * c.length() && norm(q) < unfolding.shunned(c.from())) return false;
   }
   return true;
 }
@@ -280,7 +277,7 @@ bool LoopSearch::proven(const LoopCandidate& candidate) {
 /// leave no gap of π in which it could go on.
 bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
   findArrivals(*propagation_, candidate.halfedge, candidate.midpoint,
-               candidate.length / 2 * (1 + kTogether), arrivals_);
+               candidate.length / 2 * (1 + kTie), arrivals_);
   return arrivals_.surround(kFullGap) && (arrivals_.open || arrivals_.paths.size() >= 3);
 }
 

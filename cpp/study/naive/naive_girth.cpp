@@ -18,12 +18,23 @@ namespace girth::study {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Lengths are compared, and ends of intervals met, up to this share.
-constexpr double kTolerance = 1e-10;
+/// Lengths are compared up to this share.
+constexpr double kTie = 1e-11;
+/// Lines that miss a point by less than this share of their length meet it.
+constexpr double kTolerance = 1e-12;
+/// So near to a convex vertex, as a share of an edge there, no midpoint is looked for.
+constexpr double kShunned = 2e-10;
 /// The farthest point is bisected to this.
 constexpr double kBisection = 2e-10;
-/// Angles are compared up to this.
-constexpr double kAngleTolerance = 1e-8;
+/// Lengths that differ by less than this share are equal but for rounding, and their paths come in
+/// beside one another by less than this angle.
+constexpr double kRounding = 1e-14, kBeside = 1e-5;
+/// Paths that leave a gap narrower than π by this leave no gap of π.
+constexpr double kGap = 1e-4;
+/// So near to a vertex, as a share of the distance, a point is next to it.
+constexpr double kNearVertex = 1e-9;
+/// A vertex is convex if so much or more is missing to a full angle.
+constexpr double kFlat = 1e-12;
 
 struct Point {
   double x, y;
@@ -50,7 +61,7 @@ class NaiveGirth {
         context_(context),
         source_(source),
         distance_(mesh.vertexCount(), kInfinity),
-        direction_(mesh.vertexCount(), 0.0),
+        arrival_(mesh.vertexCount()),
         onHalfedge_(mesh.halfedgeCount()) {}
 
   Result<GirthValue> compute() {
@@ -108,12 +119,14 @@ class NaiveGirth {
         if (!dominated(window)) advance(window);
       } else if (event.distance == distance_[event.vertex]) {
         const Index v = event.vertex;
-        const double total = mesh_.totalAngle(Vertex(v)), straight = direction_[v] + kPi;
+        const double total = mesh_.totalAngle(Vertex(v));
+        const double first = arrival_[v].least + kPi - kTolerance;
+        const double last = arrival_[v].most - kPi + kTolerance;
         if (mesh_.isBoundary(Vertex(v))) {
-          leaveVertex(v, straight - kTolerance, total - straight + 2 * kTolerance);
-          leaveVertex(v, -kTolerance, straight - 2 * kPi + 2 * kTolerance);
+          leaveVertex(v, first, total - first + kTolerance);
+          leaveVertex(v, -kTolerance, last + kTolerance);
         } else {
-          leaveVertex(v, straight - kTolerance, total - 2 * kPi + 2 * kTolerance);
+          leaveVertex(v, first, last + total - first);
         }
       }
     }
@@ -138,11 +151,32 @@ class NaiveGirth {
     windows_.push_back(w);
   }
 
+  /// Directions from which shortest paths arrive at a vertex. Of paths that tie but for rounding
+  /// none can be told to be the shortest.
+  struct Arrival {
+    double least{0}, most{0};
+  };
+
   void reach(Index v, double distance, double direction) {
-    if (!(distance < distance_[v])) return;
-    distance_[v] = distance;
-    direction_[v] = direction;
-    if (mesh_.totalAngle(Vertex(v)) >= straightAngle(v) - 1e-9) queue_.push({distance, v, 0});
+    if (!(distance < distance_[v] * (1 + kRounding))) return;
+    Arrival& arrival = arrival_[v];
+    if (distance < distance_[v] * (1 - kRounding)) {
+      arrival = {direction, direction};
+    } else {
+      const double round = mesh_.isBoundary(Vertex(v)) ? 0 : mesh_.totalAngle(Vertex(v));
+      bool isBeside = false;
+      for (const double turn : {0.0, round, -round}) {
+        const double other = direction + turn;
+        const bool less = other < arrival.least - kTolerance && other > arrival.least - kBeside;
+        const bool more = other > arrival.most + kTolerance && other < arrival.most + kBeside;
+        if (less) arrival.least = other;
+        if (more) arrival.most = other;
+        isBeside = isBeside || less || more;
+      }
+      if (!isBeside) return;
+    }
+    distance_[v] = std::min(distance, distance_[v]);
+    if (mesh_.totalAngle(Vertex(v)) >= straightAngle(v) - kFlat) queue_.push({distance_[v], v, 0});
   }
 
   /// Continues a window through its face, onto the two other sides.
@@ -156,10 +190,7 @@ class NaiveGirth {
     const bool apexRight = crossOf(rayRight, toApex) < -slack;  // right of it
 
     if (!apexLeft && !apexRight) {
-      const Halfedge out = SurfaceMesh::previous(Halfedge(h));
-      const Point toStart = -1 * o, toRoot = w.root - o;
-      const double angle = std::atan2(crossOf(toStart, toRoot), dotOf(toStart, toRoot));
-      reach(apexVertex(h), w.sigma + lengthOf(toApex), directionOf(out) + angle);
+      reach(apexVertex(h), w.sigma + lengthOf(toApex), directionAtApex(w));
     }
     if (!apexLeft) {  // something reaches the left side, seen from outside: from the start to the
                       // apex
@@ -182,6 +213,13 @@ class NaiveGirth {
             apexLeft ? std::max(0.0, hit(rayLeft)) : 0,
             std::min(length, hit(rayRight))});
     }
+  }
+
+  /// The direction in which a window's path comes in at the vertex opposite.
+  double directionAtApex(const NaiveWindow& w) const {
+    const Point toStart = -1 * apex(w.halfedge), toRoot = w.root - apex(w.halfedge);
+    return directionOf(SurfaceMesh::previous(Halfedge(w.halfedge))) +
+           std::atan2(crossOf(toStart, toRoot), dotOf(toStart, toRoot));
   }
 
   /// Angle at its start between a halfedge and the first one of that vertex.
@@ -241,29 +279,114 @@ class NaiveGirth {
     } while (h != kNoIndex && h != mesh_.outgoing(Vertex(v)));
   }
 
-  /// Exact distance of a point of a face, in the plane of a halfedge of that face.
-  double distanceAt(Index halfedge, Point q) const {
-    double best = kInfinity;
+  /// Length of a window's path to a point of its face; infinite where it covers that not.
+  double lengthTo(const NaiveWindow& w, Point q) const {
+    const Point ray = q - w.root;
+    const double x = ray.y > 0 ? w.root.x - w.root.y * ray.x / ray.y : q.x;
+    const double slack = kTolerance * (mesh_.length(Halfedge(w.halfedge)) + lengthOf(ray));
+    if (x < w.b0 - slack || x > w.b1 + slack) return kInfinity;
+    // Beside the window only the way round its end is a path.
+    const Point turn{std::clamp(x, w.b0, w.b1), 0};
+    return w.sigma + lengthOf(turn - w.root) + lengthOf(q - turn);
+  }
+
+  /// Visits the paths to a point of a face, in the plane of a halfedge of that face, that are
+  /// shorter than `longest`: their lengths, and the vectors from the point back along them, in the
+  /// plane of the halfedge turned by `angle`.
+  template <class Visit>
+  void eachPathTo(Index halfedge, Point q, const double& longest, Visit visit) const {
     Index h = halfedge;
+    double angle = 0;
     for (int side = 0; side < 3; ++side) {
-      best = std::min(best, distance_[mesh_.from(Halfedge(h))] + lengthOf(q));
+      const double overCorner = distance_[mesh_.from(Halfedge(h))] + lengthOf(q);
+      if (overCorner < longest) visit(overCorner, -1 * q, angle);
       for (const std::size_t i : onHalfedge_[h]) {
         const NaiveWindow& w = windows_[i];
-        const Point ray = q - w.root;
-        const double d = w.sigma + lengthOf(ray);
-        if (d >= best) continue;
-        const double x = ray.y > 0 ? w.root.x - w.root.y * ray.x / ray.y : q.x;
-        const double slack = kTolerance * mesh_.length(Halfedge(h));
-        if (x >= w.b0 - slack && x <= w.b1 + slack) best = d;
+        const double length = lengthTo(w, q);
+        if (length < longest) visit(length, w.root - q, angle);
       }
       // On to the plane of the next side.
       const Point o = apex(h), end{mesh_.length(Halfedge(h)), 0};
       const double length = mesh_.length(SurfaceMesh::next(Halfedge(h)));
       const Point u = (1 / length) * (o - end);
       q = {dotOf(q - end, u), crossOf(u, q - end)};
+      angle += kPi - mesh_.cornerAngle(SurfaceMesh::next(Halfedge(h)));
       h = SurfaceMesh::next(Halfedge(h));
     }
+  }
+
+  /// Exact distance of a point of a face, in the plane of a halfedge of that face.
+  double distanceAt(Index halfedge, Point q) const {
+    double best = kInfinity;
+    eachPathTo(halfedge, q, best, [&](double length, Point, double) { best = length; });
     return best;
+  }
+
+  /// Whether the paths that reach a point of a face within a length leave no gap of π: the frontier
+  /// vanishes there.
+  bool closesUpon(Index halfedge, Point q, double reach) const {
+    std::vector<double> directions;
+    eachPathTo(halfedge, q, reach, [&](double, Point back, double angle) {
+      directions.push_back(std::remainder(std::atan2(back.y, back.x) + angle, 2 * kPi));
+    });
+    Index h = halfedge;
+    double angle = 0;
+    for (int side = 0; side < 3; ++side) {
+      const double length = mesh_.length(Halfedge(h));
+      if (lengthOf(q) < kNearVertex * reach) {
+        return closesUponVertex(mesh_.from(Halfedge(h)), reach + lengthOf(q));
+      }
+      // Nothing can go on across a boundary.
+      if (mesh_.twin(Halfedge(h)) == kNoIndex && q.y < kTolerance * (length + reach)) {
+        directions.push_back(std::remainder(angle - kPi / 2, 2 * kPi));
+      }
+      const Point o = apex(h), end{length, 0};
+      const Point u = (1 / lengthOf(o - end)) * (o - end);
+      q = {dotOf(q - end, u), crossOf(u, q - end)};
+      angle += kPi - mesh_.cornerAngle(SurfaceMesh::next(Halfedge(h)));
+      h = SurfaceMesh::next(Halfedge(h));
+    }
+    return leaveNoGap(std::move(directions), 2 * kPi);
+  }
+
+  bool closesUponVertex(Vertex v, double reach) const {
+    std::vector<double> directions;
+    const auto along = [&](Index neighbour, double length, double direction, double back) {
+      if (distance_[neighbour] + length <= reach && passesStraight(neighbour, back)) {
+        directions.push_back(direction);
+      }
+    };
+    Halfedge h = mesh_.outgoing(v);
+    do {
+      along(mesh_.to(h), mesh_.length(h), directionOf(h), directionBack(h));
+      const Index opposite = SurfaceMesh::next(h);
+      for (const std::size_t i : onHalfedge_[opposite]) {
+        if (lengthTo(windows_[i], apex(opposite)) <= reach) {
+          directions.push_back(directionAtApex(windows_[i]));
+        }
+      }
+      const Halfedge last = SurfaceMesh::previous(h);
+      h = mesh_.twin(last);
+      if (h == kNoIndex) {
+        along(mesh_.from(last), mesh_.length(last), mesh_.totalAngle(v), directionOf(last));
+      }
+    } while (h != kNoIndex && h != mesh_.outgoing(v));
+    if (!mesh_.isBoundary(v)) return leaveNoGap(std::move(directions), mesh_.totalAngle(v));
+    // Outside the surface nothing goes on.
+    for (const double outside : {-kPi / 2, mesh_.totalAngle(v) + kPi / 2}) {
+      directions.push_back(outside);
+    }
+    return leaveNoGap(std::move(directions), mesh_.totalAngle(v) + kPi);
+  }
+
+  /// Whether directions, which come again after the whole angle, leave no gap of π between them.
+  static bool leaveNoGap(std::vector<double> directions, double whole) {
+    std::sort(directions.begin(), directions.end());
+    double widest = directions.front() + whole - directions.back();
+    for (std::size_t i = 1; i < directions.size(); ++i) {
+      widest = std::max(widest, directions[i] - directions[i - 1]);
+    }
+    return widest < kPi - kGap;
   }
 
   // --- Step 2: loops along an edge
@@ -272,9 +395,11 @@ class NaiveGirth {
   bool passesStraight(Index v, double leaving) const {
     if (v == source_) return true;
     const double total = mesh_.totalAngle(Vertex(v));
-    const double between = std::fabs(direction_[v] - leaving);
-    if (mesh_.isBoundary(Vertex(v))) return between >= kPi - kAngleTolerance;
-    return between >= kPi - kAngleTolerance && total - between >= kPi - kAngleTolerance;
+    const auto [least, most] = arrival_[v];
+    const double widest = std::max(leaving - least, most - leaving);
+    const double narrowest = leaving > most ? leaving - most : least - leaving;
+    if (widest < kPi - kTolerance) return false;
+    return mesh_.isBoundary(Vertex(v)) || total - narrowest >= kPi - kTolerance;
   }
 
   void testEdges() {
@@ -293,7 +418,7 @@ class NaiveGirth {
   void testWindowPairs() {
     for (const Halfedge h : mesh_.halfedges()) {
       if (mesh_.from(h) > mesh_.to(h) || mesh_.twin(h) == kNoIndex) continue;
-      const double length = mesh_.length(h), slack = kTolerance * length;
+      const double length = mesh_.length(h);
       for (const std::size_t i : onHalfedge_[h]) {
         for (const std::size_t j : onHalfedge_[mesh_.twin(h)]) {
           const NaiveWindow& up = windows_[i];
@@ -302,9 +427,9 @@ class NaiveGirth {
           const Point line = top - up.root;
           if (!(line.y > 0)) continue;
           const double x = up.root.x - up.root.y * line.x / line.y;
+          const double whole = lengthOf(line), slack = kTolerance * (length + whole);
           if (x < up.b0 - slack || x > up.b1 + slack) continue;
           if (x < length - down.b1 - slack || x > length - down.b0 + slack) continue;
-          const double whole = lengthOf(line);
           double toMidpoint = (whole + down.sigma - up.sigma) / 2;
           if (toMidpoint < -slack || toMidpoint > whole + slack) continue;
           toMidpoint = std::clamp(toMidpoint, 0.0, whole);  // at a root but for rounding
@@ -325,15 +450,26 @@ class NaiveGirth {
     if (length >= best_ || !inFace(halfedge, midpoint)) return;
     // No geodesic passes a convex vertex, only lines beside it.
     const Point corners[] = {{0, 0}, {mesh_.length(Halfedge(halfedge)), 0}, apex(halfedge)};
-    const Index vertices[] = {mesh_.from(Halfedge(halfedge)), mesh_.to(Halfedge(halfedge)),
-                              apexVertex(halfedge)};
-    for (int k = 0; k < 3; ++k) {
-      if (mesh_.totalAngle(Vertex(vertices[k])) < straightAngle(vertices[k]) - kAngleTolerance &&
-          lengthOf(midpoint - corners[k]) < 3 * kTolerance * mesh_.length(Halfedge(halfedge))) {
-        return;
-      }
+    Halfedge out(halfedge);
+    for (const Point corner : corners) {
+      const Vertex v = mesh_.from(out);
+      const double missing = straightAngle(v) - mesh_.totalAngle(v);
+      const double near = std::min(kShunned, missing / 8) * shortestEdge(v);
+      if (missing > kFlat && lengthOf(midpoint - corner) < near) return;
+      out = SurfaceMesh::next(out);
     }
-    if (distanceAt(halfedge, midpoint) >= length / 2 * (1 - kTolerance)) best_ = length;
+    if (distanceAt(halfedge, midpoint) < length / 2 * (1 - kTie)) return;
+    if (!closesUpon(halfedge, midpoint, length / 2 * (1 + kTie))) best_ = length;
+  }
+
+  double shortestEdge(Vertex v) const {
+    double shortest = kInfinity;
+    Halfedge h = mesh_.outgoing(v);
+    do {
+      shortest = std::min({shortest, mesh_.length(h), mesh_.length(SurfaceMesh::previous(h))});
+      h = mesh_.twin(SurfaceMesh::previous(h));
+    } while (h != kNoIndex && h != mesh_.outgoing(v));
+    return shortest;
   }
 
   bool inFace(Index h, Point q) const {
@@ -385,8 +521,8 @@ class NaiveGirth {
   const SurfaceMesh& mesh_;
   const ExecutionContext& context_;
   Index source_;
-  std::vector<double> distance_;   // of the vertices
-  std::vector<double> direction_;  // from which their shortest path comes
+  std::vector<double> distance_;  // of the vertices
+  std::vector<Arrival> arrival_;
   std::vector<NaiveWindow> windows_;
   std::vector<std::vector<std::size_t>> onHalfedge_;
   std::priority_queue<Event> queue_;

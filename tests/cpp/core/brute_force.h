@@ -1,6 +1,7 @@
 // Geodesics by enumeration, with no pruning but their length: slow, and nothing in it to get wrong
-// that the engine shares. For small meshes in general position (no path exactly through a flat or
-// convex vertex).
+// that the engine shares. From positions alone, in extended precision, so that coordinates rounded
+// to twelve digits are in general position: no path runs exactly through a flat or convex vertex.
+// For small meshes.
 #pragma once
 
 #include <optional>
@@ -25,44 +26,72 @@ class BruteForce {
   /// The same for a surface point.
   double distanceTo(const SurfacePoint& point) const;
 
+  /// A geodesic loop through the source: straight everywhere but there.
+  struct Loop {
+    double length;
+    /// By which share of half the length a path to its midpoint is shorter than its halves; not
+    /// above 0: both are shortest.
+    double excess;
+    /// The same of the next path that arrives from elsewhere, negative where that is longer: near 0
+    /// a third path arrives at the same time.
+    double third;
+    /// Its midpoint lies so near to a convex vertex that rounding decides whether it is a loop.
+    bool doubtful;
+  };
+  /// All of them up to `longest`, the shortest first.
+  std::vector<Loop> loops() const;
+
   /// The shortest geodesic loop through the source whose halves are both shortest; nothing up to
   /// `longest`.
   std::optional<double> shortestLoop() const;
 
  private:
+  using Real = long double;
   struct Point {
-    double x, y;
+    Real x, y;
   };
   /// Straight lines from `root` into a face through one halfedge, which lies on the x axis.
   struct Cone {
     Index halfedge;
     Point root;
-    double sigma, b0, b1;
+    Real sigma, b0, b1;
     std::size_t parent;   // the cone it continues, or kNone
     std::size_t arrival;  // else the arrival at the vertex that it starts from
   };
   /// A geodesic that ends at a vertex, in a cone or along an edge.
   struct Arrival {
     Index vertex;
-    double length, direction;
+    Real length, direction;
     std::size_t cone;  // or kNone: along the edge from the vertex of `before`
     std::size_t before;
   };
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
+  /// A point of a face, in the plane of one of its halfedges.
+  struct Place {
+    Index halfedge;
+    Point point;
+  };
+
+  void measure();
   Point apex(Index halfedge) const;
   /// A point in the plane of the next halfedge of the face, from that of this one.
   Point inPlaneOfNext(Index halfedge, Point point) const;
-  double distanceInPlaneOf(Index halfedge, Point point) const;
-  double directionOf(Index halfedge) const;
-  void leave(std::size_t arrival, double start, double width);
-  void arrive(Index vertex, double length, double direction, std::size_t cone, std::size_t before);
+  Real distanceInPlaneOf(Index halfedge, Point point) const;
+  Real directionOf(Index halfedge) const;
+  void leave(std::size_t arrival, Real start, Real width);
+  void arrive(Index vertex, Real length, Real direction, std::size_t cone, std::size_t before);
   void grow(std::size_t cone);
-  std::optional<double> distanceAlong(const Arrival& loop, double length) const;
+  template <class Visit>
+  void eachPathTo(Index halfedge, Point point, Visit visit) const;
+  Place placeAlong(const Arrival& loop, Real length) const;
+  bool meetsOthers(Index vertex, Real reach) const;
 
   const SurfaceMesh& mesh_;
   Index source_;
-  double longest_;
+  Real longest_;
+  std::vector<Real> lengths_, angles_;  // of halfedges, and at their starts
+  std::vector<Real> totals_;            // of vertices
   std::size_t limit_;
   bool complete_{true};
   std::vector<Cone> cones_;

@@ -12,14 +12,15 @@
 
 #include "girth/io/read_mesh.h"
 #include "shapes.h"
+#include "test_paths.h"
 
 namespace girth::test {
 
 namespace {
 
 std::filesystem::path modelFolder() {
-  const char* data = std::getenv("GIRTH_DATA");
-  return data == nullptr ? std::filesystem::path() : std::filesystem::path(data) / "models";
+  const std::string data = corpusFolder();
+  return data.empty() ? std::filesystem::path() : std::filesystem::path(data) / "models";
 }
 
 /// The text format of the Object File Format, triangles only.

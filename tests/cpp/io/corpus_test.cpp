@@ -1,9 +1,9 @@
 // Files from everywhere: each becomes a surface or a coded error, and soon.
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 
 #include "documents.h"
+#include "test_paths.h"
 
 namespace girth::io::testing {
 namespace {
@@ -16,8 +16,8 @@ bool isModel(const fs::path& path) {
 }
 
 TEST(Corpus, everyFileIsASurfaceOrACodedError) {
-  const char* data = std::getenv("GIRTH_DATA");
-  if (data == nullptr) GTEST_SKIP() << "skipped: no corpus";
+  const std::string data = test::corpusFolder();
+  if (data.empty()) GTEST_SKIP() << "skipped: no corpus";
   std::size_t surfaces = 0;
   std::size_t errors = 0;
   for (const char* folder : {"gltf", "bad", "models"}) {
@@ -49,15 +49,15 @@ TEST(Corpus, everyFileIsASurfaceOrACodedError) {
 }
 
 /// A file of the corpus, read; nothing where it is not there.
-std::optional<Result<ReadModel>> modelAt(const char* data, const std::string& path) {
+std::optional<Result<ReadModel>> modelAt(const std::string& data, const std::string& path) {
   const auto bytes = contentOf(fs::path(data) / path);
   if (!bytes) return std::nullopt;
   return readModel(*bytes, path);
 }
 
 TEST(Corpus, classesOfErrors) {
-  const char* data = std::getenv("GIRTH_DATA");
-  if (data == nullptr) GTEST_SKIP() << "skipped: no corpus";
+  const std::string data = test::corpusFolder();
+  if (data.empty()) GTEST_SKIP() << "skipped: no corpus";
   const std::string assimp = "bad/assimp-models/", draco = "bad/draco-testdata/";
   const std::string tiny = "bad/tinyobjloader/models/";
   for (const auto& [path, code] : std::initializer_list<std::pair<std::string, const char*>>{
@@ -92,8 +92,8 @@ TEST(Corpus, classesOfErrors) {
 }
 
 TEST(Corpus, sizesOfModels) {
-  const char* data = std::getenv("GIRTH_DATA");
-  if (data == nullptr) GTEST_SKIP() << "skipped: no corpus";
+  const std::string data = test::corpusFolder();
+  if (data.empty()) GTEST_SKIP() << "skipped: no corpus";
   const std::string assimp = "bad/assimp-models/", draco = "bad/draco-testdata/";
   struct Case {
     std::string path;
@@ -124,8 +124,8 @@ TEST(Corpus, sizesOfModels) {
 }
 
 TEST(Corpus, twinsInTextAndBinary) {
-  const char* data = std::getenv("GIRTH_DATA");
-  if (data == nullptr) GTEST_SKIP() << "skipped: no corpus";
+  const std::string data = test::corpusFolder();
+  if (data.empty()) GTEST_SKIP() << "skipped: no corpus";
   for (const auto& [text, binary] : std::initializer_list<std::pair<std::string, std::string>>{
            {"bad/geometry-central/stl_box_ascii.stl", "bad/geometry-central/stl_box_binary.stl"},
            {"bad/assimp-models/STL/Spider_ascii.stl", "bad/assimp-models/STL/Spider_binary.stl"},

@@ -1,10 +1,10 @@
 // Real glTF files, and files with one fault each: what becomes of them.
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 
 #include "documents.h"
+#include "test_paths.h"
 
 namespace girth::io::testing {
 namespace {
@@ -14,9 +14,8 @@ namespace fs = std::filesystem;
 class GltfCorpus : public ::testing::Test {
  protected:
   void SetUp() override {
-    const char* data = std::getenv("GIRTH_DATA");
-    if (data == nullptr) GTEST_SKIP() << "skipped: no corpus";
-    data_ = data;
+    data_ = test::corpusFolder();
+    if (data_.empty()) GTEST_SKIP() << "skipped: no corpus";
   }
 
   static Result<LoadedMesh> readFile(const fs::path& path) {

@@ -56,12 +56,12 @@ fetch="FetchContent_Declare(girth SOURCE_DIR \"$source\")
 FetchContent_MakeAvailable(girth)"
 
 project unlinked "add_subdirectory(\"$source\" girth)" ''
-plans unlinked no girth
+plans unlinked no 'libgirth_'
 [ "$(wc -l < unlinked/plan)" -eq 2 ] || { echo 'wrong: unlinked: builds more than the project'; failed=1; }
 
 project core "$fetch" 'target_link_libraries(mine PRIVATE girth::core)'
 plans core yes 'libgirth_core.a'
-plans core no 'girth_io\|girth_study\|gtest\|/cli/\|/bench/\|/fuzz/'
+plans core no 'girth_io\|girth_study\|gtest\|cpp/cli/\|cpp/bench/\|tests/fuzz/'
 grep -q -- '-fPIC.*girth_core' core/plan || { echo 'wrong: the core is not position-independent'; failed=1; }
 grep -q -- '-Werror' core/plan && { echo 'wrong: warnings are errors'; failed=1; }
 grep 'mine.cpp' core/plan | grep -q -- '-Wall\|GIRTH\|ffp-contract' && { echo 'wrong: flags of Girth reach the parent'; failed=1; }
