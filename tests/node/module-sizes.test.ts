@@ -11,7 +11,7 @@ const folder = join(import.meta.dirname, '../../web/src/kernel/wasm');
 test.each([
   ['girth-files', 290_000],
   ['girth', 120_000],
-  ['girth-fields', 175_000],
+  ['girth-fields', 177_000],
   ['girth-threads', 240_000],
   ['girth-analysis', 625_000],
   ['girth-studies', 312_000],

@@ -8,10 +8,10 @@
 // | kSliver ≤ kSnap ≤ kAim     | a line could pass between two windows that end at one vertex     |
 // | kSaddleAngle = kFlatAngle  | a vertex could be neither passed nor bent round                  |
 // | kStraight ≤ kFanOverlap    | a path could go on straight where no window was sent             |
-// | kFanOverlap, kAim < kTie   | the midpoint of a loop, which lies as much beside its place as   |
-// |                            | the loop is bent or beside its windows, could be nearer over a   |
+// | kFanOverlap, kAim ≤        | the midpoint of a loop, which lies as much beside its place as   |
+// |   kShortest ≤ kTie         | the loop is bent or beside its windows, could be nearer over a   |
 // |                            | third path by more than a tie, or not nearer where it is         |
-// | kRounding < kTie           | a path that is not the shortest could prove a loop               |
+// | kRounding < kShortest      | a path that is not the shortest could prove a loop               |
 // | √kRounding ≪ kBeside       | of paths that tie, the direction of one could be forgotten: two  |
 // |                            | that arrive ε apart differ in length by ε²/2 of it               |
 #pragma once
@@ -21,6 +21,10 @@ namespace girth::geodesic {
 /// Two paths to one point tie when their lengths differ by less than this share. Rounding alone
 /// gives about 1e-15 times the number of faces crossed.
 inline constexpr double kTie = 1e-11;
+
+/// The halves of a loop are shortest paths if no path to its midpoint is shorter by more than this
+/// share. Hardly more than rounding: three paths that nearly tie are usual on regular shapes.
+inline constexpr double kShortest = 1e-12;
 
 /// Lengths that differ by less than this share differ by rounding. A vertex does not become nearer
 /// by less: of two paths that tie the one found first stays, and what was concluded from it.
@@ -65,7 +69,7 @@ inline constexpr double kBeside = 1e-5;
 inline constexpr double kStraight = 1e-12;
 
 static_assert(kSliver <= kSnap && kSnap <= kAim && kSaddleAngle == kFlatAngle &&
-              kStraight <= kFanOverlap && kFanOverlap < kTie && kAim < kTie && kRounding < kTie &&
-              100 * kRounding < kBeside * kBeside);
+              kStraight <= kFanOverlap && kFanOverlap <= kShortest && kAim <= kShortest &&
+              kShortest <= kTie && kRounding < kShortest && 100 * kRounding < kBeside * kBeside);
 
 }  // namespace girth::geodesic

@@ -10,7 +10,7 @@ using geodesic::cross;
 using geodesic::Crossing;
 using geodesic::CrossingResult;
 using geodesic::dot;
-using geodesic::kTie;
+using geodesic::kShortest;
 using geodesic::kTouch;
 using geodesic::norm;
 using geodesic::Propagation;
@@ -35,7 +35,7 @@ void LoopSearch::start(const std::atomic<bool>* cancel) {
 
 bool LoopSearch::enough(double frontier) {
   while (!interrupted() && !candidates_.empty() &&
-         candidates_.front().length / 2 * (1 + kTie) < frontier) {
+         candidates_.front().length / 2 * (1 + kShortest) < frontier) {
     if (propagation_->windowsCrossed() + effort() > propagation_->budget()) return false;
     std::pop_heap(candidates_.begin(), candidates_.end(), longer);
     const bool isLoop = proven(candidates_.back());
@@ -241,7 +241,7 @@ void LoopSearch::tryEdge(Index halfedge) {
 /// Most pairs are refuted at once: q lies outside the face, or is nearer over a corner.
 bool LoopSearch::worthwhile(double length, Index halfedge, Vec2 midpoint) const {
   const Unfolding& unfolding = propagation_->unfolding();
-  const double half = length / 2 * (1 - kTie);
+  const double half = length / 2 * (1 - kShortest);
   for (const Index h : {halfedge, Unfolding::next(halfedge), Unfolding::previous(halfedge)}) {
     const Crossing c = unfolding.crossing(h);
     const Vec2 q = unfolding.toFrame(halfedge, h, midpoint);
@@ -262,7 +262,7 @@ void LoopSearch::propose(const LoopCandidate& candidate) {
 bool LoopSearch::proven(const LoopCandidate& candidate) {
   const Index face = faceOfSide(candidate.halfedge);
   if (propagation_->forgotten(face)) return false;
-  const double half = candidate.length / 2 * (1 - kTie);
+  const double half = candidate.length / 2 * (1 - kShortest);
   // On round shapes thousands of candidates fall one after the other to the same window.
   if (faceOfSide(nearer_.halfedge) == face &&
       propagation_->isNearer(candidate.halfedge, candidate.midpoint, half, nearer_)) {
@@ -277,7 +277,7 @@ bool LoopSearch::proven(const LoopCandidate& candidate) {
 /// leave no gap of π in which it could go on.
 bool LoopSearch::closesUpon(const LoopCandidate& candidate) {
   findArrivals(*propagation_, candidate.halfedge, candidate.midpoint,
-               candidate.length / 2 * (1 + kTie), arrivals_);
+               candidate.length / 2 * (1 + kShortest), arrivals_);
   return arrivals_.surround(kFullGap) && (arrivals_.open || arrivals_.paths.size() >= 3);
 }
 

@@ -15,8 +15,8 @@
 // - A pair is only a candidate. When the frontier has passed half its length, the exact distance of
 //   q is known; the candidate stands if that is half its length, and otherwise it is no loop at
 //   all. A face that has been forgotten was passed before, so q was nearer.
-// - Lines through windows and bends at vertices are exact to kAim and kStraight, so q lies where it
-//   should to less than kTie, by which the path over a third side is compared with the halves.
+// - Lines through windows and bends at vertices are exact to kAim and kStraight, so that whether a
+//   third path to q is shorter than the halves can be decided to kShortest.
 // - Where the paths that arrive at q leave no gap of π, the frontier does not touch itself there,
 //   but vanishes: a farthest point, at least locally, and no loop (paper, figure 1b).
 // - Candidates are judged in the order of their lengths, so the first that stands is the shortest.

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Lengths are compared up to this share.
-constexpr double kTie = 1e-11;
+constexpr double kTie = 1e-12;
 /// Lines that miss a point by less than this share of their length meet it.
 constexpr double kTolerance = 1e-12;
 /// So near to a convex vertex, as a share of an edge there, no midpoint is looked for.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,7 +13,9 @@
 #include "core/random_meshes.h"
 #include "core/shapes.h"
 #include "girth/girth.h"
+#include "girth/io/load_mesh.h"
 #include "girth/study/naive_girth.h"
+#include "test_paths.h"
 
 namespace girth::test {
 namespace {
@@ -74,6 +78,35 @@ INSTANTIATE_TEST_SUITE_P(Meshes, ExactIsNaive, testing::Range(std::size_t{0}, ca
 TEST(ExactIsNaiveOnTheCorpus, AtAllVerticesOfAHorse) {
   if (!corpusIsThere()) GTEST_SKIP() << "skipped: no corpus";
   expectNaive(corpusModel("horse_1500f.off"), 0);
+}
+
+/// All vertices of small models, some of larger ones: the naive method takes long there.
+void expectNaiveAtSome(const SurfaceMesh& mesh) {
+  constexpr Index kWhole = 1200, kSome = 200, kLarge = 20'000, kFew = 20;
+  const Index vertices = mesh.vertexCount();
+  const Index count = vertices <= kWhole ? vertices : mesh.faceCount() <= kLarge ? kSome : kFew;
+  GirthSolver solver(mesh);
+  for (Index i = 0; i < count; ++i) {
+    const Vertex v(static_cast<Index>(std::uint64_t{i} * vertices / count));
+    const GirthValue exact = solver.value(v).value();
+    const GirthValue naive = study::naiveGirth(mesh, v).value();
+    if (exact.kind == LoopKind::Unresolved) continue;
+    EXPECT_NEAR(exact.length / naive.length, 1, 1e-9) << "vertex " << v;
+  }
+}
+
+TEST(ExactIsNaiveOnTheCorpus, InEveryFile) {
+  if (!corpusIsThere()) GTEST_SKIP() << "skipped: no corpus";
+  int files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(corpusFolder())) {
+    if (!entry.is_regular_file()) continue;
+    const auto loaded = io::loadMesh(entry.path().string());
+    if (!loaded) continue;
+    SCOPED_TRACE(entry.path().string());
+    expectNaiveAtSome(loaded.value().mesh);
+    ++files;
+  }
+  EXPECT_GE(files, 500);
 }
 
 }  // namespace
