@@ -73,8 +73,9 @@ struct Necks {
 /// *Found for certain* is every neck that measures the girth at a vertex which it passes, if no
 /// other loop is as short there: every neck passes a vertex, and there the loop of the girth is the
 /// neck itself. Others, longer than the girth all along, are found where a loop can be drawn tight
-/// into them. Lengths are exact to rounding (1e-9), and so are the angles: at least π less 1e-8 on
-/// each side at every vertex.
+/// into them. Lengths are exact to rounding (1e-9); of a band whose loops differ by rounding of the
+/// coordinates, the length is that of one of them. The angles are at least π less 1e-8 on each side
+/// at every vertex.
 ///
 /// *Prominence* is measured on the girth over the surface, in between vertices too: the way from
 /// the neck to a narrower one is searched over the mesh's edges, which are cut in halves round the

@@ -12,6 +12,8 @@
 // |   kShortest ≤ kTie         | the loop is bent or beside its windows, could be nearer over a   |
 // |                            | third path by more than a tie, or not nearer where it is         |
 // | kRounding < kShortest      | a path that is not the shortest could prove a loop               |
+// | kTouch ≪ kTaut           | a curve drawn through a vertex that it touches would be bent      |
+// |                            | there, pushed off it, and touch it again                         |
 // | √kRounding ≪ kBeside       | of paths that tie, the direction of one could be forgotten: two  |
 // |                            | that arrive ε apart differ in length by ε²/2 of it               |
 #pragma once
@@ -68,8 +70,13 @@ inline constexpr double kBeside = 1e-5;
 /// square.
 inline constexpr double kStraight = 1e-12;
 
+/// A closed curve is tight where both sides of each vertex that it passes leave π less this: it is
+/// longer than the shortest by half the square of that, as a share.
+inline constexpr double kTaut = 1e-8;
+
 static_assert(kSliver <= kSnap && kSnap <= kAim && kSaddleAngle == kFlatAngle &&
               kStraight <= kFanOverlap && kFanOverlap <= kShortest && kAim <= kShortest &&
-              kShortest <= kTie && kRounding < kShortest && 100 * kRounding < kBeside * kBeside);
+              kShortest <= kTie && kRounding < kShortest && 100 * kRounding < kBeside * kBeside &&
+              50 * kTouch <= kTaut);
 
 }  // namespace girth::geodesic

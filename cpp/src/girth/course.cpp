@@ -27,6 +27,9 @@ constexpr double kSameTurn = 1e-8;
 /// A root is where a vertex is if it lies no farther from it, as a share of the side.
 constexpr double kAtRoot = 1e-6;
 
+/// Paths of which one direction differs by less than this from the other's run beside each other.
+constexpr double kAlike = 1e-4;
+
 /// As if a boundary vertex had so much angle beyond the boundary.
 constexpr double kBeyond = 2 * kPi;
 
@@ -243,6 +246,38 @@ void Courses::graze(Index vertex, bool onLeft, Course& backwards) const {
   if (!bends(vertex) || propagation_->isSource(vertex)) return;
   if (!backwards.empty() && backwards.back().vertex == vertex) return;
   backwards.push_back({vertex, onLeft ? kPi : roundAngle(vertex) - kPi});
+}
+
+/// Whether a path turns at a vertex that it passes, and does not go straight on along one side.
+bool Courses::turnsAt(const Bend& bend) const {
+  return bend.turn > kPi + kAlike && bend.turn < roundAngle(bend.vertex) - kPi - kAlike;
+}
+
+bool Courses::runBeside(const Course& a, const Course& b) const {
+  const auto rounds = [&](const Bend& bend) {  // at p, directions come round to 0
+    if (bend.vertex == kNoIndex) return 2 * kPi;
+    return unfolding_->boundary(bend.vertex) ? roundAngle(bend.vertex)
+                                             : unfolding_->totalAngle(bend.vertex);
+  };
+  std::size_t i = 0, k = 0;
+  for (;; ++i, ++k) {
+    // Vertices that are only passed do not count.
+    while (i > 0 && i < a.size() && !turnsAt(a[i])) ++i;
+    while (k > 0 && k < b.size() && !turnsAt(b[k])) ++k;
+    if (i >= a.size() || k >= b.size()) return i >= a.size() && k >= b.size();
+    if (a[i].vertex != b[k].vertex) return false;
+    const double apart = std::fabs(a[i].turn - b[k].turn);
+    if (apart > kAlike && (i > 0 || rounds(a[0]) - apart > kAlike)) return false;
+  }
+}
+
+bool Courses::liesBetween(const Course& path, const Course& a, const Course& b) {
+  if (a.empty() || b.empty()) return false;
+  const bool isRight = leavesRightOf(a, b);
+  const Course &right = isRight ? a : b, &left = isRight ? b : a;
+  const bool isWithin = leavesRightOf(right, path) && leavesRightOf(path, left);
+  const bool isOutside = leavesRightOf(path, right) || leavesRightOf(left, path);
+  return left[0].turn - right[0].turn > kAlike ? isOutside : isWithin;
 }
 
 bool Courses::bends(Index vertex) const {

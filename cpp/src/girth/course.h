@@ -45,6 +45,11 @@ class Courses {
   /// The path to a boundary vertex, and on across the boundary.
   Course beyondBoundary(Index vertex) const;
 
+  /// Whether two paths run beside each other: they leave p, and turn at vertices, alike.
+  bool runBeside(const Course& a, const Course& b) const;
+  /// Whether a path runs between two that run beside each other.
+  static bool liesBetween(const Course& path, const Course& a, const Course& b);
+
   /// Whether paths may part at a vertex: it is listed in the courses that pass it.
   bool bends(Index vertex) const;
   /// The direction at a vertex of the edge to a neighbour.
@@ -72,6 +77,7 @@ class Courses {
   bool straightBack(const Rest& rest, Choices& choices, Course& backwards, Rest& root) const;
   void graze(Index vertex, bool onLeft, Course& backwards) const;
   double roundAngle(Index vertex) const;
+  bool turnsAt(const Bend& bend) const;
   double turn(Index vertex, double direction) const;
   Bend atOrigin(const geodesic::Propagation::Origin& origin, geodesic::Vec2 towards) const;
   Course finished(Rest rest, Course backwards) const;

@@ -32,11 +32,13 @@ void PersistentSearch::start(double persistence, std::size_t mostSaddles, bool w
 }
 
 bool PersistentSearch::enough(double frontier) {
-  while (search_->enough(frontier)) {
+  // By then all paths are known that arrive at a midpoint together with the halves of its loop.
+  const double passed = frontier * (1 - 4 * kTogether);
+  while (search_->enough(passed)) {
     if (search_->cancelled()) return true;
     add(search_->best());
   }
-  if (search_->unjudged() * (1 + kTie) < frontier) return false;  // the budget is met
+  if (search_->unjudged() * (1 + kTie) < passed) return false;  // the budget is met
   for (; decided_ < saddles_.size(); ++decided_, attempts_ = 0, leads_ = {}) {
     if (decided_ == mostSaddles_) return endedEarly_ = true;
     Saddle& saddle = saddles_[decided_];
@@ -70,14 +72,69 @@ void PersistentSearch::add(const LoopCandidate& loop) {
   const double height = loop.length / 2;
   findArrivals(*propagation_, loop.halfedge, loop.midpoint, height * (1 + kTogether), arrivals_);
   work_ += arrivals_.paths.size();
-  const bool isPlain = arrivals_.vertex == kNoIndex && arrivals_.paths.size() == 2;
-  if (!isPlain && !divides(loop)) return;
   if (saddles_.empty()) {
+    // Maxima are looked for from the first saddle on.
     measured_ = height * (1 - 4 * kTogether);
     propagation_->keepBeyond(measured_);
   }
-  const Saddle saddle{loop, kInfinity, isPlain, arrivals_.vertex};
+  if (arrivals_.vertex != kNoIndex) return addAtVertex(loop);
+  const bool isPlain = arrivals_.paths.size() == 2;
+  if (isPlain || divides(loop)) push({loop, kInfinity, isPlain, kNoIndex});
+}
+
+void PersistentSearch::push(const Saddle& saddle) {
   if (!isKnown(saddle)) saddles_.push_back(saddle);
+}
+
+/// A loop whose midpoint is a vertex, up to rounding: where k gaps of π part the paths that arrive
+/// there, k - 1 saddles. No more than one where paths cannot part at the vertex. Otherwise one half
+/// of each loop is the path that is stored for the vertex.
+void PersistentSearch::addAtVertex(const LoopCandidate& loop) {
+  const Index vertex = arrivals_.vertex;
+  arrivals_.surround(kFullGap);  // sorts
+  if (!courses_.bends(vertex) || !propagation_->settled(vertex)) {
+    if (gapsBeside(0, 0).around > 1) push({loop, kInfinity, false, vertex});
+    return;
+  }
+  if (loop.there.vertex == vertex || loop.back.vertex == vertex) {
+    const bool isStored = loop.there.vertex == vertex;
+    addAtVertex(loop, directionOf(loop, isStored ? loop.there : loop.back),
+                directionOf(loop, isStored ? loop.back : loop.there));
+    return;
+  }
+  // Rounding has it pass beside the vertex.
+  const Unfolding& unfolding = propagation_->unfolding();
+  const double stored = propagation_->arrivalDirection(vertex);
+  for (const PathArrival& path : arrivals_.paths) {
+    LoopCandidate through{loop.length, {{}, vertex}, path.half, 0, {}};
+    if (path.half.bundle.halfedge != kNoIndex) {
+      through.halfedge = path.half.bundle.halfedge;
+      through.midpoint = unfolding.crossing(through.halfedge).apex();
+    } else {
+      const auto fan = unfolding.fan(vertex);
+      const auto edge = std::find_if(fan.begin(), fan.end(), [&](Index h) {
+        return unfolding.crossing(h).to() == path.half.vertex;
+      });
+      const bool isLast = edge == fan.end();  // before a boundary
+      through.halfedge = isLast ? Unfolding::previous(fan.back()) : *edge;
+      if (isLast) through.midpoint = {unfolding.crossing(through.halfedge).length(), 0};
+    }
+    addAtVertex(through, stored, path.direction);
+  }
+}
+
+/// One of the loops through a vertex, by the directions of the path stored there and of the other.
+void PersistentSearch::addAtVertex(const LoopCandidate& loop, double stored, double other) {
+  const Index vertex = arrivals_.vertex;
+  const bool isSwapped = stored > other;
+  const Gaps gaps = gapsBeside(std::min(stored, other), std::max(stored, other));
+  if (gaps.between == 0 || gaps.around == 0) return;
+  const AtVertex here{vertex, isSwapped ? gaps.around : gaps.between};
+  for (const AtVertex& known : atVertices_) {
+    if (known.vertex == here.vertex && known.gaps == here.gaps) return;
+  }
+  atVertices_.push_back(here);
+  push({loop, kInfinity, false, vertex});
 }
 
 /// Whether it has been found already, in another face, or by another path that arrives in the same
@@ -118,47 +175,38 @@ void PersistentSearch::findEnds() {
   }
 }
 
-/// Whether both sides of a loop go on at its midpoint. Where a third path arrives there as well,
-/// one side may be filled at once: a saddle and a maximum in one, which has no persistence. At a
-/// vertex with several gaps, of the loops that divide them alike one counts.
+/// Whether both sides of a loop go on at its midpoint, which is no vertex. Where a third path
+/// arrives there as well, one side may be filled at once: a saddle and a maximum in one, which has
+/// no persistence.
 bool PersistentSearch::divides(const LoopCandidate& loop) {
-  const Index vertex = arrivals_.vertex;
-  if (vertex == kNoIndex) leaveOutApart(loop);
+  leaveOutApart(loop);
   arrivals_.surround(kFullGap);  // sorts
-  const std::vector<PathArrival>& paths = arrivals_.paths;
-  if (paths.empty()) return false;
-  const bool mayPart = vertex != kNoIndex && courses_.bends(vertex);
-  if (mayPart && loop.there.vertex != vertex && loop.back.vertex != vertex) return false;
-  const bool isStored = loop.there.vertex == vertex;
-  double from = directionOf(loop, isStored ? loop.there : loop.back);
-  double to = directionOf(loop, isStored ? loop.back : loop.there);
-  const bool isSwapped = from > to;
-  if (isSwapped) std::swap(from, to);
+  const double there = directionOf(loop, loop.there), back = directionOf(loop, loop.back);
+  const Gaps gaps = gapsBeside(std::min(there, back), std::max(there, back));
+  return gaps.between > 0 && gaps.around > 0;
+}
 
-  // The gaps between the two, and the others.
+/// The gaps of π between the paths that arrive, by direction: those between two directions, and the
+/// others. Beyond a boundary is a way on.
+PersistentSearch::Gaps PersistentSearch::gapsBeside(double from, double to) const {
   constexpr double kSame = 1e-6;
-  std::size_t between = 0, around = 0;
+  const std::vector<PathArrival>& paths = arrivals_.paths;
+  Gaps gaps;
+  if (paths.empty()) return gaps;
   for (std::size_t i = 0; i + 1 < paths.size(); ++i) {
     const double a = paths[i].direction, b = paths[i + 1].direction;
     if (b - a < kFullGap) continue;
     if (a >= from - kSame && b <= to + kSame) {
-      ++between;
+      ++gaps.between;
     } else {
-      ++around;
+      ++gaps.around;
     }
   }
   if (arrivals_.open ||
       paths.front().direction + arrivals_.total - paths.back().direction >= kFullGap) {
-    ++around;
+    ++gaps.around;
   }
-  if (between == 0 || around == 0) return false;
-  if (!mayPart) return true;
-  const AtVertex here{vertex, isSwapped ? around : between};
-  for (const AtVertex& known : atVertices_) {
-    if (known.vertex == here.vertex && known.gaps == here.gaps) return false;
-  }
-  atVertices_.push_back(here);
-  return true;
+  return gaps;
 }
 
 /// Takes paths from the arrivals that meet the two halves of a loop so far beside its midpoint that
@@ -274,12 +322,64 @@ bool PersistentSearch::measure(double frontier) {
   propagation_->keepBeyond(high * (1 - 4 * kTogether));
   if (isComplete) findBoundaries();
   findEnds();
-  const std::vector<double> deaths = saddleDeaths(ends_, maxima_, boundaries_, isComplete);
-  for (std::size_t i = decided_; i < saddles_.size(); ++i) {
-    const double height = ends_[i].height;
-    saddles_[i].death = deaths[i] > height * (1 + 4 * kTogether) ? deaths[i] : height;
+  // Of saddles that are one, the first counts.
+  std::vector<std::size_t> numbers;
+  std::vector<SaddleEnds> ends;
+  std::vector<LocalMaximum> maxima = maxima_;
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    const SaddleEnds& saddle = ends_[i];
+    if (i >= decided_) saddles_[i].death = saddle.height;
+    const auto one = std::find_if(ends.rbegin(), ends.rend(),
+                                  [&](const SaddleEnds& other) { return areOne(other, saddle); });
+    std::erase_if(maxima, [&](const LocalMaximum& maximum) {
+      return isLower(maximum, saddle) || (one != ends.rend() && liesBetween(maximum, *one, saddle));
+    });
+    if (one != ends.rend()) continue;
+    numbers.push_back(i);
+    ends.push_back(saddle);
+  }
+  const std::vector<double> deaths = saddleDeaths(ends, maxima, boundaries_, isComplete);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const std::size_t i = numbers[k];
+    if (i >= decided_ && deaths[k] > ends[k].height * (1 + 4 * kTogether)) {
+      saddles_[i].death = deaths[k];
+    }
   }
   return true;
+}
+
+/// Whether rounding has made two saddles of one: they are equally high, their loops run beside each
+/// other, and no higher maximum lies between. Their order would be a matter of rounding.
+bool PersistentSearch::areOne(const SaddleEnds& a, const SaddleEnds& b) const {
+  const double high = a.height * (1 + 4 * kTogether);
+  if (b.height > high) return false;
+  if (!runAlike(a, b) &&
+      !(courses_.runBeside(a.there, b.back) && courses_.runBeside(a.back, b.there))) {
+    return false;
+  }
+  return std::none_of(maxima_.begin(), maxima_.end(), [&](const LocalMaximum& maximum) {
+    return maximum.distance > high && liesBetween(maximum, a, b);
+  });
+}
+
+/// Whether a maximum beside a saddle is no higher, and so an effect of rounding.
+bool PersistentSearch::isLower(const LocalMaximum& maximum, const SaddleEnds& saddle) const {
+  return maximum.distance <= saddle.height &&
+         maximum.distance >= saddle.height * (1 - 4 * kTogether) &&
+         (courses_.runBeside(maximum.course, saddle.there) ||
+          courses_.runBeside(maximum.course, saddle.back));
+}
+
+bool PersistentSearch::runAlike(const SaddleEnds& a, const SaddleEnds& b) const {
+  return courses_.runBeside(a.there, b.there) && courses_.runBeside(a.back, b.back);
+}
+
+/// Whether a maximum lies between two loops that run beside each other.
+bool PersistentSearch::liesBetween(const LocalMaximum& maximum, const SaddleEnds& a,
+                                   const SaddleEnds& b) const {
+  const bool isAlike = runAlike(a, b);
+  return Courses::liesBetween(maximum.course, a.there, isAlike ? b.there : b.back) ||
+         Courses::liesBetween(maximum.course, a.back, isAlike ? b.back : b.there);
 }
 
 /// The paths to all boundary curves of the component.

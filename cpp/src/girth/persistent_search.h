@@ -67,7 +67,19 @@ class PersistentSearch {
 
  private:
   void add(const LoopCandidate& loop);
+  void addAtVertex(const LoopCandidate& loop);
+  void addAtVertex(const LoopCandidate& loop, double stored, double other);
+  void push(const Saddle& saddle);
   bool isKnown(const Saddle& saddle) const;
+  /// Numbers of gaps between arrivals in which the frontier goes on.
+  struct Gaps {
+    std::size_t between{0}, around{0};
+  };
+  Gaps gapsBeside(double from, double to) const;
+  bool areOne(const SaddleEnds& a, const SaddleEnds& b) const;
+  bool isLower(const LocalMaximum& maximum, const SaddleEnds& saddle) const;
+  bool runAlike(const SaddleEnds& a, const SaddleEnds& b) const;
+  bool liesBetween(const LocalMaximum& maximum, const SaddleEnds& a, const SaddleEnds& b) const;
   bool divides(const LoopCandidate& loop);
   void leaveOutApart(const LoopCandidate& loop);
   double directionOf(const LoopCandidate& loop, const PathHalf& half) const;

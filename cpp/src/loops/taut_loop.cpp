@@ -11,7 +11,7 @@ namespace girth::loops {
 namespace {
 
 using geodesic::Crossing;
-using geodesic::kStraight;
+using geodesic::kTaut;
 using geodesic::kTouch;
 
 /// Halvings of an edge until its share is known well enough to tell which vertices are passed.
@@ -204,10 +204,53 @@ Straight straightThrough(const Strip& strip, Vec2 at) {
   return line;
 }
 
+/// The corner through which the shortest loop of a closed strip is drawn that goes from a point of
+/// its first edge straight to the same point of its last: one on the right that it touches, which
+/// keeps it from getting shorter; otherwise the nearest on the left.
+std::size_t besideLine(const Strip& strip, Vec2 a, Vec2 b) {
+  const Vec2 along = b - a;
+  std::size_t corner = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < strip.portals(); ++i) {
+    const double room = cross(along, strip.corner(strip.left(i)).place - a);
+    if (room >= least) continue;
+    least = room;
+    corner = strip.left(i);
+  }
+  least = std::min(least, kTouch * dot(along, along));
+  for (std::size_t i = 0; i + 1 < strip.portals(); ++i) {
+    const double room = cross(along, a - strip.corner(strip.right(i)).place);
+    if (room >= least) continue;
+    least = room;
+    corner = strip.right(i);
+  }
+  return corner;
+}
+
+/// A closed run begun at the edge that reaches farthest across it. Along an edge that runs with the
+/// loop the length hardly changes, and rounding would decide where it is least.
+Run begunAcross(const Unfolding& unfolding, const Run& run) {
+  const Strip strip(unfolding, run, true);
+  const auto place = [&](std::size_t corner) { return strip.corner(corner).place; };
+  const Vec2 along = place(strip.right(run.size())) - place(strip.right(0));
+  std::size_t first = 0;
+  double widest = 0;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    const double width = cross(along, place(strip.left(i)) - place(strip.right(i)));
+    if (width <= widest) continue;
+    widest = width;
+    first = i;
+  }
+  Run begun = run;
+  std::rotate(begun.begin(), begun.begin() + static_cast<std::ptrdiff_t>(first), begun.end());
+  return begun;
+}
+
 /// The shortest loop in a closed run, through a vertex beside it. The length of the shortest path
 /// from a point of its first edge round to the same point is convex, so the least is found by
 /// halving.
-TautLoop closedLoop(const Unfolding& unfolding, const Run& run) {
+TautLoop closedLoop(const Unfolding& unfolding, const Run& anyRun) {
+  const Run run = begunAcross(unfolding, anyRun);
   const Strip strip(unfolding, run, true);
   const std::size_t last = strip.portals() - 1;
   const Vec2 right = strip.corner(strip.right(0)).place, left = strip.corner(strip.left(0)).place;
@@ -231,7 +274,7 @@ TautLoop closedLoop(const Unfolding& unfolding, const Run& run) {
     const std::size_t corner = high <= kTouch ? strip.right(0) : strip.left(0);
     return pinned(unfolding, run, strip.corner(corner).vertex, strip.corner(corner).lastPortal);
   }
-  const std::size_t corner = bends.empty() ? straightThrough(strip, a).corner : bends.front();
+  const std::size_t corner = bends.empty() ? besideLine(strip, a, b) : bends.front();
   return pinned(unfolding, run, strip.corner(corner).vertex, strip.corner(corner).lastPortal);
 }
 
@@ -440,7 +483,7 @@ class Tightening {
   /// Passes the sharpest turn on its inside. False where there is none.
   bool passSharpest() {
     std::size_t sharpest = passages_.size();
-    double least = kPi - kStraight;
+    double least = kPi - kTaut;
     for (std::size_t i = 0; i < passages_.size(); ++i) {
       const double angle = std::min(passages_[i].left, passages_[i].right);
       if (angle >= least) continue;
@@ -622,11 +665,11 @@ LeftSide leftOf(const Unfolding& unfolding, const TautLoop& loop, TautLoop& push
   bool isConvex = false, isStopped = false;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
     const Passage passage = passageAt(unfolding, loop, i);
-    if (passage.left > kPi + kStraight) {
+    if (passage.left > kPi + kTaut) {
       isStopped = true;
       continue;
     }
-    isConvex = isConvex || passage.left < kPi - kStraight;
+    isConvex = isConvex || passage.left < kPi - kTaut;
     ways[i] = around(unfolding, loop.vertices[i], passage, Side::Left);
   }
   if (isConvex) {
@@ -676,7 +719,7 @@ bool slideLeft(const Unfolding& unfolding, TautLoop loop, double mostWidth,
 
 Band bandOf(const Unfolding& unfolding, const TautLoop& loop, double area) {
   const double unit = unfolding.unit();
-  const double most = area / lengthOf(unfolding, loop) / unit * (1 + kStraight);
+  const double most = area / lengthOf(unfolding, loop) / unit * (1 + kTaut);
   Band band;
   TautLoop shorter;
   std::vector<Slide> slides;

@@ -23,4 +23,13 @@ struct RegularChecks {
 /// 1e-9 of the two: whether that is a loop is decided by rounding. Those are counted.
 RegularChecks expectExactOnRegularShape(std::uint64_t seed, Index enumerations);
 
+/// Fails the test unless what stands on the search for loops holds on the shape of this seed, at
+/// some `vertices` of it, spread over it:
+///  - the loop is as long as the field says, straight, and through its midpoint;
+///  - of a whole barcode as many bars never end as the surface has independent cycles that bound
+///    nothing (its first Betti number), and each persistent girth is what the barcode says;
+///  - refined values equal the exact ones;
+///  - every loop is drawn tight: no neck and no handle is unresolved.
+void expectTheRestOnRegularShape(std::uint64_t seed, Index vertices);
+
 }  // namespace girth::test
