@@ -9,6 +9,7 @@
 #include "described.h"
 #include "file_content.h"
 #include "girth/io/attributes.h"
+#include "girth/io/length_unit.h"
 #include "girth/io/read_mesh.h"
 #include "girth/prepare_surface.h"
 
@@ -120,7 +121,8 @@ val readSurface(const val& bytes, const std::string& name, const val& resource, 
     for (const std::string& note : model.notes) notes.call<void>("push", note);
     val result = describePrepared(prepared.value(), corners);
     result.set("format", std::string(io::toString(model.format)));
-    result.set("unit", model.unit);
+    const io::LengthUnit* unit = io::findLengthUnit(model.unit);
+    result.set("unit", std::string(unit == nullptr ? "" : unit->symbol));
     result.set("notes", notes);
     return result;
   });

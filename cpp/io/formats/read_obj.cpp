@@ -15,6 +15,7 @@
 #include "formats/polygon_soup.h"
 #include "text/number_text.h"
 #include "text/quoted_name.h"
+#include "text/unit_text.h"
 #include "text/words.h"
 
 namespace girth::io {
@@ -23,7 +24,9 @@ namespace {
 class ObjReader {
  public:
   ObjReader(std::string_view text, const ReadOptions& options)
-      : words_(text, '#', Words::Continuation::JoinsLines), options_(options) {}
+      : words_(text, '#', Words::Continuation::JoinsLines), options_(options) {
+    model_.unit = unitInComments(text, "#");
+  }
 
   Result<ReadModel> read() {
     while (true) {

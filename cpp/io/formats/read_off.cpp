@@ -13,6 +13,7 @@
 #include "malformed.h"
 #include "text/number_text.h"
 #include "text/quoted_name.h"
+#include "text/unit_text.h"
 #include "text/words.h"
 
 namespace girth::io {
@@ -106,8 +107,10 @@ class OffReader {
 class AsciiOffReader : OffReader {
  public:
   /// Behind the keyword.
-  AsciiOffReader(const Words& words, const Keyword& keyword, std::size_t fileSize)
-      : words_(words), keyword_(keyword), fileSize_(fileSize) {}
+  AsciiOffReader(const Words& words, const Keyword& keyword, std::string_view text)
+      : words_(words), keyword_(keyword), fileSize_(text.size()) {
+    model.unit = unitInComments(text, "#");
+  }
 
   Result<ReadModel> read() {
     std::array<std::int64_t, 2> counts{};
@@ -309,7 +312,7 @@ Result<ReadModel> readOff(std::span<const std::byte> bytes) {
   Words words(text, '#');
   const Words beginning = words;
   const auto keyword = parseKeyword(words.next());
-  if (!keyword) return AsciiOffReader(beginning, {}, text.size()).read();
+  if (!keyword) return AsciiOffReader(beginning, {}, text).read();
   if (keyword->anyDimension) {
     Error error = makeError(ErrorCode::UnsupportedFeature, words.line(),
                             "line " + std::to_string(words.line()) +
@@ -322,7 +325,7 @@ Result<ReadModel> readOff(std::span<const std::byte> bytes) {
     words.skipLine();
     return BinaryReader(bytes.subspan(bytes.size() - text.size()), words.offset(), *keyword).read();
   }
-  return AsciiOffReader(behindKeyword, *keyword, text.size()).read();
+  return AsciiOffReader(behindKeyword, *keyword, text).read();
 }
 
 }  // namespace girth::io

@@ -17,6 +17,7 @@
 #include "text/number_text.h"
 #include "text/passed_text.h"
 #include "text/quoted_name.h"
+#include "text/unit_text.h"
 #include "text/words.h"
 
 namespace girth::io {
@@ -91,6 +92,8 @@ struct Header {
   /// Where the body begins: its byte and its line.
   std::size_t body{0};
   std::int64_t bodyLine{1};
+  /// As in ReadModel.
+  std::string unit;
 
   const Element* find(std::string_view name) const {
     for (const Element& element : elements) {
@@ -125,6 +128,7 @@ class HeaderReader {
         if (auto missing = checkWhole()) return *missing;
         header_.body = at_;
         header_.bodyLine = lineNumber_ + 1;
+        header_.unit = unitInComments(text_.substr(0, at_), "comment");
         return std::move(header_);
       }
       if (keyword == "format") {
@@ -659,6 +663,7 @@ class BodyReader {
     }
     model_.soup.triangles = std::move(*triangles);
     model_.format = Format::Ply;
+    model_.unit = header_.unit;
     return std::move(model_);
   }
 

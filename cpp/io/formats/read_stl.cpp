@@ -14,6 +14,7 @@
 #include "text/number_text.h"
 #include "text/passed_text.h"
 #include "text/quoted_name.h"
+#include "text/unit_text.h"
 #include "text/words.h"
 
 namespace girth::io {
@@ -172,6 +173,7 @@ Result<ReadModel> readBinary(std::span<const std::byte> bytes) {
   }
   ReadModel model;
   model.format = Format::Stl;
+  model.unit = unitInHeader(textOf(bytes.first(kHeaderSize - 4)));
   const std::uint64_t held = (bytes.size() - kHeaderSize) / kTriangleSize;
   std::uint64_t count = triangleCount(bytes);
   if ((count == 0 || count == 0xFFFFFFFFu) && held > 0 &&

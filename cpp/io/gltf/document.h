@@ -116,6 +116,8 @@ struct GltfDocument {
   std::vector<std::vector<GltfPrimitive>> primitives;
   /// By material.
   std::vector<GltfColour> baseColours;
+  /// As in GeometryJson.
+  bool isUnitUnknown{false};
 };
 
 /// The first reference in the document that leads nowhere, the first range that does not fit: what

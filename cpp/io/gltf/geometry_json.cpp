@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "girth/io/length_unit.h"
 #include "gltf/fault.h"
 #include "gltf/json_fields.h"
 #include "gltf/json_nesting.h"
@@ -439,6 +440,17 @@ std::vector<GltfColour> baseColours(const Json& document) {
   return colours;
 }
 
+/// Whether `extras` of some mesh have a `unit` that is none.
+bool statesUnknownUnit(const Json& document) {
+  const auto meshes = document.find("meshes");
+  if (meshes == document.end() || !meshes->is_array()) return false;
+  return std::any_of(meshes->begin(), meshes->end(), [](const Json& mesh) {
+    const auto extras = mesh.is_object() ? mesh.find("extras") : mesh.end();
+    const std::string* unit = extras == mesh.end() ? nullptr : stringMember(*extras, "unit");
+    return unit != nullptr && findLengthUnit(*unit) == nullptr;
+  });
+}
+
 /// The buffers of a document, out of the JSON.
 std::vector<GltfBufferSource> takeBuffers(Json& buffers) {
   std::vector<GltfBufferSource> sources;
@@ -478,6 +490,7 @@ Result<GeometryJson> geometryJson(std::string_view text, std::size_t firstByte,
   if (fault) return *fault;
   GeometryJson result;
   result.baseColours = baseColours(document);
+  result.isUnitUnknown = statesUnknownUnit(document);
   document = Json();  // it may be large
 
   if (buffers.contains("buffers")) result.buffers = takeBuffers(buffers["buffers"]);

@@ -33,6 +33,9 @@ struct GeometryJson {
   std::size_t embeddedBytes{0};
   /// Of each material: white where it states none, or none that can be.
   std::vector<GltfColour> baseColours;
+  /// Whether the extras of some mesh state, as Girth writes them, that its unit is none that is
+  /// known: then its numbers are no metres.
+  bool isUnitUnknown{false};
 };
 
 /// Whether an attribute of that name says something of points besides where they are: colours,

@@ -97,7 +97,7 @@ class SceneWalk {
       model.attributeNotes = std::move(found.notes);
     }
     model.soup = std::move(soup_);
-    model.unit = "metre";
+    if (!document_.isUnitUnknown) model.unit = "metre";
     model.notes = notes_.sentences(model_);
     return model;
   }
@@ -611,7 +611,8 @@ Result<GltfDocument> documentOf(std::string_view json, std::size_t firstByte,
   GltfDocument document{std::move(model).value(),
                         std::move(geometry.value().buffers),
                         {},
-                        std::move(geometry.value().baseColours)};
+                        std::move(geometry.value().baseColours),
+                        geometry.value().isUnitUnknown};
   for (const tinygltf::Mesh& mesh : document.model.meshes) {
     document.primitives.emplace_back(mesh.primitives.begin(), mesh.primitives.end());
   }

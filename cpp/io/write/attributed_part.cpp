@@ -11,6 +11,7 @@
 #include "bytes/append.h"
 #include "bytes/bit_cast.h"
 #include "text/number_text.h"
+#include "text/unit_text.h"
 #include "write/point_json.h"
 
 namespace girth::io {
@@ -203,11 +204,9 @@ void appendObj(const AttributedPart& part, std::size_t before, std::string& text
 
 std::string plyFile(const AttributedPart& part, std::string_view unit) {
   constexpr double kMost = 255;
-  std::string content =
-      "ply\nformat binary_little_endian 1.0\n" +
-      (unit.empty() ? std::string() : "comment unit: " + std::string(unit) + "\n") +
-      "element vertex " + std::to_string(part.places.size()) +
-      "\nproperty double x\nproperty double y\nproperty double z\n";
+  std::string content = "ply\nformat binary_little_endian 1.0\n" + unitComment("comment", unit) +
+                        "element vertex " + std::to_string(part.places.size()) +
+                        "\nproperty double x\nproperty double y\nproperty double z\n";
   constexpr std::array kChannels{"red", "green", "blue", "alpha"};
   for (const Attribute& attribute : part.attributes) {
     if (isColour(attribute)) {

@@ -10,6 +10,7 @@
 #include "girth/io/write_mesh.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
+#include "text/unit_text.h"
 #include "write/attributed_part.h"
 #include "write/glb_writer.h"
 #include "write/part_json.h"
@@ -98,7 +99,7 @@ Result<std::string> cutGlb(const LoadedMesh& loaded, const CutModel& model) {
 }
 
 std::string cutObj(const LoadedMesh& loaded, const CutModel& model) {
-  std::string text;
+  std::string text = unitComment("#", loaded.unit);
   std::size_t before = 0;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     text += "o " + nameOf(i) + "\n";
@@ -115,7 +116,7 @@ Result<std::string> partFile(const LoadedMesh& loaded, const CutModel& model, st
     return plyFile(attributedPart(loaded, model, part), loaded.unit);
   }
   if (!loaded.attributes.empty() && format == Format::Obj) {
-    std::string text = loaded.unit.empty() ? "" : "# unit: " + loaded.unit + "\n";
+    std::string text = unitComment("#", loaded.unit);
     appendObj(attributedPart(loaded, model, part), 0, text);
     return text;
   }

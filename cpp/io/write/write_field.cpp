@@ -12,6 +12,7 @@
 #include "picture/viridis.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
+#include "text/unit_text.h"
 #include "write/glb_writer.h"
 #include "write/npy.h"
 #include "write/point_json.h"
@@ -34,7 +35,7 @@ double coordinate(const SurfaceMesh& mesh, Vertex vertex, std::size_t axis) {
 }
 
 /// " (mm)"; nothing where the unit is not known.
-std::string unitInHeader(const std::string& unit) {
+std::string unitInColumn(const std::string& unit) {
   if (unit.empty()) return "";
   const LengthUnit* known = findLengthUnit(unit);
   return " (" + (known == nullptr ? unit : std::string(known->symbol)) + ")";
@@ -175,10 +176,10 @@ std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fiel
   const bool hasPositions = columns == Columns::Positions;
   std::string text = "vertex";
   for (std::size_t axis = 0; hasPositions && axis < kAxes.size(); ++axis) {
-    text += std::string(",") + kAxes[axis] + unitInHeader(loaded.unit);
+    text += std::string(",") + kAxes[axis] + unitInColumn(loaded.unit);
   }
   for (const VertexField& field : fields) {
-    text += "," + field.name + (hasPositions ? unitInHeader(field.unit) : "");
+    text += "," + field.name + (hasPositions ? unitInColumn(field.unit) : "");
     if (!field.kinds.empty()) text += "," + field.kindName;
   }
   text += "\n";
@@ -254,7 +255,8 @@ std::string fieldNpy(const LoadedMesh& loaded, const VertexField& field) {
 
 std::string fieldPly(const LoadedMesh& loaded, std::span<const VertexField> fields) {
   const SurfaceMesh& mesh = loaded.mesh;
-  std::string content = "ply\nformat binary_little_endian 1.0\n";
+  std::string content =
+      "ply\nformat binary_little_endian 1.0\n" + unitComment("comment", loaded.unit);
   std::string properties;
   std::size_t vertexSize = 24;
   for (const VertexField& field : fields) {

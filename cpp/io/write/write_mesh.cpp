@@ -7,14 +7,11 @@
 #include "bytes/append.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
+#include "text/unit_text.h"
 #include "write/glb_writer.h"
 
 namespace girth::io {
 namespace {
-
-std::string unitComment(const char* begin, std::string_view unit) {
-  return unit.empty() ? std::string() : begin + std::string("unit: ") + std::string(unit) + "\n";
-}
 
 std::string positionText(const Vec3& position) {
   return formatNumber(position.x) + " " + formatNumber(position.y) + " " +
@@ -22,7 +19,7 @@ std::string positionText(const Vec3& position) {
 }
 
 std::string objFile(const SurfaceMesh& mesh, std::string_view unit) {
-  std::string text = unitComment("# ", unit);
+  std::string text = unitComment("#", unit);
   for (const Vertex v : mesh.vertices()) text += "v " + positionText(mesh.position(v));
   for (const Face f : mesh.faces()) {
     text += "f";
@@ -33,7 +30,7 @@ std::string objFile(const SurfaceMesh& mesh, std::string_view unit) {
 }
 
 std::string offFile(const SurfaceMesh& mesh, std::string_view unit) {
-  std::string text = "OFF\n" + unitComment("# ", unit) + std::to_string(mesh.vertexCount()) + " " +
+  std::string text = "OFF\n" + unitComment("#", unit) + std::to_string(mesh.vertexCount()) + " " +
                      std::to_string(mesh.faceCount()) + " " + std::to_string(mesh.edgeCount()) +
                      "\n";
   for (const Vertex v : mesh.vertices()) text += positionText(mesh.position(v));
@@ -46,7 +43,7 @@ std::string offFile(const SurfaceMesh& mesh, std::string_view unit) {
 }
 
 std::string plyFile(const SurfaceMesh& mesh, std::string_view unit) {
-  std::string content = "ply\nformat binary_little_endian 1.0\n" + unitComment("comment ", unit) +
+  std::string content = "ply\nformat binary_little_endian 1.0\n" + unitComment("comment", unit) +
                         "element vertex " + std::to_string(mesh.vertexCount()) +
                         "\nproperty double x\nproperty double y\nproperty double z\n"
                         "element face " +
@@ -84,8 +81,7 @@ Vec3 unitNormal(const SurfaceMesh& mesh, Index face) {
 
 std::string stlFile(const SurfaceMesh& mesh, std::string_view unit) {
   constexpr std::size_t kHeader = 80;
-  // Not "solid", with which text begins.
-  std::string content = "binary STL, unit: " + std::string(unit.empty() ? "unknown" : unit);
+  std::string content = unitHeader(unit);
   content.resize(kHeader, ' ');
   content.reserve(kHeader + 4 + 50 * std::size_t{mesh.faceCount()});
   appendBytes(content, mesh.faceCount(), 4);

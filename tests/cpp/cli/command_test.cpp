@@ -248,6 +248,11 @@ TEST_F(Command, partsEndsWithFourWhereSomethingIsTooThin) {
   EXPECT_EQ(report["limits"]["tubeDiameter"], 2);
   EXPECT_EQ(report["places"][0]["kind"], "tube");
   EXPECT_EQ(run({"parts", model, "--min-tube", "2mm"}).exitCode, 1) << "the unit is not known";
+  const std::string glb = path("prism.glb"), ply = path("prism.ply");
+  ASSERT_EQ(run({"remesh", model, "-o", glb}).exitCode, 0);
+  EXPECT_EQ(run({"parts", glb, "--min-tube", "2mm"}).exitCode, 1) << "nor is it in a copy";
+  ASSERT_EQ(run({"remesh", model, "--unit", "mm", "-o", ply}).exitCode, 0);
+  EXPECT_EQ(run({"parts", ply, "--min-tube", "2mm"}).exitCode, 4);
 
   // From which scale it passes, by trying.
   EXPECT_GT(report["failingShare"], 0.5);

@@ -19,8 +19,6 @@ export interface Figure {
   /** Its surface as it is; undefined where the kernel would have something to mend. */
   mesh: Mesh | undefined;
   content: FileContent;
-  /** Of lengths: 'm', or '' where the file states that it is not known. */
-  unit: string;
 }
 
 /** What a file's bytes have in them; undefined where they have no values. */
@@ -31,10 +29,10 @@ export async function figureOf(
 ): Promise<Figure | undefined> {
   const file = readFigure(bytes);
   if (!file) return undefined;
-  const { loops, tips, unit, ownUnit } = file;
+  const { loops, tips, ownUnit } = file;
   const fields = givenFields(file.fields);
   const mesh = await meshOf(file, name, signal);
-  return { mesh, content: { fields, loops, tips, ownUnit, leads: true, isAll: true }, unit };
+  return { mesh, content: { fields, loops, tips, ownUnit, leads: true, isAll: true } };
 }
 
 async function meshOf(

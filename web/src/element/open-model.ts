@@ -1,7 +1,7 @@
 // A model at an address: shown as it is where its file has its values in it, otherwise read by the kernel.
 
 import type { Mesh, Tips } from '../kernel/types.js';
-import { type Figure, figureOf } from './figure-mesh.js';
+import { figureOf } from './figure-mesh.js';
 import { carriedTo } from './given-fields.js';
 import type { FileContent } from './model.js';
 import { nameOf } from './parse.js';
@@ -22,25 +22,22 @@ export async function openModel(address: URL, watched: Watched): Promise<Opened>
   if (figure?.mesh) return { mesh: figure.mesh, content: figure.content };
   const kernel = await sharedKernel();
   const mesh = await kernel.load(bytes ? { bytes, name } : address, watched);
-  return figure ? withContent(mesh, figure) : { mesh, content: undefined };
+  return figure ? withContent(mesh, figure.content) : { mesh, content: undefined };
 }
 
 /** The same by the kernel, which can compute, with what its file has in it. */
 export async function openToCompute(
   address: URL,
   content: FileContent,
-  unit: string,
   watched: Watched,
 ): Promise<Opened> {
   const kernel = await sharedKernel();
   const mesh = await kernel.load(address, watched);
-  return withContent(mesh, { mesh: undefined, content, unit });
+  return withContent(mesh, content);
 }
 
 /** A mesh that the kernel has read, with what its file has for its vertices. */
-function withContent(mesh: Mesh, { content, unit }: Figure): Opened {
-  // By the rules of glTF it is in metres, but the file states that its unit is not known.
-  mesh.info.unit = unit;
+function withContent(mesh: Mesh, content: FileContent): Opened {
   const { vertexOfInput, info } = mesh;
   const fields = carriedTo(content.fields, vertexOfInput, info.vertexCount);
   return { mesh, content: { ...content, fields, loops: [], tips: undefined, isAll: false } };

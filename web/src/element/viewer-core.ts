@@ -464,10 +464,10 @@ export class ViewerCore {
   }
 
   async #goOn({ model, loops, tips }: Presented): Promise<Presented> {
-    const { name, unit } = model.mesh.info;
+    const { name } = model.mesh.info;
     const address = this.#addresses.get(model.mesh)!;
     await this.bring(`Reading ${name} …`, name, async (watched) => {
-      const { mesh, content } = await openToCompute(address, model.file, unit, watched);
+      const { mesh, content } = await openToCompute(address, model.file, watched);
       if (content) this.#contents.set(mesh, content);
       const shown = tips.shown && {
         all: tipsCarriedTo(tips.shown.all, mesh.vertexOfInput),

@@ -88,9 +88,11 @@ import type {
 
 /** Units as files name them. */
 const unitNames: Record<string, string | undefined> = {
+  um: 'micrometre',
   m: 'metre',
   mm: 'millimetre',
   cm: 'centimetre',
+  km: 'kilometre',
   in: 'inch',
   ft: 'foot',
   rad: 'radian',

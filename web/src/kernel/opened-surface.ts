@@ -19,7 +19,7 @@ export function openedSurface(
   source: Pick<MeshInfo, 'name' | 'models' | 'unreadable'>,
 ): OpenedSurface {
   const { vertexOfInput, inputOfVertex, content, unit, report, notes, parts, format } = prepared;
-  const said = { format, unit: unit === 'metre' ? 'm' : unit, report, notes, parts };
+  const said = { format, unit, report, notes, parts };
   const surface = surfaceWith(prepared, { ...source, ...said });
   return { ...surface, vertexOfInput, inputOfVertex, content };
 }

@@ -1023,7 +1023,10 @@ export interface MeshInfo {
   area: number;
   /** Extent along x, y and z, in model units. */
   size: [number, number, number];
-  /** The model's unit: 'm' for glTF, '' where the file does not state it. */
+  /**
+   * The model's unit: 'm' for glTF, what a comment states, such as 'mm', in other files of Girth, '' where the file does
+   * not state it, as a GLB of Girth may.
+   */
   unit: string;
   /** What was done to the input. */
   report: PreparationReport;

@@ -75,7 +75,7 @@ declare module '*/girth-files.mjs' {
     parts: import('./types.js').MeshPart[];
     report: import('./types.js').PreparationReport;
     format: import('./types.js').MeshInfo['format'];
-    /** 'metre' or ''. */
+    /** Its symbol, such as 'm', or ''. */
     unit: string;
     notes: string[];
   }

@@ -41,7 +41,9 @@ struct ReadModel {
   TriangleSoup soup;
   /// What the bytes were recognised as.
   Format format{Format::Obj};
-  /// "metre" for glTF, otherwise empty: the file does not state it.
+  /// "metre" for glTF; empty where the file does not state it. Girth's own files state theirs: OBJ,
+  /// OFF and PLY in a comment, as in "unit: millimetre", STL in its header; a GLB of a model
+  /// without a known unit has `"unit":""` in the extras of its meshes, and is not in metres.
   std::string unit;
   /// What the reader did that a user may want to know, one sentence each.
   std::vector<std::string> notes;

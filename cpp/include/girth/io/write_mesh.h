@@ -13,9 +13,10 @@ namespace girth::io {
 
 /// The surface in a format. OBJ and OFF are text whose numbers read back as the same doubles; PLY
 /// is binary little-endian with doubles; STL is binary and GLB is, both with positions rounded to
-/// floats, which may put vertices that lie very close onto one point. `unit` as in ReadModel: GLB
-/// is in metres, so that a model in another length that is known ("millimetre", ...) is scaled by
-/// its node; the other formats name no unit, only a comment does where there can be one.
+/// floats, which may put vertices that lie very close onto one point. `unit` as in ReadModel, and
+/// readModel reads it again: GLB is in metres, so that a model in another length that is known
+/// ("millimetre", ...) is scaled by its node; where it is not known, other programs take the
+/// numbers for metres. Other formats have the unit in a comment or in their header.
 ///
 /// Errors: USAGE for Format::Gltf (write GLB), LIMIT_EXCEEDED where GLB would pass 4 GB.
 GIRTH_EXPORT Result<std::string> meshFile(const SurfaceMesh& mesh, Format format,
