@@ -140,10 +140,11 @@ struct PreparedSurface {
 /// arrays always give the same surface, and preparing a prepared surface's arrays once more gives
 /// the same arrays. O(n log n) in the faces; about 200 bytes a face.
 ///
-/// Errors: EMPTY_MESH (nothing is left, and why), NON_FINITE_POSITION (vertex of the input),
-/// INDEX_OUT_OF_RANGE (triangle of the input), INVALID_OPTION (a distance that is negative or not a
-/// number, a share outside of its range), COMPONENT_OUT_OF_RANGE, LIMIT_EXCEEDED (too many faces to
-/// number; a vertex with a coordinate of more than 1e300), CANCELLED.
+/// Errors: EMPTY_MESH (nothing is left, and why), NON_FINITE_POSITION (vertex of the input
+/// that a triangle has), INDEX_OUT_OF_RANGE (triangle of the input), INVALID_OPTION (a distance
+/// that is negative or not a number, a share outside of its range), COMPONENT_OUT_OF_RANGE,
+/// LIMIT_EXCEEDED (too many faces to number; a vertex with a coordinate of more than 1e300),
+/// CANCELLED.
 GIRTH_EXPORT Result<PreparedSurface> prepareSurface(TriangleSoup soup,
                                                     const PrepareOptions& options = {},
                                                     const ExecutionContext& context = {});

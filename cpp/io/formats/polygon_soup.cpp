@@ -1,6 +1,7 @@
 #include "formats/polygon_soup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "formats/polygon.h"
@@ -12,6 +13,7 @@ bool PolygonSoup::endPolygon() {
   if (count < 3) {
     corners_.resize(begin_);
     values_.resize(std::min(values_.size(), begin_));
+    leftOut_.push_back(polygons_);
     return false;
   }
   if (count != 3 && sizes_.empty()) sizes_.assign(polygons_, 3);
@@ -26,6 +28,28 @@ std::optional<PolygonSoup::Corner> PolygonSoup::firstOutside(std::size_t vertice
     if (corner.vertex >= vertices) return corner;
   }
   return std::nullopt;
+}
+
+std::optional<PolygonSoup::Use> PolygonSoup::firstNowhere(std::span<const double> positions) const {
+  std::size_t end = 0, before = 0;
+  for (std::size_t polygon = 0, i = 0; polygon < polygons_; ++polygon) {
+    end += sizes_.empty() ? 3 : sizes_[polygon];
+    while (before < leftOut_.size() && leftOut_[before] <= polygon) ++before;
+    for (; i < end; ++i) {
+      const auto place = positions.subspan(3 * std::size_t{corners_[i]}, 3);
+      if (!std::all_of(place.begin(), place.end(), [](double x) { return std::isfinite(x); })) {
+        return Use{corners_[i], polygon + before};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+void PolygonSoup::noteLeftOut(std::vector<std::string>& notes) const {
+  if (leftOut_.empty()) return;
+  const std::size_t count = leftOut_.size();
+  notes.push_back(std::to_string(count) + (count == 1 ? " face" : " faces") +
+                  " with fewer than three corners " + (count == 1 ? "was" : "were") + " left out.");
 }
 
 std::optional<std::vector<Index>> PolygonSoup::takeTriangles(std::span<const double> positions) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,7 @@ class PolygonSoup {
     values_.resize(corners_.size(), kNoIndex);
     values_.back() = value;
   }
-  /// Ends the polygon. One of fewer than three corners is dropped; then it returns false.
+  /// Ends the polygon. One of fewer than three corners is left out; then it returns false.
   bool endPolygon();
   /// Adds a polygon of three corners as a whole.
   void addTriangle(Index a, Index b, Index c, std::size_t known, std::int64_t place) {
@@ -48,6 +49,18 @@ class PolygonSoup {
 
   std::size_t polygonCount() const { return polygons_; }
 
+  /// A polygon, by its number in the file, and a vertex that it has.
+  struct Use {
+    Index vertex;
+    std::size_t polygon;
+  };
+  /// The first polygon with a vertex that has a coordinate which is not a finite number.
+  /// `positions` holds all vertices that are named.
+  std::optional<Use> firstNowhere(std::span<const double> positions) const;
+
+  /// Adds a note on the polygons that were left out, if any were.
+  void noteLeftOut(std::vector<std::string>& notes) const;
+
   /// The triangles, in the polygons' order (PolygonCutter); leaves nothing here. `positions` holds
   /// all vertices that are named. Nothing where cutting would take unreasonably long.
   std::optional<std::vector<Index>> takeTriangles(std::span<const double> positions);
@@ -61,7 +74,8 @@ class PolygonSoup {
   std::vector<Index> values_;  ///< of the corners; empty, or short, as long as none was set
   std::vector<Index> sizes_;   ///< of the polygons; empty as long as all are triangles
   std::size_t polygons_{0};
-  std::size_t begin_{0};  ///< of the polygon that is being collected
+  std::size_t begin_{0};              ///< of the polygon that is being collected
+  std::vector<std::size_t> leftOut_;  ///< for each that is, the polygons before it
   /// Corners ahead of their vertices, each naming a later one than all before it: the first that
   /// lies outside is among them however many vertices there are in the end.
   std::vector<Corner> ahead_;

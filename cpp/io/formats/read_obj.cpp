@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/lost_vertices.h"
 #include "formats/polygon_soup.h"
 #include "text/number_text.h"
 #include "text/quoted_name.h"
@@ -73,12 +74,9 @@ class ObjReader {
       if (!number) {
         return failure(ErrorCode::MalformedFile, line_, inQuotes(word) + " is not a number");
       }
-      if (!std::isfinite(*number)) {
-        return failure(ErrorCode::NonFinitePosition, line_,
-                       "the coordinate " + inQuotes(word) + " is not a finite number");
-      }
       coordinate = *number;
     }
+    lost_.look(position, soup().positions.size() / 3, line_);
     if (soup().positions.size() / 3 + 1 >= kNoIndex) {
       return makeError(ErrorCode::LimitExceeded, -1, "it has more than 4 billion vertices");
     }
@@ -190,9 +188,7 @@ class ObjReader {
       faces_.addCorner(static_cast<Index>(vertex), static_cast<std::size_t>(known), line_);
       if (options_.attributes) addTexture(word);
     }
-    if (!faces_.endPolygon()) {
-      return failure(ErrorCode::MalformedFile, line_, "a face with fewer than three corners");
-    }
+    faces_.endPolygon();
     return std::nullopt;
   }
 
@@ -205,6 +201,10 @@ class ObjReader {
                          ", and there are " + std::to_string(vertices));
     }
     if (faces_.polygonCount() == 0) return nothing(vertices);
+    if (auto error =
+            lost_.inFaceOf(faces_, soup().positions, "line", LostVertices::Element::Place)) {
+      return *error;
+    }
     auto triangles = faces_.takeTriangles(soup().positions);
     if (!triangles) {
       return makeError(ErrorCode::LimitExceeded, -1,
@@ -214,6 +214,7 @@ class ObjReader {
     model_.format = Format::Obj;
     if (hasColours_) model_.attributes.push_back({"COLOR_0", 3, false, std::move(colours_)});
     finishTexture();
+    faces_.noteLeftOut(model_.notes);
     if (weights_ > 0) {
       model_.notes.push_back("The weight w of " + std::to_string(weights_) +
                              " vertices was passed over: it counts for curves only.");
@@ -245,6 +246,7 @@ class ObjReader {
   std::int64_t line_{0};  ///< of the statement
   ReadModel model_;
   PolygonSoup faces_;
+  LostVertices lost_;
   std::size_t weights_{0};
   bool curves_{false};
   ReadOptions options_;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bytes/cursor.h"
+#include "formats/lost_vertices.h"
 #include "formats/polygon_soup.h"
 #include "malformed.h"
 #include "text/number_text.h"
@@ -53,25 +54,20 @@ std::optional<Keyword> parseKeyword(std::string_view word) {
 /// What both encodings have in common.
 class OffReader {
  protected:
-  /// Adds a vertex; false where it lies nowhere.
-  bool addVertex(std::array<double, 4> position, const Keyword& keyword) {
+  /// Adds a vertex that stands at `place`, a line or byte.
+  void addVertex(std::array<double, 4> position, const Keyword& keyword, std::int64_t place) {
     if (keyword.homogeneous) {
       for (std::size_t k = 0; k < 3; ++k) position[k] /= position[3];
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!std::isfinite(position[k])) return false;
-    }
+    lost_.look(std::span(position).first<3>(), vertexCount(), place);
     model.soup.positions.insert(model.soup.positions.end(), position.begin(), position.begin() + 3);
-    return true;
   }
 
   std::size_t vertexCount() const { return model.soup.positions.size() / 3; }
 
-  void endFace() {
-    if (!faces.endPolygon()) ++lines_;
-  }
-
-  Result<ReadModel> finish() {
+  /// `unit`, `element`: as for LostVertices::inFaceOf.
+  Result<ReadModel> finish(const char* unit, LostVertices::Element element) {
+    if (auto error = lost_.inFaceOf(faces, model.soup.positions, unit, element)) return *error;
     auto triangles = faces.takeTriangles(model.soup.positions);
     if (!triangles) {
       return makeError(ErrorCode::LimitExceeded, -1,
@@ -88,10 +84,7 @@ class OffReader {
       }
       return error;
     }
-    if (lines_ > 0) {
-      model.notes.push_back(std::to_string(lines_) +
-                            " faces with fewer than three corners were left out.");
-    }
+    faces.noteLeftOut(model.notes);
     model.soup.triangles = std::move(*triangles);
     model.format = Format::Off;
     return std::move(model);
@@ -101,7 +94,7 @@ class OffReader {
   PolygonSoup faces;
 
  private:
-  std::uint64_t lines_{0};
+  LostVertices lost_;
 };
 
 class AsciiOffReader : OffReader {
@@ -137,7 +130,7 @@ class AsciiOffReader : OffReader {
     if (auto error = readVertices(counts[0])) return *error;
     if (auto error = readFaces(counts[1])) return *error;
     if (!words_.atEnd()) model.notes.push_back("What follows the last face was left out.");
-    return finish();
+    return finish("line", LostVertices::Element::Place);
   }
 
  private:
@@ -162,11 +155,7 @@ class AsciiOffReader : OffReader {
         }
         position[k] = *number;
       }
-      if (!addVertex(position, keyword_)) {
-        return makeError(ErrorCode::NonFinitePosition, words_.line(),
-                         "line " + std::to_string(words_.line()) + ": vertex " + std::to_string(i) +
-                             " has a coordinate that is not a finite number");
-      }
+      addVertex(position, keyword_, words_.line());
       words_.skipLine();
     }
     return std::nullopt;
@@ -197,7 +186,7 @@ class AsciiOffReader : OffReader {
         }
         faces.addCorner(static_cast<Index>(*vertex), vertexCount(), 0);
       }
-      endFace();
+      faces.endPolygon();
       words_.skipLine();
     }
     return std::nullopt;
@@ -224,7 +213,7 @@ class BinaryReader : OffReader {
     if (cursor_.remaining() > 0) {
       model.notes.push_back("What follows the last face was left out.");
     }
-    return finish();
+    return finish("byte", LostVertices::Element::Vertex);
   }
 
  private:
@@ -249,11 +238,7 @@ class BinaryReader : OffReader {
         position[k] = static_cast<double>(coordinate);
       }
       if (!cursor_.skip(more)) return vertexEnds(i, count);
-      if (!addVertex(position, keyword_)) {
-        return makeError(ErrorCode::NonFinitePosition, i,
-                         "byte " + std::to_string(byte()) + ": vertex " + std::to_string(i) +
-                             " has a coordinate that is not a finite number");
-      }
+      addVertex(position, keyword_, byte());
     }
     return std::nullopt;
   }
@@ -279,7 +264,7 @@ class BinaryReader : OffReader {
         }
         faces.addCorner(static_cast<Index>(vertex), vertexCount(), 0);
       }
-      endFace();
+      faces.endPolygon();
       if (!cursor_.take(colours)) return faceEnds();
       if (colours < 0 || colours > 4) {
         return failure("a colour of " + std::to_string(colours) + " components");

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bytes/cursor.h"
+#include "formats/lost_vertices.h"
 #include "formats/polygon_soup.h"
 #include "malformed.h"
 #include "text/number_text.h"
@@ -552,13 +553,7 @@ class BodyReader {
         attribute.values[attribute.values.size() - attribute.width + components[p].place] =
             value / components[p].most;
       }
-      for (const double coordinate : position) {
-        if (!std::isfinite(coordinate)) {
-          return makeError(ErrorCode::NonFinitePosition, static_cast<std::int64_t>(i),
-                           body_.placeText() + ": vertex " + std::to_string(i) +
-                               " has a coordinate that is not a finite number");
-        }
-      }
+      lost_.look(position, static_cast<std::size_t>(i), body_.place());
       if (!body_.endElement()) return failure(element, i);
       positions.insert(positions.end(), position.begin(), position.end());
     }
@@ -591,11 +586,12 @@ class BodyReader {
     return std::nullopt;
   }
 
+  std::string unitOfPlaces() const { return header_.encoding == Encoding::Ascii ? "line" : "byte"; }
+
   Error outside(std::int64_t vertex, std::int64_t place) const {
     return makeError(ErrorCode::IndexOutOfRange, place,
-                     std::string(header_.encoding == Encoding::Ascii ? "line " : "byte ") +
-                         std::to_string(place) + ": a face names vertex " + std::to_string(vertex) +
-                         " of " + std::to_string(vertexCount()));
+                     unitOfPlaces() + " " + std::to_string(place) + ": a face names vertex " +
+                         std::to_string(vertex) + " of " + std::to_string(vertexCount()));
   }
 
   std::size_t knownVertices() const { return model_.soup.positions.size() / 3; }
@@ -612,7 +608,7 @@ class BodyReader {
       if (vertex < 0 || vertex >= std::int64_t{kNoIndex}) return outside(vertex, body_.place());
       faces_.addCorner(static_cast<Index>(vertex), knownVertices(), body_.place());
     }
-    if (!faces_.endPolygon()) ++lines_;
+    faces_.endPolygon();
     return std::nullopt;
   }
 
@@ -646,6 +642,10 @@ class BodyReader {
     if (const auto corner = faces_.firstOutside(knownVertices())) {
       return outside(corner->vertex, corner->place);
     }
+    if (auto error = lost_.inFaceOf(faces_, model_.soup.positions, unitOfPlaces(),
+                                    LostVertices::Element::Vertex)) {
+      return *error;
+    }
     auto triangles = faces_.takeTriangles(model_.soup.positions);
     if (!triangles) {
       return makeError(ErrorCode::LimitExceeded, -1,
@@ -654,10 +654,7 @@ class BodyReader {
     if (triangles->empty()) {
       return makeError(ErrorCode::EmptyMesh, -1, "it has vertices, but no face with three corners");
     }
-    if (lines_ > 0) {
-      model_.notes.push_back(std::to_string(lines_) +
-                             " faces with fewer than three corners were left out.");
-    }
+    faces_.noteLeftOut(model_.notes);
     if (const PassedText passed = body_.passed(); passed.lines() > 0) {
       model_.notes.push_back(passed.note());
     }
@@ -672,7 +669,7 @@ class BodyReader {
   std::size_t fileSize_;
   ReadModel model_;
   PolygonSoup faces_;
-  std::uint64_t lines_{0};
+  LostVertices lost_;
   ReadOptions options_;
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -44,6 +45,9 @@ struct Points {
   Index first{0};
   Index count{0};
   bool mirrored{false};
+  /// Whether some have a coordinate that is not a finite number: they do no harm without a
+  /// triangle.
+  bool areSomeLost{false};
 };
 
 /// What makes the points of two primitives of one mesh the same: where positions, morph targets,
@@ -391,7 +395,7 @@ class SceneWalk {
     double* local = positions.data() + before;
     if (auto error = applyTargets(mesh, primitive, placement, place, local, count)) return *error;
 
-    Points points{static_cast<Index>(first), static_cast<Index>(count), false};
+    Points points{static_cast<Index>(first), static_cast<Index>(count)};
     const bool isSkinned = placement.pose != nullptr && !primitive.joints.empty();
     if (isSkinned) {
       auto mirrored = applySkin(primitive, packed, *placement.pose, place, local, count);
@@ -408,12 +412,8 @@ class SceneWalk {
         at[2] = moved.z;
       }
     }
-    for (std::size_t i = 0; i < 3 * count; ++i) {
-      if (std::isfinite(local[i])) continue;
-      return makeError(ErrorCode::NonFinitePosition, static_cast<std::int64_t>(first + i / 3),
-                       place + spacedName(model_.meshes[mesh].name) + ": vertex " +
-                           std::to_string(i / 3) + " has a coordinate that is not a finite number");
-    }
+    points.areSomeLost =
+        !std::all_of(local, local + 3 * count, [](double x) { return std::isfinite(x); });
     return points;
   }
 
@@ -554,6 +554,14 @@ class SceneWalk {
     for (std::size_t i = before; i < triangles.size(); i += 3) {
       if (points.mirrored) std::swap(triangles[i + 1], triangles[i + 2]);
       for (std::size_t k = i; k < i + 3; ++k) triangles[k] += points.first;
+    }
+    for (std::size_t i = before; points.areSomeLost && i < triangles.size(); ++i) {
+      const auto at = std::span(soup_.positions).subspan(3 * std::size_t{triangles[i]}, 3);
+      if (std::all_of(at.begin(), at.end(), [](double x) { return std::isfinite(x); })) continue;
+      return makeError(ErrorCode::NonFinitePosition, triangles[i],
+                       name + ": vertex " + std::to_string(triangles[i] - points.first) +
+                           " of face " + std::to_string((i - before) / 3) +
+                           " has a coordinate that is not a finite number");
     }
     return std::nullopt;
   }

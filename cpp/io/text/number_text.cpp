@@ -57,6 +57,22 @@ double parseSlowly(std::string_view text) {
   return strtod_l(terminated.data(), nullptr, plain);
 }
 
+/// What is no finite number, as C libraries print it: "nan", "nan(ind)", "inf", "1.#QNAN",
+/// "1.#INF00".
+std::optional<double> specialNumber(std::string_view text) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (text.empty() || (isDigit(text[0]) && !text.starts_with("1.#"))) return std::nullopt;
+  if (equalsIgnoringCase(text, "nan") || equalsIgnoringCase(text, "1.#nan")) return kNan;
+  if (equalsIgnoringCase(text, "inf") || equalsIgnoringCase(text, "infinity")) return kInfinity;
+  if (equalsIgnoringCase(text.substr(0, 4), "nan(") && text.back() == ')') return kNan;
+  if (equalsIgnoringCase(text.substr(0, 6), "1.#inf")) return kInfinity;
+  for (const std::string_view name : {"1.#ind", "1.#qnan", "1.#snan"}) {
+    if (equalsIgnoringCase(text.substr(0, name.size()), name)) return kNan;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -66,11 +82,7 @@ std::optional<double> parseNumber(std::string_view text) {
   if (text[0] == '-' || text[0] == '+') ++at;
 
   const std::string_view magnitude = text.substr(at);
-  if (equalsIgnoringCase(magnitude, "nan")) return std::numeric_limits<double>::quiet_NaN();
-  if (equalsIgnoringCase(magnitude, "inf") || equalsIgnoringCase(magnitude, "infinity")) {
-    const double infinity = std::numeric_limits<double>::infinity();
-    return negative ? -infinity : infinity;
-  }
+  if (const auto value = specialNumber(magnitude)) return negative ? -*value : *value;
 
   std::uint64_t mantissa = 0;
   int exponent = 0;

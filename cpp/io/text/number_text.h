@@ -13,8 +13,8 @@ namespace girth::io {
 inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// The number that `text` is, all of it, rounded correctly: decimal digits with an optional sign,
-/// point and exponent. "nan" and "inf" give these values, and so does a number too large for a
-/// double: infinity. Nothing where the text is not a number.
+/// point and exponent. "nan" and "inf" give these values, also as Windows prints them ("1.#QNAN"),
+/// and so does a number too large for a double: infinity. Nothing where the text is not a number.
 GIRTH_EXPORT std::optional<double> parseNumber(std::string_view text);
 
 /// The shortest of 15, 16 or 17 significant digits that reads back as the same double. "nan", "inf"

@@ -96,7 +96,7 @@ class Mesh:
     Raises
     ------
     InputError
-        With the codes USAGE (dtype or shape), EMPTY_MESH, NON_FINITE_POSITION (vertex),
+        With the codes USAGE (dtype or shape), EMPTY_MESH, NON_FINITE_POSITION (vertex of a face),
         INDEX_OUT_OF_RANGE (face), INVALID_OPTION or COMPONENT_OUT_OF_RANGE.
 
     Examples

@@ -15,19 +15,20 @@ namespace girth {
 /// so are the sums of a million of them.
 constexpr double kGreatestCoordinate = 1e300;
 
-/// Names the first vertex with a coordinate that is not a finite number (NON_FINITE_POSITION), or
-/// of a size above kGreatestCoordinate (LIMIT_EXCEEDED).
-inline std::optional<Error> findBadCoordinate(std::span<const double> positions) {
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (std::fabs(positions[i]) <= kGreatestCoordinate) continue;
-    const auto vertex = static_cast<std::int64_t>(i / 3);
-    const std::string name = "vertex " + std::to_string(vertex);
-    if (!std::isfinite(positions[i])) {
-      return makeError(ErrorCode::NonFinitePosition, vertex,
+/// The error of a vertex with a coordinate that is not a finite number (NON_FINITE_POSITION), or of
+/// a size above kGreatestCoordinate (LIMIT_EXCEEDED). `where`: what follows its name, " of face 3".
+inline std::optional<Error> badCoordinateOf(std::size_t vertex, std::span<const double> positions,
+                                            const std::string& where = {}) {
+  for (const double coordinate : positions.subspan(3 * vertex, 3)) {
+    if (std::fabs(coordinate) <= kGreatestCoordinate) continue;
+    const auto element = static_cast<std::int64_t>(vertex);
+    const std::string name = "vertex " + std::to_string(vertex) + where;
+    if (!std::isfinite(coordinate)) {
+      return makeError(ErrorCode::NonFinitePosition, element,
                        name + " has a coordinate that is not a finite number");
     }
     Error error =
-        makeError(ErrorCode::LimitExceeded, vertex, name + " has a coordinate of more than 1e300");
+        makeError(ErrorCode::LimitExceeded, element, name + " has a coordinate of more than 1e300");
     error.hint = "scale the model down: lengths of that size are no numbers";
     return error;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -54,6 +55,25 @@ std::string countText(std::size_t count, const char* one, const char* many) {
   return count == 1 ? std::string("the only ") + one : "all " + std::to_string(count) + " " + many;
 }
 
+/// The first face with a vertex that lies nowhere, or too far away. Vertices without a face may lie
+/// anywhere.
+std::optional<Error> findBadCoordinate(const TriangleSoup& soup, double scale) {
+  const auto isNear = [&](double coordinate) {
+    return std::fabs(coordinate) <= kGreatestCoordinate &&
+           std::fabs(scale * coordinate) <= kGreatestCoordinate;
+  };
+  if (std::all_of(soup.positions.begin(), soup.positions.end(), isNear)) return std::nullopt;
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    const std::size_t vertex = soup.triangles[i];
+    const auto coordinates = std::span(soup.positions).subspan(3 * vertex, 3);
+    if (std::all_of(coordinates.begin(), coordinates.end(), isNear)) continue;
+    auto error = badCoordinateOf(vertex, soup.positions, " of face " + std::to_string(i / 3));
+    if (error) return error;
+    return makeError(ErrorCode::InvalidOption, -1, "the scale makes the model too large");
+  }
+  return std::nullopt;
+}
+
 /// What can be wrong with the arrays and the options alone.
 std::optional<Error> findBadElement(const TriangleSoup& soup, const PrepareOptions& options) {
   const std::size_t vertices = soup.positions.size() / 3;
@@ -78,12 +98,6 @@ std::optional<Error> findBadElement(const TriangleSoup& soup, const PrepareOptio
   if (soup.triangles.size() >= 0x7FFFFFFFu || vertices >= 0x7FFFFFFFu) {
     return makeError(ErrorCode::LimitExceeded, -1, "the model has over 700 million triangles");
   }
-  if (auto error = findBadCoordinate(soup.positions)) return error;
-  for (const double coordinate : soup.positions) {
-    if (!(std::fabs(options.scale * coordinate) <= kGreatestCoordinate)) {
-      return makeError(ErrorCode::InvalidOption, -1, "the scale makes the model too large");
-    }
-  }
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
     if (soup.triangles[i] >= vertices) {
       return makeError(ErrorCode::IndexOutOfRange, static_cast<std::int64_t>(i / 3),
@@ -91,7 +105,7 @@ std::optional<Error> findBadElement(const TriangleSoup& soup, const PrepareOptio
                            std::to_string(soup.triangles[i]) + " of " + std::to_string(vertices));
     }
   }
-  return std::nullopt;
+  return findBadCoordinate(soup, options.scale);
 }
 
 /// The steps from a soup to a surface; each leaves its work in the members.

@@ -36,7 +36,9 @@ std::optional<Error> findBadElement(std::span<const double> positions,
   if (triangles.size() >= 0x7FFFFFFFu || vertices >= 0x7FFFFFFFu) {
     return makeError(ErrorCode::LimitExceeded, -1, "the mesh has over 700 million faces");
   }
-  if (auto error = findBadCoordinate(positions)) return error;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    if (auto error = badCoordinateOf(v, positions)) return error;
+  }
   for (std::size_t f = 0; f < faces; ++f) {
     const Index a = triangles[3 * f], b = triangles[3 * f + 1], c = triangles[3 * f + 2];
     const Index largest = std::max({a, b, c});

@@ -282,6 +282,24 @@ TEST(Prepare, WeldsWithinADistance) {
   EXPECT_EQ(codeOf(prepareSurface(soupOf(ball), options)), "EMPTY_MESH");
 }
 
+TEST(Prepare, DropsUnusedVerticesThatLieNowhere) {
+  const PreparedSurface plain = prepared(tetrahedron());
+  for (const double nowhere : {std::numeric_limits<double>::quiet_NaN(),
+                               -std::numeric_limits<double>::infinity(), 1e308}) {
+    TriangleSoup soup = soupOf(tetrahedron());
+    soup.positions.insert(soup.positions.end(), {0, nowhere, 0});
+    PrepareOptions options;
+    options.weldDistance = 1e-3;
+    for (const PrepareOptions& how : {PrepareOptions{}, options}) {
+      const auto out = prepareSurface(soup, how);
+      ASSERT_TRUE(out.ok()) << out.error().message;
+      EXPECT_EQ(out.value().report.unreferencedVertices, 1u);
+      EXPECT_EQ(out.value().vertexOfInput[4], kNoIndex);
+      EXPECT_EQ(out.value().mesh.area(), plain.mesh.area());
+    }
+  }
+}
+
 TEST(Prepare, DropsFacesThatRepeatAVertex) {
   Shape shape = tetrahedron();
   shape.add(7, 7, 7);
@@ -702,6 +720,8 @@ TEST(Prepare, SaysWhatIsWrong) {
   soup.positions[5] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(codeOf(prepareSurface(soup)), "NON_FINITE_POSITION");
   EXPECT_EQ(prepareSurface(soup).error().element, 1);
+  EXPECT_EQ(prepareSurface(soup).error().message,
+            "vertex 1 of face 0 has a coordinate that is not a finite number");
   soup.positions[5] = 1e308;
   EXPECT_EQ(codeOf(prepareSurface(soup)), "LIMIT_EXCEEDED");
   EXPECT_EQ(prepareSurface(soup).error().element, 1);

@@ -156,12 +156,13 @@ TEST(BadObj, codesAndLines) {
         Case{vertices + "f -4 1 2\n", "INDEX_OUT_OF_RANGE", 4},
         Case{vertices + "f 4294967297 2 3\n", "INDEX_OUT_OF_RANGE", 4},
         Case{vertices + "f 99999999999999999999 2 3\n", "INDEX_OUT_OF_RANGE", 4},
-        Case{vertices + "f 1 2\n", "MALFORMED_FILE", 4},
+        Case{vertices + "f 1 2\n", "EMPTY_MESH", -1},
         Case{vertices + "f 1 2 x\n", "MALFORMED_FILE", 4}, Case{"v 0 0\n", "MALFORMED_FILE", 1},
         Case{"v 0 0 zero\n", "MALFORMED_FILE", 1}, Case{"v 0 0 1,5\n", "MALFORMED_FILE", 1},
-        Case{"\n\nv 0 0 nan\n", "NON_FINITE_POSITION", 3},
-        Case{"v 0 \\\n0 \\\n0\nv -inf 0 0\n", "NON_FINITE_POSITION", 4},
-        Case{"v 1e999 0 0\n", "NON_FINITE_POSITION", 1}, Case{vertices, "EMPTY_MESH", -1},
+        Case{vertices + "\n\nv 0 0 nan\nf 1 2 4\n", "NON_FINITE_POSITION", 6},
+        Case{"v 0 \\\n0 \\\n0\nv -inf 0 0\nv 0 1 0\nf 1 2 3\n", "NON_FINITE_POSITION", 4},
+        Case{"v 1e999 0 0\n" + vertices + "f 1 2 3\n", "NON_FINITE_POSITION", 1},
+        Case{"v nan 0 0\n", "EMPTY_MESH", -1}, Case{vertices, "EMPTY_MESH", -1},
         Case{"f 1 2 9\nf 1 2 12\n" + vertices, "INDEX_OUT_OF_RANGE", 1},
         Case{vertices + "l 1 2 3\np 1\n", "EMPTY_MESH", -1},
         Case{vertices + "curv 0 1 1 2 3\n", "UNSUPPORTED_FEATURE", -1},
@@ -170,6 +171,13 @@ TEST(BadObj, codesAndLines) {
     EXPECT_EQ(codeOf(result), c.code) << c.text;
     EXPECT_EQ(result.error().element, c.line) << c.text << messageOf(result);
   }
+}
+
+TEST(BadObj, vertexNowhereIsNamedWithItsFace) {
+  const auto result =
+      read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nv nan 0 0\nf 1 4 2 3\n", "a.obj");
+  EXPECT_EQ(messageOf(result),
+            "line 6: vertex 3 of face 2 has a coordinate that is not a finite number");
 }
 
 TEST(BadObj, twoCoordinatesAreNamed) {

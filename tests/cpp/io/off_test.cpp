@@ -44,7 +44,7 @@ TEST(Off, whatPrefixesAnnounceIsPassedOver) {
 
 TEST(Off, homogeneousCoordinatesAreDivided) {
   expectTetrahedron("4OFF\n4 4 6\n0 0 0 2\n2 0 0 2\n0 -3 0 -3\n0 0 0.5 0.5\n" + kFaceLines);
-  const auto atInfinity = soupOf("4OFF\n4 4 6\n0 0 0 2\n2 0 0 0\n", "a.off");
+  const auto atInfinity = soupOf("4OFF\n3 1 0\n0 0 0 2\n2 0 0 0\n0 1 0 1\n3 0 1 2\n", "a.off");
   EXPECT_EQ(codeOf(atInfinity), "NON_FINITE_POSITION");
 }
 
@@ -106,7 +106,8 @@ TEST(BadOff, codesAndLines) {
                   "ends after 2 of 4 vertices"},
           Refused{"OFF\n4 4 0\n0 0\n0 0 0\n0 0 0\n", "MALFORMED_FILE", 3, "fewer than 3"},
           Refused{"OFF\n4 4 0\n0 0 o\n0 0 0\n0 0 0\n", "MALFORMED_FILE", 3, "\"o\""},
-          Refused{"OFF\n4 4 0\n0 0 inf\n0 0 0\n0 0 0\n", "NON_FINITE_POSITION", 3, "vertex 0"},
+          Refused{"OFF\n3 2 0\n0 0 inf\n0 0 0\n0 0 0\n2 1 2\n3 0 1 2\n", "NON_FINITE_POSITION", 3,
+                  "line 3: vertex 0 of face 1 has"},
           Refused{"OFF\n4 4 0\n" + kVertexLines + "3 0 1 2\n", "MALFORMED_FILE", 8, "1 of 4 faces"},
           Refused{"OFF\n4 4 0\n" + kVertexLines + "3 0 1\n3 0 1 2\n", "MALFORMED_FILE", 7,
                   "2 corners in place of 3"},

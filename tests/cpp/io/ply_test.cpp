@@ -295,8 +295,10 @@ TEST(BadPly, codesAndPlaces) {
                   "vertex -1 of 4"},
           Refused{header("ascii") + kVertexLines + "3 0 2 4294967296\n", "INDEX_OUT_OF_RANGE", 14,
                   "vertex 4294967296"},
-          Refused{header("ascii") + "0 0 0\n1 nan 0\n", "NON_FINITE_POSITION", 1, "line 11"},
-          Refused{header("ascii") + "0 0 0\n1 1e999 0\n", "NON_FINITE_POSITION", 1, "vertex 1"},
+          Refused{header("ascii") + "0 0 0\n1 nan 0\n0 1 0\n0 0 1\n" + kFaceLines,
+                  "NON_FINITE_POSITION", 1, "line 11: vertex 1 of face 0 has"},
+          Refused{header("ascii") + "0 0 0\n1 1e999 0\n0 1 0\n0 0 1\n" + kFaceLines,
+                  "NON_FINITE_POSITION", 1, "vertex 1"},
           Refused{"ply\nformat ascii 1.0\nelement vertex 9\n" + xyz + "end_header\n", "EMPTY_MESH",
                   -1, "point cloud: 9 points"},
           Refused{"ply\nformat ascii 1.0\nelement vertex 9\n" + xyz +
@@ -313,8 +315,10 @@ TEST(BadPly, codesAndPlaces) {
           Refused{header("binary_little_endian") + std::string(48, '\0') + "\x03" +
                       packed({0, 1, 5}, 4) + std::string(99, '\0'),
                   "INDEX_OUT_OF_RANGE", 230, "vertex 5 of 4"},
-          Refused{header("binary_big_endian") + "\x7F\x80" + std::string(200, '\0'),
-                  "NON_FINITE_POSITION", 0, "vertex 0"},
+          Refused{header("binary_little_endian") + packedFloats({0, 0, 0, 0, 0}) +
+                      "\xFF\xFF\xFF\x7F" + packedFloats({0, 0, 0, 0, 0, 0}) + "\x03" +
+                      packed({0, 2, 1}, 4) + std::string(39, '\0'),
+                  "NON_FINITE_POSITION", 1, "vertex 1 of face 0"},
       });
 }
 

@@ -42,7 +42,7 @@ export interface KernelOptions {
 
 /** A mesh as plain arrays. They are copied. */
 export interface MeshArrays {
-  /** x, y, z of each vertex, finite, in model units. */
+  /** x, y, z of each vertex, in model units; finite where a face has the vertex. */
   positions: Float64Array | Float32Array;
   /** Three vertices of each triangle, counted from 0, counter-clockwise seen from outside. */
   indices: Uint32Array | Uint16Array;

@@ -34,7 +34,8 @@ GIRTH_EXPORT std::string_view toString(Format format);
 
 /// A model as it is in its file, nothing repaired.
 struct ReadModel {
-  /// Positions are finite; polygons are cut into triangles. Vertices are in the file's order; glTF:
+  /// Positions of the triangles' vertices are finite, others may not be, as where a scanner has
+  /// measured nothing; polygons are cut into triangles. Vertices are in the file's order; glTF:
   /// in world space, in metres, in the order of a depth-first walk of the default scene; primitives
   /// of one mesh that share a list of positions share its vertices, and points and lines are left
   /// out.
@@ -101,9 +102,9 @@ using ResourceReader = std::function<std::optional<std::vector<std::byte>>(std::
 /// every corner of a triangle is a vertex of its own, in the file's order.
 ///
 /// Errors: EMPTY_FILE, UNKNOWN_FORMAT, MALFORMED_FILE (element: byte or line), UNSUPPORTED_FEATURE
-/// (glTF 1.0, required extensions, ...), MISSING_RESOURCE, NON_FINITE_POSITION (vertex; in text:
-/// line), INDEX_OUT_OF_RANGE (glTF: corner of the primitive; others: line or byte), EMPTY_MESH
-/// (also: point clouds and lines), LIMIT_EXCEEDED, OUT_OF_MEMORY.
+/// (glTF 1.0, required extensions, ...), MISSING_RESOURCE, NON_FINITE_POSITION (vertex of a
+/// triangle; in OBJ and OFF: its line), INDEX_OUT_OF_RANGE (glTF: corner of the primitive; others:
+/// line or byte), EMPTY_MESH (also: point clouds and lines), LIMIT_EXCEEDED, OUT_OF_MEMORY.
 GIRTH_EXPORT Result<ReadModel> readModel(std::span<const std::byte> bytes, std::string_view name,
                                          const ResourceReader& resources = {},
                                          const ReadOptions& options = {});
