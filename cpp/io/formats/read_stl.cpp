@@ -34,12 +34,23 @@ bool isKeyword(std::string_view word, std::string_view keyword) {
   return true;
 }
 
-/// Text has no control characters but white space.
+bool isControl(char c) { return c >= 0 && c < ' ' && !isBlank(c) && !isLineEnd(c); }
+
+/// Text has no control characters but white space; in names there may be some, or padding, before
+/// the first facet.
 bool looksLikeText(std::string_view text) {
   constexpr std::size_t kSample = 1024;
-  return std::none_of(text.begin(),
-                      text.begin() + static_cast<std::ptrdiff_t>(std::min(kSample, text.size())),
-                      [](char c) { return c >= 0 && c < ' ' && !isBlank(c) && !isLineEnd(c); });
+  const std::string_view beginning = text.substr(0, kSample);
+  if (std::none_of(beginning.begin(), beginning.end(), isControl)) return true;
+  // A facet, a normal of three numbers, "outer".
+  constexpr int kWordsToOuter = 6;
+  for (Words words(beginning); !words.atEnd();) {
+    const bool isFacet = isKeyword(words.next(), "facet");
+    for (int i = 1; isFacet && i < kWordsToOuter; ++i) {
+      if (isKeyword(words.next(), "outer")) return true;
+    }
+  }
+  return false;
 }
 
 Error tooManyVertices() {
@@ -52,7 +63,8 @@ class AsciiStlReader {
 
   Result<ReadModel> read() {
     while (true) {
-      const std::string_view word = words_.next();
+      const std::string_view word = nextWord();
+      const std::string_view ended = endedBy(word);
       const std::int64_t line = words_.line();
       const bool beginsLine = line != lastLine_;
       lastLine_ = line;
@@ -66,9 +78,9 @@ class AsciiStlReader {
         passNormal();
       } else if (isKeyword(word, "outer")) {
         inLoop_ = true;
-      } else if (isKeyword(word, "endloop") || isKeyword(word, "endfacet")) {
+      } else if (isKeyword(ended, "loop") || isKeyword(ended, "facet")) {
         error = endLoop();
-      } else if (isKeyword(word, "solid") || isKeyword(word, "endsolid")) {
+      } else if (isKeyword(word, "solid") || isKeyword(ended, "solid")) {
         if (inLoop_) error = failure("a facet is not ended");
         open_ = isKeyword(word, "solid");
         solids_ += open_ ? 1 : 0;
@@ -88,6 +100,26 @@ class AsciiStlReader {
  private:
   Error failure(const std::string& message) const {
     return malformed(words_.line(), "line " + std::to_string(words_.line()) + ": " + message);
+  }
+
+  /// Without control characters round it, which are padding.
+  std::string_view nextWord() {
+    while (true) {
+      const std::string_view word = words_.next();
+      const auto begin = std::find_if_not(word.begin(), word.end(), isControl);
+      if (begin == word.end() && !word.empty()) continue;
+      const auto end = std::find_if_not(word.rbegin(), word.rend(), isControl);
+      const auto before = static_cast<std::size_t>(begin - word.begin());
+      return word.substr(before,
+                         word.size() - before - static_cast<std::size_t>(end - word.rbegin()));
+    }
+  }
+
+  /// What a keyword ends, which is its second half or the word behind it: "endloop", "end loop".
+  std::string_view endedBy(std::string_view word) {
+    constexpr std::size_t kEnd = 3;
+    if (!isKeyword(word.substr(0, kEnd), "end")) return {};
+    return word.size() > kEnd ? word.substr(kEnd) : words_.nextOnLine();
   }
 
   /// To the loop: programs write all sorts of normals, also none.
@@ -176,10 +208,12 @@ Result<ReadModel> readBinary(std::span<const std::byte> bytes) {
   model.unit = unitInHeader(textOf(bytes.first(kHeaderSize - 4)));
   const std::uint64_t held = (bytes.size() - kHeaderSize) / kTriangleSize;
   std::uint64_t count = triangleCount(bytes);
-  if ((count == 0 || count == 0xFFFFFFFFu) && held > 0 &&
-      (bytes.size() - kHeaderSize) % kTriangleSize == 0) {
+  // Programs write anything there that do not know the number beforehand.
+  if (count != held && held > 0 && (bytes.size() - kHeaderSize) % kTriangleSize == 0) {
+    model.notes.push_back("Its header counts " + std::to_string(count) +
+                          " triangles, but its size is that of " + std::to_string(held) +
+                          ", which were read" + (count > held ? ": it may be cut off." : "."));
     count = held;
-    model.notes.push_back("Its header does not count the triangles; the size does.");
   }
   if (count > held) {
     return malformed(static_cast<std::int64_t>(bytes.size()),

@@ -22,10 +22,11 @@ bool hasStlMark(std::string_view text);
 /// triangle f. Normals, colours and names are passed over; the sides are what the corners' order
 /// says.
 ///
-/// A binary file that counts more triangles than it holds is refused; where it counts none at all,
-/// or 4294967295, as programs write that do not know the number beforehand, the size decides. What
-/// follows the triangles that it counts is passed over, with a note. Errors name the line or, in
-/// binary files, the byte. See readModel.
+/// Where the size of a binary file is that of whole triangles, it decides on their number, with a
+/// note if the header counts others. A file of another size that counts more triangles than it
+/// holds is refused; what follows those that it counts is passed over, with a note. ASCII ends
+/// loops, facets and solids in one word or two; control characters in names are padding. Errors
+/// name the line or, in binary files, the byte. See readModel.
 Result<ReadModel> readStl(std::span<const std::byte> bytes);
 
 }  // namespace girth::io

@@ -67,11 +67,16 @@ TEST(Stl, sizeAndCountDiffer) {
     EXPECT_TRUE(contains(messageOf(model), "counts 5 triangles")) << messageOf(model);
     EXPECT_TRUE(contains(messageOf(model), "ends after 4")) << messageOf(model);
   }
-  for (const std::int64_t count : {0LL, 0xFFFFFFFFLL}) {
-    const auto model = modelOf(binary("", count, kFour), "a.stl");
-    ASSERT_TRUE(model.ok()) << messageOf(model);
-    EXPECT_EQ(model.value().soup.triangles.size(), 12u);
-    EXPECT_EQ(model.value().notes.size(), 1u);
+  for (const std::int64_t count : {0LL, 1LL, 5LL, 808525944LL, 0xFFFFFFFFLL}) {
+    for (const char* begin : {"", "solid\n \1"}) {
+      const auto model = modelOf(binary(begin, count, kFour), "a.stl");
+      ASSERT_TRUE(model.ok()) << messageOf(model);
+      EXPECT_EQ(model.value().soup.triangles.size(), 12u);
+      ASSERT_EQ(model.value().notes.size(), 1u);
+      EXPECT_TRUE(contains(model.value().notes[0], "counts " + std::to_string(count) +
+                                                       " triangles, but its size is that of 4"));
+      EXPECT_EQ(contains(model.value().notes[0], "cut off"), count > 4);
+    }
   }
 }
 
@@ -104,6 +109,40 @@ TEST(Stl, asciiInOddClothes) {
     const auto soup = soupOf(text, "a.stl");
     ASSERT_TRUE(soup.ok()) << text << messageOf(soup);
     EXPECT_EQ(soup.value().triangles.size(), 6u) << text;
+  }
+}
+
+TEST(Stl, endsInTwoWords) {
+  std::string text = "solid a\n" + kTwoFacets + "endsolid a\n";
+  for (const char* what : {"loop", "facet", "solid"}) {
+    const std::string whole = std::string("end") + what;
+    for (std::size_t at = text.find(whole); at != text.npos; at = text.find(whole)) {
+      text.replace(at, whole.size(), std::string("END \t") + what);
+    }
+    const auto model = modelOf(text, "a.stl");
+    ASSERT_TRUE(model.ok()) << text << messageOf(model);
+    EXPECT_EQ(model.value().soup.triangles.size(), 6u);
+    EXPECT_TRUE(model.value().notes.empty()) << model.value().notes[0];
+  }
+  EXPECT_TRUE(
+      contains(messageOf(soupOf("solid\n" + kTwoFacets + "end part\n", "a.stl")), "\"end\""));
+}
+
+TEST(Stl, controlCharactersArePadding) {
+  const std::string nothing(60, '\0');
+  for (const std::string& text :
+       {"solid a" + nothing + "\n" + kTwoFacets + "endsolid a" + nothing + "\n",
+        "solid " + nothing + kTwoFacets + "endsolid\n",
+        "solid \1\2\x1B[1m\n" + kTwoFacets + "endsolid\n",
+        "solid a\n" + kTwoFacets + "endsolid" + nothing,
+        "solid a\n" + kTwoFacets + "endsolid\n\x1A",
+        "solid a\n" + nothing + kTwoFacets + nothing + "\nendsolid a\n"}) {
+    for (const char* name : {"a.stl", "a"}) {
+      const auto model = modelOf(text, name);
+      ASSERT_TRUE(model.ok()) << text << messageOf(model);
+      EXPECT_EQ(model.value().soup.triangles.size(), 6u) << text;
+      EXPECT_TRUE(model.value().notes.empty()) << text << model.value().notes[0];
+    }
   }
 }
 
@@ -180,7 +219,7 @@ TEST(BadStl, codesAndPlaces) {
           Refused{"solid a\nhello\n", "MALFORMED_FILE", 2, "\"hello\""},
           Refused{"solid a\nfacet\nouter loop\nfacet\n", "MALFORMED_FILE", 4, "within a facet"},
           Refused{"solid a\nfacet\nouter loop\nendsolid\n", "MALFORMED_FILE", 4, "not ended"},
-          Refused{binary("", 5, kFour), "MALFORMED_FILE", 284, "counts 5 triangles"},
+          Refused{binary("", 5, kFour + "0"), "MALFORMED_FILE", 285, "counts 5 triangles"},
           Refused{std::string(40, '\1'), "MALFORMED_FILE", 40, "within the header"},
           Refused{binary("", 0, ""), "EMPTY_MESH", -1, "no triangles"},
           Refused{binary("", 4, notFinite), "NON_FINITE_POSITION", 3, "triangle 1"},
