@@ -97,11 +97,30 @@ class OffReader {
   LostVertices lost_;
 };
 
+/// What the ends of lines mean in ASCII.
+struct Layout {
+  enum class Ends : std::uint8_t {
+    OfElements,  ///< every vertex and face has a line, and what follows its numbers is passed over
+    OfColours,   ///< numbers are counted, as Geomview does; a face's colour ends with its line
+    None         ///< numbers are counted, and faces have no colours
+  };
+  Ends ends;
+  /// Whether the number of edges has a line of its own.
+  bool edgesAlone;
+};
+
+constexpr std::array kLayouts{
+    Layout{Layout::Ends::OfElements, false}, Layout{Layout::Ends::OfColours, false},
+    Layout{Layout::Ends::OfColours, true},   Layout{Layout::Ends::None, false},
+    Layout{Layout::Ends::None, true},
+};
+
 class AsciiOffReader : OffReader {
  public:
   /// Behind the keyword.
-  AsciiOffReader(const Words& words, const Keyword& keyword, std::string_view text)
-      : words_(words), keyword_(keyword), fileSize_(text.size()) {
+  AsciiOffReader(const Words& words, const Keyword& keyword, std::string_view text,
+                 const Layout& layout)
+      : words_(words), keyword_(keyword), fileSize_(text.size()), layout_(layout) {
     model.unit = unitInComments(text, "#");
   }
 
@@ -125,11 +144,18 @@ class AsciiOffReader : OffReader {
       lines[i] = words_.line();
     }
     // The number of edges is often missing, and means nothing.
-    if (lines[0] != lines[1]) words_.next();
-    words_.skipLine();
+    if (layout_.edgesAlone || lines[0] != lines[1]) {
+      words_.next();
+    } else {
+      words_.nextOnLine();
+    }
+    if (!isCounted()) words_.skipLine();
     if (auto error = readVertices(counts[0])) return *error;
     if (auto error = readFaces(counts[1])) return *error;
-    if (!words_.atEnd()) model.notes.push_back("What follows the last face was left out.");
+    if (!words_.atEnd()) {
+      if (isCounted()) return failure("more numbers than it counts");
+      model.notes.push_back("What follows the last face was left out.");
+    }
     return finish("line", LostVertices::Element::Place);
   }
 
@@ -138,13 +164,19 @@ class AsciiOffReader : OffReader {
     return malformed(words_.line(), "line " + std::to_string(words_.line()) + ": " + message);
   }
 
+  bool isCounted() const { return layout_.ends != Layout::Ends::OfElements; }
+  /// A number of an element behind its first one; empty where the element has no more.
+  std::string_view nextOfElement() { return isCounted() ? words_.next() : words_.nextOnLine(); }
+
   std::optional<Error> readVertices(std::int64_t count) {
     model.soup.positions.reserve(3 * std::min(static_cast<std::size_t>(count), fileSize_ / 6));
+    const int announced =
+        (keyword_.normal ? 3 : 0) + (keyword_.colour ? 4 : 0) + (keyword_.texture ? 2 : 0);
     const std::size_t dimension = keyword_.homogeneous ? 4 : 3;
     for (std::int64_t i = 0; i < count; ++i) {
       std::array<double, 4> position{};
       for (std::size_t k = 0; k < dimension; ++k) {
-        const std::string_view word = k == 0 ? words_.next() : words_.nextOnLine();
+        const std::string_view word = k == 0 ? words_.next() : nextOfElement();
         const auto number = parseNumber(word);
         if (!number) {
           return failure(!word.empty() ? inQuotes(word) + " is not a number"
@@ -156,14 +188,22 @@ class AsciiOffReader : OffReader {
         position[k] = *number;
       }
       addVertex(position, keyword_, words_.line());
-      words_.skipLine();
+      if (!isCounted()) words_.skipLine();
+      for (int k = 0; isCounted() && k < announced; ++k) {
+        if (!parseNumber(words_.next())) return failure("a vertex without what is announced");
+      }
     }
     return std::nullopt;
   }
 
   std::optional<Error> readFaces(std::int64_t count) {
+    bool doOthersBeginLines = true;
+    bool doesFirstBeginLine = true;
     for (std::int64_t i = 0; i < count; ++i) {
+      const std::int64_t lineBefore = words_.line();
       const std::string_view first = words_.next();
+      bool& beginsLine = i == 0 ? doesFirstBeginLine : doOthersBeginLines;
+      beginsLine = beginsLine && words_.line() != lineBefore;
       const auto corners = parseInteger(first);
       if (!corners || *corners < 0) {
         return failure(first.empty() ? "the file ends after " + std::to_string(i) + " of " +
@@ -171,7 +211,7 @@ class AsciiOffReader : OffReader {
                                      : inQuotes(first) + " is no number of corners");
       }
       for (std::int64_t k = 0; k < *corners; ++k) {
-        const std::string_view word = words_.nextOnLine();
+        const std::string_view word = nextOfElement();
         const auto vertex = parseInteger(word);
         if (!vertex) {
           return failure(word.empty() ? "a face with " + std::to_string(k) +
@@ -186,15 +226,35 @@ class AsciiOffReader : OffReader {
         }
         faces.addCorner(static_cast<Index>(*vertex), vertexCount(), 0);
       }
-      faces.endPolygon();
-      words_.skipLine();
+      if (!faces.endPolygon() && isCounted()) return failure("a face with too few corners");
+      if (layout_.ends == Layout::Ends::OfColours && !passColour()) {
+        return failure("numbers behind a face that are no colour");
+      }
+      if (layout_.ends != Layout::Ends::None) words_.skipLine();
+    }
+    // Where a coordinate is missing, the first face's numbers complete the vertices, and nothing
+    // but its place shows it.
+    const bool areFacesLines = layout_.ends == Layout::Ends::OfColours || doOthersBeginLines;
+    if (isCounted() && count > 1 && !doesFirstBeginLine && areFacesLines) {
+      return failure("the first face has no line of its own, as others do");
     }
     return std::nullopt;
+  }
+
+  /// Nothing, an index, or three or four numbers, to the end of the line.
+  bool passColour() {
+    int numbers = 0;
+    for (std::string_view word = words_.nextOnLine(); !word.empty(); word = words_.nextOnLine()) {
+      if (!parseNumber(word)) return false;
+      ++numbers;
+    }
+    return numbers <= 4 && numbers != 2;
   }
 
   Words words_;
   Keyword keyword_;
   std::size_t fileSize_;
+  Layout layout_;
 };
 
 class BinaryReader : OffReader {
@@ -278,6 +338,21 @@ class BinaryReader : OffReader {
   Keyword keyword_;
 };
 
+/// `words`: behind the keyword. Most files have a line for each vertex and face, and many have
+/// colours that no keyword announces. Where something is left out or wrong then, but every number
+/// counts in another layout, that is the one. Of a file that has none, the first error says most.
+Result<ReadModel> readAscii(const Words& words, const Keyword& keyword, std::string_view text) {
+  const auto readAs = [&](const Layout& layout) {
+    return AsciiOffReader(words, keyword, text, layout).read();
+  };
+  auto model = readAs(kLayouts[0]);
+  if (model && model.value().notes.empty()) return model;
+  for (std::size_t i = 1; i < kLayouts.size(); ++i) {
+    if (auto counted = readAs(kLayouts[i])) return counted;
+  }
+  return model;
+}
+
 }  // namespace
 
 bool hasOffMark(std::string_view text) { return parseKeyword(Words(text, '#').next()).has_value(); }
@@ -297,7 +372,7 @@ Result<ReadModel> readOff(std::span<const std::byte> bytes) {
   Words words(text, '#');
   const Words beginning = words;
   const auto keyword = parseKeyword(words.next());
-  if (!keyword) return AsciiOffReader(beginning, {}, text).read();
+  if (!keyword) return readAscii(beginning, {}, text);
   if (keyword->anyDimension) {
     Error error = makeError(ErrorCode::UnsupportedFeature, words.line(),
                             "line " + std::to_string(words.line()) +
@@ -310,7 +385,7 @@ Result<ReadModel> readOff(std::span<const std::byte> bytes) {
     words.skipLine();
     return BinaryReader(bytes.subspan(bytes.size() - text.size()), words.offset(), *keyword).read();
   }
-  return AsciiOffReader(behindKeyword, *keyword, text).read();
+  return readAscii(behindKeyword, *keyword, text);
 }
 
 }  // namespace girth::io

@@ -21,9 +21,11 @@ bool canBeOffWithoutMark(std::string_view text);
 /// the number of its colour's components and those, as Geomview writes it). The prefixes ST, C and
 /// N (texture coordinates, colours, normals) are understood and what they announce is passed over;
 /// with 4, positions are divided by their fourth component; with n it is refused. In ASCII there
-/// may be comments (#), the counts may stand beside the keyword, the keyword may be missing; every
-/// vertex and every face stands on a line of its own, and what follows its numbers there (colours)
-/// is passed over, announced or not. Faces of fewer than three corners are left out, with a note.
+/// may be comments (#), the counts may stand beside the keyword, the keyword may be missing. Where
+/// every vertex and every face stands on a line of its own, what follows its numbers there
+/// (colours) is passed over, announced or not. Otherwise lines may be broken anywhere, where the
+/// numbers are exactly those that are counted and announced; then only a face's colour ends with
+/// its line. Faces of fewer than three corners are left out, with a note.
 ///
 /// Errors name the line or, in binary files, the byte. See readModel.
 Result<ReadModel> readOff(std::span<const std::byte> bytes);

@@ -48,6 +48,45 @@ TEST(Off, homogeneousCoordinatesAreDivided) {
   EXPECT_EQ(codeOf(atInfinity), "NON_FINITE_POSITION");
 }
 
+TEST(Off, linesMayBeBrokenAnywhere) {
+  std::string everyNumber = "OFF 4 4 6 " + kVertexLines + kFaceLines;
+  std::string oneLine = everyNumber, wrapped;
+  for (char& c : everyNumber) c = c == ' ' ? '\n' : c;
+  for (char& c : oneLine) c = c == '\n' ? ' ' : c;
+  int numbers = 0;
+  for (const char c : oneLine) wrapped += c == ' ' && ++numbers % 7 == 0 ? '\n' : c;
+  const std::string twoALine = "0 0 0 1 0 0\n0 1 0 0 0 1\n";
+  const std::string faceContinued = "3 0\n2 1\n3\n0 1 3\n3 0 3 2\n3 1 2 3\n";
+  for (const std::string& text :
+       {everyNumber, oneLine, wrapped, "OFF\n4 4 6\n" + twoALine + kFaceLines,
+        "OFF\n4 4\n" + twoALine + kFaceLines, "OFF\n4 4\n6\n" + twoALine + kFaceLines,
+        "OFF\n4\n4\n6\n" + twoALine + kFaceLines, "OFF\n4 4 6\n" + twoALine + faceContinued,
+        "OFF\n4 4 6\n0\n0\n0 # first\n\n1 0\n0\n0 1 0 0\n0 1\n" + kFaceLines,
+        "OFF\n4 4 6\n" + kVertexLines + faceContinued,
+        "OFF\n4 4 6\n" + twoALine + "3 0 2 1 7\n3 0 1 3 255 0 0\n3 0 3 2 0.5 0.5 0.5 1\n3 1 2 3\n",
+        "OFF\n4 4 6\n" + twoALine + "3 0 2 1 3 0 1 3\n3 0 3 2 3 1 2 3\n",
+        "4OFF\n4 4 6\n0 0 0 2 2 0 0 2\n0 -3 0 -3 0 0 0.5\n0.5\n" + kFaceLines,
+        std::string(
+            "CNOFF\n4 4 6\n0 0 0 0 0 1\n1 1 1 1\n1 0 0 0 0 1 1 1 1 1 0 1 0 0 0 1 1 1 1 1\n") +
+            "0 0 1 0 0 1\n1 1 1 1\n" + kFaceLines}) {
+    expectTetrahedron(text);
+  }
+}
+
+TEST(Off, whatIsMissingIsNoBrokenLine) {
+  const std::string quads = "4 3 2 1 0\n4 3 2 1 0\n";
+  for (const std::string& text :
+       {"OFF\n4 4 6\n0 0 0\n1 0\n0 1 0\n0 0 1\n" + kFaceLines,
+        "OFF\n4 4 6\n0 0 0\n1\n0 1 0\n0 0 1\n" + kFaceLines,
+        "OFF\n4 4 6\n0 0 0\n0 1 0\n0 0 1\n" + kFaceLines,
+        "OFF\n4 2 0\n0 0 0\n1 0\n0 1 0\n0 0 1\n" + quads,
+        "OFF\n4 4 6\n0 0 0 1 0 0\n0 1 0 0 0 1\n" + kFaceLines + "9\n",
+        "OFF\n4 4 6\n0 0 0 1 0 0\n0 1 0 0 0 1\n" + kFaceLines.substr(8)}) {
+    const auto model = soupOf(text, "a.off");
+    EXPECT_EQ(codeOf(model), "MALFORMED_FILE") << text;
+  }
+}
+
 TEST(Off, binary) {
   const auto big = [](const std::string& little) {
     std::string bytes;
