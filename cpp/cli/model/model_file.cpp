@@ -11,6 +11,7 @@
 #include "archive/inflate.h"
 #include "archive/zip.h"
 #include "files/read_file.h"
+#include "formats/foreign_formats.h"
 #include "process/files.h"
 #include "process/report.h"
 #include "text/ending.h"
@@ -60,6 +61,26 @@ std::string namesOf(const std::vector<const ZipEntry*>& entries) {
   return names + (entries.size() > kShown ? ", ..." : "");
 }
 
+/// What an archive without models holds instead, where it is known: the largest file that may be a
+/// model of another format.
+std::optional<Error> foreignModelIn(const Archive& archive) {
+  std::vector<ZipEntry> entries = archive.entries;
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const ZipEntry& a, const ZipEntry& b) { return a.size > b.size; });
+  constexpr std::size_t kMostTried = 16;
+  if (entries.size() > kMostTried) entries.resize(kMostTried);
+  for (const ZipEntry& entry : entries) {
+    const auto content = unzipped(archive.bytes, entry);
+    if (!content) continue;
+    auto error = io::foreignModel(
+        {reinterpret_cast<const char*>(content.value().data()), content.value().size()});
+    if (!error) continue;
+    error->message = entry.path + " in the zip: " + error->message;
+    return error;
+  }
+  return std::nullopt;
+}
+
 Result<const ZipEntry*> chosenEntry(const Archive& archive, const std::string& path,
                                     const std::string& wanted) {
   const auto models = archive.models();
@@ -70,6 +91,7 @@ Result<const ZipEntry*> chosenEntry(const Archive& archive, const std::string& p
     return error;
   }
   if (models.empty()) {
+    if (auto error = foreignModelIn(archive)) return *std::move(error);
     return makeError(ErrorCode::UnknownFormat, -1,
                      "none of the " + std::to_string(archive.entries.size()) +
                          " files in the zip has the name of a model");

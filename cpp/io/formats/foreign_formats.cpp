@@ -15,6 +15,9 @@ constexpr std::string_view kNoModel = "choose the model itself";
 constexpr std::string_view kSolids =
     "it describes solids, not triangles: export a mesh (STL, OBJ) from a CAD program";
 
+constexpr std::string_view kUtf16 = "text in UTF-16";
+constexpr std::string_view kSaveAsUtf8 = "save it as UTF-8";
+
 struct Mark {
   std::string_view prefix, name, hint;
 };
@@ -50,8 +53,8 @@ constexpr std::array kMarks{
     Mark{"GIF8", "a picture", kNoModel},
     Mark{"\xABKTX", "a texture", kNoModel},
     Mark{"%PDF", "a PDF", kNoModel},
-    Mark{"\xFF\xFE", "text in UTF-16", "save it as UTF-8"},
-    Mark{"\xFE\xFF", "text in UTF-16", "save it as UTF-8"},
+    Mark{"\xFF\xFE", kUtf16, kSaveAsUtf8},
+    Mark{"\xFE\xFF", kUtf16, kSaveAsUtf8},
 };
 
 Error looksLike(std::string_view name, std::string_view hint) {
@@ -61,15 +64,15 @@ Error looksLike(std::string_view name, std::string_view hint) {
   return error;
 }
 
+Error threeMf() { return looksLike("3MF", "export STL from the program it comes from"); }
+
 bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
 /// Names stand uncompressed in an archive.
 Error zipFile(std::string_view bytes) {
-  if (contains(bytes, "3D/3dmodel.model") || contains(bytes, "3dmodel.model")) {
-    return looksLike("3MF", "export STL from the program it comes from");
-  }
+  if (contains(bytes, "3dmodel.model")) return threeMf();
   if (contains(bytes, ".usdc") || contains(bytes, ".usda")) return looksLike("USDZ", kConvert);
   return looksLike("a zip archive", kUnpack);
 }
@@ -80,6 +83,7 @@ Error markupFile(std::string_view text) {
   for (char& c : lower) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
+  if (contains(lower, "<model") && contains(lower, "3dmanufacturing")) return threeMf();
   if (contains(lower, "<collada")) return looksLike("COLLADA", kConvert);
   if (contains(lower, "<x3d")) return looksLike("X3D", kConvert);
   if (contains(lower, "<amf")) return looksLike("AMF", "export STL from the program it comes from");
@@ -100,7 +104,26 @@ bool isThreeDs(std::string_view bytes) {
   return length == bytes.size();
 }
 
+/// Text in UTF-16 without a mark: every other byte of its beginning is 0, and the others are ASCII.
+bool isUtf16(std::string_view bytes) {
+  constexpr std::size_t kSample = 16, kLeast = 8;
+  const std::string_view beginning = bytes.substr(0, kSample);
+  if (beginning.size() < kLeast) return false;
+  const std::size_t zero = beginning[0] == '\0' ? 0 : 1;
+  for (std::size_t i = 0; i < beginning.size(); ++i) {
+    const char c = beginning[i];
+    const bool isText = (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r');
+    if (i % 2 == zero ? c != '\0' : !isText) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+std::optional<Error> foreignModel(std::string_view bytes) {
+  auto error = foreignFormat(bytes);
+  return error && error->hint == kNoModel ? std::nullopt : error;
+}
 
 std::optional<Error> foreignFormat(std::string_view bytes) {
   for (const Mark& mark : kMarks) {
@@ -108,6 +131,7 @@ std::optional<Error> foreignFormat(std::string_view bytes) {
   }
   if (bytes.starts_with("PK\x03\x04")) return zipFile(bytes);
   if (isThreeDs(bytes)) return looksLike("3DS", kConvert);
+  if (isUtf16(bytes)) return looksLike(kUtf16, kSaveAsUtf8);
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && bytes[first] == '<') return markupFile(bytes);

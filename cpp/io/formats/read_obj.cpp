@@ -14,6 +14,7 @@
 
 #include "formats/lost_vertices.h"
 #include "formats/polygon_soup.h"
+#include "text/number_problem.h"
 #include "text/number_text.h"
 #include "text/quoted_name.h"
 #include "text/unit_text.h"
@@ -41,6 +42,10 @@ class ObjReader {
         error = readFace();
       } else if (keyword == "vt" && options_.attributes) {
         readTexture();
+      } else if (keyword == "g" || keyword == "o") {
+        beginsGroup_ = true;
+      } else if (keyword == "usemtl") {
+        hasMaterials_ = true;
       } else {
         curves_ = curves_ || keyword == "curv" || keyword == "surf";
       }
@@ -72,7 +77,7 @@ class ObjReader {
       if (word.empty()) return tooFew(static_cast<std::size_t>(&coordinate - position.data()));
       const auto number = parseNumber(word);
       if (!number) {
-        return failure(ErrorCode::MalformedFile, line_, inQuotes(word) + " is not a number");
+        return withNumberHint(failure(ErrorCode::MalformedFile, line_, numberProblem(word)), word);
       }
       coordinate = *number;
     }
@@ -188,7 +193,9 @@ class ObjReader {
       faces_.addCorner(static_cast<Index>(vertex), static_cast<std::size_t>(known), line_);
       if (options_.attributes) addTexture(word);
     }
-    faces_.endPolygon();
+    if (!faces_.endPolygon()) return std::nullopt;
+    if (beginsGroup_ || groups_ == 0) ++groups_;
+    beginsGroup_ = false;
     return std::nullopt;
   }
 
@@ -215,6 +222,10 @@ class ObjReader {
     if (hasColours_) model_.attributes.push_back({"COLOR_0", 3, false, std::move(colours_)});
     finishTexture();
     faces_.noteLeftOut(model_.notes);
+    if (groups_ > 1) {
+      model_.notes.push_back("Its " + std::to_string(groups_) + " groups were put together.");
+    }
+    if (hasMaterials_) model_.notes.push_back("Its materials were left out.");
     if (weights_ > 0) {
       model_.notes.push_back("The weight w of " + std::to_string(weights_) +
                              " vertices was passed over: it counts for curves only.");
@@ -249,6 +260,9 @@ class ObjReader {
   LostVertices lost_;
   std::size_t weights_{0};
   bool curves_{false};
+  bool hasMaterials_{false};
+  bool beginsGroup_{false};
+  std::size_t groups_{0};  ///< runs of faces between statements that name groups or objects
   ReadOptions options_;
   std::vector<double> colours_;
   std::vector<double> texture_;

@@ -12,6 +12,7 @@
 #include "formats/lost_vertices.h"
 #include "formats/polygon_soup.h"
 #include "malformed.h"
+#include "text/number_problem.h"
 #include "text/number_text.h"
 #include "text/quoted_name.h"
 #include "text/unit_text.h"
@@ -85,6 +86,7 @@ class OffReader {
       return error;
     }
     faces.noteLeftOut(model.notes);
+    if (hasColours) model.notes.push_back("Its colours were left out.");
     model.soup.triangles = std::move(*triangles);
     model.format = Format::Off;
     return std::move(model);
@@ -92,6 +94,7 @@ class OffReader {
 
   ReadModel model;
   PolygonSoup faces;
+  bool hasColours{false};
 
  private:
   LostVertices lost_;
@@ -123,6 +126,9 @@ class AsciiOffReader : OffReader {
       : words_(words), keyword_(keyword), fileSize_(text.size()), layout_(layout) {
     model.unit = unitInComments(text, "#");
   }
+
+  /// After reading: whether every face was read, and nothing stood behind them.
+  bool isWhole() const { return isWhole_; }
 
   Result<ReadModel> read() {
     std::array<std::int64_t, 2> counts{};
@@ -156,6 +162,7 @@ class AsciiOffReader : OffReader {
       if (isCounted()) return failure("more numbers than it counts");
       model.notes.push_back("What follows the last face was left out.");
     }
+    isWhole_ = model.notes.empty() && faces.polygonCount() == static_cast<std::size_t>(counts[1]);
     return finish("line", LostVertices::Element::Place);
   }
 
@@ -172,6 +179,8 @@ class AsciiOffReader : OffReader {
     model.soup.positions.reserve(3 * std::min(static_cast<std::size_t>(count), fileSize_ / 6));
     const int announced =
         (keyword_.normal ? 3 : 0) + (keyword_.colour ? 4 : 0) + (keyword_.texture ? 2 : 0);
+    const bool isOtherAnnounced = !keyword_.colour && announced > 0;
+    hasColours = keyword_.colour && isCounted();
     const std::size_t dimension = keyword_.homogeneous ? 4 : 3;
     for (std::int64_t i = 0; i < count; ++i) {
       std::array<double, 4> position{};
@@ -179,16 +188,20 @@ class AsciiOffReader : OffReader {
         const std::string_view word = k == 0 ? words_.next() : nextOfElement();
         const auto number = parseNumber(word);
         if (!number) {
-          return failure(!word.empty() ? inQuotes(word) + " is not a number"
-                         : k == 0      ? "the file ends after " + std::to_string(i) + " of " +
-                                        std::to_string(count) + " vertices"
-                                  : "a vertex with fewer than " + std::to_string(dimension) +
-                                        " coordinates");
+          return withNumberHint(failure(!word.empty() ? numberProblem(word)
+                                        : k == 0      ? "the file ends after " + std::to_string(i) +
+                                                       " of " + std::to_string(count) + " vertices"
+                                                 : "a vertex with fewer than " +
+                                                       std::to_string(dimension) + " coordinates"),
+                                word);
         }
         position[k] = *number;
       }
       addVertex(position, keyword_, words_.line());
-      if (!isCounted()) words_.skipLine();
+      if (!isCounted()) {
+        hasColours = hasColours || (!isOtherAnnounced && !words_.nextOnLine().empty());
+        words_.skipLine();
+      }
       for (int k = 0; isCounted() && k < announced; ++k) {
         if (!parseNumber(words_.next())) return failure("a vertex without what is announced");
       }
@@ -227,10 +240,13 @@ class AsciiOffReader : OffReader {
         faces.addCorner(static_cast<Index>(*vertex), vertexCount(), 0);
       }
       if (!faces.endPolygon() && isCounted()) return failure("a face with too few corners");
-      if (layout_.ends == Layout::Ends::OfColours && !passColour()) {
+      if (layout_.ends == Layout::Ends::None) continue;
+      const std::size_t numbers = numbersLeftOnLine();
+      if (isCounted() && (numbers == 2 || numbers > 4)) {
         return failure("numbers behind a face that are no colour");
       }
-      if (layout_.ends != Layout::Ends::None) words_.skipLine();
+      hasColours = hasColours || numbers > 0;
+      words_.skipLine();
     }
     // Where a coordinate is missing, the first face's numbers complete the vertices, and nothing
     // but its place shows it.
@@ -241,20 +257,18 @@ class AsciiOffReader : OffReader {
     return std::nullopt;
   }
 
-  /// Nothing, an index, or three or four numbers, to the end of the line.
-  bool passColour() {
-    int numbers = 0;
-    for (std::string_view word = words_.nextOnLine(); !word.empty(); word = words_.nextOnLine()) {
-      if (!parseNumber(word)) return false;
-      ++numbers;
-    }
-    return numbers <= 4 && numbers != 2;
+  /// A face's colour: an index, or three or four numbers.
+  std::size_t numbersLeftOnLine() {
+    std::size_t numbers = 0;
+    while (parseNumber(words_.nextOnLine())) ++numbers;
+    return numbers;
   }
 
   Words words_;
   Keyword keyword_;
   std::size_t fileSize_;
   Layout layout_;
+  bool isWhole_{false};
 };
 
 class BinaryReader : OffReader {
@@ -268,6 +282,7 @@ class BinaryReader : OffReader {
       if (!cursor_.take(count)) return ends("the counts");
       if (count < 0) return failure("a count below zero");
     }
+    hasColours = keyword_.colour && counts[0] > 0;
     if (auto error = readVertices(counts[0])) return *error;
     if (auto error = readFaces(counts[1])) return *error;
     if (cursor_.remaining() > 0) {
@@ -329,6 +344,7 @@ class BinaryReader : OffReader {
       if (colours < 0 || colours > 4) {
         return failure("a colour of " + std::to_string(colours) + " components");
       }
+      hasColours = hasColours || colours > 0;
       if (!cursor_.skip(4 * static_cast<std::uint64_t>(colours))) return faceEnds();
     }
     return std::nullopt;
@@ -342,13 +358,11 @@ class BinaryReader : OffReader {
 /// colours that no keyword announces. Where something is left out or wrong then, but every number
 /// counts in another layout, that is the one. Of a file that has none, the first error says most.
 Result<ReadModel> readAscii(const Words& words, const Keyword& keyword, std::string_view text) {
-  const auto readAs = [&](const Layout& layout) {
-    return AsciiOffReader(words, keyword, text, layout).read();
-  };
-  auto model = readAs(kLayouts[0]);
-  if (model && model.value().notes.empty()) return model;
+  AsciiOffReader first(words, keyword, text, kLayouts[0]);
+  auto model = first.read();
+  if (first.isWhole()) return model;
   for (std::size_t i = 1; i < kLayouts.size(); ++i) {
-    if (auto counted = readAs(kLayouts[i])) return counted;
+    if (auto counted = AsciiOffReader(words, keyword, text, kLayouts[i]).read()) return counted;
   }
   return model;
 }

@@ -15,6 +15,7 @@
 #include "formats/lost_vertices.h"
 #include "formats/polygon_soup.h"
 #include "malformed.h"
+#include "text/number_problem.h"
 #include "text/number_text.h"
 #include "text/passed_text.h"
 #include "text/quoted_name.h"
@@ -257,7 +258,10 @@ class AsciiBody {
   bool number(Scalar, double& value) {
     const std::string_view word = words_.next();
     const auto parsed = parseNumber(word);
-    if (!parsed) return fail(word, " is not a number");
+    if (!parsed) {
+      wrongNumber_ = word;
+      return word.empty() ? false : fail(numberProblem(word));
+    }
     value = *parsed;
     return true;
   }
@@ -291,6 +295,8 @@ class AsciiBody {
   }
   /// What went wrong; empty: the file ended.
   const std::string& problem() const { return problem_; }
+  /// The word that is no number; empty where that was not it.
+  std::string_view wrongNumber() const { return wrongNumber_; }
   const PassedText& passed() const { return passed_; }
 
  private:
@@ -301,6 +307,7 @@ class AsciiBody {
   Words words_;
   std::int64_t lineBefore_;
   std::string problem_;
+  std::string_view wrongNumber_;
   PassedText passed_;  ///< behind the values that the header declares
 };
 
@@ -379,6 +386,7 @@ class BinaryBody {
     return false;
   }
   const std::string& problem() const { return problem_; }
+  static std::string_view wrongNumber() { return {}; }
   /// Bytes have no lines that could hold more.
   static PassedText passed() { return {}; }
 
@@ -432,7 +440,8 @@ class BodyReader {
       what += "; the first line with more values than the header declares is " +
               std::to_string(passed.firstLine());
     }
-    return malformed(body_.place(), body_.placeText() + ": " + what);
+    return withNumberHint(malformed(body_.place(), body_.placeText() + ": " + what),
+                          body_.wrongNumber());
   }
 
   bool passValue(const Property& property) {
@@ -638,6 +647,23 @@ class BodyReader {
     return std::nullopt;
   }
 
+  /// Colours of faces, and what else they have.
+  void noteFaceProperties() {
+    constexpr std::size_t kMost = 8;
+    const Element* faces = header_.find("face");
+    if (faces == nullptr || faces->count == 0) return;
+    std::vector<std::string> names;
+    for (const Property& property : faces->properties) {
+      if (property.name == "vertex_indices" || property.name == "vertex_index") continue;
+      names.push_back(inQuotes(property.name));
+    }
+    if (names.empty()) return;
+    std::string list = names[0];
+    for (std::size_t i = 1; i < std::min(names.size(), kMost); ++i) list += ", " + names[i];
+    if (names.size() > kMost) list += ", ...";
+    model_.notes.push_back("What its faces have besides corners was left out: " + list + ".");
+  }
+
   Result<ReadModel> finish() {
     if (const auto corner = faces_.firstOutside(knownVertices())) {
       return outside(corner->vertex, corner->place);
@@ -655,6 +681,7 @@ class BodyReader {
       return makeError(ErrorCode::EmptyMesh, -1, "it has vertices, but no face with three corners");
     }
     faces_.noteLeftOut(model_.notes);
+    noteFaceProperties();
     if (const PassedText passed = body_.passed(); passed.lines() > 0) {
       model_.notes.push_back(passed.note());
     }

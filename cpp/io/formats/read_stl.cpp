@@ -11,6 +11,7 @@
 #include "bytes/cursor.h"
 #include "formats/polygon_soup.h"
 #include "malformed.h"
+#include "text/number_problem.h"
 #include "text/number_text.h"
 #include "text/passed_text.h"
 #include "text/quoted_name.h"
@@ -139,8 +140,8 @@ class AsciiStlReader {
       const std::string_view word = words_.next();
       const auto number = parseNumber(word);
       if (!number) {
-        return failure(word.empty() ? "the file ends within a vertex"
-                                    : inQuotes(word) + " is not a number");
+        return withNumberHint(
+            failure(word.empty() ? "the file ends within a vertex" : numberProblem(word)), word);
       }
       if (!std::isfinite(*number)) {
         return makeError(ErrorCode::NonFinitePosition, words_.line(),
@@ -226,6 +227,7 @@ Result<ReadModel> readBinary(std::span<const std::byte> bytes) {
   const auto corners = static_cast<std::size_t>(3 * count);
   model.soup.positions.resize(3 * corners);
   model.soup.triangles.resize(corners);
+  bool hasMore = false;
   for (std::size_t corner = 0; corner < corners; ++corner) {
     // A triangle: its normal, three corners, two bytes of whatever.
     const std::size_t at = kHeaderSize + corner / 3 * kTriangleSize + 12 + corner % 3 * 12;
@@ -241,6 +243,12 @@ Result<ReadModel> readBinary(std::span<const std::byte> bytes) {
       model.soup.positions[3 * corner + k] = coordinate;
     }
     model.soup.triangles[corner] = static_cast<Index>(corner);
+    const std::byte* more = &bytes[kHeaderSize + (corner / 3 + 1) * kTriangleSize - 2];
+    hasMore = hasMore || more[0] != std::byte{0} || more[1] != std::byte{0};
+  }
+  if (hasMore) {
+    model.notes.push_back(
+        "What stands behind triangles, where some programs have colours, was left out.");
   }
   const std::uint64_t used = kHeaderSize + count * kTriangleSize;
   if (used < bytes.size()) {

@@ -1,6 +1,7 @@
 // Models on standard input, packed by gzip, and in a zip.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -137,6 +138,26 @@ TEST_F(PackedModels, zip) {
   EXPECT_NE(json.find("MALFORMED_FILE"), std::string::npos) << json;
   EXPECT_EQ(json.find("\\n"), std::string::npos) << json;
   EXPECT_LT(odd.errors.size(), 400u);
+}
+
+TEST_F(PackedModels, otherFormatsInAZipAreNamed) {
+  const std::string picture = "\x89PNG\r\n\x1a\n" + std::string(999, 'p');
+  for (const auto& [name, content, about] :
+       {std::array<std::string, 3>{"parts/gear.step", "ISO-10303-21;\n", "looks like STEP"},
+        std::array<std::string, 3>{"a.blend", "BLENDER-v300", "looks like a Blender file"},
+        std::array<std::string, 3>{"3D/3dmodel.model", "<?xml?><model xmlns=\"3dmanufacturing\">",
+                                   "looks like 3MF"},
+        std::array<std::string, 3>{"cube.usdc", "PXR-USDC", "looks like USD"}}) {
+    write("other.zip", zipped({{"readme.txt", "nothing"}, {"look.png", picture}, {name, content}}));
+    const Outcome outcome = run({"info", path("other.zip")});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_TRUE(contains(outcome.errors, "UNKNOWN_FORMAT: " + name + " in the zip"))
+        << outcome.errors;
+    EXPECT_TRUE(contains(outcome.errors, about)) << outcome.errors;
+    EXPECT_TRUE(contains(outcome.errors, "export")) << outcome.errors;
+  }
+  write("other.zip", zipped({{"readme.txt", "nothing"}, {"look.png", picture}}));
+  EXPECT_TRUE(contains(run({"info", path("other.zip")}).errors, "none of the 2 files"));
 }
 
 TEST_F(PackedModels, standardInput) {

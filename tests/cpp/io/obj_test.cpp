@@ -127,6 +127,22 @@ TEST(Obj, polygonsAreCutInside) {
   }
 }
 
+TEST(Obj, whatIsLeftOutIsNoted) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const auto model = modelOf(vertices +
+                                 "o a\nusemtl red\nf 1 3 2\nf 1 2\ng b\ng c\nf 1 2 4\no empty\n"
+                                 "usemtl blue\nf 1\n",
+                             "a.obj");
+  ASSERT_TRUE(model.ok()) << messageOf(model);
+  EXPECT_EQ(model.value().notes,
+            (std::vector<std::string>{"2 faces with fewer than three corners were left out.",
+                                      "Its 2 groups were put together.",
+                                      "Its materials were left out."}));
+  const auto plain = modelOf("o a\ng b\n" + vertices + "f 1 3 2\nf 1 2 4\n", "a.obj");
+  ASSERT_TRUE(plain.ok()) << messageOf(plain);
+  EXPECT_TRUE(plain.value().notes.empty());
+}
+
 TEST(Obj, largePolygonsTakeNoTime) {
   std::string text;
   std::string face = "f";

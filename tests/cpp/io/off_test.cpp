@@ -10,7 +10,9 @@ void expectTetrahedron(std::string_view text, std::string_view name = "a.off") {
   EXPECT_EQ(model.value().format, Format::Off);
   EXPECT_EQ(model.value().soup.positions, kTetrahedronPositions) << text;
   EXPECT_EQ(model.value().soup.triangles, kTetrahedronTriangles) << text;
-  EXPECT_TRUE(model.value().notes.empty()) << text;
+  for (const std::string& note : model.value().notes) {
+    EXPECT_EQ(note, "Its colours were left out.") << text;
+  }
 }
 
 TEST(Off, ascii) {
@@ -121,6 +123,22 @@ TEST(Off, binary) {
         big(packed({0, 2147483647, 6}, 4) + packed({2147483647}, 4))}) {
     EXPECT_EQ(codeOf(soupOf("OFF BINARY\n" + text, "a.off")), "MALFORMED_FILE");
   }
+}
+
+TEST(Off, coloursAreLeftOutWithANote) {
+  const auto notesOf = [](const std::string& text) {
+    const auto model = modelOf(text, "a.off");
+    EXPECT_TRUE(model.ok()) << messageOf(model);
+    return model.ok() ? model.value().notes : std::vector<std::string>();
+  };
+  const std::vector<std::string> note{"Its colours were left out."};
+  const std::string some = "3 0 2 1\n3 0 1 3 7\n3 0 3 2\n3 1 2 3\n";
+  EXPECT_EQ(notesOf("OFF\n4 4 6\n" + kVertexLines + some), note);
+  EXPECT_EQ(notesOf("OFF\n4 4 6\n0 0 0 1 1 1\n1 0 0\n0 1 0\n0 0 1\n" + kFaceLines), note);
+  EXPECT_EQ(notesOf("COFF\n4 4 6\n0 0 0 1 1 1 1\n1 0 0\n0 1 0\n0 0 1\n" + kFaceLines), note);
+  EXPECT_TRUE(notesOf("OFF\n4 4 6\n" + kVertexLines + kFaceLines).empty());
+  EXPECT_TRUE(
+      notesOf("STOFF\n4 4 6\n0 0 0 1 1\n1 0 0 1 1\n0 1 0 1 1\n0 0 1 1 1\n" + kFaceLines).empty());
 }
 
 TEST(Off, polygonsAndFewerCorners) {

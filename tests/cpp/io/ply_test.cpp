@@ -322,6 +322,19 @@ TEST(BadPly, codesAndPlaces) {
       });
 }
 
+TEST(Ply, coloursOfFacesAreLeftOutWithANote) {
+  const auto model = modelOf(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+      "z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\n"
+      "property uchar green\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0\n",
+      "a.ply");
+  ASSERT_TRUE(model.ok()) << messageOf(model);
+  EXPECT_EQ(model.value().notes,
+            std::vector<std::string>{
+                "What its faces have besides corners was left out: \"red\", \"green\"."});
+}
+
 TEST(BadPly, countsAreNotTrusted) {
   const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
   for (const std::string format : {"ascii", "binary_little_endian"}) {

@@ -36,6 +36,11 @@ TEST(Recognition, otherFormatsAreNamed) {
            Named{"\n<!DOCTYPE html>\n", "web page"},
            Named{"<svg>", "XML"},
            Named{"\xFF\xFEv" + zero + " " + zero, "UTF-16"},
+           Named{std::string("s\0o\0l\0i\0d\0 \0a\0\r\0\n\0", 18), "UTF-16"},
+           Named{std::string("\0O\0F\0F\0\n\0003\0 \0001", 14), "UTF-16"},
+           Named{"<?xml version=\"1.0\"?>\n<model xmlns=\"http://schemas.microsoft.com/"
+                 "3dmanufacturing/core/2015/02\">",
+                 "3MF"},
        }) {
     for (const char* name : {"model", "model.obj", "model.stl", "model.off"}) {
       const auto result = modelOf(c.content, name);
@@ -45,6 +50,27 @@ TEST(Recognition, otherFormatsAreNamed) {
       EXPECT_FALSE(contains(result.error().hint, "use GLB")) << "a way out for " << c.about;
     }
   }
+}
+
+TEST(Recognition, commasAreNamedWithTheRemedy) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const char* numbers : {"0,5 1,25 -2,5e3", "0.5, 1.25, 0", "1,2,3 0 0", ", 0 0"}) {
+    for (const auto& [text, name] :
+         {std::pair{"solid\nfacet\nouter loop\nvertex " + std::string(numbers), "a.stl"},
+          std::pair{"v " + std::string(numbers), "a.obj"}, std::pair{ply + numbers, "a.ply"},
+          std::pair{"OFF\n1 1 0\n" + std::string(numbers), "a.off"}}) {
+      const auto result = modelOf(text + "\n", name);
+      EXPECT_EQ(codeOf(result), "MALFORMED_FILE");
+      EXPECT_TRUE(contains(messageOf(result), "is not a number: it has a comma"))
+          << messageOf(result);
+      EXPECT_TRUE(contains(result.error().hint, "replace the commas")) << result.error().hint;
+    }
+  }
+  const auto other = modelOf("v 0 zero,5 1\n", "a.obj");
+  EXPECT_FALSE(contains(messageOf(other), "comma"));
+  EXPECT_FALSE(contains(other.error().hint, "comma"));
 }
 
 TEST(Recognition, theHintListsAllFormats) {

@@ -112,6 +112,15 @@ TEST(Stl, asciiInOddClothes) {
   }
 }
 
+TEST(Stl, coloursAreLeftOutWithANote) {
+  std::string coloured = kFour;
+  coloured[149] = '\x80';
+  const auto model = modelOf(binary("", 4, coloured), "a.stl");
+  ASSERT_TRUE(model.ok()) << messageOf(model);
+  ASSERT_EQ(model.value().notes.size(), 1u);
+  EXPECT_TRUE(contains(model.value().notes[0], "colours, was left out")) << model.value().notes[0];
+}
+
 TEST(Stl, endsInTwoWords) {
   std::string text = "solid a\n" + kTwoFacets + "endsolid a\n";
   for (const char* what : {"loop", "facet", "solid"}) {

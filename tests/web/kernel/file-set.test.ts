@@ -47,6 +47,17 @@ describe('the models among files', () => {
     expect(models(file('model'))).toEqual(['model']);
   });
 
+  test('where none is one that is read, the largest that may be another is for the reader to name', () => {
+    const found = models(
+      file(
+        'scene.zip',
+        zipSync({ 'a.png': new Uint8Array(99), 'part.step': strToU8('ISO-10303-21;') }),
+      ),
+    );
+    expect(found).toEqual(['part.step']);
+    expect(models(file('readme'), file('a.blend', 'BLENDER-v300'))).toEqual(['a.blend']);
+  });
+
   test('none at all is said in words', () => {
     const none = refusal(() => models(file('a.png'), file('b.txt')));
     expect(none.code).toBe('UNKNOWN_FORMAT');

@@ -88,6 +88,9 @@ function modelsAmong(files: readonly SetFile[], given: readonly SetFile[]): stri
       looksLikeModel(file.bytes()),
   );
   if (alike.length > 0) return paths(alike);
+  // Most likely a model of another format, which the reader names.
+  const other = files.filter(({ path }) => !otherEnding.test(path));
+  if (other.length > 0) return [other.reduce((a, b) => (b.size > a.size ? b : a)).path];
   const message =
     files.length === 1
       ? `${files[0]!.path} is no model`
