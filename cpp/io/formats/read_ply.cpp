@@ -27,15 +27,32 @@ namespace {
 
 enum class Encoding : std::uint8_t { Ascii, LittleEndian, BigEndian };
 
-enum class Scalar : std::uint8_t { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
+enum class Scalar : std::uint8_t {
+  Int8,
+  UInt8,
+  Int16,
+  UInt16,
+  Int32,
+  UInt32,
+  Int64,
+  UInt64,
+  Float32,
+  Float64,
+  TwoBytes,      // what is not read, but passed over in binary files
+  SixteenBytes,  // the same
+  Unknown        // text alone can be passed over
+};
 
 std::size_t sizeOf(Scalar type) {
-  constexpr std::array<std::size_t, 8> kSizes{1, 1, 2, 2, 4, 4, 4, 8};
+  constexpr std::array<std::size_t, 13> kSizes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8, 2, 16, 0};
   return kSizes[static_cast<std::size_t>(type)];
 }
 
-std::optional<Scalar> scalarNamed(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, Scalar>, 16> kNames{{
+bool isFloat(Scalar type) { return type == Scalar::Float32 || type == Scalar::Float64; }
+bool isRead(Scalar type) { return type < Scalar::TwoBytes; }
+
+Scalar scalarNamed(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, Scalar>, 23> kNames{{
       {"char", Scalar::Int8},
       {"int8", Scalar::Int8},
       {"uchar", Scalar::UInt8},
@@ -48,23 +65,43 @@ std::optional<Scalar> scalarNamed(std::string_view name) {
       {"int32", Scalar::Int32},
       {"uint", Scalar::UInt32},
       {"uint32", Scalar::UInt32},
+      {"int64", Scalar::Int64},
+      {"uint64", Scalar::UInt64},
       {"float", Scalar::Float32},
       {"float32", Scalar::Float32},
       {"double", Scalar::Float64},
       {"float64", Scalar::Float64},
+      {"half", Scalar::TwoBytes},
+      {"float16", Scalar::TwoBytes},
+      {"int128", Scalar::SixteenBytes},
+      {"uint128", Scalar::SixteenBytes},
+      {"float128", Scalar::SixteenBytes},
   }};
+  if (name.ends_with("_t")) name.remove_suffix(2);
   for (const auto& [known, type] : kNames) {
     if (known == name) return type;
   }
-  return std::nullopt;
+  return Scalar::Unknown;
 }
 
 struct Property {
   std::string_view name;
+  std::string_view typeName, countName;
   Scalar type{Scalar::Float32};
   bool isList{false};
   Scalar countType{Scalar::UInt8};
+  std::int64_t line{0};
+
+  bool isPosition() const { return name == "x" || name == "y" || name == "z"; }
+  bool isCorners() const { return name == "vertex_indices" || name == "vertex_index"; }
+  /// Whether binary files show how long it is.
+  bool hasKnownSize() const { return type != Scalar::Unknown && countType != Scalar::Unknown; }
 };
+
+/// Whether faces are made of elements of that name.
+bool isGeometry(std::string_view element) {
+  return element == "vertex" || element == "face" || element == "tristrips";
+}
 
 struct Element {
   std::string_view name;
@@ -76,6 +113,10 @@ struct Element {
       if (properties[i].name == property) return i;
     }
     return std::nullopt;
+  }
+  bool hasKnownSizes() const {
+    return std::all_of(properties.begin(), properties.end(),
+                       [](const Property& property) { return property.hasKnownSize(); });
   }
   /// Bytes of one of them; nothing where lists make them differ.
   std::optional<std::size_t> fixedSize() const {
@@ -195,25 +236,21 @@ class HeaderReader {
     if (header_.elements.empty()) {
       return malformedLine(lineNumber_, "a property before the first element");
     }
-    const auto unknownType = [&](std::string_view name) {
-      return malformedLine(lineNumber_, "the type " + inQuotes(name) + " is unknown");
-    };
     Property property;
-    std::string_view word = words.next();
-    if (word == "list") {
+    property.line = lineNumber_;
+    property.typeName = words.next();
+    if (property.typeName == "list") {
       property.isList = true;
-      word = words.next();
-      const auto countType = scalarNamed(word);
-      if (!countType) return unknownType(word);
-      if (*countType == Scalar::Float32 || *countType == Scalar::Float64) {
-        return malformedLine(lineNumber_, "a list cannot be counted by " + inQuotes(word));
+      property.countName = words.next();
+      property.countType = scalarNamed(property.countName);
+      if (isFloat(property.countType) ||
+          (!isRead(property.countType) && property.countType != Scalar::Unknown)) {
+        return malformedLine(lineNumber_,
+                             "a list cannot be counted by " + inQuotes(property.countName));
       }
-      property.countType = *countType;
-      word = words.next();
+      property.typeName = words.next();
     }
-    const auto type = scalarNamed(word);
-    if (!type) return unknownType(word);
-    property.type = *type;
+    property.type = scalarNamed(property.typeName);
     property.name = words.next();
     if (property.name.empty()) return malformedLine(lineNumber_, "a property without a name");
     header_.elements.back().properties.push_back(property);
@@ -225,6 +262,30 @@ class HeaderReader {
     // Values behind it could shift unnoticed only where nothing separates them.
     if (unknownLine_ >= 0 && header_.encoding != Encoding::Ascii) {
       return malformedLine(unknownLine_, inQuotes(unknown_) + " is unknown in a header");
+    }
+    return header_.encoding == Encoding::Ascii ? std::nullopt : checkTypes();
+  }
+
+  /// In text every value is a word. In binary files the types must be known of what is read, and
+  /// the sizes of what stands before it.
+  std::optional<Error> checkTypes() const {
+    const auto& elements = header_.elements;
+    const auto last = std::find_if(elements.rbegin(), elements.rend(), [](const Element& element) {
+      return isGeometry(element.name) && element.count > 0;
+    });
+    for (auto element = elements.begin(); element != last.base(); ++element) {
+      for (const Property& property : element->properties) {
+        const bool isNeeded = (element->name == "vertex" && property.isPosition()) ||
+                              (isGeometry(element->name) && property.isCorners());
+        if (property.hasKnownSize() && (isRead(property.type) || !isNeeded)) continue;
+        const bool isCount = property.countType == Scalar::Unknown;
+        Error error =
+            malformedLine(property.line,
+                          "the type " + inQuotes(isCount ? property.countName : property.typeName) +
+                              " is unknown");
+        error.hint = "write the file as text, or leave the property out";
+        return error;
+      }
     }
     return std::nullopt;
   }
@@ -334,6 +395,8 @@ class BinaryBody {
         return takeAs<float>(value);
       case Scalar::Float64:
         return takeAs<double>(value);
+      case Scalar::UInt64:
+        return takeAs<std::uint64_t>(value);
       default:
         std::int64_t whole = 0;
         if (!integer(type, whole)) return false;
@@ -357,6 +420,9 @@ class BinaryBody {
         return takeAs<std::int32_t>(value);
       case Scalar::UInt32:
         return takeAs<std::uint32_t>(value);
+      case Scalar::Int64:
+      case Scalar::UInt64:
+        return takeAs<std::int64_t>(value);
       default:
         break;
     }
@@ -369,8 +435,7 @@ class BinaryBody {
     return true;
   }
   bool skip(Scalar type, std::uint64_t count) {
-    // Counts have at most 32 bits.
-    return cursor_.skip(count * sizeOf(type));
+    return count <= cursor_.remaining() / sizeOf(type) && cursor_.skip(count * sizeOf(type));
   }
   /// Passes over all copies of an element, where they have a fixed size; false where there are
   /// fewer.
@@ -413,6 +478,8 @@ class BodyReader {
     for (const Element& element : header_.elements) {
       // Without properties there is nothing in the file, however many there are.
       if (element.properties.empty() || element.count == 0) continue;
+      // HeaderReader has checked that nothing behind it is needed.
+      if (header_.encoding != Encoding::Ascii && !element.hasKnownSizes()) break;
       std::optional<Error> error;
       if (element.name == "vertex") {
         error = readVertices(element);
@@ -429,10 +496,9 @@ class BodyReader {
  private:
   /// The error of the element's copy with this number, which the body has failed to give.
   Error failure(const Element& element, std::uint64_t number) const {
-    const bool known =
-        element.name == "vertex" || element.name == "face" || element.name == "tristrips";
-    const std::string which = (known ? std::string(element.name) : inQuotes(element.name)) + " " +
-                              std::to_string(number) + " of " + std::to_string(element.count);
+    const std::string which =
+        (isGeometry(element.name) ? std::string(element.name) : inQuotes(element.name)) + " " +
+        std::to_string(number) + " of " + std::to_string(element.count);
     std::string what = body_.problem().empty() ? "the file ends before " + which + " is complete"
                                                : body_.problem() + " (in " + which + ")";
     // Two elements on one line look like one with too many values.
@@ -508,6 +574,7 @@ class BodyReader {
     for (std::size_t p = 0; p < properties.size(); ++p) {
       const Property& property = properties[p];
       if (property.isList || std::count(kOwn.begin(), kOwn.end(), property.name) > 0) continue;
+      if (!isRead(property.type)) continue;
       const double most = property.type == Scalar::UInt8    ? 255
                           : property.type == Scalar::UInt16 ? 65535
                                                             : 1;
@@ -654,7 +721,7 @@ class BodyReader {
     if (faces == nullptr || faces->count == 0) return;
     std::vector<std::string> names;
     for (const Property& property : faces->properties) {
-      if (property.name == "vertex_indices" || property.name == "vertex_index") continue;
+      if (property.isCorners()) continue;
       names.push_back(inQuotes(property.name));
     }
     if (names.empty()) return;

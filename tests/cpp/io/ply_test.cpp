@@ -37,6 +37,8 @@ std::string scalar(const std::string& type, double number, bool bigEndian) {
   if (type == "ushort" || type == "uint16") return scalar<std::uint16_t>(number, bigEndian);
   if (type == "int" || type == "int32") return scalar<std::int32_t>(number, bigEndian);
   if (type == "uint" || type == "uint32") return scalar<std::uint32_t>(number, bigEndian);
+  if (type == "int64") return scalar<std::int64_t>(number, bigEndian);
+  if (type == "uint64" || type == "uint64_t") return scalar<std::uint64_t>(number, bigEndian);
   if (type == "float" || type == "float32") return scalar<float>(number, bigEndian);
   return scalar<double>(number, bigEndian);
 }
@@ -51,9 +53,10 @@ TEST(Ply, ascii) {
 }
 
 TEST(Ply, everyScalarTypeInBothByteOrders) {
-  const std::array<const char*, 16> types{
-      "char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
-      "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
+  const std::array<const char*, 19> types{"int64",  "uint64",  "uint64_t", "char",   "int8",
+                                          "uchar",  "uint8",   "short",    "int16",  "ushort",
+                                          "uint16", "int",     "int32",    "uint",   "uint32",
+                                          "float",  "float32", "double",   "float64"};
   for (const bool big : {false, true}) {
     for (const std::string type : types) {
       const bool counts = type.find("float") == type.npos && type != "double";
@@ -117,6 +120,59 @@ TEST(Ply, otherElementsAndPropertiesAnywhere) {
   }
   add("int", {9});
   expectTetrahedron(soupOf(binary, "a.ply"));
+}
+
+TEST(Ply, typesThatNobodyReadsArePassedOver) {
+  const auto fileWith = [](const std::string& format, const std::string& type) {
+    return "ply\nformat " + format + " 1.0\nelement vertex 4\nproperty " + type +
+           " before\nproperty float x\nproperty float y\nproperty float z\nproperty list uchar " +
+           type + " some\nelement face 4\nproperty list uchar int vertex_indices\n" +
+           "element other 1\nproperty list " + type + " string name\nend_header\n";
+  };
+  for (const std::string type : {"int64", "half", "float128", "quaternion", "string"}) {
+    const std::string word = type == "string" ? "red " : "7 ";
+    const std::string text = fileWith("ascii", type) + word + "0 0 0 0\n" + word + "1 0 0 1 " +
+                             word + "\n" + word + "0 1 0 0\n" + word + "0 0 1 0\n" + kFaceLines +
+                             "1 x\n";
+    if (type == "int64" || type == "quaternion" || type == "string") {
+      expectTetrahedron(soupOf(text, "a.ply"), type);
+    } else {
+      EXPECT_TRUE(contains(messageOf(soupOf(text, "a.ply")), "cannot be counted by"));
+    }
+    const auto kept = readModel(bytesOf(text), "a.ply", {}, {true});
+    ASSERT_EQ(kept.ok(), type == "int64" || type == "quaternion" || type == "string");
+    if (!kept) continue;
+    EXPECT_EQ(kept.value().attributes.size(), type == "int64" ? 1u : 0u) << type;
+  }
+  for (const auto& [type, size] : {std::pair{"int64", 8u}, std::pair{"uint64", 8u},
+                                   std::pair{"float16", 2u}, std::pair{"int128", 16u}}) {
+    std::string file = fileWith("binary_little_endian", type);
+    file.replace(file.find(std::string("list ") + type), 5 + std::string(type).size(), "list odd");
+    for (std::size_t v = 0; v < 4; ++v) {
+      file += std::string(size, 'b');
+      for (std::size_t k = 0; k < 3; ++k)
+        file += scalar("float", kTetrahedronPositions[3 * v + k], false);
+      file += std::string("\1") + std::string(size, 's');
+    }
+    for (std::size_t f = 0; f < 4; ++f) {
+      file += "\3";
+      for (std::size_t k = 0; k < 3; ++k)
+        file += scalar("int", kTetrahedronTriangles[3 * f + k], false);
+    }
+    expectTetrahedron(soupOf(file + "whatever", "a.ply"), type);
+  }
+  const auto unknown =
+      soupOf(fileWith("binary_little_endian", "string") + std::string(500, '\0'), "a.ply");
+  EXPECT_EQ(messageOf(unknown), "line 4: the type \"string\" is unknown");
+  EXPECT_TRUE(contains(unknown.error().hint, "as text")) << unknown.error().hint;
+  std::string needed = fileWith("binary_little_endian", "int64");
+  needed.replace(needed.find("float y"), 5, "half");
+  EXPECT_EQ(messageOf(soupOf(needed + std::string(500, '\0'), "a.ply")),
+            "line 6: the type \"half\" is unknown");
+  std::string many = fileWith("binary_little_endian", "int64");
+  many.replace(many.find("list uchar int64"), 16, "list uint64 int64");
+  EXPECT_EQ(codeOf(soupOf(many + std::string(20, '\0') + std::string(8, '\x7f'), "a.ply")),
+            "MALFORMED_FILE");
 }
 
 TEST(Ply, moreValuesThanTheHeaderDeclaresArePassedOver) {
@@ -258,8 +314,6 @@ TEST(BadPly, codesAndPlaces) {
           Refused{"ply\nformat ascii 1.0\nproperty float x\n", "MALFORMED_FILE", 3, "before"},
           Refused{"ply\nformat ascii 1.0\nelement vertex -1\n", "MALFORMED_FILE", 3, "\"-1\""},
           Refused{"ply\nformat ascii 1.0\nelement vertex many\n", "MALFORMED_FILE", 3, "\"many\""},
-          Refused{"ply\nformat ascii 1.0\nelement a 1\nproperty half x\n", "MALFORMED_FILE", 4,
-                  "\"half\""},
           Refused{"ply\nformat ascii 1.0\nelement a 1\nproperty list float int x\n",
                   "MALFORMED_FILE", 4, "\"float\""},
           Refused{"ply\nformat ascii 1.0\nelement a 1\nelement a 1\n", "MALFORMED_FILE", 4,
