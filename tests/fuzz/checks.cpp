@@ -49,9 +49,12 @@ int check(const Result<io::ReadModel>& model) {
   const TriangleSoup& soup = model.value().soup;
   demand(soup.positions.size() % 3 == 0, "three coordinates a vertex");
   demand(soup.triangles.size() % 3 == 0 && !soup.triangles.empty(), "whole triangles");
-  for (const double coordinate : soup.positions) demand(std::isfinite(coordinate), "finite");
   for (const Index vertex : soup.triangles) {
     demand(vertex < soup.positions.size() / 3, "triangles name vertices");
+    for (std::size_t k = 0; k < 3; ++k) {
+      demand(std::isfinite(soup.positions[3 * std::size_t{vertex} + k]),
+             "their vertices are finite");
+    }
   }
   checkNotes(model.value().notes);
   return 0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -209,11 +210,13 @@ Result<ReadModel> readBinary(std::span<const std::byte> bytes) {
   model.unit = unitInHeader(textOf(bytes.first(kHeaderSize - 4)));
   const std::uint64_t held = (bytes.size() - kHeaderSize) / kTriangleSize;
   std::uint64_t count = triangleCount(bytes);
-  // Programs write anything there that do not know the number beforehand.
+  // Programs that do not know the number beforehand write anything there, such as 0 or the
+  // greatest.
   if (count != held && held > 0 && (bytes.size() - kHeaderSize) % kTriangleSize == 0) {
+    const bool isCutOff = count > held && count != std::numeric_limits<std::uint32_t>::max();
     model.notes.push_back("Its header counts " + std::to_string(count) +
                           " triangles, but its size is that of " + std::to_string(held) +
-                          ", which were read" + (count > held ? ": it may be cut off." : "."));
+                          ", which were read" + (isCutOff ? ": it may be cut off." : "."));
     count = held;
   }
   if (count > held) {
