@@ -105,6 +105,7 @@ val handles(const JobSurface& surface, double basePoints, const val& onProgress)
       entry.set("length", handle.length);
       entry.set("kind", std::string(toString(handle.kind)));
       entry.set("component", handle.component);
+      entry.set("mayBeShorterBy", handle.mayBeShorterBy);
       list.call<void>("push", entry);
     }
     val result = val::object();
@@ -135,6 +136,7 @@ val surfaceWithoutHandles(const JobSurface& surface, double length, double baseP
     removal.set("genusBefore", made.value().genusBefore);
     removal.set("genusAfter", made.value().genusAfter);
     removal.set("crossingFaces", made.value().crossingFaces);
+    removal.set("provenLength", made.value().provenLength);
     val result = val::object();
     result.set("described", describe(made.value().mesh));
     result.set("removal", removal);

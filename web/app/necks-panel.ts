@@ -400,6 +400,10 @@ export class NecksPanel {
       if (chosen.kind === 'neck' && !chosen.loop.measuresGirth)
         words.push('shorter loops go through some of its points');
     }
+    if (chosen.kind === 'handle' && chosen.loop.mayBeShorterBy > 0) {
+      const most = formatLength(chosen.loop.mayBeShorterBy, format);
+      words.push(`another one may be shorter, by at most ${most}`);
+    }
     this.#chosenWords.textContent = `${words.join('; ')}.`;
   }
 

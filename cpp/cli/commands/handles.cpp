@@ -1,6 +1,7 @@
 // girth handles: the loops round a surface's handles and through its tunnels.
 #include "girth/handles.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -41,10 +42,13 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Han
   std::printf("  %4s %12s  %-8s %12s  %s\n", "loop", "length", "kind", "area", "centre");
   for (std::size_t i = 0; i < count; ++i) {
     const Handle& handle = handles.handles[i];
-    std::printf("  %4zu %12s  %-8s %12s  %s %s %s\n", i + 1, readable(handle.length).c_str(),
+    const std::string excess = handle.mayBeShorterBy > 0 ? "  (may be shorter, by at most " +
+                                                               readable(handle.mayBeShorterBy) + ")"
+                                                         : "";
+    std::printf("  %4zu %12s  %-8s %12s  %s %s %s%s\n", i + 1, readable(handle.length).c_str(),
                 std::string(toString(handle.kind)).c_str(), readable(handle.area).c_str(),
                 readable(handle.centre.x).c_str(), readable(handle.centre.y).c_str(),
-                readable(handle.centre.z).c_str());
+                readable(handle.centre.z).c_str(), excess.c_str());
   }
   printUnits(loaded.unit);
 }
@@ -76,6 +80,14 @@ int run(const Options& options) {
     return findHandles(loaded.value().mesh, wanted, watched(options.threads, progress));
   }();
   if (!handles) return reportError(options.model, handles.error());
+  const auto& all = handles.value().handles;
+  const auto unproven = std::count_if(
+      all.begin(), all.end(), [](const Handle& handle) { return handle.mayBeShorterBy > 0; });
+  if (unproven > 0) {
+    printNote(options.model,
+              std::to_string(unproven) + " of " + std::to_string(all.size()) +
+                  " loops may be shorter: the proof would take longer; --all-vertices makes it");
+  }
   if (handles.value().unresolved > 0) {
     printNote(options.model,
               std::to_string(handles.value().unresolved) + " handles or tunnels were not found");
@@ -93,11 +105,11 @@ Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
   table.add("MODEL", options->model, "The model to read").required();
   table.add("--base-points N", options->bases,
-            "Points of each component whose loops are compared; 32 by default. More find shorter "
-            "loops");
+            "Points of each component whose loops are compared at first; 32 by default. Then loops "
+            "are proven shortest, for about five seconds");
   table
       .add("--all-vertices", options->allVertices,
-           "Compare the loops at all vertices: the shortest ones, and slow on large models")
+           "Compare the loops at all vertices: proven, and slow on large models")
       .excludes("--base-points");
   addOutputOptions(table, options->output, {".json", ".csv", ".obj", ".glb"},
                    "Write the loops: .json, .csv (a row for each), .obj or .glb (closed lines)");
@@ -110,6 +122,10 @@ Run add(OptionTable& table) {
       "A handle loop goes round the material and bounds a surface inside; a tunnel loop goes "
       "round a hole and bounds one outside. Unknown: the surface crosses itself so that it "
       "has no inside.");
+  table.note("May be shorter",
+             "Each loop is locally shortest, and is proven to be the shortest of those that could "
+             "take its place, as far as the time goes. Where it ends first, the line says by how "
+             "much a shorter one could be shorter at most.");
   return [options] { return run(*options); };
 }
 

@@ -60,7 +60,8 @@ void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMe
         ",\"output\":" + io::jsonString(options.output.path) +
         (repaired ? ",\"genusBefore\":" + std::to_string(repaired->genusBefore) +
                         ",\"genus\":" + std::to_string(repaired->genusAfter) +
-                        ",\"crossingFaces\":" + std::to_string(repaired->crossingFaces)
+                        ",\"crossingFaces\":" + std::to_string(repaired->crossingFaces) +
+                        ",\"provenLength\":" + io::formatNumber(repaired->provenLength)
                   : "") +
         (difference ? ",\"difference\":" + io::formatNumber(*difference) : "") + "}\n";
     std::fputs(text.c_str(), stdout);
@@ -132,6 +133,11 @@ int run(const Options& options) {
     }();
     if (!removal) return reportError(options.model, removal.error());
     repaired = std::move(removal).value();
+    if (repaired->provenLength < length) {
+      printNote(options.model, "loops shorter than " + options.removeHandles +
+                                   " may be left, but none shorter than " +
+                                   readable(repaired->provenLength));
+    }
   }
   std::optional<SurfaceMesh> smooth;
   if (options.smoothing > 0) {

@@ -30,6 +30,10 @@ GIRTH_EXPORT std::string_view toString(HandleKind kind);
 struct Handle {
   /// In model units.
   double length{0};
+  /// How much shorter a loop in its place may be, at most, in model units: one of its kind and
+  /// component that is no sum of the shorter ones listed. 0: none is, which is proven to a share of
+  /// 1e-9.
+  double mayBeShorterBy{0};
   HandleKind kind{HandleKind::Unknown};  ///< round the material, or round a hole
   /// The edges it crosses and the vertices it passes in order; the last point equals the first.
   /// Between neighbours it is straight inside one face or along one edge. Of a band of parallel
@@ -44,9 +48,12 @@ struct Handle {
 
 /// How handles are searched for.
 struct HandleOptions {
-  /// Of each component, points whose loops are compared, at least 1: half of them spread over it,
-  /// the others on the loops found. As many as it has vertices, or more: all of them.
+  /// Of each component, points whose loops are compared at first, at least 1: half of them spread
+  /// over it, the others on the loops found. As many as it has vertices, or more: all of them.
   std::size_t basePoints{32};
+  /// Of each component, windows that may be propagated from other vertices to prove that no loop is
+  /// shorter. Default: 2^26, some five seconds.
+  std::size_t windows{std::size_t{1} << 26};
 };
 
 /// The handles of a surface.
@@ -67,14 +74,17 @@ struct Handles {
 /// *Guaranteed*: their number, but for `unresolved`; their kinds, by linking numbers, which are
 /// computed exactly, if the surface does not cross itself. Where it does, the numbers may
 /// contradict each other: then there are 2g loops of an unknown kind, of which no sum bounds a part
-/// of the surface. With all vertices as base points: if the shortest such system of 2g loops
-/// consists of handle loops and tunnel loops, it is found. *Not guaranteed* with fewer base points:
-/// that no loop is shorter; each is locally shortest. Which of several loops of one length is found
-/// is not told.
+/// of the surface. Each loop is locally shortest, and no loop in its place is shorter by more than
+/// `mayBeShorterBy`. With all vertices as base points, if the shortest system of 2g loops consists
+/// of handle loops and tunnel loops, that is 0. With fewer, loops are proven afterwards, the
+/// shortest first: the shortest loop of a kind at a vertex changes by at most twice the way to
+/// another one, so only those vertices are looked at at which it can be shorter; what is found is
+/// taken instead. Which of several loops of one length is found is not told.
 ///
 /// Time: for each base point one propagation over the whole component, O(n^1.5) to O(n² log n), on
-/// all threads; for the kinds as given at the header loops/homology.h, about O(g² n). Nothing for
-/// components of genus 0. The same result for any number of threads. Errors: INVALID_OPTION
+/// all threads; for the proof up to `windows` windows; for the kinds as given at the header
+/// loops/homology.h, about O(g² n). Nothing for components of genus 0. The same result for any
+/// number of threads. Errors: INVALID_OPTION
 /// (`basePoints` is 0); CANCELLED.
 GIRTH_EXPORT Result<Handles> findHandles(const SurfaceMesh& mesh, const HandleOptions& options = {},
                                          const ExecutionContext& context = {});

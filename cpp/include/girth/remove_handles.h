@@ -23,6 +23,9 @@ struct HandleRemoval {
   /// Faces that were made or moved and cross others, since there was no room for them; those of the
   /// surface that crossed each other before do not count.
   Index crossingFaces{0};
+  /// No loop is left that is shorter than this, but those that touch the boundary: the length that
+  /// was asked for, or less where the budget did not suffice to prove it.
+  double provenLength{0};
 };
 
 /// Takes away every handle and tunnel with a loop shorter than a length: the surface is cut along
@@ -40,10 +43,9 @@ struct HandleRemoval {
 ///
 /// Of a handle and a tunnel that are one (a small ring stuck to the surface has both loops) the
 /// shorter loop is cut, which takes both away. In rounds: all short loops that lie apart from each
-/// other, the shortest first; then the surface is searched again, until no loop that is found is
-/// shorter. Whether a loop exists that was not found depends on `options`, as findHandles says. The
-/// number of components stays what it was. Boundary curves are left alone, and so are loops that
-/// touch one.
+/// other, the shortest first; then the surface is searched again, until it is proven that no loop
+/// is shorter, as far as the budget of `options` goes (`provenLength`). The number of components
+/// stays what it was. Boundary curves are left alone, and so are loops that touch one.
 ///
 /// `length`: in model units, 0 (nothing is removed) or more; infinite: all. Time: findHandles for
 /// each round. Errors: INVALID_OPTION (`length` negative or NaN; `basePoints` 0); CANCELLED; those

@@ -25,7 +25,8 @@ std::string handlesJson(const LoadedMesh& loaded, const Handles& handles, std::s
   const char* separator = "\n";
   for (const Handle& handle : handles.handles) {
     text += separator + ("{\"length\":" + formatNumber(handle.length)) + ",\"kind\":\"" +
-            kindOf(handle) + "\",\"component\":" + std::to_string(handle.component) +
+            kindOf(handle) + "\",\"mayBeShorterBy\":" + formatNumber(handle.mayBeShorterBy) +
+            ",\"component\":" + std::to_string(handle.component) +
             ",\"area\":" + formatNumber(handle.area) + ",\"centre\":[" +
             pointText(handle.centre, ',') + "],\"points\":" + pointsJson(loaded, handle.points) +
             "}";
@@ -35,12 +36,13 @@ std::string handlesJson(const LoadedMesh& loaded, const Handles& handles, std::s
 }
 
 std::string handlesCsv(const LoadedMesh& loaded, const Handles& handles) {
-  std::string text = "handle,length,kind,component,area,x,y,z,unit\n";
+  std::string text = "handle,length,kind,component,area,x,y,z,unit,mayBeShorterBy\n";
   for (std::size_t i = 0; i < handles.handles.size(); ++i) {
     const Handle& handle = handles.handles[i];
     text += std::to_string(i + 1) + "," + formatNumber(handle.length) + "," + kindOf(handle) + "," +
             std::to_string(handle.component) + "," + formatNumber(handle.area) + "," +
-            pointText(handle.centre, ',') + "," + loaded.unit + "\n";
+            pointText(handle.centre, ',') + "," + loaded.unit + "," +
+            formatNumber(handle.mayBeShorterBy) + "\n";
   }
   return text;
 }

@@ -360,6 +360,8 @@ class Handle(_Result):
         Enclosed in its mean plane, in squared model units.
     component : int
         Of the surface, from 0.
+    may_be_shorter_by : float
+        How much shorter a loop in its place may be, at most; 0: proven to be the shortest.
     """
 
     def __init__(self, found: dict) -> None:
@@ -369,6 +371,7 @@ class Handle(_Result):
         self.centre: np.ndarray = found["centre"]
         self.area: float = found["area"]
         self.component: int = found["component"]
+        self.may_be_shorter_by: float = found["may_be_shorter_by"]
         self._curve: tuple[np.ndarray, np.ndarray] = found["curve"]
 
     def _line(self) -> str:

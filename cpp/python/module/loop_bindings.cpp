@@ -83,6 +83,7 @@ py::tuple handlesOf(const Shared& surface, std::size_t basePoints, const Running
     one["centre"] = pointArray(handle.centre);
     one["area"] = handle.area;
     one["component"] = handle.component;
+    one["may_be_shorter_by"] = handle.mayBeShorterBy;
     handles.append(one);
   }
   return py::make_tuple(handles, found.unresolved);

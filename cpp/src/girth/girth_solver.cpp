@@ -21,6 +21,7 @@
 #include "girth/loop_search.h"
 #include "girth/persistent_search.h"
 #include "girth/solver_factory.h"
+#include "infinity.h"
 
 namespace girth {
 
@@ -152,12 +153,44 @@ struct GirthSolver::State {
     constexpr double kGreatest = std::numeric_limits<double>::max();
     const double scaled =
         std::isinf(atLeast) ? atLeast : std::min(atLeast / unfolding->unit(), kGreatest);
-    persistent->start(scaled, mostSaddles, withDeaths, context.cancel);
+    persistent->start(scaled, mostSaddles, withDeaths, kInfinity, context.cancel);
     propagation.run(std::span(&source.value(), 1), keep, *persistent);
     if (persistent->cancelled()) {
       return makeError(ErrorCode::Cancelled, point.element, "cancelled");
     }
     return std::nullopt;
+  }
+
+  /// SolverFactory::loopsUpTo.
+  std::optional<LoopsUpTo> loopsUpTo(Vertex vertex, double length,
+                                     const ExecutionContext& context) {
+    const SurfacePoint source =
+        geodesic::locate(*unfolding, SurfacePoint::atVertex(vertex)).value();
+    if (!persistent) persistent.emplace(propagation, search);
+    isPersistent = true;
+    earlier = {};
+    const bool keepsAll = unfolding->mesh().faceCount() <= geodesic::kMostFacesKept;
+    persistent->start(kInfinity, std::numeric_limits<std::size_t>::max(), false,
+                      length / 2 / unfolding->unit(), context.cancel);
+    propagation.run(std::span(&source, 1), keepsAll ? Keep::Everything : Keep::Front, *persistent);
+    if (persistent->cancelled()) return std::nullopt;
+    LoopsUpTo result;
+    result.length =
+        std::min(length, inModelUnits(2 * std::min(propagation.frontier(), search.unjudged())));
+    const std::vector<PersistentSearch::Saddle> saddles = persistent->saddles();
+    for (const PersistentSearch::Saddle& saddle : saddles) {
+      if (keepsAll) {
+        result.loops.push_back(loopOf(saddle.loop));
+      } else if (auto loop = loopAgain(source, saddle.loop, context)) {
+        result.loops.push_back(*std::move(loop));
+      } else if (context.cancelled()) {
+        return std::nullopt;
+      } else {
+        result.length = std::min(result.length, inModelUnits(saddle.loop.length));
+        break;
+      }
+    }
+    return result;
   }
 
   /// The loop that was found; null: none.
@@ -508,6 +541,11 @@ std::optional<GirthLoop> SolverFactory::loopWithin(GirthSolver& solver, const Su
   const LoopCandidate* best = error ? nullptr : state.found();
   if (best == nullptr) return std::nullopt;
   return state.loopOf(*best);
+}
+
+std::optional<LoopsUpTo> SolverFactory::loopsUpTo(GirthSolver& solver, Vertex vertex, double length,
+                                                  const ExecutionContext& context) {
+  return solver.state_->loopsUpTo(vertex, length, context);
 }
 
 Result<GirthLoop> girthLoop(const SurfaceMesh& mesh, Vertex vertex) {

@@ -13,12 +13,13 @@ using geodesic::Unfolding;
 using geodesic::Vec2;
 
 void PersistentSearch::start(double persistence, std::size_t mostSaddles, bool withDeaths,
-                             const std::atomic<bool>* cancel) {
+                             double reach, const std::atomic<bool>* cancel) {
   search_->start(cancel);
   cancel_ = cancel;
   persistence_ = persistence;
   mostSaddles_ = mostSaddles;
   withDeaths_ = withDeaths;
+  reach_ = reach;
   saddles_.clear();
   ends_.clear();
   maxima_.clear();
@@ -38,6 +39,7 @@ bool PersistentSearch::enough(double frontier) {
     if (search_->cancelled()) return true;
     add(search_->best());
   }
+  if (reach_ * (1 + kTie) < passed) return endedEarly_ = true;
   if (search_->unjudged() * (1 + kTie) < passed) return false;  // the budget is met
   for (; decided_ < saddles_.size(); ++decided_, attempts_ = 0, leads_ = {}) {
     if (decided_ == mostSaddles_) return endedEarly_ = true;

@@ -28,12 +28,14 @@ class PersistentSearch {
 
   /// `persistence`: in the unit of the unfolding. `mostSaddles`: the search ends when so many have
   /// been decided. `withDeaths`: of those that do not last it is to be known when they die.
-  void start(double persistence, std::size_t mostSaddles, bool withDeaths,
+  /// `reach`: in the unit of the unfolding; the search ends when all saddles up to there have been
+  /// met.
+  void start(double persistence, std::size_t mostSaddles, bool withDeaths, double reach,
              const std::atomic<bool>* cancel);
 
   bool enough(double frontier);
   bool interrupted() { return search_->interrupted(); }
-  void restart() { start(persistence_, mostSaddles_, withDeaths_, cancel_); }
+  void restart() { start(persistence_, mostSaddles_, withDeaths_, reach_, cancel_); }
   void onCrossing(Index halfedge, std::uint32_t first, const geodesic::CrossingResult& result) {
     search_->onCrossing(halfedge, first, result);
   }
@@ -97,7 +99,7 @@ class PersistentSearch {
   Courses courses_;
   Ascent ascent_;
   const std::atomic<bool>* cancel_{nullptr};
-  double persistence_{0};
+  double persistence_{0}, reach_{0};
   std::size_t mostSaddles_{0};
   std::vector<Saddle> saddles_;
   std::vector<SaddleEnds> ends_;  // of the first saddles, as far as they were asked for

@@ -4,12 +4,21 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "geodesic/propagation.h"
 #include "geodesic/unfolding.h"
 #include "girth/girth_solver.h"
 
 namespace girth {
+
+/// The short loops at a vertex.
+struct LoopsUpTo {
+  /// In the order of their lengths. All loops there that are shorter than `length` are made of
+  /// these.
+  std::vector<GirthLoop> loops;
+  double length{0};  ///< in model units
+};
 
 /// What parts of the library may ask of solvers.
 struct SolverFactory {
@@ -24,6 +33,10 @@ struct SolverFactory {
   static std::optional<GirthLoop> loopWithin(GirthSolver& solver, const SurfacePoint& point,
                                              const std::uint8_t* band,
                                              const ExecutionContext& context);
+  /// The loops of the saddles of the distance from a vertex, up to a length in model units, or up
+  /// to what the budget sufficed for. Nothing where the context was cancelled.
+  static std::optional<LoopsUpTo> loopsUpTo(GirthSolver& solver, Vertex vertex, double length,
+                                            const ExecutionContext& context);
 };
 
 }  // namespace girth

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <utility>
@@ -14,7 +13,12 @@
 #include "girth/parallel.h"
 #include "girth/solver_factory.h"
 #include "girth/vertex_function.h"
+#include "idle_pool.h"
+#include "infinity.h"
+#include "loops/class_span.h"
+#include "loops/handles_up_to.h"
 #include "loops/homology.h"
+#include "loops/length_bounds.h"
 #include "loops/loop_shape.h"
 #include "loops/taut_loop.h"
 #include "part_of_work.h"
@@ -23,11 +27,26 @@ namespace girth {
 namespace {
 
 using geodesic::Unfolding;
+using loops::ClassSpan;
 using loops::Homology;
 using loops::HomologyClass;
 using loops::IntegerMatrix;
+using loops::LengthBounds;
 using loops::TautLoop;
-using loops::Tightened;
+
+/// Loops that are shorter by less than this share are not shorter.
+constexpr double kEqualLength = 1e-9;
+
+/// Vertices that are looked at before it is seen which others need not be: so many at first, and
+/// later, as long as the budget suffices for so many.
+constexpr std::size_t kAtFirst = 2, kAtOnce = 16;
+
+/// Where the loops at a vertex are this share longer than those sought, its neighbours need not be
+/// looked at; and how far they are looked at.
+constexpr double kClearly = 0.1, kReach = 0.25;
+
+/// The share of the work that is base points, and not the proof.
+constexpr double kBaseShare = 0.5;
 
 /// Loops to be joined into one of a wanted class, at most.
 constexpr std::int64_t kMostJoined = 1000;
@@ -35,28 +54,6 @@ constexpr std::int64_t kMostJoined = 1000;
 bool isZero(const HomologyClass& c) {
   return std::all_of(c.begin(), c.end(), [](std::int64_t x) { return x == 0; });
 }
-
-/// Classes modulo 2, of which no sum is 0.
-class Independent {
- public:
-  /// Adds a class if it is independent of those before.
-  bool add(const HomologyClass& c) {
-    std::vector<bool> bits(c.size());
-    for (std::size_t i = 0; i < c.size(); ++i) bits[i] = c[i] % 2 != 0;
-    for (const auto& [pivot, row] : rows_) {
-      if (!bits[pivot]) continue;
-      for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = bits[i] != row[i];
-    }
-    const auto one = std::find(bits.begin(), bits.end(), true);
-    if (one == bits.end()) return false;
-    rows_.emplace_back(one - bits.begin(), std::move(bits));
-    return true;
-  }
-  std::size_t size() const { return rows_.size(); }
-
- private:
-  std::vector<std::pair<std::ptrdiff_t, std::vector<bool>>> rows_;
-};
 
 /// Whole numbers by which rows of numbers sum up to 0: a basis of all such (Euclid's algorithm on
 /// one column after the other).
@@ -100,23 +97,35 @@ struct Candidate {
   HomologyClass homology;
 };
 
-/// The loops at one point that generate all others there.
+/// What is known of the loops at a vertex.
+struct LoopsAt {
+  /// Independent modulo 2, in the order of their lengths. All that are shorter than `upTo` are sums
+  /// of these.
+  std::vector<double> lengths;
+  std::vector<HomologyClass> classes;
+  double upTo{0};
+};
+
+/// Loops at one point.
 struct Bundle {
   std::vector<std::vector<SurfacePoint>> curves;
-  std::vector<HomologyClass> classes;
+  LoopsAt known;
 };
 
 /// The search on one component.
 class HandleSearch {
  public:
   HandleSearch(const SurfaceMesh& mesh, const std::shared_ptr<const Unfolding>& unfolding,
-               const Homology& homology, Index component)
-      : unfolding_(unfolding), homology_(homology) {
+               const Homology& homology, Index component, std::size_t windows)
+      : mesh_(mesh), unfolding_(unfolding), homology_(homology), budget_(windows) {
     for (const Face f : mesh.faces()) {
       if (mesh.componentOf(mesh.faceVertices(f)[0]) == component) area_ += mesh.area(f);
     }
     for (const Vertex v : coarseToFineOrder(mesh)) {
       if (mesh.componentOf(v) == component) order_.push_back(v);
+    }
+    for (const Vertex v : coarseToFineOrder(mesh, 1)) {
+      if (mesh.componentOf(v) == component) spread_.push_back(v);
     }
   }
 
@@ -138,6 +147,52 @@ class HandleSearch {
     return true;
   }
 
+  /// Proves that no loop is shorter than those found, which are replaced where one is, as far as
+  /// the budget goes. False: cancelled.
+  bool proveAll(const ExecutionContext& context) {
+    for (;;) {
+      // The shortest first: about these the least needs to be looked at.
+      std::optional<HandleKind> next;
+      double length = kInfinity;
+      for (const HandleKind kind : kinds()) {
+        const std::vector<Found> some = chosen(kind);
+        std::vector<Proven>& proven = proven_[kind];
+        std::size_t same = 0;
+        while (same < proven.size() && proven[same].candidate == some[same].candidate) ++same;
+        proven.resize(same);
+        if (same == some.size() || !(some[same].candidate->length < length)) continue;
+        next = kind;
+        length = some[same].candidate->length;
+      }
+      if (!next) return true;
+      const std::size_t place = proven_[*next].size();
+      const Candidate* const candidate = chosen(*next)[place].candidate;
+      const auto least = leastBeyond(*next, place, length, context);
+      if (!least) return false;
+      // Where shorter ones were found, it is another one's turn.
+      if (!least->isOfOthers) proven_[*next].push_back({candidate, least->length});
+    }
+  }
+
+  /// No loop that is no sum of those found which are shorter than a length is shorter than this, at
+  /// most the length itself; nothing: cancelled.
+  std::optional<double> provenUpTo(double length, const ExecutionContext& context) {
+    double proven = length;
+    for (const HandleKind kind : kinds()) {
+      for (bool isOfOthers = true; isOfOthers;) {
+        const std::vector<Found> some = chosen(kind);
+        std::size_t place = 0;
+        while (place < some.size() && some[place].candidate->length < length) ++place;
+        if (place == homology_.rank() / kinds().size()) break;
+        const auto least = leastBeyond(kind, place, length, context);
+        if (!least) return std::nullopt;
+        isOfOthers = least->isOfOthers;
+        if (!isOfOthers) proven = std::min(proven, least->length);
+      }
+    }
+    return proven;
+  }
+
   /// The loops found, by kinds, and what they are short of.
   struct Found {
     HandleKind kind;
@@ -145,15 +200,167 @@ class HandleSearch {
   };
   std::vector<Found> found() const {
     std::vector<Found> all;
-    if (!projection_) return chosen(HandleKind::Unknown);
-    for (const HandleKind kind : {HandleKind::Handle, HandleKind::Tunnel}) {
+    for (const HandleKind kind : kinds()) {
       const std::vector<Found> some = chosen(kind);
       all.insert(all.end(), some.begin(), some.end());
     }
     return all;
   }
+  /// By how much one of them may be longer than the shortest.
+  double excessOf(const Found& found) const {
+    const auto proven = proven_.find(found.kind);
+    if (proven == proven_.end()) return found.candidate->length;
+    for (const auto& [candidate, least] : proven->second) {
+      if (candidate == found.candidate) return candidate->length - least;
+    }
+    return found.candidate->length;
+  }
 
  private:
+  std::vector<HandleKind> kinds() const {
+    if (!projection_) return {HandleKind::Unknown};
+    return {HandleKind::Handle, HandleKind::Tunnel};
+  }
+
+  /// A class by what keeps it from being of a kind, and then by what is of this kind.
+  HomologyClass sortedBy(HandleKind kind, const HomologyClass& c) const {
+    if (kind == HandleKind::Unknown) return c;
+    HomologyClass tunnel = loops::product(c, *projection_), handle = c;
+    for (std::size_t k = 0; k < c.size(); ++k) handle[k] -= tunnel[k];
+    HomologyClass& first = kind == HandleKind::Handle ? tunnel : handle;
+    const HomologyClass& second = kind == HandleKind::Handle ? handle : tunnel;
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+  }
+
+  /// What no loop at a vertex is shorter than that is of a kind and no sum of others of it.
+  struct LeastAt {
+    double length;
+    bool isReached;  ///< by such a loop, or the sum of several
+  };
+  LeastAt leastAt(const LoopsAt& known, HandleKind kind, ClassSpan others) const {
+    const std::size_t own = kind == HandleKind::Unknown ? 0 : homology_.rank();
+    for (std::size_t i = 0; i < known.classes.size(); ++i) {
+      const auto place = others.add(sortedBy(kind, known.classes[i]));
+      if (place && *place >= own) return {std::min(known.lengths[i], known.upTo), true};
+    }
+    return {known.upTo, false};
+  }
+
+  /// Looks at vertices until no loop of a kind, which is no sum of the first `place` found, can be
+  /// shorter than a length, until one is found, or to the end of the budget. Nothing: cancelled.
+  struct Least {
+    double length;           ///< that no such loop is shorter than
+    bool isOfOthers{false};  ///< of others than the first found by now
+  };
+  std::optional<Least> leastBeyond(HandleKind kind, std::size_t place, double length,
+                                   const ExecutionContext& context) {
+    const auto firstFound = [&] {
+      std::vector<const Candidate*> found;
+      for (const Found& one : chosen(kind)) {
+        if (found.size() > place || !(found.size() < place || one.candidate->length < length))
+          break;
+        found.push_back(one.candidate);
+      }
+      return found;
+    };
+    const std::vector<const Candidate*> first = firstFound();
+    ClassSpan others;
+    for (std::size_t i = 0; i < place; ++i) others.add(sortedBy(kind, first[i]->homology));
+    LengthBounds bounds(mesh_);
+    std::vector<std::pair<Vertex, double>> known;
+    for (const auto& [vertex, loops] : known_) {
+      known.emplace_back(vertex, leastAt(loops, kind, others).length);
+    }
+    const double enough = length * (1 - kEqualLength);
+    std::size_t atOnce = kAtFirst;
+    for (std::size_t next = 0;;) {
+      bounds.raise(known);
+      std::vector<Vertex> pending;
+      for (; next < spread_.size() && pending.size() < atOnce && windows_ < budget_; ++next) {
+        const auto at = known_.find(spread_[next]);
+        if (bounds.at(spread_[next]) < enough && (at == known_.end() || at->second.upTo < enough)) {
+          pending.push_back(spread_[next]);
+        }
+      }
+      if (pending.empty()) break;
+      const std::size_t count = candidates_.size(), before = windows_;
+      if (!lookAt(pending, kind, others, length, context)) return std::nullopt;
+      if (candidates_.size() > count && firstFound() != first) return Least{0, true};
+      const std::size_t each = std::max<std::size_t>(1, (windows_ - before) / pending.size());
+      atOnce = std::clamp<std::size_t>((budget_ - std::min(windows_, budget_)) / each, 1, kAtOnce);
+      known.clear();
+      for (const Vertex v : pending)
+        known.emplace_back(v, leastAt(known_.at(v), kind, others).length);
+    }
+    double least = length;
+    for (const Vertex v : spread_) {
+      if (bounds.at(v) < enough) least = std::min(least, bounds.at(v));
+    }
+    return Least{least};
+  }
+
+  /// Finds the loops at some vertices that are shorter than a length, or little longer, as far as
+  /// it matters for a kind and what is no sum of others of it.
+  bool lookAt(const std::vector<Vertex>& vertices, HandleKind kind, const ClassSpan& others,
+              double length, const ExecutionContext& context) {
+    struct Look {
+      Bundle bundle;
+      std::vector<Candidate> tight;
+      std::size_t windows{0};
+    };
+    std::vector<Look> looks(vertices.size());
+    const ExecutionContext alone = context.ofOneThread();
+    const auto look = [&](GirthSolver& solver, std::size_t i) {
+      auto& [bundle, tight, windows] = looks[i];
+      const auto found = known_.find(vertices[i]);
+      bool isEnough = false;
+      if (found == known_.end()) {
+        bundle = girthAt(solver, vertices[i], alone);
+        windows += solver.statistics().windowsCrossed;
+        isEnough = bundle.known.upTo > length * (1 + kClearly) ||
+                   leastAt(bundle.known, kind, others).isReached;
+      }
+      if (!isEnough) {
+        const auto all =
+            SolverFactory::loopsUpTo(solver, vertices[i], length * (1 + kReach), alone);
+        windows += solver.statistics().windowsCrossed;
+        if (!all) return;  // cancelled
+        bundle = {};
+        bundle.known.upTo = all->length;
+        ClassSpan independent;
+        for (const GirthLoop& loop : all->loops) take(loop, independent, bundle);
+      }
+      for (const auto& curve : bundle.curves) {
+        if (auto candidate = tightened(curve)) tight.push_back(*std::move(candidate));
+      }
+    };
+    if (!eachWithSolver(vertices.size(), {context.threads, context.cancel, {}}, look)) return false;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      for (Candidate& candidate : looks[i].tight) add(std::move(candidate));
+      known_[vertices[i]] = std::move(looks[i].bundle.known);
+      windows_ += looks[i].windows;
+    }
+    if (context.onProgress) {
+      context.onProgress(static_cast<double>(std::min(windows_, budget_)) /
+                         static_cast<double>(budget_));
+    }
+    return true;
+  }
+
+  /// Calls `work(solver, i)` for all i below a count. False: cancelled.
+  template <class Work>
+  bool eachWithSolver(std::size_t count, const ExecutionContext& context, const Work& work) {
+    const auto make = [&] {
+      return std::make_unique<GirthSolver>(SolverFactory::onUnfolding(unfolding_));
+    };
+    return parallelFor(count, 1, context,
+                       [&](std::size_t i, std::size_t) {
+                         solvers_.use(make, [&](GirthSolver& solver) { work(solver, i); });
+                       }) &&
+           !context.cancelled();
+  }
+
   bool isOf(HandleKind kind, const HomologyClass& c) const {
     if (kind == HandleKind::Unknown) return true;
     const HomologyClass image = loops::product(c, *projection_);
@@ -161,7 +368,7 @@ class HandleSearch {
   }
 
   std::vector<Found> chosen(HandleKind kind) const {
-    Independent independent;
+    ClassSpan independent;
     std::vector<Found> result;
     for (const Candidate& candidate : candidates_) {
       if (isOf(kind, candidate.homology) && independent.add(candidate.homology)) {
@@ -173,23 +380,12 @@ class HandleSearch {
 
   /// Draws a curve tight, and on to a neck.
   std::optional<Candidate> tightened(std::span<const SurfacePoint> points) const {
-    std::optional<TautLoop> loop = loops::looseLoop(*unfolding_, points);
-    double last = std::numeric_limits<double>::infinity();
-    while (loop && loops::tighten(*unfolding_, *loop) == Tightened::Geodesic) {
-      const double length = loops::lengthOf(*unfolding_, *loop);
-      if (!(length < last)) break;  // rounding alone leads on
-      last = length;
-      loops::Band band = loops::bandOf(*unfolding_, *loop, area_);
-      if (band.shorter) {
-        loop = std::move(band.shorter);
-        continue;
-      }
-      TautLoop tight = loops::canonical(*unfolding_, *loop);
-      HomologyClass homology = homology_.classOf(*unfolding_, tight);
-      if (isZero(homology)) break;
-      return Candidate{loops::lengthOf(*unfolding_, tight), std::move(tight), std::move(homology)};
-    }
-    return std::nullopt;
+    std::optional<TautLoop> tight = loops::neckFrom(*unfolding_, points, area_);
+    if (!tight) return std::nullopt;
+    HomologyClass homology = homology_.classOf(*unfolding_, *tight);
+    if (isZero(homology)) return std::nullopt;
+    const double length = loops::lengthOf(*unfolding_, *tight);
+    return Candidate{length, *std::move(tight), std::move(homology)};
   }
 
   void add(Candidate candidate) { candidates_.insert(std::move(candidate)); }
@@ -201,7 +397,7 @@ class HandleSearch {
       bundle.curves.push_back(homology_.basisCurve(k));
       HomologyClass c(homology_.rank(), 0);
       c[k] = 1;
-      bundle.classes.push_back(std::move(c));
+      bundle.known.classes.push_back(std::move(c));
       if (auto candidate = tightened(bundle.curves.back())) add(*std::move(candidate));
     }
     bundles_.push_back(std::move(bundle));
@@ -215,21 +411,35 @@ class HandleSearch {
     const auto barcode = solver.barcode(base, options, context);
     if (!barcode) return std::nullopt;
     Bundle bundle;
-    Independent independent;
+    ClassSpan independent;
     for (const GirthLoop& loop : barcode.value().loops) {
       if (independent.size() == homology_.rank()) break;
       take(loop, independent, bundle);
     }
+    bundle.known.upTo =
+        independent.size() == homology_.rank() ? kInfinity : barcode.value().rest.length;
     return bundle;
   }
 
-  void take(const GirthLoop& loop, Independent& independent, Bundle& bundle) const {
+  /// The loop of the girth at a vertex; empty if cancelled.
+  Bundle girthAt(GirthSolver& solver, Vertex base, const ExecutionContext& context) const {
+    Bundle bundle;
+    const auto loop = solver.loop(base, context);
+    if (!loop) return bundle;
+    bundle.known.upTo = loop.value().length;
+    ClassSpan independent;
+    if (loop.value().kind == LoopKind::Loop) take(loop.value(), independent, bundle);
+    return bundle;
+  }
+
+  void take(const GirthLoop& loop, ClassSpan& independent, Bundle& bundle) const {
     const auto loose = loops::looseLoop(*unfolding_, loop.points);
     if (!loose) return;
     HomologyClass c = homology_.classOf(*unfolding_, *loose);
     if (!independent.add(c)) return;
     bundle.curves.push_back(loop.points);
-    bundle.classes.push_back(std::move(c));
+    bundle.known.lengths.push_back(loop.length);
+    bundle.known.classes.push_back(std::move(c));
   }
 
   /// At the first of some points, up to `most` in all, all their loops; at the others the girth's.
@@ -238,8 +448,6 @@ class HandleSearch {
     const std::size_t whole = std::min(bases.size(), most - std::min(most, used_));
     std::vector<Bundle> bundles(bases.size());
     std::vector<std::vector<Candidate>> tight(bases.size());
-    std::mutex mutex;
-    std::vector<std::unique_ptr<GirthSolver>> idle;
     ExecutionContext part{context.threads, context.cancel, {}};
     if (context.onProgress) {
       part.onProgress = [&](double share) {
@@ -247,36 +455,21 @@ class HandleSearch {
                            static_cast<double>(most));
       };
     }
-    const auto work = [&](std::size_t i, std::size_t) {
-      std::unique_ptr<GirthSolver> solver;
-      {
-        const std::lock_guard lock(mutex);
-        if (!idle.empty()) {
-          solver = std::move(idle.back());
-          idle.pop_back();
-        }
-      }
-      if (!solver) solver = std::make_unique<GirthSolver>(SolverFactory::onUnfolding(unfolding_));
-      if (i < whole) {
-        if (auto bundle = bundleAt(*solver, bases[i], context.ofOneThread())) {
-          bundles[i] = *std::move(bundle);
-        }
-      } else if (const auto loop = solver->loop(bases[i], context.ofOneThread());
-                 loop && loop.value().kind == LoopKind::Loop) {
-        Independent independent;
-        take(loop.value(), independent, bundles[i]);
+    const auto work = [&](GirthSolver& solver, std::size_t i) {
+      if (i >= whole) {
+        bundles[i] = girthAt(solver, bases[i], context.ofOneThread());
+      } else if (auto bundle = bundleAt(solver, bases[i], context.ofOneThread())) {
+        bundles[i] = *std::move(bundle);
       }
       for (const auto& curve : bundles[i].curves) {
         if (auto candidate = tightened(curve)) tight[i].push_back(*std::move(candidate));
       }
-      const std::lock_guard lock(mutex);
-      idle.push_back(std::move(solver));
     };
-    if (!parallelFor(bases.size(), 1, part, work) || context.cancelled()) return false;
+    if (!eachWithSolver(bases.size(), part, work)) return false;
     for (std::size_t i = 0; i < bases.size(); ++i) {
       for (Candidate& candidate : tight[i]) add(std::move(candidate));
+      known_[bases[i]] = bundles[i].known;
       if (bundles[i].curves.size() == homology_.rank()) bundles_.push_back(std::move(bundles[i]));
-      done_.insert(bases[i]);
     }
     used_ += whole;
     return true;
@@ -289,7 +482,7 @@ class HandleSearch {
       for (auto bundle = bundles_.rbegin();
            bundle != bundles_.rend() && 2 * chosen(kind).size() < homology_.rank(); ++bundle) {
         std::vector<HomologyClass> rows;
-        for (const HomologyClass& c : bundle->classes) {
+        for (const HomologyClass& c : bundle->known.classes) {
           HomologyClass image = loops::product(c, *projection_);
           if (kind == HandleKind::Tunnel) {
             for (std::size_t k = 0; k < c.size(); ++k) image[k] -= c[k];
@@ -325,7 +518,8 @@ class HandleSearch {
   /// Points on the loops found so far that have not been base points.
   std::vector<Vertex> nextBases(std::size_t most) const {
     std::vector<Vertex> bases;
-    std::set<Vertex> taken = done_;
+    std::set<Vertex> taken;
+    for (const auto& [vertex, loops] : known_) taken.insert(vertex);
     if (most >= order_.size()) return bases;
     for (const Found& loop : found()) {
       const std::vector<Index>& vertices = loop.candidate->loop.vertices;
@@ -350,15 +544,24 @@ class HandleSearch {
     }
   };
 
+  const SurfaceMesh& mesh_;
   std::shared_ptr<const Unfolding> unfolding_;
   const Homology& homology_;
   double area_{0};
-  std::vector<Vertex> order_;
+  std::vector<Vertex> order_;   // base points are taken from
+  std::vector<Vertex> spread_;  // the same, no neighbours one after the other
   std::optional<IntegerMatrix> projection_;
   std::set<Candidate, ByLength> candidates_;
   std::vector<Bundle> bundles_;
-  std::set<Vertex> done_;
+  std::map<Vertex, LoopsAt> known_;
   std::size_t used_{0};
+  std::size_t budget_, windows_{0};  // of the proof
+  struct Proven {
+    const Candidate* candidate;
+    double least;  ///< that no loop in its place is shorter than
+  };
+  std::map<HandleKind, std::vector<Proven>> proven_;
+  IdlePool<GirthSolver> solvers_;
 };
 
 }  // namespace
@@ -374,8 +577,10 @@ std::string_view toString(HandleKind kind) {
   }
 }
 
-Result<Handles> findHandles(const SurfaceMesh& mesh, const HandleOptions& options,
-                            const ExecutionContext& context) {
+Result<loops::HandlesUpTo> loops::findHandlesUpTo(const SurfaceMesh& mesh,
+                                                  std::optional<double> length,
+                                                  const HandleOptions& options,
+                                                  const ExecutionContext& context) {
   if (options.basePoints == 0) {
     return makeError(ErrorCode::InvalidOption, -1, "there is at least one base point");
   }
@@ -383,36 +588,55 @@ Result<Handles> findHandles(const SurfaceMesh& mesh, const HandleOptions& option
   for (Index c = 0; c < mesh.componentCount(); ++c) {
     if (mesh.genus(c) > 0) components.push_back(c);
   }
-  Handles result;
-  const loops::ClosedSurface closed(mesh);
+  HandlesUpTo result;
+  if (length) result.proven = *length;
+  Handles& handles = result.handles;
+  const ClosedSurface closed(mesh);
   const auto unfolding = std::make_shared<const Unfolding>(mesh);
   for (std::size_t i = 0; i < components.size(); ++i) {
     const Homology homology(mesh, closed, components[i]);
-    HandleSearch search(mesh, unfolding, homology, components[i]);
-    const ExecutionContext part =
-        partOf(context, static_cast<double>(i) / static_cast<double>(components.size()),
-               static_cast<double>(i + 1) / static_cast<double>(components.size()));
-    if (!search.run(options.basePoints, part)) {
+    HandleSearch search(mesh, unfolding, homology, components[i], options.windows);
+    const double begin = static_cast<double>(i) / static_cast<double>(components.size());
+    const double share = 1 / static_cast<double>(components.size());
+    bool isDone =
+        search.run(options.basePoints, partOf(context, begin, begin + kBaseShare * share));
+    const ExecutionContext rest = partOf(context, begin + kBaseShare * share, begin + share);
+    if (isDone && !length) isDone = search.proveAll(rest);
+    if (isDone && length && *length > 0) {
+      const auto proven = search.provenUpTo(*length, rest);
+      isDone = proven.has_value();
+      result.proven = std::min(result.proven, proven.value_or(0));
+    }
+    if (rest.onProgress) rest.onProgress(1);
+    if (!isDone || context.cancelled()) {
       return makeError(ErrorCode::Cancelled, -1, "the search for handles was cancelled");
     }
     const auto found = search.found();
-    result.unresolved += static_cast<Index>(homology.rank() - found.size());
-    for (const auto& [kind, candidate] : found) {
+    handles.unresolved += static_cast<Index>(homology.rank() - found.size());
+    for (const auto& one : found) {
       Handle handle;
-      handle.length = candidate->length;
-      handle.kind = kind;
+      handle.length = one.candidate->length;
+      handle.mayBeShorterBy = length ? handle.length : search.excessOf(one);
+      handle.kind = one.kind;
       handle.component = components[i];
-      handle.points = loops::bandOf(*unfolding, candidate->loop, mesh.area()).middle;
-      const loops::LoopShape shape = loops::shapeOf(loops::placesOf(mesh, handle.points));
+      handle.points = bandOf(*unfolding, one.candidate->loop, mesh.area()).middle;
+      const LoopShape shape = shapeOf(placesOf(mesh, handle.points));
       handle.centre = shape.centre;
       handle.area = shape.area;
-      result.handles.push_back(std::move(handle));
+      handles.handles.push_back(std::move(handle));
     }
   }
-  std::stable_sort(result.handles.begin(), result.handles.end(),
+  std::stable_sort(handles.handles.begin(), handles.handles.end(),
                    [](const Handle& a, const Handle& b) { return a.length < b.length; });
   if (context.onProgress) context.onProgress(1);
   return result;
+}
+
+Result<Handles> findHandles(const SurfaceMesh& mesh, const HandleOptions& options,
+                            const ExecutionContext& context) {
+  auto found = loops::findHandlesUpTo(mesh, std::nullopt, options, context);
+  if (!found) return found.error();
+  return std::move(found).value().handles;
 }
 
 }  // namespace girth

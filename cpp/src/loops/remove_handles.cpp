@@ -9,6 +9,7 @@
 
 #include "girth/cut_surface.h"
 #include "loops/clear_cap.h"
+#include "loops/handles_up_to.h"
 #include "mesh/crossing_faces.h"
 #include "mesh/vector.h"
 #include "part_of_work.h"
@@ -287,14 +288,21 @@ Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
     return makeError(ErrorCode::InvalidOption, -1,
                      "handles are removed up to a length of at least 0");
   }
-  HandleRemoval result{mesh, {}, genusOf(mesh), genusOf(mesh), 0};
+  HandleRemoval result{mesh, {}, genusOf(mesh), genusOf(mesh), 0, length};
   while (true) {
     const double done = result.genusBefore == 0 ? 0
                                                 : 1 - static_cast<double>(result.genusAfter) /
                                                           static_cast<double>(result.genusBefore);
-    const auto found = findHandles(result.mesh, options, partOf(context, done, done));
-    if (!found) return found.error();
-    std::vector<Handle> chosen = apart(result.mesh, found.value().handles, length);
+    const ExecutionContext part = partOf(context, done, done);
+    std::vector<Handle> chosen;
+    // What is found at once is cut first; then it is proven that nothing is left.
+    for (const double upTo : {0.0, std::isinf(length) ? 0.0 : length}) {
+      const auto found = loops::findHandlesUpTo(result.mesh, upTo, options, part);
+      if (!found) return found.error();
+      chosen = apart(result.mesh, found.value().handles.handles, length);
+      if (!chosen.empty()) break;
+      result.provenLength = upTo > 0 ? found.value().proven : length;
+    }
     if (chosen.empty()) break;
     std::vector<SurfaceCurve> curves;
     for (const Handle& handle : chosen) curves.push_back(handle.points);
@@ -303,7 +311,10 @@ Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
     auto made = closed(cut.value());
     if (!made) return made.error();
     const Index genus = genusOf(made.value().mesh);
-    if (genus >= result.genusAfter) break;  // nothing is gained
+    if (genus >= result.genusAfter) {  // nothing is gained
+      result.provenLength = 0;
+      break;
+    }
     result.mesh = std::move(made.value().mesh);
     result.crossingFaces += made.value().crossingFaces;
     result.genusAfter = genus;

@@ -764,4 +764,19 @@ Band bandOf(const Unfolding& unfolding, const TautLoop& loop, double area) {
   return band;
 }
 
+std::optional<TautLoop> neckFrom(const Unfolding& unfolding, std::span<const SurfacePoint> points,
+                                 double area) {
+  std::optional<TautLoop> loop = looseLoop(unfolding, points);
+  double last = std::numeric_limits<double>::infinity();
+  while (loop && tighten(unfolding, *loop) == Tightened::Geodesic) {
+    const double length = lengthOf(unfolding, *loop);
+    if (!(length < last)) break;  // rounding alone leads on
+    last = length;
+    Band band = bandOf(unfolding, *loop, area);
+    if (!band.shorter) return canonical(unfolding, *loop);
+    loop = std::move(band.shorter);
+  }
+  return std::nullopt;
+}
+
 }  // namespace girth::loops

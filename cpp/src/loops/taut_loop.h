@@ -100,4 +100,9 @@ struct Band {
 /// `area`: of the component, in squared model units, which no band exceeds.
 Band bandOf(const Unfolding& unfolding, const TautLoop& loop, double area);
 
+/// A curve drawn tight, and on to a neck, where it is pushed over convex vertices: canonical.
+/// Nothing where it contracts. `area`: as of bandOf.
+std::optional<TautLoop> neckFrom(const Unfolding& unfolding, std::span<const SurfacePoint> points,
+                                 double area);
+
 }  // namespace girth::loops

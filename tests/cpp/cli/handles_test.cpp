@@ -22,6 +22,7 @@ TEST_F(Command, handlesOfAFrame) {
   ASSERT_EQ(all["handles"].size(), 2u);
   EXPECT_EQ(all["handles"][0]["kind"], "handle");
   EXPECT_NEAR(all["handles"][0]["length"].get<double>(), 3, 1e-9);
+  EXPECT_EQ(all["handles"][0]["mayBeShorterBy"], 0);
   EXPECT_EQ(all["handles"][1]["kind"], "tunnel");
   EXPECT_NEAR(all["handles"][1]["length"].get<double>(), 4, 1e-9);
   EXPECT_NEAR(all["handles"][1]["area"].get<double>(), 1, 1e-9);
@@ -54,6 +55,7 @@ TEST_F(Command, handlesAreRemovedUpToALength) {
   EXPECT_EQ(kept["genusBefore"], 1);
   EXPECT_EQ(kept["genus"], 1);
   EXPECT_EQ(kept["faces"], kept["facesBefore"]);
+  EXPECT_EQ(kept["provenLength"], 2.9);
   EXPECT_EQ(removed("31mm")["genus"], 0);
   EXPECT_EQ(Json::parse(run({"info", path("repaired.obj"), "--json"}).output)["genus"], Json({0}));
   EXPECT_TRUE(

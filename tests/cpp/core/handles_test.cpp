@@ -348,6 +348,40 @@ TEST(Handles, ofASurfaceWithoutAnInsideAreUnknown) {
   for (const Handle& handle : found.handles) EXPECT_EQ(handle.kind, HandleKind::Unknown);
 }
 
+TEST(Handles, theShortestIsFoundWhereverItIs) {
+  for (const Index narrow : {3, 36, 77, 90, 121, 160}) {
+    const SurfaceMesh mesh = test::wavyRing(narrow, 8).mesh();
+    const Handles found = handlesOf(mesh, {2, 4'000'000});
+    expectConsistent(mesh, found);
+    ASSERT_EQ(found.handles.size(), 2u);
+    EXPECT_NEAR(found.handles[0].length, polygonLength(0.8, 8), 1e-9) << narrow;
+    EXPECT_EQ(found.handles[0].kind, HandleKind::Handle);
+    EXPECT_EQ(found.handles[0].mayBeShorterBy, 0) << narrow;
+  }
+}
+
+TEST(Handles, whatIsNotProvenHasABound) {
+  const SurfaceMesh mesh = test::wavyRing(77, 4).mesh();
+  const Handles all = handlesOf(mesh, kAllVertices);
+  ASSERT_EQ(all.handles.size(), 2u);
+  for (const Handle& handle : all.handles) EXPECT_EQ(handle.mayBeShorterBy, 0);
+  double last = std::numeric_limits<double>::infinity();
+  for (const std::size_t windows : {0, 100'000, 1'000'000, 10'000'000}) {
+    const Handles some = handlesOf(mesh, {2, windows});
+    ASSERT_EQ(some.handles.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Handle& handle = some.handles[i];
+      EXPECT_LE(handle.length - handle.mayBeShorterBy, all.handles[i].length * (1 + 1e-9));
+      EXPECT_GE(handle.length, all.handles[i].length * (1 - 1e-9));
+    }
+    if (windows == 0) {
+      EXPECT_GT(some.handles[0].mayBeShorterBy, 0);
+    }
+    EXPECT_LE(some.handles[1].mayBeShorterBy, last);
+    last = some.handles[1].mayBeShorterBy;
+  }
+}
+
 TEST(Handles, sameForAnyNumberOfThreads) {
   const SurfaceMesh mesh = test::perturbed(test::plate(2, 2), 0.1, 5).mesh();
   const Handles one = findHandles(mesh, {6}, {1, nullptr, {}}).value();
@@ -355,6 +389,7 @@ TEST(Handles, sameForAnyNumberOfThreads) {
   ASSERT_EQ(one.handles.size(), three.handles.size());
   for (std::size_t i = 0; i < one.handles.size(); ++i) {
     EXPECT_EQ(one.handles[i].length, three.handles[i].length);
+    EXPECT_EQ(one.handles[i].mayBeShorterBy, three.handles[i].mayBeShorterBy);
     EXPECT_EQ(one.handles[i].points.size(), three.handles[i].points.size());
   }
 }

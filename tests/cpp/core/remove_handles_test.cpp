@@ -9,9 +9,11 @@
 #include <limits>
 #include <set>
 
+#include "lathe.h"
 #include "mesh/vector.h"
 #include "shapes.h"
 #include "small_handles.h"
+#include "tubes.h"
 
 namespace girth {
 namespace {
@@ -152,6 +154,23 @@ TEST(RemoveHandles, leavesBoundaryCurves) {
   const HandleRemoval made = removeHandles(mesh, 100).value();
   EXPECT_EQ(made.genusAfter, 0u);
   EXPECT_EQ(made.mesh.boundaryCount(0), 1u);
+}
+
+TEST(RemoveHandles, cutsTheOnlyShortOneWhereverItIs) {
+  for (const Index narrow : {3, 36, 77, 90}) {
+    const SurfaceMesh mesh = test::wavyRing(narrow, 8).mesh();
+    const double shortest = test::polygonLength(0.8, 8);
+    const HandleRemoval cut = removeHandles(mesh, 1.01 * shortest, {2}).value();
+    EXPECT_EQ(cut.genusAfter, 0u) << narrow;
+    ASSERT_EQ(cut.removed.size(), 1u);
+    EXPECT_NEAR(cut.removed[0].length, shortest, 1e-9);
+    const HandleRemoval kept = removeHandles(mesh, 0.99 * shortest, {2}).value();
+    EXPECT_EQ(kept.genusAfter, 1u);
+    EXPECT_EQ(kept.provenLength, 0.99 * shortest);
+    // Without a proof, what is left is known to be no shorter than this.
+    const HandleRemoval unproven = removeHandles(mesh, 0.99 * shortest, {2, 0}).value();
+    EXPECT_LT(unproven.provenLength, 0.99 * shortest);
+  }
 }
 
 TEST(RemoveHandles, badInput) {

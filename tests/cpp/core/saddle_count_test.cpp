@@ -36,7 +36,7 @@ std::size_t expectCountsFit(const SurfaceMesh& mesh, int genus,
       return all;
     }
     constexpr double kForEver = std::numeric_limits<double>::infinity();
-    search.start(kForEver, std::numeric_limits<std::size_t>::max(), true, nullptr);
+    search.start(kForEver, std::numeric_limits<std::size_t>::max(), true, kForEver, nullptr);
     propagation.run(std::span(&source.value(), 1), geodesic::Keep::Front, search);
     const auto saddles = static_cast<int>(search.saddles().size());
     if (saddles == 0) continue;  // then no maximum is looked for

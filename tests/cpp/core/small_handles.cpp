@@ -77,7 +77,7 @@ void expectSmallHandlesRemoved(std::uint64_t seed) {
   EXPECT_EQ(made.mesh.boundaryCount(0), 0u);
   EXPECT_NEAR(volumeOf(made.mesh), volumeOf(mesh), 1e-3 * volumeOf(mesh));
   // The true handle is what it was.
-  const Handles left = findHandles(made.mesh, {4}).value();
+  const Handles left = findHandles(made.mesh, {4, 0}).value();
   ASSERT_EQ(left.handles.size(), 2u);
   for (const Handle& handle : left.handles) EXPECT_GT(handle.length, 2);
   // Nothing more to do.

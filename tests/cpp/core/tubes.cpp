@@ -46,6 +46,27 @@ Shape tube(const std::function<Vec3(double)>& curve, double radius, Index around
   return shape;
 }
 
+Shape wavyRing(Index narrow, Index sides) {
+  constexpr Index kAround = 200, kWave = 8;
+  Shape shape;
+  for (Index i = 0; i < kAround; ++i) {
+    const double t = 2 * M_PI * i / kAround;
+    const double r = i == narrow ? 0.8 : 0.95 + 0.05 * std::cos(2 * M_PI * i / kWave);
+    for (Index j = 0; j < sides; ++j) {
+      const double u = 2 * M_PI * j / sides, out = 10 + r * std::cos(u);
+      shape.add(out * std::cos(t), out * std::sin(t), r * std::sin(u));
+    }
+  }
+  for (Index i = 0; i < kAround; ++i) {
+    for (Index j = 0; j < sides; ++j) {
+      const Index here = i * sides, next = (i + 1) % kAround * sides, k = (j + 1) % sides;
+      shape.face(here + j, next + j, next + k);
+      shape.face(here + j, next + k, here + k);
+    }
+  }
+  return shape;
+}
+
 Vec3 trefoil(double t) {
   const double u = 2 * M_PI * t, rho = 2 + std::cos(3 * u);
   return {rho * std::cos(2 * u), rho * std::sin(2 * u), std::sin(3 * u)};
