@@ -46,9 +46,11 @@ struct Limb {
   double length{0};
   /// Why it ends there.
   LimbEnd end{LimbEnd::Spreads};
-  /// The least of the stations' least girths, in model units; NaN where there is none.
+  /// The least of the stations' least girths, or the shortest neck round the limb that their loops
+  /// are drawn tight to, in model units; NaN where there is none.
   double narrowest{0};
-  /// How far from the apex it is, in model units; NaN where there is none.
+  /// How far from the apex it is, in model units: the station, of equal ones the nearest, or the
+  /// mean distance of the neck; NaN where there is none.
   double narrowestDistance{0};
   /// The middle one of the stations' medians, of those where a loop goes round the limb, in model
   /// units: along half of the limb the girth is less.
@@ -90,7 +92,10 @@ struct LimbOptions {
 /// ring, `median` and the choice of the least take values linear along edges, but where the girth
 /// jumps (by more than twice the edge's length) that of the nearer end; the least itself is exact,
 /// of a loop that was traced. Where the loop at the least does not go round the limb, eight others
-/// are tried, at equal shares of the ring by rising girth.
+/// are tried, at equal shares of the ring by rising girth. Where the least exceeds the median, as
+/// on triangles as large as the limb is thick, these eight are asked for the exact girth, and the
+/// median is theirs. Of points with equal values the shape around them decides, not their numbers:
+/// a limb has the same measures, to rounding, wherever it lies and however it is numbered.
 ///
 /// `girth`: I(v) for each vertex, NaN where there is none. `tips`: of findTips, all or some. Time:
 /// for each tip one distance field, about O(n^1.5), and some loops for each station, on all

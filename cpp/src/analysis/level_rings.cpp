@@ -48,6 +48,27 @@ void forEachSegment(const SurfaceMesh& mesh, std::span<const double> heights,
   }
 }
 
+/// Values that differ by less than this share are equal.
+constexpr double kEqual = 1e-9;
+
+/// A length that distinguishes points of edges by the shape of what is around them, and not by
+/// numbers: points that are alike in a symmetric surface have the same one, but for rounding.
+double signatureOf(const SurfaceMesh& mesh, std::span<const double> heights,
+                   const SurfacePoint& point) {
+  const Halfedge h = point.halfedge();
+  const double fromLower =
+      heights[mesh.from(h)] < heights[mesh.to(h)] ? point.weights[1] : point.weights[0];
+  double around = 0;
+  for (const Halfedge side : {h, mesh.twin(h)}) {
+    if (side == Halfedge::none) continue;
+    around += mesh.length(SurfaceMesh::next(side)) + mesh.length(SurfaceMesh::previous(side));
+  }
+  constexpr double kShare = 0.618, kAround = 0.317;  // no two shapes agree by chance
+  return (1 + kShare * fromLower) * mesh.length(h) + kAround * around;
+}
+
+bool isEqual(double a, double b) { return std::fabs(a - b) <= kEqual * std::fabs(b); }
+
 double lengthBetween(const SurfaceMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   return norm(positionOf(mesh, b) - positionOf(mesh, a));
 }
@@ -82,6 +103,7 @@ std::vector<RingGirth> ringGirths(const SurfaceMesh& mesh, std::span<const doubl
     struct Segment {
       double girth, length;
       std::size_t end;
+      double signature;
     };
     std::vector<Segment> known;
     double knownLength = 0;
@@ -91,26 +113,56 @@ std::vector<RingGirth> ringGirths(const SurfaceMesh& mesh, std::span<const doubl
       const double mean = (values[a] + values[a + 1]) / 2;
       if (std::isnan(mean) || !(length > 0)) continue;
       knownLength += length;
-      known.push_back({mean, length, values[a] <= values[a + 1] ? a : a + 1});
+      const double ofA = signatureOf(mesh, heights, ends[a]);
+      const double ofB = signatureOf(mesh, heights, ends[a + 1]);
+      const bool isA = isEqual(values[a], values[a + 1]) ? ofA <= ofB : values[a] < values[a + 1];
+      known.push_back({mean, length, isA ? a : a + 1, isA ? ofA : ofB});
     }
     std::sort(known.begin(), known.end(), [](const Segment& a, const Segment& b) {
       return std::pair(a.girth, a.end) < std::pair(b.girth, b.end);
     });
     ring.median = kNoValue;
     if (known.empty()) continue;
-    const auto least = std::min_element(
-        known.begin(), known.end(),
-        [&](const Segment& a, const Segment& b) { return values[a.end] < values[b.end]; });
-    ring.points.push_back({values[least->end], ends[least->end]});
     double sum = 0;
-    std::size_t share = 0;
     for (const Segment& segment : known) {
       sum += segment.length;
-      if (std::isnan(ring.median) && 2 * sum >= knownLength) ring.median = segment.girth;
-      while (share < shares && sum * static_cast<double>(2 * shares) >=
-                                   knownLength * static_cast<double>(2 * share + 1)) {
+      if (2 * sum < knownLength * (1 - kEqual)) continue;
+      ring.median = segment.girth;
+      break;
+    }
+    // Of equal ones first what the shape distinguishes, so that rounding decides nothing.
+    for (auto begin = known.begin(); begin != known.end();) {
+      const auto end = std::find_if(begin, known.end(), [&](const Segment& segment) {
+        return !isEqual(segment.girth, begin->girth);
+      });
+      std::sort(begin, end, [](const Segment& a, const Segment& b) {
+        return std::pair(a.signature, a.end) < std::pair(b.signature, b.end);
+      });
+      begin = end;
+    }
+    auto least = known.begin();
+    for (auto at = known.begin(); at != known.end(); ++at) {
+      const double here = values[at->end], best = values[least->end];
+      if (isEqual(here, best) ? at->signature < least->signature : here < best) least = at;
+    }
+    ring.points.push_back({values[least->end], ends[least->end]});
+    sum = 0;
+    std::size_t share = 0;
+    for (auto at = known.begin(); at != known.end(); ++at) {
+      const Segment& segment = *at;
+      sum += segment.length;
+      while (share < shares &&
+             sum * static_cast<double>(2 * shares) >=
+                 knownLength * static_cast<double>(2 * share + 1) * (1 - kEqual)) {
         ring.points.push_back({values[segment.end], ends[segment.end]});
-        ++share;
+        if (share++ != shares / 2) continue;
+        const auto isAlike = [&](const Segment& other) {
+          return isEqual(other.girth, segment.girth);
+        };
+        const std::size_t first = std::find_if(known.begin(), known.end(), isAlike)->end;
+        const std::size_t last = std::find_if(known.rbegin(), known.rend(), isAlike)->end;
+        ring.middles.push_back({values[first], ends[first]});
+        if (last != first) ring.middles.push_back({values[last], ends[last]});
       }
     }
   }

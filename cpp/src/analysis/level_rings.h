@@ -30,6 +30,9 @@ struct RingGirth {
   /// Points in rising order of their girths: the least of all, then the middles of equal shares of
   /// the ring's length. Empty where no part has a value.
   std::vector<RingPoint> points;
+  /// Of all points with the girth of the middle share, the two that differ most in what lies around
+  /// them; empty where no part has a value.
+  std::vector<RingPoint> middles;
 };
 
 /// The girth along the rings at some levels, in rising order, each in a number of shares. `girth`:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -14,9 +15,14 @@
 #include "girth/geodesic_solver.h"
 #include "girth/girth_solver.h"
 #include "girth/parallel.h"
+#include "girth/solver_factory.h"
+#include "girth/transfer.h"
+#include "infinity.h"
+#include "loops/taut_loop.h"
 #include "mesh/angles.h"
 #include "mesh/check_vertex.h"
 #include "mesh/neighbours.h"
+#include "mesh/vector.h"
 #include "no_value.h"
 
 namespace girth {
@@ -32,8 +38,8 @@ constexpr int kFiner = 64;
 constexpr std::size_t kShares = 8;
 /// Shares of an edge that are no more than rounding.
 constexpr double kAtEnd = 1e-9;
-/// The middle one of a ring's points.
-constexpr std::size_t kMiddle = 1 + kShares / 2;
+/// Lengths that differ by less than this share are equal.
+constexpr double kEqualLength = 1e-9;
 /// Rings at which loops are looked at, to find the first that has slipped off.
 constexpr Index kSteps = 32;
 /// How often the distance from the last that holds to that one is halved.
@@ -127,16 +133,17 @@ std::optional<double> baseOf(const SurfaceMesh& mesh, std::span<const double> di
 /// Measures one limb; keeps its memory.
 class LimbMaker {
  public:
-  LimbMaker(const SurfaceMesh& mesh, std::span<const double> girth, Index stations,
-            const ExecutionContext& context)
-      : mesh_(mesh),
+  LimbMaker(const std::shared_ptr<const geodesic::Unfolding>& unfolding,
+            std::span<const double> girth, Index stations, const ExecutionContext& context)
+      : unfolding_(unfolding),
+        mesh_(unfolding->mesh()),
         girth_(girth),
         stations_(stations),
         context_(context),
-        distanceSolver_(mesh),
-        loopSolver_(mesh),
-        blockedEdge_(mesh.halfedgeCount(), false),
-        visited_(mesh.vertexCount(), 0) {}
+        distanceSolver_(mesh_),
+        loopSolver_(SolverFactory::onUnfolding(unfolding)),
+        blockedEdge_(mesh_.halfedgeCount(), false),
+        visited_(mesh_.vertexCount(), 0) {}
 
   /// The limb that a tip ends; nothing where there is none.
   Result<std::optional<Limb>> make(const Tip& tip) {
@@ -166,7 +173,7 @@ class LimbMaker {
       if (*held.value() <= thickness) return std::optional<Limb>{};
       // A loop reaches no farther than half its length: up to there it slips over the end itself.
       const bool isOverEnd = limb.end == LimbEnd::Splits || limb.end == LimbEnd::Handle;
-      if (!isOverEnd || limb.length - *held.value() > ring.points[kMiddle].girth / 2) {
+      if (!isOverEnd || limb.length - *held.value() > ring.middles.front().girth / 2) {
         limb.end = LimbEnd::Slips;
       }
       limb.length = *held.value();
@@ -190,10 +197,12 @@ class LimbMaker {
   /// goes round the limb.
   Result<std::optional<double>> lastThatHolds(Vertex apex, double tipLength, double length) {
     const auto holds = [&](double level, const RingGirth& ring) -> Result<bool> {
-      if (ring.points.empty()) return false;
-      const auto loop = loopRound(apex, level, ring.points[kMiddle].place);
-      if (!loop) return loop.error();
-      return loop.value().has_value();
+      for (const RingPoint& point : ring.middles) {
+        const auto loop = loopRound(apex, level, point.place);
+        if (!loop) return loop.error();
+        if (loop.value()) return true;
+      }
+      return false;
     };
     std::optional<double> held;
     double slipped = length, heldRadius = 0;
@@ -223,14 +232,15 @@ class LimbMaker {
     return held;
   }
 
-  /// The length of the loop at a point of the ring at a distance, where it goes round the limb.
-  Result<std::optional<double>> loopRound(Vertex apex, double distance, const SurfacePoint& place) {
-    const auto found = loopSolver_.loop(place, context_);
+  /// The loop at a point of the ring at a distance, where it goes round the limb.
+  Result<std::optional<GirthLoop>> loopRound(Vertex apex, double distance,
+                                             const SurfacePoint& place) {
+    auto found = loopSolver_.loop(place, context_);
     if (!found) return found.error();
-    const GirthLoop& loop = found.value();
-    if (loop.kind != LoopKind::Loop) return std::optional<double>{};
-    const bool isRound = separates(apex, loop, distance + loop.length / 2);
-    return isRound ? std::optional(loop.length) : std::nullopt;
+    GirthLoop& loop = found.value();
+    if (loop.kind != LoopKind::Loop) return std::optional<GirthLoop>{};
+    const bool isRound = separates(apex, loop.points, distance + loop.length / 2);
+    return isRound ? std::optional(std::move(loop)) : std::nullopt;
   }
 
   /// The vertex that a point is, or an end of its edge that it cannot be distinguished from.
@@ -243,9 +253,9 @@ class LimbMaker {
 
   /// Whether no way from the apex leads past the loop to what is farther than `reach`, which no
   /// point of the loop exceeds. Parts that the ring has passed by do not count.
-  bool separates(Vertex apex, const GirthLoop& loop, double reach) {
+  bool separates(Vertex apex, std::span<const SurfacePoint> loop, double reach) {
     const auto block = [&](bool blocked) {
-      for (const SurfacePoint& point : loop.points) {
+      for (const SurfacePoint& point : loop) {
         const Halfedge h = point.halfedge();
         if (h == Halfedge::none) continue;
         blockedEdge_[h] = blocked;
@@ -254,7 +264,7 @@ class LimbMaker {
     };
     block(true);
     ++visit_;
-    for (const SurfacePoint& point : loop.points) {
+    for (const SurfacePoint& point : loop) {
       const Vertex v = vertexAt(point);
       if (v != Vertex::none) visited_[v] = visit_;
     }
@@ -278,18 +288,99 @@ class LimbMaker {
     return !passed;
   }
 
+  /// A ring, and the loop that measures the least girth on it.
+  struct Measured {
+    GirthStation station;
+    std::vector<SurfacePoint> loop;
+  };
+
   /// The first of a ring's points whose loop goes round the limb.
   std::optional<Error> findLeast(Vertex apex, const std::vector<RingPoint>& points,
-                                 GirthStation& station) {
+                                 Measured& ring) {
     for (const RingPoint& point : points) {
-      const auto loop = loopRound(apex, station.distance, point.place);
+      auto loop = loopRound(apex, ring.station.distance, point.place);
       if (!loop) return loop.error();
       if (!loop.value()) continue;
-      station.least = *loop.value();
-      station.place = point.place;
-      return std::nullopt;
+      take(*std::move(loop).value(), point.place, ring);
+      return measureExactly(apex, points, ring);
     }
     return std::nullopt;
+  }
+
+  static void take(GirthLoop loop, const SurfacePoint& place, Measured& ring) {
+    ring.station.least = loop.length;
+    ring.station.place = place;
+    ring.loop = std::move(loop.points);
+  }
+
+  /// Where triangles are as large as the limb is thick, the girth is greater between vertices than
+  /// at both, so a median between them may be less than the least. Then the points of equal shares
+  /// are asked for the exact girth.
+  std::optional<Error> measureExactly(Vertex apex, const std::vector<RingPoint>& points,
+                                      Measured& ring) {
+    GirthStation& station = ring.station;
+    if (station.least <= station.median * (1 + kEqualLength)) return std::nullopt;
+    std::vector<double> values;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const auto value = loopSolver_.value(points[i].place, context_);
+      if (!value) return value.error();
+      values.push_back(value.value().length);
+      if (!(values.back() < station.least)) continue;
+      auto loop = loopRound(apex, station.distance, points[i].place);
+      if (!loop) return loop.error();
+      if (loop.value()) take(*std::move(loop).value(), points[i].place, ring);
+    }
+    if (!values.empty()) station.median = medianOf(std::move(values));
+    return std::nullopt;
+  }
+
+  /// The mean distance of a curve from the apex, by length.
+  double meanDistance(std::span<const SurfacePoint> curve) const {
+    const std::vector<double> at = interpolated(mesh_, distances_, curve);
+    double sum = 0, length = 0;
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+      const double piece = norm(positionOf(mesh_, curve[i + 1]) - positionOf(mesh_, curve[i]));
+      sum += piece * (at[i] + at[i + 1]) / 2;
+      length += piece;
+    }
+    return sum / length;
+  }
+
+  /// The narrowest of the stations, or what the loops at those that are narrower than their
+  /// neighbours are drawn tight to, if that goes round the limb between the tip and the base.
+  void findNarrowest(double from, const std::vector<Measured>& rings, Limb& limb) {
+    limb.narrowest = limb.narrowestDistance = kNoValue;
+    for (const auto& [station, loop] : rings) {
+      if (!std::isnan(station.least) && !(station.least >= limb.narrowest)) {
+        limb.narrowest = station.least;
+      }
+    }
+    const auto isLess = [](double a, double b) { return a < b * (1 - kEqualLength); };
+    for (const auto& [station, loop] : rings) {
+      if (!(station.least <= limb.narrowest * (1 + kEqualLength))) continue;
+      limb.narrowestDistance = station.distance;
+      break;
+    }
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      const auto isLessAt = [&](std::size_t k) {
+        return k < rings.size() && isLess(rings[k].station.least, rings[i].station.least);
+      };
+      if (std::isnan(rings[i].station.least) || (i > 0 && isLessAt(i - 1)) || isLessAt(i + 1))
+        continue;
+      const auto neck = loops::neckFrom(*unfolding_, rings[i].loop, mesh_.area());
+      if (!neck) continue;
+      const double length = loops::lengthOf(*unfolding_, *neck);
+      if (!isLess(length, limb.narrowest)) continue;
+      const std::vector<SurfacePoint> middle =
+          loops::bandOf(*unfolding_, *neck, mesh_.area()).middle;
+      const double distance = meanDistance(middle);
+      if (distance < from || distance > limb.length ||
+          !separates(limb.apex, middle, distance + length / 2)) {
+        continue;
+      }
+      limb.narrowest = length;
+      limb.narrowestDistance = distance;
+    }
   }
 
   /// What the ring at the base cuts off, and how thick the limb is all along. Loops in the tip
@@ -306,27 +397,25 @@ class LimbMaker {
     }
     const std::vector<double> levels = levelsOf(0, limb.length, stations_);
     const std::vector<RingGirth> rings = ringsAt(levels);
-    limb.narrowest = limb.narrowestDistance = kNoValue;
+    const double from = std::min(tipLength, limb.length);
     std::vector<double> medians;
+    std::vector<Measured> all;
     for (std::size_t i = 0; i < levels.size(); ++i) {
-      GirthStation station{levels[i], rings[i].length, rings[i].median, kNoValue, {}};
-      if (levels[i] >= std::min(tipLength, limb.length)) {
-        if (auto error = findLeast(limb.apex, rings[i].points, station)) return error;
+      Measured& ring = all.emplace_back();
+      ring.station = {levels[i], rings[i].length, rings[i].median, kNoValue, {}};
+      if (levels[i] >= from) {
+        if (auto error = findLeast(limb.apex, rings[i].points, ring)) return error;
       }
-      if (!std::isnan(station.least)) {
-        medians.push_back(station.median);
-        if (!(limb.narrowest <= station.least)) {
-          limb.narrowest = station.least;
-          limb.narrowestDistance = station.distance;
-        }
-      }
-      limb.profile.push_back(station);
+      if (!std::isnan(ring.station.least)) medians.push_back(ring.station.median);
+      limb.profile.push_back(ring.station);
     }
+    findNarrowest(from, all, limb);
     limb.median = medians.empty() ? kNoValue : medianOf(std::move(medians));
     limb.base = limb.end == LimbEnd::Whole ? kNoValue : limb.profile.back().least;
     return std::nullopt;
   }
 
+  std::shared_ptr<const geodesic::Unfolding> unfolding_;
   const SurfaceMesh& mesh_;
   std::span<const double> girth_;
   Index stations_;
@@ -382,11 +471,12 @@ Result<Limbs> findLimbs(const SurfaceMesh& mesh, std::span<const double> girth,
     if (auto error = checkVertex(mesh, tip.apex)) return *std::move(error);
   }
 
+  const auto unfolding = std::make_shared<const geodesic::Unfolding>(mesh);
   std::vector<std::optional<Limb>> found(tips.size());
   std::mutex mutex;
   std::optional<Error> failed;
   const bool done = parallelFor(tips.size(), 1, context, [&](std::size_t begin, std::size_t end) {
-    LimbMaker maker(mesh, girth, options.stations, context);
+    LimbMaker maker(unfolding, girth, options.stations, context);
     for (std::size_t i = begin; i < end; ++i) {
       auto limb = maker.make(tips[i]);
       if (limb) {
@@ -411,6 +501,19 @@ Result<Limbs> findLimbs(const SurfaceMesh& mesh, std::span<const double> girth,
   }
   std::stable_sort(result.limbs.begin(), result.limbs.end(),
                    [](const Limb& a, const Limb& b) { return a.length > b.length; });
+  // Of equally long ones, such as a spindle from both ends, first the one whose narrowest place is
+  // nearer.
+  for (auto begin = result.limbs.begin(); begin != result.limbs.end();) {
+    const auto end = std::find_if(begin, result.limbs.end(), [&](const Limb& limb) {
+      return limb.length < begin->length * (1 - kEqualLength);
+    });
+    const auto nearest = [](const Limb& limb) {
+      return std::isnan(limb.narrowestDistance) ? kInfinity : limb.narrowestDistance;
+    };
+    std::stable_sort(begin, end,
+                     [&](const Limb& a, const Limb& b) { return nearest(a) < nearest(b); });
+    begin = end;
+  }
   // Two tips may end one limb, such as the corners of a hoof: each lies in the limb of the other.
   std::vector<Limb> kept;
   for (Limb& limb : result.limbs) {
