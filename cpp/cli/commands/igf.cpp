@@ -402,6 +402,29 @@ int reportStopped(const std::string& model, const GirthField& field, const Parti
   return reportError(model, error);
 }
 
+/// What this run has left when it was stopped is gone on from, or given up by the user's own words;
+/// what another one has left is kept under another name.
+std::optional<Error> clearPartial(const std::string& model, const PartialField& partial,
+                                  const Options& options) {
+  if (!options.output.isFile() || options.resume || options.output.force ||
+      !isFile(partial.path())) {
+    return std::nullopt;
+  }
+  const auto another = partial.ofAnother();
+  if (!another) {
+    return usageError("a stopped run has left " + partial.path(),
+                      "go on from it with --resume, or begin again with --force");
+  }
+  const auto name = keepAside(partial.path());
+  if (!name) {
+    Error error = name.error();
+    error.message = partial.path() + " " + *another + "; " + error.message;
+    return error;
+  }
+  printNote(model, partial.path() + " " + *another + ". It is kept as " + name.value());
+  return std::nullopt;
+}
+
 int runOne(const std::string& model, const Options& options) {
   Timing timing;
   const auto readingStart = Clock::now();
@@ -431,7 +454,10 @@ int runOne(const std::string& model, const Options& options) {
   }
   const SurfaceMesh& mesh = remeshed ? remeshed->mesh : work.loaded.mesh;
   const std::string method = particulars(options, work);
-  const PartialField partial(options.output.path, mesh, rows, method);
+  const PartialField partial(options.output.path, model, mesh, rows, method);
+  if (const auto error = clearPartial(model, partial, options)) {
+    return reportError(options.output.path, *error);
+  }
   std::vector<Barcode> barcodes;
   if (options.barcodes.isWanted()) {
     noteLargeSurface(model, mesh, kRemeshFirst);
@@ -503,15 +529,6 @@ std::optional<Error> checkPersistent(const Options& options) {
   return checkOutput(options.barcodes, options.models, options.json);
 }
 
-/// Checks that what a stopped run has left is gone on from, or given up by the user's own words.
-std::optional<Error> checkPartial(const Options& options) {
-  if (!options.output.isFile() || options.resume || options.output.force) return std::nullopt;
-  const std::string partial = partialPathOf(options.output.path);
-  if (!isFile(partial)) return std::nullopt;
-  return usageError("a stopped run has left " + partial,
-                    "go on from it with --resume, or begin again with --force");
-}
-
 /// The options for each of several models: its output is in the folder that -o names.
 Result<std::vector<Options>> optionsOfEach(const Options& options) {
   std::vector<Options> all;
@@ -565,7 +582,6 @@ int run(const Options& options) {
     if (const auto error = checkOutput(one.output, options.models, options.json)) {
       return reportError(one.output.path, *error);
     }
-    if (const auto error = checkPartial(one)) return reportError(one.output.path, *error);
     const bool hasLines = one.tips || !one.loops.empty();
     if (hasLines && one.output.ending() != ".glb") {
       return reportError(one.output.path, usageError("only .glb holds loops and tips",

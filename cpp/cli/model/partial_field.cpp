@@ -1,5 +1,6 @@
 #include "model/partial_field.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -17,6 +18,7 @@ namespace girth::cli {
 namespace {
 
 constexpr std::string_view kTitle = "# girth igf, stopped: ";
+constexpr std::string_view kTitleEnd = "; the same command with --resume goes on";
 constexpr std::string_view kHeader = "vertex,igf,kind";
 
 std::optional<LoopKind> kindOf(std::string_view text) {
@@ -41,6 +43,14 @@ Error damaged(std::int64_t line) {
   return error;
 }
 
+/// A text of a file, or a file's name, for one line of another text.
+std::string onOneLine(std::string_view text) {
+  std::string line(text);
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return line;
+}
+
 /// A row of the file: "12,3.5,loop".
 struct Row {
   std::size_t number;
@@ -63,9 +73,10 @@ std::string partialPathOf(const std::string& output) {
   return path.replace_extension(".partial.csv").string();
 }
 
-PartialField::PartialField(const std::string& output, const SurfaceMesh& mesh,
-                           std::span<const Vertex> rows, const std::string& method)
-    : path_(partialPathOf(output)), mesh_(mesh), rows_(rows), method_(method) {}
+PartialField::PartialField(const std::string& output, const std::string& model,
+                           const SurfaceMesh& mesh, std::span<const Vertex> rows,
+                           const std::string& method)
+    : path_(partialPathOf(output)), model_(model), mesh_(mesh), rows_(rows), method_(method) {}
 
 std::string PartialField::fingerprint() const {
   Sha256 hash;
@@ -83,11 +94,8 @@ std::string PartialField::fingerprint() const {
          hexText(hash.finish()) + "\n";
 }
 
-Result<GirthField> PartialField::read() const {
-  const auto bytes = io::readFile(path_);
-  if (!bytes) return bytes.error();
-  std::string_view text = io::textOf(bytes.value());
-  std::int64_t line = 1;
+std::optional<Error> PartialField::takeHead(std::string_view& text, std::int64_t& line) const {
+  line = 1;
   if (taken(text, '\n').substr(0, kTitle.size()) != kTitle) return damaged(line);
   std::string ours = fingerprint();
   for (std::string_view expected = ours; !expected.empty();) {
@@ -102,11 +110,36 @@ Result<GirthField> PartialField::read() const {
                   : "it was made with \"" +
                         std::string(found.substr(std::min<std::size_t>(2, found.size()))) +
                         "\", not \"" + std::string(wanted.substr(2)) + "\"");
-    error.hint = "resume with the same model and options, or begin again with --force";
+    error.hint =
+        "resume with the same model and options, or begin without --resume or with --force";
     return error;
   }
   ++line;
   if (taken(text, '\n') != kHeader) return damaged(line);
+  return std::nullopt;
+}
+
+std::optional<std::string> PartialField::ofAnother() const {
+  const auto bytes = io::readFile(path_);
+  if (!bytes) return "cannot be read: " + bytes.error().message;
+  std::string_view text = io::textOf(bytes.value());
+  std::string_view title = text;
+  title = taken(title, '\n');
+  std::int64_t line = 0;
+  const auto error = takeHead(text, line);
+  if (!error) return std::nullopt;
+  if (error->code == ErrorCode::MalformedFile) return "is damaged: " + error->message;
+  title.remove_prefix(kTitle.size());
+  return "is of a run that was stopped after " +
+         onOneLine(title.substr(0, title.rfind(kTitleEnd))) + ": " + onOneLine(error->message);
+}
+
+Result<GirthField> PartialField::read() const {
+  const auto bytes = io::readFile(path_);
+  if (!bytes) return bytes.error();
+  std::string_view text = io::textOf(bytes.value());
+  std::int64_t line = 0;
+  if (auto error = takeHead(text, line)) return *std::move(error);
 
   GirthField field;
   field.values.assign(mesh_.vertexCount(), std::numeric_limits<double>::quiet_NaN());
@@ -127,9 +160,8 @@ Result<GirthField> PartialField::read() const {
 
 std::optional<Error> PartialField::write(const GirthField& field) const {
   std::string text = std::string(kTitle) + std::to_string(field.computed) + " of " +
-                     std::to_string(mesh_.vertexCount()) +
-                     " vertices; the same command with --resume goes on\n" + fingerprint() +
-                     std::string(kHeader) + "\n";
+                     std::to_string(mesh_.vertexCount()) + " vertices of " + onOneLine(model_) +
+                     std::string(kTitleEnd) + "\n" + fingerprint() + std::string(kHeader) + "\n";
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     const Vertex vertex = rows_[row];
     if (vertex == Vertex::none || std::isnan(field.values[vertex])) continue;

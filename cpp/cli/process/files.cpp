@@ -38,6 +38,20 @@ void removeFile(const std::string& path) {
   fs::remove(path, ignored);
 }
 
+Result<std::string> keepAside(const std::string& path) {
+  const fs::path old(path);
+  std::error_code error;
+  for (std::size_t number = 2;; ++number) {
+    fs::path name = old;
+    name.replace_filename(old.stem().string() + "-" + std::to_string(number) +
+                          old.extension().string());
+    if (fs::exists(fs::symlink_status(name, error))) continue;
+    fs::rename(old, name, error);
+    if (!error) return name.string();
+    return makeError(ErrorCode::FileUnwritable, -1, "it cannot be renamed: " + error.message());
+  }
+}
+
 bool isSameFile(const std::string& one, const std::string& other) {
   std::error_code ignored;
   return fs::equivalent(one, other, ignored);

@@ -26,6 +26,10 @@ bool isOrdinary(const std::string& path);
 /// Removes a file, if it is there.
 void removeFile(const std::string& path);
 
+/// Gives a file another name beside it, which nothing has: "values.partial-2.csv" for
+/// "values.partial.csv". The new name. Error: FILE_UNWRITABLE.
+Result<std::string> keepAside(const std::string& path);
+
 /// Whether two names mean one file that is there.
 bool isSameFile(const std::string& one, const std::string& other);
 

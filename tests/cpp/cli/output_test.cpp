@@ -74,6 +74,35 @@ TEST_F(Interrupted, endsAtOnceAndLeavesTheOutputWhole) {
   EXPECT_LT(linesOf(partial).size(), std::size_t{1200 * 40});
 }
 
+TEST_F(Interrupted, whatAnotherRunHasLeftIsKeptUnderAnotherName) {
+  const std::string model = write("tube.obj", longTube(70, 12));
+  const std::string other = write("other.obj", longTube(5, 12));
+  const std::string output = path("values.csv");
+  ASSERT_EQ(stopped({"igf", model, "--threads", "1", "-o", output}).exitCode, 3);
+  const std::string left = contentOf(path("values.partial.csv"));
+  EXPECT_EQ(run({"igf", model, "-o", output}).exitCode, 1) << "its own is gone on from";
+
+  const Outcome begun = run({"igf", other, "-o", output});
+  EXPECT_EQ(begun.exitCode, 0) << begun.errors;
+  for (const char* words : {"values.partial.csv", " of 852 vertices of ", "tube.obj",
+                            "another model", "kept as", "values.partial-2.csv"}) {
+    EXPECT_NE(begun.errors.find(words), std::string::npos) << words << ": " << begun.errors;
+  }
+  EXPECT_FALSE(fs::exists(path("values.partial.csv")));
+  EXPECT_EQ(contentOf(path("values.partial-2.csv")), left);
+
+  // The same of other options, of a damaged file, and of one without the model's name.
+  const std::string untitled = left.substr(0, left.find(" vertices")) + " vertices" +
+                               left.substr(left.find("; the same command"));
+  for (const std::string& text : {left, std::string("nonsense"), std::string(), untitled}) {
+    write("values.partial.csv", text);
+    const Outcome again = run({"igf", other, "-o", output, "--method", "ms"});
+    EXPECT_EQ(again.exitCode, 0) << again.errors;
+    EXPECT_FALSE(fs::exists(path("values.partial.csv")));
+  }
+  EXPECT_EQ(contentOf(path("values.partial-4.csv")), "nonsense");
+}
+
 TEST_F(Interrupted, resumingGivesTheSameBits) {
   const std::string model = write("tube.obj", longTube(70, 12));
   ASSERT_EQ(run({"igf", model, "-o", path("whole.csv")}).exitCode, 0);
