@@ -117,7 +117,8 @@ void findArrivals(const Propagation& propagation, Index halfedge, Vec2 point, do
       if (w.distanceTo(there) > reach || !w.covers(c.length(), there)) return;
       const double whole = w.pathTo(c.length(), there);
       if (whole <= reach) {
-        arrive(unfolding.toFrame(h, base, w.root), whole, {{h, w.root, w.sigma}, kNoIndex});
+        const Vec2 from = w.comesFrom(c.length(), there);
+        arrive(unfolding.toFrame(h, base, from), whole, {{h, w.root, w.sigma}, kNoIndex});
       }
     });
   }

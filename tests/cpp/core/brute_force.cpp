@@ -336,17 +336,23 @@ std::vector<BruteForce::Loop> BruteForce::loops() const {
     Loop loop{static_cast<double>(arrival.length), -1, -1, false};
     Index h = middle.halfedge;
     Point q = middle.point;
+    Real shortest = std::numeric_limits<Real>::infinity(), other = shortest;
     for (int k = 0; k < 3; ++k) {
       const Index v = mesh_.from(Halfedge(h));
+      // A line that runs along edges cannot be followed back.
+      loop.doubtful |= q.y < -kAtVertex * arrival.length;
       if (std::hypot(q.x, q.y) <= kAtVertex * arrival.length) {
+        // Paths to a vertex may come through other faces alone.
+        for (const Arrival& there : arrivals_) {
+          if (there.vertex == v) shortest = std::min(shortest, there.length + std::hypot(q.x, q.y));
+        }
         const Real missing = (mesh_.isBoundary(Vertex(v)) ? kWholePi : 2 * kWholePi) - totals_[v];
-        loop.doubtful = loop.doubtful || missing > kSurelyConvex;
+        loop.doubtful |= missing > kSurelyConvex;
         if (meetsOthers(v, half * (1 + 4 * kAtVertex))) loop.third = 0;
       }
       q = inPlaneOfNext(h, q);
       h = SurfaceMesh::next(Halfedge(h));
     }
-    Real shortest = std::numeric_limits<Real>::infinity(), other = shortest;
     std::vector<std::pair<Real, Real>> paths;  // direction, length
     eachPathTo(middle.halfedge, middle.point, [&](Real length, Point from) {
       shortest = std::min(shortest, length);

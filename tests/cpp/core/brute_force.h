@@ -35,7 +35,8 @@ class BruteForce {
     /// The same of the next path that arrives from elsewhere, negative where that is longer: near 0
     /// a third path arrives at the same time.
     double third;
-    /// Its midpoint lies so near to a convex vertex that rounding decides whether it is a loop.
+    /// Its midpoint lies so near to a convex vertex that rounding decides whether it is a loop, or
+    /// cannot be placed, as on a line that runs along edges.
     bool doubtful;
   };
   /// All of them up to `longest`, the shortest first.
