@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/colours_note.h"
 #include "formats/lost_vertices.h"
 #include "formats/polygon_soup.h"
 #include "text/number_problem.h"
@@ -93,7 +94,9 @@ class ObjReader {
       const auto weight = parseNumber(fourth);
       weights_ += weight && *weight != 1 ? 1 : 0;
     }
-    if (options_.attributes) addColour(fourth, fifth, words_.nextOnLine());
+    const std::string_view sixth = fifth.empty() ? fifth : words_.nextOnLine();
+    isColoured_ = isColoured_ || !sixth.empty();
+    if (options_.attributes) addColour(fourth, fifth, sixth);
     return std::nullopt;
   }
 
@@ -225,6 +228,7 @@ class ObjReader {
     if (groups_ > 1) {
       model_.notes.push_back("Its " + std::to_string(groups_) + " groups were put together.");
     }
+    if (isColoured_) model_.notes.push_back(coloursNote());
     if (hasMaterials_) model_.notes.push_back("Its materials were left out.");
     if (weights_ > 0) {
       model_.notes.push_back("The weight w of " + std::to_string(weights_) +
@@ -261,6 +265,7 @@ class ObjReader {
   std::size_t weights_{0};
   bool curves_{false};
   bool hasMaterials_{false};
+  bool isColoured_{false};
   bool beginsGroup_{false};
   std::size_t groups_{0};  ///< runs of faces between statements that name groups or objects
   ReadOptions options_;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bytes/cursor.h"
+#include "formats/colours_note.h"
 #include "formats/lost_vertices.h"
 #include "formats/polygon_soup.h"
 #include "malformed.h"
@@ -748,6 +749,10 @@ class BodyReader {
       return makeError(ErrorCode::EmptyMesh, -1, "it has vertices, but no face with three corners");
     }
     faces_.noteLeftOut(model_.notes);
+    const Element* vertices = header_.find("vertex");
+    if (vertices->find("red") && vertices->find("green") && vertices->find("blue")) {
+      model_.notes.push_back(coloursNote());
+    }
     noteFaceProperties();
     if (const PassedText passed = body_.passed(); passed.lines() > 0) {
       model_.notes.push_back(passed.note());

@@ -67,8 +67,8 @@ TEST(Obj, weightsAndColoursAreNoPositions) {
   };
   EXPECT_EQ(notes("v 0 0 0 1\nv 1 0 0 1.0\nv 0 1 0 1\n"), 0u);
   EXPECT_EQ(notes("v 0 0 0 2\nv 1 0 0 0\nv 0 1 0 1\n"), 1u) << "w that is not 1";
-  EXPECT_EQ(notes("v 0 0 0 0.5 0.5 0.5\nv 1 0 0 0 0 0\nv 0 1 0 255 0 0\n"), 0u);
-  EXPECT_EQ(notes("v 0 0 0 1 0.5 0.5 0.5\nv 1 0 0 1 0 0 0\nv 0 1 0 1 1 0 0\n"), 0u);
+  EXPECT_EQ(notes("v 0 0 0 0.5 0.5 0.5\nv 1 0 0 0 0 0\nv 0 1 0 255 0 0\n"), 1u);
+  EXPECT_EQ(notes("v 0 0 0 1 0.5 0.5 0.5\nv 1 0 0 1 0 0 0\nv 0 1 0 1 1 0 0\n"), 1u);
 }
 
 TEST(Obj, facesMayComeBeforeVertices) {
@@ -138,6 +138,10 @@ TEST(Obj, whatIsLeftOutIsNoted) {
             (std::vector<std::string>{"2 faces with fewer than three corners were left out.",
                                       "Its 2 groups were put together.",
                                       "Its materials were left out."}));
+  const auto coloured = modelOf("v 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0\nf 1 3 2\n", "a.obj");
+  ASSERT_TRUE(coloured.ok()) << messageOf(coloured);
+  ASSERT_EQ(coloured.value().notes.size(), 1u);
+  EXPECT_TRUE(contains(coloured.value().notes[0], "colours of its vertices"));
   const auto plain = modelOf("o a\ng b\n" + vertices + "f 1 3 2\nf 1 2 4\n", "a.obj");
   ASSERT_TRUE(plain.ok()) << messageOf(plain);
   EXPECT_TRUE(plain.value().notes.empty());

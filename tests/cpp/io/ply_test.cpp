@@ -376,6 +376,21 @@ TEST(BadPly, codesAndPlaces) {
       });
 }
 
+TEST(Ply, coloursOfVerticesAreNoted) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+      "z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2\n";
+  for (const bool attributes : {false, true}) {
+    const auto model = readModel(bytesOf(text), "a.ply", {}, {attributes});
+    ASSERT_TRUE(model.ok()) << messageOf(model);
+    ASSERT_EQ(model.value().notes.size(), 1u);
+    EXPECT_TRUE(contains(model.value().notes[0], "colours of its vertices"));
+  }
+}
+
 TEST(Ply, coloursOfFacesAreLeftOutWithANote) {
   const auto model = modelOf(
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
