@@ -298,7 +298,8 @@ Run add(OptionTable& table) {
   table.add("--along FILE", options->curves,
             "Cut along the loops of a .json file, as girth loop, necks, handles and bottleneck "
             "write them");
-  table.add("--cap", options->cap, "Close the rims that cutting makes");
+  table.add("--cap", options->cap,
+            "Close the rims that cutting makes; hollow bodies are cut with their cavities");
   addOutputOptions(table, options->output,
                    {".glb", ".obj", ".json", ".csv", ".stl", ".ply", ".off"},
                    "Write the parts: .glb (a node for each), .obj (an object for each), .json "

@@ -21,6 +21,8 @@ struct CutOptions {
   /// Closes the rims that cutting made: each with the triangulation of least area, one of more than
   /// 100 edges with a fan round its middle.
   bool cap{false};
+  /// With `cap`: a hollow body is cut with its cavities, by caps with holes. See cutSurface.
+  bool cutsCavities{true};
 };
 
 /// What is left of a surface that was cut.
@@ -44,6 +46,12 @@ inline constexpr double kLeastCutShare = 1e-6;
 /// cut, and cross each other at a vertex or at a point of an edge that both pass, where all that
 /// meets is taken apart; they must not cross anywhere else. A curve that is not closed is a slit.
 ///
+/// A cavity is a closed component that lies in another one, round no third one in between, and
+/// faces the other way. Where a closed curve runs round a body with cavities, or in one, and `cap`
+/// is set, its mean plane cuts the others as well, inside the body's curve; a given curve round the
+/// same place is taken instead. Their rims are closed by one cap with holes, of least area: the
+/// parts enclose together what the body did. What lies in no plane's way is left whole.
+///
 /// No edge is made that is shorter than a millionth (kLeastCutShare) of the one that it is a part
 /// of: a point nearer to a vertex is moved there, and two points of an edge nearer to each other
 /// become one. Divided faces are triangulated with the best shaped ears first.
@@ -51,7 +59,8 @@ inline constexpr double kLeastCutShare = 1e-6;
 /// O(n log n + k²) for k pieces of curves in one face. Errors: INVALID_POINT (element: the point's
 /// place in its curve) where a point is none of the surface or two neighbours lie in no common
 /// face; INVALID_OPTION where curves cross inside a face, and where one lies inside a single face
-/// (element: the face); LIMIT_EXCEEDED (too many faces to number); CANCELLED. Of the context only
+/// (element: the face), and where no cap with holes of up to 1000 edges closes a hollow body;
+/// LIMIT_EXCEEDED (too many faces to number); CANCELLED. Of the context only
 /// `cancel` matters.
 GIRTH_EXPORT Result<CutSurface> cutSurface(const SurfaceMesh& mesh,
                                            std::span<const SurfaceCurve> curves,

@@ -6,7 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "loops/cavities.h"
 #include "loops/divided_surface.h"
+#include "mesh/neighbours.h"
 #include "mesh/prepare/close_holes.h"
 #include "mesh/sides.h"
 #include "mesh/vector.h"
@@ -60,19 +62,118 @@ Separated separated(const DividedSurface& divided) {
   return result;
 }
 
+/// A closed curve of the boundary that cutting made.
+struct Rim {
+  std::vector<Halfedge> sides;
+  /// The vertices as the faces beyond run against them.
+  std::vector<Index> vertices;
+  Vec3 area;  ///< half of it is enclosed, along its normal
+};
+
+std::vector<Rim> rimsOf(const SurfaceMesh& mesh, const DividedSurface& divided) {
+  std::vector<Rim> rims;
+  std::vector<bool> walked(mesh.halfedgeCount(), false);
+  for (const Halfedge h : mesh.halfedges()) {
+    if (mesh.twin(h) != Halfedge::none || walked[h]) continue;
+    Rim rim;
+    bool isCut = true;
+    for (Halfedge at = h; !walked[at]; at = mesh.outgoing(mesh.to(at))) {
+      walked[at] = true;
+      isCut = isCut && divided.isCut[at];
+      rim.sides.push_back(at);
+      rim.vertices.push_back(mesh.from(at));
+    }
+    if (!isCut) continue;
+    std::reverse(rim.vertices.begin(), rim.vertices.end());
+    const Vec3& o = mesh.position(Vertex(rim.vertices[0]));
+    for (std::size_t i = 1; i + 1 < rim.vertices.size(); ++i) {
+      rim.area = rim.area + cross(mesh.position(Vertex(rim.vertices[i])) - o,
+                                  mesh.position(Vertex(rim.vertices[i + 1])) - o);
+    }
+    rims.push_back(std::move(rim));
+  }
+  return rims;
+}
+
+/// Triangles of the caps with holes, on both sides, and the halfedges that they lie at.
+struct HollowFillings {
+  std::vector<Index> triangles;
+  std::vector<bool> isFilled;
+};
+
+Result<HollowFillings> fillHollow(const SurfaceMesh& uncut, const SurfaceMesh& mesh,
+                                  const DividedSurface& divided,
+                                  const loops::HollowCurves& hollow) {
+  HollowFillings fillings{{}, std::vector<bool>(mesh.halfedgeCount(), false)};
+  if (hollow.caps.empty()) return fillings;
+  std::vector<Vec3> places;
+  for (const Vertex v : mesh.vertices()) places.push_back(mesh.position(v));
+  const std::vector<Rim> rims = rimsOf(mesh, divided);
+  // The rim that a curve left on one side: the nearest to a point of it.
+  const auto rimOf = [&](std::size_t curve, const Vec3& normal, bool isAbove) {
+    const Vec3 place = positionOf(uncut, hollow.curves[curve].front());
+    const Rim* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Rim& rim : rims) {
+      if ((dot(rim.area, normal) > 0) != isAbove) continue;
+      for (const Index vertex : rim.vertices) {
+        if (!(norm(places[vertex] - place) < least)) continue;
+        least = norm(places[vertex] - place);
+        nearest = &rim;
+      }
+    }
+    return nearest;
+  };
+  const auto isJoined = [&](Index a, Index b) {
+    bool isFound = false;
+    forEachNeighbour(mesh, Vertex(a), [&](Vertex v) { isFound = isFound || v == b; });
+    return isFound;
+  };
+  for (const loops::HollowCap& cap : hollow.caps) {
+    for (const bool isAbove : {false, true}) {
+      const Rim* const rim = rimOf(cap.rim, cap.normal, isAbove);
+      if (rim == nullptr) continue;
+      std::vector<const Rim*> all{rim};
+      std::vector<std::vector<Index>> holes;
+      for (const std::size_t curve : cap.holes) {
+        const Rim* const hole = rimOf(curve, cap.normal, !isAbove);
+        if (hole == nullptr || std::find(all.begin(), all.end(), hole) != all.end()) continue;
+        all.push_back(hole);
+        holes.push_back(hole->vertices);
+      }
+      const std::vector<Index> triangles =
+          loops::triangulatedCap(rim->vertices, std::move(holes), cap.normal, places, isJoined);
+      if (triangles.empty()) {
+        Error error = makeError(ErrorCode::InvalidOption, -1,
+                                "no cap with holes closes what is cut of a body and its cavities: "
+                                "its rims cross, or have too many edges (1000 are possible)");
+        error.hint = "cut without caps, or a surface of fewer triangles";
+        return error;
+      }
+      fillings.triangles.insert(fillings.triangles.end(), triangles.begin(), triangles.end());
+      for (const Rim* const one : all) {
+        for (const Halfedge h : one->sides) fillings.isFilled[h] = true;
+      }
+    }
+  }
+  return fillings;
+}
+
 /// The surface with its cut rims filled.
 Result<SurfaceMesh> capped(const SurfaceMesh& mesh, const DividedSurface& divided,
-                           const std::vector<double>& positions,
+                           const HollowFillings& hollow, const std::vector<double>& positions,
                            const std::vector<Index>& triangles) {
   Result<SurfaceMesh> closed = makeError(ErrorCode::Internal, -1, "nothing was filled");
   // Two fillings may need the same diagonal; fans never do.
   for (const bool fansOnly : {false, true}) {
     const prepare::HoleFillings fillings = prepare::fillHoles(
-        mesh, fansOnly, [&](Halfedge halfedge) { return divided.isCut[halfedge] != 0; });
+        mesh, fansOnly,
+        [&](Halfedge halfedge) { return divided.isCut[halfedge] && !hollow.isFilled[halfedge]; });
     std::vector<double> allPositions = positions;
     std::vector<Index> allTriangles = triangles;
     allPositions.insert(allPositions.end(), fillings.positions.begin(), fillings.positions.end());
     allTriangles.insert(allTriangles.end(), fillings.triangles.begin(), fillings.triangles.end());
+    allTriangles.insert(allTriangles.end(), hollow.triangles.begin(), hollow.triangles.end());
     closed = SurfaceMesh::fromArrays(allPositions, allTriangles, OpenEdges::Boundary);
     if (closed) break;
   }
@@ -83,8 +184,14 @@ Result<SurfaceMesh> capped(const SurfaceMesh& mesh, const DividedSurface& divide
 
 Result<CutSurface> cutSurface(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                               const CutOptions& options, const ExecutionContext& context) {
-  const auto divided = loops::divided(mesh, curves, context);
+  loops::HollowCurves hollow;
+  auto divided = loops::divided(mesh, curves, context);
   if (!divided) return divided.error();
+  if (options.cap && options.cutsCavities) {
+    hollow = loops::throughCavities(mesh, curves);
+    if (!hollow.caps.empty()) divided = loops::divided(mesh, hollow.curves, context);
+    if (!divided) return divided.error();
+  }
   if (context.cancelled()) return loops::cutCancelled();
   const Separated apart = separated(divided.value());
   std::vector<SurfacePoint> points;
@@ -97,7 +204,11 @@ Result<CutSurface> cutSurface(const SurfaceMesh& mesh, std::span<const SurfaceCu
   if (context.cancelled()) return loops::cutCancelled();
   auto cut = SurfaceMesh::fromArrays(positions, apart.corners, OpenEdges::Boundary);
   if (context.cancelled()) return loops::cutCancelled();
-  if (cut && options.cap) cut = capped(cut.value(), divided.value(), positions, apart.corners);
+  if (cut && options.cap) {
+    const auto fillings = fillHollow(mesh, cut.value(), divided.value(), hollow);
+    if (!fillings) return fillings.error();
+    cut = capped(cut.value(), divided.value(), fillings.value(), positions, apart.corners);
+  }
   if (!cut) return cut.error();
   std::vector<Face> faces = divided.value().faces;
   faces.resize(cut.value().faceCount(), Face::none);

@@ -306,7 +306,7 @@ Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
     if (chosen.empty()) break;
     std::vector<SurfaceCurve> curves;
     for (const Handle& handle : chosen) curves.push_back(handle.points);
-    const auto cut = cutSurface(result.mesh, curves, {true}, {1, context.cancel, {}});
+    const auto cut = cutSurface(result.mesh, curves, {true, false}, {1, context.cancel, {}});
     if (!cut) return cut.error();
     auto made = closed(cut.value());
     if (!made) return made.error();

@@ -261,6 +261,67 @@ TEST(CutSurface, curvesThatCrossAtVertices) {
   for (Index c = 0; c < 4; ++c) EXPECT_EQ(capped.value().mesh.boundaryCount(c), 0u);
 }
 
+/// A dumbbell of revolution, and within it a smaller one, turned inside out: its cavity.
+Shape hollowDumbbell(Index sides) {
+  const auto dumbbell = [](double wall) {
+    std::vector<test::Ring> rings;
+    for (int k = 0; k <= 40; ++k) {
+      const double z = (10 - wall) * (k - 20) / 20.0;
+      rings.push_back({z, (3 + 2 * std::cos(M_PI * std::fabs(z) / 10 + M_PI)) - wall / 2});
+    }
+    return rings;
+  };
+  Shape shape = test::lathe(dumbbell(0), sides);
+  const Shape cavity = test::lathe(dumbbell(1), sides + 2);
+  const auto before = static_cast<Index>(shape.positions.size() / 3);
+  shape.positions.insert(shape.positions.end(), cavity.positions.begin(), cavity.positions.end());
+  for (std::size_t i = 0; i < cavity.triangles.size(); i += 3) {
+    shape.face(before + cavity.triangles[i], before + cavity.triangles[i + 2],
+               before + cavity.triangles[i + 1]);
+  }
+  return shape;
+}
+
+TEST(CutSurface, aHollowBodyIsCutWithItsCavity) {
+  const SurfaceMesh mesh = test::moved(hollowDumbbell(12), 0.3, 1.1, 2).mesh();
+  ASSERT_EQ(mesh.componentCount(), 2u);
+  const auto necks = findNecks(mesh, girthField(mesh).values);
+  ASSERT_EQ(necks.value().necks.size(), 2u);
+  const std::vector<SurfaceCurve> both{necks.value().necks[0].points,
+                                       necks.value().necks[1].points};
+  // Either curve alone, and both, cut the same: a ring between two polygons on both sides.
+  const double ring =
+      0.09 * (12 * std::sin(2 * M_PI / 12) / 2 - 0.25 * 14 * std::sin(2 * M_PI / 14) / 2);
+  for (const std::size_t first : {0u, 1u}) {
+    for (const std::size_t count : {1u, 2u}) {
+      const auto curves = std::span(both).subspan(first, std::min(count, 2 - first));
+      const CutSurface cut = cutSurface(mesh, curves, {true}).value();
+      ASSERT_EQ(cut.mesh.componentCount(), 2u);
+      const auto parts = componentsOf(cut.mesh);
+      for (const SurfaceComponent& part : parts) {
+        EXPECT_EQ(part.mesh.boundaryCount(0), 0u);
+        EXPECT_EQ(part.mesh.genus(0), 0u);
+        EXPECT_NEAR(part.mesh.area(), mesh.area() / 2 + ring, 1e-6);
+        EXPECT_NEAR(test::volumeOf(part.mesh), test::volumeOf(mesh) / 2, 1e-6);
+      }
+    }
+  }
+  EXPECT_EQ(cutSurface(mesh, both, {true, false}).value().mesh.componentCount(), 4u);
+}
+
+TEST(CutSurface, aBodyWithinAnotherIsNoCavity) {
+  Shape shape = hollowDumbbell(12);
+  // The inner one faces outwards now.
+  for (std::size_t i = 0; i < shape.triangles.size(); i += 3) {
+    if (shape.triangles[i] >= 41u * 12 + 2)
+      std::swap(shape.triangles[i + 1], shape.triangles[i + 2]);
+  }
+  const SurfaceMesh mesh = shape.mesh();
+  const auto necks = findNecks(mesh, girthField(mesh).values).value().necks;
+  const std::vector<SurfaceCurve> outer{necks.back().points};
+  EXPECT_EQ(cutSurface(mesh, outer, {true}).value().mesh.componentCount(), 3u);
+}
+
 TEST(CutSurface, isCancelled) {
   const SurfaceMesh mesh = test::torus(4, 1, 9, 8).mesh();
   const SurfaceCurve meridian = loopAt(mesh, SurfacePoint::atVertex(Vertex(3)));
