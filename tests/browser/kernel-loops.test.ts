@@ -216,6 +216,7 @@ interface WrittenRemoval {
   area: number;
   genusBefore: number;
   crossingFaces: number;
+  provenLength: number;
   genus: number;
 }
 
@@ -274,6 +275,7 @@ test('short handles are taken away as by the command', async () => {
     theirs.genus,
   ]);
   expect(mine.removal.crossingFaces).toBe(theirs.crossingFaces);
+  expect([mine.removal.provenLength, theirs.provenLength]).toEqual([between, between]);
   expect([mine.faceCount, mine.vertexCount, mine.area]).toEqual([
     theirs.faces,
     theirs.vertices,
@@ -292,6 +294,7 @@ test('short handles are taken away as by the command', async () => {
     genusBefore: 1,
     genusAfter: 1,
     crossingFaces: 0,
+    provenLength: 0,
     faceCount: 320,
   });
   expect(mine.progress.at(-1)).toBe(1);

@@ -81,6 +81,7 @@ def test_handles_are_those_of_the_command(command, tmp_path):
     assert sorted(handle.kind for handle in found) == ["handle", "tunnel"]
     for handle, other in zip(found, wanted["handles"]):
         assert handle.length == other["length"]
+        assert handle.may_be_shorter_by == other["mayBeShorterBy"]
         assert handle.points.tolist() == [point["position"] for point in other["points"]]
     assert len(girth.Mesh(*tetrahedron()).handles()) == 0
 

@@ -53,9 +53,12 @@ export class HandleRemovalForm {
         return;
       }
       void remove(length).then((removal) => {
-        if (removal?.removed.length === 0) {
-          this.#said.textContent = 'No loop is shorter: nothing was changed.';
-        }
+        if (removal?.removed.length !== 0) return;
+        const proven = formatLength(removal.provenLength, this.#viewer.lengthFormat);
+        this.#said.textContent =
+          removal.provenLength < length
+            ? `No shorter loop was found, and none is shorter than ${proven}: nothing was changed.`
+            : 'No loop is shorter: nothing was changed.';
       });
     });
     this.element = make('div', {}, this.#form, this.#words, this.#said);

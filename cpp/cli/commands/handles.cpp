@@ -42,13 +42,14 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Han
   std::printf("  %4s %12s  %-8s %12s  %s\n", "loop", "length", "kind", "area", "centre");
   for (std::size_t i = 0; i < count; ++i) {
     const Handle& handle = handles.handles[i];
-    const std::string excess = handle.mayBeShorterBy > 0 ? "  (may be shorter, by at most " +
-                                                               readable(handle.mayBeShorterBy) + ")"
-                                                         : "";
-    std::printf("  %4zu %12s  %-8s %12s  %s %s %s%s\n", i + 1, readable(handle.length).c_str(),
+    std::printf("  %4zu %12s  %-8s %12s  %s %s %s\n", i + 1, readable(handle.length).c_str(),
                 std::string(toString(handle.kind)).c_str(), readable(handle.area).c_str(),
                 readable(handle.centre.x).c_str(), readable(handle.centre.y).c_str(),
-                readable(handle.centre.z).c_str(), excess.c_str());
+                readable(handle.centre.z).c_str());
+    if (handle.mayBeShorterBy > 0) {
+      std::printf("       may be shorter, by at most %s\n",
+                  readable(handle.mayBeShorterBy).c_str());
+    }
   }
   printUnits(loaded.unit);
 }
@@ -122,10 +123,11 @@ Run add(OptionTable& table) {
       "A handle loop goes round the material and bounds a surface inside; a tunnel loop goes "
       "round a hole and bounds one outside. Unknown: the surface crosses itself so that it "
       "has no inside.");
-  table.note("May be shorter",
-             "Each loop is locally shortest, and is proven to be the shortest of those that could "
-             "take its place, as far as the time goes. Where it ends first, the line says by how "
-             "much a shorter one could be shorter at most.");
+  table.note(
+      "May be shorter",
+      "Each loop is locally shortest, and is proven to be the shortest of those that could "
+      "take its place, as far as the time goes. Where it ends first, a line below says by how "
+      "much a shorter one could be shorter at most.");
   return [options] { return run(*options); };
 }
 
