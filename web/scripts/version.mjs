@@ -1,5 +1,5 @@
 // `npm version ...` runs this: writes the version of package.json where the package exports it, into the
-// citation and vcpkg's manifest, and over what the change log has as unreleased.
+// citation, and over what the change log has as unreleased.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -23,9 +23,6 @@ await script(() => {
     text
       .replace(/^version: .*$/m, `version: ${version}`)
       .replace(/^date-released: .*$/m, `date-released: '${date}'`),
-  );
-  rewrite('cpp/packaging/vcpkg.json', (text) =>
-    text.replace(/"version": "[^"]*"/, `"version": "${version}"`),
   );
   rewrite('CHANGELOG.md', (text) =>
     text.replace(/^## \[Unreleased\]$/m, `$&\n\n## [${version}] - ${date}`),

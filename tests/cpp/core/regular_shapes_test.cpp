@@ -62,8 +62,8 @@ INSTANTIATE_TEST_SUITE_P(Sample, RegularShapes, testing::Range(0, 60));
 // midpoint (1153, 1893); a line beside a window by 1e-10 does (1689); lines close by a corner
 // (1221). With the rest: a saddle at a vertex is listed as several, or not at all (11, 19, 73, 83,
 // 95); curves are pushed off a vertex and back (35, 42, 47, 51). A path
-// that bends round a window's end comes from there (5287, 8014); the enumeration cannot follow lines
-// that run along edges (4707, 4734).
+// that bends round a window's end comes from there (5287, 8014); the enumeration cannot follow
+// lines that run along edges (4707, 4734).
 INSTANTIATE_TEST_SUITE_P(OnceFailed, RegularShapes,
                          testing::Values(73, 83, 95, 174, 320, 421, 764, 815, 1153, 1221, 1689,
                                          1893));
