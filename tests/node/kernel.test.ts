@@ -148,6 +148,36 @@ test('models come from paths, addresses, bytes and files, with their buffers', a
   expect(counts).toEqual([4, 4, 4, 288, 288, 288, 4]);
 });
 
+test('the unit is the one that a file states, there and back', async () => {
+  for (const [name, head] of [
+    ['plain', ''],
+    ['mm', '# unit: millimetre\n'],
+    ['km', '# unit: km\n'],
+  ] as const) {
+    writeFileSync(inFolder(`${name}.obj`), head + torus(8, 4));
+  }
+  const units = await printed(`
+    const kernel = await createKernel({ threads: 1 });
+    const units = [];
+    for (const name of ['plain', 'mm', 'km']) {
+      const mesh = await kernel.load(name + '.obj');
+      const field = await mesh.field('igf');
+      const again = [];
+      for (const format of ['ply', 'glb']) {
+        const bytes = await mesh.exportField(field, format);
+        again.push((await kernel.load({ bytes, name: 'again.' + format })).info.unit);
+      }
+      units.push([mesh.info.unit, ...again]);
+    }
+    console.log(JSON.stringify(units));
+  `);
+  expect(units).toEqual([
+    ['', '', ''],
+    ['mm', 'mm', 'm'],
+    ['km', 'km', 'm'],
+  ]);
+});
+
 test('what cannot be read is an error with its code; no link leads out of a model’s folder', async () => {
   mkdirSync(inFolder('closed'));
   writeFileSync(inFolder('closed/model.gltf'), splitGltf(tetrahedron, 'link.bin').gltf);

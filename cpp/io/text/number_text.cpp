@@ -60,17 +60,17 @@ double parseSlowly(std::string_view text) {
 /// What is no finite number, as C libraries print it: "nan", "nan(ind)", "inf", "1.#QNAN",
 /// "1.#INF00".
 std::optional<double> specialNumber(std::string_view text) {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (text.empty() || (isDigit(text[0]) && !text.starts_with("1.#"))) return std::nullopt;
-  if (equalsIgnoringCase(text, "nan") || equalsIgnoringCase(text, "1.#nan")) return kNan;
-  if (equalsIgnoringCase(text, "inf") || equalsIgnoringCase(text, "infinity")) return kInfinity;
-  if (equalsIgnoringCase(text.substr(0, 4), "nan(") && text.back() == ')') return kNan;
-  if (equalsIgnoringCase(text.substr(0, 6), "1.#inf")) return kInfinity;
-  for (const std::string_view name : {"1.#ind", "1.#qnan", "1.#snan"}) {
-    if (equalsIgnoringCase(text.substr(0, name.size()), name)) return kNan;
+  const bool isWindows = text.starts_with("1.#");
+  if (isWindows) text.remove_prefix(3);
+  if (text.empty() || isDigit(text[0])) return std::nullopt;
+  const bool isInfinity = equalsIgnoringCase(text.substr(0, 3), "inf");
+  if (isInfinity && (isWindows || text.size() == 3 || equalsIgnoringCase(text, "infinity"))) {
+    return std::numeric_limits<double>::infinity();
   }
-  return std::nullopt;
+  const bool isNan = equalsIgnoringCase(text.substr(0, 3), "nan") &&
+                     (text.size() == 3 || (text[3] == '(' && text.back() == ')'));
+  if (!isNan && !isWindows) return std::nullopt;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
