@@ -17,8 +17,9 @@ struct PrepareOptions {
   /// Multiplies every position before anything else: lengths below, and all that come out, are
   /// those of the larger or smaller model. Positive.
   double scale{1};
-  /// 0: vertices at exactly equal positions become one (0 and −0 are equal). Above: also vertices
-  /// no farther apart than this, in model units.
+  /// 0: vertices at exactly equal positions become one (0 and −0 are equal), but where the input's
+  /// own triangles close the surface round them. Above: all vertices at equal positions do, and
+  /// those no farther apart than this, in model units.
   double weldDistance{0};
   /// Fills every boundary curve with faces: one of up to 100 edges with the triangulation of least
   /// area, a longer one with a fan round its middle. A curve along which that gives faces without
@@ -78,7 +79,8 @@ struct PreparationReport {
   Index oneSidedEdges{0};
   /// Edges with more than two faces, cut apart. Pieces that have two faces there keep them joined;
   /// of the rest, those that bound wedges of solid in turn (facing away and towards each other
-  /// alternately) are joined in pairs; all others have their boundary there.
+  /// alternately) are joined in pairs. Where solids cross that are open nowhere, what lies inside
+  /// of more of them is joined first: they stay closed. All others have their boundary there.
   Index nonManifoldEdges{0};
   /// Vertices cut apart, apart from the ends of cut edges: parts touched only there.
   Index nonManifoldVertices{0};
@@ -136,9 +138,10 @@ struct PreparedSurface {
 
 /// Makes a surface of any triangles: welds, drops faces without area and duplicates, orients, cuts
 /// where more than two faces meet or parts touch, chooses components, and fills holes if asked to;
-/// other open edges become boundaries. Faces and vertices keep the order of the input. The same
-/// arrays always give the same surface, and preparing a prepared surface's arrays once more gives
-/// the same arrays. O(n log n) in the faces; about 200 bytes a face.
+/// other open edges become boundaries. What the input's own vertex numbers close stays closed, also
+/// where bodies touch or cross at equal positions. Faces and vertices keep the order of the input.
+/// The same arrays always give the same surface, and preparing a prepared surface's arrays once
+/// more gives the same arrays. O(n log n) in the faces; about 200 bytes a face.
 ///
 /// Errors: EMPTY_MESH (nothing is left, and why), NON_FINITE_POSITION (vertex of the input
 /// that a triangle has), INDEX_OUT_OF_RANGE (triangle of the input), INVALID_OPTION (a distance

@@ -7,14 +7,18 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "mesh/coordinates.h"
 #include "mesh/prepare/close_holes.h"
 #include "mesh/prepare/drop_faces.h"
+#include "mesh/prepare/file_connectivity.h"
 #include "mesh/prepare/join_faces.h"
+#include "mesh/prepare/roots.h"
 #include "mesh/prepare/split_vertices.h"
 #include "mesh/prepare/weld_vertices.h"
+#include "mesh/sides.h"
 #include "mesh/vector.h"
 
 namespace girth {
@@ -123,9 +127,8 @@ class Preparation {
       Step step;
       double finished;  ///< the share of the whole time by its end
     };
-    constexpr TimedStep kSteps[] = {{&Preparation::weld, 0.3},
-                                    {&Preparation::dropFaces, 0.45},
-                                    {&Preparation::join, 0.65},
+    constexpr TimedStep kSteps[] = {{&Preparation::findPlaces, 0.2},
+                                    {&Preparation::connect, 0.65},
                                     {&Preparation::chooseParts, 0.8},
                                     {&Preparation::finish, 1.0}};
     for (const TimedStep& timed : kSteps) {
@@ -142,27 +145,69 @@ class Preparation {
   }
 
  private:
-  std::optional<Error> weld() {
+  /// Which vertices share a place, and whether that matters.
+  std::optional<Error> findPlaces() {
     for (double& coordinate : soup_.positions) coordinate *= options_.scale;
     first_ = prepare::firstAtSamePlace(soup_.positions, soup_.triangles);
-    if (options_.weldDistance > 0) {
-      prepare::joinWithin(options_.weldDistance, soup_.positions, first_);
-    }
-    faces_.positions = soup_.positions;
-    faces_.triangles = std::move(soup_.triangles);
-    faces_.inputOfFace.resize(report_.inputFaces);
-    for (Index f = 0; f < report_.inputFaces; ++f) faces_.inputOfFace[f] = f;
     double extent = 0;
+    std::size_t used = 0, places = 0;
     for (Index v = 0; v < first_.size(); ++v) {
       if (first_[v] == kNoIndex) continue;
-      if (first_[v] != v) ++report_.weldedVertices;
+      ++used;
+      if (first_[v] == v) ++places;
       for (std::size_t k = 0; k < 3; ++k) {
         extent = std::max(extent, std::fabs(soup_.positions[3 * std::size_t{v} + k]));
       }
     }
     faces_.scale = scaleFor(extent);
-    for (Index& v : faces_.triangles) v = first_[v];
+    faces_.positions = soup_.positions;
+    if (options_.weldDistance > 0) {
+      prepare::joinWithin(options_.weldDistance, soup_.positions, first_);
+    } else if (places < used && used < soup_.triangles.size()) {
+      // Corners that are all vertices of their own close nothing.
+      faces_.place = first_;
+      faces_.closedByFile = prepare::closedByTheFile(soup_.triangles, faces_.place);
+    }
     return std::nullopt;
+  }
+
+  /// From the input's triangles to oriented faces that know their neighbours.
+  std::optional<Error> connect() {
+    constexpr int kMostRounds = 8;
+    const PreparationReport before = report_;
+    int round = 0;
+    for (bool again = true; again;) {
+      if (++round == kMostRounds) faces_.closedByFile.assign(faces_.closedByFile.size(), false);
+      if (context_.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
+      report_ = before;
+      weld();
+      if (auto error = dropFaces()) return error;
+      again = join();
+    }
+    return std::nullopt;
+  }
+
+  void weld() {
+    if (faces_.place.empty()) {
+      faces_.triangles = std::move(soup_.triangles);
+    } else {
+      faces_.triangles = soup_.triangles;
+      // Each vertex that is not closed stands for the first such at its place.
+      std::vector<Index> firstOpen(first_.size(), kNoIndex);
+      for (Index v = 0; v < first_.size(); ++v) {
+        first_[v] = faces_.place[v] == kNoIndex ? kNoIndex : v;
+        if (first_[v] == kNoIndex || faces_.closedByFile[v]) continue;
+        Index& first = firstOpen[faces_.place[v]];
+        if (first == kNoIndex) first = v;
+        first_[v] = first;
+      }
+    }
+    faces_.inputOfFace.resize(report_.inputFaces);
+    for (Index f = 0; f < report_.inputFaces; ++f) faces_.inputOfFace[f] = f;
+    for (Index v = 0; v < first_.size(); ++v) {
+      if (first_[v] != kNoIndex && first_[v] != v) ++report_.weldedVertices;
+    }
+    for (Index& v : faces_.triangles) v = first_[v];
   }
 
   std::optional<Error> dropFaces() {
@@ -175,16 +220,56 @@ class Preparation {
                      countText(report_.inputFaces, "face has no area", "faces have no area"));
   }
 
-  std::optional<Error> join() {
+  /// Returns whether all has to be done again, as fewer vertices are closed than was thought.
+  bool join() {
     prepare::JoinedFaces joined = prepare::joinFaces(faces_, report_);
-    split_ = prepare::splitVertices(faces_, joined, report_);
+    findInputOfCorners();
+    split_ = prepare::splitVertices(faces_, joined, inputOfCorner_, report_);
+    if (openWhatIsNotClosed()) return true;
+    soup_.triangles = {};
     report_.unreferencedVertices =
         report_.inputVertices - report_.weldedVertices -
         (static_cast<Index>(split_.inputOfVertex.size()) - report_.addedVertices);
     findParts(joined);
     // From here on the faces name the surface's vertices.
     faces_.triangles = std::move(split_.vertexOfCorner);
-    return std::nullopt;
+    return false;
+  }
+
+  /// Where vertices at one place may differ: the vertex of the input at each corner.
+  void findInputOfCorners() {
+    if (faces_.place.empty()) return;
+    inputOfCorner_ = faces_.triangles;
+    for (std::size_t corner = 0; corner < inputOfCorner_.size(); ++corner) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index input = soup_.triangles[3 * std::size_t{faces_.inputOfFace[corner / 3]} + k];
+        if (prepare::rootOf(first_, input) != faces_.triangles[corner]) continue;
+        inputOfCorner_[corner] = input;
+        break;
+      }
+    }
+  }
+
+  /// Whether vertices were taken as closed that the surface's own faces do not close; they no
+  /// longer are.
+  bool openWhatIsNotClosed() {
+    if (faces_.place.empty()) return false;
+    const std::size_t copies = split_.inputOfVertex.size();
+    std::vector<Index> firstAt(first_.size(), kNoIndex), place(copies);
+    for (Index v = 0; v < copies; ++v) {
+      Index& first = firstAt[faces_.place[split_.inputOfVertex[v]]];
+      if (first == kNoIndex) first = v;
+      place[v] = first;
+    }
+    const std::vector<bool> closed = prepare::closedByTheFile(split_.vertexOfCorner, place);
+    bool opened = false;
+    for (std::size_t corner = 0; corner < inputOfCorner_.size(); ++corner) {
+      const Index input = inputOfCorner_[corner];
+      if (closed[split_.vertexOfCorner[corner]]) continue;
+      opened = opened || faces_.closedByFile[input];
+      faces_.closedByFile[input] = false;
+    }
+    return opened;
   }
 
   /// Floods the components, in the order of their first faces.
@@ -255,7 +340,13 @@ class Preparation {
                        "the components that were chosen are smaller than those that are kept");
     }
     if (report_.keptComponents < parts_.size()) {
-      faces_.filter([&](Index f) { return chosen[partOfFace_[f]]; });
+      const auto isKept = [&](Index f) { return bool(chosen[partOfFace_[f]]); };
+      std::size_t kept = 0;
+      for (std::size_t corner = 0; corner < inputOfCorner_.size(); ++corner) {
+        if (isKept(static_cast<Index>(corner / 3))) inputOfCorner_[kept++] = inputOfCorner_[corner];
+      }
+      inputOfCorner_.resize(kept);
+      faces_.filter(isKept);
     }
     partOfFace_ = {};
     numberVertices();
@@ -268,20 +359,37 @@ class Preparation {
     std::vector<Index> facesOfVertex(copies, 0);
     for (const Index v : faces_.triangles) ++facesOfVertex[v];
     std::vector<Index> number(copies, kNoIndex);
-    vertexOfInput_.assign(first_.size(), Vertex::none);
     std::vector<Index> kept;
-    Index mostFaces = 0;  // of the copies of one vertex
     for (Index v = 0; v < copies; ++v) {
-      const Index input = split_.inputOfVertex[v];
-      if (v == 0 || input != split_.inputOfVertex[v - 1]) mostFaces = 0;
       if (facesOfVertex[v] == 0) continue;
       number[v] = static_cast<Index>(kept.size());
-      kept.push_back(input);
-      if (facesOfVertex[v] > mostFaces) {
-        mostFaces = facesOfVertex[v];
-        vertexOfInput_[input] = Vertex(number[v]);
-      }
+      kept.push_back(split_.inputOfVertex[v]);
     }
+    // For each vertex of the input its copy: one that stands for it, that with the most faces, the
+    // first.
+    std::vector<Index> copyOfInput(first_.size(), kNoIndex);
+    const auto consider = [&](Index input, Index v) {
+      const auto rank = [&](Index copy) {
+        return std::tuple(split_.inputOfVertex[copy] != input, ~facesOfVertex[copy], copy);
+      };
+      Index& copy = copyOfInput[input];
+      if (copy == kNoIndex || rank(v) < rank(copy)) copy = v;
+    };
+    for (std::size_t corner = 0; corner < inputOfCorner_.size(); ++corner) {
+      consider(inputOfCorner_[corner], faces_.triangles[corner]);
+    }
+    std::vector<Index> own = copyOfInput;
+    for (Index v = 0; v < copies; ++v) {
+      if (facesOfVertex[v] > 0) consider(prepare::rootOf(first_, split_.inputOfVertex[v]), v);
+    }
+    vertexOfInput_.assign(first_.size(), Vertex::none);
+    for (Index input = 0; input < first_.size(); ++input) {
+      if (first_[input] == kNoIndex) continue;
+      Index copy = own[input];
+      if (copy == kNoIndex) copy = copyOfInput[prepare::rootOf(first_, input)];
+      if (copy != kNoIndex) vertexOfInput_[input] = Vertex(number[copy]);
+    }
+    inputOfCorner_ = {};
     for (Index& v : faces_.triangles) v = number[v];
     split_.inputOfVertex = std::move(kept);
   }
@@ -295,7 +403,6 @@ class Preparation {
       positions.insert(positions.end(), at, at + 3);
     }
     soup_.positions = {};
-    nameFirstInputs();
     auto mesh = SurfaceMesh::fromArrays(positions, faces_.triangles, OpenEdges::Boundary);
     if (!mesh) return mesh.error();
     mesh_.emplace(std::move(mesh).value());
@@ -338,23 +445,13 @@ class Preparation {
     return std::nullopt;
   }
 
-  /// Lets welded vertices follow those that stand for them.
-  void nameFirstInputs() {
-    for (Index v = 0; v < first_.size(); ++v) {
-      if (first_[v] == kNoIndex) continue;
-      Index root = v;
-      while (first_[root] != root) root = first_[root];
-      first_[v] = root;
-      if (root != v) vertexOfInput_[v] = vertexOfInput_[root];
-    }
-  }
-
   TriangleSoup soup_;
   const PrepareOptions& options_;
   const ExecutionContext& context_;
   PreparationReport report_;
   std::vector<Index> first_;  ///< for each vertex of the input the one that stands for it
   WorkingFaces faces_;
+  std::vector<Index> inputOfCorner_;  ///< empty where vertices at one place are one
   prepare::SplitVertices split_;
   std::vector<Index> partOfFace_;
   std::vector<SurfacePart> parts_;

@@ -507,7 +507,7 @@ TEST(Prepare, AMoebiusStripIsCutAcross) {
 }
 
 TEST(Prepare, SolidsThatShareAnEdgeStayWhole) {
-  const Shape two = cubesAt({{0, 0, 0}, {1, 1, 0}});
+  const Shape two = apart(cubesAt({{0, 0, 0}, {1, 1, 0}}));
   Shape inverted = two;
   for (std::size_t f = 12; f < 24; ++f) turnOver(inverted, f);
   for (const Shape& shape : {two, inverted}) {
@@ -542,11 +542,13 @@ TEST(Prepare, ASolidThatTouchesItselfStaysClosed) {
     if (faces.count(place(f)) > 1) continue;
     outside.face(ring.triangles[3 * f], ring.triangles[3 * f + 1], ring.triangles[3 * f + 2]);
   }
-  const PreparedSurface out = prepared(outside);
-  EXPECT_EQ(out.report.boundaryCurves, 0u);
-  EXPECT_GT(out.report.nonManifoldEdges, 0u);
-  EXPECT_NEAR(sixfoldVolume(out.mesh), 30, 1e-12);
-  expectSound(outside, out);
+  EXPECT_GT(prepared(apart(outside)).report.nonManifoldEdges, 0u);
+  for (const Shape& shape : {outside, apart(outside)}) {
+    const PreparedSurface out = prepared(shape);
+    EXPECT_EQ(out.report.boundaryCurves, 0u);
+    EXPECT_NEAR(sixfoldVolume(out.mesh), 30, 1e-12);
+    expectSound(shape, out);
+  }
 }
 
 TEST(Prepare, ThreeSheetsAtAnEdgeComeApart) {
@@ -587,14 +589,98 @@ TEST(Prepare, PartsThatTouchAtAVertexComeApart) {
   const Index first = shape.vertexCount();
   shape.positions.insert(shape.positions.end(), other.positions.begin(), other.positions.end());
   for (const Index v : other.triangles) shape.triangles.push_back(v + first);
-  const PreparedSurface out = prepared(shape);
+  const PreparedSurface out = prepared(apart(shape));
   EXPECT_EQ(out.report.nonManifoldVertices, 1u);
   EXPECT_EQ(out.report.addedVertices, 1u);
-  EXPECT_EQ(out.report.weldedVertices, 1u);
+  EXPECT_EQ(out.report.weldedVertices, 17u);
   EXPECT_EQ(out.report.components, 2u);
   EXPECT_EQ(out.report.boundaryCurves, 0u);
-  EXPECT_EQ(out.vertexOfInput[0], out.vertexOfInput[4]);
-  expectSound(shape, out);
+  expectSound(apart(shape), out);
+  // By the file's own numbers they are apart.
+  const PreparedSurface whole = prepared(shape);
+  EXPECT_EQ(whole.report.weldedVertices, 0u);
+  EXPECT_EQ(whole.report.nonManifoldVertices, 0u);
+  EXPECT_EQ(whole.report.components, 2u);
+  EXPECT_NE(whole.vertexOfInput[0], whole.vertexOfInput[4]);
+  expectSound(shape, whole);
+}
+
+TEST(Prepare, WhatTheFileClosesStaysClosed) {
+  // Two cubes of a grid that overlap, a third one of its own vertices for every side, and a tube
+  // without caps that stands on a side.
+  const auto add = [](Shape& shape, const Shape& other) {
+    const Index first = shape.vertexCount();
+    shape.positions.insert(shape.positions.end(), other.positions.begin(), other.positions.end());
+    for (const Index v : other.triangles) shape.triangles.push_back(v + first);
+  };
+  const auto shifted = [](Shape shape, double x, double y, double z) {
+    for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
+      shape.positions[i] += x;
+      shape.positions[i + 1] += y;
+      shape.positions[i + 2] += z;
+    }
+    return shape;
+  };
+  const Shape cubes = box(2, 2, 2, 2, 2, 2);
+  for (const auto& [x, y, z] : {std::array<double, 3>{1, 1, 1}, {1, 0, 0}, {0, 0, 2}}) {
+    Shape two = cubes;
+    add(two, shifted(cubes, x, y, z));
+    const PreparedSurface out = prepared(two);
+    EXPECT_EQ(out.report.components, 2u);
+    EXPECT_EQ(out.report.boundaryCurves, 0u);
+    EXPECT_EQ(out.report.duplicateFaces, 0u);
+    EXPECT_NEAR(out.parts[0].area, 24, 1e-12);
+    EXPECT_NEAR(out.parts[1].area, 24, 1e-12);
+    expectSound(two, out);
+  }
+  // Without numbers, what is inside of one cube is closed, and what is inside of both.
+  Shape crossing = cubes;
+  add(crossing, shifted(cubes, 1, 1, 1));
+  const PreparedSurface nested = prepared(apart(crossing));
+  EXPECT_EQ(nested.report.boundaryCurves, 0u);
+  ASSERT_EQ(nested.report.components, 2u);
+  EXPECT_NEAR(nested.parts[0].area, 42, 1e-12);
+  EXPECT_NEAR(nested.parts[1].area, 6, 1e-12);
+  expectSound(apart(crossing), nested);
+  // The second cube open, and then with a seam round every side.
+  for (const bool isOpen : {true, false}) {
+    Shape second = shifted(cubes, 1, 1, 1), two = cubes;
+    if (isOpen) second.triangles.resize(second.triangles.size() - 6);
+    add(two, isOpen ? second : apart(second));
+    const PreparedSurface out = prepared(two);
+    EXPECT_EQ(out.parts[0].faces, 48u);
+    EXPECT_EQ(out.report.components, 2u);
+    EXPECT_EQ(out.report.boundaryCurves, isOpen ? 1u : 0u);
+    expectSound(two, out);
+  }
+  // The same body twice is one, and so is a sheet.
+  Shape twice = cubes;
+  add(twice, cubes);
+  EXPECT_EQ(prepared(twice).report.duplicateFaces, 48u);
+  EXPECT_EQ(prepared(twice).report.components, 1u);
+  Shape sheet = cubes;
+  sheet.triangles.resize(sheet.triangles.size() / 2);
+  twice = sheet;
+  add(twice, sheet);
+  EXPECT_EQ(prepared(twice).report.duplicateFaces, 24u);
+  EXPECT_EQ(prepared(twice).report.boundaryEdges, prepared(sheet).report.boundaryEdges);
+  // A tube without caps that stands on a cube, its foot on the cube's edges.
+  const Shape tube = shifted(box(1, 1, 1, 1, 1, 1), 1, 1, 2);
+  Shape on = box(3, 3, 2, 3, 3, 2);
+  Shape walls;
+  walls.positions = tube.positions;
+  for (std::size_t i = 0; i < tube.triangles.size(); i += 3) {
+    double z = 0;
+    for (std::size_t k = 0; k < 3; ++k) z += tube.positions[3 * tube.triangles[i + k] + 2];
+    if (z == 6 || z == 9) continue;
+    walls.face(tube.triangles[i], tube.triangles[i + 1], tube.triangles[i + 2]);
+  }
+  add(on, walls);
+  const PreparedSurface out = prepared(on);
+  EXPECT_EQ(out.report.components, 2u);
+  EXPECT_EQ(out.report.boundaryCurves, 2u);
+  EXPECT_NEAR(out.parts[0].area, 42, 1e-12);
+  expectSound(on, out);
 }
 
 TEST(Prepare, ComponentsCanBeChosen) {

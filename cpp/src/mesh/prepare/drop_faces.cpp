@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/edge_groups.h"
+#include "mesh/prepare/roots.h"
 #include "mesh/sides.h"
 
 namespace girth::prepare {
@@ -17,15 +18,6 @@ namespace {
 /// The vertex of a halfedge's face that is not on the halfedge.
 Index oppositeOf(const std::vector<Index>& triangles, Index halfedge) {
   return triangles[previousSide(halfedge)];
-}
-
-/// The one that stands for a vertex in the end.
-Index rootOf(std::vector<Index>& first, Index v) {
-  while (first[v] != v) {
-    first[v] = first[first[v]];
-    v = first[v];
-  }
-  return v;
 }
 
 }  // namespace
@@ -109,8 +101,8 @@ namespace {
 /// Drops copies once; with `keepPartitions`, not those that separate two
 /// solids. Returns whether any was dropped.
 bool dropCopies(WorkingFaces& faces, bool keepPartitions, PreparationReport& report) {
-  const EdgeGroups edges(faces.triangles, faces.vertexCount());
-  const std::vector<Copies> copies = findCopies(faces, edges);
+  const std::vector<Copies> copies =
+      findCopies(faces, EdgeGroups(faces.triangles, faces.vertexCount()));
   if (copies.empty()) return false;
 
   // Patches of doubled faces, joined over edges that have no other faces; and whether a patch is a
@@ -122,10 +114,12 @@ bool dropCopies(WorkingFaces& faces, bool keepPartitions, PreparationReport& rep
   std::vector<Index> patch(copies.size());
   for (Index i = 0; i < patch.size(); ++i) patch[i] = i;
   std::vector<std::pair<Index, bool>> rim;  // a doubled face, and whether the others are even
+  const std::vector<Index> places = faces.cornerPlaces();
+  const EdgeGroups edges(places, faces.vertexCount());
   for (const Copies& copy : copies) {
     for (Index k = 0; k < 3; ++k) {
       const Index h = 3 * copy[0] + k;
-      const EdgeGroup edge = edges.between(faces.triangles[h], faces.triangles[nextSide(h)]);
+      const EdgeGroup edge = edges.between(places[h], places[nextSide(h)]);
       std::size_t others = 0;
       for (std::size_t i = 0; i < edge.size(); ++i) {
         if (doubledOf[edge[i] / 3] == kNoIndex) ++others;
@@ -135,8 +129,7 @@ bool dropCopies(WorkingFaces& faces, bool keepPartitions, PreparationReport& rep
         rim.emplace_back(own, others % 2 == 0);
       } else {
         // The first face of the edge joins all of them, each from its own turn in this loop.
-        const Index a = rootOf(patch, own), b = rootOf(patch, doubledOf[edge[0] / 3]);
-        patch[std::max(a, b)] = std::min(a, b);
+        unite(patch, own, doubledOf[edge[0] / 3]);
       }
     }
   }

@@ -13,13 +13,15 @@ class VertexSplitter {
  public:
   VertexSplitter(const WorkingFaces& faces, JoinedFaces& joined) : faces_(faces), joined_(joined) {}
 
-  SplitVertices run(PreparationReport& report) {
+  SplitVertices run(const std::vector<Index>& inputOfCorner, PreparationReport& report) {
     // Cutting only makes more copies, and so ends; only then is clear which cuts separate nothing.
     do {
       findFans();
     } while (visitDoubleEdges(&VertexSplitter::separate));
     visitDoubleEdges(&VertexSplitter::joinAgain);
-    return numbered(report);
+    SplitVertices result = numbered(report);
+    if (!inputOfCorner.empty()) sortByPlace(inputOfCorner, result);
+    return result;
   }
 
  private:
@@ -137,6 +139,29 @@ class VertexSplitter {
     return result;
   }
 
+  /// Puts vertices at one place together, though the file keeps them apart.
+  void sortByPlace(const std::vector<Index>& inputOfCorner, SplitVertices& split) const {
+    struct Copy {
+      Index place, firstCorner, input{kNoIndex}, number;
+      bool operator<(const Copy& other) const {
+        return place != other.place ? place < other.place : firstCorner < other.firstCorner;
+      }
+    };
+    std::vector<Copy> copies(split.inputOfVertex.size());
+    for (auto corner = static_cast<Index>(inputOfCorner.size()); corner-- > 0;) {
+      const Index v = split.vertexOfCorner[corner];
+      copies[v] = {faces_.place[inputOfCorner[corner]], corner,
+                   std::min(copies[v].input, inputOfCorner[corner]), v};
+    }
+    std::sort(copies.begin(), copies.end());
+    std::vector<Index> number(copies.size());
+    for (Index i = 0; i < copies.size(); ++i) {
+      number[copies[i].number] = i;
+      split.inputOfVertex[i] = copies[i].input;
+    }
+    for (Index& v : split.vertexOfCorner) v = number[v];
+  }
+
   const WorkingFaces& faces_;
   JoinedFaces& joined_;
   std::vector<Index> fan_;   ///< of each corner, among those of its vertex
@@ -146,8 +171,8 @@ class VertexSplitter {
 }  // namespace
 
 SplitVertices splitVertices(const WorkingFaces& faces, JoinedFaces& joined,
-                            PreparationReport& report) {
-  return VertexSplitter(faces, joined).run(report);
+                            const std::vector<Index>& inputOfCorner, PreparationReport& report) {
+  return VertexSplitter(faces, joined).run(inputOfCorner, report);
 }
 
 }  // namespace girth::prepare

@@ -11,14 +11,15 @@ namespace girth::prepare {
 struct SplitVertices {
   /// For each corner of the faces (by its halfedge), its vertex on the surface.
   std::vector<Index> vertexOfCorner;
-  /// The vertex of the input that each comes from; copies stand together, in the order of their
-  /// first faces.
+  /// The vertex of the input that each comes from: where the input's corners are given, the first
+  /// among its own. Copies of one place stand together, in the order of their first faces.
   std::vector<Index> inputOfVertex;
 };
 
 /// Copies vertices where several fans meet. Joints in `joined` that would still leave more than one
-/// edge between two vertices are cut as well.
+/// edge between two vertices are cut as well. `inputOfCorner`: the vertex of the input at each
+/// corner, or empty.
 SplitVertices splitVertices(const WorkingFaces& faces, JoinedFaces& joined,
-                            PreparationReport& report);
+                            const std::vector<Index>& inputOfCorner, PreparationReport& report);
 
 }  // namespace girth::prepare

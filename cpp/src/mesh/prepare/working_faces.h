@@ -14,11 +14,23 @@ struct WorkingFaces {
   std::span<const double> positions;
   std::vector<Index> triangles;
   std::vector<Index> inputOfFace;
+  /// For each vertex the first one at its position, and whether the file's own numbers close the
+  /// surface round it (closedByTheFile); both empty where vertices at one place are one.
+  std::vector<Index> place;
+  std::vector<bool> closedByFile;
   /// Brings coordinates to a scale near 1.
   double scale{1};
 
   Index faceCount() const { return static_cast<Index>(inputOfFace.size()); }
   std::size_t vertexCount() const { return positions.size() / 3; }
+  /// The places of the corners: edges at one place may have different vertices.
+  std::vector<Index> cornerPlaces() const {
+    std::vector<Index> places = triangles;
+    if (!place.empty()) {
+      for (Index& v : places) v = place[v];
+    }
+    return places;
+  }
   Vec3 scaledPosition(Index vertex) const {
     const double* p = &positions[3 * std::size_t{vertex}];
     return {scale * p[0], scale * p[1], scale * p[2]};
