@@ -45,6 +45,7 @@ val accountOf(const PreparationReport& report) {
   result.set("inputFaces", report.inputFaces);
   result.set("weldedVertices", report.weldedVertices);
   result.set("degenerateFaces", report.degenerateFaces);
+  result.set("addedFaces", report.addedFaces);
   result.set("flippedFaces", report.flippedFaces);
   result.set("duplicateFaces", report.duplicateFaces);
   result.set("unreferencedVertices", report.unreferencedVertices);
@@ -59,6 +60,9 @@ val accountOf(const PreparationReport& report) {
   result.set("keptComponents", report.keptComponents);
   result.set("boundaryCurves", report.boundaryCurves);
   result.set("boundaryEdges", report.boundaryEdges);
+  result.set("crackVertices", report.crackVertices);
+  result.set("tJunctions", report.tJunctions);
+  result.set("crackWidth", report.crackWidth);
   result.set("closedHoles", report.closedHoles);
   result.set("holes", holes);
   return result;

@@ -27,6 +27,8 @@ export interface PageState {
   file?: string;
   /** Holes were closed; only these components were kept; it was remeshed to so many faces. */
   closed?: boolean;
+  /** Vertices no farther apart than this were joined, in model units. */
+  weld?: number;
   components?: number[];
   faces?: number;
   /** After that, handles and tunnels shorter than this were taken away, in model units. */
@@ -131,6 +133,11 @@ function readThreshold(text: string): number | undefined {
   if (text === 'inf') return Infinity;
   const number = readNumber(text);
   return number !== undefined && number >= 0 ? number : undefined;
+}
+
+function readWeld(text: string): number | undefined {
+  const distance = readNumber(text);
+  return distance !== undefined && distance > 0 ? distance : undefined;
 }
 
 function readScale(text: string): number | undefined {
@@ -246,6 +253,7 @@ const parts: {
   model: [readModel, (model) => model],
   file: [readFile, (file) => file],
   closed: [readFlag, () => '1'],
+  weld: [readWeld, String],
   components: [(text) => readAll(text, mostComponents, readCount), (numbers) => numbers.join(',')],
   faces: [readCount, String],
   handles: [readThreshold, (length) => (length === Infinity ? 'inf' : writeLimit(length))],
@@ -293,9 +301,10 @@ const parts: {
 };
 
 /** What was done to a model before it was shown, as the kernel has it. */
-export function preparationOf({ closed, components, scale }: PageState): PrepareOptions {
+export function preparationOf({ closed, weld, components, scale }: PageState): PrepareOptions {
   return {
     ...(closed ? { closeHoles: true } : {}),
+    ...(weld === undefined ? {} : { weldDistance: weld }),
     ...(components ? { components } : {}),
     ...(scale === undefined ? {} : { scale }),
   };
@@ -314,7 +323,7 @@ export function besideOf({ beside, besideFile, apart, oneScale }: PageState): Pa
 /** The same state of a model that is `ratio` times as large: its lengths grow with it. */
 export function resized(state: PageState, ratio: number): PageState {
   const grown = { ...state };
-  for (const key of ['handles', 'girth', 'diameter', 'jump', 'prominence'] as const) {
+  for (const key of ['weld', 'handles', 'girth', 'diameter', 'jump', 'prominence'] as const) {
     const length = state[key];
     if (length !== undefined) grown[key] = length * ratio;
   }

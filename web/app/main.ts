@@ -95,7 +95,8 @@ const size: ModelScale = {
     // What is shown of it is the same in the other size.
     wanted = { ...resized(read(), scale / session.scale), scale };
     isByHand = true;
-    session.reopen({ scale });
+    const weldDistance = wanted.weld;
+    session.reopen({ scale, ...(weldDistance === undefined ? {} : { weldDistance }) });
   },
 };
 const print = new PrintPanel(viewer, size, changed, () => explain());

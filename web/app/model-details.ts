@@ -18,7 +18,7 @@ export interface ModelActions {
   /** Opens another of the files that came together. */
   choose(model: string): void;
   /** Reads the file once more and prepares it otherwise. */
-  prepare(change: Pick<PrepareOptions, 'closeHoles' | 'components'>): void;
+  prepare(change: Pick<PrepareOptions, 'closeHoles' | 'weldDistance' | 'components'>): void;
   remesh(faces: number): void;
   /** The model as its file has it. */
   back(): void;
@@ -212,9 +212,14 @@ export class ModelDetails {
         this.#actions.prepare({ closeHoles: true }),
       );
     }
+    const weldDistance = info.report.crackWidth;
+    if (weldDistance > 0 && made.length === 0) {
+      button('Sew the cracks', () => this.#actions.prepare({ weldDistance }));
+    }
     const isChanged =
       made.length > 0 ||
       prepare.closeHoles ||
+      prepare.weldDistance ||
       prepare.components?.length ||
       this.#actions.size.scale !== 1;
     if (isChanged) button('Back to the file', () => this.#actions.back());

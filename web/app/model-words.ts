@@ -45,6 +45,11 @@ export function repairs(report: PreparationReport, format: LengthFormat): string
   const edges = ['edge', 'edges'] as const;
   say(report.weldedVertices, ...vertices, 'welded onto others at the same place');
   say(report.degenerateFaces, ...faces, 'without area dropped');
+  say(
+    report.addedFaces,
+    ...faces,
+    'made by dividing others, where neighbours have a vertex within their edge',
+  );
   say(report.flippedFaces, ...faces, 'without area kept, their long edge flipped');
   say(report.duplicateFaces, ...faces, 'dropped that were there twice');
   say(report.unreferencedVertices, ...vertices, 'without a face dropped');
@@ -53,6 +58,8 @@ export function repairs(report: PreparationReport, format: LengthFormat): string
   say(report.nonManifoldEdges, ...edges, 'cut where more than two faces meet');
   say(report.nonManifoldVertices, ...vertices, 'cut where parts only touch');
   say(report.addedVertices, ...vertices, 'made by cutting');
+  say(report.crackVertices, ...vertices, 'at cracks, next to another one on the boundary');
+  say(report.tJunctions, ...vertices, 'at cracks, within the edge of a neighbour');
   const components = ['component', 'components'] as const;
   say(report.sliverComponents, ...components, 'of less than a millionth of the largest one’s area');
   say(report.doubledComponents, ...components, 'with nothing inside: two sheets on each other');

@@ -175,6 +175,7 @@ export class Session {
     const { prepare, remeshed, handles, link } = opened;
     const state: PageState = { ...link };
     if (prepare.closeHoles) state.closed = true;
+    if (prepare.weldDistance) state.weld = prepare.weldDistance;
     if (this.scale !== 1) state.scale = this.scale;
     if (prepare.components?.length) state.components = [...prepare.components];
     if (remeshed) state.faces = remeshed.faces;
@@ -184,7 +185,16 @@ export class Session {
 
   /** Whether what is shown is what a link names, prepared in the same way. */
   isOf(state: PageState): boolean {
-    const keys = ['model', 'file', 'closed', 'components', 'scale', 'faces', 'handles'] as const;
+    const keys = [
+      'model',
+      'file',
+      'closed',
+      'weld',
+      'components',
+      'scale',
+      'faces',
+      'handles',
+    ] as const;
     const now = this.read();
     return keys.every((key) => JSON.stringify(now[key]) === JSON.stringify(state[key]));
   }

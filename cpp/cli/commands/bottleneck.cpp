@@ -62,7 +62,6 @@ int run(const Options& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
-  noteOneSided(options.model, loaded.value());
   const auto from = surfacePoint(loaded.value(), options.from, options.model, options.preparing);
   if (!from) return reportError(options.model, from.error());
   const auto to = surfacePoint(loaded.value(), options.to, options.model, options.preparing);

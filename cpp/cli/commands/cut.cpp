@@ -250,7 +250,6 @@ int run(const Options& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing, {true});
   if (!loaded) return reportError(options.model, loaded.error());
-  noteOneSided(options.model, loaded.value());
   for (const std::string& note : loaded.value().attributeNotes) printNote(options.model, note);
   const auto curves = curvesOf(options, loaded.value());
   if (!curves) {

@@ -74,7 +74,6 @@ int run(const Options& options) {
   if (options.bases) wanted.basePoints = static_cast<std::size_t>(*options.bases);
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
-  noteOneSided(options.model, loaded.value());
   if (options.allVertices) wanted.basePoints = loaded.value().mesh.vertexCount();
   const auto handles = [&] {
     ProgressLine progress(options.model);

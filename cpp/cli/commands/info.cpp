@@ -111,6 +111,8 @@ std::vector<std::string> stepsDone(const PreparationReport& report, const std::s
   };
   step(report.weldedVertices, "vertex", "vertices", "welded onto another at the same place");
   step(report.degenerateFaces, "face", "faces", "without area left out");
+  step(report.addedFaces, "face", "faces",
+       "made by dividing others, where neighbours have a vertex within their edge");
   step(report.flippedFaces, "face", "faces", "without area merged into a neighbour");
   step(report.duplicateFaces, "face", "faces", "that were there already left out");
   step(report.unreferencedVertices, "vertex", "vertices", "that no face uses left out");
@@ -165,6 +167,7 @@ void printText(const std::string& file, const io::LoadedMesh& loaded) {
                   " × " + readable(box.high[2] - box.low[2]) +
                   (unit.empty() ? " (unit unknown)" : unit));
   for (const std::string& note : loaded.notes) row("note", note);
+  if (const std::string note = crackNote(report); !note.empty()) row("note", note);
   for (const std::string& step : stepsDone(report, unit)) row("done", step);
   constexpr std::size_t kShown = 10;
   if (loaded.parts.size() > 1) {
@@ -182,7 +185,7 @@ void printText(const std::string& file, const io::LoadedMesh& loaded) {
 int run(const Options& options) {
   return forEachJob(options.models, options.jobs, [&](std::size_t i) {
     const std::string& model = options.models[i];
-    const auto loaded = loadModel(model, options.preparing);
+    const auto loaded = loadModelWithoutNotes(model, options.preparing);
     if (!loaded) return reportError(model, loaded.error());
     if (options.json) {
       printJson(model, loaded.value());

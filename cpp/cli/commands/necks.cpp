@@ -63,7 +63,6 @@ int run(const Options& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
-  noteOneSided(options.model, loaded.value());
   NeckOptions wanted;
   if (const auto error =
           readLength(options.minProminence, loaded.value().unit, wanted.minProminence)) {

@@ -59,10 +59,18 @@ void printText(const Options& options, const io::LoadedMesh& loaded,
   const std::string unit = unitSuffix(loaded.unit);
   std::printf("%s: %zu places on a path of length %s%s\n", options.model.c_str(), stations.size(),
               readable(stations.back().distance).c_str(), unit.c_str());
-  std::printf("  %-9s %s%s at distance %s%s\n", "least", readable(least->girth).c_str(),
-              unit.c_str(), readable(least->distance).c_str(), unit.c_str());
-  std::printf("  %-9s %s%s at distance %s%s\n", "greatest", readable(greatest->girth).c_str(),
-              unit.c_str(), readable(greatest->distance).c_str(), unit.c_str());
+  const auto row = [&](const char* name, const PathStation& station) {
+    const std::string kind = station.kind == LoopKind::Loop
+                                 ? ""
+                                 : ", " + std::string(toString(station.kind)) + ": no loop there";
+    std::printf("  %-9s %s%s at distance %s%s%s\n", name, readable(station.girth).c_str(),
+                unit.c_str(), readable(station.distance).c_str(), unit.c_str(), kind.c_str());
+  };
+  row("least", *least);
+  row("greatest", *greatest);
+  if (options.even) {
+    std::printf("  between these places it may be less; without --even crossed edges count too\n");
+  }
 }
 
 /// The axis of the limb that is named, with a loop for each sample.
@@ -122,7 +130,6 @@ int runAlongLimb(const Options& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
-  noteOneSided(options.model, loaded.value());
   const auto axis = axisOf(options, loaded.value().mesh);
   if (!axis) return reportError(options.model, axis.error());
   return handOver(
@@ -156,7 +163,6 @@ int run(const Options& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
-  noteOneSided(options.model, loaded.value());
   const auto points = pointsOf(options, loaded.value(), typed);
   if (!points) return reportError(options.model, points.error());
   const auto path = shortestPathThrough(loaded.value().mesh, points.value());

@@ -101,7 +101,6 @@ int run(const Options& options) {
   }
   const auto loaded = loadModel(options.model, options.preparing);
   if (!loaded) return reportError(options.model, loaded.error());
-  noteOneSided(options.model, loaded.value());
   const auto found = segmented(options, loaded.value());
   if (!found) return reportError(options.model, found.error());
   if (const std::size_t crossing = found.value().crossing.size(); crossing > 0) {

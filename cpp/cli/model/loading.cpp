@@ -12,6 +12,7 @@
 #include "process/interrupt.h"
 #include "process/report.h"
 #include "text/length_text.h"
+#include "text/number_text.h"
 
 namespace girth::cli {
 namespace {
@@ -105,8 +106,8 @@ Result<io::ReadModel> readModelFile(const std::string& path, const std::string& 
   return io::readModel(file.value().bytes, file.value().name, file.value().resources, reading);
 }
 
-Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options,
-                                 const io::ReadOptions& reading) {
+Result<io::LoadedMesh> loadModelWithoutNotes(const std::string& path, const ModelOptions& options,
+                                             const io::ReadOptions& reading) {
   auto model = readModelFile(path, options.entry, reading);
   if (!model) return model.error();
   io::ReadModel& read = model.value();
@@ -166,11 +167,37 @@ Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& op
   return inFewerTriangles(path, std::move(loaded), options.faces);
 }
 
-void noteOneSided(const std::string& path, const io::LoadedMesh& loaded) {
-  const Index edges = loaded.report.oneSidedEdges;
-  if (edges == 0) return;
-  printNote(path, "the surface has one side only and was cut along " + std::to_string(edges) +
-                      (edges == 1 ? " edge" : " edges") + ", which no loop or path crosses");
+Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options,
+                                 const io::ReadOptions& reading) {
+  auto loaded = loadModelWithoutNotes(path, options, reading);
+  if (!loaded) return loaded;
+  const PreparationReport& report = loaded.value().report;
+  const Index edges = report.oneSidedEdges;
+  if (edges > 0) {
+    printNote(path, "the surface has one side only and was cut along " + std::to_string(edges) +
+                        (edges == 1 ? " edge" : " edges") + ", which no loop or path crosses");
+  }
+  if (const std::string note = crackNote(report); !note.empty()) printNote(path, note);
+  return loaded;
+}
+
+std::string crackNote(const PreparationReport& report) {
+  const auto counted = [](Index count, const char* one, const char* many) {
+    return std::to_string(count) + (count == 1 ? one : many);
+  };
+  std::string text;
+  if (report.crackVertices > 0) {
+    text = counted(report.crackVertices, " boundary vertex nearly coincides with another",
+                   " boundary vertices nearly coincide with others");
+  }
+  if (report.tJunctions > 0) {
+    if (!text.empty()) text += ", and ";
+    text += counted(report.tJunctions, " boundary vertex lies within the edge of a neighbour",
+                    " boundary vertices lie within edges of neighbours");
+  }
+  if (text.empty()) return text;
+  return "the surface is open along cracks: " + text + "; --weld " +
+         io::formatNumber(report.crackWidth) + " closes them";
 }
 
 Result<Vertex> surfaceVertex(const io::LoadedMesh& loaded, std::int64_t vertex) {

@@ -13,13 +13,18 @@ namespace girth::cli {
 Result<io::ReadModel> readModelFile(const std::string& path, const std::string& entry,
                                     const io::ReadOptions& reading = {});
 
-/// Reads and prepares a model. Errors: those of openModel and io::readMesh, USAGE.
+/// Reads and prepares a model, and prints what makes its surface other than it seems: where it was
+/// cut because it has one side only, and cracks. Errors: those of openModel and io::readMesh,
+/// USAGE.
 Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options,
                                  const io::ReadOptions& reading = {});
 
-/// Prints a note where the surface had to be cut because it has one side only: loops and paths
-/// do not cross such edges.
-void noteOneSided(const std::string& path, const io::LoadedMesh& loaded);
+/// The same for a command that shows all that was done.
+Result<io::LoadedMesh> loadModelWithoutNotes(const std::string& path, const ModelOptions& options,
+                                             const io::ReadOptions& reading = {});
+
+/// A sentence on the cracks of a surface, and the option that closes them; empty without any.
+std::string crackNote(const PreparationReport& report);
 
 /// The vertex of the surface that a number of the file means. Error: VERTEX_OUT_OF_RANGE where
 /// there is none.

@@ -6,9 +6,11 @@
 namespace girth::cli {
 
 void addModelOptions(OptionTable& table, ModelOptions& options) {
-  table.add("--weld LENGTH", options.weldDistance,
-            "Also join vertices no farther apart than this, as in 0.01 or 0.1mm");
-  table.add("--close-holes", options.closeHoles, "Fill every hole with faces");
+  table.add(
+      "--weld LENGTH", options.weldDistance,
+      "Also join vertices no farther apart than this, as in 0.01 or 0.1mm, and divide open edges "
+      "where a neighbour has a vertex within them");
+  table.add("--close-holes", options.closeHoles, "Close cracks, and fill every hole with faces");
   table.add("--component N", options.components,
             "Keep this component only: its number in girth info, or largest; may be given several "
             "times");

@@ -21,9 +21,11 @@ struct PrepareOptions {
   /// own triangles close the surface round them. Above: all vertices at equal positions do, and
   /// those no farther apart than this, in model units.
   double weldDistance{0};
-  /// Fills every boundary curve with faces: one of up to 100 edges with the triangulation of least
-  /// area, a longer one with a fan round its middle. A curve along which that gives faces without
-  /// area only is left as it is.
+  /// Joins the sides of cracks (PreparationReport::crackVertices, tJunctions). Then fills every
+  /// boundary curve with faces: one of up to 100 edges with the triangulation of least area, a
+  /// longer one with a fan round its middle. A curve is left as it is where that gives faces
+  /// without area, or one that lies on a face of the same component or on one that is turned the
+  /// same way.
   bool closeHoles{false};
   /// Keeps these components only, numbered by their first face of the input, from 0 (the index into
   /// PreparedSurface::parts); empty: all.
@@ -46,12 +48,12 @@ struct ClosedHole {
   Index vertex{kNoIndex};
 };
 
-/// What was done, step by step, in this order. All numbers are counts; an unspoilt closed surface
-/// has zeros from weldedVertices to addedVertices.
+/// What was done, step by step, in this order. All numbers but crackWidth are counts; an unspoilt
+/// closed surface has zeros from weldedVertices to addedVertices.
 ///
 ///   inputVertices − weldedVertices − unreferencedVertices + addedVertices: the vertices, and
-///   inputFaces − degenerateFaces − duplicateFaces: the faces, before components are chosen and
-///   holes are closed.
+///   inputFaces + addedFaces − degenerateFaces − duplicateFaces: the faces, before components are
+///   chosen and holes are closed.
 struct PreparationReport {
   /// Vertices of the input.
   Index inputVertices{0};
@@ -63,6 +65,9 @@ struct PreparationReport {
   /// Faces without area, dropped: they repeat a vertex, or their smallest height is below 1e-12 of
   /// their longest side.
   Index degenerateFaces{0};
+  /// Faces made by dividing others, whose open edges had vertices of neighbours within them
+  /// (PrepareOptions::weldDistance, closeHoles).
+  Index addedFaces{0};
   /// Faces without area whose middle vertex lies on their longest side, and whose loss would open
   /// the surface: that side was flipped, so that the neighbour's area is shared by two faces.
   Index flippedFaces{0};
@@ -101,6 +106,14 @@ struct PreparationReport {
   Index boundaryCurves{0};
   /// The edges of these curves.
   Index boundaryEdges{0};
+  /// Boundary vertices that nearly coincide with another one, as where two sides of a crack differ
+  /// by a rounding: by less than a hundred thousandth of the extent and a tenth of the edges there.
+  Index crackVertices{0};
+  /// Boundary vertices that lie as near to the inside of a boundary edge: a neighbour has no vertex
+  /// there.
+  Index tJunctions{0};
+  /// A weldDistance that joins both; 0 where there are none.
+  double crackWidth{0};
   /// Boundary curves that were filled.
   Index closedHoles{0};
   /// Each of these.

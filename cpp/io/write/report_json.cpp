@@ -13,6 +13,7 @@ std::string reportJson(const PreparationReport& report) {
         {"inputFaces", report.inputFaces},
         {"weldedVertices", report.weldedVertices},
         {"degenerateFaces", report.degenerateFaces},
+        {"addedFaces", report.addedFaces},
         {"flippedFaces", report.flippedFaces},
         {"duplicateFaces", report.duplicateFaces},
         {"unreferencedVertices", report.unreferencedVertices},
@@ -27,9 +28,12 @@ std::string reportJson(const PreparationReport& report) {
         {"keptComponents", report.keptComponents},
         {"boundaryCurves", report.boundaryCurves},
         {"boundaryEdges", report.boundaryEdges},
+        {"crackVertices", report.crackVertices},
+        {"tJunctions", report.tJunctions},
         {"closedHoles", report.closedHoles}}) {
     text += "\"" + std::string(name) + "\":" + std::to_string(count) + ",";
   }
+  text += "\"crackWidth\":" + formatNumber(report.crackWidth) + ",";
   std::string holes;
   for (const ClosedHole& hole : report.holes) {
     holes +=

@@ -81,9 +81,11 @@ class Mesh:
     F : array_like of int, shape (m, 3)
         Three vertices for each face, counter-clockwise seen from outside.
     weld : float, optional
-        Vertices no farther apart than this, in model units, also become one.
+        Vertices no farther apart than this, in model units, also become one, and open
+        edges are divided where a neighbour has a vertex within them. ``report`` names
+        a distance as ``crack_width`` where the surface has cracks.
     close_holes : bool, optional
-        Fills every boundary curve with faces.
+        Closes cracks, and fills every boundary curve with faces, but over faces.
     components : sequence of int, optional
         Keeps these connected components only, numbered by their first faces.
     min_component : float, optional

@@ -121,6 +121,7 @@ py::dict reportOf(const Surface& surface) {
   counts["input_faces"] = report.inputFaces;
   counts["welded_vertices"] = report.weldedVertices;
   counts["degenerate_faces"] = report.degenerateFaces;
+  counts["added_faces"] = report.addedFaces;
   counts["flipped_faces"] = report.flippedFaces;
   counts["duplicate_faces"] = report.duplicateFaces;
   counts["unreferenced_vertices"] = report.unreferencedVertices;
@@ -135,6 +136,9 @@ py::dict reportOf(const Surface& surface) {
   counts["kept_components"] = report.keptComponents;
   counts["boundary_curves"] = report.boundaryCurves;
   counts["boundary_edges"] = report.boundaryEdges;
+  counts["crack_vertices"] = report.crackVertices;
+  counts["t_junctions"] = report.tJunctions;
+  counts["crack_width"] = report.crackWidth;
   counts["closed_holes"] = report.closedHoles;
   return counts;
 }

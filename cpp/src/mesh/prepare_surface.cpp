@@ -12,6 +12,7 @@
 
 #include "mesh/coordinates.h"
 #include "mesh/prepare/close_holes.h"
+#include "mesh/prepare/cracks.h"
 #include "mesh/prepare/drop_faces.h"
 #include "mesh/prepare/file_connectivity.h"
 #include "mesh/prepare/join_faces.h"
@@ -212,6 +213,7 @@ class Preparation {
 
   std::optional<Error> dropFaces() {
     prepare::dropCollapsedFaces(faces_, first_, report_);
+    prepare::sewCracks(faces_, first_, options_, report_);
     do {
       prepare::dropDuplicateFaces(faces_, report_);
     } while (prepare::dropFlatFaces(faces_, report_));
@@ -414,6 +416,13 @@ class Preparation {
     }
     for (Index h = 0; h < mesh_->halfedgeCount(); ++h) {
       if (mesh_->twin(Halfedge(h)) == kNoIndex) ++report_.boundaryEdges;
+    }
+    if (report_.boundaryEdges > 0) {
+      const prepare::Cracks cracks =
+          prepare::findCracks(positions, faces_.triangles, faces_.scale, 0);
+      report_.crackVertices = static_cast<Index>(cracks.nearVertices.size());
+      report_.tJunctions = static_cast<Index>(cracks.onEdges.size());
+      report_.crackWidth = cracks.width(faces_.scale);
     }
     return std::nullopt;
   }

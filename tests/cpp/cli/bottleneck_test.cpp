@@ -66,6 +66,9 @@ TEST_F(Command, theProfileOfAnHourglass) {
   }
   const Outcome text = run({"profile", model, "0", "12", "--unit", "mm"});
   EXPECT_TRUE(contains(text.output, "least     6 mm at distance ")) << text.output;
+  EXPECT_FALSE(contains(text.output, "without --even"));
+  EXPECT_TRUE(contains(run({"profile", model, "0", "12", "--even"}).output,
+                       "between these places it may be less"));
 }
 
 TEST_F(Command, pointsThatAreNoneAreNamed) {

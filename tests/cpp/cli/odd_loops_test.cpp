@@ -61,11 +61,51 @@ TEST_F(Command, whatCannotBeOrientedIsCutApartAndSaid) {
                                                 {"bottleneck", model, "0", "8"},
                                                 {"profile", model, "0", "8"},
                                                 {"segments", model},
+                                                {"igf", model},
+                                                {"loop", model, "0"},
+                                                {"tips", model},
+                                                {"limbs", model},
+                                                {"parts", model},
+                                                {"field", model, "--field", "angle"},
                                                 {"cut", model, "--necks"}}) {
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.exitCode, 0) << words[0] << outcome.errors;
     EXPECT_TRUE(contains(outcome.errors, "note: the surface has one side only and was cut along "))
         << words[0] << outcome.errors;
+  }
+}
+
+TEST_F(Command, cracksAreNamedByEveryCommandAndSewn) {
+  // A tetrahedron, one facet of which differs by a rounding; and one that is divided.
+  const std::string a = "v 0 0 0\nv 0.3 0 0\nv 0 0.3 0\nv 0 0 0.3\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+  const std::string b = "0.30000000000000004";
+  const std::string facet = "v " + b + " 0 0\nv 0 " + b + " 0\nv 0 0 " + b + "\n";
+  const std::string rounded = write("rounded.obj", a + facet + "f 5 6 7\n");
+  const std::string divided = write("divided.obj", a + "v 0.1 0.2 0\nf 2 5 4\nf 5 3 4\n");
+  for (const std::string& model : {rounded, divided}) {
+    const std::string what = model == rounded
+                                 ? "3 boundary vertices nearly coincide with others"
+                                 : "1 boundary vertex lies within the edge of a neighbour";
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"igf", model},
+                                                  {"loop", model, "1"},
+                                                  {"tips", model},
+                                                  {"parts", model},
+                                                  {"cut", model, "--necks"}}) {
+      EXPECT_TRUE(contains(run(words).errors, what)) << words[0];
+    }
+    EXPECT_TRUE(contains(run({"info", model}).output, what));
+    // On open facets no loop runs round the body.
+    const Outcome corner = run({"profile", rounded, "1", "2"});
+    EXPECT_TRUE(contains(corner.output, ", antipodal: no loop there")) << corner.output;
+    const Json report = Json::parse(run({"info", model, "--json"}).output)["report"];
+    EXPECT_EQ(report["crackVertices"], model == rounded ? 3 : 0);
+    EXPECT_EQ(report["tJunctions"], model == rounded ? 0 : 1);
+    const Outcome sewn = run({"info", model, "--json", "--weld", report["crackWidth"].dump()});
+    EXPECT_EQ(Json::parse(sewn.output)["report"]["boundaryCurves"], 0);
+    EXPECT_NEAR(Json::parse(sewn.output)["area"].get<double>(), 0.212942286, 1e-9);
+    const Outcome filled = run({"info", model, "--json", "--close-holes"});
+    EXPECT_EQ(Json::parse(filled.output)["report"]["closedHoles"], 0);
+    EXPECT_EQ(Json::parse(filled.output)["report"]["boundaryCurves"], 0);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "girth/prepare_surface.h"
 #include "random_soups.h"
@@ -98,7 +99,9 @@ void expectConsistent(const TriangleSoup& input, const PreparedSurface& out) {
     EXPECT_EQ(report.inputVertices - report.weldedVertices - report.unreferencedVertices +
                   report.addedVertices,
               mesh.vertexCount());
-    EXPECT_EQ(report.inputFaces - report.degenerateFaces - report.duplicateFaces, mesh.faceCount());
+    EXPECT_EQ(
+        report.inputFaces + report.addedFaces - report.degenerateFaces - report.duplicateFaces,
+        mesh.faceCount());
     std::size_t faces = 0;
     double area = 0;
     for (const SurfacePart& part : out.parts) {
@@ -787,6 +790,127 @@ TEST(Prepare, HolesCanBeClosed) {
     expectConsistent(soupOf(shape), result.value());
     EXPECT_EQ(result.value().report.holes.size(), result.value().report.closedHoles);
   }
+}
+
+/// A tetrahedron with a corner of three right angles, every facet with vertices of its own, the
+/// last one with other numbers.
+Shape crackedTetrahedron(double length, double other) {
+  Shape shape = {{0, 0, 0, length, 0, 0, 0, length, 0, 0, 0, length}, {0, 2, 1, 0, 1, 3, 0, 3, 2}};
+  shape.face(shape.add(other, 0, 0), shape.add(0, other, 0), shape.add(0, 0, other));
+  return shape;
+}
+
+TEST(Prepare, CracksAreCountedAndSewn) {
+  // One rounding, and the six digits of a text.
+  for (const double other : {0.30000000000000004, 0.300001}) {
+    const Shape shape = crackedTetrahedron(0.3, other);
+    const PreparedSurface open = prepared(shape);
+    EXPECT_EQ(open.report.components, 2u);
+    EXPECT_EQ(open.report.crackVertices, 3u);
+    EXPECT_EQ(open.report.tJunctions, 0u);
+    EXPECT_GE(open.report.crackWidth, other - 0.3);
+    EXPECT_LE(open.report.crackWidth, 1.1 * (other - 0.3));
+    PrepareOptions weld, fill;
+    weld.weldDistance = open.report.crackWidth;
+    fill.closeHoles = true;
+    for (const PrepareOptions& options : {weld, fill}) {
+      const PreparedSurface closed = prepared(shape, options);
+      EXPECT_EQ(closed.mesh.faceCount(), 4u);
+      EXPECT_EQ(closed.report.boundaryCurves, 0u);
+      EXPECT_EQ(closed.report.crackVertices, 0u);
+      EXPECT_EQ(closed.report.crackWidth, 0);
+      EXPECT_EQ(closed.report.closedHoles, 0u);
+      EXPECT_NEAR(closed.mesh.area(), 0.21294228634059946, 1e-6);
+      expectSound(shape, closed);
+    }
+  }
+  EXPECT_EQ(prepared(crackedTetrahedron(0.3, 0.30000000000000004)).report.crackWidth, 5.6e-17);
+  EXPECT_EQ(prepared(crackedTetrahedron(0.3, 0.3004)).report.crackVertices, 0u) << "a gap";
+  EXPECT_EQ(prepared(tetrahedron()).report.crackVertices, 0u);
+}
+
+TEST(Prepare, VerticesWithinEdgesAreCountedAndSewn) {
+  // A box without its lid, and a lid with more vertices on its rim, one side of it or all; from
+  // both sides where `isMutual`.
+  for (const Index cells : {2u, 3u, 7u}) {
+    for (const bool isMutual : {false, true}) {
+      Shape shape = box(1, 1, 1, isMutual ? 5 : 1, 1, 1), lid = box(1, 1, 1, cells, cells, 1);
+      const auto part = [](Shape& of, bool isLid) {
+        const std::vector<Index> all = std::exchange(of.triangles, {});
+        for (std::size_t i = 0; i < all.size(); i += 3) {
+          double z = 0;
+          for (std::size_t k = 0; k < 3; ++k) z += of.positions[3 * all[i + k] + 2];
+          if ((z == 3) == isLid) of.face(all[i], all[i + 1], all[i + 2]);
+        }
+      };
+      part(shape, false);
+      part(lid, true);
+      const Index first = shape.vertexCount();
+      shape.positions.insert(shape.positions.end(), lid.positions.begin(), lid.positions.end());
+      for (const Index v : lid.triangles) shape.triangles.push_back(first + v);
+      const PreparedSurface open = prepared(shape);
+      const Index count = 4 * (cells - 1) + (isMutual ? 8 : 0);
+      EXPECT_EQ(open.report.tJunctions, count);
+      EXPECT_EQ(open.report.crackVertices, 0u);
+      EXPECT_GT(open.report.crackWidth, 0);
+      EXPECT_LT(open.report.crackWidth, 1e-11);
+      PrepareOptions weld, fill;
+      weld.weldDistance = open.report.crackWidth;
+      fill.closeHoles = true;
+      for (const PrepareOptions& options : {weld, fill}) {
+        const PreparedSurface closed = prepared(shape, options);
+        EXPECT_EQ(closed.report.addedFaces, count);
+        EXPECT_EQ(closed.report.boundaryCurves, 0u);
+        EXPECT_EQ(closed.report.components, 1u);
+        EXPECT_EQ(closed.report.tJunctions, 0u);
+        EXPECT_NEAR(closed.mesh.area(), 6, 1e-12);
+        EXPECT_NEAR(sixfoldVolume(closed.mesh), 6, 1e-12);
+        expectSound(shape, closed);
+      }
+    }
+  }
+}
+
+TEST(Prepare, NoHoleIsFilledOverAFace) {
+  PrepareOptions options;
+  options.closeHoles = true;
+  // Flat sheets: a square, a ring round a hole, a disc whose rim is filled by a fan.
+  Shape sheet = box(3, 3, 1, 3, 3, 1);
+  const std::vector<Index> all = std::exchange(sheet.triangles, {});
+  Shape ring = sheet, foot = sheet;
+  for (std::size_t i = 0; i < all.size(); i += 3) {
+    double x = 0, y = 0, z = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      x += sheet.positions[3 * all[i + k]] / 3;
+      y += sheet.positions[3 * all[i + k] + 1] / 3;
+      z += sheet.positions[3 * all[i + k] + 2];
+    }
+    const bool isMiddle = x > 1 && x < 2 && y > 1 && y < 2;
+    if (z == 0) sheet.face(all[i], all[i + 1], all[i + 2]);
+    if (z == 0 && !isMiddle) ring.face(all[i], all[i + 1], all[i + 2]);
+    if (z != 0) foot.face(all[i], all[i + 1], all[i + 2]);
+  }
+  const PreparedSurface flat = prepared(sheet, options);
+  EXPECT_EQ(flat.report.closedHoles, 0u);
+  EXPECT_EQ(flat.report.boundaryCurves, 1u);
+  EXPECT_NEAR(flat.mesh.area(), 9, 1e-12);
+  const PreparedSurface filled = prepared(ring, options);
+  EXPECT_EQ(filled.report.closedHoles, 1u);
+  EXPECT_EQ(filled.report.boundaryCurves, 1u);
+  EXPECT_NEAR(filled.mesh.area(), 9, 1e-12);
+  Shape disc = prism(regularPolygon(200, 1), 2, 2);
+  const std::vector<Index> caps(disc.triangles.end() - 3 * 200, disc.triangles.end());
+  disc.triangles = caps;
+  EXPECT_EQ(prepared(disc, options).report.closedHoles, 0u);
+  // A box without a bottom on a table is closed all the same: the faces are turned against each
+  // other.
+  const Index first = foot.vertexCount();
+  for (const int i : {0, 1, 3, 2}) foot.add(i % 2 == 0 ? -9 : 9, i < 2 ? -9 : 9, 0);
+  foot.face(first, first + 1, first + 2);
+  foot.face(first, first + 2, first + 3);
+  const PreparedSurface onTable = prepared(foot, options);
+  EXPECT_EQ(onTable.report.closedHoles, 1u);
+  EXPECT_NEAR(onTable.mesh.area(), 30 + 324, 1e-12);
 }
 
 TEST(Prepare, SaysWhatIsWrong) {

@@ -10,6 +10,7 @@ import {
 const whole: PageState = {
   model: 'octopus',
   closed: true,
+  weld: 5.6e-17,
   components: [0, 4],
   faces: 5000,
   handles: 0.25,
@@ -79,6 +80,9 @@ test('in another size the lengths of a link grow, and what holds for every size 
   // What can be printed does not grow with the model.
   expect([girth, diameter, jump, range, tube]).toEqual([1.5, Infinity, 0.02, '5% 95%', 3]);
   expect(handles).toBe(0.5);
+  expect(resized(whole, 2).weld).toBe(1.12e-16);
+  expect(readState('weld=0').weld).toBeUndefined();
+  expect(preparationOf({ weld: 0.5 })).toEqual({ weldDistance: 0.5 });
   expect(readState('handles=-1').handles).toBeUndefined();
   expect(resized({ range: '1 2' }, 2)).toEqual({});
   expect(readState('scale=0').scale).toBeUndefined();

@@ -85,11 +85,11 @@ export interface PrepareOptions {
    */
   scale?: number;
   /**
-   * Vertices at most this far apart become one, in model units, at least 0. Default: 0, only vertices at
-   * exactly equal positions.
+   * Vertices at most this far apart become one, in model units, at least 0, and open edges are divided where a neighbour has a vertex
+   * within them. Default: 0, only vertices at exactly equal positions, but where the numbers of the file close the surface.
    */
   weldDistance?: number;
-  /** Fills the holes that are left. Default: false. */
+  /** Closes cracks, and fills the holes that are left, but over faces. Default: false. */
   closeHoles?: boolean;
   /** Keeps only these components, numbered as in {@link MeshInfo.parts}. Default: all. */
   components?: readonly number[];
@@ -942,6 +942,8 @@ export interface PreparationReport {
   weldedVertices: number;
   /** Faces without area that were dropped. */
   degenerateFaces: number;
+  /** Faces made by dividing others, whose open edges had vertices of neighbours within them. */
+  addedFaces: number;
   /** Faces without area whose longest side was flipped, as dropping them would open the surface. */
   flippedFaces: number;
   /** Faces that have the three vertices of another one, dropped. */
@@ -970,6 +972,15 @@ export interface PreparationReport {
   boundaryCurves: number;
   /** Edges of these curves. */
   boundaryEdges: number;
+  /**
+   * Boundary vertices that nearly coincide with another one, as where two sides of a crack differ by a rounding: by less than a hundred
+   * thousandth of the extent and a tenth of the edges there.
+   */
+  crackVertices: number;
+  /** Boundary vertices that lie as near to the inside of a boundary edge: a neighbour has no vertex there. */
+  tJunctions: number;
+  /** A `weldDistance` that joins both; 0 where there are none. */
+  crackWidth: number;
   /** Boundary curves that were filled. */
   closedHoles: number;
   /** The holes that were filled. */

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "infinity.h"
 #include "mesh/face_shape.h"
+#include "mesh/prepare/face_overlap.h"
 #include "mesh/prepare/least_area.h"
 #include "mesh/sides.h"
 
@@ -52,10 +54,14 @@ class HoleFiller {
     std::vector<Index> triangles;
     double area = kInfinity;
     if (curve.size() <= kMostEdgesForLeastArea && !fansOnly_) area = leastArea(curve, triangles);
+    if (area < kInfinity && liesOnFaces(curve, triangles, {})) {
+      triangles.clear();
+      area = kInfinity;
+    }
     Vec3 middle;
     if (area == kInfinity) {
       area = fan(curve, middle);
-      if (area == kInfinity) return;
+      if (area == kInfinity || liesOnFaces(curve, {}, middle)) return;
       const auto centre = static_cast<Index>(mesh_.vertexCount() + fillings_.positions.size() / 3);
       fillings_.positions.insert(fillings_.positions.end(), {middle.x, middle.y, middle.z});
       for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -106,6 +112,26 @@ class HoleFiller {
     return found->area;
   }
 
+  /// Whether a face of a filling would lie on one of the surface: of `triangles`, or, where there
+  /// are none, of the fan round `middle`.
+  bool liesOnFaces(const std::vector<Index>& curve, const std::vector<Index>& triangles,
+                   const Vec3& middle) {
+    if (!overlap_) overlap_.emplace(mesh_, scale_);
+    const Index component = mesh_.componentOf(Vertex(curve[0]));
+    for (std::size_t i = 0; i < triangles.size(); i += 3) {
+      if (overlap_->covers(
+              {scaled(triangles[i]), scaled(triangles[i + 1]), scaled(triangles[i + 2])},
+              component)) {
+        return true;
+      }
+    }
+    for (std::size_t i = 0; triangles.empty() && i < curve.size(); ++i) {
+      const Vec3 next = scaled(curve[(i + 1) % curve.size()]);
+      if (overlap_->covers({scaled(curve[i]), next, scale_ * middle}, component)) return true;
+    }
+    return false;
+  }
+
   /// The area of a fan round the middle of a curve, which it finds.
   double fan(const std::vector<Index>& curve, Vec3& middle) const {
     Vec3 sum;
@@ -128,6 +154,7 @@ class HoleFiller {
   const SurfaceMesh& mesh_;
   bool fansOnly_;
   double scale_;
+  std::optional<FaceOverlap> overlap_;
   HoleFillings fillings_;
 };
 

@@ -60,14 +60,10 @@ class FileConnectivity {
     });
   }
 
-  /// Faces that coincide with an earlier one: of an open sheet, or of a component that is there
-  /// twice.
+  /// Faces that coincide with others: of an open sheet, of a component that is there twice, or of
+  /// one that is two sheets on each other.
   void findCopies() {
-    // Faces by their three places; only those of which a vertex shares its place can coincide.
-    std::vector<std::uint8_t> shared(place_.size(), 0);
-    for (Index v = 0; v < place_.size(); ++v) {
-      if (place_[v] != kNoIndex && place_[v] != v) shared[place_[v]] = 1;
-    }
+    // Faces by their three places.
     struct PlacedFace {
       std::array<Index, 3> places;
       Index face;
@@ -76,11 +72,11 @@ class FileConnectivity {
       }
     };
     std::vector<PlacedFace> faces;
+    faces.reserve(faceCount());
     for (Index f = 0; f < faceCount(); ++f) {
       std::array<Index, 3> at{};
       for (std::size_t k = 0; k < 3; ++k) at[k] = place_[triangles_[3 * std::size_t{f} + k]];
       std::sort(at.begin(), at.end());
-      if (shared[at[0]] == 0 || shared[at[1]] == 0 || shared[at[2]] == 0) continue;
       if (at[0] != at[1] && at[1] != at[2]) faces.push_back({at, f});
     }
     std::sort(faces.begin(), faces.end());
@@ -91,16 +87,19 @@ class FileConnectivity {
       }
     };
 
-    // Of each component, the faces that coincide with one of the same other component.
+    // Of each component, the faces that coincide with others of one component: another or its own.
     std::vector<Index> other(place_.size(), kNoIndex), coincident(place_.size(), 0);
     forEachGroup([&](std::size_t begin, std::size_t end) {
-      Index lowest = component(faces[begin].face);
+      Index lowest = component(faces[begin].face), ofLowest = 0;
       for (std::size_t i = begin; i < end; ++i) {
-        lowest = std::min(lowest, component(faces[i].face));
+        const Index own = component(faces[i].face);
+        if (own < lowest) ofLowest = 0;
+        lowest = std::min(lowest, own);
+        if (own == lowest) ++ofLowest;
       }
       for (std::size_t i = begin; i < end; ++i) {
         const Index own = component(faces[i].face);
-        if (own == lowest) continue;
+        if (own == lowest && ofLowest < 2) continue;
         if (other[own] == kNoIndex) other[own] = lowest;
         if (other[own] == lowest) ++coincident[own];
       }
