@@ -9,7 +9,7 @@ import { expect, test } from 'vitest';
 const folder = join(import.meta.dirname, '../../web/src/kernel/wasm');
 
 test.each([
-  ['girth-files', 290_000],
+  ['girth-files', 310_000],
   ['girth', 120_000],
   ['girth-fields', 177_000],
   ['girth-threads', 240_000],

@@ -154,7 +154,8 @@ struct PreparedSurface {
 /// other open edges become boundaries. What the input's own vertex numbers close stays closed, also
 /// where bodies touch or cross at equal positions. Faces and vertices keep the order of the input.
 /// The same arrays always give the same surface, and preparing a prepared surface's arrays once
-/// more gives the same arrays. O(n log n) in the faces; about 200 bytes a face.
+/// more gives the same arrays. O(n log n) in the faces; about 200 bytes a face,
+/// and as many an open edge.
 ///
 /// Errors: EMPTY_MESH (nothing is left, and why), NON_FINITE_POSITION (vertex of the input
 /// that a triangle has), INDEX_OUT_OF_RANGE (triangle of the input), INVALID_OPTION (a distance
