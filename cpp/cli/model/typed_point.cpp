@@ -18,7 +18,8 @@ namespace {
 Result<std::array<double, 3>> sharesOnSurface(const io::LoadedMesh& loaded, Index face,
                                               const TypedPoint& point, const std::string& path,
                                               const ModelOptions& preparing) {
-  if (loaded.report.reorientedFaces + loaded.report.flippedFaces == 0) return point.weights;
+  const PreparationReport& report = loaded.report;
+  if (report.reorientedFaces + report.flippedFaces + report.addedFaces == 0) return point.weights;
   const auto model = readModelFile(path, preparing.entry);
   if (!model) return model.error();
   const auto corners = loaded.mesh.faceVertices(Face(face));
@@ -29,9 +30,11 @@ Result<std::array<double, 3>> sharesOnSurface(const io::LoadedMesh& loaded, Inde
     const auto corner = std::find_if(corners.begin(), corners.end(),
                                      [&](Index v) { return loaded.inputOfVertex[v] == first; });
     if (corner == corners.end()) {
-      return makeError(ErrorCode::InvalidPoint, *point.face,
-                       "face " + std::to_string(*point.face) +
-                           " had no area and shares that of its neighbour now");
+      return makeError(
+          ErrorCode::InvalidPoint, *point.face,
+          "face " + std::to_string(*point.face) +
+              (report.addedFaces > 0 ? " was divided where a neighbour has a vertex within its edge"
+                                     : " had no area and shares that of its neighbour now"));
     }
     shares[static_cast<std::size_t>(corner - corners.begin())] = point.weights[k];
   }

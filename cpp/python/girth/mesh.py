@@ -927,7 +927,7 @@ class Mesh:
                 number,
             )
         report = self.report
-        if report["reoriented_faces"] + report["flipped_faces"] == 0:
+        if report["reoriented_faces"] + report["flipped_faces"] + report["added_faces"] == 0:
             return found, shares
         # The face may have been turned over: its corners are found by where they come from.
         given = self._row_of_vertex[self._vertex_of_row[self._faces[number]]].tolist()
@@ -935,7 +935,9 @@ class Mesh:
         if sorted(given) != sorted(corners):
             raise input_error(
                 "INVALID_POINT",
-                f"face {number} had no area and shares that of its neighbour now",
+                f"face {number} was divided where a neighbour has a vertex within its edge"
+                if report["added_faces"] > 0
+                else f"face {number} had no area and shares that of its neighbour now",
                 "name another face, or a vertex",
                 number,
             )

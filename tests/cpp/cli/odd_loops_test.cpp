@@ -103,6 +103,10 @@ TEST_F(Command, cracksAreNamedByEveryCommandAndSewn) {
     const Outcome sewn = run({"info", model, "--json", "--weld", report["crackWidth"].dump()});
     EXPECT_EQ(Json::parse(sewn.output)["report"]["boundaryCurves"], 0);
     EXPECT_NEAR(Json::parse(sewn.output)["area"].get<double>(), 0.212942286, 1e-9);
+    if (model == divided) {
+      const Outcome onDivided = run({"profile", model, "0:0.2,0.3,0.5", "0", "--close-holes"});
+      EXPECT_TRUE(contains(onDivided.errors, "face 0 was divided")) << onDivided.errors;
+    }
     const Outcome filled = run({"info", model, "--json", "--close-holes"});
     EXPECT_EQ(Json::parse(filled.output)["report"]["closedHoles"], 0);
     EXPECT_EQ(Json::parse(filled.output)["report"]["boundaryCurves"], 0);
