@@ -30,11 +30,11 @@ struct Window {
     if (cross(to, ray) < 0) return sigma + norm(to) + norm(ray - to);
     return sigma + norm(ray);
   }
-  /// Where that path comes from: the root, or the end of the window.
+  /// Where that path comes from: the root, or the vertex at the end of the window.
   Vec2 comesFrom(double length, Vec2 point) const {
     const Vec2 ray = point - root, from = Vec2{gapFrom, 0}, to = Vec2{length - gapTo, 0};
-    if (cross(from - root, ray) > 0) return from;
-    return cross(to - root, ray) < 0 ? to : root;
+    if (gapFrom == 0 && cross(from - root, ray) > 0) return from;
+    return gapTo == 0 && cross(to - root, ray) < 0 ? to : root;
   }
 
   /// Length of the shortest of its paths to the halfedge, of this length: to no point of the face
