@@ -69,8 +69,8 @@ struct Limb {
 struct Limbs {
   /// Longest first.
   std::vector<Limb> limbs;
-  /// Numbers of the tips that end no limb, since what they end is nowhere longer than it is thick,
-  /// or no loop goes round it.
+  /// Numbers of the tips that end no limb, in rising order: what they end is nowhere longer than it
+  /// is thick, no loop goes round it, or it is a whole component beside a limb that has a base.
   std::vector<Index> tipsWithoutLimb;
 };
 

@@ -515,8 +515,9 @@ Result<Limbs> findLimbs(const SurfaceMesh& mesh, std::span<const double> girth,
     begin = end;
   }
   // Two tips may end one limb, such as the corners of a hoof: each lies in the limb of the other.
-  std::vector<Limb> kept;
-  for (Limb& limb : result.limbs) {
+  std::vector<Limb> kept, candidates;
+  candidates.swap(result.limbs);
+  for (Limb& limb : candidates) {
     const auto same = std::find_if(kept.begin(), kept.end(), [&](const Limb& other) {
       return limbContains(other, limb.apex) && limbContains(limb, other.apex);
     });
@@ -526,7 +527,20 @@ Result<Limbs> findLimbs(const SurfaceMesh& mesh, std::span<const double> girth,
       kept.push_back(std::move(limb));
     }
   }
-  result.limbs = std::move(kept);
+  // The whole of a component is no limb beside one that has a base.
+  for (const Limb& limb : kept) {
+    const bool isLimb = limb.end != LimbEnd::Whole ||
+                        std::none_of(kept.begin(), kept.end(), [&](const Limb& other) {
+                          return other.end != LimbEnd::Whole && limbContains(limb, other.apex);
+                        });
+    if (isLimb) {
+      result.limbs.push_back(limb);
+    } else {
+      result.tipsWithoutLimb.insert(result.tipsWithoutLimb.end(), limb.tips.begin(),
+                                    limb.tips.end());
+    }
+  }
+  std::sort(result.tipsWithoutLimb.begin(), result.tipsWithoutLimb.end());
   return result;
 }
 

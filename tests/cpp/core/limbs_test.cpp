@@ -360,6 +360,30 @@ TEST(Limbs, TipsOfOneEndEndOneLimb) {
   EXPECT_EQ(counts, (std::multiset<std::size_t>{1, 2}));
 }
 
+TEST(Limbs, ABodyIsNoneBesideItsOnlyArm) {
+  // A ball with a finger: the disk that grows from opposite the finger reaches everything.
+  constexpr Index kSides = 24;
+  std::vector<test::Ring> rings;
+  for (int i = 1; i < 14; ++i) {
+    const double angle = kPi * i / 15;
+    rings.push_back({-3 * std::cos(angle), 3 * std::sin(angle)});
+  }
+  const double wrist = rings.back().z;
+  for (int i = 1; i < 16; ++i) rings.push_back({wrist + 0.5 * i, 0.5});
+  rings.push_back({wrist + 7.7, 0.45});
+  rings.push_back({wrist + 7.9, 0.2});
+  const SurfaceMesh mesh = test::lathe(rings, kSides).mesh();
+  const std::vector<double> girth = girthField(mesh).values;
+  Tip opposite, finger;
+  opposite.apex = Vertex(mesh.vertexCount() - 2);
+  finger.apex = Vertex(mesh.vertexCount() - 1);
+  const Limbs limbs = limbsOf(mesh, girth, {opposite, finger});
+  ASSERT_EQ(limbs.limbs.size(), 1u);
+  EXPECT_EQ(limbs.limbs[0].apex, finger.apex);
+  EXPECT_NEAR(limbs.limbs[0].narrowest, test::polygonLength(0.5, kSides), 1e-9);
+  EXPECT_EQ(limbs.tipsWithoutLimb, std::vector<Index>{0});
+}
+
 TEST(Limbs, ASphereHasNoneAndACubeNeither) {
   const SurfaceMesh sphere = test::icosphere(3).mesh();
   Tip tip;
