@@ -10,6 +10,8 @@ namespace girth::test {
 std::string testData();
 /// The program `girth` of this build; empty where it is not built.
 std::string girthCommand();
+/// A text as one word of a shell's line: folders may have blanks and quotes in their names.
+std::string quoted(const std::string& text);
 /// The folder of models from outside the repository that the environment variable GIRTH_DATA names;
 /// empty where it is not set, or set to nothing.
 std::string corpusFolder();

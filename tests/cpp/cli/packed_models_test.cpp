@@ -163,8 +163,8 @@ TEST_F(PackedModels, otherFormatsInAZipAreNamed) {
 TEST_F(PackedModels, standardInput) {
   const std::string model = kData + "/prism.obj";
   const auto piped = [&](const std::string& input, const std::string& command) {
-    const std::string line =
-        girthCommand() + " " + command + " < '" + input + "' > '" + path("out") + "'";
+    const std::string line = quoted(girthCommand()) + " " + command + " < " + quoted(input) +
+                             " > " + quoted(path("out"));
     return std::system(line.c_str()) == 0 ? contentOf(path("out")) : std::string("failed");
   };
   EXPECT_EQ(piped(model, "igf - -o - --format csv"), expected_);

@@ -19,7 +19,7 @@ class Resources : public ModelFolder {
   /// What `girth info` says of a model whose buffer has that address.
   std::string infoWith(const std::string& uri) const {
     const std::string model = gltfWith(uri);
-    const std::string command = girthCommand() + " info '" + model + "' 2>&1";
+    const std::string command = quoted(girthCommand()) + " info " + quoted(model) + " 2>&1";
     std::FILE* pipe = popen(command.c_str(), "r");
     std::string output;
     char block[256];

@@ -81,8 +81,9 @@ bool setDecimalComma() {
   std::string folder = (std::filesystem::temp_directory_path() / "girth-XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) return false;
   // It complains of all that the locale does not say, and writes what it does.
-  const std::string make = "localedef --quiet -c -i \"" + test::testData() + "/comma.locale\" \"" +
-                           folder + "/comma\" 2> /dev/null";
+  const std::string make = "localedef --quiet -c -i " +
+                           test::quoted(test::testData() + "/comma.locale") + " " +
+                           test::quoted(folder + "/comma") + " 2> /dev/null";
   const bool made = std::system(make.c_str()) != -1;
   setenv("LOCPATH", folder.c_str(), 1);
   const bool set = made && std::setlocale(LC_NUMERIC, "comma") != nullptr;

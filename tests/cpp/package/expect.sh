@@ -13,6 +13,11 @@ expect() {
   fi
 }
 
+# `flags_of LIBRARY OPTIONS...`: what pkg-config says, as the array `flags`. It escapes blanks.
+flags_of() {
+  mapfile -t flags < <(pkg-config "${@:2}" "$1" | xargs printf '%s\n')
+}
+
 # `same A B`: two files alike.
 same() {
   cmp -s "$1" "$2" || { echo "wrong: $1 and $2 differ"; failed=1; }

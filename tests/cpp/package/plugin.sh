@@ -12,12 +12,11 @@ libraries=$(dirname "$(dirname "$(find "$prefix" -name girth.pc)")")
 # `try FOLDER`: builds plugin and program there and runs them, with the libraries of the .pc files in PKG_CONFIG_PATH.
 try() {
   mkdir -p "$1"
-  # shellcheck disable=SC2046
+  flags_of girth-study --cflags --libs
   expect 0 '' "$compiler" -std=c++20 -O1 -fPIC -fvisibility=hidden -shared "$consumer/plugin.cpp" -o "$1/plugin.so" \
-    $(pkg-config --cflags girth-study) -Wl,-z,defs $(pkg-config --libs girth-study)
-  # shellcheck disable=SC2046
-  expect 0 '' "$compiler" -std=c++20 -O1 -fvisibility=hidden "$consumer/host.cpp" -o "$1/host" \
-    $(pkg-config --cflags girth) -rdynamic $(pkg-config --libs girth) -ldl
+    -Wl,-z,defs "${flags[@]}"
+  flags_of girth --cflags --libs
+  expect 0 '' "$compiler" -std=c++20 -O1 -fvisibility=hidden "$consumer/host.cpp" -o "$1/host" -rdynamic "${flags[@]}" -ldl
   expect 0 'caught OPEN_EDGE as girth::Error' "$1/host" "$1/plugin.so"
 }
 

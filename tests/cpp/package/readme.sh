@@ -23,11 +23,10 @@ for document in "$source"/web/docs/*.md "$source"/web/docs/*/*.md; do
   blocks cpp "$document" "$(basename "$document" .md)-"
 done
 [ -f README-2 ] || { echo 'wrong: README has no two programs in C++'; failed=1; }
+flags_of girth-study --cflags --libs
 for block in *-[0-9]*; do
   mv "$block" "$block.cpp"
-  # shellcheck disable=SC2046
-  expect 0 '' "$compiler" -std=c++20 -Wall -Wextra -Werror "$block.cpp" -o "$block" \
-    $(pkg-config --cflags --libs girth-study)
+  expect 0 '' "$compiler" -std=c++20 -Wall -Wextra -Werror "$block.cpp" -o "$block" "${flags[@]}"
   expect 0 '' "./$block" model.obj
 done
 [ "$(head -1 values.csv)" = 'vertex,igf,kind' ] || { echo 'wrong: README writes no values.csv'; failed=1; }
