@@ -341,6 +341,7 @@ describe('what is written', () => {
         before.boundaries,
       ]);
     }
-    expect(await viewer.evaluate(({ info }: GirthViewer) => info!.unit)).toBe('m');
+    // It was unknown, and stays so.
+    expect(await viewer.evaluate(({ info }: GirthViewer) => info!.unit)).toBe('');
   });
 });

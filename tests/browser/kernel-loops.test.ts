@@ -266,9 +266,11 @@ test('short handles are taken away as by the command', async () => {
     },
     { text: model, between },
   );
-  expect(mine.removal.removed.map(({ kind, length }) => [kind, length])).toEqual([
-    ['handle', lengths[0]],
-  ]);
+  expect(mine.removal.removed.map(({ kind }) => kind)).toEqual(['handle']);
+  // It is cut along a loop that need not be the shortest.
+  const [cut] = mine.removal.removed;
+  expect(cut!.length).toBeGreaterThanOrEqual(lengths[0]!);
+  expect(cut!.length).toBeLessThan(between);
   expect([mine.removal.genusBefore, mine.removal.genusAfter]).toEqual([1, 0]);
   expect([mine.removal.genusBefore, mine.removal.genusAfter]).toEqual([
     theirs.genusBefore,

@@ -11,10 +11,10 @@ const folder = join(import.meta.dirname, '../../web/src/kernel/wasm');
 test.each([
   ['girth-files', 310_000],
   ['girth', 120_000],
-  ['girth-fields', 177_000],
-  ['girth-threads', 240_000],
-  ['girth-analysis', 660_000],
-  ['girth-studies', 312_000],
+  ['girth-fields', 180_000],
+  ['girth-threads', 243_000],
+  ['girth-analysis', 665_000],
+  ['girth-studies', 315_000],
 ])('%s.wasm is at most %i bytes', (name, most) => {
   const { length } = gzipSync(readFileSync(join(folder, `${name}.wasm`)), { level: 9 });
   console.info(`${name}.wasm: ${length} bytes by gzip`);
