@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "girth/error.h"
+#include "girth/export.h"
 
 namespace girth::io {
 
@@ -13,6 +14,6 @@ namespace girth::io {
 std::optional<Error> foreignFormat(std::string_view bytes);
 
 /// The same of what may be a model: nothing for what accompanies models, such as pictures.
-std::optional<Error> foreignModel(std::string_view bytes);
+GIRTH_EXPORT std::optional<Error> foreignModel(std::string_view bytes);
 
 }  // namespace girth::io
