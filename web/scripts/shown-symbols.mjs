@@ -1,4 +1,4 @@
-// What the shared libraries show: every function that the public headers declare and do not define. Doxygen says which
+// Functions that the shared libraries show: every one that the public headers declare and do not define. Doxygen says which
 // these are, nm which the libraries show.
 
 import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';

@@ -402,7 +402,7 @@ int reportStopped(const std::string& model, const GirthField& field, const Parti
   return reportError(model, error);
 }
 
-/// What this run has left when it was stopped is gone on from, or given up by the user's own words;
+/// A stopped run's file is resumed, or given up by the user's own words;
 /// what another one has left is kept under another name.
 std::optional<Error> clearPartial(const std::string& model, const PartialField& partial,
                                   const Options& options) {

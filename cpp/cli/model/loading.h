@@ -19,7 +19,7 @@ Result<io::ReadModel> readModelFile(const std::string& path, const std::string& 
 Result<io::LoadedMesh> loadModel(const std::string& path, const ModelOptions& options,
                                  const io::ReadOptions& reading = {});
 
-/// The same for a command that shows all that was done.
+/// As above, for a command that shows all that was done.
 Result<io::LoadedMesh> loadModelWithoutNotes(const std::string& path, const ModelOptions& options,
                                              const io::ReadOptions& reading = {});
 

@@ -61,8 +61,8 @@ std::string namesOf(const std::vector<const ZipEntry*>& entries) {
   return names + (entries.size() > kShown ? ", ..." : "");
 }
 
-/// What an archive without models holds instead, where it is known: the largest file that may be a
-/// model of another format.
+/// The foreign model in an archive without models, where it is known: the largest file that may be
+/// a model of another format.
 std::optional<Error> foreignModelIn(const Archive& archive) {
   std::vector<ZipEntry> entries = archive.entries;
   std::stable_sort(entries.begin(), entries.end(),

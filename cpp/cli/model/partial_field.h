@@ -34,7 +34,7 @@ class PartialField {
   /// by another method or from another version, so that they do not belong to this run.
   Result<GirthField> read() const;
 
-  /// What is there, where it belongs to another run, or to nobody any more as it is damaged: whose
+  /// The file that is there, where it belongs to another run, or is damaged: whose
   /// it is and how far that run was, in words. Nothing where it belongs to this one.
   std::optional<std::string> ofAnother() const;
 

@@ -48,10 +48,10 @@ struct Handle {
 
 /// How handles are searched for.
 struct HandleOptions {
-  /// Of each component, points whose loops are compared at first, at least 1: half of them spread
+  /// Points of each component whose loops are compared at first, at least 1: half of them spread
   /// over it, the others on the loops found. As many as it has vertices, or more: all of them.
   std::size_t basePoints{32};
-  /// Of each component, windows that may be propagated from other vertices to prove that no loop is
+  /// Windows of each component that may be propagated from other vertices to prove that no loop is
   /// shorter. Default: 2^26, some five seconds.
   std::size_t windows{std::size_t{1} << 26};
 };

@@ -48,8 +48,8 @@ struct ClosedHole {
   Index vertex{kNoIndex};
 };
 
-/// What was done, step by step, in this order. All numbers but crackWidth are counts; an unspoilt
-/// closed surface has zeros from weldedVertices to addedVertices.
+/// Account of what was done, step by step, in this order. All numbers but crackWidth are counts; an
+/// unspoilt closed surface has zeros from weldedVertices to addedVertices.
 ///
 ///   inputVertices − weldedVertices − unreferencedVertices + addedVertices: the vertices, and
 ///   inputFaces + addedFaces − degenerateFaces − duplicateFaces: the faces, before components are
@@ -153,7 +153,7 @@ struct PreparedSurface {
 /// where more than two faces meet or parts touch, chooses components, and fills holes if asked to;
 /// other open edges become boundaries. What the input's own vertex numbers close stays closed, also
 /// where bodies touch or cross at equal positions. Faces and vertices keep the order of the input.
-/// The same arrays always give the same surface, and preparing a prepared surface's arrays once
+/// Equal arrays always give the same surface, and preparing a prepared surface's arrays once
 /// more gives the same arrays. O(n log n) in the faces; about 200 bytes a face,
 /// and as many an open edge.
 ///

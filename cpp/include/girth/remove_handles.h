@@ -16,8 +16,8 @@ namespace girth {
 /// A surface with fewer handles, and the account of what was done.
 struct HandleRemoval {
   SurfaceMesh mesh;  ///< with numbers of its own
-  /// What was cut along, in the order of the cuts: points of the surface as it was then. Each loop
-  /// is locally shortest; another one round the same handle may be shorter.
+  /// Loops that were cut along, in the order of the cuts: points of the surface as it was then.
+  /// Each loop is locally shortest; another one round the same handle may be shorter.
   std::vector<Handle> removed;
   Index genusBefore{0};  ///< of all components together
   Index genusAfter{0};   ///< the same

@@ -1,4 +1,4 @@
-// What is told of colours that a file has for its vertices.
+// Notes on the colours that a file has for its vertices.
 #pragma once
 
 #include <string>

@@ -100,7 +100,7 @@ class OffReader {
   LostVertices lost_;
 };
 
-/// What the ends of lines mean in ASCII.
+/// Meaning of the ends of lines in ASCII.
 struct Layout {
   enum class Ends : std::uint8_t {
     OfElements,  ///< every vertex and face has a line, and what follows its numbers is passed over

@@ -117,7 +117,8 @@ class AsciiStlReader {
     }
   }
 
-  /// What a keyword ends, which is its second half or the word behind it: "endloop", "end loop".
+  /// The word that a keyword ends, which is its second half or the word behind it: "endloop", "end
+  /// loop".
   std::string_view endedBy(std::string_view word) {
     constexpr std::size_t kEnd = 3;
     if (!isKeyword(word.substr(0, kEnd), "end")) return {};

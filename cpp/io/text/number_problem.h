@@ -1,4 +1,4 @@
-// What is wrong with a word that stands where a number must be.
+// Faults of a word that stands where a number must be.
 #pragma once
 
 #include <string>

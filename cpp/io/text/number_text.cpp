@@ -57,7 +57,7 @@ double parseSlowly(std::string_view text) {
   return strtod_l(terminated.data(), nullptr, plain);
 }
 
-/// What is no finite number, as C libraries print it: "nan", "nan(ind)", "inf", "1.#QNAN",
+/// Spellings of no finite number, as C libraries print it: "nan", "nan(ind)", "inf", "1.#QNAN",
 /// "1.#INF00".
 std::optional<double> specialNumber(std::string_view text) {
   const bool isWindows = text.starts_with("1.#");

@@ -14,7 +14,7 @@ std::string unitComment(std::string_view mark, std::string_view unit);
 /// a symbol. Empty where there is none that is known.
 std::string unitInComments(std::string_view text, std::string_view mark);
 
-/// What the header of a binary STL begins with: "binary STL, unit: millimetre".
+/// The beginning of the header of a binary STL: "binary STL, unit: millimetre".
 std::string unitHeader(std::string_view unit);
 
 /// The unit of such a header, by its name. Empty where there is none that is known.

@@ -130,7 +130,7 @@ std::vector<RingGirth> ringGirths(const SurfaceMesh& mesh, std::span<const doubl
       ring.median = segment.girth;
       break;
     }
-    // Of equal ones first what the shape distinguishes, so that rounding decides nothing.
+    // The shape decides between equal ones, so that rounding decides nothing.
     for (auto begin = known.begin(); begin != known.end();) {
       const auto end = std::find_if(begin, known.end(), [&](const Segment& segment) {
         return !isEqual(segment.girth, begin->girth);

@@ -30,7 +30,7 @@ struct RingGirth {
   /// Points in rising order of their girths: the least of all, then the middles of equal shares of
   /// the ring's length. Empty where no part has a value.
   std::vector<RingPoint> points;
-  /// Of all points with the girth of the middle share, the two that differ most in what lies around
+  /// The two points with the girth of the middle share that differ most in what lies around
   /// them; empty where no part has a value.
   std::vector<RingPoint> middles;
 };

@@ -501,7 +501,7 @@ Result<Limbs> findLimbs(const SurfaceMesh& mesh, std::span<const double> girth,
   }
   std::stable_sort(result.limbs.begin(), result.limbs.end(),
                    [](const Limb& a, const Limb& b) { return a.length > b.length; });
-  // Of equally long ones, such as a spindle from both ends, first the one whose narrowest place is
+  // Equally long limbs, such as a spindle from both ends: first the one whose narrowest place is
   // nearer.
   for (auto begin = result.limbs.begin(); begin != result.limbs.end();) {
     const auto end = std::find_if(begin, result.limbs.end(), [&](const Limb& limb) {

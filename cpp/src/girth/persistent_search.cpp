@@ -324,7 +324,7 @@ bool PersistentSearch::measure(double frontier) {
   propagation_->keepBeyond(high * (1 - 4 * kTogether));
   if (isComplete) findBoundaries();
   findEnds();
-  // Of saddles that are one, the first counts.
+  // The first of several saddles that are one counts.
   std::vector<std::size_t> numbers;
   std::vector<SaddleEnds> ends;
   std::vector<LocalMaximum> maxima = maxima_;

@@ -20,7 +20,7 @@ namespace {
 /// Nearer to a plane than this share of the surface: on it.
 constexpr double kOnPlane = 1e-9;
 
-/// Of a cap with holes.
+/// Limit for a cap with holes.
 constexpr std::size_t kMostEdges = 1000;
 
 struct Point2 {
@@ -220,7 +220,7 @@ class CapMaker {
     }
     for (std::size_t curve : cap.holes) keep(curve, before, isKept);
     keep(cap.rim, before, isKept);
-    // What is not cut along is left out.
+    // Curves that are not cut along are left out.
     std::vector<std::size_t> place(made_.curves.size());
     std::size_t count = before;
     for (std::size_t i = 0; i < made_.curves.size(); ++i) {
@@ -251,8 +251,8 @@ class CapMaker {
     return std::fabs(twice) / 2;
   }
 
-  /// What a plane cuts out of a body and its cavities, which is added to the curves; or the given
-  /// curves that run round the same place.
+  /// The curves that a plane cuts out of a body and its cavities, which are added to the curves; or
+  /// the given curves that run round the same place.
   std::vector<Section> sectionsBy(const Plane& plane, Index body,
                                   const std::vector<Index>& cavities, std::size_t number) {
     double extent = 0;

@@ -97,7 +97,7 @@ struct Candidate {
   HomologyClass homology;
 };
 
-/// What is known of the loops at a vertex.
+/// Loops known at a vertex.
 struct LoopsAt {
   /// Independent modulo 2, in the order of their lengths. All that are shorter than `upTo` are sums
   /// of these.
@@ -233,7 +233,7 @@ class HandleSearch {
     return first;
   }
 
-  /// What no loop at a vertex is shorter than that is of a kind and no sum of others of it.
+  /// Lower bound on the loops at a vertex that are of a kind and no sum of others of it.
   struct LeastAt {
     double length;
     bool isReached;  ///< by such a loop, or the sum of several

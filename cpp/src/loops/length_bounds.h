@@ -1,4 +1,4 @@
-// What loops at all vertices are no shorter than, by those at a few.
+// Lower bounds on the loops at all vertices, by those at a few.
 //
 // A loop at one vertex is one at another by the way there and back: so the shortest of a kind
 // changes by at most twice the distance.

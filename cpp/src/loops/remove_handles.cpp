@@ -295,7 +295,7 @@ Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
                                                           static_cast<double>(result.genusBefore);
     const ExecutionContext part = partOf(context, done, done);
     std::vector<Handle> chosen;
-    // What is found at once is cut first; then it is proven that nothing is left.
+    // Loops that are found at once are cut first; then it is proven that nothing is left.
     for (const double upTo : {0.0, std::isinf(length) ? 0.0 : length}) {
       const auto found = loops::findHandlesUpTo(result.mesh, upTo, options, part);
       if (!found) return found.error();

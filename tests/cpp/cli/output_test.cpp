@@ -91,7 +91,7 @@ TEST_F(Interrupted, whatAnotherRunHasLeftIsKeptUnderAnotherName) {
   EXPECT_FALSE(fs::exists(path("values.partial.csv")));
   EXPECT_EQ(contentOf(path("values.partial-2.csv")), left);
 
-  // The same of other options, of a damaged file, and of one without the model's name.
+  // A run with other options, a damaged file and one without the model's name are kept alike.
   const std::string untitled = left.substr(0, left.find(" vertices")) + " vertices" +
                                left.substr(left.find("; the same command"));
   for (const std::string& text : {left, std::string("nonsense"), std::string(), untitled}) {

@@ -32,8 +32,8 @@ class BruteForce {
     /// By which share of half the length a path to its midpoint is shorter than its halves; not
     /// above 0: both are shortest.
     double excess;
-    /// The same of the next path that arrives from elsewhere, negative where that is longer: near 0
-    /// a third path arrives at the same time.
+    /// Such a share of the next path that arrives from elsewhere, negative where that is longer:
+    /// near 0 a third path arrives at the same time.
     double third;
     /// Its midpoint lies so near to a convex vertex that rounding decides whether it is a loop, or
     /// cannot be placed, as on a line that runs along edges.

@@ -656,7 +656,7 @@ TEST(Prepare, WhatTheFileClosesStaysClosed) {
     EXPECT_EQ(out.report.boundaryCurves, isOpen ? 1u : 0u);
     expectSound(two, out);
   }
-  // The same body twice is one, and so is a sheet.
+  // A body that is there twice is one, and so is a sheet.
   Shape twice = cubes;
   add(twice, cubes);
   EXPECT_EQ(prepared(twice).report.duplicateFaces, 48u);

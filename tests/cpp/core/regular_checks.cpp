@@ -28,7 +28,7 @@ constexpr double kThirdIsLate = 1e-9;
 /// Sequences of faces to enumerate where the two methods agree, and where they differ.
 constexpr std::size_t kFew = 60'000, kMany = 3'000'000;
 
-/// What enumeration has against a value; empty: nothing.
+/// Objection of the enumeration to a value; empty: none.
 std::string objection(const std::vector<BruteForce::Loop>& loops, double value, LoopKind kind) {
   bool exists = false;
   for (const BruteForce::Loop& loop : loops) {

@@ -1,4 +1,4 @@
-// What must hold on regular shapes whose coordinates were rounded.
+// Properties that must hold on regular shapes whose coordinates were rounded.
 #pragma once
 
 #include <cstdint>

@@ -604,7 +604,7 @@ export interface Handles {
 /** How handles are searched for. */
 export interface HandleOptions extends WatchedOptions {
   /**
-   * Of each component, points whose loops are compared at first, at least 1. Then loops are proven shortest, for about five
+   * Points of each component whose loops are compared at first, at least 1. Then loops are proven shortest, for about five
    * seconds (`Handle.mayBeShorterBy`). As many as it has vertices, or more: all of them, which proves all. Default: 32.
    */
   basePoints?: number;

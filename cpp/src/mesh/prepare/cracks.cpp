@@ -18,7 +18,7 @@ namespace {
 
 /// Rounding displaces vertices by less than this share of the extent: the sixth digit of a text.
 constexpr double kCrack = 1e-5;
-/// What is farther away than this share of an edge is no crack along it.
+/// Vertices farther away than this share of an edge make no crack along it.
 constexpr double kCrackOfEdge = 0.1;
 
 class CrackSearch {

@@ -87,7 +87,7 @@ class FileConnectivity {
       }
     };
 
-    // Of each component, the faces that coincide with others of one component: another or its own.
+    // The faces of each component that coincide with others of one component: another or its own.
     std::vector<Index> other(place_.size(), kNoIndex), coincident(place_.size(), 0);
     forEachGroup([&](std::size_t begin, std::size_t end) {
       Index lowest = component(faces[begin].face), ofLowest = 0;

@@ -1,4 +1,4 @@
-// What the numbers of a file say about which faces are neighbours.
+// Neighbours of faces by the numbers of a file.
 #pragma once
 
 #include <span>

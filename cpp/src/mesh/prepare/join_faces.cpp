@@ -161,7 +161,7 @@ class FaceJoiner {
     for (auto& entry : beside_) entry.second = renumbered(entry.second);
   }
 
-  /// Those that have a boundary whatever is joined: an edge of one face, one that is cut, or one
+  /// Clusters that have a boundary whatever is joined: an edge of one face, one that is cut, or one
   /// that more faces run along one way than the other.
   void findOpenClusters() {
     isOpen_.assign(cluster_.size(), false);
@@ -315,7 +315,7 @@ class FaceJoiner {
   std::vector<Index> cluster_;  ///< the same of faces that any edge connects
   std::vector<Index> open_;     ///< faces with an edge of their own
   std::vector<bool> isOpen_;    ///< of clusters
-  /// Of crowded edges, ascending: faces at the place that the file's own numbers have joined.
+  /// Faces at crowded edges, ascending, at the place that the file's own numbers have joined.
   std::vector<std::pair<Index, Index>> beside_;
   std::size_t crowdedEdges_{0};
 };
