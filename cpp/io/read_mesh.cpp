@@ -9,7 +9,7 @@
 #include "formats/read_off.h"
 #include "formats/read_ply.h"
 #include "formats/read_stl.h"
-#include "gltf/glb_container.h"
+#include "gltf/document/glb_container.h"
 #include "gltf/read_gltf.h"
 #include "text/ending.h"
 #include "text/words.h"

@@ -14,19 +14,19 @@
 #include <utility>
 #include <vector>
 
-#include "gltf/accessor.h"
-#include "gltf/attributes.h"
-#include "gltf/document.h"
-#include "gltf/draco.h"
-#include "gltf/fault.h"
-#include "gltf/glb_container.h"
-#include "gltf/notes.h"
-#include "gltf/point_numbers.h"
-#include "gltf/scene_size.h"
-#include "gltf/skin.h"
-#include "gltf/soup_budget.h"
-#include "gltf/tinygltf_model.h"
-#include "gltf/transform.h"
+#include "gltf/document/document.h"
+#include "gltf/document/fault.h"
+#include "gltf/document/glb_container.h"
+#include "gltf/document/tinygltf_model.h"
+#include "gltf/scene/notes.h"
+#include "gltf/scene/scene_size.h"
+#include "gltf/scene/skin.h"
+#include "gltf/scene/transform.h"
+#include "gltf/unpack/accessor.h"
+#include "gltf/unpack/attributes.h"
+#include "gltf/unpack/draco.h"
+#include "gltf/unpack/point_numbers.h"
+#include "gltf/unpack/soup_budget.h"
 #include "text/quoted_name.h"
 
 namespace girth::io {

@@ -8,7 +8,7 @@
 
 #include "bytes/append.h"
 #include "girth/io/length_unit.h"
-#include "gltf/tinygltf_model.h"
+#include "gltf/document/tinygltf_model.h"
 
 namespace girth::io {
 namespace {

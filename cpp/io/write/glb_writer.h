@@ -12,7 +12,7 @@
 #include "girth/io/read_mesh.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
-#include "gltf/tinygltf.h"
+#include "gltf/document/tinygltf.h"
 
 namespace girth::io {
 

@@ -15,15 +15,15 @@
 #include "girth/geodesic_solver.h"
 #include "girth/girth_solver.h"
 #include "girth/parallel.h"
-#include "girth/solver_factory.h"
 #include "girth/transfer.h"
 #include "infinity.h"
-#include "loops/taut_loop.h"
+#include "loops/tight/taut_loop.h"
 #include "mesh/angles.h"
 #include "mesh/check_vertex.h"
 #include "mesh/neighbours.h"
 #include "mesh/vector.h"
 #include "no_value.h"
+#include "solver/solver_factory.h"
 
 namespace girth {
 

@@ -8,7 +8,7 @@
 
 #include "geodesic/fast_marching.h"
 #include "geodesic/propagation.h"
-#include "geodesic/until.h"
+#include "geodesic/stop_at_distance.h"
 #include "girth/parallel.h"
 #include "girth/vertex_areas.h"
 #include "infinity.h"
@@ -71,7 +71,7 @@ class ExtentSolver {
     } else {
       const geodesic::Unfolding& unfolding = *shared_->unfolding;
       const SurfacePoint source = unfolding.fromMesh(SurfacePoint::atVertex(vertex));
-      geodesic::Until visitor([] { return kInfinity; }, context);
+      geodesic::StopAtDistance visitor([] { return kInfinity; }, context);
       propagation_->run(std::span(&source, 1), geodesic::Keep::Nothing, visitor);
       if (propagation_->gaveUp()) return {};
       for (const Index reached : propagation_->reachedVertices()) {

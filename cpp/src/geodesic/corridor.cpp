@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "geodesic/until.h"
+#include "geodesic/stop_at_distance.h"
 
 namespace girth::geodesic {
 
@@ -17,9 +17,9 @@ std::optional<Goal> corridor(Propagation& propagation, const SurfacePoint& from,
     return Goal(unfolding, positionOf(unfolding.mesh(), unfolding.toMesh(point)), length);
   };
   const Goal back = straightTo(from), straight = straightTo(to);
-  Until until([length] { return length; }, context);
-  propagation.run(std::span(&to, 1), Keep::Nothing, until, &back);
-  if (until.cancelled() || propagation.gaveUp()) return std::nullopt;
+  StopAtDistance stop([length] { return length; }, context);
+  propagation.run(std::span(&to, 1), Keep::Nothing, stop, &back);
+  if (stop.cancelled() || propagation.gaveUp()) return std::nullopt;
 
   // What that left out is too far from there for a way between the two.
   std::vector<double> least(unfolding.vertexCount());

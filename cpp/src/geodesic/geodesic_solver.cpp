@@ -12,7 +12,7 @@
 #include "geodesic/locate.h"
 #include "geodesic/path_tracing.h"
 #include "geodesic/propagation.h"
-#include "geodesic/until.h"
+#include "geodesic/stop_at_distance.h"
 
 namespace girth {
 
@@ -21,8 +21,8 @@ using geodesic::Goal;
 using geodesic::Keep;
 using geodesic::kMostFacesKept;
 using geodesic::Propagation;
+using geodesic::StopAtDistance;
 using geodesic::Unfolding;
-using geodesic::Until;
 using geodesic::Vec2;
 
 struct GeodesicSolver::State {
@@ -40,9 +40,9 @@ struct GeodesicSolver::State {
   std::optional<Error> run(std::span<const SurfacePoint> sources, Keep keep,
                            std::function<double()> limit, const ExecutionContext& context,
                            const Goal* goal = nullptr) {
-    Until until(std::move(limit), context);
-    propagation.run(sources, keep, until, goal);
-    if (until.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
+    StopAtDistance stop(std::move(limit), context);
+    propagation.run(sources, keep, stop, goal);
+    if (stop.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
     if (propagation.gaveUp()) {
       return makeError(
           ErrorCode::LimitExceeded, -1,

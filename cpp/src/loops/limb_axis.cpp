@@ -9,10 +9,10 @@
 #include "girth/girth_solver.h"
 #include "girth/parallel.h"
 #include "girth/path_profile.h"
-#include "girth/solver_factory.h"
-#include "loops/loop_shape.h"
+#include "loops/tight/loop_shape.h"
 #include "mesh/vector.h"
 #include "part_of_work.h"
+#include "solver/solver_factory.h"
 
 namespace girth {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "girth/geodesic_solver.h"
-#include "loops/faces_of_points.h"
-#include "loops/girth_at.h"
+#include "loops/cut/faces_of_points.h"
+#include "loops/necks/girth_at.h"
 #include "mesh/vector.h"
 
 namespace girth {

@@ -10,9 +10,9 @@
 
 #include "mesh/face_shape.h"
 #include "mesh/nearest_point.h"
+#include "mesh/remesh/cancellation_poll.h"
 #include "mesh/remesh/changing_mesh.h"
 #include "mesh/remesh/face_checks.h"
-#include "mesh/remesh/lookout.h"
 #include "mesh/remesh/result.h"
 #include "mesh/vertex_normals.h"
 
@@ -20,8 +20,8 @@ namespace girth {
 
 namespace {
 
+using remeshing::CancellationPoll;
 using remeshing::ChangingMesh;
-using remeshing::Lookout;
 
 /// The shape of a face is 1 where its sides are equal, and 0 where it has no area. It may become
 /// worse down to this.
@@ -48,7 +48,7 @@ class FlatVertices {
   FlatVertices(const SurfaceMesh& original, double rounding, const ExecutionContext& context)
       : original_(original),
         extent_(extentOf(original)),
-        lookout_(context),
+        poll_(context),
         mesh_(original),
         planes_(normalsOfFaces(original)),
         first_(original.faceCount(), kNoIndex),
@@ -65,7 +65,7 @@ class FlatVertices {
       for (const Vertex v : original_.vertices()) queue.push_back(v);
     }
     while (!queue.empty()) {
-      if (lookout_.stopped()) return Lookout::error();
+      if (poll_.stopped()) return CancellationPoll::error();
       const Index vertex = queue.front();
       queue.pop_front();
       isQueued[vertex] = false;
@@ -240,7 +240,7 @@ class FlatVertices {
   }
 
   Result<LeanSurface> collect() {
-    auto result = remeshing::resultOf(mesh_, lookout_,
+    auto result = remeshing::resultOf(mesh_, poll_,
                                       [](Index v) { return SurfacePoint::atVertex(Vertex(v)); });
     if (!result) return result.error();
     Index face = 0;
@@ -260,7 +260,7 @@ class FlatVertices {
 
   const SurfaceMesh& original_;
   double extent_;  // the size of the largest coordinate
-  Lookout lookout_;
+  CancellationPoll poll_;
   ChangingMesh mesh_;
   double off_{0};                     // how far a vertex may lie beside where it ought to
   std::vector<Vec3> planes_;          // the unit normals of the original faces

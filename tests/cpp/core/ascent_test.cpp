@@ -1,6 +1,6 @@
 // What is seen of the two sides of saddles, beside the barcode, which knows from all maxima when
 // they die.
-#include "girth/ascent.h"
+#include "solver/persistence/ascent.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 #include "geodesic/locate.h"
 #include "girth/barcode.h"
 #include "girth/girth_solver.h"
-#include "girth/loop_search.h"
 #include "shapes.h"
+#include "solver/search/loop_search.h"
 
 namespace girth::test {
 namespace {

@@ -1,5 +1,5 @@
 // Caps that cross nothing: against all triangulations of small polygons.
-#include "loops/clear_cap.h"
+#include "loops/cut/clear_cap.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The farthest point: where many paths compete, and what it may cost.
 
-#include "girth/farthest_point.h"
+#include "solver/search/farthest_point.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <span>
 
 #include "core/shapes.h"
-#include "girth/loop_search.h"
+#include "solver/search/loop_search.h"
 
 namespace girth::test {
 namespace {

@@ -15,11 +15,11 @@
 #include "geodesic/corridor.h"
 #include "geodesic/unfolding.h"
 #include "girth/girth.h"
-#include "girth/solver_factory.h"
 #include "girth/study/naive_girth.h"
 #include "loop_checks.h"
 #include "path_checks.h"
 #include "shapes.h"
+#include "solver/solver_factory.h"
 
 namespace girth::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "girth/known_loop.h"
+#include "solver/refined/known_loop.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <numeric>
 #include <vector>
 
-#include "girth/doubts.h"
 #include "mesh/vector.h"
 #include "shapes.h"
+#include "solver/refined/verification_queue.h"
 
 namespace girth::test {
 namespace {
@@ -99,7 +99,7 @@ TEST(KnownLoop, contradictionsAskFirstWhetherTheShortOneStands) {
   known[0].stands = true;
   EXPECT_EQ(questions()[0], Question::None);
   EXPECT_EQ(howMany(Question::WhatIsIt), 4);
-  // A doubt is answered by asking; what is proved is asked no more.
+  // A question is answered by asking; what is proved is asked no more.
   for (KnownLoop& loop : known) loop.isProved = true;
   EXPECT_EQ(howMany(Question::None), 6);
   known.assign(known.size(), loopOfLength(5));
@@ -112,21 +112,21 @@ TEST(KnownLoop, contradictionsAskFirstWhetherTheShortOneStands) {
   EXPECT_EQ(howMany(Question::None), 5);
 }
 
-TEST(Doubts, areTakenShortOnesFirstAndApart) {
+TEST(VerificationQueue, areTakenShortOnesFirstAndApart) {
   const SurfaceMesh mesh = torus(3, 1, 20, 20).mesh();
   const BaseGraph graph = graphOf(mesh);
-  Doubts doubts(mesh.vertexCount());
+  VerificationQueue queue(mesh.vertexCount());
   Random random(5);
   std::vector<double> lengths(mesh.vertexCount());
   for (Index base = 0; base < lengths.size(); ++base) {
     lengths[base] = random();
-    doubts.add(base, lengths[base]);
-    doubts.add(base, lengths[base]);  // once is enough
+    queue.add(base, lengths[base]);
+    queue.add(base, lengths[base]);  // once is enough
   }
   std::vector<int> times(lengths.size(), 0);
   std::size_t rounds = 0;
-  for (; !doubts.empty(); ++rounds) {
-    const auto taken = doubts.take(16, graph, [](Index base) { return base % 7 != 0; });
+  for (; !queue.empty(); ++rounds) {
+    const auto taken = queue.take(16, graph, [](Index base) { return base % 7 != 0; });
     ASSERT_LE(taken.size(), 16u);
     EXPECT_TRUE(std::is_sorted(taken.begin(), taken.end(),
                                [&](Index a, Index b) { return lengths[a] < lengths[b]; }));
@@ -146,13 +146,13 @@ TEST(Doubts, areTakenShortOnesFirstAndApart) {
   EXPECT_GT(rounds, 20u);
 }
 
-TEST(Doubts, whatHasNoLoopComesLast) {
+TEST(VerificationQueue, whatHasNoLoopComesLast) {
   const SurfaceMesh mesh = torus(3, 1, 20, 20).mesh();
   const BaseGraph graph = graphOf(mesh);
-  Doubts doubts(mesh.vertexCount());
-  doubts.add(0, std::nan(""));
-  doubts.add(210, 5);
-  EXPECT_EQ(doubts.take(2, graph, [](Index) { return true; }), (std::vector<Index>{210, 0}));
+  VerificationQueue queue(mesh.vertexCount());
+  queue.add(0, std::nan(""));
+  queue.add(210, 5);
+  EXPECT_EQ(queue.take(2, graph, [](Index) { return true; }), (std::vector<Index>{210, 0}));
 }
 
 }  // namespace

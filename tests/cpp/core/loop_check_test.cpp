@@ -1,4 +1,4 @@
-#include "girth/loop_check.h"
+#include "solver/search/loop_check.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include "geodesic/unfolding.h"
 #include "girth/geodesic_solver.h"
 #include "girth/girth_solver.h"
-#include "girth/solver_factory.h"
 #include "random_meshes.h"
 #include "shapes.h"
+#include "solver/solver_factory.h"
 
 namespace girth::test {
 namespace {

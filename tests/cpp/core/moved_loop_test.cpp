@@ -1,6 +1,6 @@
 // A loop whose base moves: as long as the loop at its base, convex on the way, never less than the
 // girth.
-#include "loops/moved_loop.h"
+#include "loops/tight/moved_loop.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "girth/girth_solver.h"
-#include "loops/faces_of_points.h"
+#include "loops/cut/faces_of_points.h"
 #include "mesh/vector.h"
 #include "random_meshes.h"
 #include "shapes.h"

@@ -1,5 +1,5 @@
 // Lowest ways on a function that is known everywhere: searches end, at the height of a way.
-#include "loops/pass_search.h"
+#include "loops/necks/pass_search.h"
 
 #include <gtest/gtest.h>
 

@@ -16,9 +16,9 @@
 
 #include "geodesic/crossing_kernel.h"
 #include "geodesic/goal.h"
-#include "girth/farthest_point.h"
-#include "girth/loop_search.h"
 #include "shapes.h"
+#include "solver/search/farthest_point.h"
+#include "solver/search/loop_search.h"
 
 namespace {
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "geodesic/unfolding.h"
-#include "girth/face_band.h"
-#include "girth/solver_factory.h"
 #include "loop_checks.h"
 #include "random_meshes.h"
 #include "shapes.h"
+#include "solver/refined/face_set.h"
+#include "solver/solver_factory.h"
 
 namespace girth::test {
 namespace {
@@ -28,18 +28,18 @@ SurfaceMesh fineMesh(std::uint64_t seed) {
 }
 
 /// The faces within some rings round an exact loop.
-FaceBand bandRound(const Unfolding& unfolding, const GirthLoop& loop, int rings) {
-  FaceBand band(unfolding);
+FaceSet bandRound(const Unfolding& unfolding, const GirthLoop& loop, int rings) {
+  FaceSet band(unfolding);
   band.add(facesOf(unfolding, loop));
   band.grow(rings);
   return band;
 }
 
-TEST(FaceBand, growsByTheFacesAtItsVertices) {
+TEST(FaceSet, growsByTheFacesAtItsVertices) {
   // Of a grid on a torus, squares cut in two: the faces within one ring of a face.
   const SurfaceMesh mesh = torus(3, 1, 12, 12).mesh();
   const Unfolding unfolding(mesh);
-  FaceBand band(unfolding);
+  FaceSet band(unfolding);
   band.add(Index{0});
   EXPECT_EQ(band.size(), 1u);
   band.grow(1);
@@ -96,7 +96,7 @@ TEST(LoopWithin, isAGeodesicLoopOfItsLengthInAnyBand) {
       const auto exact = solver.loop(v);
       ASSERT_TRUE(exact);
       if (exact.value().kind != LoopKind::Loop) continue;
-      const FaceBand band = bandRound(*unfolding, exact.value(), 1);
+      const FaceSet band = bandRound(*unfolding, exact.value(), 1);
       const auto within =
           SolverFactory::loopWithin(solver, SurfacePoint::atVertex(v), band.data(), {});
       if (!within) continue;

@@ -11,9 +11,9 @@
 
 #include "corpus.h"
 #include "geodesic/locate.h"
-#include "girth/loop_search.h"
-#include "girth/persistent_search.h"
 #include "shapes.h"
+#include "solver/persistence/persistent_search.h"
+#include "solver/search/loop_search.h"
 
 namespace girth::test {
 namespace {

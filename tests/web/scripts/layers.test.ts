@@ -51,8 +51,8 @@ test.each(['cpp/src', 'cpp/study', 'cpp/bind', 'cpp/python'])('%s touches no fil
 
 test('readers and writers touch no files but those of files/; tinygltf does not compile without naming one', () => {
   const openers = includes('cpp/io', files).filter((line) => !line.startsWith('cpp/io/files/'));
-  expect(openers).toEqual(['cpp/io/gltf/tinygltf_model.cpp: fstream']);
-  const users = includes('cpp/io', /^(tiny_gltf\.h|gltf\/tinygltf)/);
+  expect(openers).toEqual(['cpp/io/gltf/document/tinygltf_model.cpp: fstream']);
+  const users = includes('cpp/io', /^(tiny_gltf\.h|gltf\/document\/tinygltf)/);
   expect(users.filter((line) => !/^cpp\/io\/(gltf|write)\//.test(line))).toEqual([]);
 });
 

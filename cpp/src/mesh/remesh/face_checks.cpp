@@ -60,11 +60,11 @@ bool flipsSmoothly(const ChangingMesh& mesh, Index h, double cosine) {
   return leastAngleMeasure(d, b, c) > 0.05 && leastAngleMeasure(c, a, d) > 0.05;
 }
 
-void widenAngles(ChangingMesh& mesh, double cosine, Lookout& lookout) {
+void widenAngles(ChangingMesh& mesh, double cosine, CancellationPoll& poll) {
   constexpr int kMostPasses = 3;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     bool any = false;
-    for (Index h = 0; h < mesh.halfedgeCount() && !lookout.stopped(); ++h) {
+    for (Index h = 0; h < mesh.halfedgeCount() && !poll.stopped(); ++h) {
       if (!mesh.isFirstOfEdge(h) || mesh.twin(h) == kNoIndex || !mesh.canFlip(h)) continue;
       const Vec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h)),
                  &c = mesh.position(mesh.apex(h)), &d = mesh.position(mesh.apex(mesh.twin(h)));

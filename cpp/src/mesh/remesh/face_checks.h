@@ -1,8 +1,8 @@
 // What a change of a mesh may not do to its faces: turn them over, or make needles of them.
 #pragma once
 
+#include "mesh/remesh/cancellation_poll.h"
 #include "mesh/remesh/changing_mesh.h"
-#include "mesh/remesh/lookout.h"
 
 namespace girth::remeshing {
 
@@ -22,6 +22,6 @@ bool flipsSmoothly(const ChangingMesh& mesh, Index h, double cosine);
 
 /// Flips edges where that makes the smallest of six angles larger, and faces as before within
 /// `cosine`. What is left undone when it is stopped does no harm.
-void widenAngles(ChangingMesh& mesh, double cosine, Lookout& lookout);
+void widenAngles(ChangingMesh& mesh, double cosine, CancellationPoll& poll);
 
 }  // namespace girth::remeshing

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "mesh/nearest_point.h"
+#include "mesh/remesh/cancellation_poll.h"
 #include "mesh/remesh/changing_mesh.h"
 #include "mesh/remesh/face_checks.h"
-#include "mesh/remesh/lookout.h"
 #include "mesh/remesh/result.h"
 #include "mesh/vertex_normals.h"
 
@@ -34,7 +34,7 @@ class IsotropicRemesher {
       : original_(original),
         wanted_(faces),
         context_(context),
-        lookout_(context),
+        poll_(context),
         mesh_(original),
         search_(searchOf(original)),
         faceNormals_(normalsOfFaces(original)) {
@@ -45,9 +45,9 @@ class IsotropicRemesher {
   Result<RemeshedSurface> run() {
     findLines();
     for (int round = 0; round < kRounds; ++round) {
-      if (lookout_.stoppedByNow()) return Lookout::error();
+      if (poll_.stoppedByNow()) return CancellationPoll::error();
       splitLongEdges();
-      if (lookout_.stoppedByNow()) return Lookout::error();
+      if (poll_.stoppedByNow()) return CancellationPoll::error();
       collapseShortEdges();
       equalizeValences();
       relax();
@@ -58,13 +58,13 @@ class IsotropicRemesher {
     }
     meetCount();
     for (int round = 0; round < 3; ++round) {
-      if (lookout_.stoppedByNow()) return Lookout::error();
-      widenAngles(mesh_, kSmooth, lookout_);
+      if (poll_.stoppedByNow()) return CancellationPoll::error();
+      widenAngles(mesh_, kSmooth, poll_);
       relax();
     }
-    widenAngles(mesh_, kSmooth, lookout_);
+    widenAngles(mesh_, kSmooth, poll_);
     hints_.resize(mesh_.vertexCount(), kNoIndex);
-    auto result = resultOf(mesh_, lookout_, [&](Index v) { return placeOf(v); });
+    auto result = resultOf(mesh_, poll_, [&](Index v) { return placeOf(v); });
     if (result) progress(1);
     return result;
   }
@@ -212,7 +212,7 @@ class IsotropicRemesher {
     }
     // Hair and spikes are long for their area: the size of the edges is mended after this round.
     const std::size_t most = 4 * std::size_t{wanted_} + original_.faceCount();
-    while (!queue.empty() && mesh_.faceCount() < most && !lookout_.stopped()) {
+    while (!queue.empty() && mesh_.faceCount() < most && !poll_.stopped()) {
       const Entry entry = queue.top();
       queue.pop();
       if (mesh_.length(entry.halfedge) != entry.length) continue;  // halved meanwhile
@@ -231,7 +231,7 @@ class IsotropicRemesher {
 
   void collapseShortEdges() {
     const double shortest = 4.0 / 5 * length_, longest = 4.0 / 3 * length_;
-    for (Index h = 0; h < mesh_.halfedgeCount() && !lookout_.stopped(); ++h) {
+    for (Index h = 0; h < mesh_.halfedgeCount() && !poll_.stopped(); ++h) {
       if (mesh_.isFirstOfEdge(h) && mesh_.length(h) < shortest) tryCollapse(h, longest);
     }
   }
@@ -309,7 +309,7 @@ class IsotropicRemesher {
       const int off = static_cast<int>(mesh_.valence(v)) + change - ideal;
       return off * off;
     };
-    for (Index h = 0; h < mesh_.halfedgeCount() && !lookout_.stopped(); ++h) {
+    for (Index h = 0; h < mesh_.halfedgeCount() && !poll_.stopped(); ++h) {
       if (!mesh_.isFirstOfEdge(h) || mesh_.twin(h) == kNoIndex || !mesh_.canFlip(h)) continue;
       const Index a = mesh_.from(h), b = mesh_.to(h);
       const Index c = mesh_.apex(h), d = mesh_.apex(mesh_.twin(h));
@@ -324,7 +324,7 @@ class IsotropicRemesher {
   /// Moves every vertex towards the middle of its neighbours, along the surface.
   void relax() {
     hints_.resize(mesh_.vertexCount(), kNoIndex);
-    for (Index v = 0; v < mesh_.vertexCount() && !lookout_.stopped(); ++v) {
+    for (Index v = 0; v < mesh_.vertexCount() && !poll_.stopped(); ++v) {
       if (!mesh_.isVertexAlive(v)) continue;
       const Index lines = linesAt(v);
       Vec3 place = mesh_.position(v);
@@ -375,7 +375,7 @@ class IsotropicRemesher {
   void meetCount() {
     const double most = wanted_ * (1 + kCountTolerance), least = wanted_ * (1 - kCountTolerance);
     constexpr int kMostRounds = 20;
-    for (int round = 0; round < kMostRounds && !lookout_.stoppedByNow(); ++round) {
+    for (int round = 0; round < kMostRounds && !poll_.stoppedByNow(); ++round) {
       if (mesh_.faceCount() > most) {
         if (!collapseShortest(static_cast<Index>(mesh_.faceCount() - wanted_) / 2 + 1)) return;
       } else if (mesh_.faceCount() < least) {
@@ -436,7 +436,7 @@ class IsotropicRemesher {
   const SurfaceMesh& original_;
   Index wanted_;
   const ExecutionContext& context_;
-  Lookout lookout_;
+  CancellationPoll poll_;
   ChangingMesh mesh_;
   NearestSearch search_, lines_;
   std::vector<Index> halfedgeOfSegment_;

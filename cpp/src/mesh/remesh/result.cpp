@@ -5,20 +5,20 @@
 
 namespace girth::remeshing {
 
-Result<RemeshedSurface> resultOf(const ChangingMesh& mesh, Lookout& lookout,
+Result<RemeshedSurface> resultOf(const ChangingMesh& mesh, CancellationPoll& poll,
                                  const std::function<SurfacePoint(Index)>& placeOf) {
   std::vector<Index> number(mesh.vertexCount(), kNoIndex), triangles;
   std::vector<double> positions;
   std::vector<SurfacePoint> onOriginal;
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    if (lookout.stopped()) break;
+    if (poll.stopped()) break;
     if (!mesh.isVertexAlive(v)) continue;
     number[v] = static_cast<Index>(onOriginal.size());
     const Vec3& p = mesh.position(v);
     positions.insert(positions.end(), {p.x, p.y, p.z});
     onOriginal.push_back(placeOf(v));
   }
-  if (lookout.stoppedByNow()) return Lookout::error();
+  if (poll.stoppedByNow()) return CancellationPoll::error();
   for (Index h = 0; h < mesh.halfedgeCount(); ++h) {
     if (mesh.isAlive(h / 3)) triangles.push_back(number[mesh.from(h)]);
   }

@@ -5,14 +5,14 @@
 
 #include "girth/remesh.h"
 #include "mesh/nearest_point.h"
+#include "mesh/remesh/cancellation_poll.h"
 #include "mesh/remesh/changing_mesh.h"
-#include "mesh/remesh/lookout.h"
 
 namespace girth::remeshing {
 
 /// The surface that is left, its vertices in the order that they have, with the place of each on
 /// the original, by `placeOf`. Error: CANCELLED.
-Result<RemeshedSurface> resultOf(const ChangingMesh& mesh, Lookout& lookout,
+Result<RemeshedSurface> resultOf(const ChangingMesh& mesh, CancellationPoll& poll,
                                  const std::function<SurfacePoint(Index)>& placeOf);
 
 /// The component that a face belongs to.

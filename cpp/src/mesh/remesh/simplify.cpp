@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "mesh/nearest_point.h"
+#include "mesh/remesh/cancellation_poll.h"
 #include "mesh/remesh/changing_mesh.h"
 #include "mesh/remesh/face_checks.h"
-#include "mesh/remesh/lookout.h"
 #include "mesh/remesh/quadric.h"
 #include "mesh/remesh/result.h"
 #include "mesh/vertex_normals.h"
@@ -33,7 +33,7 @@ constexpr double kHardlyTurned = 0.99;
 class Simplifier {
  public:
   Simplifier(const SurfaceMesh& original, Index faces, const ExecutionContext& context)
-      : original_(original), wanted_(faces), context_(context), lookout_(context), mesh_(original) {
+      : original_(original), wanted_(faces), context_(context), poll_(context), mesh_(original) {
     // Around the middle, so that squares lose no bits.
     for (const Vertex v : original.vertices()) {
       middle_ = middle_ + 1.0 / original.vertexCount() * original.position(v);
@@ -53,14 +53,14 @@ class Simplifier {
       before = mesh_.faceCount();
       queue_ = {};
       for (Index h = 0; h < mesh_.halfedgeCount(); ++h) {
-        if (lookout_.stopped()) return Lookout::error();
+        if (poll_.stopped()) return CancellationPoll::error();
         if (mesh_.isFirstOfEdge(h)) push(h);
       }
-      if (!collapse()) return Lookout::error();
+      if (!collapse()) return CancellationPoll::error();
     }
-    widenAngles(mesh_, kHardlyTurned, lookout_);
+    widenAngles(mesh_, kHardlyTurned, poll_);
     const NearestSearch search = searchOf(original_);
-    auto result = resultOf(mesh_, lookout_, [&](Index v) {
+    auto result = resultOf(mesh_, poll_, [&](Index v) {
       const auto found = nearestFacing(original_, search, faceNormals_, mesh_, v);
       return SurfacePoint::inFace(Face(found.triangle), found.weights);
     });
@@ -135,7 +135,7 @@ class Simplifier {
     constexpr Index kReportEvery = 1024;
     Index sinceLook = 0;
     while (mesh_.faceCount() > wanted_ && !queue_.empty()) {
-      if (lookout_.stopped()) return false;
+      if (poll_.stopped()) return false;
       if (++sinceLook == kReportEvery) {
         sinceLook = 0;
         progress();
@@ -172,7 +172,7 @@ class Simplifier {
   const SurfaceMesh& original_;
   Index wanted_;
   const ExecutionContext& context_;
-  Lookout lookout_;
+  CancellationPoll poll_;
   ChangingMesh mesh_;
   Vec3 middle_;
   std::vector<Vec3> faceNormals_;

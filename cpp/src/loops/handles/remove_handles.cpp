@@ -1,0 +1,328 @@
+#include "girth/remove_handles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "girth/cut_surface.h"
+#include "loops/cut/clear_cap.h"
+#include "loops/handles/handles_up_to.h"
+#include "mesh/crossing_faces.h"
+#include "mesh/vector.h"
+#include "part_of_work.h"
+
+namespace girth {
+namespace {
+
+/// How a rim is closed.
+struct Closing {
+  double share;  ///< of the way to its neighbours by which it is drawn back
+  bool isClear;  ///< by triangles that cross nothing, rather than by those of least area
+};
+
+/// In the order in which they are tried.
+constexpr std::array kClosings{
+    Closing{0.25, false}, Closing{0.0625, false}, Closing{0.015625, false}, Closing{0, false},
+    Closing{0.25, true},  Closing{0.0625, true},  Closing{0.015625, true},  Closing{0, true}};
+
+Index genusOf(const SurfaceMesh& mesh) {
+  Index genus = 0;
+  for (Index c = 0; c < mesh.componentCount(); ++c) genus += mesh.genus(c);
+  return genus;
+}
+
+/// The faces that a curve runs through or along.
+std::set<Index> facesAlong(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points) {
+  std::set<Index> faces;
+  const auto addAround = [&](Vertex vertex) {
+    const Halfedge first = mesh.outgoing(vertex);
+    for (Halfedge h = first;;) {
+      faces.insert(SurfaceMesh::faceOf(h));
+      const Halfedge next = mesh.twin(SurfaceMesh::previous(h));
+      if (next == first || next == Halfedge::none) break;
+      h = next;
+    }
+  };
+  for (const SurfacePoint& point : points) {
+    if (point.kind == SurfacePoint::Kind::InFace) {
+      faces.insert(point.element);
+    } else if (point.kind == SurfacePoint::Kind::AtVertex) {
+      addAround(point.vertex());
+    } else {
+      addAround(mesh.from(point.halfedge()));
+      addAround(mesh.to(point.halfedge()));
+    }
+  }
+  return faces;
+}
+
+/// A cut surface whose rims are drawn back and closed.
+class Rims {
+ public:
+  explicit Rims(const CutSurface& cut) : cut_(cut), capOf_(cut.mesh.vertexCount(), kNoIndex) {
+    numberCaps();
+    findMoves();
+  }
+
+  std::size_t caps() const { return caps_; }
+
+  /// As said for each cap; one that no triangles close which cross nothing is left as it is. Error:
+  /// that of SurfaceMesh::fromArrays.
+  Result<SurfaceMesh> closedBy(std::span<const Closing> closings) const {
+    const SurfaceMesh& mesh = cut_.mesh;
+    std::vector<Vec3> places;
+    for (const Vertex v : mesh.vertices()) {
+      const double share = capOf_[v] == kNoIndex ? 0 : closings[capOf_[v]].share;
+      places.push_back(mesh.position(v) + share * moves_[v]);
+    }
+    std::vector<std::array<Vertex, 3>> faces;
+    for (const Face f : mesh.faces()) faces.push_back(mesh.faceVertices(f));
+    // Those to be triangulated anew are not in each other's way before they are.
+    std::set<Index> pending;
+    for (Index cap = 0; cap < caps_; ++cap) {
+      if (closings[cap].isClear) pending.insert(cap);
+    }
+    while (!pending.empty()) {
+      triangulateClear(*pending.begin(), pending, places, faces);
+      pending.erase(pending.begin());
+    }
+    std::vector<double> positions;
+    std::vector<Index> triangles;
+    for (const Vec3& place : places) positions.insert(positions.end(), {place.x, place.y, place.z});
+    for (const auto& face : faces) triangles.insert(triangles.end(), face.begin(), face.end());
+    return SurfaceMesh::fromArrays(positions, triangles, OpenEdges::Boundary);
+  }
+
+  /// Of a surface drawn back, the faces of each cap, and those that its rim moved, which cross
+  /// others; but not those that did so before.
+  std::vector<std::vector<Face>> crossing(const SurfaceMesh& drawn) const {
+    std::vector<Face> changed;
+    for (const Face f : drawn.faces()) {
+      if (!capsAt(f).empty()) changed.push_back(f);
+    }
+    std::vector<std::vector<Face>> result(caps_);
+    for (const auto& [f, g] : crossingFaces(drawn, changed)) {
+      if (!isNew(f) && !isNew(g) && metBefore(f, g)) continue;
+      for (const Face face : {f, g}) {
+        for (const Index cap : capsAt(face)) result[cap].push_back(face);
+      }
+    }
+    for (std::vector<Face>& faces : result) {
+      std::sort(faces.begin(), faces.end());
+      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    }
+    return result;
+  }
+
+ private:
+  bool isNew(Face f) const { return cut_.faces[f] == Face::none; }
+
+  std::vector<Index> capsAt(Face f) const {
+    std::vector<Index> caps;
+    for (const Vertex v : cut_.mesh.faceVertices(f)) {
+      if (capOf_[v] != kNoIndex && std::find(caps.begin(), caps.end(), capOf_[v]) == caps.end()) {
+        caps.push_back(capOf_[v]);
+      }
+    }
+    return caps;
+  }
+
+  bool metBefore(Face f, Face g) const {
+    const std::array pair{f};
+    const auto before = crossingFaces(cut_.mesh, pair);
+    return std::find(before.begin(), before.end(), std::pair{std::min(f, g), std::max(f, g)}) !=
+           before.end();
+  }
+
+  /// Replaces the faces of a cap by those of least area that cross none but of caps left out.
+  void triangulateClear(Index cap, const std::set<Index>& leftOut, std::span<const Vec3> places,
+                        std::vector<std::array<Vertex, 3>>& faces) const {
+    std::vector<Index> own;
+    std::vector<PlacedFace> others;
+    for (Index f = 0; f < faces.size(); ++f) {
+      const auto& [a, b, c] = faces[f];
+      const bool isCapFace = isNew(Face(f));
+      if (isCapFace && capOf_[a] == cap) own.push_back(f);
+      if (isCapFace && leftOut.count(capOf_[a]) > 0) continue;
+      others.push_back({faces[f], {places[a], places[b], places[c]}});
+    }
+    std::vector<std::array<Vertex, 3>> before;
+    for (const Index f : own) before.push_back(faces[f]);
+    const std::vector<Vertex> polygon = loops::polygonOf(before);
+    if (polygon.empty()) return;
+    const auto clear = loops::clearCap(polygon, places, others);
+    for (std::size_t i = 0; clear && i < own.size(); ++i) faces[own[i]] = (*clear)[i];
+  }
+
+  /// New faces that share a vertex are of one cap.
+  void numberCaps() {
+    const SurfaceMesh& mesh = cut_.mesh;
+    std::vector<std::vector<Face>> around(mesh.vertexCount());
+    for (const Face f : mesh.faces()) {
+      if (!isNew(f)) continue;
+      for (const Vertex v : mesh.faceVertices(f)) around[v].push_back(f);
+    }
+    for (const Vertex seed : mesh.vertices()) {
+      if (around[seed].empty() || capOf_[seed] != kNoIndex) continue;
+      capOf_[seed] = static_cast<Index>(caps_);
+      std::vector<Vertex> pending{seed};
+      while (!pending.empty()) {
+        const Vertex at = pending.back();
+        pending.pop_back();
+        for (const Face f : around[at]) {
+          for (const Vertex v : mesh.faceVertices(f)) {
+            if (capOf_[v] != kNoIndex) continue;
+            capOf_[v] = static_cast<Index>(caps_);
+            pending.push_back(v);
+          }
+        }
+      }
+      ++caps_;
+    }
+  }
+
+  /// The mean way from a vertex of a rim to its neighbours off the rim, and from the middle of a
+  /// cap that of the vertices round it.
+  void findMoves() {
+    const SurfaceMesh& mesh = cut_.mesh;
+    const auto isRim = [&](Vertex v) { return capOf_[v] != kNoIndex && v < cut_.points.size(); };
+    moves_.resize(mesh.vertexCount());
+    for (const bool isMiddle : {false, true}) {
+      std::vector<double> counts(mesh.vertexCount(), 0);
+      std::vector<Vec3> sums(mesh.vertexCount());
+      for (const Halfedge h : mesh.halfedges()) {
+        for (const auto& [v, to] :
+             {std::pair{mesh.from(h), mesh.to(h)}, {mesh.to(h), mesh.from(h)}}) {
+          if (isMiddle ? v < cut_.points.size() || !isRim(to)
+                       : !isRim(v) || isRim(to) || to >= cut_.points.size()) {
+            continue;
+          }
+          sums[v] = sums[v] + (isMiddle ? moves_[to] : mesh.position(to) - mesh.position(v));
+          counts[v] += 1;
+        }
+      }
+      for (const Vertex v : mesh.vertices()) {
+        if (counts[v] > 0) moves_[v] = (1 / counts[v]) * sums[v];
+      }
+    }
+  }
+
+  const CutSurface& cut_;
+  std::size_t caps_{0};
+  std::vector<Index> capOf_;  // of the vertices of rims and caps
+  std::vector<Vec3> moves_;
+};
+
+/// A surface whose cuts are closed.
+struct Closed {
+  SurfaceMesh mesh;
+  Index crossingFaces{0};  // that there was no room for
+};
+
+/// Every rim closed by the first way in which triangles keep their area and cross nothing. Error:
+/// that of SurfaceMesh::fromArrays.
+Result<Closed> closed(const CutSurface& cut) {
+  const Rims rims(cut);
+  // For each cap, which of the closings; all begin with the first.
+  std::vector<std::size_t> tried(rims.caps(), 0);
+  std::vector<bool> isWithoutRoom(rims.caps(), false);
+  std::size_t first = 0;
+  while (true) {
+    std::vector<Closing> closings;
+    for (const std::size_t t : tried) closings.push_back(kClosings[t]);
+    auto drawn = rims.closedBy(closings);
+    if (!drawn) {
+      if (++first == kClosings.size()) return drawn.error();
+      for (std::size_t& t : tried) t = std::max(t, first);
+      continue;
+    }
+    const std::vector<std::vector<Face>> crossing = rims.crossing(drawn.value());
+    bool isChanged = false;
+    std::vector<Face> faces;
+    for (std::size_t cap = 0; cap < crossing.size(); ++cap) {
+      faces.insert(faces.end(), crossing[cap].begin(), crossing[cap].end());
+      if (crossing[cap].empty() || isWithoutRoom[cap]) continue;
+      isChanged = true;
+      isWithoutRoom[cap] = ++tried[cap] == kClosings.size();
+      // It crosses something anyway: drawn back, its two sides do not touch at least.
+      if (isWithoutRoom[cap]) tried[cap] = first;
+    }
+    if (isChanged) continue;
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return Closed{std::move(drawn).value(), static_cast<Index>(faces.size())};
+  }
+}
+
+bool touchesBoundary(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points) {
+  return std::any_of(points.begin(), points.end(), [&](const SurfacePoint& point) {
+    return point.kind == SurfacePoint::Kind::AtVertex && mesh.isBoundary(point.vertex());
+  });
+}
+
+/// The short loops that lie apart from each other and off the boundary, the shortest first.
+std::vector<Handle> apart(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
+                          double length) {
+  std::vector<Handle> chosen;
+  std::set<Index> taken;
+  for (const Handle& handle : handles) {
+    if (!(handle.length < length) || touchesBoundary(mesh, handle.points)) continue;
+    const std::set<Index> faces = facesAlong(mesh, handle.points);
+    if (std::any_of(faces.begin(), faces.end(), [&](Index f) { return taken.count(f) > 0; })) {
+      continue;
+    }
+    taken.insert(faces.begin(), faces.end());
+    chosen.push_back(handle);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
+                                    const HandleOptions& options, const ExecutionContext& context) {
+  if (!(length >= 0)) {
+    return makeError(ErrorCode::InvalidOption, -1,
+                     "handles are removed up to a length of at least 0");
+  }
+  HandleRemoval result{mesh, {}, genusOf(mesh), genusOf(mesh), 0, length};
+  while (true) {
+    const double done = result.genusBefore == 0 ? 0
+                                                : 1 - static_cast<double>(result.genusAfter) /
+                                                          static_cast<double>(result.genusBefore);
+    const ExecutionContext part = partOf(context, done, done);
+    std::vector<Handle> chosen;
+    // Loops that are found at once are cut first; then it is proven that nothing is left.
+    for (const double upTo : {0.0, std::isinf(length) ? 0.0 : length}) {
+      const auto found = loops::findHandlesUpTo(result.mesh, upTo, options, part);
+      if (!found) return found.error();
+      chosen = apart(result.mesh, found.value().handles.handles, length);
+      if (!chosen.empty()) break;
+      result.provenLength = upTo > 0 ? found.value().proven : length;
+    }
+    if (chosen.empty()) break;
+    std::vector<SurfaceCurve> curves;
+    for (const Handle& handle : chosen) curves.push_back(handle.points);
+    const auto cut = cutSurface(result.mesh, curves, {true, false}, {1, context.cancel, {}});
+    if (!cut) return cut.error();
+    auto made = closed(cut.value());
+    if (!made) return made.error();
+    const Index genus = genusOf(made.value().mesh);
+    if (genus >= result.genusAfter) {  // nothing is gained
+      result.provenLength = 0;
+      break;
+    }
+    result.mesh = std::move(made.value().mesh);
+    result.crossingFaces += made.value().crossingFaces;
+    result.genusAfter = genus;
+    result.removed.insert(result.removed.end(), std::make_move_iterator(chosen.begin()),
+                          std::make_move_iterator(chosen.end()));
+  }
+  if (context.onProgress) context.onProgress(1);
+  return result;
+}
+
+}  // namespace girth
