@@ -373,6 +373,8 @@ std::vector<BruteForce::Loop> BruteForce::loops() const {
       });
       if (!isHalf) other = std::min(other, length);
     }
+    // Nor can one at whose midpoint not even its halves are found to arrive.
+    loop.doubtful |= shortest > half * (1 + kAtVertex);
     loop.excess = static_cast<double>(1 - shortest / half);
     if (std::isfinite(other))
       loop.third = std::max(loop.third, static_cast<double>(1 - other / half));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "geodesic/tolerances.h"
 #include "mesh/vector.h"
 
 namespace girth::test {
@@ -44,6 +45,20 @@ std::vector<double> directionsTo(const SurfaceMesh& mesh, Index vertex, const Su
     h = mesh.twin(in);
   } while (h != kNoIndex && h != mesh.outgoing(Vertex(vertex)));
   return directions;
+}
+
+/// How far from the loop a point of it may be drawn: a crossing within kTouch of the end of an edge
+/// is drawn at the vertex there.
+double drawnAside(const SurfaceMesh& mesh, const SurfacePoint& point) {
+  if (point.kind != SurfacePoint::Kind::AtVertex) return 0;
+  double longest = 0;
+  Halfedge h = mesh.outgoing(point.vertex());
+  do {
+    const Halfedge in = SurfaceMesh::previous(h);
+    longest = std::max({longest, mesh.length(h), mesh.length(in)});
+    h = mesh.twin(in);
+  } while (h != kNoIndex && h != mesh.outgoing(point.vertex()));
+  return geodesic::kTouch * longest;
 }
 
 /// Least angle that two directions leave between them inside the surface, at best.
@@ -97,8 +112,12 @@ void expectGeodesicLoop(const SurfaceMesh& mesh, const GirthLoop& loop) {
   for (std::size_t i = 1; i + 1 < n; ++i) {
     if (thereAndBack && 2 * i + 1 == n) continue;  // where it turns round
     const Vec3 in = points[i] - points[i - 1], out = points[i + 1] - points[i];
-    // Rounding turns a short step by more.
-    const double slack = 1e-7 + 1e-12 * loop.length / std::min(norm(in), norm(out));
+    // Each half may be bent by kFanOverlap at a root, and miss the end of a window by kAim: this
+    // turns a short step by more.
+    const double aside = 2 * (geodesic::kFanOverlap + geodesic::kAim) * loop.length;
+    const double slack = 1e-7 + aside / std::min(norm(in), norm(out)) +
+                         drawnAside(mesh, loop.points[i - 1]) / norm(in) +
+                         drawnAside(mesh, loop.points[i + 1]) / norm(out);
     const SurfacePoint& point = loop.points[i];
     if (point.kind == SurfacePoint::Kind::OnEdge) {
       const Vec3 edge = mesh.position(mesh.to(Halfedge(point.element))) -

@@ -63,10 +63,23 @@ INSTANTIATE_TEST_SUITE_P(Sample, RegularShapes, testing::Range(0, 60));
 // (1221). With the rest: a saddle at a vertex is listed as several, or not at all (11, 19, 73, 83,
 // 95); curves are pushed off a vertex and back (35, 42, 47, 51). A path
 // that bends round a window's end comes from there (5287, 8014); the enumeration cannot follow
-// lines that run along edges (4707, 4734).
+// lines that run along edges (4707, 4734). A midpoint beyond a side of its face is nearer there
+// over a third path (11114).
 INSTANTIATE_TEST_SUITE_P(OnceFailed, RegularShapes,
                          testing::Values(73, 83, 95, 174, 320, 421, 764, 815, 1153, 1221, 1689,
-                                         1893));
+                                         1893, 11114));
+
+class RegularShapesEverywhere : public testing::TestWithParam<int> {};
+
+TEST_P(RegularShapesEverywhere, CarryTheRest) {
+  expectTheRestOnRegularShape(static_cast<std::uint64_t>(GetParam()), 1000);
+}
+
+// Faults at single vertices: a maximum of rounding beside a saddle (103, 258), a third path to its
+// midpoint that ties (13250), a face whose first corner is beyond the frontier (14060), and a path
+// along the first direction of a vertex, which rounding has arrive at its total angle (14130).
+INSTANTIATE_TEST_SUITE_P(OnceFailed, RegularShapesEverywhere,
+                         testing::Values(103, 258, 13250, 14060, 14130));
 
 }  // namespace
 }  // namespace girth::test

@@ -45,9 +45,10 @@ bool PersistentSearch::enough(double frontier) {
     if (decided_ == mostSaddles_) return endedEarly_ = true;
     Saddle& saddle = saddles_[decided_];
     const double height = saddle.loop.length / 2, end = height + persistence_;
+    const bool isComplete = std::isinf(frontier);
+    if (saddle.isOpenToRounding && !isComplete) return false;
     const bool isFilled = saddle.death <= measured_;
-    if (!isFilled && !(end <= measured_)) {
-      const bool isComplete = std::isinf(frontier);
+    if (saddle.isOpenToRounding || (!isFilled && !(end <= measured_))) {
       const bool isPassed = isComplete || end * (1 + kTie) < frontier;
       // Where its sides are seen, no maximum needs to be known. Nothing lasts longer than for ever.
       if (std::isfinite(end) && (attempts_ == 0 || (attempts_ == 1 && isPassed))) {
@@ -61,6 +62,7 @@ bool PersistentSearch::enough(double frontier) {
       }
       if (!isPassed) return false;
       if (!measure(frontier)) return true;
+      if (saddle.isOpenToRounding) return false;
     }
     if (saddle.death - height > persistence_) {
       ++decided_;
@@ -188,25 +190,22 @@ bool PersistentSearch::divides(const LoopCandidate& loop) {
   return gaps.between > 0 && gaps.around > 0;
 }
 
-/// The gaps of π between the paths that arrive, by direction: those between two directions, and the
-/// others. Beyond a boundary is a way on.
+/// The gaps of π between the paths that arrive: those whose middle lies between two directions, and
+/// the others. Beyond a boundary is a way on.
 PersistentSearch::Gaps PersistentSearch::gapsBeside(double from, double to) const {
-  constexpr double kSame = 1e-6;
   const std::vector<PathArrival>& paths = arrivals_.paths;
   Gaps gaps;
-  if (paths.empty()) return gaps;
-  for (std::size_t i = 0; i + 1 < paths.size(); ++i) {
-    const double a = paths[i].direction, b = paths[i + 1].direction;
-    if (b - a < kFullGap) continue;
-    if (a >= from - kSame && b <= to + kSame) {
-      ++gaps.between;
-    } else {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const bool isLast = i + 1 == paths.size();
+    const double a = paths[i].direction;
+    const double b = isLast ? paths.front().direction + arrivals_.total : paths[i + 1].direction;
+    if (isLast && arrivals_.open) {
       ++gaps.around;
+    } else if (b - a >= kFullGap) {
+      // Rounding has a path along the first direction arrive at 0 or at the total.
+      const double middle = std::fmod((a + b) / 2, arrivals_.total);
+      ++(middle > from && middle < to ? gaps.between : gaps.around);
     }
-  }
-  if (arrivals_.open ||
-      paths.front().direction + arrivals_.total - paths.back().direction >= kFullGap) {
-    ++gaps.around;
   }
   return gaps;
 }
@@ -328,24 +327,31 @@ bool PersistentSearch::measure(double frontier) {
   std::vector<std::size_t> numbers;
   std::vector<SaddleEnds> ends;
   std::vector<LocalMaximum> maxima = maxima_;
+  std::vector<bool> isBesideLower;  // maximum; of those in `ends`
   for (std::size_t i = 0; i < ends_.size(); ++i) {
     const SaddleEnds& saddle = ends_[i];
     if (i >= decided_) saddles_[i].death = saddle.height;
     const auto one = std::find_if(ends.rbegin(), ends.rend(),
                                   [&](const SaddleEnds& other) { return areOne(other, saddle); });
-    std::erase_if(maxima, [&](const LocalMaximum& maximum) {
-      return isLower(maximum, saddle) || (one != ends.rend() && liesBetween(maximum, *one, saddle));
-    });
-    if (one != ends.rend()) continue;
+    const std::size_t lower = std::erase_if(
+        maxima, [&](const LocalMaximum& maximum) { return isLower(maximum, saddle); });
+    if (one != ends.rend()) {
+      std::erase_if(
+          maxima, [&](const LocalMaximum& maximum) { return liesBetween(maximum, *one, saddle); });
+      continue;
+    }
     numbers.push_back(i);
     ends.push_back(saddle);
+    isBesideLower.push_back(lower > 0);
   }
   const std::vector<double> deaths = saddleDeaths(ends, maxima, boundaries_, isComplete);
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const std::size_t i = numbers[k];
-    if (i >= decided_ && deaths[k] > ends[k].height * (1 + 4 * kTogether)) {
-      saddles_[i].death = deaths[k];
-    }
+    if (i < decided_) continue;
+    const bool isLate = deaths[k] > ends[k].height * (1 + 4 * kTogether);
+    if (isLate) saddles_[i].death = deaths[k];
+    const bool isTie = isBesideLower[k] || !(saddles_[i].isPlain || saddles_[i].vertex != kNoIndex);
+    saddles_[i].isOpenToRounding = !isComplete && (!isLate || (isTie && std::isinf(deaths[k])));
   }
   return true;
 }

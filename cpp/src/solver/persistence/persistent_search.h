@@ -51,6 +51,10 @@ class PersistentSearch {
     /// Its midpoint lies inside a face, or on an edge, and no third path arrives there.
     bool isPlain;
     Index vertex;  ///< that the midpoint is; kNoIndex: none
+    /// Rounding may have filled a side at once: a maximum as high as the saddle lies on it, or a
+    /// third path arrives at the midpoint. It is not filled where it has a higher maximum, which is
+    /// known once all maxima are.
+    bool isOpenToRounding{false};
   };
   /// Those that were met, in the order of their heights.
   const std::vector<Saddle>& saddles() const { return saddles_; }

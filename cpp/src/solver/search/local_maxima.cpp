@@ -108,17 +108,6 @@ bool isBetween(Vec2 a, Vec2 b, Vec2 c) {
   return (ab >= -sab && bc >= -sbc && ca >= -sca) || (ab <= sab && bc <= sbc && ca <= sca);
 }
 
-/// No point of a face is nearer than this, as its corners show.
-double nearestWithin(const Propagation& propagation, Index face) {
-  double nearest = 0;
-  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-    const Crossing c = propagation.unfolding().crossing(h);
-    nearest =
-        std::max(nearest, propagation.distance(c.from()) - std::max(c.length(), c.leftLength()));
-  }
-  return nearest;
-}
-
 }  // namespace
 
 MaximaSearch::MaximaSearch(const Propagation& propagation)
@@ -136,17 +125,23 @@ bool MaximaSearch::find(double low, double high, std::size_t mostWork,
   high_ = high;
   maxima_ = &maxima;
   work_ = 0;
-  for (const Index v : propagation_->reachedVertices()) {
+  // Distances beyond the frontier are bounds, or unknown yet.
+  const auto isNear = [&](Index v) {
     const double distance = propagation_->distance(v);
-    if (distance < low - longestSide_ || distance > high + longestSide_) continue;
+    return distance >= low - longestSide_ && std::isfinite(distance);
+  };
+  for (const Index v : propagation_->reachedVertices()) {
+    if (!isNear(v)) continue;
     if (work_ > mostWork) return false;
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return false;
+    const double distance = propagation_->distance(v);
     if (distance >= low && distance <= high) tryVertex(v);
-    // Each face once, at its first corner.
+    // Each face once, at its first corner that is near.
     for (const Index out : unfolding.fan(v)) {
       const Index face = faceOfSide(out);
-      if (out != 3 * face || propagation_->farthestWithin(face) < low) continue;
-      if (nearestWithin(*propagation_, face) > high) continue;
+      Index first = 3 * face;
+      while (first < out && !isNear(unfolding.crossing(first).from())) ++first;
+      if (out != first || propagation_->farthestWithin(face) < low) continue;
       tryFace(face);
       while (!cells_.empty()) {
         if (work_ > mostWork) return false;
@@ -264,7 +259,7 @@ void MaximaSearch::tryCell(Cell cell) {
                 sources.end());
   if (goOnTogether(sources, corners, rising)) return;
   roots_.clear();
-  if (differentRoots(sources, kTie * atCentre, kFewSites, roots_)) {
+  if (differentRoots(sources, kTie * atCentre, kFewSources + cell.halvings, roots_)) {
     tryTriples(roots_, cell, centre, margin);
     return;
   }
@@ -283,6 +278,7 @@ void MaximaSearch::tryCell(Cell cell) {
   }
   const std::size_t to = (from + 1) % 3;
   const Vec2 half = 0.5 * (corners[from] + corners[to]);
+  ++cell.halvings;
   Cell other = cell;
   cell.corners[from] = half;
   other.corners[to] = half;

@@ -37,14 +37,16 @@ class MaximaSearch {
   std::size_t memoryBytes() const;
 
  private:
-  /// Triples of so few sources are all tried.
-  static constexpr std::size_t kFewSites = 4;
+  /// Triples of so few sources are all tried in a whole face; in its parts more of them, since
+  /// along some curve of the face any number of sources may tie.
+  static constexpr std::size_t kFewSources = 4;
 
   /// A triangle of a face, in the frame of its first halfedge, with the sources that may be nearest
   /// to a point of it.
   struct Cell {
     std::array<geodesic::Vec2, 3> corners;
     std::vector<Pseudosource> sources;
+    std::size_t halvings{0};  ///< of the face
   };
 
   void tryVertex(Index vertex);

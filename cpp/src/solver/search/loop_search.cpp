@@ -10,7 +10,9 @@ using geodesic::cross;
 using geodesic::Crossing;
 using geodesic::CrossingResult;
 using geodesic::dot;
+using geodesic::kAim;
 using geodesic::kShortest;
+using geodesic::kTie;
 using geodesic::kTouch;
 using geodesic::norm;
 using geodesic::Propagation;
@@ -27,6 +29,7 @@ bool longer(const LoopCandidate& a, const LoopCandidate& b) { return a.length > 
 void LoopSearch::start(const std::atomic<bool>* cancel) {
   cancel_ = cancel;
   candidates_.clear();
+  judged_.clear();
   for (Gathered& gathered : gathered_) gathered.halfedge = kNoIndex;
   nearer_ = {};
   pairs_ = 0;
@@ -238,14 +241,15 @@ void LoopSearch::tryEdge(Index halfedge) {
   propose({length, {{}, c.from()}, {{}, c.to()}, halfedge, q});
 }
 
-/// Most pairs are refuted at once: q lies outside the face, or is nearer over a corner.
+/// Most pairs are refuted at once: q lies outside the face, or is nearer over a corner. A midpoint
+/// beyond a side belongs to the face there, and is judged among the windows of that face.
 bool LoopSearch::worthwhile(double length, Index halfedge, Vec2 midpoint) const {
   const Unfolding& unfolding = propagation_->unfolding();
   const double half = length / 2 * (1 - kShortest);
   for (const Index h : {halfedge, Unfolding::next(halfedge), Unfolding::previous(halfedge)}) {
     const Crossing c = unfolding.crossing(h);
     const Vec2 q = unfolding.toFrame(halfedge, h, midpoint);
-    if (q.y < -kTouch * c.length()) return false;
+    if (q.y < -std::min(kTouch * c.length(), kAim * length)) return false;
     const double rest = half - propagation_->distance(c.from());
     if (rest > 0 && rest * rest > dot(q, q)) return false;
     // No geodesic passes a convex vertex, though its neighbours on one side may tend to that line.
@@ -269,8 +273,26 @@ bool LoopSearch::proven(const LoopCandidate& candidate) {
     return false;
   }
   for (Index h = 3 * face; h < 3 * face + 3; ++h) pairs_ += propagation_->enteredCount(h);
-  return !propagation_->findNearer(candidate.halfedge, candidate.midpoint, half, nearer_) &&
-         !closesUpon(candidate);
+  if (propagation_->findNearer(candidate.halfedge, candidate.midpoint, half, nearer_)) return false;
+  if (isJudged(candidate)) return false;
+  if (!judged_.empty() && judged_.back().length < candidate.length * (1 - kTie)) judged_.clear();
+  judged_.push_back(candidate);
+  return !closesUpon(candidate);
+}
+
+/// Whether the same loop has been judged, up to rounding. Where n windows of one root meet n of
+/// another, the search meets one loop n² times.
+bool LoopSearch::isJudged(const LoopCandidate& candidate) const {
+  const double slack = kTie * candidate.length;
+  const auto isSame = [&](const PathHalf& a, const PathHalf& b) {
+    return a.vertex == b.vertex && a.bundle.halfedge == b.bundle.halfedge &&
+           (a.bundle.halfedge == kNoIndex || norm(a.bundle.root - b.bundle.root) <= slack);
+  };
+  return std::any_of(judged_.begin(), judged_.end(), [&](const LoopCandidate& judged) {
+    return judged.halfedge == candidate.halfedge &&
+           norm(judged.midpoint - candidate.midpoint) <= slack &&
+           isSame(judged.there, candidate.there) && isSame(judged.back, candidate.back);
+  });
 }
 
 /// Whether the frontier closes at the midpoint from all sides at once: the paths that arrive there

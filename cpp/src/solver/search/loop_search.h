@@ -73,7 +73,7 @@ class LoopSearch {
   /// The loop that was found last; after a run that ended with the first, the shortest.
   const LoopCandidate& best() const { return best_; }
   std::size_t memoryBytes() const {
-    return candidates_.capacity() * sizeof(LoopCandidate) +
+    return (candidates_.capacity() + judged_.capacity()) * sizeof(LoopCandidate) +
            std::accumulate(gathered_.begin(), gathered_.end(), std::size_t{0},
                            [](std::size_t bytes, const Gathered& gathered) {
                              return bytes + gathered.windows.capacity() * sizeof(geodesic::Window);
@@ -102,6 +102,7 @@ class LoopSearch {
   void tryEdge(Index halfedge);
   bool worthwhile(double length, Index halfedge, geodesic::Vec2 midpoint) const;
   void propose(const LoopCandidate& candidate);
+  bool isJudged(const LoopCandidate& candidate) const;
   bool proven(const LoopCandidate& candidate);
   bool closesUpon(const LoopCandidate& candidate);
 
@@ -109,6 +110,7 @@ class LoopSearch {
   const std::atomic<bool>* cancel_{nullptr};
   std::vector<LoopCandidate> candidates_;  // a heap, shortest on top
   std::array<Gathered, 16> gathered_;      // that the new ones are paired with
+  std::vector<LoopCandidate> judged_;      // the last of which closesUpon was asked
   Arrivals arrivals_;                      // at a midpoint
   geodesic::WindowNumber nearer_;          // what disproved the last candidate
   LoopCandidate best_;
