@@ -15,27 +15,16 @@ struct AllFields {
     return bind::functionOf(mesh, request);
   }
 
-  /// The method of a field, as files name it.
+  /// The method of a field, as files name it; of barcodes that of the girth.
   static std::string methodOf(const FieldRequest& request) {
-    if (request.name == "sdf") return io::methodText(request.shapeDiameter);
-    if (request.name == "thickness") return io::methodText(request.thickness);
-    if (request.name == "igf" || request.name == "angle") {
-      return io::methodText(GirthOptions{GirthMethod::Exact, request.persistence});
-    }
-    const bool isExtent = request.name == "geoaverage" || request.name == "geofarthest";
-    return std::string(io::toString(isExtent ? request.distances : DistanceMethod::Exact));
+    return request.name == "barcode" ? std::string(io::toString(GirthMethod::Exact))
+                                     : io::methodText(request.name, request.options);
   }
 
   /// What a user should know of a field's values, of which so many are missing.
   static std::string noteOf(const FieldRequest& request, const SurfaceMesh& mesh,
                             Index withoutValue) {
-    if (request.name == "sdf") {
-      return shapeDiameterNote(isInsideOut(mesh), withoutValue, mesh.vertexCount());
-    }
-    if (request.name == "thickness") {
-      return thicknessNote(isInsideOut(mesh), withoutValue, mesh.vertexCount());
-    }
-    return budgetNote(withoutValue, mesh.vertexCount());
+    return fieldNote(mesh, request.name, withoutValue);
   }
 };
 

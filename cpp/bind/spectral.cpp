@@ -7,9 +7,8 @@
 #include <string>
 
 #include "boundary.h"
-#include "girth/heat_kernel.h"
+#include "girth/fields.h"
 #include "girth/heat_maxima.h"
-#include "girth/wave_kernel.h"
 #include "maxima.h"
 #include "studies_surface.h"
 #include "text/number_text.h"
@@ -20,23 +19,30 @@ namespace girth::bind {
 namespace {
 
 /// A number of JavaScript as a count. What is no count becomes 0, which is refused.
-Index countOf(const val& number) {
+Index countOf(const val& number, Index byDefault) {
+  if (number.isUndefined()) return byDefault;
   const double count = number.as<double>();
   return count >= 0 && count < 4e9 ? static_cast<Index>(count) : 0;
 }
 
-/// Computes what a `SpectralRequest` of protocol.ts needs.
-std::optional<Error> prepare(StudiesSurface& surface, const val& request, const val& onProgress) {
-  return surface.prepareSpectrum(countOf(request["pairs"]), reportingTo(onProgress));
+/// As a share of the area.
+double timeOf(const val& request) {
+  const val time = request["time"];
+  return time.isUndefined() ? kHeatMaximaTime : time.as<double>();
 }
 
-Result<VertexSignatures> signaturesOf(const StudiesSurface& surface, const std::string& name,
-                                      const val& request) {
-  if (name == "wks") return waveKernelSignature(surface.spectrum());
-  if (name == "sihks") return scaleInvariantHeatKernelSignature(surface.spectrum());
-  if (name != "hks") return makeError(ErrorCode::Usage, -1, "there is no field '" + name + "'");
-  const std::array<double, 1> times{request["time"].as<double>() * surface.mesh().area()};
-  return heatKernelSignature(surface.spectrum(), times);
+/// The number of its signature that a field is by default, from 1.
+Index usualNumber(std::string_view name) {
+#define GIRTH_SPECTRAL_FIELD(field, unit, title, listTitle, meaning, signature, number, count) \
+  if (name == #field) return number;
+#include "girth/fields.def"
+  return 1;
+}
+
+/// Computes what a `SpectralRequest` of protocol.ts needs.
+std::optional<Error> prepare(StudiesSurface& surface, const val& request, const val& onProgress) {
+  return surface.prepareSpectrum(countOf(request["pairs"], SpectrumOptions{}.pairs),
+                                 reportingTo(onProgress));
 }
 
 /// {values, method} of a `SpectralRequest` of protocol.ts, or an error.
@@ -44,11 +50,14 @@ val spectralField(StudiesSurface& surface, const val& request, const val& onProg
   return guarded([&] {
     if (const auto error = prepare(surface, request, onProgress)) return toJs(*error);
     const std::string name = request["name"].as<std::string>();
-    const Result<VertexSignatures> signatures = signaturesOf(surface, name, request);
+    const double time = timeOf(request);
+    const std::array<double, 1> times{time * surface.mesh().area()};
+    const Result<VertexSignatures> signatures = fieldSignature(surface.spectrum(), name, times);
     if (!signatures) return toJs(signatures.error());
     const std::size_t dimensions = signatures.value().dimensions;
     // Counted from 1, as in the command. 'hks' is computed at one time only.
-    const std::size_t component = name == "hks" ? 1 : countOf(request["component"]);
+    const std::size_t component =
+        name == "hks" ? 1 : countOf(request["component"], usualNumber(name));
     if (component < 1 || component > dimensions) {
       return toJs(
           makeError(ErrorCode::InvalidOption, -1,
@@ -61,7 +70,7 @@ val spectralField(StudiesSurface& surface, const val& request, const val& onProg
     val result = val::object();
     result.set("values", copyOut<double>("Float64Array", values));
     std::string method = std::to_string(surface.spectrum().values.size()) + " eigenpairs";
-    if (name == "hks") method += ", time " + io::formatNumber(request["time"].as<double>());
+    if (name == "hks") method += ", time " + io::formatNumber(time);
     result.set("method", method);
     return result;
   });
@@ -71,8 +80,7 @@ val spectralField(StudiesSurface& surface, const val& request, const val& onProg
 val heatMaxima(StudiesSurface& surface, const val& request, const val& onProgress) {
   return guarded([&] {
     if (const auto error = prepare(surface, request, onProgress)) return toJs(*error);
-    const auto found =
-        persistentHeatMaxima(surface.mesh(), surface.spectrum(), request["time"].as<double>());
+    const auto found = persistentHeatMaxima(surface.mesh(), surface.spectrum(), timeOf(request));
     if (!found) return toJs(found.error());
     return describe(found.value());
   });

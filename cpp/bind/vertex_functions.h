@@ -9,40 +9,44 @@
 #include <vector>
 
 #include "boundary.h"
-#include "girth/geodesic_extent.h"
+#include "girth/fields.h"
 #include "girth/girth_field.h"
-#include "girth/shape_diameter.h"
-#include "girth/thickness.h"
 
 namespace girth::bind {
 
 /// `FieldRequest` of protocol.ts.
 struct FieldRequest {
+  /// One of `fields()`, or "barcode", whose persistence is the greatest that counts.
   std::string name;
-  ShapeDiameterOptions shapeDiameter;
-  ThicknessOptions thickness;
-  DistanceMethod distances{DistanceMethod::FastMarching};
-  /// Of the girth and its angle: tau, in model units. Of barcodes: up to which persistence.
-  double persistence{0};
+  FieldOptions options;
 
   bool operator==(const FieldRequest& other) const {
-    return name == other.name && shapeDiameter.coneAngle == other.shapeDiameter.coneAngle &&
-           shapeDiameter.rays == other.shapeDiameter.rays &&
-           thickness.sharpAngle == other.thickness.sharpAngle && distances == other.distances &&
-           persistence == other.persistence;
+#define GIRTH_FIELD_PARAMETER(keyword, value, fields, kind, member, least, greatest, words) \
+  if (!(options.member == other.options.member)) return false;
+#include "girth/fields.def"
+    return name == other.name;
   }
 };
 
-inline FieldRequest requestOf(const emscripten::val& request) {
-  // A number that is no count becomes 0, which the core refuses.
-  const double rays = request["rays"].as<double>();
-  const bool isCount = rays >= 0 && rays < 1e9;
-  return {request["name"].as<std::string>(),
-          {request["coneAngle"].as<double>(), isCount ? static_cast<unsigned>(rays) : 0},
-          {request["sharpAngle"].as<double>(), ThicknessSide::Inside},
-          request["distances"].as<std::string>() == "exact" ? DistanceMethod::Exact
-                                                            : DistanceMethod::FastMarching,
-          request["persistence"].as<double>()};
+/// Takes a parameter that is given. A number that is no count becomes 0, which the core refuses.
+inline void take(const emscripten::val& given, double& parameter) {
+  parameter = given.as<double>();
+}
+inline void take(const emscripten::val& given, unsigned& parameter) {
+  const double number = given.as<double>();
+  parameter = number >= 0 && number < 1e9 ? static_cast<unsigned>(number) : 0;
+}
+inline void take(const emscripten::val& given, DistanceMethod& parameter) {
+  parameter =
+      given.as<std::string>() == "exact" ? DistanceMethod::Exact : DistanceMethod::FastMarching;
+}
+
+inline FieldRequest requestOf(const emscripten::val& given) {
+  FieldRequest request{given["name"].as<std::string>(), {}};
+#define GIRTH_FIELD_PARAMETER(keyword, value, fields, kind, member, least, greatest, words) \
+  if (const auto one = given[#member]; !one.isUndefined()) take(one, request.options.member);
+#include "girth/fields.def"
+  return request;
 }
 
 /// A function with lengths and their kinds, with plain numbers, or with barcodes.
@@ -50,30 +54,14 @@ using AnyFunction =
     std::variant<VertexFunction<GirthValue>, VertexFunction<double>, VertexFunction<Barcode>>;
 
 inline Result<AnyFunction> functionOf(const SurfaceMesh& mesh, const FieldRequest& request) {
-  if (auto error = checkPersistence(request.persistence)) return *std::move(error);
-  const double persistence = request.persistence;
-  if (request.name == "igf") {
-    return AnyFunction(girthFunction(mesh, {GirthMethod::Exact, persistence}));
+  if (request.name == "barcode") {
+    const double persistence = request.options.persistence;
+    if (auto error = checkPersistence(persistence)) return *std::move(error);
+    return AnyFunction(barcodeFunction(mesh, {persistence}));
   }
-  if (request.name == "angle") return AnyFunction(loopAngleFunction(mesh, persistence));
-  if (request.name == "barcode") return AnyFunction(barcodeFunction(mesh, {persistence}));
-  if (request.name == "sdf") {
-    auto function = shapeDiameterFunction(mesh, request.shapeDiameter);
-    if (!function) return function.error();
-    return AnyFunction(std::move(function).value());
-  }
-  if (request.name == "thickness") {
-    auto function = medialThicknessFunction(mesh, request.thickness);
-    if (!function) return function.error();
-    return AnyFunction(std::move(function).value());
-  }
-  if (request.name == "geoaverage") {
-    return AnyFunction(geodesicExtentFunction(mesh, ExtentMeasure::Average, request.distances));
-  }
-  if (request.name == "geofarthest") {
-    return AnyFunction(geodesicExtentFunction(mesh, ExtentMeasure::Farthest, request.distances));
-  }
-  return makeError(ErrorCode::Usage, -1, "there is no field '" + request.name + "'");
+  const auto function = fieldFunction(mesh, request.name, request.options);
+  if (!function) return function.error();
+  return std::visit([](const auto& one) { return AnyFunction(one); }, function.value());
 }
 
 /// Values as JavaScript receives them (`PartialField` of types.ts). Only the girth has `kinds`. Of

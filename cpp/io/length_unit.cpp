@@ -5,13 +5,10 @@
 namespace girth::io {
 namespace {
 
-constexpr std::array<LengthUnit, 7> kUnits{{{"um", "micrometre", 1e-6},
-                                            {"mm", "millimetre", 1e-3},
-                                            {"cm", "centimetre", 1e-2},
-                                            {"m", "metre", 1},
-                                            {"km", "kilometre", 1e3},
-                                            {"in", "inch", 0.0254},
-                                            {"ft", "foot", 0.3048}}};
+constexpr std::array kUnits{
+#define GIRTH_LENGTH_UNIT(symbol, name, metres) LengthUnit{symbol, name, metres},
+#include "girth/io/length_units.def"
+};
 
 }  // namespace
 

@@ -10,6 +10,7 @@ import {
   colormapNames,
   combinationOf,
   derivedNames,
+  fieldListTitles,
   fieldNames,
   fieldTitle,
   formatCount,
@@ -54,14 +55,7 @@ import { type TermName, explains } from './terms.js';
 const shownNames: readonly ShownName[] = [...fieldNames, ...derivedNames, 'none'];
 /** Names in the list that differ from those in the legend. */
 const listWords: Partial<Record<ShownName, string>> = {
-  igf: 'Girth (IGF)',
-  sdf: 'Shape diameter (SDF)',
-  thickness: 'Thickness (balls)',
-  geoaverage: 'GeoAverage (mean)',
-  geofarthest: 'GeoFarthest (largest)',
-  hks: 'Heat kernel (HKS)',
-  wks: 'Wave kernel (WKS)',
-  sihks: 'SIHKS (scale-free)',
+  ...fieldListTitles,
   tips: 'Tip persistence',
   parts: 'Tubes and plates',
   none: 'None',

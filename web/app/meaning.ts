@@ -5,25 +5,18 @@ import {
   type GirthViewer,
   type ShownName,
   combinationOf,
+  fieldMeanings,
   fieldTitle,
   inSentence,
 } from '../src/element/index.js';
 import { byId } from './dom.js';
 
 const words: Partial<Record<ShownName, string>> = {
-  igf: 'the length of the shortest loop round the surface, like a rubber band that holds tight.',
-  sdf: 'how thick the shape is on average, measured through its inside.',
-  thickness: 'the width of the largest ball inside that touches the surface there.',
-  geoaverage: 'the mean distance to all other places, along the surface.',
-  geofarthest: 'the distance to the farthest place, along the surface.',
-  angle: 'the angle at which the shortest loop meets itself.',
-  hks: 'how much heat stays in a place.',
-  wks: 'how likely a wave of this energy is met in a place.',
-  sihks: 'how heat leaves a place, whatever the size of the shape.',
-  kind: 'whether a loop holds in a place, or slips off.',
-  state: 'how sure the loop’s length is.',
-  tips: 'how far the loop’s length jumps where it slips off.',
-  parts: 'what is thin like a tube, thin like a plate, or neither.',
+  ...fieldMeanings,
+  kind: 'whether a loop holds in a place, or slips off',
+  state: 'how sure the loop’s length is',
+  tips: 'how far the loop’s length jumps where it slips off',
+  parts: 'what is thin like a tube, thin like a plate, or neither',
 };
 
 /** To find a way over a surface of more vertices would hold up the page. */
@@ -32,16 +25,16 @@ const mostVertices = 150_000;
 const pace = 70;
 
 /** What the print check colours by, in place of a field. */
-const printWords = 'what is too thin to print, and what is thick enough.';
+const printWords = 'what is too thin to print, and what is thick enough';
 
 /** Of two fields in one. */
 function ofTwo(name: ShownName, colormap: ColormapName | undefined): string | undefined {
   const combined = combinationOf(name);
   if (!combined) return undefined;
   const [first, second] = [combined.first, combined.second].map(fieldTitle).map(inSentence);
-  if (combined.by === 'ratio') return `the ${first}, divided by the ${second}.`;
+  if (combined.by === 'ratio') return `the ${first}, divided by the ${second}`;
   const sides = colormap === 'rdbu' ? ': red where it is more, blue where it is less' : '';
-  return `the ${first} less the ${second}${sides}.`;
+  return `the ${first} less the ${second}${sides}`;
 }
 
 /** Keeps the line up to date; what it returns is called when the print check begins or ends to colour. */
@@ -50,7 +43,7 @@ export function explainColours(viewer: GirthViewer, isPrint: () => boolean): () 
   const write = (): void => {
     const { name, colormap } = viewer.shown ?? {};
     const meaning = isPrint() ? printWords : name && (words[name] ?? ofTwo(name, colormap));
-    line.textContent = meaning ? `Colours: ${meaning}` : '';
+    line.textContent = meaning ? `Colours: ${meaning}.` : '';
   };
   for (const event of ['fieldchange', 'field', 'progress']) viewer.addEventListener(event, write);
   return write;

@@ -1,6 +1,6 @@
 // Which number of a signature (heat kernel, wave kernel, scale-invariant heat kernel) colours the surface.
 
-import { type GirthViewer, make } from '../src/element/index.js';
+import { type GirthViewer, make, signatureNumbers, usualTime } from '../src/element/index.js';
 import type { SpectralFieldName } from '../src/kernel/index.js';
 import type { PageState } from './address-state.js';
 import { Draft } from './draft.js';
@@ -20,7 +20,11 @@ interface Signature {
 /** Of heat, ten steps for each power of ten, from the time at which only points are seen to the whole shape. */
 const [shortest, perPower] = [1e-4, 10];
 
-function counted(attribute: 'energy' | 'component', label: string, last: number, usual: number) {
+function counted(
+  attribute: 'energy' | 'component',
+  label: string,
+  { count: last, usual }: { count: number; usual: number },
+) {
   return {
     attribute,
     label,
@@ -37,13 +41,13 @@ const signatures: Record<SpectralFieldName, Signature> = {
     attribute: 'time',
     label: 'Time (share of the area)',
     steps: 4 * perPower,
-    usual: 2e-3,
+    usual: usualTime,
     at: (step) => Number((shortest * 10 ** (step / perPower)).toPrecision(2)),
     stepOf: (time) => Math.round(perPower * Math.log10(Math.max(time, shortest) / shortest)),
     words: String,
   },
-  wks: counted('energy', 'Energy', 100, 20),
-  sihks: counted('component', 'Frequency', 19, 1),
+  wks: counted('energy', 'Energy', signatureNumbers.wks),
+  sihks: counted('component', 'Frequency', signatureNumbers.sihks),
 };
 
 export class SignatureChoice {

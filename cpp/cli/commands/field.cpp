@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -10,8 +11,7 @@
 
 #include "commands/common_options.h"
 #include "commands/table.h"
-#include "girth/geodesic_extent.h"
-#include "girth/girth_field.h"
+#include "girth/fields.h"
 #include "girth/io/write_field.h"
 #include "girth/persistent_maxima.h"
 #include "model/computing.h"
@@ -19,7 +19,6 @@
 #include "model/persistence.h"
 #include "model/spectral_field.h"
 #include "process/output.h"
-#include "process/progress_line.h"
 #include "process/report.h"
 #include "text/json_text.h"
 #include "text/number_text.h"
@@ -31,20 +30,13 @@ namespace {
 struct Options {
   std::string model;
   ModelOptions preparing;
-  /// "sdf", "thickness", "geoaverage", "geofarthest", "angle", or a spectral one: "hks", "sihks" or
-  /// "wks".
-  std::string field;
+  /// One of `fields()`, but the girth.
+  std::string name;
   Output output;
   unsigned threads{0};
   bool json{false};
-  /// Of sdf.
-  unsigned rays{30};
-  double coneDegrees{120};
-  /// Of thickness.
-  double sharpDegrees{75};
-  /// Of geoaverage and geofarthest: by windows instead of fast marching.
-  bool exactDistances{false};
-  /// Of angle, as typed: a length or a share.
+  FieldOptions field;
+  /// As typed: a length or a share.
   std::string persistence;
   SpectralFieldOptions spectral;
   /// How many of the most persistent maxima to list.
@@ -52,45 +44,42 @@ struct Options {
   bool positions{false};
 };
 
+/// The fields of this command.
+std::vector<FieldInfo> offered() {
+  std::vector<FieldInfo> found(fields().begin(), fields().end());
+  std::erase_if(found, [](const FieldInfo& one) { return one.name == "igf"; });
+  return found;
+}
+
+/// Something of each of them, in one text.
+std::string listed(const std::function<std::string(const FieldInfo&)>& words,
+                   std::string_view between) {
+  std::string text;
+  for (const FieldInfo& one : offered()) {
+    if (!text.empty()) text += between;
+    text += words(one);
+  }
+  return text;
+}
+
 Result<std::vector<ComputedField>> compute(const Options& options, const io::LoadedMesh& loaded) {
   const SurfaceMesh& mesh = loaded.mesh;
-  if (isSpectralField(options.field)) {
-    return computeSpectralField(options.field, options.spectral, options.model, mesh, loaded.unit);
+  const FieldInfo& info = *findField(options.name);
+  const std::string unit = unitText(info.unit, loaded.unit);
+  if (info.isSpectral) {
+    return computeSpectralField(options.name, options.spectral, options.model, mesh, unit);
   }
-  const Error stopped = makeError(ErrorCode::Cancelled, -1, "stopped before it was finished");
-  if (options.field == "sdf") {
-    const ShapeDiameterOptions sdf{options.coneDegrees * std::numbers::pi / 180, options.rays};
-    auto field = computeDiameter(options.model, mesh, sdf, options.threads);
-    if (!field) return field.error();
-    return std::vector<ComputedField>{
-        {"sdf", io::methodText(sdf), loaded.unit, std::move(field.value().values)}};
-  }
-  if (options.field == "thickness") {
-    const ThicknessOptions thickness{options.sharpDegrees * std::numbers::pi / 180, {}};
-    auto field = computeThickness(options.model, mesh, thickness, options.threads);
-    if (!field) return field.error();
-    return std::vector<ComputedField>{
-        {"thickness", io::methodText(thickness), loaded.unit, std::move(field.value().values)}};
-  }
-  if (options.field == "angle") noteLargeSurface(options.model, mesh, kRemeshFirst);
-  ProgressLine progress(options.model);
-  const ExecutionContext context = watched(options.threads, progress);
-  if (options.field == "angle") {
+  FieldOptions given = options.field;
+  if (options.name == "angle") {
+    noteLargeSurface(options.model, mesh, kRemeshFirst);
     const auto persistence = persistenceOf(options.persistence, loaded);
     if (!persistence) return persistence.error();
-    auto angles = evaluateAll(mesh, loopAngleFunction(mesh, persistence.value()), context);
-    if (!angles.complete()) return stopped;
-    return std::vector<ComputedField>{
-        {"angle", io::methodText(GirthOptions{GirthMethod::Exact, persistence.value()}), "radian",
-         std::move(angles.values)}};
+    given.persistence = persistence.value();
   }
-  const DistanceMethod distances =
-      options.exactDistances ? DistanceMethod::Exact : DistanceMethod::FastMarching;
-  GeodesicExtent extent = geodesicExtent(mesh, distances, context);
-  if (!extent.complete) return stopped;
+  auto field = computeField(options.model, mesh, options.name, given, options.threads);
+  if (!field) return field.error();
   return std::vector<ComputedField>{
-      {options.field, std::string(io::toString(distances)), loaded.unit,
-       options.field == "geoaverage" ? std::move(extent.average) : std::move(extent.farthest)}};
+      {options.name, io::methodText(options.name, given), unit, std::move(field.value().values)}};
 }
 
 Result<std::string> contentFor(const Options& options, const io::LoadedMesh& loaded,
@@ -135,8 +124,9 @@ void printMaxima(const io::LoadedMesh& loaded, const std::vector<PersistentMaxim
 
 /// What stands behind a value in the summary.
 std::string unitOf(const std::string& field, const std::string& unit) {
-  if (field == "angle") return " rad";
-  return isSpectralField(field) ? "" : unitSuffix(unit);
+  const FieldUnit kind = findField(field)->unit;
+  if (kind == FieldUnit::Radian) return " rad";
+  return kind == FieldUnit::Length ? unitSuffix(unit) : "";
 }
 
 void print(const Options& options, const io::LoadedMesh& loaded,
@@ -156,7 +146,7 @@ void print(const Options& options, const io::LoadedMesh& loaded,
     };
     const std::string text =
         "{\"file\":" + io::jsonString(options.model) +
-        ",\"field\":" + io::jsonString(options.field) +
+        ",\"field\":" + io::jsonString(options.name) +
         ",\"method\":" + io::jsonString(first.method) + ",\"unit\":" + io::jsonString(first.unit) +
         ",\"components\":" + std::to_string(fields.size()) +
         ",\"vertices\":" + std::to_string(first.values.size()) +
@@ -170,13 +160,12 @@ void print(const Options& options, const io::LoadedMesh& loaded,
   if (!hasSummary()) return;
   const std::string components =
       fields.size() == 1 ? "" : std::to_string(fields.size()) + " components ";
-  std::printf("%s: %s (%s) %sat %zu of %zu vertices\n", options.model.c_str(),
-              options.field.c_str(), first.method.c_str(), components.c_str(), n / fields.size(),
-              first.values.size());
+  std::printf("%s: %s (%s) %sat %zu of %zu vertices\n", options.model.c_str(), options.name.c_str(),
+              first.method.c_str(), components.c_str(), n / fields.size(), first.values.size());
   if (n == 0) return;
   std::printf("  min %s, median %s, max %s%s\n", readable(values.front()).c_str(),
               readable(median).c_str(), readable(values.back()).c_str(),
-              unitOf(options.field, first.unit).c_str());
+              unitOf(options.name, first.unit).c_str());
   if (options.maxima > 0) printMaxima(loaded, maxima);
 }
 
@@ -209,32 +198,61 @@ int run(const Options& options) {
   return 0;
 }
 
+/// A parameter of the table of fields.
+struct Parameter {
+  std::string keyword, value, fields, words;
+  double least, greatest;
+
+  std::string declaration() const { return "--" + keyword + (value.empty() ? "" : " ") + value; }
+  /// "sdf: rays from each vertex; 30 by default"
+  std::string text(const std::string& byDefault) const {
+    std::string text;
+    for (const char c : fields) text += c == ' ' ? std::string(", ") : std::string(1, c);
+    return text + ": " + words + (byDefault.empty() ? "" : "; " + byDefault + " by default");
+  }
+};
+// The kinds of the table.
+struct Count : Parameter {};
+struct Degrees : Parameter {};
+struct Distances : Parameter {};
+struct Length : Parameter {};
+
+void addParameter(OptionTable& table, const Count& of, unsigned& member, Options&) {
+  table.add(of.declaration(), member, of.text(std::to_string(member))).range(of.least, of.greatest);
+}
+void addParameter(OptionTable& table, const Degrees& of, double& member, Options&) {
+  // Radians cannot hold most degrees exactly.
+  const double usual = std::round(1e6 * member * 180 / std::numbers::pi) / 1e6;
+  const auto store = [&member](const std::string& text) {
+    const auto degrees = io::parseNumber(text);
+    if (!degrees) return "\"" + text + "\" is no number";
+    member = *degrees * std::numbers::pi / 180;
+    return std::string();
+  };
+  table.onValue(of.declaration(), store, of.text(io::formatNumber(usual) + " degrees"))
+      .range(of.least, of.greatest);
+}
+void addParameter(OptionTable& table, const Distances& of, DistanceMethod& member, Options&) {
+  table.onFlag(
+      of.declaration(), [&member] { member = DistanceMethod::Exact; }, of.text(""));
+}
+void addParameter(OptionTable& table, const Length&, double&, Options& options) {
+  addPersistenceOption(table, options.persistence, "angle");
+}
+
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
   table.add("MODEL", options->model, "The model to read").required();
-  table
-      .add("--field NAME", options->field,
-           "sdf (shape diameter: mean thickness), thickness (largest ball inside), geoaverage or "
-           "geofarthest (mean and greatest distance), "
-           "angle (between the two ends of the loop), hks, sihks or wks (heat and wave kernel "
-           "signatures)")
-      .required()
-      .oneOf({"sdf", "thickness", "geoaverage", "geofarthest", "angle", "hks", "sihks", "wks"});
+  const auto nameOf = [](const FieldInfo& one) { return std::string(one.name); };
+  std::vector<std::string> names;
+  for (const FieldInfo& one : offered()) names.push_back(nameOf(one));
+  table.add("--field NAME", options->name, listed(nameOf, ", ")).required().oneOf(std::move(names));
   addOutputOptions(table, options->output, {".csv", ".json", ".npy", ".ply", ".glb"},
                    "Write the values: .csv, .json, .npy, .ply or .glb");
-  table.add("--rays N", options->rays, "sdf: rays from each vertex; 30 by default")
-      .range(1, 10'000);
-  table
-      .add("--cone DEGREES", options->coneDegrees,
-           "sdf: opening of the cone; 120 degrees by default")
-      .range(1e-3, 179.999);
-  table
-      .add("--sharp DEGREES", options->sharpDegrees,
-           "thickness: edges sharper than this thin out to nothing; 75 degrees by default")
-      .range(1, 89);
-  table.add("--exact", options->exactDistances,
-            "geoaverage, geofarthest: exact distances, not by fast marching");
-  addPersistenceOption(table, options->persistence, "angle");
+#define GIRTH_FIELD_PARAMETER(keyword, value, fields, kind, member, least, greatest, words) \
+  addParameter(table, kind{#keyword, value, fields, words, least, greatest},                \
+               options->field.member, *options);
+#include "girth/fields.def"
   addSpectralFieldOptions(table, options->spectral);
   table
       .add("--maxima N", options->maxima,
@@ -246,6 +264,10 @@ Run add(OptionTable& table) {
   addModelOptions(table, options->preparing);
   addThreadsOption(table, options->threads);
   table.add("--json", options->json, "Print the summary as JSON");
+  const auto meaningOf = [](const FieldInfo& one) {
+    return std::string(one.name) + ": " + std::string(one.meaning);
+  };
+  table.note("Fields", listed(meaningOf, "; ") + ".");
   table.note(
       "Which field",
       "thickness for walls and plates, which the girth does not see: never more than there is. sdf "

@@ -141,8 +141,8 @@ void printCheck(const std::string& model, const io::LoadedMesh& loaded, const Pr
 }
 
 std::string verticesFor(const Options& options, const io::LoadedMesh& loaded,
-                        const GirthField& girth, const ShapeDiameterField& diameter,
-                        const Parts& parts, double persistence) {
+                        const GirthField& girth, const FieldValues& diameter, const Parts& parts,
+                        double persistence) {
   static constexpr std::array kKinds{PartKind::Body, PartKind::Tube, PartKind::Plate,
                                      PartKind::Unknown};
   std::vector<std::string_view> words;
@@ -207,21 +207,20 @@ class Fields {
     return std::nullopt;
   }
   std::optional<Error> needDiameter() {
-    auto computed = computeDiameter(options_.model, mesh_, {}, options_.threads);
+    auto computed = computeField(options_.model, mesh_, "sdf", {}, options_.threads);
     if (!computed) return computed.error();
     diameter = std::move(computed).value();
     return std::nullopt;
   }
   std::optional<Error> needThickness() {
-    auto computed = computeThickness(options_.model, mesh_, {}, options_.threads);
+    auto computed = computeField(options_.model, mesh_, "thickness", {}, options_.threads);
     if (!computed) return computed.error();
     thickness = std::move(computed).value();
     return std::nullopt;
   }
 
   std::optional<GirthField> girth;
-  std::optional<ShapeDiameterField> diameter;
-  std::optional<ThicknessField> thickness;
+  std::optional<FieldValues> diameter, thickness;
 
  private:
   const Options& options_;

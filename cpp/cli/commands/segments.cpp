@@ -48,7 +48,7 @@ Result<io::SegmentedModel> segmented(const Options& options, const io::LoadedMes
   auto found = computeTips(options.model, mesh, 0, options.threads);
   if (!found) return found.error();
   const std::vector<double>& girth = found.value().girth.values;
-  const auto diameter = computeDiameter(options.model, mesh, {}, options.threads);
+  const auto diameter = computeField(options.model, mesh, "sdf", {}, options.threads);
   if (!diameter) return diameter.error();
   PartThresholds& thresholds = kinds.thresholds;
   thresholds = suggestedThresholds(mesh, girth, diameter.value().values);

@@ -52,31 +52,14 @@ Result<GirthAndTips> computeTips(const std::string& model, const SurfaceMesh& me
   return GirthAndTips{std::move(girth).value(), std::move(tips).value()};
 }
 
-Result<ShapeDiameterField> computeDiameter(const std::string& model, const SurfaceMesh& mesh,
-                                           const ShapeDiameterOptions& options, unsigned threads) {
+Result<FieldValues> computeField(const std::string& model, const SurfaceMesh& mesh,
+                                 std::string_view name, const FieldOptions& options,
+                                 unsigned threads) {
   auto field = [&] {
     ProgressLine progress(model);
-    return shapeDiameter(mesh, options, watched(threads, progress));
+    return fieldValues(mesh, name, options, watched(threads, progress));
   }();
-  if (!field) return field;
-  if (!field.value().complete) return cancelled();
-  const std::string note =
-      shapeDiameterNote(field.value().insideOut, field.value().withoutValue, mesh.vertexCount());
-  if (!note.empty()) printNote(model, note);
-  return field;
-}
-
-Result<ThicknessField> computeThickness(const std::string& model, const SurfaceMesh& mesh,
-                                        const ThicknessOptions& options, unsigned threads) {
-  auto field = [&] {
-    ProgressLine progress(model);
-    return medialThickness(mesh, options, watched(threads, progress));
-  }();
-  if (!field) return field;
-  if (!field.value().complete) return cancelled();
-  const std::string note =
-      thicknessNote(field.value().insideOut, field.value().withoutValue, mesh.vertexCount());
-  if (!note.empty()) printNote(model, note);
+  if (field && !field.value().note.empty()) printNote(model, field.value().note);
   return field;
 }
 

@@ -6,11 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "girth/fields.h"
 #include "girth/girth_field.h"
 #include "girth/print_check.h"
 #include "girth/remesh.h"
-#include "girth/shape_diameter.h"
-#include "girth/thickness.h"
 #include "girth/tips.h"
 
 namespace girth::cli {
@@ -42,15 +41,11 @@ struct GirthAndTips {
 Result<GirthAndTips> computeTips(const std::string& model, const SurfaceMesh& mesh,
                                  double persistence, unsigned threads);
 
-/// The shape diameter at all vertices. Errors: those of shapeDiameter, CANCELLED. Prints a note
-/// on standard error where the surface is inside out, or vertices have no value.
-Result<ShapeDiameterField> computeDiameter(const std::string& model, const SurfaceMesh& mesh,
-                                           const ShapeDiameterOptions& options, unsigned threads);
-
-/// The medial thickness at all vertices. Errors: those of medialThickness, CANCELLED. Prints a note
-/// as above.
-Result<ThicknessField> computeThickness(const std::string& model, const SurfaceMesh& mesh,
-                                        const ThicknessOptions& options, unsigned threads);
+/// A field but a spectral one at all vertices (girth/fields.h). Errors: those of fieldValues.
+/// Prints its note on standard error.
+Result<FieldValues> computeField(const std::string& model, const SurfaceMesh& mesh,
+                                 std::string_view name, const FieldOptions& options,
+                                 unsigned threads);
 
 /// All that does not meet the limits. Errors: those of checkPrint, CANCELLED.
 Result<PrintCheck> computePrintCheck(const std::string& model, const SurfaceMesh& mesh,

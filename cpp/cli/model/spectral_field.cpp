@@ -2,39 +2,22 @@
 
 #include <numeric>
 
-#include "girth/heat_kernel.h"
+#include "girth/fields.h"
 #include "girth/heat_maxima.h"
-#include "girth/wave_kernel.h"
 #include "process/progress_line.h"
 #include "text/number_text.h"
 
 namespace girth::cli {
-namespace {
-
-/// The whole signature of one name. `times`: shares of the area.
-Result<VertexSignatures> signatureOf(const std::string& field, const Spectrum& spectrum,
-                                     std::vector<double> times) {
-  if (field == "sihks") return scaleInvariantHeatKernelSignature(spectrum);
-  if (field == "wks") return waveKernelSignature(spectrum);
-  const double area = std::accumulate(spectrum.areas.begin(), spectrum.areas.end(), 0.0);
-  for (double& time : times) time *= area;
-  return heatKernelSignature(spectrum, times);
-}
-
-}  // namespace
-
-bool isSpectralField(const std::string& field) {
-  return field == "hks" || field == "sihks" || field == "wks";
-}
-
 void addSpectralFieldOptions(OptionTable& table, SpectralFieldOptions& options) {
   table
       .add("--pairs N", options.pairs,
-           "hks, sihks, wks: pairs of eigenvalues and -functions; 300 by default")
+           "hks, sihks, wks: pairs of eigenvalues and -functions; " +
+               std::to_string(options.pairs) + " by default")
       .range(2, 100'000);
   table
       .add("--time T,T,...", options.times,
-           "hks: diffusion times as shares of the area; 0.002 by default")
+           "hks: diffusion times as shares of the area; " + io::formatNumber(kHeatMaximaTime) +
+               " by default")
       .separated()
       .range(0, 1e6);
   table
@@ -52,9 +35,13 @@ Result<std::vector<ComputedField>> computeSpectralField(const std::string& field
   const ExecutionContext context = watched(0, progress);
   const auto spectrum = laplaceSpectrum(mesh, {options.pairs}, context);
   if (!spectrum) return spectrum.error();
-  const std::vector<double> times =
+  const std::vector<double> shares =
       options.times.empty() ? std::vector<double>{kHeatMaximaTime} : options.times;
-  const auto signature = signatureOf(field, spectrum.value(), times);
+  const std::vector<double>& areas = spectrum.value().areas;
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  std::vector<double> times;
+  for (const double share : shares) times.push_back(share * area);
+  const auto signature = fieldSignature(spectrum.value(), field, times);
   if (!signature) return signature.error();
 
   const std::size_t dimensions = signature.value().dimensions;
@@ -68,9 +55,8 @@ Result<std::vector<ComputedField>> computeSpectralField(const std::string& field
     if (options.component != 0 && d + 1 != options.component) continue;
     ComputedField one;
     one.name = dimensions == 1 ? field : field + "_" + std::to_string(d + 1);
-    one.method = field == "hks" ? pairs + ", time " + io::formatNumber(times[d]) : pairs;
-    // Of areas, there are only powers of the model's unit.
-    if (field != "sihks" && !unit.empty()) one.unit = unit + "^-2";
+    one.method = field == "hks" ? pairs + ", time " + io::formatNumber(shares[d]) : pairs;
+    one.unit = unit;
     for (const Vertex v : mesh.vertices()) {
       one.values.push_back(signature.value().values[v * dimensions + d]);
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "girth/error.h"
+#include "girth/spectrum.h"
 #include "girth/surface_mesh.h"
 #include "model/computed_field.h"
 #include "options/option_table.h"
@@ -13,19 +14,17 @@
 namespace girth::cli {
 
 struct SpectralFieldOptions {
-  std::uint32_t pairs{300};
+  std::uint32_t pairs{SpectrumOptions{}.pairs};
   /// hks: shares of the surface's area; empty: the one of the persistent heat maxima.
   std::vector<double> times;
   /// hks, sihks, wks: the one number to take, counted from 1; 0: all.
   std::uint32_t component{0};
 };
 
-bool isSpectralField(const std::string& field);
-
 void addSpectralFieldOptions(OptionTable& table, SpectralFieldOptions& options);
 
 /// One field for each number of the signature that is wanted: "wks_1", "wks_2", ...; "hks" where
-/// there is one time only. `unit`: the model's. Errors: those of spectrum.h, heat_kernel.h and
+/// there is one time only. `unit`: of the values. Errors: those of spectrum.h, heat_kernel.h and
 /// wave_kernel.h; INVALID_OPTION for a component that there is not.
 Result<std::vector<ComputedField>> computeSpectralField(const std::string& field,
                                                         const SpectralFieldOptions& options,

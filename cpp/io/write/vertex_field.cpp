@@ -54,6 +54,13 @@ std::string methodText(const ThicknessOptions& options) {
   return "sharp below " + formatNumber(degrees) + " degrees";
 }
 
+std::string methodText(std::string_view field, const FieldOptions& options) {
+#define GIRTH_VERTEX_FIELD(name, unit, module, title, listTitle, meaning, function, method, note) \
+  if (field == #name) return method;
+#include "girth/fields.def"
+  return "";
+}
+
 std::optional<Error> checkFields(const LoadedMesh& loaded, std::span<const VertexField> fields) {
   const auto fault = [](const std::string& message) {
     return makeError(ErrorCode::Usage, -1, message);

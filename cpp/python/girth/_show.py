@@ -12,6 +12,7 @@ from typing import Any, Iterable, Optional, Sequence, Union
 
 import numpy as np
 
+from girth import _girth
 from girth._arguments import one_of, path_of, real_number, running, whole_number
 from girth.errors import LimitError, input_error
 from girth.mesh import FIELDS, Mesh, as_mesh
@@ -21,16 +22,8 @@ __all__ = ["Shown", "show"]
 
 COLORMAPS = ("viridis", "cividis", "plasma", "magma", "turbo", "rdbu")
 
-#: The symbols by which pages call units of length; names as of `girth/io/length_unit.h`.
-SYMBOLS = {
-    "micrometre": "um",
-    "millimetre": "mm",
-    "centimetre": "cm",
-    "metre": "m",
-    "kilometre": "km",
-    "inch": "in",
-    "foot": "ft",
-}
+#: The symbols by which pages call units of length.
+SYMBOLS = _girth.length_unit_symbols()
 
 #: Surfaces that lie farther from the origin, in their own sizes, are drawn from a point of theirs.
 FAR = 64

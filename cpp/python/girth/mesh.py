@@ -47,22 +47,20 @@ from girth.results import (
 __all__ = ["FIELDS", "Mesh", "Point", "as_mesh", "compare", "igf", "load"]
 
 #: The fields of `Mesh.field`, and which unit they have: a power of the model's, or radians.
-FIELDS = {
-    "igf": "length",
-    "sdf": "length",
-    "thickness": "length",
-    "geoaverage": "length",
-    "geofarthest": "length",
-    "angle": "radian",
-    "hks": "per area",
-    "sihks": "",
-    "wks": "per area",
-}
+FIELDS = _girth.fields()
 
 #: A vertex, or a face with the shares of its three vertices.
 Point = Union[int, tuple[int, Sequence[float]]]
 
 _NONE = 255
+
+#: How parameters of fields are read, by their kind in the table of fields.
+_READERS = {
+    "Count": lambda value, name: min(max(whole_number(value, name), 0), 2**31),
+    "Degrees": real_number,
+    "Distances": lambda value, name: bool(value),
+    "Length": real_number,
+}
 
 
 class Mesh:
@@ -679,12 +677,12 @@ class Mesh:
         self,
         name: str,
         *,
-        rays: int = 30,
-        cone: float = 120.0,
-        sharp: float = 75.0,
+        rays: Optional[int] = None,
+        cone: Optional[float] = None,
+        sharp: Optional[float] = None,
         exact: bool = False,
-        pairs: int = 300,
-        times: Sequence[float] = (0.002,),
+        pairs: Optional[int] = None,
+        times: Optional[Sequence[float]] = None,
         threads: Optional[int] = None,
         progress: Progress = None,
     ) -> Field:
@@ -692,9 +690,8 @@ class Mesh:
 
         Parameters
         ----------
-        name : {'igf', 'sdf', 'thickness', 'geoaverage', 'geofarthest', 'angle', 'hks', 'sihks', 'wks'}
-            The girth; the shape diameter, a mean thickness; the medial thickness; the mean and the greatest geodesic distance
-            from the vertex; the angle of the loop at the vertex; signatures of heat and waves.
+        name : str
+            One of `FIELDS`; the documentation of the outputs states what each is.
         rays, cone : optional
             Of ``'sdf'``: rays sent from each vertex, 1 to 10,000, and the full opening of their
             cone in degrees.
@@ -719,25 +716,32 @@ class Mesh:
         run = running(threads, progress)
         if name == "igf":
             return self.igf(threads=threads, progress=progress)
-        if name == "sdf":
-            angle = real_number(cone, "cone") * np.pi / 180
-            count = whole_number(rays, "rays")
-            values = self._surface.shape_diameter(angle, count if 0 < count < 2**31 else 0, run)
-        elif name == "thickness":
-            values = self._surface.thickness(real_number(sharp, "sharp") * np.pi / 180, run)
-        elif name == "angle":
-            values = self._surface.angle(run)
-        elif name in ("geoaverage", "geofarthest"):
-            values = self._surface.extent(name == "geofarthest", bool(exact), run)
+        given = {"rays": rays, "cone": cone, "sharp": sharp, "exact": exact}
+        if _girth.is_spectral(name):
+            values = self._spectral_values(name, pairs, times, run)
         else:
-            count = whole_number(pairs, "pairs")
-            if not 2 <= count <= 100_000:
-                raise input_error("INVALID_OPTION", f"pairs is {count}", "choose 2 to 100,000")
-            shares = [real_number(time, "a time") for time in times]
-            values = self._surface.spectral_field(name, count, shares, run)
-            if name == "hks" and len(shares) == 1:
-                values = values[:, 0]
-        return Field(self, name, self._by_row(values, np.nan), self._unit_of(name))
+            parameters = {
+                keyword: _READERS[kind](given[keyword], keyword)
+                for keyword, kind in _girth.field_parameters(name).items()
+                if given.get(keyword) is not None
+            }
+            values = self._surface.field(name, parameters, run)
+        return Field(self, name, self._by_row(values, np.nan), _girth.unit_of_field(name, self._unit))
+
+    def _spectral_values(
+        self,
+        name: str,
+        pairs: Optional[int],
+        times: Optional[Sequence[float]],
+        run: _girth.Running,
+    ) -> np.ndarray:
+        """One number for each vertex where the signature has one only, otherwise all."""
+        count = None if pairs is None else whole_number(pairs, "pairs")
+        if count is not None and not 2 <= count <= 100_000:
+            raise input_error("INVALID_OPTION", f"pairs is {count}", "choose 2 to 100,000")
+        shares = None if times is None else [real_number(time, "a time") for time in times]
+        values = self._surface.spectral_field(name, count, shares, run)
+        return values[:, 0] if values.shape[1] == 1 else values
 
     def geodesics(
         self, source: Union[Point, Iterable[Point]], *, radius: float = np.inf
@@ -837,14 +841,6 @@ class Mesh:
             PROGRAM_NOT_LOADED where PyVista is not installed; it is an ImportError.
         """
         return polydata_of(self._vertices, self._faces)
-
-    def _unit_of(self, name: str) -> str:
-        kind = FIELDS[name]
-        if kind == "radian":
-            return "radian"
-        if kind == "" or not self._unit:
-            return ""
-        return self._unit if kind == "length" else f"{self._unit}^-2"
 
     def _by_row(self, values: np.ndarray, none: Any) -> np.ndarray:
         """Values of the surface's vertices for the rows of `vertices`."""

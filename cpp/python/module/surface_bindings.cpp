@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <numbers>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,16 +16,15 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "curves.h"
-#include "girth/geodesic_extent.h"
-#include "girth/heat_kernel.h"
+#include "girth/fields.h"
+#include "girth/heat_maxima.h"
+#include "girth/io/length_unit.h"
 #include "girth/io/load_mesh.h"
 #include "girth/refined_girth.h"
 #include "girth/remesh.h"
 #include "girth/smooth_surface.h"
 #include "girth/spectrum.h"
-#include "girth/thickness.h"
 #include "girth/vertex_areas.h"
-#include "girth/wave_kernel.h"
 #include "points.h"
 #include "surface.h"
 #include "working.h"
@@ -196,72 +198,92 @@ py::tuple refinedGirthOf(const Shared& surface, Index audit, std::uint64_t seed,
 
 using Values = std::vector<double>;
 
-Array<double> angleOf(const Shared& surface, const Running& running) {
-  return arrayOf(compute<Values>(running, [surface](const ExecutionContext& c) -> Result<Values> {
-    auto angles = evaluateAll(surface->mesh(), loopAngleFunction(surface->mesh()), c);
-    if (!angles.complete()) return makeError(ErrorCode::Cancelled, -1, "stopped");
-    return std::move(angles.values);
-  }));
-}
+// The kinds of the table of fields: how a parameter is taken from Python.
+struct Count {
+  /// A number that is no count becomes 0, which the core refuses.
+  static void take(const py::object& given, unsigned& parameter) {
+    const auto number = given.cast<std::int64_t>();
+    parameter = number > 0 && number < std::int64_t{1} << 31 ? static_cast<unsigned>(number) : 0;
+  }
+};
+struct Degrees {
+  static void take(const py::object& given, double& parameter) {
+    parameter = given.cast<double>() * std::numbers::pi / 180;
+  }
+};
+struct Distances {
+  static void take(const py::object& given, DistanceMethod& parameter) {
+    parameter = given.cast<bool>() ? DistanceMethod::Exact : DistanceMethod::FastMarching;
+  }
+};
+struct Length {
+  static void take(const py::object& given, double& parameter) { parameter = given.cast<double>(); }
+};
 
-Array<double> diameterOf(const Shared& surface, double coneAngle, unsigned rays,
-                         const Running& running) {
-  const ShapeDiameterOptions options{coneAngle, rays};
-  const ShapeDiameterOptions usual;
-  if (coneAngle == usual.coneAngle && rays == usual.rays) {
+/// A field but a spectral one, with the parameters that are given, by their keywords.
+Array<double> fieldOf(const Shared& surface, const std::string& name,
+                      const std::map<std::string, py::object>& given, const Running& running) {
+  // The shape diameter by default is kept, since parts are made of it.
+  if (name == "sdf" && given.empty()) {
     return arrayOf(Values(*compute<std::shared_ptr<const Values>>(
         running,
         [surface](const ExecutionContext& context) { return surface->diameter(context); })));
   }
+  FieldOptions options;
+#define GIRTH_FIELD_PARAMETER(keyword, value, fields, kind, member, least, greatest, words) \
+  if (given.count(#keyword) > 0) kind::take(given.at(#keyword), options.member);
+#include "girth/fields.def"
   return arrayOf(
-      compute<Values>(running, [surface, options](const ExecutionContext& c) -> Result<Values> {
-        auto field = shapeDiameter(surface->mesh(), options, c);
-        if (!field) return field.error();
-        if (!field.value().complete) return makeError(ErrorCode::Cancelled, -1, "stopped");
-        return std::move(field.value().values);
-      }));
+      compute<FieldValues>(running, [surface, name, options](const ExecutionContext& context) {
+        return fieldValues(surface->mesh(), name, options, context);
+      }).values);
 }
 
-Array<double> thicknessOf(const Shared& surface, double sharpAngle, const Running& running) {
-  ThicknessOptions options;
-  options.sharpAngle = sharpAngle;
-  return arrayOf(
-      compute<Values>(running, [surface, options](const ExecutionContext& c) -> Result<Values> {
-        auto field = medialThickness(surface->mesh(), options, c);
-        if (!field) return field.error();
-        if (!field.value().complete) return makeError(ErrorCode::Cancelled, -1, "stopped");
-        return std::move(field.value().values);
-      }));
+/// The kinds of the parameters of a field, by their keywords.
+py::dict fieldParameters(const std::string& name) {
+  py::dict found;
+#define GIRTH_FIELD_PARAMETER(keyword, value, fields, kind, member, least, greatest, words) \
+  if (std::string(" " fields " ").find(" " + name + " ") != std::string::npos)              \
+    found[#keyword] = #kind;
+#include "girth/fields.def"
+  return found;
 }
 
-Array<double> extentOf(const Shared& surface, bool farthest, bool exact, const Running& running) {
-  return arrayOf(compute<Values>(
-      running, [surface, farthest, exact](const ExecutionContext& c) -> Result<Values> {
-        GeodesicExtent extent = geodesicExtent(
-            surface->mesh(), exact ? DistanceMethod::Exact : DistanceMethod::FastMarching, c);
-        if (!extent.complete) return makeError(ErrorCode::Cancelled, -1, "stopped");
-        return std::move(farthest ? extent.farthest : extent.average);
-      }));
+/// The fields in the order of the table, and what their values are.
+py::dict fieldKinds() {
+  py::dict kinds;
+  for (const FieldInfo& field : fields()) {
+    constexpr std::array words{"length", "radian", "per area", ""};
+    kinds[py::str(std::string(field.name))] = words[static_cast<std::size_t>(field.unit)];
+  }
+  return kinds;
 }
 
-/// hks, sihks or wks. `times`: of hks, as shares of the area.
-Result<VertexSignatures> signatureOf(const std::string& name, const Spectrum& spectrum,
-                                     Values times) {
-  if (name == "sihks") return scaleInvariantHeatKernelSignature(spectrum);
-  if (name == "wks") return waveKernelSignature(spectrum);
-  const double area = std::accumulate(spectrum.areas.begin(), spectrum.areas.end(), 0.0);
-  for (double& time : times) time *= area;
-  return heatKernelSignature(spectrum, times);
+/// The symbols of the units of length by their names.
+py::dict lengthUnitSymbols() {
+  py::dict symbols;
+  for (const io::LengthUnit& unit : io::lengthUnits()) {
+    symbols[py::str(std::string(unit.name))] = std::string(unit.symbol);
+  }
+  return symbols;
 }
 
-Array<double> spectralFieldOf(const Shared& surface, const std::string& name, Index pairs,
-                              const Values& times, const Running& running) {
+/// A spectral field: all numbers of its signature. `shares`: of hks, times as shares of the area.
+Array<double> spectralFieldOf(const Shared& surface, const std::string& name,
+                              std::optional<Index> pairs, const std::optional<Values>& shares,
+                              const Running& running) {
   auto signature = compute<VertexSignatures>(
       running,
-      [surface, name, pairs, times](const ExecutionContext& c) -> Result<VertexSignatures> {
-        const auto spectrum = laplaceSpectrum(surface->mesh(), {pairs}, c);
+      [surface, name, pairs, shares](const ExecutionContext& c) -> Result<VertexSignatures> {
+        const SpectrumOptions usual;
+        const auto spectrum = laplaceSpectrum(surface->mesh(), {pairs.value_or(usual.pairs)}, c);
         if (!spectrum) return spectrum.error();
-        return signatureOf(name, spectrum.value(), times);
+        const auto& areas = spectrum.value().areas;
+        const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+        Values scaled;
+        for (const double time : shares.value_or(Values{kHeatMaximaTime}))
+          scaled.push_back(time * area);
+        return fieldSignature(spectrum.value(), name, scaled);
       });
   const auto vertices = static_cast<py::ssize_t>(surface->mesh().vertexCount());
   const auto dimensions = static_cast<py::ssize_t>(signature.dimensions);
@@ -366,6 +388,13 @@ void bindSurface(py::module_& module) {
            py::arg("threads"), py::arg("progress"))
       .def_readonly("progress", &Running::progress);
   module.def("load", &surfaceOfFile);
+  module.def("fields", &fieldKinds);
+  module.def("is_spectral", [](const std::string& name) { return findField(name)->isSpectral; });
+  module.def("field_parameters", &fieldParameters);
+  module.def("length_unit_symbols", &lengthUnitSymbols);
+  module.def("unit_of_field", [](const std::string& name, const std::string& length) {
+    return unitText(findField(name)->unit, length);
+  });
   py::class_<Surface, Shared>(module, "Surface")
       .def(py::init(&surfaceOfArrays))
       .def_property_readonly("unit", [](const Surface& s) { return s.loaded().unit; })
@@ -386,10 +415,7 @@ void bindSurface(py::module_& module) {
       .def("areas", [](const Surface& s) { return arrayOf(vertexAreas(s.mesh())); })
       .def("girth", &girthOf)
       .def("refined_girth", &refinedGirthOf)
-      .def("angle", &angleOf)
-      .def("shape_diameter", &diameterOf)
-      .def("thickness", &thicknessOf)
-      .def("extent", &extentOf)
+      .def("field", &fieldOf)
       .def("spectral_field", &spectralFieldOf)
       .def("loop", &loopAt)
       .def("barcode", &barcodeAt)

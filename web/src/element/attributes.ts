@@ -1,9 +1,11 @@
 // What each attribute of the element can be. Any other value counts as if the attribute were not there.
 
+import { signatureNumbers } from '../kernel/fields.js';
+import { findLengthUnit, lengthUnits } from '../kernel/length-units.js';
 import type { GirthErrorFields } from '../kernel/types.js';
 import { colormapNames } from '../view/colormap-names.js';
 import { derivedNames, fieldNames, isShownName } from '../view/field-words.js';
-import { findLengthUnit, lengthUnits, readLengthOrShare } from '../view/length-text.js';
+import { readLengthOrShare } from '../view/length-text.js';
 import { lookNames } from '../view/look.js';
 import { straightNames } from '../view/straight-names.js';
 import { upNames } from '../view/up-axis.js';
@@ -94,8 +96,8 @@ const rules: Record<AttributeName, Rule> = {
     allowed: 'a number above 0',
     accepts: (text) => Number(text) > 0 && Number.isFinite(Number(text)),
   },
-  energy: wholeNumber(1, 100),
-  component: wholeNumber(1, 19),
+  energy: wholeNumber(1, signatureNumbers.wks.count),
+  component: wholeNumber(1, signatureNumbers.sihks.count),
   loop: {
     allowed: 'hover, none, or vertices as in 12 4031',
     accepts: (text) => /^(hover|none|[\s,]*\d+([\s,]+\d+)*[\s,]*)$/.test(text),

@@ -2,6 +2,7 @@
 
 import { failure } from '../kernel/errors.js';
 import { summaryOf } from '../kernel/field-run.js';
+import { persistentFields } from '../kernel/fields.js';
 import type {
   Barcodes,
   Field,
@@ -64,7 +65,7 @@ export interface FieldsHost {
 const combiningKit = { failure, summaryOf, isFieldName, combinedUnit };
 
 /** Whether a field depends on how long saddles must last. */
-const concernsSaddles = (name: FieldName): boolean => name === 'igf' || name === 'angle';
+const concernsSaddles = (name: FieldName): boolean => persistentFields.includes(name);
 
 export class Fields {
   readonly #states = new Map<FieldName, FieldState>();

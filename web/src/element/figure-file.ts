@@ -3,7 +3,7 @@
 // it. Whatever is not just so is left to the kernel, which reads any glTF and reports what is wrong.
 
 import type { ContourLine, Loop, LoopKind, Tips } from '../kernel/types.js';
-import { findLengthUnit } from '../view/length-text.js';
+import { findLengthUnit } from '../kernel/length-units.js';
 
 /** Numbers at the vertices, as they are named in the file. */
 export interface FigureValues {

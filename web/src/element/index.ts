@@ -72,14 +72,14 @@ export {
   isShownName,
 } from '../view/field-words.js';
 export {
-  type LengthUnit,
-  type ReadLength,
-  findLengthUnit,
-  lengthUnits,
-  readLength,
-  readLengthOrShare,
-  typedUnit,
-} from '../view/length-text.js';
+  fieldListTitles,
+  fieldMeanings,
+  type SignatureNumbers,
+  signatureNumbers,
+  usualTime,
+} from '../kernel/fields.js';
+export { type LengthUnit, findLengthUnit, lengthUnits } from '../kernel/length-units.js';
+export { type ReadLength, readLength, readLengthOrShare, typedUnit } from '../view/length-text.js';
 export { type Look, lookNames } from '../view/look.js';
 export {
   type LengthFormat,

@@ -76,9 +76,7 @@ import { ViewerShell } from './viewer-shell.js';
  * - `unit`: the unit of lengths where the file does not state it, for example `mm`.
  * - `shown-unit`: the unit that lengths are written in: `um`, `mm`, `cm`, `m`, `km`, `in` or `ft`; by
  *   default the model's own. Files that are exported keep the model's.
- * - `field`: what colours the surface: `igf` (the girth, default), `sdf` (the shape diameter), `geoaverage`
- *   and `geofarthest` (mean and greatest geodesic distance), `angle` (of the loop at its base), `hks`, `wks`
- *   and `sihks` (one number of the heat, wave and scale-invariant heat kernel signatures), `kind` (of the
+ * - `field`: what colours the surface: a field of the kernel (`FieldName`; `igf`, the girth, by default), `kind` (of the
  *   loop), `state` (how sure a refined girth is), `tips` (how far the girth rises at the tip that a place is in), `parts` (tubes, plates and
  *   body) or `none`; values of the file as in `_heat`; or two of these in one: their difference, `igf-sdf`, where they
  *   have the same unit, or their ratio, `igf/sdf`.

@@ -3,7 +3,7 @@
 // for something. Only what is light is imported here.
 
 import type { GirthErrorFields, LoadOptions, MeshInfo, MeshSource } from '../kernel/types.js';
-import { findLengthUnit } from '../view/length-text.js';
+import { findLengthUnit } from '../kernel/length-units.js';
 import type { ViewerState } from './attribute-types.js';
 import { type AttributeName, attributeNames, attributeOf, faultOf } from './attributes.js';
 import { make } from './dom.js';

@@ -218,7 +218,8 @@ export class KernelOfWorkers implements Kernel, MeshHost {
         field: request,
         withoutValue,
       });
-      const { name, persistence } = request;
+      const { name } = request;
+      const persistence = Number(request.persistence ?? 0);
       if (name === 'barcode') throw failure('USAGE', 'barcodes are no field');
       const found = { name, values, kinds, range, withoutValue, ...about };
       return persistence === 0 ? found : { ...found, persistence };

@@ -8,7 +8,6 @@ import {
   isSpectral,
   spectralNote,
   spectralRequest,
-  unitOf,
 } from './field-request.js';
 import { summaryOf } from './field-run.js';
 import type { MeshHost } from './mesh-host.js';
@@ -85,22 +84,7 @@ import type {
   Tips,
   WatchedOptions,
 } from './types.js';
-
-/** Units as files name them. */
-const unitNames: Record<string, string | undefined> = {
-  um: 'micrometre',
-  m: 'metre',
-  mm: 'millimetre',
-  cm: 'centimetre',
-  km: 'kilometre',
-  in: 'inch',
-  ft: 'foot',
-  rad: 'radian',
-};
-function unitName(unit: string): string {
-  const ofDensity = /^1\/(.+)²$/.exec(unit)?.[1];
-  return ofDensity === undefined ? (unitNames[unit] ?? unit) : `${unitName(ofDensity)}^-2`;
-}
+import { unitName, unitOf } from './units.js';
 
 /** Passes a worker's progress on until the signal fires. */
 export const progressOf =

@@ -2,6 +2,7 @@
 // it computes, a worker may send reports. All content is copied or transferred, never shared, except the
 // flag that cancels the threads.
 
+import type { parameterPaths } from './fields.js';
 import type {
   AxisLoop,
   Bottleneck,
@@ -94,20 +95,13 @@ export interface WrittenModel {
   persistence: number;
 }
 
-/** A vertex field, with all that its values depend on besides the surface. */
-export interface FieldRequest {
-  name: VertexFieldName | 'barcode';
-  /** Of 'igf' and 'angle': tau, in model units. Of barcodes: up to which persistence. */
-  persistence: number;
-  /** Of 'sdf', as in `ShapeDiameterOptions`. */
-  coneAngle: number;
-  /** Of 'sdf'. */
-  rays: number;
-  /** Of 'thickness', as in `ThicknessOptions`. */
-  sharpAngle: number;
-  /** Of 'geoaverage' and 'geofarthest'. */
-  distances: 'fast-marching' | 'exact';
-}
+/**
+ * A vertex field, with what its values depend on besides the surface: `FieldParameters`, each by its path. What is left
+ * out has the default of C++.
+ */
+export type FieldRequest = { name: VertexFieldName | 'barcode' } & {
+  [Path in (typeof parameterPaths)[number]]?: number | string | undefined;
+};
 
 /** How a refined girth is computed. */
 export type RefinedRequest = Required<Pick<RefinedOptions, 'coarseFaces' | 'audit' | 'seed'>>;
@@ -118,10 +112,10 @@ export type FoundRefined = Pick<
   'values' | 'kinds' | 'states' | 'audit' | 'coarseFaces' | 'leanFaces' | 'note'
 >;
 
-/** One number of a signature, with all that its values depend on besides the surface. */
-export interface SpectralRequest extends Required<SpectralOptions> {
-  name: SpectralFieldName;
-}
+/** One number of a signature. What is left out has the default of C++. */
+export type SpectralRequest = { name: SpectralFieldName } & {
+  [Option in keyof SpectralOptions]: number | undefined;
+};
 
 /** At which necks a surface is divided; thresholds that are missing are suggested ones. */
 export type SegmentRequest = Pick<SegmentOptions, 'girth' | 'thickness'> &

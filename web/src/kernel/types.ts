@@ -1,6 +1,17 @@
 // The kernel's public types: what the page, the element and users of the package see of the computation.
 // No three.js and no DOM. Names are those of the C++ core. Lengths are in the model's own units.
 
+import type { FieldName, FieldParameters } from './fields.js';
+
+export type {
+  FieldName,
+  FieldParameters,
+  ShapeDiameterOptions,
+  SpectralFieldName,
+  ThicknessOptions,
+  VertexFieldName,
+} from './fields.js';
+
 /**
  * How the shortest loop at a point came about.
  *
@@ -135,31 +146,6 @@ export interface LoadOptions extends WatchedOptions {
   prepare?: PrepareOptions;
 }
 
-/**
- * Fields that are computed vertex by vertex.
- *
- * - `'igf'`: the girth, in model units.
- * - `'sdf'`: the shape diameter, a mean thickness, in model units (`shape_diameter.h`).
- * - `'thickness'`: the diameter of the largest ball inside that touches the surface there, in model units
- *   (`thickness.h`).
- * - `'geoaverage'`, `'geofarthest'`: the mean and the greatest geodesic distance, in model units
- *   (`geodesic_extent.h`).
- * - `'angle'`: the angle between the two ends of the loop at its base, in radians.
- */
-export type VertexFieldName = 'igf' | 'sdf' | 'thickness' | 'geoaverage' | 'geofarthest' | 'angle';
-
-/**
- * Fields that are computed from the surface's spectrum. They come all at once, without partial values.
- *
- * - `'hks'`, `'wks'`: one number of the heat kernel and of the wave kernel signature, in 1 / squared model
- *   units (`heat_kernel.h`, `wave_kernel.h`).
- * - `'sihks'`: one number of the scale-invariant heat kernel signature, without a unit.
- */
-export type SpectralFieldName = 'hks' | 'wks' | 'sihks';
-
-/** All fields that the kernel computes. */
-export type FieldName = VertexFieldName | SpectralFieldName;
-
 /** Values that were finished since the last report. */
 export interface PartialField {
   /** The vertices. The other arrays follow their order. */
@@ -170,35 +156,10 @@ export interface PartialField {
   kinds: Uint8Array;
 }
 
-/** The rays of the shape diameter. */
-export interface ShapeDiameterOptions {
-  /** The full opening of the cone of rays, in radians, in (0, π). Default: 2π / 3. */
-  coneAngle?: number;
-  /** Rays from each vertex, from 1 to 10,000. Default: 30. */
-  rays?: number;
-}
-
-/** What the medial thickness takes for a sharp edge. */
-export interface ThicknessOptions {
-  /** Edges sharper than this thin out to nothing; in radians, in (0, π / 2). Default: 5π / 12, which is 75°. */
-  sharpAngle?: number;
-}
-
 /** How a field is computed and reported. Each field reads only the options that concern it. */
-export interface FieldOptions extends WatchedOptions {
+export interface FieldOptions extends WatchedOptions, FieldParameters {
   /** Receives new values, coarse to fine: each batch is spread over the whole surface. */
   onPartial?: (partial: PartialField) => void;
-  /**
-   * Of 'igf' and 'angle': tau, in model units, at least 0. Loops whose saddles last no longer are passed over,
-   * as noise makes them (`barcode.h`). Default: 0, the girth itself.
-   */
-  persistence?: number;
-  /** Of 'sdf'. */
-  sdf?: ShapeDiameterOptions;
-  /** Of 'thickness'. */
-  thickness?: ThicknessOptions;
-  /** How 'geoaverage' and 'geofarthest' measure distances. Default: 'fast-marching'. */
-  distances?: 'fast-marching' | 'exact';
   /** Of 'hks', 'wks' and 'sihks'. */
   spectral?: SpectralOptions;
 }

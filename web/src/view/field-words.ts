@@ -1,19 +1,11 @@
 // Which fields can be shown, and what they are called.
 
+import { fieldTitles } from '../kernel/fields.js';
 import type { FieldName } from '../kernel/types.js';
+import { unitOf } from '../kernel/units.js';
 
 /** Fields of numbers that the kernel computes, the default first. */
-export const fieldNames: readonly FieldName[] = [
-  'igf',
-  'sdf',
-  'thickness',
-  'geoaverage',
-  'geofarthest',
-  'angle',
-  'hks',
-  'wks',
-  'sihks',
-];
+export const fieldNames = Object.keys(fieldTitles) as readonly FieldName[];
 
 /** What is made of fields: the girth's kinds and states, the rise at the tip that a place is in, tubes and plates. */
 export const derivedNames = ['kind', 'state', 'tips', 'parts'] as const;
@@ -41,15 +33,7 @@ export interface Combination {
 }
 
 const words: Record<Exclude<ShownName, GivenName | CombinedName>, string> = {
-  igf: 'Girth',
-  sdf: 'Shape diameter',
-  thickness: 'Thickness',
-  geoaverage: 'Mean distance',
-  geofarthest: 'Greatest distance',
-  angle: 'Angle of the loop',
-  hks: 'Heat kernel signature',
-  wks: 'Wave kernel signature',
-  sihks: 'Scale-invariant heat kernel',
+  ...fieldTitles,
   kind: 'Kind of loop',
   state: 'How sure the girth is',
   tips: 'Rise at the tip',
@@ -113,19 +97,6 @@ export function combinedUnit(by: Combination['by'], first: string, second: strin
 
 /** The unit of a field's values, where that of lengths is `unit`. */
 export function fieldUnit(name: ShownName, unit: string): string {
-  switch (name) {
-    case 'angle':
-      return 'rad';
-    case 'hks':
-    case 'wks':
-      return unit && `1/${unit}²`;
-    case 'sihks':
-    case 'kind':
-    case 'state':
-    case 'parts':
-    case 'none':
-      return '';
-    default:
-      return unit;
-  }
+  if (isFieldName(name)) return unitOf(name, unit);
+  return ['kind', 'state', 'parts', 'none'].includes(name) ? '' : unit;
 }

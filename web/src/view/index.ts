@@ -31,15 +31,7 @@ export {
 export { FieldPreview } from './field-preview.js';
 export { GroundShadow, splatShadow } from './ground-shadow.js';
 export { Latest } from './latest.js';
-export {
-  type LengthUnit,
-  type ReadLength,
-  findLengthUnit,
-  lengthUnits,
-  readLength,
-  readLengthOrShare,
-  typedUnit,
-} from './length-text.js';
+export { type ReadLength, readLength, readLengthOrShare, typedUnit } from './length-text.js';
 export { Legend, type LegendContent, type ScaleContent } from './legend.js';
 export { type LegendInk, drawLegend } from './legend-picture.js';
 export { LoopBand } from './loop-band.js';

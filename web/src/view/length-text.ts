@@ -1,26 +1,7 @@
 // Lengths as people type them: '3', '28 mm', '1.1in'. The command reads them in the same way
 // (cpp/io/text/length_text.h); tests/data/lengths.json holds both to it.
 
-/** A unit of length. */
-export interface LengthUnit {
-  /** 'mm' */
-  readonly symbol: string;
-  /** 'millimetre' */
-  readonly name: string;
-  /** In one of it: 0.001. */
-  readonly metres: number;
-}
-
-/** Units of length, small ones first; as in `girth/io/length_unit.h`. */
-export const lengthUnits: readonly LengthUnit[] = [
-  { symbol: 'um', name: 'micrometre', metres: 1e-6 },
-  { symbol: 'mm', name: 'millimetre', metres: 1e-3 },
-  { symbol: 'cm', name: 'centimetre', metres: 1e-2 },
-  { symbol: 'm', name: 'metre', metres: 1 },
-  { symbol: 'km', name: 'kilometre', metres: 1e3 },
-  { symbol: 'in', name: 'inch', metres: 0.0254 },
-  { symbol: 'ft', name: 'foot', metres: 0.3048 },
-];
+import { type LengthUnit, findLengthUnit, lengthUnits } from '../kernel/length-units.js';
 
 /** A number of at least 0; a comma may stand for the point. NaN: it is none. */
 function amountOf(digits: string): number {
@@ -42,10 +23,9 @@ export type ReadLength =
 
 const greatest = 1e300;
 
-/** The unit with that symbol or name; undefined where there is none. */
-export function findLengthUnit(symbolOrName: string): LengthUnit | undefined {
-  return lengthUnits.find(({ symbol, name }) => symbol === symbolOrName || name === symbolOrName);
-}
+const symbols = lengthUnits.map(({ symbol }) => symbol);
+/** 'um, mm or cm' */
+const known = `${symbols.slice(0, -1).join(', ')} or ${symbols.at(-1)}`;
 
 /** With plain spaces for the narrow and unbreakable ones that stand before units. */
 const withPlainSpaces = (text: string): string => text.replace(/[\u202f\u2009\u00a0\t]/g, ' ');
@@ -74,7 +54,7 @@ export function readLength(text: string, unit: string): ReadLength {
   }
   if (typed === '') return { length: number };
   const from = findLengthUnit(typed);
-  if (!from) return { fault: `“${text}” has an unknown unit: type um, mm, cm, m, km, in or ft` };
+  if (!from) return { fault: `“${text}” has an unknown unit: type ${known}` };
   const to = findLengthUnit(unit);
   if (!to) {
     return {

@@ -15,7 +15,7 @@ struct LengthUnit {
   double metres;            ///< in one of it: 0.001
 };
 
-/// um, mm, cm, m, km, in and ft.
+/// All of them (`length_units.def`), small ones first.
 GIRTH_EXPORT std::span<const LengthUnit> lengthUnits();
 
 /// The unit with that name or symbol; null where there is none.

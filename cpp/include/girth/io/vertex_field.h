@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "girth/export.h"
+#include "girth/fields.h"
 #include "girth/geodesic_extent.h"
 #include "girth/girth_field.h"
 #include "girth/io/read_mesh.h"
@@ -53,6 +54,10 @@ GIRTH_EXPORT std::string_view toString(DistanceMethod method);
 GIRTH_EXPORT std::string methodText(const ShapeDiameterOptions& options);
 /// How the medial thickness was computed, in words: "sharp below 75 degrees".
 GIRTH_EXPORT std::string methodText(const ThicknessOptions& options);
+
+/// How a field of `fieldFunction` was computed, in words, as above; empty where there is none of
+/// that name.
+GIRTH_EXPORT std::string methodText(std::string_view field, const FieldOptions& options);
 
 /// Whether files can hold the fields: USAGE where there is none, where one does not have a value
 /// for each vertex (and a kind, if it has kinds at all), where names are not as above or come

@@ -1,0 +1,301 @@
+// What TypeScript and documents have of the tables in C++ (`fields.def`, `length_units.def`): `npm run build:tables`.
+
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { format } from 'oxfmt';
+import { repository } from './run.mjs';
+
+const headers = 'cpp/include/girth';
+
+/** @param {string} path */
+const read = (path) => readFileSync(join(repository, path), 'utf8');
+
+/**
+ * The arguments of each use of a macro, as they are written; texts without their quotation marks.
+ * @param {string} table
+ * @param {string} macro
+ */
+function entriesOf(table, macro) {
+  const text = read(table).replace(/^(\/\/|#).*(\\\n.*)*$/gm, '');
+  return [...text.matchAll(new RegExp(`^${macro}\\(`, 'gm'))].map((start) => {
+    const words = [''];
+    const rest = text.slice(start.index + start[0].length);
+    let depth = 0;
+    for (const [piece] of rest.matchAll(/"(?:[^"\\]|\\.)*"|[^]/g)) {
+      if (/[({]/.test(piece[0] ?? '')) ++depth;
+      if (/[)}]/.test(piece[0] ?? '') && --depth < 0) break;
+      if (piece === ',' && depth === 0) words.push('');
+      else
+        words[words.length - 1] += piece.startsWith('"') && depth === 0 ? JSON.parse(piece) : piece;
+    }
+    return words.map((word) => word.trim());
+  });
+}
+
+/**
+ * A struct of the public headers: its comment, and its members.
+ * @param {string} name
+ */
+export function structOf(name) {
+  for (const file of readdirSync(join(repository, headers), { recursive: true })) {
+    if (!String(file).endsWith('.h')) continue;
+    const text = read(join(headers, String(file)));
+    const found = new RegExp(
+      `((?:^///.*\\n)*)^struct (?:GIRTH_EXPORT )?${name} \\{\\n([^]*?)^\\};`,
+      'm',
+    ).exec(text);
+    if (!found) continue;
+    const [, comment = '', body = ''] = found;
+    const members = [
+      ...body.matchAll(/((?:^ {2}\/\/\/.*\n)*)^ {2}([\w:<>]+) (\w+)(?:\{(.*?)\})?;/gm),
+    ];
+    return {
+      comment: plain(comment),
+      members: Object.fromEntries(
+        members.map(([, words = '', type = '', member = '', byDefault = '']) => [
+          member,
+          { type, comment: plain(words), byDefault: byDefault.replaceAll("'", '') },
+        ]),
+      ),
+    };
+  }
+  throw new Error(`no header has a struct ${name}`);
+}
+
+/** @param {string} comment */
+const plain = (comment) =>
+  comment
+    .replace(/^ *\/\/\/ ?/gm, '')
+    .trim()
+    .replace(/\s+/g, ' ');
+
+/**
+ * The default of a member of a struct, as C++ has it.
+ * @param {string} struct
+ * @param {string} member
+ */
+export function defaultOf(struct, member) {
+  const found = structOf(struct).members[member];
+  if (!found) throw new Error(`${struct} has no member ${member}`);
+  return found.byDefault;
+}
+
+/** The fields in the order of the table, those of the spectrum last. */
+export function fields() {
+  const table = `${headers}/fields.def`;
+  const vertex = entriesOf(table, 'GIRTH_VERTEX_FIELD').map(
+    ([name = '', unit = '', module = '', title = '', listTitle = '', meaning = '']) => {
+      return { name, unit, module, title, listTitle, meaning, number: 0, count: 1 };
+    },
+  );
+  const spectral = entriesOf(table, 'GIRTH_SPECTRAL_FIELD').map(
+    ([name = '', unit = '', title = '', listTitle = '', meaning = '', , number, many = '']) => {
+      const [, struct = '', member = ''] = /^(\w+)\{\}\.(\w+)$/.exec(many) ?? [];
+      const count = struct ? Number(defaultOf(struct, member)) : 1;
+      const module = 'girth-studies';
+      return { name, unit, module, title, listTitle, meaning, number: Number(number), count };
+    },
+  );
+  return [...vertex, ...spectral];
+}
+
+/** Parameters of fields, with the comments and defaults of the structs that hold them. */
+function parameters() {
+  return entriesOf(`${headers}/fields.def`, 'GIRTH_FIELD_PARAMETER').map(
+    ([keyword = '', , of = '', kind = '', path = '']) => {
+      const [outer = '', inner] = path.split('.');
+      const holder = structOf('FieldOptions').members[outer];
+      const group = inner === undefined ? undefined : { name: outer, type: holder?.type ?? '' };
+      const member = group ? structOf(group.type).members[inner ?? ''] : holder;
+      if (!member) throw new Error(`FieldOptions has no ${path}`);
+      return { keyword, fields: of.split(' '), kind, path, group, ...member };
+    },
+  );
+}
+
+/** @param {{ kind: string, byDefault: string }} parameter */
+function defaultWords({ kind, byDefault }) {
+  if (kind === 'Distances') return "'fast-marching'";
+  if (kind !== 'Degrees') return byDefault;
+  return `${byDefault}, ${Math.round((Number(byDefault) * 180e6) / Math.PI) / 1e6}°`;
+}
+
+/** As a comment, in lines that are not too long. @param {string} words */
+const commentOf = (words) =>
+  words.length < 90
+    ? `/** ${words} */`
+    : `/**\n${words.replace(/(.{1,100})(?: |$)/g, ' * $1\n')} */`;
+
+/** @param {ReturnType<typeof parameters>[number]} parameter */
+const memberText = (parameter) => {
+  const type = parameter.kind === 'Distances' ? "'fast-marching' | 'exact'" : 'number';
+  const name = parameter.path.split('.').at(-1);
+  const words = `${parameter.comment} Default: ${defaultWords(parameter)}.`;
+  return `${commentOf(words)}\n${name}?: ${type};\n`;
+};
+
+const unitWords = {
+  Length: 'in model units',
+  Radian: 'in radians',
+  PerArea: 'in 1 / squared model units',
+  Number: 'without a unit',
+};
+
+/** @param {ReturnType<typeof fields>} list */
+const nameType = (list) =>
+  `${list.map(({ name, unit, meaning }) => ` * - \`'${name}'\`: ${meaning}; ${unitWords[/** @type {keyof typeof unitWords} */ (unit)]}.`).join('\n')}\n`;
+
+/** @param {ReturnType<typeof fields>} list */
+const union = (list) => list.map(({ name }) => `'${name}'`).join(' | ');
+
+/** The first line of everything that is made here. @param {string} table */
+const made = (table) =>
+  `// Made of cpp/include/girth/${table} by \`npm run build:tables\`: not to be edited.\n`;
+
+const heatTime = () =>
+  Number(/kHeatMaximaTime = (.*);/.exec(read(`${headers}/heat_maxima.h`))?.[1]);
+
+function fieldsText() {
+  const all = fields();
+  const spectral = all.filter(({ module }) => module === 'girth-studies');
+  const vertex = all.filter((one) => !spectral.includes(one));
+  const given = parameters();
+  const groups = [...new Set(given.flatMap(({ group }) => (group ? [group.name] : [])))];
+  const interfaces = groups.map((name) => {
+    const members = given.filter(({ group }) => group?.name === name);
+    const type = members[0]?.group?.type ?? '';
+    return `/** ${structOf(type).comment} */\nexport interface ${type} {\n${members.map(memberText).join('')}}\n`;
+  });
+  const own = given.filter(({ group }) => !group);
+  const grouped = groups.map((name) => {
+    const member = structOf('FieldOptions').members[name];
+    return `/** ${member?.comment} */\n${name}?: ${member?.type};\n`;
+  });
+  const record = (
+    /** @type {(one: ReturnType<typeof fields>[number]) => unknown} */ valueOf,
+    list = all,
+  ) => `{ ${list.map((one) => `${one.name}: ${JSON.stringify(valueOf(one))}`).join(', ')} }`;
+  return `${made('fields.def')}
+/**
+ * Fields that are computed vertex by vertex.
+ *
+${nameType(vertex)} */
+export type VertexFieldName = ${union(vertex)};
+
+/**
+ * Fields that are computed from the surface's spectrum. They come all at once, without partial values. Each value is one
+ * number of the vertex's signature.
+ *
+${nameType(spectral)} */
+export type SpectralFieldName = ${union(spectral)};
+
+/** All fields that the kernel computes. */
+export type FieldName = VertexFieldName | SpectralFieldName;
+
+${interfaces.join('\n')}
+/** What single fields depend on besides the surface. Each reads only what concerns it. */
+export interface FieldParameters {
+${own.map(memberText).join('')}${grouped.join('')}}
+
+/** Where these are in \`FieldParameters\`. */
+export const parameterPaths = ${JSON.stringify(given.map(({ path }) => path))} as const;
+
+/** What the values of fields are. */
+export const fieldUnits: Readonly<Record<FieldName, 'Length' | 'Radian' | 'PerArea' | 'Number'>> = ${record(({ unit }) => unit)};
+
+/** Names in words, for a legend. */
+export const fieldTitles: Readonly<Record<FieldName, string>> = ${record(({ title }) => title)};
+
+/** Names in a list, with what papers call them. */
+export const fieldListTitles: Readonly<Record<FieldName, string>> = ${record(({ listTitle }) => listTitle)};
+
+/** What a value is, as the middle of a sentence. */
+export const fieldMeanings: Readonly<Record<FieldName, string>> = ${record(({ meaning }) => meaning)};
+
+/** Fields that the small module has where their persistence is 0. */
+export const girthModuleFields: readonly string[] = ${JSON.stringify(vertex.filter(({ module }) => module === 'girth').map(({ name }) => name))};
+
+/** Fields that depend on how long saddles must last. */
+export const persistentFields: readonly FieldName[] = ${JSON.stringify(given.find(({ path }) => path === 'persistence')?.fields)};
+
+/** The time of heat by default, as a share of the area. */
+export const usualTime = ${heatTime()};
+
+/** The numbers of a signature, of which a field is one. */
+export interface SignatureNumbers {
+  /** How many there are. */
+  readonly count: number;
+  /** Which one is taken by default, counted from 1. */
+  readonly usual: number;
+}
+
+/** The numbers of each signature. */
+export const signatureNumbers: Readonly<Record<SpectralFieldName, SignatureNumbers>> = ${record(({ count, number }) => ({ count, usual: number }), spectral)};
+`;
+}
+
+function unitsText() {
+  const units = entriesOf(`${headers}/io/length_units.def`, 'GIRTH_LENGTH_UNIT').map(
+    ([symbol, name, metres]) => `{ symbol: '${symbol}', name: '${name}', metres: ${metres} },`,
+  );
+  return `${made('io/length_units.def')}
+/** A unit of length. */
+export interface LengthUnit {
+  /** 'mm' */
+  readonly symbol: string;
+  /** 'millimetre' */
+  readonly name: string;
+  /** In one of it: 0.001. */
+  readonly metres: number;
+}
+
+/** Units of length, small ones first. */
+export const lengthUnits: readonly LengthUnit[] = [${units.join('')}];
+
+/** The unit with that symbol or name; undefined where there is none. */
+export function findLengthUnit(symbolOrName: string): LengthUnit | undefined {
+  return lengthUnits.find(({ symbol, name }) => symbol === symbolOrName || name === symbolOrName);
+}
+`;
+}
+
+const documentUnits = { Length: 'length', Radian: 'radian', PerArea: '1 / area', Number: '' };
+
+/** The table of fields in a document. */
+function documentTable() {
+  const rows = fields().map(({ name, unit, meaning }) => {
+    return `| \`${name}\` | ${documentUnits[/** @type {keyof typeof documentUnits} */ (unit)]} | ${meaning} |`;
+  });
+  return `| field | unit | a value is |\n| --- | --- | --- |\n${rows.join('\n')}`;
+}
+
+const begin = '<!-- fields: made of cpp/include/girth/fields.def by `npm run build:tables` -->';
+const end = '<!-- fields end -->';
+
+/** @param {string} document */
+function documentText(document) {
+  const text = read(document);
+  const [from, to] = [text.indexOf(begin), text.indexOf(end)];
+  if (from < 0 || to < from) throw new Error(`${document} has no place for the table of fields`);
+  return `${text.slice(0, from)}${begin}\n\n${documentTable()}\n\n${text.slice(to)}`;
+}
+
+/** Every file that is made of tables, by its path. */
+export async function tables() {
+  const texts = {
+    'web/src/kernel/fields.ts': fieldsText(),
+    'web/src/kernel/length-units.ts': unitsText(),
+    'web/docs/outputs.md': documentText('web/docs/outputs.md'),
+  };
+  const style = /** @type {const} */ ({ singleQuote: true, printWidth: 100 });
+  const formatted = Object.entries(texts).map(async ([path, text]) => {
+    return /** @type {const} */ ([path, (await format(path, text, style)).code]);
+  });
+  return Object.fromEntries(await Promise.all(formatted));
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  for (const [path, text] of Object.entries(await tables()))
+    writeFileSync(join(repository, path), text);
+}

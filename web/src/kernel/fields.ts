@@ -1,0 +1,147 @@
+// Made of cpp/include/girth/fields.def by `npm run build:tables`: not to be edited.
+
+/**
+ * Fields that are computed vertex by vertex.
+ *
+ * - `'igf'`: the length of the shortest loop round the surface, like a rubber band that holds tight; in model units.
+ * - `'sdf'`: how thick the shape is on average, measured through its inside; in model units.
+ * - `'thickness'`: the width of the largest ball inside that touches the surface there; in model units.
+ * - `'geoaverage'`: the mean distance to all other places, along the surface; in model units.
+ * - `'geofarthest'`: the distance to the farthest place, along the surface; in model units.
+ * - `'angle'`: the angle at which the shortest loop meets itself; in radians.
+ */
+export type VertexFieldName = 'igf' | 'sdf' | 'thickness' | 'geoaverage' | 'geofarthest' | 'angle';
+
+/**
+ * Fields that are computed from the surface's spectrum. They come all at once, without partial values. Each value is one
+ * number of the vertex's signature.
+ *
+ * - `'hks'`: how much heat stays in a place; in 1 / squared model units.
+ * - `'wks'`: how likely a wave of this energy is met in a place; in 1 / squared model units.
+ * - `'sihks'`: how heat leaves a place, whatever the size of the shape; without a unit.
+ */
+export type SpectralFieldName = 'hks' | 'wks' | 'sihks';
+
+/** All fields that the kernel computes. */
+export type FieldName = VertexFieldName | SpectralFieldName;
+
+/** Which rays are sent. */
+export interface ShapeDiameterOptions {
+  /** Rays sent from each vertex, 1 to 10,000. Default: 30. */
+  rays?: number;
+  /**
+   * The full opening of the cone of rays, in radians, in (0, π). Default: 2.0943951023931953, 120°.
+   */
+  coneAngle?: number;
+}
+
+/** What counts as facing a point. */
+export interface ThicknessOptions {
+  /**
+   * In radians, in (0, π/2). Where two faces meet at a sharper angle, measured within the body, they
+   * face each other, and the thickness falls to 0 at their edge. Faces that lie at a blunter angle to
+   * each other do not: a cube is as thick at its edges as in the middle. Every convex body has faces
+   * that meet at 70.6° or less, if they meet. Default: 1.3089969389957472, 75°.
+   */
+  sharpAngle?: number;
+}
+
+/** What single fields depend on besides the surface. Each reads only what concerns it. */
+export interface FieldParameters {
+  /**
+   * Of 'igf' and 'angle': tau, in model units, at least 0 and finite. Loops whose saddles last no longer
+   * are passed over, as noise makes them (girth/barcode.h). Default: 0.
+   */
+  persistence?: number;
+  /** How 'geoaverage' and 'geofarthest' measure distances. Default: 'fast-marching'. */
+  distances?: 'fast-marching' | 'exact';
+  /** Of 'sdf'. */
+  sdf?: ShapeDiameterOptions;
+  /** Of 'thickness'. */
+  thickness?: ThicknessOptions;
+}
+
+/** Where these are in `FieldParameters`. */
+export const parameterPaths = [
+  'persistence',
+  'sdf.rays',
+  'sdf.coneAngle',
+  'thickness.sharpAngle',
+  'distances',
+] as const;
+
+/** What the values of fields are. */
+export const fieldUnits: Readonly<Record<FieldName, 'Length' | 'Radian' | 'PerArea' | 'Number'>> = {
+  igf: 'Length',
+  sdf: 'Length',
+  thickness: 'Length',
+  geoaverage: 'Length',
+  geofarthest: 'Length',
+  angle: 'Radian',
+  hks: 'PerArea',
+  wks: 'PerArea',
+  sihks: 'Number',
+};
+
+/** Names in words, for a legend. */
+export const fieldTitles: Readonly<Record<FieldName, string>> = {
+  igf: 'Girth',
+  sdf: 'Shape diameter',
+  thickness: 'Thickness',
+  geoaverage: 'Mean distance',
+  geofarthest: 'Greatest distance',
+  angle: 'Angle of the loop',
+  hks: 'Heat kernel signature',
+  wks: 'Wave kernel signature',
+  sihks: 'Scale-invariant heat kernel',
+};
+
+/** Names in a list, with what papers call them. */
+export const fieldListTitles: Readonly<Record<FieldName, string>> = {
+  igf: 'Girth (IGF)',
+  sdf: 'Shape diameter (SDF)',
+  thickness: 'Thickness (balls)',
+  geoaverage: 'GeoAverage (mean)',
+  geofarthest: 'GeoFarthest (largest)',
+  angle: 'Angle of the loop',
+  hks: 'Heat kernel (HKS)',
+  wks: 'Wave kernel (WKS)',
+  sihks: 'SIHKS (scale-free)',
+};
+
+/** What a value is, as the middle of a sentence. */
+export const fieldMeanings: Readonly<Record<FieldName, string>> = {
+  igf: 'the length of the shortest loop round the surface, like a rubber band that holds tight',
+  sdf: 'how thick the shape is on average, measured through its inside',
+  thickness: 'the width of the largest ball inside that touches the surface there',
+  geoaverage: 'the mean distance to all other places, along the surface',
+  geofarthest: 'the distance to the farthest place, along the surface',
+  angle: 'the angle at which the shortest loop meets itself',
+  hks: 'how much heat stays in a place',
+  wks: 'how likely a wave of this energy is met in a place',
+  sihks: 'how heat leaves a place, whatever the size of the shape',
+};
+
+/** Fields that the small module has where their persistence is 0. */
+export const girthModuleFields: readonly string[] = ['igf', 'angle'];
+
+/** Fields that depend on how long saddles must last. */
+export const persistentFields: readonly FieldName[] = ['igf', 'angle'];
+
+/** The time of heat by default, as a share of the area. */
+export const usualTime = 0.002;
+
+/** The numbers of a signature, of which a field is one. */
+export interface SignatureNumbers {
+  /** How many there are. */
+  readonly count: number;
+  /** Which one is taken by default, counted from 1. */
+  readonly usual: number;
+}
+
+/** The numbers of each signature. */
+export const signatureNumbers: Readonly<Record<SpectralFieldName, SignatureNumbers>> = {
+  hks: { count: 1, usual: 1 },
+  wks: { count: 100, usual: 20 },
+  sihks: { count: 19, usual: 1 },
+};
