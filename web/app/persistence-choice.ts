@@ -1,6 +1,12 @@
 // How long saddles must last to count: a slider through the persistent girths.
 
-import { type GirthViewer, formatLength, make, readLengthOrShare } from '../src/element/index.js';
+import {
+  type GirthViewer,
+  formatLength,
+  make,
+  persistentFields,
+  readLengthOrShare,
+} from '../src/element/index.js';
 import type { PageState } from './address-state.js';
 import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
@@ -8,7 +14,7 @@ import { failureWords } from './failure-words.js';
 /** Percent of the square root of the area: what the slider reaches, and its steps. */
 const [reach, step] = [5, 0.05];
 /** The fields that a persistence changes. */
-const concerned = new Set(['igf', 'angle', 'kind', 'tips', 'parts']);
+const concerned = new Set<string>([...persistentFields, 'kind', 'tips', 'parts']);
 
 /** How long saddles must last to count, in model units, as the element's attribute has it. */
 export function persistenceOf(viewer: GirthViewer): number {

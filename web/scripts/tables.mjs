@@ -260,6 +260,27 @@ export function findLengthUnit(symbolOrName: string): LengthUnit | undefined {
 `;
 }
 
+/** Defaults that JavaScript hands to operations of workers: the member of a struct. */
+const handedOn = [
+  ['RefinedOptions', 'coarseFaces'],
+  ['RefinedOptions', 'audit'],
+  ['RefinedOptions', 'seed'],
+  ['LimbOptions', 'stations'],
+  ['HandleOptions', 'basePoints'],
+  ['PathProfileOptions', 'samples'],
+];
+
+function defaultsText() {
+  const members = handedOn.map(
+    ([struct = '', member = '']) => `${member}: ${defaultOf(struct, member)},`,
+  );
+  return `// Made of the headers in cpp/include/girth by \`npm run build:tables\`: not to be edited.
+
+/** What options of analyses are where they are left out. */
+export const defaults = { ${members.join('')} } as const;
+`;
+}
+
 const documentUnits = { Length: 'length', Radian: 'radian', PerArea: '1 / area', Number: '' };
 
 /** The table of fields in a document. */
@@ -286,6 +307,7 @@ export async function tables() {
   const texts = {
     'web/src/kernel/fields.ts': fieldsText(),
     'web/src/kernel/length-units.ts': unitsText(),
+    'web/src/kernel/defaults.ts': defaultsText(),
     'web/docs/outputs.md': documentText('web/docs/outputs.md'),
   };
   const style = /** @type {const} */ ({ singleQuote: true, printWidth: 100 });

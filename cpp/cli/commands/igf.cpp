@@ -50,7 +50,7 @@ struct Options {
   /// In bands round loops (girth/refined_girth.h) instead.
   bool refined{false};
   /// Vertices at which that is compared with the exact method.
-  std::uint32_t audit{200};
+  std::uint32_t audit{RefinedOptions{}.audit};
   /// 0: on the surface as it is; otherwise on one of at most so many faces, and carried back.
   std::uint32_t faces{0};
   unsigned threads{0};
@@ -614,7 +614,8 @@ Run add(OptionTable& table) {
   table
       .add("--audit N", options->audit,
            "Of the refined method: compare with the exact one at so many vertices, drawn at "
-           "random; 200 by default")
+           "random; " +
+               std::to_string(options->audit) + " by default")
       .range(0, 1'000'000);
   table
       .add("--faces N", options->faces,

@@ -102,7 +102,9 @@ Run add(OptionTable& table) {
                    "Write the limbs: .json, with their profiles, or .csv, a row for each");
   table.add("--profiles", options->profiles,
             "Write the profiles as .csv: a row for each station of each limb");
-  table.add("--stations N", options->stations, "Stations of each profile. Default: 64")
+  table
+      .add("--stations N", options->stations,
+           "Stations of each profile. Default: " + std::to_string(options->stations))
       .range(1, 10'000);
   addPersistenceOption(table, options->persistence);
   addFacesOption(table, options->preparing);

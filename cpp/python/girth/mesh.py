@@ -53,6 +53,7 @@ FIELDS = _girth.fields()
 Point = Union[int, tuple[int, Sequence[float]]]
 
 _NONE = 255
+_DEFAULTS = _girth.defaults()
 
 #: How parameters of fields are read, by their kind in the table of fields.
 _READERS = {
@@ -218,8 +219,8 @@ class Mesh:
         *,
         method: str = "exact",
         persistence: float = 0.0,
-        audit: int = 200,
-        seed: int = 1,
+        audit: int = _DEFAULTS["audit"],
+        seed: int = _DEFAULTS["seed"],
         threads: Optional[int] = None,
         progress: Progress = None,
     ) -> Girth:
@@ -385,7 +386,7 @@ class Mesh:
     def limbs(
         self,
         *,
-        stations: int = 64,
+        stations: int = _DEFAULTS["stations"],
         persistence: float = 0.0,
         threads: Optional[int] = None,
         progress: Progress = None,
@@ -508,7 +509,7 @@ class Mesh:
     def handles(
         self,
         *,
-        base_points: int = 32,
+        base_points: int = _DEFAULTS["base_points"],
         threads: Optional[int] = None,
         progress: Progress = None,
     ) -> Handles:
@@ -569,7 +570,7 @@ class Mesh:
     def profile(
         self,
         *points: Point,
-        samples: int = 100,
+        samples: int = _DEFAULTS["samples"],
         crossings: bool = True,
         threads: Optional[int] = None,
         progress: Progress = None,

@@ -17,9 +17,12 @@
 #include "bindings.h"
 #include "curves.h"
 #include "girth/fields.h"
+#include "girth/handles.h"
 #include "girth/heat_maxima.h"
 #include "girth/io/length_unit.h"
 #include "girth/io/load_mesh.h"
+#include "girth/limbs.h"
+#include "girth/path_profile.h"
 #include "girth/refined_girth.h"
 #include "girth/remesh.h"
 #include "girth/smooth_surface.h"
@@ -259,6 +262,17 @@ py::dict fieldKinds() {
   return kinds;
 }
 
+/// What options are where they are left out.
+py::dict defaults() {
+  py::dict values;
+  values["audit"] = RefinedOptions{}.audit;
+  values["seed"] = RefinedOptions{}.seed;
+  values["stations"] = LimbOptions{}.stations;
+  values["base_points"] = HandleOptions{}.basePoints;
+  values["samples"] = PathProfileOptions{}.samples;
+  return values;
+}
+
 /// The symbols of the units of length by their names.
 py::dict lengthUnitSymbols() {
   py::dict symbols;
@@ -388,6 +402,7 @@ void bindSurface(py::module_& module) {
            py::arg("threads"), py::arg("progress"))
       .def_readonly("progress", &Running::progress);
   module.def("load", &surfaceOfFile);
+  module.def("defaults", &defaults);
   module.def("fields", &fieldKinds);
   module.def("is_spectral", [](const std::string& name) { return findField(name)->isSpectral; });
   module.def("field_parameters", &fieldParameters);

@@ -22,6 +22,7 @@ describe('tables', () => {
     ['RefinedOptions', 'audit', 'RefinedOptions', 'audit'],
     ['RefinedOptions', 'seed', 'RefinedOptions', 'seed'],
     ['HandleOptions', 'basePoints', 'HandleOptions', 'basePoints'],
+    ['LimbOptions', 'stations', 'LimbOptions', 'stations'],
     ['ProfileOptions', 'samples', 'PathProfileOptions', 'samples'],
     ['NeckOptions', 'minProminence', 'NeckOptions', 'minProminence'],
     ['PartOptions', 'smoothing', 'PartOptions', 'smoothing'],

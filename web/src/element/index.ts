@@ -74,6 +74,7 @@ export {
 export {
   fieldListTitles,
   fieldMeanings,
+  persistentFields,
   type SignatureNumbers,
   signatureNumbers,
   usualTime,

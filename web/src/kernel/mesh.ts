@@ -1,5 +1,6 @@
 // A mesh on the page: it checks what is asked of it, and passes it to the workers.
 
+import { defaults } from './defaults.js';
 import { failure } from './errors.js';
 import {
   checkName,
@@ -99,14 +100,8 @@ const wholeLimits = ({ tubeDiameter, wallThickness, gap = 0 }: PrintLimits) => (
   gap,
 });
 
-/** Stations of a limb's profile, unless more are asked for: as in `limbs.h`. */
-const limbStations = 64;
-
-/** Places of a profile, unless others are asked for: as in `path_profile.h`. */
-const profilePlaces = { samples: 100, crossings: true };
-
-/** Points of a component whose loops are compared, unless others are asked for: as in `handles.h`. */
-const handleBasePoints = 32;
+/** Places of a profile, unless others are asked for. */
+const profilePlaces = { samples: defaults.samples, crossings: true };
 
 const whole = ({ girth, thickness, smoothing = 0 }: PartOptions) => ({
   girth,
@@ -172,9 +167,9 @@ export class MeshOfWorkers implements Mesh {
   }
 
   async refinedGirth({
-    coarseFaces = 10_000,
-    audit = 200,
-    seed = 1,
+    coarseFaces = defaults.coarseFaces,
+    audit = defaults.audit,
+    seed = defaults.seed,
     ...options
   }: RefinedOptions = {}): Promise<RefinedGirth> {
     const request = { coarseFaces, audit, seed };
@@ -248,7 +243,7 @@ export class MeshOfWorkers implements Mesh {
 
   async limbs(
     igf: Field,
-    { signal, onProgress, stations = limbStations }: LimbOptions = {},
+    { signal, onProgress, stations = defaults.stations }: LimbOptions = {},
   ): Promise<Limbs> {
     const girth = this.#own(igf, 'igf');
     return this.#ask('limbs', { girth, stations }, signal, { onProgress });
@@ -330,14 +325,14 @@ export class MeshOfWorkers implements Mesh {
   async handles({
     signal,
     onProgress,
-    basePoints = handleBasePoints,
+    basePoints = defaults.basePoints,
   }: HandleOptions = {}): Promise<Handles> {
     return this.#ask('handles', { basePoints }, signal, { onProgress });
   }
 
   async removeHandles(
     length: number,
-    { signal, onProgress, basePoints = handleBasePoints }: HandleOptions = {},
+    { signal, onProgress, basePoints = defaults.basePoints }: HandleOptions = {},
   ): Promise<RepairedMesh> {
     const passing = bytesOf(this.#jobSurface);
     const args = { length, basePoints, info: this.info };
@@ -501,7 +496,7 @@ export class MeshOfWorkers implements Mesh {
   async exportLimbs(
     igf: Field,
     format: 'json' | 'csv',
-    { signal, unit, onProgress, stations = limbStations }: ExportOptions & LimbOptions = {},
+    { signal, unit, onProgress, stations = defaults.stations }: ExportOptions & LimbOptions = {},
   ): Promise<Uint8Array> {
     const girth = this.#own(igf, 'igf');
     const args = { model: this.#written(unit, igf.persistence), girth, stations, format };
