@@ -14,6 +14,15 @@ constexpr std::array kUnits{
 
 std::span<const LengthUnit> lengthUnits() { return kUnits; }
 
+std::string lengthUnitWords() {
+  std::string words(kUnits.front().symbol);
+  for (std::size_t i = 1; i < kUnits.size(); ++i) {
+    words += i + 1 < kUnits.size() ? ", " : " or ";
+    words += kUnits[i].symbol;
+  }
+  return words;
+}
+
 const LengthUnit* findLengthUnit(std::string_view nameOrSymbol) {
   for (const LengthUnit& unit : kUnits) {
     if (unit.name == nameOrSymbol || unit.symbol == nameOrSymbol) return &unit;

@@ -23,8 +23,8 @@ void addModelOptions(OptionTable& table, ModelOptions& options) {
   for (const io::LengthUnit& unit : io::lengthUnits()) units.emplace_back(unit.symbol);
   table
       .add("--unit UNIT", options.unit,
-           "The unit of the file's numbers: um, mm, cm, m, km, in or ft; by default what the file "
-           "states")
+           "The unit of the file's numbers: " + io::lengthUnitWords() +
+               "; by default what the file states")
       .oneOf(units);
   table
       .add("--in UNIT", options.shownUnit,

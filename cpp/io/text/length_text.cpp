@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kGreatest = 1e300;
 
-Error wrong(std::string_view text, const char* why, const char* hint) {
+Error wrong(std::string_view text, const char* why, const std::string& hint) {
   Error error =
       makeError(ErrorCode::Usage, -1, "\"" + std::string(text) + "\" " + std::string(why));
   error.hint = hint;
@@ -60,7 +60,7 @@ Result<TypedLength> parseLength(std::string_view given) {
   if (unit.empty()) return length;
   length.unit = findLengthUnit(unit);
   if (length.unit == nullptr) {
-    return wrong(text, "has an unknown unit", "use um, mm, cm, m, km, in or ft");
+    return wrong(text, "has an unknown unit", "use " + lengthUnitWords());
   }
   return length;
 }

@@ -17,7 +17,7 @@ struct TypedLength {
   const LengthUnit* unit{nullptr};  ///< null where none was typed
 };
 
-/// Reads a number with or without a unit behind it (um, mm, cm, m, km, in, ft, or its name), spaces
+/// Reads a number with or without a unit behind it (a symbol or a name), spaces
 /// around both; a comma may stand for the point. Error: USAGE.
 GIRTH_EXPORT Result<TypedLength> parseLength(std::string_view text);
 

@@ -29,6 +29,8 @@ double extentAlongX(const SurfaceMesh& mesh) {
   return high;
 }
 
+TEST(Unit, areListedInWords) { EXPECT_EQ(lengthUnitWords(), "um, mm, cm, m, km, in or ft"); }
+
 /// All files of a surface, with the format that each has.
 std::vector<std::pair<std::string, std::string>> filesOf(const LoadedMesh& loaded) {
   std::vector<std::pair<std::string, std::string>> files;

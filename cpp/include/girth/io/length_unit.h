@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "girth/export.h"
@@ -17,6 +18,9 @@ struct LengthUnit {
 
 /// All of them (`length_units.def`), small ones first.
 GIRTH_EXPORT std::span<const LengthUnit> lengthUnits();
+
+/// Their symbols in words: "um, mm, cm, m, km, in or ft".
+GIRTH_EXPORT std::string lengthUnitWords();
 
 /// The unit with that name or symbol; null where there is none.
 GIRTH_EXPORT const LengthUnit* findLengthUnit(std::string_view nameOrSymbol);
