@@ -1,8 +1,11 @@
 """Closed forms, and the same bits as the command."""
 
+import inspect
+
 import girth
 import numpy as np
 import pytest
+from girth import _girth
 from shapes import as_obj, limbed_body, prism, tetrahedron, torus
 
 
@@ -259,3 +262,17 @@ def test_distances_of_the_command(model, command, repository):
     ours = girth.compare(others, ["igf", "hks"])
     for descriptor in theirs["descriptors"]:
         assert_same_bits(ours[descriptor["name"]], descriptor["distances"])
+
+
+def test_parameters_of_fields_are_keywords_with_the_defaults_of_cpp():
+    keywords = inspect.signature(girth.Mesh.field).parameters
+    for name in girth.FIELDS:
+        for keyword in _girth.field_parameters(name):
+            # Of Mesh.igf alone.
+            assert keyword == "persistence" or keyword in keywords
+    mesh = girth.Mesh(*prism(4, length=4.0, rings=4))
+    plain = mesh.field("sdf").values
+    assert np.array_equal(plain, mesh.field("sdf", rays=30, cone=120).values)
+    assert not np.array_equal(plain, mesh.field("sdf", rays=3).values)
+    with pytest.raises(girth.InputError, match="rays"):
+        mesh.field("sdf", rays=0)
