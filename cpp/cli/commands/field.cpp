@@ -212,15 +212,18 @@ struct Parameter {
   }
 };
 // The kinds of the table.
-struct Count : Parameter {};
-struct Degrees : Parameter {};
-struct Distances : Parameter {};
-struct Length : Parameter {};
+struct Count;
+struct Degrees;
+struct Distances;
+struct Length;
+/// One of a kind.
+template <class Kind>
+struct Taken : Parameter {};
 
-void addParameter(OptionTable& table, const Count& of, unsigned& member, Options&) {
+void addParameter(OptionTable& table, const Taken<Count>& of, unsigned& member, Options&) {
   table.add(of.declaration(), member, of.text(std::to_string(member))).range(of.least, of.greatest);
 }
-void addParameter(OptionTable& table, const Degrees& of, double& member, Options&) {
+void addParameter(OptionTable& table, const Taken<Degrees>& of, double& member, Options&) {
   // Radians cannot hold most degrees exactly.
   const double usual = std::round(1e6 * member * 180 / std::numbers::pi) / 1e6;
   const auto store = [&member](const std::string& text) {
@@ -232,11 +235,12 @@ void addParameter(OptionTable& table, const Degrees& of, double& member, Options
   table.onValue(of.declaration(), store, of.text(io::formatNumber(usual) + " degrees"))
       .range(of.least, of.greatest);
 }
-void addParameter(OptionTable& table, const Distances& of, DistanceMethod& member, Options&) {
+void addParameter(OptionTable& table, const Taken<Distances>& of, DistanceMethod& member,
+                  Options&) {
   table.onFlag(
       of.declaration(), [&member] { member = DistanceMethod::Exact; }, of.text(""));
 }
-void addParameter(OptionTable& table, const Length&, double&, Options& options) {
+void addParameter(OptionTable& table, const Taken<Length>&, double&, Options& options) {
   addPersistenceOption(table, options.persistence, "angle");
 }
 
@@ -250,7 +254,7 @@ Run add(OptionTable& table) {
   addOutputOptions(table, options->output, {".csv", ".json", ".npy", ".ply", ".glb"},
                    "Write the values: .csv, .json, .npy, .ply or .glb");
 #define GIRTH_FIELD_PARAMETER(keyword, value, fields, kind, member, least, greatest, words) \
-  addParameter(table, kind{#keyword, value, fields, words, least, greatest},                \
+  addParameter(table, Taken<kind>{{#keyword, value, fields, words, least, greatest}},       \
                options->field.member, *options);
 #include "girth/fields.def"
   addSpectralFieldOptions(table, options->spectral);
