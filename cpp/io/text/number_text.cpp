@@ -1,8 +1,5 @@
 #include "text/number_text.h"
 
-#include <locale.h>
-#include <stdlib.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -10,7 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
+
+#include "text/exact_decimal.h"
 
 namespace girth::io {
 namespace {
@@ -46,15 +46,6 @@ double dividedByPowerOfTen(std::uint64_t mantissa, int power) {
   const auto quotient = static_cast<std::uint64_t>(dividend / shifted);
   const bool more = static_cast<Wide>(quotient) * shifted != dividend;
   return std::ldexp(static_cast<double>(quotient | (more ? 1u : 0u)), divisorUp - up - power - 63);
-}
-
-double parseSlowly(std::string_view text) {
-  // strtod would read a decimal comma where the program has set such a locale.
-  static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
-  std::array<char, kMaxLength + 1> terminated;
-  text.copy(terminated.data(), text.size());
-  terminated[text.size()] = '\0';
-  return strtod_l(terminated.data(), nullptr, plain);
 }
 
 /// Spellings of no finite number, as C libraries print it: "nan", "nan(ind)", "inf", "1.#QNAN",
@@ -133,7 +124,10 @@ std::optional<double> parseNumber(std::string_view text) {
     const double value = dividedByPowerOfTen(mantissa, -exponent);
     return negative ? -value : value;
   }
-  return parseSlowly(text);
+  std::string digits(magnitude.substr(0, magnitude.find_first_of("eE")));
+  digits.erase(std::remove(digits.begin(), digits.end(), '.'), digits.end());
+  const double value = exactDecimal(digits, exponent);
+  return negative ? -value : value;
 }
 
 std::string formatNumber(double value) {

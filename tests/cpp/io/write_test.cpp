@@ -11,6 +11,7 @@
 #include <span>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "documents.h"
 #include "girth/io/write_barcodes.h"
@@ -60,6 +61,34 @@ TEST(NumberText, readsAsTheStandardLibraryDoes) {
         "1.00000000000000011", "1.000000000000000111022302462515654",
         "0.000000000000000000000000001", "900000000000000000.5", "999999999999999999e-27"}) {
     EXPECT_EQ(parseNumber(text), std::strtod(text, nullptr)) << text;
+  }
+}
+
+TEST(NumberText, readsAnyLengthRoundedCorrectly) {
+  const std::string zeros(700, '0');
+  const double least = std::numeric_limits<double>::denorm_min();
+  const double greatest = std::numeric_limits<double>::max();
+  const double none = std::numeric_limits<double>::infinity();
+  for (const auto& [text, value] : {
+           // Halfway goes to the even one; the least digit behind it decides, however far behind.
+           std::pair{"9007199254740993." + zeros, 0x1p53},
+           {"9007199254740993." + zeros + "1", 0x1p53 + 2},
+           {"-9007199254740995." + zeros, -0x1p53 - 4},
+           {"0." + zeros + "1e701", 1.0},
+           {"1" + zeros + "e-700", 1.0},
+           {"3" + zeros + "1e-701", 3.0},
+           // Half of the least number, and a little more; numbers that are not normal.
+           {"2.4703282292062327e-324", 0.0},
+           {"2.4703282292062328e-324", least},
+           {"2.2250738585072011e-308", 0x0.fffffffffffffp-1022},
+           {"2.2250738585072014e-308", 0x1p-1022},
+           {"1e-400", 0.0},
+           // The greatest number, and what is rounded beyond it.
+           {"1.7976931348623158079e308", greatest},
+           {"1.7976931348623158080e308", none},
+           {"-1e310", -none},
+       }) {
+    EXPECT_EQ(parseNumber(text), value) << text;
   }
 }
 
