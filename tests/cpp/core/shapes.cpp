@@ -25,8 +25,10 @@ void pushToSphere(Shape& shape) {
   }
 }
 
-/// Two triangles for a quadrilateral a b c d.
-void quad(Shape& shape, Index a, Index b, Index c, Index d) {
+/// Two triangles for a quadrilateral. In braces its corners, which get their numbers there, follow
+/// each other with every compiler.
+void quad(Shape& shape, const std::array<Index, 4>& corners) {
+  const auto [a, b, c, d] = corners;
   shape.face(a, b, c);
   shape.face(a, c, d);
 }
@@ -72,7 +74,7 @@ Shape prism(const std::vector<double>& polygon, double height, Index rings) {
   for (Index ring = 0; ring < rings; ++ring) {
     for (Index i = 0; i < corners; ++i) {
       const Index j = (i + 1) % corners, low = ring * corners, high = low + corners;
-      quad(shape, low + i, low + j, high + j, high + i);
+      quad(shape, {low + i, low + j, high + j, high + i});
     }
   }
   const Index bottom = shape.add(cx, cy, 0), top = shape.add(cx, cy, height);
@@ -146,7 +148,7 @@ Shape pyramid(Index sides, double apexAngle, Index rings) {
     shape.face(0, 1 + i, 1 + j);
     for (Index ring = 0; ring + 1 < rings; ++ring) {
       const Index high = 1 + ring * sides, low = high + sides;
-      quad(shape, high + i, low + i, low + j, high + j);
+      quad(shape, {high + i, low + i, low + j, high + j});
     }
   }
   const Index bottom = shape.add(0, 0, 0), last = 1 + (rings - 1) * sides;
@@ -164,26 +166,26 @@ Shape box(double a, double b, double c, Index nx, Index ny, Index nz) {
   };
   for (Index i = 0; i < nx; ++i) {
     for (Index j = 0; j < ny; ++j) {
-      quad(shape, vertex(i, j, 0), vertex(i, j + 1, 0), vertex(i + 1, j + 1, 0),
-           vertex(i + 1, j, 0));
-      quad(shape, vertex(i, j, nz), vertex(i + 1, j, nz), vertex(i + 1, j + 1, nz),
-           vertex(i, j + 1, nz));
+      quad(shape,
+           {vertex(i, j, 0), vertex(i, j + 1, 0), vertex(i + 1, j + 1, 0), vertex(i + 1, j, 0)});
+      quad(shape, {vertex(i, j, nz), vertex(i + 1, j, nz), vertex(i + 1, j + 1, nz),
+                   vertex(i, j + 1, nz)});
     }
   }
   for (Index i = 0; i < nx; ++i) {
     for (Index k = 0; k < nz; ++k) {
-      quad(shape, vertex(i, 0, k), vertex(i + 1, 0, k), vertex(i + 1, 0, k + 1),
-           vertex(i, 0, k + 1));
-      quad(shape, vertex(i, ny, k), vertex(i, ny, k + 1), vertex(i + 1, ny, k + 1),
-           vertex(i + 1, ny, k));
+      quad(shape,
+           {vertex(i, 0, k), vertex(i + 1, 0, k), vertex(i + 1, 0, k + 1), vertex(i, 0, k + 1)});
+      quad(shape, {vertex(i, ny, k), vertex(i, ny, k + 1), vertex(i + 1, ny, k + 1),
+                   vertex(i + 1, ny, k)});
     }
   }
   for (Index j = 0; j < ny; ++j) {
     for (Index k = 0; k < nz; ++k) {
-      quad(shape, vertex(0, j, k), vertex(0, j, k + 1), vertex(0, j + 1, k + 1),
-           vertex(0, j + 1, k));
-      quad(shape, vertex(nx, j, k), vertex(nx, j + 1, k), vertex(nx, j + 1, k + 1),
-           vertex(nx, j, k + 1));
+      quad(shape,
+           {vertex(0, j, k), vertex(0, j, k + 1), vertex(0, j + 1, k + 1), vertex(0, j + 1, k)});
+      quad(shape, {vertex(nx, j, k), vertex(nx, j + 1, k), vertex(nx, j + 1, k + 1),
+                   vertex(nx, j, k + 1)});
     }
   }
   return shape;
@@ -203,7 +205,7 @@ Shape torus(double R, double r, Index around, Index across) {
     const Index in = (i + 1) % around;
     for (Index j = 0; j < across; ++j) {
       const Index jn = (j + 1) % across;
-      quad(shape, i * across + j, in * across + j, in * across + jn, i * across + jn);
+      quad(shape, {i * across + j, in * across + j, in * across + jn, i * across + jn});
     }
   }
   return shape;
@@ -285,23 +287,23 @@ Shape plate(Index holesAcross, Index holesAlong) {
     for (Index j = 0; j < ny; ++j) {
       const int x = static_cast<int>(i), y = static_cast<int>(j);
       if (!solid(x, y)) continue;
-      quad(shape, vertex(i, j, 0), vertex(i, j + 1, 0), vertex(i + 1, j + 1, 0),
-           vertex(i + 1, j, 0));
-      quad(shape, vertex(i, j, 1), vertex(i + 1, j, 1), vertex(i + 1, j + 1, 1),
-           vertex(i, j + 1, 1));
+      quad(shape,
+           {vertex(i, j, 0), vertex(i, j + 1, 0), vertex(i + 1, j + 1, 0), vertex(i + 1, j, 0)});
+      quad(shape,
+           {vertex(i, j, 1), vertex(i + 1, j, 1), vertex(i + 1, j + 1, 1), vertex(i, j + 1, 1)});
       if (!solid(x, y - 1)) {
-        quad(shape, vertex(i, j, 0), vertex(i + 1, j, 0), vertex(i + 1, j, 1), vertex(i, j, 1));
+        quad(shape, {vertex(i, j, 0), vertex(i + 1, j, 0), vertex(i + 1, j, 1), vertex(i, j, 1)});
       }
       if (!solid(x, y + 1)) {
-        quad(shape, vertex(i, j + 1, 0), vertex(i, j + 1, 1), vertex(i + 1, j + 1, 1),
-             vertex(i + 1, j + 1, 0));
+        quad(shape, {vertex(i, j + 1, 0), vertex(i, j + 1, 1), vertex(i + 1, j + 1, 1),
+                     vertex(i + 1, j + 1, 0)});
       }
       if (!solid(x - 1, y)) {
-        quad(shape, vertex(i, j, 0), vertex(i, j, 1), vertex(i, j + 1, 1), vertex(i, j + 1, 0));
+        quad(shape, {vertex(i, j, 0), vertex(i, j, 1), vertex(i, j + 1, 1), vertex(i, j + 1, 0)});
       }
       if (!solid(x + 1, y)) {
-        quad(shape, vertex(i + 1, j, 0), vertex(i + 1, j + 1, 0), vertex(i + 1, j + 1, 1),
-             vertex(i + 1, j, 1));
+        quad(shape, {vertex(i + 1, j, 0), vertex(i + 1, j + 1, 0), vertex(i + 1, j + 1, 1),
+                     vertex(i + 1, j, 1)});
       }
     }
   }
