@@ -59,8 +59,11 @@ function(girth_pkg_config name library description requires needs)
 endfunction()
 girth_pkg_config(girth core "${PROJECT_DESCRIPTION}" "" " -pthread")
 if(GIRTH_BUILD_IO)
+  if(GIRTH_GLTF_CODECS)
+    set(girthIoNeeds " -ldraco -lmeshoptimizer")
+  endif()
   girth_pkg_config(girth-io io "Girth: reading and writing models" "girth = ${PROJECT_VERSION}"
-                   " -ldraco -lmeshoptimizer")
+                   "${girthIoNeeds}")
   girth_pkg_config(girth-study study "Girth: the studies of its paper"
                    "girth-io = ${PROJECT_VERSION}" "")
 endif()

@@ -15,9 +15,9 @@ macro(girth_find_package name debianPackage)
 endmacro()
 
 # What compressed glTF is unpacked with. In WebAssembly the page does that.
-if(GIRTH_BUILD_IO AND NOT EMSCRIPTEN)
-  girth_find_package(draco libdraco-dev GIRTH_BUILD_IO)
-  girth_find_package(meshoptimizer libmeshoptimizer-dev GIRTH_BUILD_IO)
+if(GIRTH_GLTF_CODECS)
+  girth_find_package(draco libdraco-dev GIRTH_GLTF_CODECS)
+  girth_find_package(meshoptimizer libmeshoptimizer-dev GIRTH_GLTF_CODECS)
 endif()
 
 # girth_single_headers: libraries that are headers only. They are linked into a folder of the build

@@ -16,6 +16,15 @@ function(girth_configure target)
   endif()
 endfunction()
 
+# Takes what is for other systems out of a list of sources: *_posix.cpp on Windows, *_windows.cpp elsewhere.
+macro(girth_leave_other_systems sources)
+  if(WIN32)
+    list(FILTER ${sources} EXCLUDE REGEX "_posix\\.cpp$")
+  else()
+    list(FILTER ${sources} EXCLUDE REGEX "_windows\\.cpp$")
+  endif()
+endmacro()
+
 # Precompiles the standard library's headers for a target, and others that are named; only while Girth itself is
 # developed. Each source still includes what it uses: Emscripten compiles it without them, and clang-tidy reads it so.
 function(girth_precompile target)

@@ -2,24 +2,20 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "test_paths.h"
+
 namespace girth::test {
 
 /// A folder "outside" with a folder "models" in it.
 class ModelFolder : public ::testing::Test {
  protected:
-  ModelFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "girth-XXXXXX").string();
-    outside = mkdtemp(name.data());
-    models = outside / "models";
-    std::filesystem::create_directories(models / "parts");
-  }
+  ModelFolder() { std::filesystem::create_directories(models / "parts"); }
   ~ModelFolder() override { std::filesystem::remove_all(outside); }
 
   std::string write(const std::string& name, const std::string& content) const {
@@ -49,7 +45,7 @@ class ModelFolder : public ::testing::Test {
                      R"("indices":1}]}],"nodes":[{"mesh":0}]})");
   }
 
-  std::filesystem::path outside, models;
+  std::filesystem::path outside = newFolder(), models = outside / "models";
 };
 
 }  // namespace girth::test

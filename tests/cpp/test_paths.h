@@ -2,6 +2,7 @@
 // cache knows the rest.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace girth::test {
@@ -10,6 +11,8 @@ namespace girth::test {
 std::string testData();
 /// The program `girth` of this build; empty where it is not built.
 std::string girthCommand();
+/// A new, empty folder; the test removes it.
+std::filesystem::path newFolder();
 /// A text as one word of a shell's line: folders may have blanks and quotes in their names.
 std::string quoted(const std::string& text);
 /// The folder of models from outside the repository that the environment variable GIRTH_DATA names;

@@ -8,6 +8,7 @@
 
 #include "commands/common_options.h"
 #include "commands/table.h"
+#include "files/path_of.h"
 #include "girth/study/robustness.h"
 #include "girth/study/write_robustness.h"
 #include "model/loading.h"
@@ -69,8 +70,7 @@ int run(const Options& options) {
   for (const std::string& path : options.poses) {
     auto pose = loadModel(path, options.preparing);
     if (!pose) return reportError(path, pose.error());
-    poses.push_back(
-        {std::filesystem::path(path).filename().string(), std::move(pose).value().mesh});
+    poses.push_back({io::pathOf(path).filename().string(), std::move(pose).value().mesh});
   }
   std::optional<Result<std::vector<study::RobustnessRow>>> rows;
   {

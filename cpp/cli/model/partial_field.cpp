@@ -7,6 +7,7 @@
 #include <limits>
 #include <string_view>
 
+#include "files/path_of.h"
 #include "files/read_file.h"
 #include "files/write_file.h"
 #include "girth/version.h"
@@ -69,7 +70,7 @@ std::optional<Row> rowOf(std::string_view line) {
 }  // namespace
 
 std::string partialPathOf(const std::string& output) {
-  std::filesystem::path path(output);
+  std::filesystem::path path = io::pathOf(output);
   return path.replace_extension(".partial.csv").string();
 }
 

@@ -1,6 +1,6 @@
 # The command as a WebAssembly module for Node.js, with threads: girth-command.js with its .wasm, and
 # girth.cjs, which starts it. Built by name, for the npm package.
-list(FILTER sources EXCLUDE REGEX "/(archive/inflate_zlib|process/interrupt)\\.cpp$")
+list(FILTER sources EXCLUDE REGEX "^(archive/inflate_zlib|process/(forked_jobs|interrupt)_posix)\\.cpp$")
 add_executable(girth_command_wasm EXCLUDE_FROM_ALL ${sources})
 girth_configure(girth_command_wasm)
 girth_unity(girth_command_wasm)

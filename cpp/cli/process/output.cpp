@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "files/path_of.h"
 #include "files/write_file.h"
 #include "process/files.h"
 #include "process/report.h"
@@ -38,7 +39,8 @@ bool Output::isStandardOutput() const {
 
 bool Output::isFolder() const {
   std::error_code ignored;
-  return isWanted() && (path.back() == '/' || std::filesystem::is_directory(path, ignored));
+  return isWanted() &&
+         (path.back() == '/' || std::filesystem::is_directory(io::pathOf(path), ignored));
 }
 
 bool Output::isFile() const { return isWanted() && !isStandardOutput() && isOrdinary(path); }
@@ -93,9 +95,9 @@ std::optional<Error> checkOutput(const Output& output, std::span<const std::stri
 
 std::string pathInFolder(const std::string& folder, const std::string& model,
                          const std::string& ending) {
-  std::filesystem::path name = std::filesystem::path(model).filename();
+  std::filesystem::path name = io::pathOf(model).filename();
   if (io::endingOf(name.string()) == ".gz") name = name.stem();
-  return (std::filesystem::path(folder) / name.replace_extension(ending)).string();
+  return (io::pathOf(folder) / name.replace_extension(ending)).string();
 }
 
 std::optional<Error> writeOutput(const Output& output, std::string_view content) {

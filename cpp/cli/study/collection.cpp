@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "files/path_of.h"
 #include "files/read_file.h"
 #include "text/ending.h"
 
@@ -147,7 +148,7 @@ Result<Listing> readCsv(const fs::path& folder, const std::string& file) {
       continue;
     }
     listing.classes.push_back(ofClass);
-    listing.models.push_back({folder / name, name, ofClass});
+    listing.models.push_back({folder / io::pathOf(name), name, ofClass});
   }
   if (!fileColumn) return malformed(file, 1, "it is empty");
   return listing;
@@ -293,12 +294,14 @@ std::string classFileOf(const fs::path& folder) {
 
 Result<Listing> listingOf(const CollectionSource& source) {
   std::error_code ignored;
-  if (!fs::is_directory(source.folder, ignored)) {
+  if (!fs::is_directory(io::pathOf(source.folder), ignored)) {
     return makeError(ErrorCode::FileNotFound, -1, "there is no folder " + source.folder);
   }
-  const std::string file = source.classes.empty() ? classFileOf(source.folder) : source.classes;
-  if (file.empty()) return readFolders(source.folder);
-  return io::endingOf(file) == ".cla" ? readCla(source.folder, file) : readCsv(source.folder, file);
+  const std::string file =
+      source.classes.empty() ? classFileOf(io::pathOf(source.folder)) : source.classes;
+  if (file.empty()) return readFolders(io::pathOf(source.folder));
+  return io::endingOf(file) == ".cla" ? readCla(io::pathOf(source.folder), file)
+                                      : readCsv(io::pathOf(source.folder), file);
 }
 
 }  // namespace
@@ -331,9 +334,10 @@ Result<Collection> findCollection(const std::vector<CollectionSource>& sources) 
       }
       // Names from several folders are distinguished by the folder.
       const std::string name =
-          sources.size() == 1 ? model.name
-                              : (fs::path(source.folder).lexically_normal().filename() / model.name)
-                                    .generic_string();
+          sources.size() == 1
+              ? model.name
+              : (io::pathOf(source.folder).lexically_normal().filename() / io::pathOf(model.name))
+                    .generic_string();
       byClass[model.ofClass].push_back({name, model.path.string(), 0});
     }
   }

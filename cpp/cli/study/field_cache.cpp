@@ -12,8 +12,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "files/path_of.h"
 #include "files/read_file.h"
 #include "files/write_file.h"
+#include "process/machine.h"
 
 namespace girth::cli {
 namespace {
@@ -127,9 +129,9 @@ Error unwritable(const std::string& what) { return makeError(ErrorCode::FileUnwr
 
 std::optional<Error> FieldCache::open() const {
   std::error_code error;
-  fs::create_directories(folder_, error);
+  fs::create_directories(io::pathOf(folder_), error);
   if (error) return unwritable("it cannot be made: " + error.message());
-  return io::checkWritable((fs::path(folder_) / "entry").string());
+  return io::checkWritable((io::pathOf(folder_) / "entry").string());
 }
 
 Digest FieldCache::keyOf(const Digest& content, study::FieldGroup group,
@@ -143,7 +145,7 @@ Digest FieldCache::keyOf(const Digest& content, study::FieldGroup group,
 
 std::string FieldCache::pathOf(const Digest& key) const {
   const std::string name = hexText(key);
-  return (fs::path(folder_) / name.substr(0, 2) / (name + ".fields")).string();
+  return (io::pathOf(folder_) / name.substr(0, 2) / (name + ".fields")).string();
 }
 
 FieldCache::Found FieldCache::find(const Digest& key) const {
@@ -158,18 +160,16 @@ std::optional<Error> FieldCache::store(const Digest& key, const study::StudyFiel
   static std::atomic<unsigned> stored{0};
   const std::string path = pathOf(key);
   std::error_code error;
-  fs::create_directories(fs::path(path).parent_path(), error);
+  fs::create_directories(io::pathOf(path).parent_path(), error);
   if (error) return unwritable("its folder cannot be made: " + error.message());
   // A name that no other thread, process or machine uses.
-  std::array<char, 256> host{};
-  gethostname(host.data(), host.size() - 1);
   const std::string unfinished =
-      path + "." + host.data() + "." + std::to_string(getpid()) + "." + std::to_string(stored++);
+      path + "." + machineName() + "." + std::to_string(getpid()) + "." + std::to_string(stored++);
   if (auto problem = io::writeFile(unfinished, contentOf(key, fields))) return problem;
-  fs::rename(unfinished, path, error);
+  fs::rename(io::pathOf(unfinished), io::pathOf(path), error);
   if (!error) return std::nullopt;
   std::error_code ignored;
-  fs::remove(unfinished, ignored);
+  fs::remove(io::pathOf(unfinished), ignored);
   return unwritable("it cannot be replaced: " + error.message());
 }
 

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "files/path_of.h"
 #include "files/read_file.h"
 #include "girth/io/read_mesh.h"
 #include "girth/parallel.h"
@@ -26,7 +27,7 @@ constexpr std::uintmax_t kLargeFile = 4u << 20;
 
 bool isLarge(const std::string& path) {
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const std::uintmax_t size = std::filesystem::file_size(io::pathOf(path), error);
   return !error && size > kLargeFile;
 }
 

@@ -11,6 +11,7 @@
 #include <set>
 #include <system_error>
 
+#include "files/path_of.h"
 #include "files/write_file.h"
 #include "girth/study/descriptor_rows.h"
 #include "girth/study/measures.h"
@@ -62,7 +63,7 @@ class Retrieval {
       : options_(options),
         descriptors_(std::move(descriptors)),
         shard_(shard),
-        cache_(options.cache.empty() ? (fs::path(options.output) / "cache").string()
+        cache_(options.cache.empty() ? (io::pathOf(options.output) / "cache").string()
                                      : options.cache) {}
 
   int run() {
@@ -98,11 +99,11 @@ class Retrieval {
 
   std::optional<Error> prepareFolders() const {
     std::error_code error;
-    fs::create_directories(fs::path(options_.output) / "distances", error);
+    fs::create_directories(io::pathOf(options_.output) / "distances", error);
     if (error) {
       return makeError(ErrorCode::FileUnwritable, -1, "it cannot be made: " + error.message());
     }
-    if (auto problem = io::checkWritable((fs::path(options_.output) / "index.html").string())) {
+    if (auto problem = io::checkWritable((io::pathOf(options_.output) / "index.html").string())) {
       return problem;
     }
     return cache_.open();
@@ -140,10 +141,11 @@ class Retrieval {
     const bool shown = study_.descriptors.empty();
     if (shown) study_.shownDescriptor = descriptor.name;
     const std::vector<std::size_t> queries = shown ? shownQueries() : std::vector<std::size_t>{};
-    const std::string path =
-        (fs::path(options_.output) / "distances" / (fileNameOf(descriptor.name) + ".csv")).string();
+    const std::string path = (io::pathOf(options_.output) / "distances" /
+                              io::pathOf(fileNameOf(descriptor.name) + ".csv"))
+                                 .string();
     // Written row by row: of many models the whole would not fit into memory.
-    std::ofstream file(path + ".part", std::ios::binary);
+    std::ofstream file(io::pathOf(path + ".part"), std::ios::binary);
     file << "file";
     for (const CollectionModel& model : loaded_.models) file << ',' << csvName(model.name);
     file << '\n';
@@ -167,7 +169,7 @@ class Retrieval {
     }
     file.close();
     std::error_code error;
-    if (file) fs::rename(path + ".part", path, error);
+    if (file) fs::rename(io::pathOf(path + ".part"), io::pathOf(path), error);
     if (!file || error) {
       return makeError(ErrorCode::FileUnwritable, -1, path + ": it cannot be written");
     }
@@ -247,7 +249,7 @@ class Retrieval {
   }
 
   std::optional<Error> write() const {
-    const fs::path folder(options_.output);
+    const fs::path folder = io::pathOf(options_.output);
     const auto put = [&](const char* name, const std::string& content) {
       auto error = io::writeFile((folder / name).string(), content);
       if (error) error->message = std::string(name) + ": " + error->message;
@@ -277,7 +279,7 @@ class Retrieval {
                   100 * d.mean.eMeasure, 100 * d.mean.eMeasureWithQuery,
                   100 * d.mean.discountedGain);
     }
-    std::printf("%s\n", (fs::path(options_.output) / "index.html").string().c_str());
+    std::printf("%s\n", (io::pathOf(options_.output) / "index.html").string().c_str());
   }
 
   static constexpr std::size_t kQueries = 10, kAnswers = 9;

@@ -11,6 +11,7 @@
 
 #include "files/folder_of.h"
 #include "files/open_file.h"
+#include "files/path_of.h"
 
 namespace girth::io {
 
@@ -18,10 +19,10 @@ namespace fs = std::filesystem;
 
 Result<std::vector<std::byte>> readFile(const std::string& path) {
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) {
+  if (fs::is_directory(pathOf(path), ignored)) {
     return makeError(ErrorCode::FileUnreadable, -1, "it is a folder, not a file");
   }
-  const OpenFile file(std::fopen(path.c_str(), "rb"));
+  const OpenFile file = openFile(pathOf(path), OpenFor::Reading);
   if (!file) {
     if (errno == ENOENT || errno == ENOTDIR) {
       return makeError(ErrorCode::FileNotFound, -1, "there is no such file");
@@ -53,12 +54,12 @@ Result<std::vector<std::byte>> readToEnd(std::FILE* file) {
 }
 
 ResourceReader resourcesBeside(const std::string& modelPath) {
-  return [folder =
-              folderOf(modelPath)](std::string_view name) -> std::optional<std::vector<std::byte>> {
+  return [folder = folderOf(pathOf(modelPath))](
+             std::string_view name) -> std::optional<std::vector<std::byte>> {
     std::error_code error;
     const fs::path root = fs::canonical(folder, error);
     if (error) return std::nullopt;
-    const fs::path target = fs::canonical(folder / std::string(name), error);
+    const fs::path target = fs::canonical(folder / pathOf(name), error);
     if (error || !fs::is_regular_file(target, error)) return std::nullopt;
     // The reader refuses names that lead outside; a link could still lead there.
     const fs::path relative = target.lexically_relative(root);

@@ -2,22 +2,15 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <csignal>
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "process.h"
 #include "test_paths.h"
 
 namespace girth::test {
@@ -53,10 +46,6 @@ struct Outcome {
 /// A folder for the files of one test.
 class Command : public ::testing::Test {
  protected:
-  Command() {
-    std::string name = (fs::temp_directory_path() / "girth-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
   ~Command() override { fs::remove_all(folder_); }
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
@@ -67,48 +56,18 @@ class Command : public ::testing::Test {
   }
 
   /// Starts the command; `wait` ends it.
-  pid_t start(const std::vector<std::string>& arguments) const {
-    const pid_t child = fork();
-    if (child != 0) return child;
-    if (std::freopen(path("stdout").c_str(), "wb", stdout) == nullptr ||
-        std::freopen(path("stderr").c_str(), "wb", stderr) == nullptr) {
-      _exit(126);
-    }
-    std::vector<std::string> copies{girthCommand()};
-    copies.insert(copies.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    for (std::string& copy : copies) pointers.push_back(copy.data());
-    pointers.push_back(nullptr);
-    execv(pointers[0], pointers.data());
-    _exit(127);
+  Process start(const std::vector<std::string>& arguments) const {
+    return startProcess(girthCommand(), arguments, folder_);
   }
 
-  /// Waits until the command catches interrupts; where /proc does not show that, for half a second.
-  static void waitUntilInterruptible(pid_t child) {
-    using namespace std::chrono_literals;
-    constexpr std::uint64_t kInterrupt = std::uint64_t{1} << (SIGINT - 1);
-    for (int i = 0; i < 3000; ++i) {
-      std::ifstream status("/proc/" + std::to_string(child) + "/status");
-      if (!status) break;
-      for (std::string line; std::getline(status, line);) {
-        if (line.rfind("SigCgt:", 0) != 0) continue;
-        if ((std::stoull(line.substr(7), nullptr, 16) & kInterrupt) != 0) return;
-      }
-      std::this_thread::sleep_for(10ms);
-    }
-    std::this_thread::sleep_for(500ms);
-  }
-
-  Outcome wait(pid_t child) const {
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-            contentOf(path("stdout")), contentOf(path("stderr"))};
+  Outcome wait(const Process& child) const {
+    const int exitCode = endOf(child);
+    return {exitCode, contentOf(path("stdout")), contentOf(path("stderr"))};
   }
 
   Outcome run(const std::vector<std::string>& arguments) const { return wait(start(arguments)); }
 
-  fs::path folder_;
+  fs::path folder_ = newFolder();
 };
 
 }  // namespace girth::test

@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
@@ -132,12 +131,12 @@ TEST_F(FewerTriangles, facesAreNotThoseOfTheFile) {
 TEST_F(FewerTriangles, whatTakesHoursIsSaidBefore) {
   using namespace std::chrono_literals;
   for (const std::string command : {"tips", "igf"}) {
-    const pid_t child = start({command, model_, "--refine", "100000"});
+    const Process child = start({command, model_, "--refine", "100000"});
     waitUntilInterruptible(child);
     for (int i = 0; i < 3000 && !contains(contentOf(path("stderr")), "--faces 10000"); ++i) {
       std::this_thread::sleep_for(10ms);
     }
-    ASSERT_EQ(kill(child, SIGINT), 0);
+    ASSERT_TRUE(interrupt(child));
     const Outcome outcome = wait(child);
     EXPECT_EQ(outcome.exitCode, 3) << command;
     EXPECT_TRUE(contains(outcome.errors, "the exact girth of 100000 triangles may take hours"))

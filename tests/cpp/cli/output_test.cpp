@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
@@ -48,20 +47,20 @@ class Interrupted : public Command {
 
 /// Starts the command, and interrupts it when it has computed for a while.
 Outcome Interrupted::stopped(const std::vector<std::string>& arguments) const {
-  const pid_t child = start(arguments);
+  const Process child = start(arguments);
   waitUntilInterruptible(child);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  kill(child, SIGINT);
+  EXPECT_TRUE(interrupt(child));
   return wait(child);
 }
 
 TEST_F(Interrupted, endsAtOnceAndLeavesTheOutputWhole) {
   const std::string model = write("tube.obj", longTube(1200, 40));
   write("tube.csv", "whole");
-  const pid_t child = start({"igf", model, "-o", path("tube.csv")});
+  const Process child = start({"igf", model, "-o", path("tube.csv")});
   waitUntilInterruptible(child);
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  ASSERT_EQ(kill(child, SIGINT), 0);
+  ASSERT_TRUE(interrupt(child));
   const Outcome outcome = wait(child);
   EXPECT_EQ(outcome.exitCode, 3) << outcome.errors << outcome.output;
   EXPECT_NE(outcome.errors.find("CANCELLED"), std::string::npos) << outcome.errors;

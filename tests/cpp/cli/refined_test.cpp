@@ -1,10 +1,12 @@
 // --method refined: loops in bands, how sure each value is, and the audit.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "command.h"
@@ -107,11 +109,11 @@ TEST_F(Refined, theSameBitsAsOtherFiles) {
 TEST_F(Refined, whatIsStoppedLeavesNothing) {
   // Minutes of work.
   const std::string fine = write("fine.obj", bumpyTorus(4));
-  const pid_t child =
+  const Process child =
       start({"igf", fine, "--method", "refined", "--audit", "1000000", "-o", path("v.csv")});
   waitUntilInterruptible(child);
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  kill(child, SIGTERM);
+  EXPECT_TRUE(terminate(child));
   const Outcome outcome = wait(child);
   EXPECT_EQ(outcome.exitCode, 3);
   EXPECT_TRUE(contains(outcome.errors, "keeps nothing")) << outcome.errors;

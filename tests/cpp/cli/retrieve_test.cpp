@@ -1,7 +1,5 @@
 // girth retrieve, signature, compare and study as a user runs them, on shapes written by the test.
 #include <gtest/gtest.h>
-#include <signal.h>
-
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -206,14 +204,14 @@ TEST_F(Retrieve, aRunThatIsStoppedGoesOnWhereItWas) {
   for (int i = 0; i < 12; ++i) {
     write("shapes/rod/more" + std::to_string(i) + ".obj", boxObj(9, 1 + 0.01 * i, 1, 10));
   }
-  const pid_t child = start(arguments("report"));
+  const Process child = start(arguments("report"));
   // Until something is in the cache.
   for (int i = 0;
        i < 6000 && (!fs::exists(path("report/cache")) || cacheEntries("report/cache").empty());
        ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  ASSERT_EQ(kill(child, SIGINT), 0);
+  ASSERT_TRUE(interrupt(child));
   const Outcome stopped = wait(child);
   // A very fast machine may have finished.
   ASSERT_TRUE(stopped.exitCode == 3 || stopped.exitCode == 0) << stopped.errors;
@@ -237,8 +235,8 @@ TEST_F(Retrieve, twoProcessesFillOneCache) {
     return arguments("report", {"--cache", path("shared"), "--shard", shard});
   };
   // Both at once, as on two machines.
-  const pid_t first = start(shardArguments("0/2"));
-  const pid_t second = start(shardArguments("1/2"));
+  const Process first = start(shardArguments("0/2"));
+  const Process second = start(shardArguments("1/2"));
   EXPECT_EQ(wait(first).exitCode, 0);
   EXPECT_EQ(wait(second).exitCode, 0);
   EXPECT_FALSE(fs::exists(path("report/study.json"))) << "a share makes no report";

@@ -36,14 +36,23 @@ std::atomic<std::size_t> allocations{0};
 [[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
   ++allocations;
   const auto step = static_cast<std::size_t>(alignment);
+#ifdef _WIN32
+  if (void* memory = _aligned_malloc(size, step)) return memory;
+#else
   if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) return memory;
+#endif
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
+#ifdef _WIN32
+  _aligned_free(memory);
+#else
   std::free(memory);
+#endif
 }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
+[[gnu::noinline]] void operator delete(void* memory, std::size_t,
+                                       std::align_val_t alignment) noexcept {
+  operator delete(memory, alignment);
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

@@ -60,6 +60,17 @@ TEST_F(Files, BuffersAreFoundInTheModelsFolderAndNowhereElse) {
   fs::current_path(before);
 }
 
+TEST_F(Files, NamesAreUtf8) {
+  const fs::path folder = models / u8"Größe 寸";
+  fs::create_directory(folder);
+  fs::copy_file(models / "tetrahedron.obj", folder / u8"körper.obj");
+  const auto loaded = loadMesh((folder / u8"körper.obj").string());
+  ASSERT_TRUE(loaded.ok());
+  const std::string output = (folder / u8"wert é.csv").string();
+  EXPECT_FALSE(saveField(output, loaded.value(), girthField(loaded.value().mesh)).has_value());
+  EXPECT_TRUE(fs::exists(folder / u8"wert é.csv"));
+}
+
 TEST_F(Files, ErrorsOfLoadingNameFileElementAndRemedy) {
   const auto absent = loadMesh(pathOf("absent.obj"));
   ASSERT_FALSE(absent.ok());

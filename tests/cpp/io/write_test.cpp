@@ -107,8 +107,10 @@ TEST(NumberText, readsBackWhatItWrites) {
 
 /// Sets a locale with a decimal comma, made of `comma.locale` where the system has none of its own.
 bool setDecimalComma() {
-  std::string folder = (std::filesystem::temp_directory_path() / "girth-XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr) return false;
+#ifdef _WIN32
+  return std::setlocale(LC_NUMERIC, "German_Germany") != nullptr;
+#else
+  const std::string folder = test::newFolder().string();
   // It complains of all that the locale does not say, and writes what it does.
   const std::string make = "localedef --quiet -c -i " +
                            test::quoted(test::testData() + "/comma.locale") + " " +
@@ -119,6 +121,7 @@ bool setDecimalComma() {
   unsetenv("LOCPATH");
   std::filesystem::remove_all(folder);
   return set || std::setlocale(LC_NUMERIC, "de_DE.UTF-8") != nullptr;
+#endif
 }
 
 TEST(NumberText, independentOfTheLocale) {

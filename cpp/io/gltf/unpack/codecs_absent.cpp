@@ -1,5 +1,5 @@
-// In WebAssembly: the page unpacks glTF with the decoders' own WebAssembly modules, loaded only
-// where they are needed, before the reader sees the file.
+// In place of Draco and meshopt. In WebAssembly the page unpacks glTF with the decoders' own
+// WebAssembly modules, loaded only where they are needed, before the reader sees the file.
 #include <utility>
 
 #include "gltf/unpack/draco.h"

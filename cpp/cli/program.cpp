@@ -1,19 +1,17 @@
-// girth: the intrinsic girth function on the command line.
+#include "program.h"
+
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <string>
-#include <vector>
 
 #include "commands/command.h"
 #include "process/report.h"
 
-int main(int argc, char** argv) {
-  using namespace girth;
-  using namespace girth::cli;
+namespace girth::cli {
+
+int runProgram(const std::vector<std::string>& arguments) {
   int exitCode = 0;
   try {
-    const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
     exitCode = runCommandLine(arguments);
   } catch (const std::bad_alloc&) {
     exitCode = reportError("", makeError(ErrorCode::OutOfMemory, -1, "there is not enough memory"));
@@ -27,3 +25,5 @@ int main(int argc, char** argv) {
   }
   return exitCode;
 }
+
+}  // namespace girth::cli
