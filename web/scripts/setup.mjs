@@ -113,7 +113,7 @@ export function setUp() {
 
 /**
  * Installs what long tests need besides, where it is Debian's.
- * @param {'browsers' | 'clusters'} list
+ * @param {'browsers' | 'clusters' | 'arm' | 'libcxx' | 'windows'} list
  */
 export function setUpMore(list) {
   if (isDebian()) installDebianPackages(`debian-packages-${list}.txt`);

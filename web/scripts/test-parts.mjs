@@ -9,6 +9,7 @@ import { buildDocs, buildNative, buildSavedPage, buildWasm } from './build.mjs';
 import { replayFuzzers, runFuzzers } from './fuzz.mjs';
 import { lint, lintNative } from './lint.mjs';
 import { installPythonPackage, runClusterTests, runPythonTests } from './python.mjs';
+import { testOnMachine } from './other-machines.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
 import { testPythonWithSanitizers, testWithSanitizers } from './sanitizers.mjs';
 import { setUpMore } from './setup.mjs';
@@ -127,6 +128,21 @@ function clusters(count) {
 }
 
 /**
+ * The tests of the native code on another machine.
+ * @param {'arm' | 'libcxx' | 'windows'} machine
+ * @param {Count} count
+ */
+function otherMachine(machine, count) {
+  const report = join(reports, `ctest-${machine}.xml`);
+  rmSync(report, { force: true });
+  try {
+    testOnMachine(machine, report);
+  } finally {
+    countJunit(report, count);
+  }
+}
+
+/**
  * What the tests of page and element look at, and what they know of C++: its interface. The values that the core computes
  * are the matter of its own tests and of the kernel's.
  */
@@ -221,6 +237,15 @@ export const longParts = {
     run: () => testWithSanitizers('thread'),
   },
   shared: { title: 'shared libraries', run: testSharedLibraries },
+  arm: { title: 'native tests on ARM', run: (count) => otherMachine('arm', count) },
+  libcxx: {
+    title: 'native tests with libc++',
+    run: (count) => otherMachine('libcxx', count),
+  },
+  windows: {
+    title: 'native tests on Windows',
+    run: (count) => otherMachine('windows', count),
+  },
   clusters: {
     title: 'collections on Dask, Slurm and Snakemake',
     needs: ['python'],

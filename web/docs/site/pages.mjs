@@ -70,6 +70,7 @@ const placed = [
       document('collections', 'Collections'),
       document('embedding', 'Embedding'),
       document('browsers', 'Browsers'),
+      document('machines', 'Machines'),
       // Made of the table of codes (errors.mjs).
       { file: 'errors', url: 'errors.html' },
       document('definitions', 'Definitions'),
