@@ -46,11 +46,12 @@ struct Limb {
   double length{0};
   /// Why it ends there.
   LimbEnd end{LimbEnd::Spreads};
-  /// The least of the stations' least girths, or the shortest neck round the limb that their loops
-  /// are drawn tight to, in model units; NaN where there is none.
+  /// The least girth of loops round the limb, from the tip's contour to the base, in model units:
+  /// of the shortest neck, otherwise on the ring at one of these ends, or where loops slip off
+  /// between them. Exact, but not proven to be least between two stations. NaN where there is none.
   double narrowest{0};
-  /// How far from the apex it is, in model units: the station, of equal ones the nearest, or the
-  /// mean distance of the neck; NaN where there is none.
+  /// How far from the apex it is, in model units: its ring, of equal ones the nearest, or the mean
+  /// distance of the neck; NaN where there is none.
   double narrowestDistance{0};
   /// The middle one of the stations' medians, of those where a loop goes round the limb, in model
   /// units: along half of the limb the girth is less.

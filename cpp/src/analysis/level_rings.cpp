@@ -20,7 +20,8 @@ SurfacePoint between(Face face, Index from, Index to, double share) {
                               : SurfacePoint::onHalfedge(SurfaceMesh::side(face, to), 1 - share);
 }
 
-/// Calls `visit(level, a, b)` for each face that the ring at levels[level] crosses, from a to b.
+/// Calls `visit(level, face, a, b)` for each face that the ring at levels[level] crosses, from a to
+/// b.
 template <class Visit>
 void forEachSegment(const SurfaceMesh& mesh, std::span<const double> heights,
                     std::span<const double> leaves, std::span<const double> levels, Visit visit) {
@@ -41,7 +42,7 @@ void forEachSegment(const SurfaceMesh& mesh, std::span<const double> heights,
       const double t = *at;
       const bool below = t <= height[1];
       const std::size_t from = below ? 0 : 1, to = below ? 1 : 2;
-      visit(static_cast<std::size_t>(at - levels.begin()),
+      visit(static_cast<std::size_t>(at - levels.begin()), face,
             between(face, low[0], low[2], (t - height[0]) / (height[2] - height[0])),
             between(face, low[from], low[to], (t - height[from]) / (height[to] - height[from])));
     }
@@ -79,10 +80,20 @@ std::vector<double> ringLengths(const SurfaceMesh& mesh, std::span<const double>
                                 std::span<const double> leaves, std::span<const double> levels) {
   std::vector<double> lengths(levels.size(), 0);
   forEachSegment(mesh, heights, leaves, levels,
-                 [&](std::size_t level, const SurfacePoint& a, const SurfacePoint& b) {
+                 [&](std::size_t level, Face, const SurfacePoint& a, const SurfacePoint& b) {
                    lengths[level] += lengthBetween(mesh, a, b);
                  });
   return lengths;
+}
+
+std::vector<RingSegment> ringSegments(const SurfaceMesh& mesh, std::span<const double> heights,
+                                      std::span<const double> leaves, double level) {
+  std::vector<RingSegment> segments;
+  forEachSegment(mesh, heights, leaves, {&level, 1},
+                 [&](std::size_t, Face face, const SurfacePoint& a, const SurfacePoint& b) {
+                   segments.push_back({face, a, b});
+                 });
+  return segments;
 }
 
 std::vector<RingGirth> ringGirths(const SurfaceMesh& mesh, std::span<const double> heights,
@@ -91,7 +102,7 @@ std::vector<RingGirth> ringGirths(const SurfaceMesh& mesh, std::span<const doubl
   std::vector<SurfacePoint> ends;  // two of each segment
   std::vector<std::vector<std::size_t>> segmentsAt(levels.size());
   forEachSegment(mesh, heights, leaves, levels,
-                 [&](std::size_t level, const SurfacePoint& a, const SurfacePoint& b) {
+                 [&](std::size_t level, Face, const SurfacePoint& a, const SurfacePoint& b) {
                    segmentsAt[level].push_back(ends.size());
                    ends.insert(ends.end(), {a, b});
                  });

@@ -17,6 +17,16 @@ namespace girth {
 std::vector<double> ringLengths(const SurfaceMesh& mesh, std::span<const double> heights,
                                 std::span<const double> leaves, std::span<const double> levels);
 
+/// The part of a ring in one face: straight, from one of its sides to another.
+struct RingSegment {
+  Face face;
+  SurfacePoint from, to;
+};
+
+/// The segments of the ring at a level.
+std::vector<RingSegment> ringSegments(const SurfaceMesh& mesh, std::span<const double> heights,
+                                      std::span<const double> leaves, double level);
+
 /// A point of a ring.
 struct RingPoint {
   double girth{0};

@@ -17,6 +17,8 @@
 #include "girth/parallel.h"
 #include "girth/transfer.h"
 #include "infinity.h"
+#include "least_between.h"
+#include "loops/cut/faces_of_points.h"
 #include "loops/tight/taut_loop.h"
 #include "mesh/angles.h"
 #include "mesh/check_vertex.h"
@@ -42,6 +44,11 @@ constexpr double kAtEnd = 1e-9;
 constexpr double kEqualLength = 1e-9;
 /// Rings at which loops are looked at, to find the first that has slipped off.
 constexpr Index kSteps = 32;
+/// Places are found to this share of their range, and lengths that differ by less are one.
+constexpr double kExact = 1e-11;
+constexpr double kHalf = 0.5;
+/// Steps between the two neighbours of a narrow station, to see where it is narrowest.
+constexpr int kBetween = 16;
 /// How often the distance from the last that holds to that one is halved.
 constexpr int kHalvings = 10;
 
@@ -346,41 +353,127 @@ class LimbMaker {
     return sum / length;
   }
 
-  /// The narrowest of the stations, or what the loops at those that are narrower than their
-  /// neighbours are drawn tight to, if that goes round the limb between the tip and the base.
-  void findNarrowest(double from, const std::vector<Measured>& rings, Limb& limb) {
-    limb.narrowest = limb.narrowestDistance = kNoValue;
-    for (const auto& [station, loop] : rings) {
-      if (!std::isnan(station.least) && !(station.least >= limb.narrowest)) {
-        limb.narrowest = station.least;
-      }
-    }
-    const auto isLess = [](double a, double b) { return a < b * (1 - kEqualLength); };
-    for (const auto& [station, loop] : rings) {
-      if (!(station.least <= limb.narrowest * (1 + kEqualLength))) continue;
-      limb.narrowestDistance = station.distance;
-      break;
-    }
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-      const auto isLessAt = [&](std::size_t k) {
-        return k < rings.size() && isLess(rings[k].station.least, rings[i].station.least);
+  /// The ring at a distance.
+  Result<Measured> measuredAt(Vertex apex, double distance, const RingGirth& of) {
+    Measured ring{{distance, of.length, of.median, kNoValue, {}}, {}};
+    if (auto error = findLeast(apex, of.points, ring)) return *std::move(error);
+    return ring;
+  }
+
+  /// The distance between two others where the least girth on the ring is least, as far as even
+  /// steps show where to look; `start` is what is known.
+  Result<Measured> narrowestBetween(Vertex apex, double from, double to, const Measured& start) {
+    Measured best = start;
+    std::optional<Error> failed;
+    const auto leastAt = [&](double distance) {
+      if (failed) return kInfinity;
+      if (distance == best.station.distance) return best.station.least;
+      auto ring = measuredAt(apex, distance, ringsAt({&distance, 1}).front());
+      if (!ring) failed = ring.error();
+      if (failed || std::isnan(ring.value().station.least)) return kInfinity;
+      const double least = ring.value().station.least;
+      if (least < best.station.least) best = std::move(ring).value();
+      return least;
+    };
+    const double step = (to - from) / kBetween;
+    for (int i = 0; i <= kBetween; ++i) leastAt(from + i * step);
+    const double middle = best.station.distance;
+    leastBetween(leastAt, std::max(from, middle - step), std::min(to, middle + step), middle,
+                 kExact * (to - from));
+    if (failed) return *std::move(failed);
+    return best;
+  }
+
+  /// Moves the place of a ring's least girth along the ring to where the girth is least, exactly.
+  std::optional<Error> refineAlong(Vertex apex, Measured& ring) {
+    std::vector<RingSegment> segments =
+        ringSegments(mesh_, distances_, rest_.leaves, ring.station.distance);
+    std::optional<Error> failed;
+    for (bool isLess = true; isLess && !failed;) {
+      isLess = false;
+      const Vec3 here = positionOf(mesh_, ring.station.place);
+      const auto isHere = [&](const SurfacePoint& point) {
+        return norm(positionOf(mesh_, point) - here) <= kEqualLength * ring.station.least;
       };
-      if (std::isnan(rings[i].station.least) || (i > 0 && isLessAt(i - 1)) || isLessAt(i + 1))
-        continue;
-      const auto neck = loops::neckFrom(*unfolding_, rings[i].loop, mesh_.area());
-      if (!neck) continue;
-      const double length = loops::lengthOf(*unfolding_, *neck);
-      if (!isLess(length, limb.narrowest)) continue;
-      const std::vector<SurfacePoint> middle =
-          loops::bandOf(*unfolding_, *neck, mesh_.area()).middle;
-      const double distance = meanDistance(middle);
-      if (distance < from || distance > limb.length ||
-          !separates(limb.apex, middle, distance + length / 2)) {
-        continue;
+      const auto met = std::partition(segments.begin(), segments.end(), [&](const auto& segment) {
+        return !isHere(segment.from) && !isHere(segment.to);
+      });
+      const std::vector<RingSegment> near(met, segments.end());
+      segments.erase(met, segments.end());
+      for (const RingSegment& segment : near) {
+        const auto tryAt = [&](double share) {
+          if (failed) return kInfinity;
+          const SurfacePoint place =
+              loops::pointBetween(mesh_, segment.face, segment.from, segment.to, share);
+          auto loop = loopRound(apex, ring.station.distance, place);
+          if (!loop) failed = loop.error();
+          if (failed || !loop.value()) return kInfinity;
+          const double length = loop.value()->length;
+          if (length < ring.station.least * (1 - kExact)) {
+            take(*std::move(loop).value(), place, ring);
+            isLess = true;
+          }
+          return length;
+        };
+        tryAt(isHere(segment.from) ? 1 : 0);
+        leastBetween(tryAt, 0, 1, kHalf, kExact);
       }
-      limb.narrowest = length;
-      limb.narrowestDistance = distance;
     }
+    return failed;
+  }
+
+  /// The mean distance of a neck, where it goes round the limb between the tip and the base.
+  std::optional<double> distanceOf(const loops::TautLoop& neck, double length, double from,
+                                   const Limb& limb) {
+    const std::vector<SurfacePoint> middle = loops::bandOf(*unfolding_, neck, mesh_.area()).middle;
+    const double distance = meanDistance(middle);
+    const bool isRound = distance >= from && distance <= limb.length &&
+                         separates(limb.apex, middle, distance + length / 2);
+    return isRound ? std::optional(distance) : std::nullopt;
+  }
+
+  /// Where the limb is narrowest: a neck, one of its ends, or a place where loops slip off. Each is
+  /// near one of the rings, in rising order, that are narrower than both their neighbours.
+  std::optional<Error> findNarrowest(double from, const std::vector<Measured>& rings, Limb& limb) {
+    limb.narrowest = limb.narrowestDistance = kNoValue;
+    const auto isLess = [](double a, double b) { return a < b * (1 - kEqualLength); };
+    const auto consider = [&](const LeastValue& place) {
+      if (std::isnan(limb.narrowest) || isLess(place.value, limb.narrowest)) {
+        limb.narrowestDistance = place.at;
+      }
+      if (!(place.value >= limb.narrowest)) limb.narrowest = place.value;
+    };
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      const GirthStation& station = rings[i].station;
+      if (std::isnan(station.least)) continue;
+      consider({station.distance, station.least});
+      // Whether a neighbour has a wider loop or none; nothing where it has a narrower one.
+      const auto isWider = [&](std::size_t k) -> std::optional<bool> {
+        if (k >= rings.size()) return true;
+        if (isLess(rings[k].station.least, station.least)) return std::nullopt;
+        return !(rings[k].station.least <= station.least * (1 + kEqualLength));
+      };
+      const auto before = isWider(i - 1), behind = isWider(i + 1);
+      if (!before || !behind) continue;
+      if (const auto neck = loops::neckFrom(*unfolding_, rings[i].loop, mesh_.area())) {
+        const double length = loops::lengthOf(*unfolding_, *neck);
+        // Nothing that can be drawn tight to it is shorter.
+        if (!isLess(length, limb.narrowest)) continue;
+        if (const auto distance = distanceOf(*neck, length, from, limb)) {
+          consider({*distance, length});
+          continue;
+        }
+      }
+      // Between equal ones a loop can be shifted along the limb.
+      if (!*before && !*behind) continue;
+      auto least = narrowestBetween(
+          limb.apex, i > 0 ? rings[i - 1].station.distance : from,
+          i + 1 < rings.size() ? rings[i + 1].station.distance : limb.length, rings[i]);
+      if (!least) return least.error();
+      if (auto error = refineAlong(limb.apex, least.value())) return error;
+      consider({least.value().station.distance, least.value().station.least});
+    }
+    return std::nullopt;
   }
 
   /// What the ring at the base cuts off, and how thick the limb is all along. Loops in the tip
@@ -400,16 +493,26 @@ class LimbMaker {
     const double from = std::min(tipLength, limb.length);
     std::vector<double> medians;
     std::vector<Measured> all;
+    const auto add = [&](double level, const RingGirth& of) -> std::optional<Error> {
+      auto ring = measuredAt(limb.apex, level, of);
+      if (!ring) return ring.error();
+      all.push_back(std::move(ring).value());
+      return std::nullopt;
+    };
     for (std::size_t i = 0; i < levels.size(); ++i) {
-      Measured& ring = all.emplace_back();
-      ring.station = {levels[i], rings[i].length, rings[i].median, kNoValue, {}};
-      if (levels[i] >= from) {
-        if (auto error = findLeast(limb.apex, rings[i].points, ring)) return error;
+      if (levels[i] < from) {
+        limb.profile.push_back({levels[i], rings[i].length, rings[i].median, kNoValue, {}});
+        continue;
       }
-      if (!std::isnan(ring.station.least)) medians.push_back(ring.station.median);
-      limb.profile.push_back(ring.station);
+      // The limb begins between two stations.
+      if (all.empty() && from > 0 && from < levels[i]) {
+        if (auto error = add(from, ringsAt({&from, 1}).front())) return error;
+      }
+      if (auto error = add(levels[i], rings[i])) return error;
+      const GirthStation& station = limb.profile.emplace_back(all.back().station);
+      if (!std::isnan(station.least)) medians.push_back(station.median);
     }
-    findNarrowest(from, all, limb);
+    if (auto error = findNarrowest(from, all, limb)) return error;
     limb.median = medians.empty() ? kNoValue : medianOf(std::move(medians));
     limb.base = limb.end == LimbEnd::Whole ? kNoValue : limb.profile.back().least;
     return std::nullopt;

@@ -53,12 +53,7 @@ SurfacePoint pointAt(const SurfaceMesh& mesh, std::span<const SurfacePoint> path
                      const Measured& measures, std::size_t i, double distance) {
   const double before = measures.distances[i], length = measures.distances[i + 1] - before;
   const double share = length > 0 ? std::clamp((distance - before) / length, 0.0, 1.0) : 0;
-  const Face face = measures.faces[i];
-  const loops::Weights a = *loops::weightsIn(mesh, face, path[i]),
-                       b = *loops::weightsIn(mesh, face, path[i + 1]);
-  loops::Weights weights{};
-  for (std::size_t k = 0; k < 3; ++k) weights[k] = (1 - share) * a[k] + share * b[k];
-  return loops::pointIn(face, weights);
+  return loops::pointBetween(mesh, measures.faces[i], path[i], path[i + 1], share);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "analysis/level_rings.h"
@@ -59,9 +60,9 @@ void expectConsistent(const SurfaceMesh& mesh, const Limb& limb) {
     EXPECT_EQ(loops.loop(station.place).value().length, station.least);
     narrowest = std::min(narrowest, station.least);
   }
-  // Drawn tight, the narrowest station's loop gets shorter, if it has a place to.
+  // Between stations the girth is less by no more than twice the way from the nearer one.
   EXPECT_LE(limb.narrowest, narrowest);
-  EXPECT_GT(limb.narrowest, 0.9 * narrowest);
+  EXPECT_GT(limb.narrowest, narrowest - 2 * limb.length / static_cast<double>(limb.profile.size()));
   if (limb.end == LimbEnd::Whole) {
     EXPECT_TRUE(std::isnan(limb.base));
   } else {
@@ -562,6 +563,94 @@ TEST(Limbs, TheNarrowestPlaceIsANeckHoweverItIsNumbered) {
       EXPECT_NEAR(here[i] / scale, first[i], 1e-9 * first[i]);
     }
   }
+}
+
+/// The only limb of a surface, with other numbers, size and place, by the size it had.
+Limb limbMoved(const Shape& shape, std::uint64_t seed, Index stations,
+               const std::optional<Tip>& tip = std::nullopt) {
+  std::vector<Index> numbers;
+  const double scale = seed % 2 == 0 ? 1 : 0.013;
+  const SurfaceMesh mesh =
+      test::moved(test::relabelled(shape, seed, numbers), scale, 0.7 * static_cast<double>(seed), 3)
+          .mesh(OpenEdges::Boundary);
+  const std::vector<double> girth = girthField(mesh).values;
+  std::vector<Tip> tips = findTips(mesh, girth).value().tips;
+  if (tip) {
+    tips = {*tip};
+    tips[0].apex = Vertex(numbers[tip->apex]);
+    tips[0].apexDistance *= scale;
+  }
+  const Limbs limbs = limbsOf(mesh, girth, tips, {stations});
+  EXPECT_EQ(limbs.limbs.size(), 1u);
+  if (limbs.limbs.empty()) return {};
+  Limb limb = limbs.limbs[0];
+  expectConsistent(mesh, limb);
+  limb.narrowest /= scale;
+  limb.narrowestDistance /= scale;
+  return limb;
+}
+
+TEST(Limbs, AConeIsNarrowestAtItsTip) {
+  // At distance t from the apex of a cone of total angle θ < π the loop is 2 t sin(θ / 2) long. A
+  // ring is a chord of each face, whose middle is nearest.
+  constexpr Index kSides = 7;
+  constexpr double kTotal = 1, kFrom = 0.1;
+  Tip tip;
+  tip.apex = Vertex(0);
+  tip.apexDistance = kFrom;
+  const double expected = 2 * kFrom * std::cos(kTotal / kSides / 2) * std::sin(kTotal / 2);
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    for (const Index stations : {5u, 64u}) {
+      const Limb limb = limbMoved(test::pyramid(kSides, kTotal, 11), seed, stations, tip);
+      EXPECT_NEAR(limb.narrowest, expected, 1e-9 * expected);
+      EXPECT_NEAR(limb.narrowestDistance, kFrom, 1e-9 * kFrom);
+    }
+  }
+}
+
+/// A tube of height 12 open at z = 0, whose radius changes evenly to that of its hemispherical end.
+Shape openTube(double rootRadius, double endRadius, Index sides) {
+  constexpr int kRings = 12, kEnd = 6;
+  std::vector<test::Ring> rings;
+  for (int k = 0; k <= kRings; ++k) {
+    rings.push_back({static_cast<double>(k), rootRadius + (endRadius - rootRadius) * k / kRings});
+  }
+  for (int k = 1; k < kEnd; ++k) {
+    const double angle = M_PI / 2 * k / kEnd;
+    rings.push_back({kRings + endRadius * std::sin(angle), endRadius * std::cos(angle)});
+  }
+  rings.push_back({kRings + endRadius, endRadius / 100});
+  Shape shape = test::lathe(rings, sides, false);
+  const Index last = shape.vertexCount() - sides;
+  const Index apex = shape.add(0, 0, kRings + endRadius);
+  for (Index i = 0; i < sides; ++i) shape.face(last + i, last + (i + 1) % sides, apex);
+  return shape;
+}
+
+TEST(Limbs, ATubeThatTapersToItsOpenRootIsNarrowestThere) {
+  const double expected = test::polygonLength(1.2, 12);
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    for (const Index stations : {17u, 64u}) {
+      const Limb limb = limbMoved(openTube(1.2, 1.7, 12), seed, stations);
+      EXPECT_NEAR(limb.narrowest, expected, 1e-9 * expected);
+    }
+  }
+}
+
+TEST(Limbs, TheNarrowestPlaceWithoutANeckIsTheSameWhereverItLies) {
+  const Shape shapes[] = {openTube(2.2, 1.2, 12), openTube(1.7, 1.2, 4),
+                          test::perturbed(openTube(1.7, 1.2, 12), 0.1, 3)};
+  for (const Shape& shape : shapes) {
+    const Limb first = limbMoved(shape, 2, 64);
+    for (const std::uint64_t seed : {1u, 3u, 4u}) {
+      const Limb limb = limbMoved(shape, seed, 64);
+      EXPECT_NEAR(limb.narrowest, first.narrowest, 1e-9 * first.narrowest);
+      EXPECT_NEAR(limb.narrowestDistance, first.narrowestDistance, 1e-8 * first.length);
+    }
+  }
+  // On even shapes any number of stations finds it.
+  const double expected = limbMoved(shapes[0], 2, 64).narrowest;
+  EXPECT_NEAR(limbMoved(shapes[0], 1, 17).narrowest, expected, 1e-9 * expected);
 }
 
 TEST(Limbs, AHorseHasFourLegsAndAHead) {

@@ -365,7 +365,7 @@ export interface Limb {
   length: number;
   /** Why it ends there. */
   end: LimbEnd;
-  /** The least of the stations' least girths, or the neck that their loops lead to, in model units; NaN where there is none. */
+  /** The least girth from the tip's contour to the base, as far as the stations lead to it, in model units; NaN where there is none. */
   narrowest: number;
   /** How far from the apex that is, in model units: of a neck, on average. */
   narrowestDistance: number;

@@ -87,6 +87,14 @@ SurfacePoint pointIn(Face face, const Weights& weights) {
   return SurfacePoint::inFace(face, weights);
 }
 
+SurfacePoint pointBetween(const SurfaceMesh& mesh, Face face, const SurfacePoint& from,
+                          const SurfacePoint& to, double share) {
+  const Weights a = *weightsIn(mesh, face, from), b = *weightsIn(mesh, face, to);
+  Weights weights{};
+  for (std::size_t k = 0; k < 3; ++k) weights[k] = (1 - share) * a[k] + share * b[k];
+  return pointIn(face, weights);
+}
+
 std::optional<CommonFace> commonFace(const SurfaceMesh& mesh, const SurfacePoint& a,
                                      const SurfacePoint& b) {
   std::optional<CommonFace> common;

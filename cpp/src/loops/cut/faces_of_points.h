@@ -28,6 +28,10 @@ std::optional<Weights> weightsIn(const SurfaceMesh& mesh, Face face, const Surfa
 /// The point of a face with these coordinates: on a side where one of them is 0.
 SurfacePoint pointIn(Face face, const Weights& weights);
 
+/// The point at a share of the way between two points of a face.
+SurfacePoint pointBetween(const SurfaceMesh& mesh, Face face, const SurfacePoint& from,
+                          const SurfacePoint& to, double share);
+
 /// A face that two points have in common, and whether both lie on one of its sides.
 struct CommonFace {
   Face face;
