@@ -36,7 +36,7 @@ inline emscripten::val cutPartOf(const io::CutModel& whole, const SurfaceCompone
   result.set("faces", copyOut<Index>("Uint32Array", faces));
   result.set("area", mesh.area());
   result.set("volume", io::partVolume(mesh));
-  result.set("genus", mesh.genus(0));
+  result.set("genus", io::partGenus(mesh));
   result.set("boundaryCount", mesh.boundaryCount(0));
   return result;
 }

@@ -170,7 +170,7 @@ void printText(const Options& options, const io::LoadedMesh& loaded, std::size_t
   for (std::size_t i = 0; i < count; ++i) {
     const SurfaceMesh& mesh = model.parts[i].mesh;
     std::printf("  %4zu %12s %12u %6u %10u\n", i + 1, readable(mesh.area()).c_str(),
-                mesh.faceCount(), mesh.genus(0), mesh.boundaryCount(0));
+                mesh.faceCount(), io::partGenus(mesh), mesh.boundaryCount(0));
   }
   printUnits(loaded.unit);
 }

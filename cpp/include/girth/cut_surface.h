@@ -50,7 +50,8 @@ inline constexpr double kLeastCutShare = 1e-6;
 /// faces the other way. Where a closed curve runs round a body with cavities, or in one, and `cap`
 /// is set, its mean plane cuts the others as well, inside the body's curve; a given curve round the
 /// same place is taken instead. Their rims are closed by one cap with holes, of least area: the
-/// parts enclose together what the body did. What lies in no plane's way is left whole.
+/// parts enclose together what the body did. What lies in no plane's way is left whole:
+/// partsOf counts it with the part that encloses it.
 ///
 /// No edge is made that is shorter than a millionth (kLeastCutShare) of the one that it is a part
 /// of: a point nearer to a vertex is moved there, and two points of an edge nearer to each other
@@ -80,14 +81,18 @@ struct CurveSide {
 GIRTH_EXPORT Result<std::vector<CurveSide>> sidesOf(const SurfaceMesh& mesh,
                                                     const SurfaceCurve& curve);
 
-/// One of the components of a surface, as a surface of its own.
+/// One of the components of a surface, or a part of several, as a surface of its own.
 struct SurfaceComponent {
-  SurfaceMesh mesh;              ///< the component
+  SurfaceMesh mesh;              ///< the component or part
   std::vector<Vertex> vertices;  ///< for each vertex its number in the whole, in rising order
   std::vector<Face> faces;       ///< for each face the same
 };
 
 /// The components of a surface, in its numbering of them. O(n log n).
 GIRTH_EXPORT std::vector<SurfaceComponent> componentsOf(const SurfaceMesh& mesh);
+
+/// The same, but a body and its cavities, as of cutSurface, are one part: what they enclose
+/// together is its volume.
+GIRTH_EXPORT std::vector<SurfaceComponent> partsOf(const SurfaceMesh& mesh);
 
 }  // namespace girth

@@ -75,16 +75,22 @@ double partVolume(const SurfaceMesh& mesh) {
   return volume;
 }
 
+Index partGenus(const SurfaceMesh& part) {
+  Index genus = 0;
+  for (Index c = 0; c < part.componentCount(); ++c) genus += part.genus(c);
+  return genus;
+}
+
 std::string partMembers(const SurfaceMesh& part) {
   return "\"area\":" + formatNumber(part.area()) + ",\"volume\":" + numberJson(partVolume(part)) +
          ",\"faces\":" + std::to_string(part.faceCount()) +
          ",\"vertices\":" + std::to_string(part.vertexCount()) +
-         ",\"genus\":" + std::to_string(part.genus(0)) +
+         ",\"genus\":" + std::to_string(partGenus(part)) +
          ",\"boundaries\":" + std::to_string(part.boundaryCount(0));
 }
 
 CutModel cutModel(const CutSurface& cut) {
-  CutModel model{componentsOf(cut.mesh), cut.faces, cut.points};
+  CutModel model{partsOf(cut.mesh), cut.faces, cut.points};
   std::stable_sort(model.parts.begin(), model.parts.end(),
                    [](const SurfaceComponent& a, const SurfaceComponent& b) {
                      return a.mesh.area() > b.mesh.area();

@@ -204,7 +204,7 @@ py::tuple cutAlong(const Shared& surface, const std::vector<CurveArrays>& curves
     one["faces"] = triangleArray(part.mesh);
     one["face_rows"] = numberArray(rows);
     one["area"] = part.mesh.area();
-    one["genus"] = part.mesh.genus(0);
+    one["genus"] = io::partGenus(part.mesh);
     one["boundaries"] = part.mesh.boundaryCount(0);
     parts.append(one);
   }

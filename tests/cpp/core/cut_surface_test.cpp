@@ -309,6 +309,41 @@ TEST(CutSurface, aHollowBodyIsCutWithItsCavity) {
   EXPECT_EQ(cutSurface(mesh, both, {true, false}).value().mesh.componentCount(), 4u);
 }
 
+TEST(CutSurface, aCavityBesideTheCutIsThatOfThePartRoundIt) {
+  const SurfaceMesh hourglass = lathe({{0, 2}, {3, 1}, {7, 2.5}}, 6).mesh();
+  const double whole = test::volumeOf(hourglass);
+  // Bubbles in the upper half, one with a body within it.
+  Shape shape = lathe({{0, 2}, {3, 1}, {7, 2.5}}, 6);
+  const auto addBall = [&](double radius, const Vec3& at, bool isCavity) {
+    const Shape ball = test::octasphere(1);
+    const Index before = shape.vertexCount();
+    for (Index v = 0; v < ball.vertexCount(); ++v) {
+      const double* p = &ball.positions[3 * v];
+      shape.add(radius * p[0] + at.x, radius * p[1] + at.y, radius * p[2] + at.z);
+    }
+    for (std::size_t i = 0; i < ball.triangles.size(); i += 3) {
+      const Index* f = &ball.triangles[i];
+      shape.face(before + f[0], before + f[isCavity ? 2 : 1], before + f[isCavity ? 1 : 2]);
+    }
+  };
+  addBall(0.5, {0.6, 0, 6}, true);
+  addBall(0.5, {-0.6, 0, 6}, true);
+  addBall(0.3, {-0.6, 0, 6}, false);
+  const double ball = test::volumeOf(test::octasphere(1).mesh());
+  const SurfaceMesh mesh = shape.mesh();
+  const auto necks = findNecks(hourglass, girthField(hourglass).values).value().necks;
+  const std::vector<SurfaceCurve> curve{loopAt(mesh, necks[0].points[0])};
+  const CutSurface cut = cutSurface(mesh, curve, {true}).value();
+  const auto parts = partsOf(cut.mesh);
+  ASSERT_EQ(parts.size(), 3u) << "two halves, and the body in the bubble";
+  std::vector<double> volumes;
+  for (const SurfaceComponent& part : parts) volumes.push_back(test::volumeOf(part.mesh));
+  std::sort(volumes.begin(), volumes.end());
+  EXPECT_NEAR(volumes[0], 0.027 * ball, 1e-12);
+  EXPECT_NEAR(volumes[0] + volumes[1] + volumes[2], whole - 0.223 * ball, 1e-9);
+  EXPECT_EQ(componentsOf(cut.mesh).size(), 5u);
+}
+
 TEST(CutSurface, aBodyWithinAnotherIsNoCavity) {
   Shape shape = hollowDumbbell(12);
   // The inner one faces outwards now.

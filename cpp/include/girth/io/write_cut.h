@@ -19,12 +19,15 @@ struct CutModel {
   std::vector<SurfacePoint> points;     ///< of the cut surface: CutSurface::points
 };
 
-/// The parts of a surface that was cut.
+/// The parts of a surface that was cut, each with its cavities (partsOf).
 GIRTH_EXPORT CutModel cutModel(const CutSurface& cut);
 
 /// What a part encloses, in cubed model units: negative where it faces inwards, NaN where it has a
 /// boundary.
 GIRTH_EXPORT double partVolume(const SurfaceMesh& part);
+
+/// The handles of a part, those of its cavities among them.
+GIRTH_EXPORT Index partGenus(const SurfaceMesh& part);
 
 // GLB, OBJ and PLY have what `loaded.attributes` says of the vertices, as far as the format can:
 // as it is at vertices of the model, linear between them where new ones stand on edges and in

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -60,79 +61,53 @@ bool contains(const std::vector<Point2>& polygon, const Point2& p) {
   return isInside;
 }
 
-/// The components of a surface as bodies and cavities.
-class Bodies {
- public:
-  explicit Bodies(const SurfaceMesh& mesh) : mesh_(mesh), all_(mesh.componentCount()) {
-    for (const Vertex v : mesh.vertices()) {
-      Body& body = all_[mesh.componentOf(v)];
-      const Vec3& p = mesh.position(v);
-      if (body.isEmpty) body = {false, v, p, p, 0};
-      body.low = {std::min(body.low.x, p.x), std::min(body.low.y, p.y), std::min(body.low.z, p.z)};
-      body.high = {std::max(body.high.x, p.x), std::max(body.high.y, p.y),
-                   std::max(body.high.z, p.z)};
-    }
-    for (const Face f : mesh.faces()) {
-      const auto [a, b, c] = mesh.faceVertices(f);
-      Body& body = all_[mesh.componentOf(a)];
-      const Vec3& o = mesh.position(body.first);
-      body.volume +=
-          dot(mesh.position(a) - o, cross(mesh.position(b) - o, mesh.position(c) - o)) / 6;
-    }
-  }
-
-  /// The component that encloses another one as its cavity.
-  std::optional<Index> around(Index inner) const {
-    std::optional<Index> least;
-    for (Index outer = 0; outer < all_.size(); ++outer) {
-      if (!encloses(outer, inner)) continue;
-      if (!least || std::fabs(all_[outer].volume) < std::fabs(all_[*least].volume)) least = outer;
-    }
-    if (least && all_[*least].volume * all_[inner].volume >= 0) return std::nullopt;
-    return least;
-  }
-
-  std::vector<Index> cavitiesOf(Index outer) const {
-    std::vector<Index> cavities;
-    for (Index inner = 0; inner < all_.size(); ++inner) {
-      if (encloses(outer, inner) && around(inner) == outer) cavities.push_back(inner);
-    }
-    return cavities;
-  }
-
- private:
-  struct Body {
-    bool isEmpty{true};
-    Vertex first{0};
-    Vec3 low, high;
-    double volume{0};
-  };
-
-  bool encloses(Index outer, Index inner) const {
-    const Body &a = all_[outer], &b = all_[inner];
-    if (outer == inner || mesh_.boundaryCount(outer) > 0 || mesh_.boundaryCount(inner) > 0 ||
-        !(a.low.x < b.low.x && a.low.y < b.low.y && a.low.z < b.low.z && a.high.x > b.high.x &&
-          a.high.y > b.high.y && a.high.z > b.high.z)) {
-      return false;
-    }
-    // The solid angle of all faces, seen from a point of the inner one.
-    const Vec3& from = mesh_.position(b.first);
-    double angle = 0;
-    for (const Face f : mesh_.faces()) {
-      const auto corners = mesh_.faceVertices(f);
-      if (mesh_.componentOf(corners[0]) != outer) continue;
-      const Vec3 p = mesh_.position(corners[0]) - from, q = mesh_.position(corners[1]) - from,
-                 r = mesh_.position(corners[2]) - from;
-      const double lp = norm(p), lq = norm(q), lr = norm(r);
-      angle += 2 * std::atan2(dot(p, cross(q, r)),
-                              lp * lq * lr + dot(p, q) * lr + dot(q, r) * lp + dot(r, p) * lq);
-    }
-    return std::fabs(angle) > 2 * kPi;
-  }
-
-  const SurfaceMesh& mesh_;
-  std::vector<Body> all_;
+/// A component by its place and volume.
+struct Body {
+  Vertex first{Vertex::none};
+  Vec3 low, high;
+  double volume{0};
+  std::vector<Face> faces;
 };
+
+std::vector<Body> bodiesIn(const SurfaceMesh& mesh) {
+  std::vector<Body> bodies(mesh.componentCount());
+  for (const Vertex v : mesh.vertices()) {
+    Body& body = bodies[mesh.componentOf(v)];
+    const Vec3& p = mesh.position(v);
+    if (body.first == Vertex::none) body = {v, p, p, 0, {}};
+    body.low = {std::min(body.low.x, p.x), std::min(body.low.y, p.y), std::min(body.low.z, p.z)};
+    body.high = {std::max(body.high.x, p.x), std::max(body.high.y, p.y),
+                 std::max(body.high.z, p.z)};
+  }
+  for (const Face f : mesh.faces()) {
+    const auto [a, b, c] = mesh.faceVertices(f);
+    Body& body = bodies[mesh.componentOf(a)];
+    const Vec3& o = mesh.position(body.first);
+    body.volume += dot(mesh.position(a) - o, cross(mesh.position(b) - o, mesh.position(c) - o)) / 6;
+    body.faces.push_back(f);
+  }
+  return bodies;
+}
+
+bool boxEncloses(const Body& outer, const Body& inner) {
+  return outer.low.x < inner.low.x && outer.low.y < inner.low.y && outer.low.z < inner.low.z &&
+         outer.high.x > inner.high.x && outer.high.y > inner.high.y && outer.high.z > inner.high.z;
+}
+
+/// By the solid angle of all faces, seen from a point of the inner one.
+bool encloses(const SurfaceMesh& mesh, const Body& outer, const Body& inner) {
+  const Vec3& from = mesh.position(inner.first);
+  double angle = 0;
+  for (const Face f : outer.faces) {
+    const auto corners = mesh.faceVertices(f);
+    const Vec3 p = mesh.position(corners[0]) - from, q = mesh.position(corners[1]) - from,
+               r = mesh.position(corners[2]) - from;
+    const double lp = norm(p), lq = norm(q), lr = norm(r);
+    angle += 2 * std::atan2(dot(p, cross(q, r)),
+                            lp * lq * lr + dot(p, q) * lr + dot(q, r) * lp + dot(r, p) * lq);
+  }
+  return std::fabs(angle) > 2 * kPi;
+}
 
 Index componentAt(const SurfaceMesh& mesh, const SurfacePoint& point) {
   const Vertex v = point.kind == SurfacePoint::Kind::AtVertex ? point.vertex()
@@ -161,7 +136,7 @@ std::optional<Measured> measured(const SurfaceMesh& mesh, const SurfaceCurve& cu
 class CapMaker {
  public:
   CapMaker(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves)
-      : mesh_(mesh), bodies_(mesh), made_{{curves.begin(), curves.end()}, {}} {
+      : mesh_(mesh), bodies_(bodiesOf(mesh)), made_{{curves.begin(), curves.end()}, {}} {
     for (const SurfaceCurve& curve : curves) given_.push_back(measured(mesh, curve));
     isUsed_.resize(given_.size(), false);
   }
@@ -171,8 +146,8 @@ class CapMaker {
     for (const bool isOnCavity : {false, true}) {
       for (std::size_t i = 0; i < given_.size(); ++i) {
         if (!given_[i] || isUsed_[i]) continue;
-        const auto around = bodies_.around(given_[i]->component);
-        if (around.has_value() == isOnCavity) make(i, around.value_or(given_[i]->component));
+        const Index body = bodies_[given_[i]->component];
+        if ((body != given_[i]->component) == isOnCavity) make(i, body);
       }
     }
     return std::move(made_);
@@ -188,7 +163,10 @@ class CapMaker {
   void make(std::size_t number, Index body) {
     const Measured& given = *given_[number];
     const Plane plane(given.shape.centre, given.shape.normal);
-    const std::vector<Index> cavities = bodies_.cavitiesOf(body);
+    std::vector<Index> cavities;
+    for (Index component = 0; component < bodies_.size(); ++component) {
+      if (component != body && bodies_[component] == body) cavities.push_back(component);
+    }
     if (cavities.empty()) return;
     const std::size_t before = made_.curves.size();
     std::vector<Section> sections = sectionsBy(plane, body, cavities, number);
@@ -306,13 +284,46 @@ class CapMaker {
   }
 
   const SurfaceMesh& mesh_;
-  Bodies bodies_;
+  std::vector<Index> bodies_;  // of the components
   HollowCurves made_;
   std::vector<std::optional<Measured>> given_;
   std::vector<bool> isUsed_;
 };
 
 }  // namespace
+
+std::vector<Index> bodiesOf(const SurfaceMesh& mesh) {
+  const std::vector<Body> all = bodiesIn(mesh);
+  std::vector<Index> bodyOf(all.size());
+  std::iota(bodyOf.begin(), bodyOf.end(), Index{0});
+  std::vector<Index> order;
+  for (const Index component : bodyOf) {
+    if (mesh.boundaryCount(component) == 0) order.push_back(component);
+  }
+  const auto isInward = [&](Index component) { return all[component].volume < 0; };
+  if (std::all_of(order.begin(), order.end(), isInward) ||
+      std::none_of(order.begin(), order.end(), isInward)) {
+    return bodyOf;
+  }
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return std::pair(all[a].low.x, a) < std::pair(all[b].low.x, b);
+  });
+  // Those whose boxes reach as far along x, the smallest first.
+  std::vector<Index> open;
+  for (const Index inner : order) {
+    std::erase_if(open, [&](Index o) { return !(all[o].high.x > all[inner].low.x); });
+    for (const Index outer : open) {
+      if (!boxEncloses(all[outer], all[inner]) || !encloses(mesh, all[outer], all[inner])) continue;
+      if (all[outer].volume * all[inner].volume < 0) bodyOf[inner] = outer;
+      break;
+    }
+    const auto isSmaller = [&](Index a, Index b) {
+      return std::fabs(all[a].volume) < std::fabs(all[b].volume);
+    };
+    open.insert(std::upper_bound(open.begin(), open.end(), inner, isSmaller), inner);
+  }
+  return bodyOf;
+}
 
 HollowCurves throughCavities(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) {
   if (mesh.componentCount() < 2) return {{curves.begin(), curves.end()}, {}};

@@ -11,6 +11,11 @@
 
 namespace girth::loops {
 
+/// For each component its body: the one that it is a cavity of, or itself. A cavity is a closed
+/// component that lies in another one, round no third one in between, and faces the other way.
+/// O(f) for each component and each whose box encloses it, of f faces.
+std::vector<Index> bodiesOf(const SurfaceMesh& mesh);
+
 /// A cap with holes: curves by their numbers.
 struct HollowCap {
   std::size_t rim;                 ///< on the body
@@ -25,9 +30,8 @@ struct HollowCurves {
 };
 
 /// For each closed curve round a body with cavities, or in one of these, what the curve's mean
-/// plane cuts out of the others: a cavity is a closed component that lies in another one, round no
-/// third one in between, and faces the other way. Where a curve is given that runs round the same
-/// place, it is taken instead. O(n) for each such component and curve.
+/// plane cuts out of the others. Where a curve is given that runs round the same place, it is taken
+/// instead. O(n) for each curve, besides bodiesOf.
 HollowCurves throughCavities(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves);
 
 /// Triangles between the rim of a cap and its holes, each a closed polygon of vertices, the holes

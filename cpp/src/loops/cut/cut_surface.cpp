@@ -265,7 +265,11 @@ Result<std::vector<CurveSide>> sidesOf(const SurfaceMesh& mesh, const SurfaceCur
   return sides;
 }
 
-std::vector<SurfaceComponent> componentsOf(const SurfaceMesh& mesh) {
+namespace {
+
+/// `partOf`: of each component, its part; parts without any are left out.
+std::vector<SurfaceComponent> surfacesOf(const SurfaceMesh& mesh,
+                                         const std::vector<Index>& partOf) {
   struct Arrays {
     std::vector<double> positions;
     std::vector<Index> triangles;
@@ -275,7 +279,7 @@ std::vector<SurfaceComponent> componentsOf(const SurfaceMesh& mesh) {
   std::vector<Arrays> arrays(mesh.componentCount());
   std::vector<Index> number(mesh.vertexCount());
   for (const Vertex v : mesh.vertices()) {
-    Arrays& component = arrays[mesh.componentOf(v)];
+    Arrays& component = arrays[partOf[mesh.componentOf(v)]];
     number[v] = static_cast<Index>(component.vertices.size());
     component.vertices.push_back(v);
     const Vec3& p = mesh.position(v);
@@ -283,12 +287,13 @@ std::vector<SurfaceComponent> componentsOf(const SurfaceMesh& mesh) {
   }
   for (const Face f : mesh.faces()) {
     const auto corners = mesh.faceVertices(f);
-    Arrays& component = arrays[mesh.componentOf(corners[0])];
+    Arrays& component = arrays[partOf[mesh.componentOf(corners[0])]];
     for (const Vertex v : corners) component.triangles.push_back(number[v]);
     component.faces.push_back(f);
   }
   std::vector<SurfaceComponent> components;
   for (Arrays& component : arrays) {
+    if (component.faces.empty()) continue;
     // A part of a surface is one.
     components.push_back(
         {SurfaceMesh::fromArrays(component.positions, component.triangles, OpenEdges::Boundary)
@@ -296,6 +301,18 @@ std::vector<SurfaceComponent> componentsOf(const SurfaceMesh& mesh) {
          std::move(component.vertices), std::move(component.faces)});
   }
   return components;
+}
+
+}  // namespace
+
+std::vector<SurfaceComponent> componentsOf(const SurfaceMesh& mesh) {
+  std::vector<Index> partOf(mesh.componentCount());
+  std::iota(partOf.begin(), partOf.end(), Index{0});
+  return surfacesOf(mesh, partOf);
+}
+
+std::vector<SurfaceComponent> partsOf(const SurfaceMesh& mesh) {
+  return surfacesOf(mesh, loops::bodiesOf(mesh));
 }
 
 }  // namespace girth
