@@ -182,7 +182,9 @@ class ObjReader {
       const std::string_view name = word.substr(0, word.find('/'));
       const auto index = parseInteger(name);
       if (!index) {
-        return failure(ErrorCode::MalformedFile, line_, inQuotes(word) + " is not a face's corner");
+        return withNumberHint(
+            failure(ErrorCode::MalformedFile, line_, numberProblem(word, "not a face's corner")),
+            name);
       }
       // From 1, or backwards from the last vertex so far.
       const std::int64_t vertex = *index > 0 ? *index - 1 : known + *index;

@@ -139,7 +139,8 @@ class AsciiOffReader : OffReader {
       const std::string_view word = glued ? keyword_.rest : words_.next();
       const auto count = parseInteger(word);
       if (!count || *count < 0) {
-        return failure(inQuotes(word) + " is no number of " + kNames[i]);
+        return withNumberHint(
+            failure(numberProblem(word, std::string("no number of ") + kNames[i])), word);
       }
       // Whatever is counted takes a number and its separator.
       if (static_cast<std::uint64_t>(*count) > fileSize_ / 2) {
@@ -219,17 +220,20 @@ class AsciiOffReader : OffReader {
       beginsLine = beginsLine && words_.line() != lineBefore;
       const auto corners = parseInteger(first);
       if (!corners || *corners < 0) {
-        return failure(first.empty() ? "the file ends after " + std::to_string(i) + " of " +
-                                           std::to_string(count) + " faces"
-                                     : inQuotes(first) + " is no number of corners");
+        return withNumberHint(failure(first.empty() ? "the file ends after " + std::to_string(i) +
+                                                          " of " + std::to_string(count) + " faces"
+                                                    : numberProblem(first, "no number of corners")),
+                              first);
       }
       for (std::int64_t k = 0; k < *corners; ++k) {
         const std::string_view word = nextOfElement();
         const auto vertex = parseInteger(word);
         if (!vertex) {
-          return failure(word.empty() ? "a face with " + std::to_string(k) +
-                                            " corners in place of " + std::to_string(*corners)
-                                      : inQuotes(word) + " is not a face's corner");
+          return withNumberHint(
+              failure(word.empty() ? "a face with " + std::to_string(k) + " corners in place of " +
+                                         std::to_string(*corners)
+                                   : numberProblem(word, "not a face's corner")),
+              word);
         }
         if (*vertex < 0 || static_cast<std::uint64_t>(*vertex) >= vertexCount()) {
           return makeError(ErrorCode::IndexOutOfRange, words_.line(),

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/colours_note.h"
 #include "gltf/document/document.h"
 #include "gltf/document/fault.h"
 #include "gltf/document/glb_container.h"
@@ -103,6 +104,10 @@ class SceneWalk {
     model.soup = std::move(soup_);
     if (!document_.isUnitUnknown) model.unit = "metre";
     model.notes = notes_.sentences(model_);
+    if (!document_.leftOut.empty()) {
+      model.notes.push_back("Its " + document_.leftOut + " were left out.");
+    }
+    if (isColoured()) model.notes.push_back(coloursNote());
     return model;
   }
 
@@ -578,6 +583,15 @@ class SceneWalk {
     return std::numeric_limits<std::uint32_t>::max();
   }
 
+  /// Whether some vertices have colours.
+  bool isColoured() const {
+    return std::any_of(model_.meshes.begin(), model_.meshes.end(), [](const auto& mesh) {
+      return std::any_of(mesh.primitives.begin(), mesh.primitives.end(), [](const auto& primitive) {
+        return primitive.attributes.count("COLOR_0") > 0;
+      });
+    });
+  }
+
   /// Strips and fans repeat vertices to turn corners; such triangles are not meant to be seen.
   void addVisible(Index a, Index b, Index c) {
     if (a != b && b != c && c != a) soup_.triangles.insert(soup_.triangles.end(), {a, b, c});
@@ -620,7 +634,8 @@ Result<GltfDocument> documentOf(std::string_view json, std::size_t firstByte,
                         std::move(geometry.value().buffers),
                         {},
                         std::move(geometry.value().baseColours),
-                        geometry.value().isUnitUnknown};
+                        geometry.value().isUnitUnknown,
+                        std::move(geometry.value().leftOut)};
   for (const tinygltf::Mesh& mesh : document.model.meshes) {
     document.primitives.emplace_back(mesh.primitives.begin(), mesh.primitives.end());
   }

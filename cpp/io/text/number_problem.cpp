@@ -21,8 +21,8 @@ bool hasCommas(std::string_view word) {
 
 }  // namespace
 
-std::string numberProblem(std::string_view word) {
-  return inQuotes(word) + " is not a number" + (hasCommas(word) ? ": it has a comma" : "");
+std::string numberProblem(std::string_view word, const std::string& what) {
+  return inQuotes(word) + " is " + what + (hasCommas(word) ? ": it has a comma" : "");
 }
 
 Error withNumberHint(Error error, std::string_view word) {

@@ -8,9 +8,9 @@
 
 namespace girth::io {
 
-/// The word is no number. Commas are named: programs write them for decimal points, or between
-/// numbers.
-std::string numberProblem(std::string_view word);
+/// The word is no number, or not what it should be. Commas are named: programs write them for
+/// decimal points, or between numbers.
+std::string numberProblem(std::string_view word, const std::string& what = "not a number");
 
 /// The error, with the remedy where the word has a comma.
 Error withNumberHint(Error error, std::string_view word);

@@ -276,6 +276,20 @@ TEST(GltfScene, jointsWithoutASkinStayPut) {
   EXPECT_TRUE(model.notes.empty());
 }
 
+TEST(GltfScene, whatIsNoGeometryIsNamed) {
+  Extended tiny;
+  tiny.more =
+      R"(,"materials":[{"normalTexture":{"index":0}}],"textures":[{}],"animations":[{"channels":[]}],)"
+      R"("cameras":[{}],"extensions":{"KHR_lights_punctual":{"lights":[{}]}})";
+  EXPECT_TRUE(hasNote(readAll(tiny),
+                      "Its materials, textures, animations, cameras and lights were left out."));
+  tiny.more = R"(,"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}}])";
+  EXPECT_TRUE(hasNote(readAll(tiny), "Its materials were left out."));
+  // What Girth writes for any surface is no loss.
+  tiny.more = R"(,"materials":[{"doubleSided":true,"pbrMetallicRoughness":{"metallicFactor":0}}])";
+  EXPECT_TRUE(readAll(tiny).notes.empty());
+}
+
 /// Two targets: one lifts vertex 3 by 1, the other, sparse, moves vertex 1 by 2.
 Extended morphed() {
   Extended tiny;

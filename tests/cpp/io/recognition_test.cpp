@@ -68,6 +68,20 @@ TEST(Recognition, commasAreNamedWithTheRemedy) {
       EXPECT_TRUE(contains(result.error().hint, "replace the commas")) << result.error().hint;
     }
   }
+  // In faces, too.
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf ";
+  const std::string off = "0 0 0\n1 0 0\n0 1 0\n";
+  for (const auto& [text, name] :
+       {std::pair{obj + "1,2,3", "a.obj"}, std::pair{obj + "1,0 2,0 3,0", "a.obj"},
+        std::pair{obj + "1, 2, 3", "a.obj"}, std::pair{"OFF\n3 1 0\n" + off + "3 0,1,2", "a.off"},
+        std::pair{"OFF\n3 1 0\n" + off + "3,0 0 1 2", "a.off"},
+        std::pair{"OFF\n3 1 0\n" + off + "3 0, 1, 2", "a.off"},
+        std::pair{"OFF\n3,0 1,0 0\n" + off + "3 0 1 2", "a.off"}}) {
+    const auto result = modelOf(text + "\n", name);
+    EXPECT_EQ(codeOf(result), "MALFORMED_FILE") << text;
+    EXPECT_TRUE(contains(messageOf(result), "it has a comma")) << messageOf(result);
+    EXPECT_TRUE(contains(result.error().hint, "replace the commas")) << result.error().hint;
+  }
   const auto other = modelOf("v 0 zero,5 1\n", "a.obj");
   EXPECT_FALSE(contains(messageOf(other), "comma"));
   EXPECT_FALSE(contains(other.error().hint, "comma"));

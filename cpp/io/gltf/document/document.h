@@ -118,6 +118,7 @@ struct GltfDocument {
   std::vector<GltfColour> baseColours;
   /// As in GeometryJson.
   bool isUnitUnknown{false};
+  std::string leftOut;
 };
 
 /// The first reference in the document that leads nowhere, the first range that does not fit: what

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <span>
@@ -451,6 +452,49 @@ bool statesUnknownUnit(const Json& document) {
   });
 }
 
+/// Whether a material says something of its looks, besides how it shines and that both sides show.
+bool isPainted(const Json& material) {
+  if (!material.is_object()) return false;
+  const auto saysOnly = [](const Json& object, std::initializer_list<std::string_view> names) {
+    for (const auto& [name, value] : object.items()) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) return false;
+    }
+    return true;
+  };
+  const auto shine = material.find("pbrMetallicRoughness");
+  return !saysOnly(material, {"name", "doubleSided", "pbrMetallicRoughness", "extras"}) ||
+         (shine != material.end() && shine->is_object() &&
+          !saysOnly(*shine, {"metallicFactor", "roughnessFactor"}));
+}
+
+/// "materials, textures and animations", of those that there are.
+std::string besidesGeometry(const Json& document) {
+  std::vector<std::string> found;
+  const auto listOf = [](const Json& object, const char* name) -> const Json* {
+    const auto list = object.is_object() ? object.find(name) : object.end();
+    return list == object.end() || !list->is_array() || list->empty() ? nullptr : &*list;
+  };
+  const Json* materials = listOf(document, "materials");
+  if (materials != nullptr && std::any_of(materials->begin(), materials->end(), isPainted)) {
+    found.emplace_back("materials");
+  }
+  for (const char* name : {"textures", "animations", "cameras"}) {
+    if (listOf(document, name) != nullptr) found.emplace_back(name);
+  }
+  if (const auto extensions = document.find("extensions");
+      extensions != document.end() && extensions->is_object()) {
+    const auto lights = extensions->find("KHR_lights_punctual");
+    if (lights != extensions->end() && listOf(*lights, "lights") != nullptr) {
+      found.emplace_back("lights");
+    }
+  }
+  std::string text;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 < found.size() ? ", " : " and ") + found[i];
+  }
+  return text;
+}
+
 /// The buffers of a document, out of the JSON.
 std::vector<GltfBufferSource> takeBuffers(Json& buffers) {
   std::vector<GltfBufferSource> sources;
@@ -491,6 +535,7 @@ Result<GeometryJson> geometryJson(std::string_view text, std::size_t firstByte,
   GeometryJson result;
   result.baseColours = baseColours(document);
   result.isUnitUnknown = statesUnknownUnit(document);
+  result.leftOut = besidesGeometry(document);
   document = Json();  // it may be large
 
   if (buffers.contains("buffers")) result.buffers = takeBuffers(buffers["buffers"]);

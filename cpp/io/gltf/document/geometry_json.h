@@ -36,6 +36,8 @@ struct GeometryJson {
   /// Whether the extras of some mesh state, as Girth writes them, that its unit is none that is
   /// known: then its numbers are no metres.
   bool isUnitUnknown{false};
+  /// What the document has besides geometry, as "materials and textures": no surface keeps it.
+  std::string leftOut;
 };
 
 /// Whether an attribute of that name says something of points besides where they are: colours,
