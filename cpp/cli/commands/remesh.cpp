@@ -133,6 +133,16 @@ int run(const Options& options) {
     }();
     if (!removal) return reportError(options.model, removal.error());
     repaired = std::move(removal).value();
+    double excess = 0;
+    for (const Handle& handle : repaired->removed) {
+      excess = std::max(excess, handle.mayBeShorterBy);
+    }
+    if (excess > 0) {
+      printNote(options.model,
+                "loops that were cut along may be longer than the shortest round "
+                "their handles, by " +
+                    readable(excess) + " at most");
+    }
     if (repaired->provenLength < length) {
       printNote(options.model, "loops shorter than " + options.removeHandles +
                                    " may be left, but none shorter than " +

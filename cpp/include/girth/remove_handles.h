@@ -17,7 +17,7 @@ namespace girth {
 struct HandleRemoval {
   SurfaceMesh mesh;  ///< with numbers of its own
   /// Loops that were cut along, in the order of the cuts: points of the surface as it was then.
-  /// Each loop is locally shortest; another one round the same handle may be shorter.
+  /// Each is the shortest round its handle, where `mayBeShorterBy` is 0, as in findHandles.
   std::vector<Handle> removed;
   Index genusBefore{0};  ///< of all components together
   Index genusAfter{0};   ///< the same

@@ -164,6 +164,13 @@ TEST(RemoveHandles, cutsTheOnlyShortOneWhereverItIs) {
     EXPECT_EQ(cut.genusAfter, 0u) << narrow;
     ASSERT_EQ(cut.removed.size(), 1u);
     EXPECT_NEAR(cut.removed[0].length, shortest, 1e-9);
+    // All are cut along the shortest loop, also where longer ones are asked for.
+    for (const double upTo : {7.0, std::numeric_limits<double>::infinity()}) {
+      const HandleRemoval wide = removeHandles(mesh, upTo, {2}).value();
+      ASSERT_EQ(wide.removed.size(), 1u);
+      EXPECT_NEAR(wide.removed[0].length, shortest, 1e-9);
+      EXPECT_EQ(wide.removed[0].mayBeShorterBy, 0);
+    }
     const HandleRemoval kept = removeHandles(mesh, 0.99 * shortest, {2}).value();
     EXPECT_EQ(kept.genusAfter, 1u);
     EXPECT_EQ(kept.provenLength, 0.99 * shortest);

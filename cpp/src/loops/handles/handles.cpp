@@ -147,9 +147,9 @@ class HandleSearch {
     return true;
   }
 
-  /// Proves that no loop is shorter than those found, which are replaced where one is, as far as
-  /// the budget goes. False: cancelled.
-  bool proveAll(const ExecutionContext& context) {
+  /// Proves that no loop is shorter than those found that are shorter than a length. They are
+  /// replaced where one is, as far as the budget goes. False: cancelled.
+  bool proveAll(double upTo, const ExecutionContext& context) {
     for (;;) {
       // The shortest first: about these the least needs to be looked at.
       std::optional<HandleKind> next;
@@ -164,7 +164,7 @@ class HandleSearch {
         next = kind;
         length = some[same].candidate->length;
       }
-      if (!next) return true;
+      if (!next || length >= upTo) return true;
       const std::size_t place = proven_[*next].size();
       const Candidate* const candidate = chosen(*next)[place].candidate;
       const auto least = leastBeyond(*next, place, length, context);
@@ -601,7 +601,7 @@ Result<loops::HandlesUpTo> loops::findHandlesUpTo(const SurfaceMesh& mesh,
     bool isDone =
         search.run(options.basePoints, partOf(context, begin, begin + kBaseShare * share));
     const ExecutionContext rest = partOf(context, begin + kBaseShare * share, begin + share);
-    if (isDone && !length) isDone = search.proveAll(rest);
+    if (isDone && length != 0.0) isDone = search.proveAll(length.value_or(kInfinity), rest);
     if (isDone && length && *length > 0) {
       const auto proven = search.provenUpTo(*length, rest);
       isDone = proven.has_value();
@@ -616,7 +616,7 @@ Result<loops::HandlesUpTo> loops::findHandlesUpTo(const SurfaceMesh& mesh,
     for (const auto& one : found) {
       Handle handle;
       handle.length = one.candidate->length;
-      handle.mayBeShorterBy = length ? handle.length : search.excessOf(one);
+      handle.mayBeShorterBy = search.excessOf(one);
       handle.kind = one.kind;
       handle.component = components[i];
       handle.points = bandOf(*unfolding, one.candidate->loop, mesh.area()).middle;

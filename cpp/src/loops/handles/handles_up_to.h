@@ -16,8 +16,9 @@ struct HandlesUpTo {
   double proven{kInfinity};
 };
 
-/// findHandles. With a length, it is proven only that no other loop is shorter than this, as far as
-/// the budget goes; with 0, nothing is proven.
+/// findHandles. With a length, loops that are shorter are proven to be the shortest, and it is
+/// proven that no other one is shorter than this, as far as the budget goes; with 0, nothing is
+/// proven.
 Result<HandlesUpTo> findHandlesUpTo(const SurfaceMesh& mesh, std::optional<double> length,
                                     const HandleOptions& options, const ExecutionContext& context);
 

@@ -294,16 +294,14 @@ Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
                                                 : 1 - static_cast<double>(result.genusAfter) /
                                                           static_cast<double>(result.genusBefore);
     const ExecutionContext part = partOf(context, done, done);
-    std::vector<Handle> chosen;
-    // Loops that are found at once are cut first; then it is proven that nothing is left.
-    for (const double upTo : {0.0, std::isinf(length) ? 0.0 : length}) {
-      const auto found = loops::findHandlesUpTo(result.mesh, upTo, options, part);
-      if (!found) return found.error();
-      chosen = apart(result.mesh, found.value().handles.handles, length);
-      if (!chosen.empty()) break;
-      result.provenLength = upTo > 0 ? found.value().proven : length;
+    const auto found = loops::findHandlesUpTo(
+        result.mesh, std::isinf(length) ? std::nullopt : std::optional(length), options, part);
+    if (!found) return found.error();
+    const std::vector<Handle> chosen = apart(result.mesh, found.value().handles.handles, length);
+    if (chosen.empty()) {
+      result.provenLength = found.value().proven;
+      break;
     }
-    if (chosen.empty()) break;
     std::vector<SurfaceCurve> curves;
     for (const Handle& handle : chosen) curves.push_back(handle.points);
     const auto cut = cutSurface(result.mesh, curves, {true, false}, {1, context.cancel, {}});
@@ -318,8 +316,7 @@ Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
     result.mesh = std::move(made.value().mesh);
     result.crossingFaces += made.value().crossingFaces;
     result.genusAfter = genus;
-    result.removed.insert(result.removed.end(), std::make_move_iterator(chosen.begin()),
-                          std::make_move_iterator(chosen.end()));
+    result.removed.insert(result.removed.end(), chosen.begin(), chosen.end());
   }
   if (context.onProgress) context.onProgress(1);
   return result;
