@@ -52,10 +52,10 @@ Result<std::vector<SurfacePoint>> pointsOf(const Options& options, const io::Loa
 }
 
 void printText(const Options& options, const io::LoadedMesh& loaded,
-               const std::vector<PathStation>& stations) {
-  const auto [least, greatest] =
-      std::minmax_element(stations.begin(), stations.end(),
-                          [](const auto& a, const auto& b) { return a.girth < b.girth; });
+               const std::vector<PathStation>& stations, const PathStation& least) {
+  const auto greatest =
+      std::max_element(stations.begin(), stations.end(),
+                       [](const auto& a, const auto& b) { return a.girth < b.girth; });
   const std::string unit = unitSuffix(loaded.unit);
   std::printf("%s: %zu places on a path of length %s%s\n", options.model.c_str(), stations.size(),
               readable(stations.back().distance).c_str(), unit.c_str());
@@ -66,10 +66,12 @@ void printText(const Options& options, const io::LoadedMesh& loaded,
     std::printf("  %-9s %s%s at distance %s%s%s\n", name, readable(station.girth).c_str(),
                 unit.c_str(), readable(station.distance).c_str(), unit.c_str(), kind.c_str());
   };
-  row("least", *least);
+  row("least", least);
   row("greatest", *greatest);
   if (options.even) {
-    std::printf("  between these places it may be less; without --even crossed edges count too\n");
+    std::printf(
+        "  elsewhere between these places it may be less; without --even crossed edges count "
+        "too\n");
   }
 }
 
@@ -175,6 +177,8 @@ int run(const Options& options) {
                       watched(options.threads, progress));
   }();
   if (!stations) return reportError(options.model, stations.error());
+  const auto least = leastAlong(loaded.value().mesh, path.value(), stations.value());
+  if (!least) return reportError(options.model, least.error());
   return handOver(
       options.output, options.json,
       [&](const std::string& written) -> Result<std::string> {
@@ -182,7 +186,7 @@ int run(const Options& options) {
         return io::pathProfileJson(loaded.value(), stations.value(), options.model);
       },
       [&] { return io::pathProfileJson(loaded.value(), stations.value(), options.model); },
-      [&] { printText(options, loaded.value(), stations.value()); });
+      [&] { printText(options, loaded.value(), stations.value(), least.value()); });
 }
 
 Run add(OptionTable& table) {

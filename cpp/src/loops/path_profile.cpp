@@ -4,9 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "girth/geodesic_solver.h"
+#include "girth/girth_solver.h"
+#include "infinity.h"
+#include "least_between.h"
 #include "loops/cut/faces_of_points.h"
 #include "loops/necks/girth_at.h"
 #include "mesh/vector.h"
@@ -16,6 +20,12 @@ namespace {
 
 /// Places nearer to each other than this share of the path are one.
 constexpr double kSameStation = 1e-9;
+/// Values that differ by less than this share are equal; places are found to this share of the way
+/// between two stations.
+constexpr double kEqualGirth = 1e-12;
+constexpr double kExactStation = 1e-10;
+/// Stations near which less is looked for.
+constexpr std::size_t kMostNarrow = 16;
 constexpr std::size_t kMostSamples = 10'000'000;
 
 Error atPoint(std::size_t place, const std::string& what) {
@@ -136,6 +146,55 @@ Result<std::vector<PathStation>> girthAlong(const SurfaceMesh& mesh,
     apart[i].kind = values.value()[i].kind;
   }
   return apart;
+}
+
+Result<PathStation> leastAlong(const SurfaceMesh& mesh, std::span<const SurfacePoint> path,
+                               std::span<const PathStation> stations,
+                               const ExecutionContext& context) {
+  if (stations.empty()) return makeError(ErrorCode::Usage, -1, "the path has no station");
+  const auto measures = measured(mesh, path);
+  if (!measures) return measures.error();
+  std::vector<std::size_t> narrow;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    if (i > 0 && stations[i - 1].girth < stations[i].girth) continue;
+    if (i + 1 < stations.size() && stations[i + 1].girth < stations[i].girth) continue;
+    narrow.push_back(i);
+  }
+  std::stable_sort(narrow.begin(), narrow.end(), [&](std::size_t a, std::size_t b) {
+    return stations[a].girth < stations[b].girth;
+  });
+  narrow.resize(std::min(narrow.size(), kMostNarrow));
+  GirthSolver solver(mesh);
+  PathStation best = stations[narrow.front()];
+  std::optional<Error> failed;
+  const std::vector<double>& distances = measures.value().distances;
+  const auto girthAt = [&](double distance) {
+    if (failed) return kInfinity;
+    const auto behind = static_cast<std::size_t>(
+        std::upper_bound(distances.begin(), distances.end(), distance) - distances.begin());
+    const SurfacePoint point =
+        behind == path.size()
+            ? path.back()
+            : pointAt(mesh, path, measures.value(), std::max<std::size_t>(behind, 1) - 1, distance);
+    const auto value = solver.value(point, context.ofOneThread());
+    if (!value) {
+      failed = value.error();
+      return kInfinity;
+    }
+    if (value.value().length < best.girth * (1 - kEqualGirth)) {
+      best = {distance, value.value().length, value.value().kind, point};
+    }
+    return value.value().length;
+  };
+  for (const std::size_t i : narrow) {
+    const double from = stations[i > 0 ? i - 1 : 0].distance;
+    const double to = stations[std::min(i + 1, stations.size() - 1)].distance;
+    if (to > from) {
+      leastBetween(girthAt, from, to, stations[i].distance, kExactStation * (to - from));
+    }
+  }
+  if (failed) return *std::move(failed);
+  return best;
 }
 
 }  // namespace girth

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "girth/geodesic_solver.h"
+#include "lathe.h"
 #include "mesh/angles.h"
 #include "mesh/vector.h"
 #include "shapes.h"
@@ -108,6 +109,23 @@ TEST(PathProfile, samplesAndCrossings) {
   // A path of one point is one place, however many samples are wanted.
   EXPECT_EQ(along(mesh, {from}).size(), 1u);
   EXPECT_EQ(along(mesh, {from, from}, {5, false}).size(), 1u);
+}
+
+TEST(PathProfile, theLeastLiesBetweenStations) {
+  // Along the edges of an hourglass, whose waist is passed after √(3² + 1²).
+  const SurfaceMesh mesh = test::lathe({{0, 2}, {3, 1}, {7, 2.5}}, 12).mesh();
+  const std::vector<SurfacePoint> ends{SurfacePoint::atVertex(Vertex(0)),
+                                       SurfacePoint::atVertex(Vertex(24))};
+  const auto path = shortestPathThrough(mesh, ends).value();
+  const double waist = test::polygonLength(1, 12);
+  for (const std::size_t samples : {4u, 7u, 50u}) {
+    const auto stations = girthAlong(mesh, path, {samples, false}).value();
+    const PathStation least = leastAlong(mesh, path, stations).value();
+    EXPECT_NEAR(least.girth, waist, 1e-9 * waist);
+    EXPECT_NEAR(least.distance, std::sqrt(10.0), 1e-8);
+    EXPECT_EQ(least.kind, LoopKind::Loop);
+  }
+  EXPECT_FALSE(leastAlong(mesh, path, {}).ok());
 }
 
 TEST(PathProfile, pathsThroughPointsAreTheirPieces) {
