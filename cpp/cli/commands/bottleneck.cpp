@@ -6,13 +6,11 @@
 #include <string>
 
 #include "commands/common_options.h"
+#include "commands/measure.h"
 #include "commands/table.h"
 #include "girth/io/write_bottleneck.h"
 #include "model/computing.h"
-#include "model/loading.h"
 #include "model/typed_point.h"
-#include "process/hand_over.h"
-#include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
@@ -20,13 +18,8 @@ namespace girth::cli {
 namespace bottleneck_command {
 namespace {
 
-struct Options {
-  std::string model;
+struct Options : MeasuringOptions {
   TypedPoint from, to;
-  ModelOptions preparing;
-  Output output;
-  unsigned threads{0};
-  bool json{false};
 };
 
 void printText(const Options& options, const io::LoadedMesh& loaded, const Bottleneck& found) {
@@ -49,43 +42,28 @@ void printText(const Options& options, const io::LoadedMesh& loaded, const Bottl
   row("area", readable(found.area) + areaSuffix(loaded.unit));
 }
 
-Result<std::string> contentFor(const std::string& ending, const io::LoadedMesh& loaded,
-                               const Bottleneck& found, const std::string& model) {
-  if (ending == ".obj") return io::bottleneckObj(loaded, found);
-  if (ending == ".glb") return io::bottleneckGlb(loaded, found);
-  return io::bottleneckJson(loaded, found, model);
-}
-
-int run(const Options& options) {
-  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
-    return reportError(options.output.path, *error);
-  }
-  const auto loaded = loadModel(options.model, options.preparing);
-  if (!loaded) return reportError(options.model, loaded.error());
-  const auto from = surfacePoint(loaded.value(), options.from, options.model, options.preparing);
-  if (!from) return reportError(options.model, from.error());
-  const auto to = surfacePoint(loaded.value(), options.to, options.model, options.preparing);
-  if (!to) return reportError(options.model, to.error());
-  const SurfaceMesh& mesh = loaded.value().mesh;
-  const auto girth = computeGirth(options.model, mesh, 0, options.threads);
-  if (!girth) return reportError(options.model, girth.error());
-  const auto found = [&] {
-    ProgressLine progress(options.model);
-    return findBottleneck(mesh, girth.value().values, from.value(), to.value(),
-                          watched(options.threads, progress));
-  }();
-  if (!found) return reportError(options.model, found.error());
-  return handOver(
-      options.output, options.json,
-      [&](const std::string& ending) {
-        return contentFor(ending, loaded.value(), found.value(), options.model);
-      },
-      [&] { return io::bottleneckJson(loaded.value(), found.value(), options.model); },
-      [&] { printText(options, loaded.value(), found.value()); });
+Result<Bottleneck> compute(const Options& options, const io::LoadedMesh& loaded) {
+  const auto from = surfacePoint(loaded, options.from, options.model, options.preparing);
+  if (!from) return from.error();
+  const auto to = surfacePoint(loaded, options.to, options.model, options.preparing);
+  if (!to) return to.error();
+  const auto girth = computeGirth(options.model, loaded.mesh, 0, options.threads);
+  if (!girth) return girth.error();
+  ProgressLine progress(options.model);
+  return findBottleneck(loaded.mesh, girth.value().values, from.value(), to.value(),
+                        watched(options.threads, progress));
 }
 
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
+  const Writers<Bottleneck> writers{
+      {{".obj", io::bottleneckObj}, {".glb", io::bottleneckGlb}},
+      [options](const io::LoadedMesh& loaded, const Bottleneck& found) {
+        return io::bottleneckJson(loaded, found, options->model);
+      },
+      [options](const io::LoadedMesh& loaded, const Bottleneck& found) {
+        printText(*options, loaded, found);
+      }};
   table.add("MODEL", options->model, "The model to read").required();
   table
       .onValue(
@@ -98,7 +76,7 @@ Run add(OptionTable& table) {
           "TO", [options](const std::string& text) { return readPoint(text, options->to); },
           "Another one")
       .required();
-  addOutputOptions(table, options->output, {".json", ".obj", ".glb"},
+  addOutputOptions(table, options->output, writers.endings(),
                    "Write the loop and the way: .json, .obj or .glb (lines)");
   addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
@@ -109,7 +87,10 @@ Run add(OptionTable& table) {
   table.note("Which way",
              "Of all ways over the surface the one whose narrowest place is widest: on a ring it "
              "goes round the thicker side. girth necks lists all necks, wherever they are.");
-  return [options] { return run(*options); };
+  return [options, writers] {
+    return measure(
+        *options, [&](const io::LoadedMesh& loaded) { return compute(*options, loaded); }, writers);
+  };
 }
 
 }  // namespace

@@ -9,12 +9,10 @@
 #include <string>
 
 #include "commands/common_options.h"
+#include "commands/measure.h"
 #include "commands/table.h"
 #include "girth/io/write_handles.h"
 #include "model/computing.h"
-#include "model/loading.h"
-#include "process/hand_over.h"
-#include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
@@ -22,14 +20,9 @@ namespace girth::cli {
 namespace handles_command {
 namespace {
 
-struct Options {
-  std::string model;
-  ModelOptions preparing;
-  Output output;
-  unsigned threads{0};
+struct Options : MeasuringOptions {
   std::optional<std::int64_t> bases;
   bool allVertices{false};
-  bool json{false};
 };
 
 void printText(const std::string& model, const io::LoadedMesh& loaded, const Handles& handles) {
@@ -54,55 +47,43 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Han
   printUnits(loaded.unit);
 }
 
-Result<std::string> contentFor(const std::string& ending, const io::LoadedMesh& loaded,
-                               const Handles& handles, const std::string& model) {
-  if (ending == ".csv") return io::handlesCsv(loaded, handles);
-  if (ending == ".obj") return io::handlesObj(loaded, handles);
-  if (ending == ".glb") return io::handlesGlb(loaded, handles);
-  return io::handlesJson(loaded, handles, model);
-}
-
-int run(const Options& options) {
-  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
-    return reportError(options.output.path, *error);
-  }
+Result<Handles> compute(const Options& options, const io::LoadedMesh& loaded) {
   HandleOptions wanted;
   if (options.bases && *options.bases < 1) {
-    return reportError("", usageError(std::to_string(*options.bases) + " base points are too few",
-                                      "give a number of at least 1"));
+    return usageError(std::to_string(*options.bases) + " base points are too few",
+                      "give a number of at least 1");
   }
   if (options.bases) wanted.basePoints = static_cast<std::size_t>(*options.bases);
-  const auto loaded = loadModel(options.model, options.preparing);
-  if (!loaded) return reportError(options.model, loaded.error());
-  if (options.allVertices) wanted.basePoints = loaded.value().mesh.vertexCount();
-  const auto handles = [&] {
-    ProgressLine progress(options.model);
-    return findHandles(loaded.value().mesh, wanted, watched(options.threads, progress));
-  }();
-  if (!handles) return reportError(options.model, handles.error());
-  const auto& all = handles.value().handles;
+  if (options.allVertices) wanted.basePoints = loaded.mesh.vertexCount();
+  ProgressLine progress(options.model);
+  return findHandles(loaded.mesh, wanted, watched(options.threads, progress));
+}
+
+/// Says what is not proven, and what is missing.
+void printNotes(const std::string& model, const Handles& handles) {
+  const auto& all = handles.handles;
   const auto unproven = std::count_if(
       all.begin(), all.end(), [](const Handle& handle) { return handle.mayBeShorterBy > 0; });
   if (unproven > 0) {
-    printNote(options.model,
-              std::to_string(unproven) + " of " + std::to_string(all.size()) +
-                  " loops may be shorter: the proof would take longer; --all-vertices makes it");
+    printNote(model, std::to_string(unproven) + " of " + std::to_string(all.size()) +
+                         " loops may be shorter: the proof would take longer; --all-vertices makes "
+                         "it");
   }
-  if (handles.value().unresolved > 0) {
-    printNote(options.model,
-              std::to_string(handles.value().unresolved) + " handles or tunnels were not found");
+  if (handles.unresolved > 0) {
+    printNote(model, std::to_string(handles.unresolved) + " handles or tunnels were not found");
   }
-  return handOver(
-      options.output, options.json,
-      [&](const std::string& ending) {
-        return contentFor(ending, loaded.value(), handles.value(), options.model);
-      },
-      [&] { return io::handlesJson(loaded.value(), handles.value(), options.model); },
-      [&] { printText(options.model, loaded.value(), handles.value()); });
 }
 
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
+  const Writers<Handles> writers{
+      {{".csv", io::handlesCsv}, {".obj", io::handlesObj}, {".glb", io::handlesGlb}},
+      [options](const io::LoadedMesh& loaded, const Handles& handles) {
+        return io::handlesJson(loaded, handles, options->model);
+      },
+      [options](const io::LoadedMesh& loaded, const Handles& handles) {
+        printText(options->model, loaded, handles);
+      }};
   table.add("MODEL", options->model, "The model to read").required();
   table.add("--base-points N", options->bases,
             "Points of each component whose loops are compared at first; 32 by default. Then loops "
@@ -111,7 +92,7 @@ Run add(OptionTable& table) {
       .add("--all-vertices", options->allVertices,
            "Compare the loops at all vertices: proven, and slow on large models")
       .excludes("--base-points");
-  addOutputOptions(table, options->output, {".json", ".csv", ".obj", ".glb"},
+  addOutputOptions(table, options->output, writers.endings(),
                    "Write the loops: .json, .csv (a row for each), .obj or .glb (closed lines)");
   addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
@@ -127,7 +108,16 @@ Run add(OptionTable& table) {
       "Each loop is locally shortest, and is proven to be the shortest of those that could "
       "take its place, as far as the time goes. Where it ends first, a line below says by how "
       "much a shorter one could be shorter at most.");
-  return [options] { return run(*options); };
+  return [options, writers] {
+    return measure(
+        *options,
+        [&](const io::LoadedMesh& loaded) {
+          auto handles = compute(*options, loaded);
+          if (handles) printNotes(options->model, handles.value());
+          return handles;
+        },
+        writers);
+  };
 }
 
 }  // namespace

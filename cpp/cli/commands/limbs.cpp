@@ -7,13 +7,12 @@
 #include <utility>
 
 #include "commands/common_options.h"
+#include "commands/measure.h"
 #include "commands/table.h"
 #include "girth/io/write_limbs.h"
 #include "girth/tips.h"
 #include "model/computing.h"
-#include "model/loading.h"
 #include "model/persistence.h"
-#include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
@@ -21,24 +20,24 @@ namespace girth::cli {
 namespace limbs_command {
 namespace {
 
-struct Options {
-  std::string model;
-  ModelOptions preparing;
-  Output output;
-  unsigned threads{0};
+struct Options : MeasuringOptions {
   std::string persistence;
   unsigned stations{LimbOptions{}.stations};
   bool profiles{false};
-  bool json{false};
 };
 
-void printText(const std::string& model, const io::LoadedMesh& loaded, const Limbs& limbs,
-               double persistence) {
+struct FoundLimbs {
+  Limbs limbs;
+  double persistence;
+};
+
+void printText(const std::string& model, const io::LoadedMesh& loaded, const FoundLimbs& found) {
+  const Limbs& limbs = found.limbs;
   const std::size_t count = limbs.limbs.size(), none = limbs.tipsWithoutLimb.size();
   std::printf("%s: %zu limb%s", model.c_str(), count, count == 1 ? "" : "s");
   if (none > 0)
     std::printf(", %zu tip%s that end%s none", none, none == 1 ? "" : "s", none == 1 ? "s" : "");
-  std::printf("%s\n", persistenceText(persistence, loaded).c_str());
+  std::printf("%s\n", persistenceText(found.persistence, loaded).c_str());
   if (count == 0) return;
   std::printf("  %4s %12s %12s %12s %12s  %-9s %s\n", "limb", "length", "narrowest", "median",
               "base", "end", "apex vertex");
@@ -52,53 +51,38 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Lim
   printUnits(loaded.unit);
 }
 
-int run(const Options& options) {
-  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
-    return reportError(options.output.path, *error);
+Result<FoundLimbs> compute(const Options& options, const io::LoadedMesh& loaded) {
+  if (options.profiles && options.output.ending() != ".csv") {
+    return usageError("--profiles is for a table",
+                      "write one: -o profiles.csv; JSON has the profiles anyway");
   }
-  const std::string ending = options.output.ending();
-  if (options.profiles && ending != ".csv") {
-    return reportError("", usageError("--profiles is for a table",
-                                      "write one: -o profiles.csv; JSON has the profiles anyway"));
-  }
-  const auto loaded = loadModel(options.model, options.preparing);
-  if (!loaded) return reportError(options.model, loaded.error());
-  const SurfaceMesh& mesh = loaded.value().mesh;
-  const auto persistence = persistenceOf(options.persistence, loaded.value());
-  if (!persistence) return reportError("", persistence.error());
-  const auto found = computeTips(options.model, mesh, persistence.value(), options.threads);
-  if (!found) return reportError(options.model, found.error());
-  const auto limbs = [&] {
-    ProgressLine progress(options.model);
-    return findLimbs(mesh, found.value().girth.values, found.value().tips.tips, {options.stations},
-                     watched(options.threads, progress));
-  }();
-  if (!limbs) return reportError(options.model, limbs.error());
-
-  const auto json = [&] {
-    return io::limbsJson(loaded.value(), limbs.value(), options.model, persistence.value());
-  };
-  if (options.output.isWanted()) {
-    const std::string content = ending == ".json" ? json()
-                                : options.profiles
-                                    ? io::limbProfilesCsv(loaded.value(), limbs.value())
-                                    : io::limbsCsv(loaded.value(), limbs.value());
-    if (auto error = writeOutput(options.output, content)) {
-      return reportError(options.output.path, *error);
-    }
-  }
-  if (options.json) {
-    std::fputs(json().c_str(), stdout);
-  } else if (hasSummary()) {
-    printText(options.model, loaded.value(), limbs.value(), persistence.value());
-  }
-  return 0;
+  const auto persistence = persistenceOf(options.persistence, loaded);
+  if (!persistence) return persistence.error();
+  const auto found = computeTips(options.model, loaded.mesh, persistence.value(), options.threads);
+  if (!found) return found.error();
+  ProgressLine progress(options.model);
+  auto limbs = findLimbs(loaded.mesh, found.value().girth.values, found.value().tips.tips,
+                         {options.stations}, watched(options.threads, progress));
+  if (!limbs) return limbs.error();
+  return FoundLimbs{std::move(limbs).value(), persistence.value()};
 }
 
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
+  const Writers<FoundLimbs> writers{
+      {{".csv",
+        [options](const io::LoadedMesh& loaded, const FoundLimbs& found) {
+          return options->profiles ? io::limbProfilesCsv(loaded, found.limbs)
+                                   : io::limbsCsv(loaded, found.limbs);
+        }}},
+      [options](const io::LoadedMesh& loaded, const FoundLimbs& found) {
+        return io::limbsJson(loaded, found.limbs, options->model, found.persistence);
+      },
+      [options](const io::LoadedMesh& loaded, const FoundLimbs& found) {
+        printText(options->model, loaded, found);
+      }};
   table.add("MODEL", options->model, "The model to read").required();
-  addOutputOptions(table, options->output, {".json", ".csv"},
+  addOutputOptions(table, options->output, writers.endings(),
                    "Write the limbs: .json, with their profiles, or .csv, a row for each");
   table.add("--profiles", options->profiles,
             "Write the profiles as .csv: a row for each station of each limb");
@@ -112,7 +96,10 @@ Run add(OptionTable& table) {
   table.example("girth limbs hand.glb", "Length and girth of each finger.");
   table.example("girth limbs hand.glb --profiles -o fingers.csv",
                 "How thick they are all along, for a spreadsheet.");
-  return [options] { return run(*options); };
+  return [options, writers] {
+    return measure(
+        *options, [&](const io::LoadedMesh& loaded) { return compute(*options, loaded); }, writers);
+  };
 }
 
 }  // namespace

@@ -7,12 +7,10 @@
 #include <string>
 
 #include "commands/common_options.h"
+#include "commands/measure.h"
 #include "commands/table.h"
 #include "girth/io/write_necks.h"
 #include "model/computing.h"
-#include "model/loading.h"
-#include "process/hand_over.h"
-#include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
@@ -20,14 +18,9 @@ namespace girth::cli {
 namespace necks_command {
 namespace {
 
-struct Options {
-  std::string model;
-  ModelOptions preparing;
-  Output output;
-  unsigned threads{0};
+struct Options : MeasuringOptions {
   /// As typed, with or without a unit. Empty: 0.
   std::string minProminence;
-  bool json{false};
 };
 
 void printText(const std::string& model, const io::LoadedMesh& loaded, const Necks& necks) {
@@ -49,53 +42,38 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Nec
   printUnits(loaded.unit);
 }
 
-Result<std::string> contentFor(const std::string& ending, const io::LoadedMesh& loaded,
-                               const Necks& necks, const std::string& model) {
-  if (ending == ".csv") return io::necksCsv(loaded, necks);
-  if (ending == ".obj") return io::necksObj(loaded, necks);
-  if (ending == ".glb") return io::necksGlb(loaded, necks);
-  return io::necksJson(loaded, necks, model);
-}
-
-int run(const Options& options) {
-  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
-    return reportError(options.output.path, *error);
-  }
-  const auto loaded = loadModel(options.model, options.preparing);
-  if (!loaded) return reportError(options.model, loaded.error());
+Result<Necks> compute(const Options& options, const io::LoadedMesh& loaded) {
   NeckOptions wanted;
-  if (const auto error =
-          readLength(options.minProminence, loaded.value().unit, wanted.minProminence)) {
-    return reportError(options.model, *error);
+  if (auto error = readLength(options.minProminence, loaded.unit, wanted.minProminence)) {
+    return *std::move(error);
   }
-  const SurfaceMesh& mesh = loaded.value().mesh;
-  const auto girth = computeGirth(options.model, mesh, 0, options.threads);
-  if (!girth) return reportError(options.model, girth.error());
-  const auto necks = [&] {
-    ProgressLine progress(options.model);
-    return findNecks(mesh, girth.value().values, wanted, watched(options.threads, progress));
-  }();
-  if (!necks) return reportError(options.model, necks.error());
-  if (necks.value().unresolved > 0) {
+  const auto girth = computeGirth(options.model, loaded.mesh, 0, options.threads);
+  if (!girth) return girth.error();
+  ProgressLine progress(options.model);
+  auto necks =
+      findNecks(loaded.mesh, girth.value().values, wanted, watched(options.threads, progress));
+  if (necks && necks.value().unresolved > 0) {
     printNote(options.model, std::to_string(necks.value().unresolved) +
                                  " vertices have loops that could not be followed");
   }
-  return handOver(
-      options.output, options.json,
-      [&](const std::string& ending) {
-        return contentFor(ending, loaded.value(), necks.value(), options.model);
-      },
-      [&] { return io::necksJson(loaded.value(), necks.value(), options.model); },
-      [&] { printText(options.model, loaded.value(), necks.value()); });
+  return necks;
 }
 
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
+  const Writers<Necks> writers{
+      {{".csv", io::necksCsv}, {".obj", io::necksObj}, {".glb", io::necksGlb}},
+      [options](const io::LoadedMesh& loaded, const Necks& necks) {
+        return io::necksJson(loaded, necks, options->model);
+      },
+      [options](const io::LoadedMesh& loaded, const Necks& necks) {
+        printText(options->model, loaded, necks);
+      }};
   table.add("MODEL", options->model, "The model to read").required();
   addLengthOption(table, "--min-prominence LENGTH", options->minProminence,
                   "Only necks from which the girth must rise by this to reach a narrower one, as "
                   "in 2mm; 0 by default");
-  addOutputOptions(table, options->output, {".json", ".csv", ".obj", ".glb"},
+  addOutputOptions(table, options->output, writers.endings(),
                    "Write the necks: .json, .csv (a row for each), .obj or .glb (closed lines)");
   addFacesOption(table, options->preparing);
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
@@ -106,7 +84,10 @@ Run add(OptionTable& table) {
              "How far the girth rises on the best way over the surface to a narrower neck: small "
              "for a dent of noise, large for a waist between two bodies. A dash: there is no "
              "narrower neck to reach.");
-  return [options] { return run(*options); };
+  return [options, writers] {
+    return measure(
+        *options, [&](const io::LoadedMesh& loaded) { return compute(*options, loaded); }, writers);
+  };
 }
 
 }  // namespace

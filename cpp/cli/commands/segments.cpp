@@ -8,13 +8,11 @@
 #include <utility>
 
 #include "commands/common_options.h"
+#include "commands/measure.h"
 #include "commands/table.h"
 #include "girth/io/write_segments.h"
 #include "model/computing.h"
 #include "model/fewer_triangles.h"
-#include "model/loading.h"
-#include "process/hand_over.h"
-#include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
@@ -22,18 +20,16 @@ namespace girth::cli {
 namespace segments_command {
 namespace {
 
-struct Options {
-  std::string model;
-  ModelOptions preparing;
-  Output output;
-  unsigned threads{0};
-  bool json{false};
+struct Options : MeasuringOptions {
   /// Lengths as typed, with or without a unit. Empty: 0 (prominence), or found from the fields.
   std::string minProminence, girth, thickness;
   double smoothing{0};
 };
 
-Result<io::SegmentedModel> segmented(const Options& options, const io::LoadedMesh& loaded) {
+Result<io::SegmentedModel> compute(const Options& options, const io::LoadedMesh& loaded) {
+  if (options.preparing.faces > 0 && options.output.ending() == ".csv") {
+    return otherFaces("write .json or .glb");
+  }
   const SurfaceMesh& mesh = loaded.mesh;
   // The typed lengths are checked before long work.
   NeckOptions wanted;
@@ -60,8 +56,15 @@ Result<io::SegmentedModel> segmented(const Options& options, const io::LoadedMes
   ProgressLine progress(options.model);
   const auto necks = findNecks(mesh, girth, wanted, watched(options.threads, progress));
   if (!necks) return necks.error();
-  return io::segmentedModel(mesh, necks.value().necks, parts.value().kinds, kinds,
-                            std::move(found.value().tips.tips), watched(1, progress));
+  auto segmented = io::segmentedModel(mesh, necks.value().necks, parts.value().kinds, kinds,
+                                      std::move(found.value().tips.tips), watched(1, progress));
+  if (const std::size_t crossing = segmented ? segmented.value().crossing.size() : 0;
+      crossing > 0) {
+    printNote(options.model,
+              std::to_string(crossing) + (crossing == 1 ? " neck crosses" : " necks cross") +
+                  " a more prominent one and " + (crossing == 1 ? "was" : "were") + " passed over");
+  }
+  return segmented;
 }
 
 void printText(const std::string& model, const io::LoadedMesh& loaded,
@@ -85,40 +88,16 @@ void printText(const std::string& model, const io::LoadedMesh& loaded,
   printUnits(loaded.unit);
 }
 
-Result<std::string> contentFor(const std::string& ending, const io::LoadedMesh& loaded,
-                               const io::SegmentedModel& segmented, const std::string& model) {
-  if (ending == ".csv") return io::segmentsCsv(loaded, segmented);
-  if (ending == ".glb") return io::segmentsGlb(loaded, segmented);
-  return io::segmentsJson(loaded, segmented, model);
-}
-
-int run(const Options& options) {
-  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
-    return reportError(options.output.path, *error);
-  }
-  if (options.preparing.faces > 0 && options.output.ending() == ".csv") {
-    return reportError(options.output.path, otherFaces("write .json or .glb"));
-  }
-  const auto loaded = loadModel(options.model, options.preparing);
-  if (!loaded) return reportError(options.model, loaded.error());
-  const auto found = segmented(options, loaded.value());
-  if (!found) return reportError(options.model, found.error());
-  if (const std::size_t crossing = found.value().crossing.size(); crossing > 0) {
-    printNote(options.model,
-              std::to_string(crossing) + (crossing == 1 ? " neck crosses" : " necks cross") +
-                  " a more prominent one and " + (crossing == 1 ? "was" : "were") + " passed over");
-  }
-  return handOver(
-      options.output, options.json,
-      [&](const std::string& ending) {
-        return contentFor(ending, loaded.value(), found.value(), options.model);
-      },
-      [&] { return io::segmentsJson(loaded.value(), found.value(), options.model); },
-      [&] { printText(options.model, loaded.value(), found.value()); });
-}
-
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
+  const Writers<io::SegmentedModel> writers{
+      {{".csv", io::segmentsCsv}, {".glb", io::segmentsGlb}},
+      [options](const io::LoadedMesh& loaded, const io::SegmentedModel& segmented) {
+        return io::segmentsJson(loaded, segmented, options->model);
+      },
+      [options](const io::LoadedMesh& loaded, const io::SegmentedModel& segmented) {
+        printText(options->model, loaded, segmented);
+      }};
   table.add("MODEL", options->model, "The model to read").required();
   addLengthOption(table, "--min-prominence LENGTH", options->minProminence,
                   "Divide at necks of at least this prominence, as in 2mm; 0 by default: at all");
@@ -130,7 +109,7 @@ Run add(OptionTable& table) {
       .add("--smooth WEIGHT", options->smoothing,
            "What all neighbours of a vertex count against its own kind; 0 by default")
       .range(0, 1e6);
-  addOutputOptions(table, options->output, {".json", ".csv", ".glb"},
+  addOutputOptions(table, options->output, writers.endings(),
                    "Write the segments: .json, .csv (the segment of each face, its kind and its "
                    "tips), .glb (a node for each, coloured)");
   addFacesOption(table, options->preparing);
@@ -144,7 +123,10 @@ Run add(OptionTable& table) {
              "necks that cross, the most prominent. Its kind is that of most of its area, as "
              "girth parts divides it; its tips are those of girth tips. What has no neck, such as "
              "a nose, is no segment of its own.");
-  return [options] { return run(*options); };
+  return [options, writers] {
+    return measure(
+        *options, [&](const io::LoadedMesh& loaded) { return compute(*options, loaded); }, writers);
+  };
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands/common_options.h"
+#include "commands/measure.h"
 #include "commands/table.h"
 #include "girth/io/write_tips.h"
 #include "girth/study/surface_changes.h"
@@ -13,9 +14,7 @@
 #include "girth/study/write_tip_trials.h"
 #include "girth/tips.h"
 #include "model/computing.h"
-#include "model/loading.h"
 #include "model/persistence.h"
-#include "process/output.h"
 #include "process/progress_line.h"
 #include "process/report.h"
 
@@ -23,24 +22,25 @@ namespace girth::cli {
 namespace tips_command {
 namespace {
 
-struct Options {
-  std::string model;
-  ModelOptions preparing;
-  Output output;
-  unsigned threads{0};
+struct Options : MeasuringOptions {
   std::string persistence;
   bool stability{false};
   /// Of the trials, in mean edge lengths.
   std::vector<double> noise{study::TipTrialOptions{}.noise};
-  bool json{false};
 };
 
-void printText(const std::string& model, const io::LoadedMesh& loaded, const Tips& tips,
-               double persistence) {
+struct FoundTips {
+  Tips tips;
+  double persistence;
+  std::vector<study::TipTrial> trials;
+};
+
+void printText(const std::string& model, const io::LoadedMesh& loaded, const FoundTips& found) {
+  const Tips& tips = found.tips;
   const std::string unit = unitSuffix(loaded.unit);
   std::printf("%s: %zu tip%s, %zu open arc%s%s\n", model.c_str(), tips.tips.size(),
               tips.tips.size() == 1 ? "" : "s", tips.arcs.size(), tips.arcs.size() == 1 ? "" : "s",
-              persistenceText(persistence, loaded).c_str());
+              persistenceText(found.persistence, loaded).c_str());
   if (!tips.tips.empty()) {
     std::printf("  %4s %12s %12s %12s %12s  %s\n", "tip", "jump", "area", "boundary", "to apex",
                 "apex vertex");
@@ -81,54 +81,40 @@ void printTrials(const Tips& tips, const std::vector<study::TipTrial>& trials) {
   }
 }
 
-int run(const Options& options) {
-  const std::string extension = options.output.ending();
-  if (const auto error = checkOutput(options.output, std::span(&options.model, 1), options.json)) {
-    return reportError(options.output.path, *error);
-  }
-  const auto loaded = loadModel(options.model, options.preparing);
-  if (!loaded) return reportError(options.model, loaded.error());
-  const SurfaceMesh& mesh = loaded.value().mesh;
-  const auto persistence = persistenceOf(options.persistence, loaded.value());
-  if (!persistence) return reportError("", persistence.error());
-  const auto found = computeTips(options.model, mesh, persistence.value(), options.threads);
-  if (!found) return reportError(options.model, found.error());
-  const Tips& tips = found.value().tips;
-
-  std::vector<study::TipTrial> trials;
+Result<FoundTips> compute(const Options& options, const io::LoadedMesh& loaded) {
+  const auto persistence = persistenceOf(options.persistence, loaded);
+  if (!persistence) return persistence.error();
+  auto tips = computeTips(options.model, loaded.mesh, persistence.value(), options.threads);
+  if (!tips) return tips.error();
+  FoundTips found{std::move(tips.value().tips), persistence.value(), {}};
   if (options.stability) {
     ProgressLine progress(options.model);
     study::TipTrialOptions trial;
-    trial.persistence = persistence.value();
+    trial.persistence = found.persistence;
     trial.noise = options.noise;
-    auto tried = study::tipTrials(mesh, tips.tips, trial, watched(options.threads, progress));
-    if (!tried) return reportError(options.model, tried.error());
-    trials = std::move(tried).value();
+    auto trials =
+        study::tipTrials(loaded.mesh, found.tips.tips, trial, watched(options.threads, progress));
+    if (!trials) return trials.error();
+    found.trials = std::move(trials).value();
   }
-
-  const auto json = [&] {
-    return io::tipsJson(loaded.value(), tips, options.model, study::tipTrialsJson(trials),
-                        persistence.value());
-  };
-  if (options.output.isWanted()) {
-    if (auto error = writeOutput(
-            options.output, extension == ".json" ? json() : io::tipsObj(loaded.value(), tips))) {
-      return reportError(options.output.path, *error);
-    }
-  }
-  if (options.json) {
-    std::fputs(json().c_str(), stdout);
-  } else if (hasSummary()) {
-    printText(options.model, loaded.value(), tips, persistence.value());
-    if (options.stability) printTrials(tips, trials);
-  }
-  return 0;
+  return found;
 }
 
 Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
+  const Writers<FoundTips> writers{
+      {{".obj", [](const io::LoadedMesh& loaded,
+                   const FoundTips& found) { return io::tipsObj(loaded, found.tips); }}},
+      [options](const io::LoadedMesh& loaded, const FoundTips& found) {
+        return io::tipsJson(loaded, found.tips, options->model, study::tipTrialsJson(found.trials),
+                            found.persistence);
+      },
+      [options](const io::LoadedMesh& loaded, const FoundTips& found) {
+        printText(options->model, loaded, found);
+        if (options->stability) printTrials(found.tips, found.trials);
+      }};
   table.add("MODEL", options->model, "The model to read").required();
-  addOutputOptions(table, options->output, {".json", ".obj"},
+  addOutputOptions(table, options->output, writers.endings(),
                    "Write the tips: .json, or .obj (their contours)");
   table.add("--stability", options->stability,
             "Also find the tips with each triangle cut into four, and with noise of 5, 10 and 25% "
@@ -146,7 +132,10 @@ Run add(OptionTable& table) {
   table.example("girth tips hand.glb -o tips.json", "Where the shape ends, each with its contour.");
   table.example("girth tips hand.glb --stability",
                 "And which are found again in finer triangles and under noise.");
-  return [options] { return run(*options); };
+  return [options, writers] {
+    return measure(
+        *options, [&](const io::LoadedMesh& loaded) { return compute(*options, loaded); }, writers);
+  };
 }
 
 }  // namespace
