@@ -7,37 +7,11 @@
 #include <set>
 #include <utility>
 
+#include "mesh/box.h"
 #include "mesh/face_shape.h"
 #include "mesh/prepare/least_area.h"
 
 namespace girth::loops {
-namespace {
-
-/// Along x, y and z.
-struct Box {
-  std::array<double, 3> low, high;
-
-  explicit Box(std::span<const Vec3> places) {
-    const Vec3& first = places[0];
-    low = high = {first.x, first.y, first.z};
-    for (const Vec3& p : places) {
-      const std::array<double, 3> of{p.x, p.y, p.z};
-      for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], of[k]);
-        high[k] = std::max(high[k], of[k]);
-      }
-    }
-  }
-
-  bool overlaps(const Box& other) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (low[k] > other.high[k] || other.low[k] > high[k]) return false;
-    }
-    return true;
-  }
-};
-
-}  // namespace
 
 std::vector<Vertex> polygonOf(std::span<const std::array<Vertex, 3>> faces) {
   std::set<std::pair<Vertex, Vertex>> sides;

@@ -10,6 +10,7 @@
 #include "girth/cut_surface.h"
 #include "loops/cut/clear_cap.h"
 #include "loops/handles/handles_up_to.h"
+#include "mesh/box.h"
 #include "mesh/crossing_faces.h"
 #include "mesh/vector.h"
 #include "part_of_work.h"
@@ -103,9 +104,17 @@ class Rims {
     for (const Face f : drawn.faces()) {
       if (!capsAt(f).empty()) changed.push_back(f);
     }
+    const std::vector<std::pair<Face, Face>> now = crossingFaces(drawn, changed);
+    std::vector<Face> old;
+    for (const auto& [f, g] : now) {
+      if (!isNew(f) && !isNew(g)) old.push_back(f);
+    }
+    std::vector<std::pair<Face, Face>> before;
+    if (!old.empty()) before = crossingFaces(cut_.mesh, old);
     std::vector<std::vector<Face>> result(caps_);
-    for (const auto& [f, g] : crossingFaces(drawn, changed)) {
-      if (!isNew(f) && !isNew(g) && metBefore(f, g)) continue;
+    for (const auto& [f, g] : now) {
+      const bool areOld = !isNew(f) && !isNew(g);
+      if (areOld && std::binary_search(before.begin(), before.end(), std::pair{f, g})) continue;
       for (const Face face : {f, g}) {
         for (const Index cap : capsAt(face)) result[cap].push_back(face);
       }
@@ -130,29 +139,28 @@ class Rims {
     return caps;
   }
 
-  bool metBefore(Face f, Face g) const {
-    const std::array pair{f};
-    const auto before = crossingFaces(cut_.mesh, pair);
-    return std::find(before.begin(), before.end(), std::pair{std::min(f, g), std::max(f, g)}) !=
-           before.end();
-  }
-
   /// Replaces the faces of a cap by those of least area that cross none but of caps left out.
   void triangulateClear(Index cap, const std::set<Index>& leftOut, std::span<const Vec3> places,
                         std::vector<std::array<Vertex, 3>>& faces) const {
     std::vector<Index> own;
+    std::vector<std::array<Vertex, 3>> before;
+    for (Index f = 0; f < faces.size(); ++f) {
+      if (!isNew(Face(f)) || capOf_[faces[f][0]] != cap) continue;
+      own.push_back(f);
+      before.push_back(faces[f]);
+    }
+    const std::vector<Vertex> polygon = loops::polygonOf(before);
+    if (polygon.empty()) return;
+    std::vector<Vec3> corners;
+    for (const Vertex v : polygon) corners.push_back(places[v]);
+    const Box room(corners);
     std::vector<PlacedFace> others;
     for (Index f = 0; f < faces.size(); ++f) {
       const auto& [a, b, c] = faces[f];
-      const bool isCapFace = isNew(Face(f));
-      if (isCapFace && capOf_[a] == cap) own.push_back(f);
-      if (isCapFace && leftOut.count(capOf_[a]) > 0) continue;
-      others.push_back({faces[f], {places[a], places[b], places[c]}});
+      if (isNew(Face(f)) && leftOut.count(capOf_[a]) > 0) continue;
+      const Triangle3 place{places[a], places[b], places[c]};
+      if (Box(place).overlaps(room)) others.push_back({faces[f], place});
     }
-    std::vector<std::array<Vertex, 3>> before;
-    for (const Index f : own) before.push_back(faces[f]);
-    const std::vector<Vertex> polygon = loops::polygonOf(before);
-    if (polygon.empty()) return;
     const auto clear = loops::clearCap(polygon, places, others);
     for (std::size_t i = 0; clear && i < own.size(); ++i) faces[own[i]] = (*clear)[i];
   }
@@ -223,14 +231,15 @@ struct Closed {
 };
 
 /// Every rim closed by the first way in which triangles keep their area and cross nothing. Error:
-/// that of SurfaceMesh::fromArrays.
-Result<Closed> closed(const CutSurface& cut) {
+/// that of SurfaceMesh::fromArrays; CANCELLED.
+Result<Closed> closed(const CutSurface& cut, const ExecutionContext& context) {
   const Rims rims(cut);
   // For each cap, which of the closings; all begin with the first.
   std::vector<std::size_t> tried(rims.caps(), 0);
   std::vector<bool> isWithoutRoom(rims.caps(), false);
   std::size_t first = 0;
   while (true) {
+    if (context.cancelled()) return makeError(ErrorCode::Cancelled, -1, "cancelled");
     std::vector<Closing> closings;
     for (const std::size_t t : tried) closings.push_back(kClosings[t]);
     auto drawn = rims.closedBy(closings);
@@ -306,7 +315,7 @@ Result<HandleRemoval> removeHandles(const SurfaceMesh& mesh, double length,
     for (const Handle& handle : chosen) curves.push_back(handle.points);
     const auto cut = cutSurface(result.mesh, curves, {true, false}, {1, context.cancel, {}});
     if (!cut) return cut.error();
-    auto made = closed(cut.value());
+    auto made = closed(cut.value(), context);
     if (!made) return made.error();
     const Index genus = genusOf(made.value().mesh);
     if (genus >= result.genusAfter) {  // nothing is gained

@@ -230,8 +230,12 @@ class Refinement {
   /// which it did.
   std::vector<Index> spread(double begin, double end) {
     std::vector<Index> all;
-    auto reached = static_cast<std::size_t>(std::count_if(
-        known_.begin(), known_.end(), [](const KnownLoop& k) { return k.isThere(); }));
+    const bool isReported = begin < end;
+    std::size_t reached = 0;
+    if (isReported) {
+      reached = static_cast<std::size_t>(std::count_if(
+          known_.begin(), known_.end(), [](const KnownLoop& k) { return k.isThere(); }));
+    }
     while (!changed_.empty() && !context_.cancelled()) {
       const std::vector<Beside> besides = besidesOf(changed_);
       std::vector<KnownLoop> found(besides.size());
@@ -247,7 +251,7 @@ class Refinement {
       }
       all.insert(all.end(), changed_.begin(), changed_.end());
       const double share = static_cast<double>(reached) / static_cast<double>(known_.size());
-      if (begin < end) report(begin + (end - begin) * share);
+      if (isReported) report(begin + (end - begin) * share);
     }
     return all;
   }
