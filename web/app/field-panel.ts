@@ -1,6 +1,5 @@
 // Which field colours the surface, its distribution, and how it is coloured.
 
-import type { RefinedGirth } from '../src/kernel/index.js';
 import {
   type ColormapName,
   type CombinedName,
@@ -10,7 +9,6 @@ import {
   colormapNames,
   combinationOf,
   derivedNames,
-  fieldListTitles,
   fieldNames,
   fieldTitle,
   formatCount,
@@ -27,6 +25,7 @@ import {
   partKinds,
   placeIn,
 } from '../src/element/index.js';
+import { type RefinedGirth, fieldListTitles } from '../src/kernel/index.js';
 import {
   type DistributionKind,
   DistributionPlot,

@@ -5,10 +5,10 @@ import {
   type GirthViewer,
   type ShownName,
   combinationOf,
-  fieldMeanings,
   fieldTitle,
   inSentence,
 } from '../src/element/index.js';
+import { fieldMeanings } from '../src/kernel/index.js';
 import { byId } from './dom.js';
 
 const words: Partial<Record<ShownName, string>> = {

@@ -1,12 +1,7 @@
 // How long saddles must last to count: a slider through the persistent girths.
 
-import {
-  type GirthViewer,
-  formatLength,
-  make,
-  persistentFields,
-  readLengthOrShare,
-} from '../src/element/index.js';
+import { type GirthViewer, formatLength, make, readLengthOrShare } from '../src/element/index.js';
+import { persistentFields } from '../src/kernel/index.js';
 import type { PageState } from './address-state.js';
 import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';

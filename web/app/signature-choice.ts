@@ -1,7 +1,7 @@
 // Which number of a signature (heat kernel, wave kernel, scale-invariant heat kernel) colours the surface.
 
-import { type GirthViewer, make, signatureNumbers, usualTime } from '../src/element/index.js';
-import type { SpectralFieldName } from '../src/kernel/index.js';
+import { type GirthViewer, make } from '../src/element/index.js';
+import { type SpectralFieldName, signatureNumbers, usualTime } from '../src/kernel/index.js';
 import type { PageState } from './address-state.js';
 import { Draft } from './draft.js';
 

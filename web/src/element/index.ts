@@ -71,14 +71,6 @@ export {
   isGivenName,
   isShownName,
 } from '../view/field-words.js';
-export {
-  fieldListTitles,
-  fieldMeanings,
-  persistentFields,
-  type SignatureNumbers,
-  signatureNumbers,
-  usualTime,
-} from '../kernel/fields.js';
 export { type LengthUnit, findLengthUnit, lengthUnits } from '../kernel/length-units.js';
 export { type ReadLength, readLength, readLengthOrShare, typedUnit } from '../view/length-text.js';
 export { type Look, lookNames } from '../view/look.js';
