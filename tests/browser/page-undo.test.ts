@@ -80,6 +80,8 @@ test('a project opens as it was, and nothing of it is computed again', async () 
     element.dispatchEvent(new CustomEvent('view'));
   });
   await expect.poll(() => fragment(page)).toMatch(/field=igf-sdf.*section=y 60%.*names=rim/);
+  const isMissing = (element: GirthViewer) => element.values('igf-sdf').some(Number.isNaN);
+  await expect.poll(() => viewer.evaluate(isMissing)).toBe(false);
   const shown = () =>
     viewer.evaluate((element: GirthViewer) => ({
       state: { ...element.state },
