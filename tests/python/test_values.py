@@ -268,7 +268,7 @@ def test_parameters_of_fields_are_keywords_with_the_defaults_of_cpp():
     keywords = inspect.signature(girth.Mesh.field).parameters
     for name in girth.FIELDS:
         for keyword in _girth.field_parameters(name):
-            # Of Mesh.igf alone.
+            # A keyword of Mesh.igf alone is no keyword of Mesh.field.
             assert keyword == "persistence" or keyword in keywords
     mesh = girth.Mesh(*prism(4, length=4.0, rings=4))
     plain = mesh.field("sdf").values

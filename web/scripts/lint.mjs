@@ -86,7 +86,7 @@ export async function lintNative({ changedOnly }) {
   const stems =
     changed && new Set([...changed].map((file) => basename(file).replace(/\.\w+$/, '')));
   const common = hashOf(['.clang-tidy', ...sources(/\.(h|def)$/)]);
-  // What the bindings, other people's programs and sources for Windows include is not there.
+  // Bindings, other people's programs and sources for Windows include headers that may be absent here.
   const stale = sources(/^cpp\/(?!bind|python|bench\/peers|examples).*(?<!_windows)\.cpp$/).flatMap(
     (file) => {
       if (stems && !stems.has(basename(file, '.cpp'))) return [];

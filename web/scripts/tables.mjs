@@ -1,4 +1,4 @@
-// What TypeScript and documents have of the tables in C++ (`fields.def`, `length_units.def`): `npm run build:tables`.
+// Makes the tables of TypeScript and of documents from those in C++ (`fields.def`, `length_units.def`): `npm run build:tables`.
 
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -194,14 +194,14 @@ export type SpectralFieldName = ${union(spectral)};
 export type FieldName = VertexFieldName | SpectralFieldName;
 
 ${interfaces.join('\n')}
-/** What single fields depend on besides the surface. Each reads only what concerns it. */
+/** Parameters of single fields. Each field reads its own. */
 export interface FieldParameters {
 ${own.map(memberText).join('')}${grouped.join('')}}
 
 /** Where these are in \`FieldParameters\`. */
 export const parameterPaths = ${JSON.stringify(given.map(({ path }) => path))} as const;
 
-/** What the values of fields are. */
+/** The kind of unit of each field. */
 export const fieldUnits: Readonly<Record<FieldName, 'Length' | 'Radian' | 'PerArea' | 'Number'>> = ${record(({ unit }) => unit)};
 
 /** Names in words, for a legend. */
@@ -210,7 +210,7 @@ export const fieldTitles: Readonly<Record<FieldName, string>> = ${record(({ titl
 /** Names in a list, with what papers call them. */
 export const fieldListTitles: Readonly<Record<FieldName, string>> = ${record(({ listTitle }) => listTitle)};
 
-/** What a value is, as the middle of a sentence. */
+/** The meaning of a value, as the middle of a sentence. */
 export const fieldMeanings: Readonly<Record<FieldName, string>> = ${record(({ meaning }) => meaning)};
 
 /** Fields that the small module has where their persistence is 0. */
@@ -276,7 +276,7 @@ function defaultsText() {
   );
   return `// Made of the headers in cpp/include/girth by \`npm run build:tables\`: not to be edited.
 
-/** What options of analyses are where they are left out. */
+/** The defaults of options of analyses. */
 export const defaults = { ${members.join('')} } as const;
 `;
 }

@@ -70,7 +70,7 @@ class Jobs {
     Job job;
     std::fflush(stdout);
     if (!job.output || !job.errors || (job.process = fork()) < 0) {
-      // What is at work goes on; the others are begun when there is room for them again.
+      // Running jobs go on; the others start when there is room for them again.
       greatest_ = std::max(greatest_, reportError(items_[jobs_.size()], noProcess()));
       job.exitCode = exitCodeOf(ErrorCode::OutOfMemory);
       job.process = 0;
@@ -112,7 +112,7 @@ class Jobs {
     return true;
   }
 
-  /// What has been printed by the jobs that are next in order.
+  /// Prints the output of the jobs that are next in order and have ended.
   void print() {
     for (; printed_ < jobs_.size() && jobs_[printed_].exitCode; ++printed_) {
       Job& job = jobs_[printed_];

@@ -10,8 +10,8 @@ std::atomic<bool> wasInterrupted{false};
 
 BOOL WINAPI onEvent(DWORD event) {
   if (wasInterrupted.exchange(true, std::memory_order_relaxed)) return FALSE;
-  // Of a console that is closed, the program ends with this thread; until then it may hand over
-  // what it has.
+  // Closing the console ends the program once this thread returns. So it waits, and the program has
+  // time to write its results.
   if (event != CTRL_C_EVENT && event != CTRL_BREAK_EVENT) Sleep(INFINITE);
   return TRUE;
 }

@@ -91,8 +91,8 @@ struct SurfaceComponent {
 /// The components of a surface, in its numbering of them. O(n log n).
 GIRTH_EXPORT std::vector<SurfaceComponent> componentsOf(const SurfaceMesh& mesh);
 
-/// The same, but a body and its cavities, as of cutSurface, are one part: what they enclose
-/// together is its volume.
+/// The parts of a surface: as componentsOf, but a body and its cavities, as of cutSurface, are one
+/// part. Its volume is the volume that they enclose together.
 GIRTH_EXPORT std::vector<SurfaceComponent> partsOf(const SurfaceMesh& mesh);
 
 }  // namespace girth

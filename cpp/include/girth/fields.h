@@ -19,7 +19,7 @@
 
 namespace girth {
 
-/// What the numbers of a field are.
+/// The kind of unit of a field's values.
 enum class FieldUnit : std::uint8_t {
   Length,   ///< in model units
   Radian,   ///< angles
@@ -27,7 +27,7 @@ enum class FieldUnit : std::uint8_t {
   Number,   ///< without a unit
 };
 
-/// What the table says of a field.
+/// An entry of the table of fields.
 struct FieldInfo {
   std::string_view name;     ///< "sdf"
   std::string_view title;    ///< "Shape diameter"
@@ -46,14 +46,14 @@ GIRTH_EXPORT const FieldInfo* findField(std::string_view name);
 /// "radian", "metre^-2", or "".
 GIRTH_EXPORT std::string unitText(FieldUnit unit, std::string_view length);
 
-/// What fields depend on besides the surface. Each field reads what concerns it.
+/// Parameters of fields. Each field reads its own.
 struct FieldOptions {
-  /// Of 'igf' and 'angle': tau, in model units, at least 0 and finite. Loops whose saddles last no
+  /// Tau of 'igf' and 'angle', in model units, at least 0 and finite. Loops whose saddles last no
   /// longer are passed over, as noise makes them (girth/barcode.h).
   double persistence{0};
-  /// Of 'sdf'.
+  /// Options of 'sdf'.
   ShapeDiameterOptions sdf;
-  /// Of 'thickness'.
+  /// Options of 'thickness'.
   ThicknessOptions thickness;
   /// How 'geoaverage' and 'geofarthest' measure distances.
   DistanceMethod distances{DistanceMethod::FastMarching};
@@ -70,8 +70,8 @@ GIRTH_EXPORT Result<FieldFunction> fieldFunction(const SurfaceMesh& mesh, std::s
 Result<FieldFunction> fieldFunction(const SurfaceMesh&&, std::string_view name,
                                     const FieldOptions& options = {}) = delete;
 
-/// What people are to know of a field's values, of which so many are missing, in sentences; empty
-/// where there is no remark.
+/// A remark for people on a field's values, in sentences, of which `withoutValue` are missing;
+/// empty where there is nothing to say.
 GIRTH_EXPORT std::string fieldNote(const SurfaceMesh& mesh, std::string_view name,
                                    Index withoutValue);
 

@@ -43,7 +43,7 @@ struct GIRTH_EXPORT Segment {
   PartKind kind() const;
 };
 
-/// What the parts of a surface that was cut are, one segment for each. `parts`: those of `cut`, in
+/// The segments of a surface that was cut, one for each part. `parts`: those of `cut`, in
 /// any order (partsOf or componentsOf). `kinds`: of the vertices of `mesh` (findParts). A tip whose
 /// apex lies on a cut belongs to the first part that has it. O(n).
 GIRTH_EXPORT std::vector<Segment> segmentsOf(const SurfaceMesh& mesh, const CutSurface& cut,

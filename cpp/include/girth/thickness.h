@@ -20,7 +20,7 @@ enum class ThicknessSide : std::uint8_t {
   Outside,  ///< in the space around: how far it is to the next surface, the clearance
 };
 
-/// What counts as facing a point.
+/// Options of the thickness: which faces count as facing a point.
 struct ThicknessOptions {
   /// In radians, in (0, π/2). Where two faces meet at a sharper angle, measured within the body,
   /// they face each other, and the thickness falls to 0 at their edge. Faces that lie at a blunter

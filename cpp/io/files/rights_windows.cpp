@@ -5,7 +5,7 @@
 namespace girth::io {
 namespace {
 
-/// What _waccess is asked for: whether the attribute "read-only" is not set.
+/// The mode of _waccess that asks whether the attribute "read-only" is not set.
 constexpr int kWritable = 2;
 
 }  // namespace

@@ -262,7 +262,7 @@ py::dict fieldKinds() {
   return kinds;
 }
 
-/// What options are where they are left out.
+/// The defaults of options.
 py::dict defaults() {
   py::dict values;
   values["audit"] = RefinedOptions{}.audit;

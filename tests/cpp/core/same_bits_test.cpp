@@ -1,4 +1,5 @@
-// The same bits on every machine: digests of what is computed, as x86-64 with GCC has them.
+// Digests of computed values, which are the same bits on every machine; stated as x86-64 with GCC
+// computes them.
 // Surfaces are made without the C library's functions. What is made of the spectrum is left out
 // (web/docs/decisions/exactness-to-the-bit.md).
 #include <gtest/gtest.h>

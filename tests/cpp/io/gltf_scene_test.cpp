@@ -285,7 +285,7 @@ TEST(GltfScene, whatIsNoGeometryIsNamed) {
                       "Its materials, textures, animations, cameras and lights were left out."));
   tiny.more = R"(,"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}}])";
   EXPECT_TRUE(hasNote(readAll(tiny), "Its materials were left out."));
-  // What Girth writes for any surface is no loss.
+  // Content that Girth writes for any surface is no loss.
   tiny.more = R"(,"materials":[{"doubleSided":true,"pbrMetallicRoughness":{"metallicFactor":0}}])";
   EXPECT_TRUE(readAll(tiny).notes.empty());
 }

@@ -1,4 +1,4 @@
-// What is made of the tables in C++, and what documents state of its defaults.
+// Files that are made of the tables in C++, and defaults that documents state.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

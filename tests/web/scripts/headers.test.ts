@@ -16,7 +16,7 @@ const included = (header: string) =>
 
 test('girth.h includes all of the core, study.h all of the studies', () => {
   const core = headers().filter((name) => name !== 'girth.h');
-  // Those of fields come by way of their table.
+  // Headers of fields are included by their table.
   expect([...included('girth.h'), ...included('fields.def')].sort()).toEqual(core.sort());
   const studies = headers('study').filter((name) => name !== 'study/study.h');
   expect(included('study/study.h')).toEqual(studies.sort());

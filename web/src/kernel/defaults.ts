@@ -1,6 +1,6 @@
 // Made of the headers in cpp/include/girth by `npm run build:tables`: not to be edited.
 
-/** What options of analyses are where they are left out. */
+/** The defaults of options of analyses. */
 export const defaults = {
   coarseFaces: 10000,
   audit: 200,

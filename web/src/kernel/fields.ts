@@ -35,7 +35,7 @@ export interface ShapeDiameterOptions {
   coneAngle?: number;
 }
 
-/** What counts as facing a point. */
+/** Options of the thickness: which faces count as facing a point. */
 export interface ThicknessOptions {
   /**
    * In radians, in (0, π/2). Where two faces meet at a sharper angle, measured within the body, they
@@ -46,18 +46,18 @@ export interface ThicknessOptions {
   sharpAngle?: number;
 }
 
-/** What single fields depend on besides the surface. Each reads only what concerns it. */
+/** Parameters of single fields. Each field reads its own. */
 export interface FieldParameters {
   /**
-   * Of 'igf' and 'angle': tau, in model units, at least 0 and finite. Loops whose saddles last no longer
+   * Tau of 'igf' and 'angle', in model units, at least 0 and finite. Loops whose saddles last no longer
    * are passed over, as noise makes them (girth/barcode.h). Default: 0.
    */
   persistence?: number;
   /** How 'geoaverage' and 'geofarthest' measure distances. Default: 'fast-marching'. */
   distances?: 'fast-marching' | 'exact';
-  /** Of 'sdf'. */
+  /** Options of 'sdf'. */
   sdf?: ShapeDiameterOptions;
-  /** Of 'thickness'. */
+  /** Options of 'thickness'. */
   thickness?: ThicknessOptions;
 }
 
@@ -70,7 +70,7 @@ export const parameterPaths = [
   'distances',
 ] as const;
 
-/** What the values of fields are. */
+/** The kind of unit of each field. */
 export const fieldUnits: Readonly<Record<FieldName, 'Length' | 'Radian' | 'PerArea' | 'Number'>> = {
   igf: 'Length',
   sdf: 'Length',
@@ -109,7 +109,7 @@ export const fieldListTitles: Readonly<Record<FieldName, string>> = {
   sihks: 'SIHKS (scale-free)',
 };
 
-/** What a value is, as the middle of a sentence. */
+/** The meaning of a value, as the middle of a sentence. */
 export const fieldMeanings: Readonly<Record<FieldName, string>> = {
   igf: 'the length of the shortest loop round the surface, like a rubber band that holds tight',
   sdf: 'how thick the shape is on average, measured through its inside',

@@ -86,7 +86,7 @@ int runOne(const std::string& model, const Options& options) {
     refined = std::move(result).value();
     work.refined = &*refined;
   }
-  // Of the loops that have no persistence at all, which I counts, bars know nothing.
+  // Bars leave out loops without any persistence, which the girth counts.
   const bool isRead = !barcodes.empty() && work.persistence > 0;
   auto computed = refined  ? std::move(refined->field)
                   : isRead ? girthOf(barcodes, work.persistence)

@@ -56,7 +56,7 @@ struct Work {
   const io::LoadedMesh& loaded;
   /// In the model's unit.
   double persistence;
-  /// What is known besides of values that were refined; null: they were not.
+  /// The states and the audit of refined values; null: the values were not refined.
   const RefinedGirth* refined{nullptr};
   /// Triangles that it was computed on; 0: those of the file.
   Index fewerFaces{0};

@@ -36,7 +36,7 @@ struct GeometryJson {
   /// Whether the extras of some mesh state, as Girth writes them, that its unit is none that is
   /// known: then its numbers are no metres.
   bool isUnitUnknown{false};
-  /// What the document has besides geometry, as "materials and textures": no surface keeps it.
+  /// Content of the document that no surface keeps, as "materials and textures".
   std::string leftOut;
 };
 

@@ -308,7 +308,7 @@ std::vector<Index> bodiesOf(const SurfaceMesh& mesh) {
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
     return std::pair(all[a].low.x, a) < std::pair(all[b].low.x, b);
   });
-  // Those whose boxes reach as far along x, the smallest first.
+  // Bodies whose boxes reach as far along x, the smallest first.
   std::vector<Index> open;
   for (const Index inner : order) {
     std::erase_if(open, [&](Index o) { return !(all[o].high.x > all[inner].low.x); });
