@@ -112,22 +112,52 @@ struct Bundle {
   LoopsAt known;
 };
 
+/// A component with handles.
+struct PartWithHandles {
+  Index component{kNoIndex};
+  double area{0};
+  std::vector<Vertex> order;   ///< base points are taken from
+  std::vector<Vertex> spread;  ///< all vertices, no neighbours one after the other
+};
+
+/// In rising order. The mesh is put in order once for all of them.
+std::vector<PartWithHandles> partsWithHandles(const SurfaceMesh& mesh) {
+  std::vector<PartWithHandles> parts;
+  std::vector<Index> numberOf(mesh.componentCount(), kNoIndex);
+  for (Index c = 0; c < mesh.componentCount(); ++c) {
+    if (mesh.genus(c) == 0) continue;
+    numberOf[c] = static_cast<Index>(parts.size());
+    parts.emplace_back().component = c;
+  }
+  if (parts.empty()) return parts;
+  const auto partWith = [&](Vertex v) {
+    const Index part = numberOf[mesh.componentOf(v)];
+    return part == kNoIndex ? nullptr : &parts[part];
+  };
+  for (const Face f : mesh.faces()) {
+    if (PartWithHandles* part = partWith(mesh.faceVertices(f)[0])) part->area += mesh.area(f);
+  }
+  for (const Vertex v : coarseToFineOrder(mesh)) {
+    if (PartWithHandles* part = partWith(v)) part->order.push_back(v);
+  }
+  for (const Vertex v : coarseToFineOrder(mesh, 1)) {
+    if (PartWithHandles* part = partWith(v)) part->spread.push_back(v);
+  }
+  return parts;
+}
+
 /// The search on one component.
 class HandleSearch {
  public:
   HandleSearch(const SurfaceMesh& mesh, const std::shared_ptr<const Unfolding>& unfolding,
-               const Homology& homology, Index component, std::size_t windows)
-      : mesh_(mesh), unfolding_(unfolding), homology_(homology), budget_(windows) {
-    for (const Face f : mesh.faces()) {
-      if (mesh.componentOf(mesh.faceVertices(f)[0]) == component) area_ += mesh.area(f);
-    }
-    for (const Vertex v : coarseToFineOrder(mesh)) {
-      if (mesh.componentOf(v) == component) order_.push_back(v);
-    }
-    for (const Vertex v : coarseToFineOrder(mesh, 1)) {
-      if (mesh.componentOf(v) == component) spread_.push_back(v);
-    }
-  }
+               const Homology& homology, PartWithHandles part, std::size_t windows)
+      : mesh_(mesh),
+        unfolding_(unfolding),
+        homology_(homology),
+        area_(part.area),
+        order_(std::move(part.order)),
+        spread_(std::move(part.spread)),
+        budget_(windows) {}
 
   /// False: cancelled.
   bool run(std::size_t basePoints, const ExecutionContext& context) {
@@ -547,9 +577,8 @@ class HandleSearch {
   const SurfaceMesh& mesh_;
   std::shared_ptr<const Unfolding> unfolding_;
   const Homology& homology_;
-  double area_{0};
-  std::vector<Vertex> order_;   // base points are taken from
-  std::vector<Vertex> spread_;  // the same, no neighbours one after the other
+  double area_;
+  std::vector<Vertex> order_, spread_;
   std::optional<IntegerMatrix> projection_;
   std::set<Candidate, ByLength> candidates_;
   std::vector<Bundle> bundles_;
@@ -584,20 +613,18 @@ Result<loops::HandlesUpTo> loops::findHandlesUpTo(const SurfaceMesh& mesh,
   if (options.basePoints == 0) {
     return makeError(ErrorCode::InvalidOption, -1, "there is at least one base point");
   }
-  std::vector<Index> components;
-  for (Index c = 0; c < mesh.componentCount(); ++c) {
-    if (mesh.genus(c) > 0) components.push_back(c);
-  }
+  std::vector<PartWithHandles> parts = partsWithHandles(mesh);
   HandlesUpTo result;
   if (length) result.proven = *length;
   Handles& handles = result.handles;
   const ClosedSurface closed(mesh);
   const auto unfolding = std::make_shared<const Unfolding>(mesh);
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    const Homology homology(mesh, closed, components[i]);
-    HandleSearch search(mesh, unfolding, homology, components[i], options.windows);
-    const double begin = static_cast<double>(i) / static_cast<double>(components.size());
-    const double share = 1 / static_cast<double>(components.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Index component = parts[i].component;
+    const Homology homology(mesh, closed, component);
+    HandleSearch search(mesh, unfolding, homology, std::move(parts[i]), options.windows);
+    const double begin = static_cast<double>(i) / static_cast<double>(parts.size());
+    const double share = 1 / static_cast<double>(parts.size());
     bool isDone =
         search.run(options.basePoints, partOf(context, begin, begin + kBaseShare * share));
     const ExecutionContext rest = partOf(context, begin + kBaseShare * share, begin + share);
@@ -618,7 +645,7 @@ Result<loops::HandlesUpTo> loops::findHandlesUpTo(const SurfaceMesh& mesh,
       handle.length = one.candidate->length;
       handle.mayBeShorterBy = search.excessOf(one);
       handle.kind = one.kind;
-      handle.component = components[i];
+      handle.component = component;
       handle.points = bandOf(*unfolding, one.candidate->loop, mesh.area()).middle;
       const LoopShape shape = shapeOf(placesOf(mesh, handle.points));
       handle.centre = shape.centre;
