@@ -59,7 +59,6 @@ enum class Kind : std::uint8_t {
   ReferenceOrNone,  // the same; -1 where it is not given
   Count,            // a number of bytes or elements
   ValueCount,       // the same in an extension, where tinygltf holds integers of 32 bits
-  Carried,          // a whole number of at most `size` that travels in "extras"
   Component,        // a component type
   Mode,             // what a primitive draws
   Word,             // one of `words`
@@ -99,7 +98,7 @@ constexpr Rule kMeshopt[]{{"buffer", Kind::Reference, true},
 constexpr Rule kBufferView[]{{"buffer", Kind::Reference, true},
                              {"byteOffset", Kind::Count},
                              {"byteLength", Kind::Count, true},
-                             {"byteStride", Kind::Carried, false, kMostBytes},
+                             {"byteStride", Kind::Count},
                              {"EXT_meshopt_compression", Kind::Extension, false, 0, kMeshopt},
                              {"KHR_meshopt_compression", Kind::Extension, false, 0, kMeshopt}};
 
@@ -129,7 +128,7 @@ constexpr Rule kTarget[]{{"POSITION", Kind::Reference}};
 constexpr Rule kDraco[]{{"bufferView", Kind::Reference, true},
                         {"attributes", Kind::Object, false, 0, kAttributes}};
 constexpr Rule kPrimitive[]{{"mode", Kind::Mode},
-                            {"indices", Kind::Carried, false, kMostReference},
+                            {"indices", Kind::Reference},
                             {"material", Kind::Extra},
                             {"attributes", Kind::Present},
                             {"attributes", Kind::Object, true, 0, kAttributes},
@@ -272,11 +271,6 @@ void copyMember(const JsonFields& fields, const Rule& rule, Json& to) {
     case Kind::ValueCount:
       if (const auto count = integer(fields, rule, kMostBytes)) {
         to[rule.name] = valueNumber(*count);
-      }
-      break;
-    case Kind::Carried:
-      if (const auto count = integer(fields, rule, rule.size)) {
-        to["extras"][rule.name] = valueNumber(withinMemory(*count));
       }
       break;
     case Kind::Component:
@@ -529,24 +523,19 @@ Result<GeometryJson> geometryJson(std::string_view text, std::size_t firstByte,
   const JsonFields fields(document, root, fault);
   Json buffers = Json::object();
   copyMembers(fields, kBuffers, buffers);
-  Json geometry{{"asset", {{"version", "2.0"}}}};
-  if (!fault) copyMembers(fields, kDocument, geometry);
-  if (fault) return *fault;
   GeometryJson result;
+  result.geometry = Json::object();
+  if (!fault) copyMembers(fields, kDocument, result.geometry);
+  if (fault) return *fault;
   result.baseColours = baseColours(document);
   result.isUnitUnknown = statesUnknownUnit(document);
   result.leftOut = besidesGeometry(document);
-  document = Json();  // it may be large
 
   if (buffers.contains("buffers")) result.buffers = takeBuffers(buffers["buffers"]);
   if (!result.buffers.empty() && result.buffers[0].uri.empty()) {
     const std::uint64_t bytes = result.buffers[0].byteLength;
-    if (bytes > 0 && bytes <= binaryBytes) {
-      result.embeddedBytes = static_cast<std::size_t>(bytes);
-      geometry["buffers"] = Json::array({{{"byteLength", bytes}}});
-    }
+    if (bytes <= binaryBytes) result.embeddedBytes = static_cast<std::size_t>(bytes);
   }
-  result.text = geometry.dump();
   return result;
 }
 

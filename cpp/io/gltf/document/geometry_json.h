@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,10 +25,11 @@ struct GltfBufferSource {
 using GltfColour = std::array<double, 4>;
 constexpr GltfColour kGltfWhite{1, 1, 1, 1};
 
-/// The geometry of a document as JSON that tinygltf reads as it is meant.
+/// The geometry of a document as JSON whose elements tinygltf reads as they are meant.
 struct GeometryJson {
-  std::string text;
-  /// The buffers, which are left out of the text, except the GLB's binary chunk.
+  /// The document's lists, as far as they matter for the surface, and its default scene.
+  nlohmann::json geometry;
+  /// The buffers, which are no part of `geometry`.
   std::vector<GltfBufferSource> buffers;
   /// How many bytes of the binary chunk buffer 0 holds; 0 where it is not in the chunk.
   std::size_t embeddedBytes{0};
@@ -50,9 +52,7 @@ bool isExtraAttribute(std::string_view name);
 /// materials, as far as they are numbers. `binaryBytes`: the size of the GLB's
 /// binary chunk, 0 where there is none.
 ///
-/// What tinygltf does not take as it is, travels in "extras": `byteStride` of a buffer view and
-/// `indices` of a primitive (see tinygltf_model.h). An instancing attribute that is not given is
-/// -1, because tinygltf drops empty objects.
+/// An instancing attribute that is not given is -1, because tinygltf drops empty objects.
 ///
 /// Errors name the place as a JSON pointer, or the byte where the text is not JSON: UNKNOWN_FORMAT
 /// (JSON, but not glTF), MALFORMED_FILE, UNSUPPORTED_FEATURE (glTF 1.0, or an extension without

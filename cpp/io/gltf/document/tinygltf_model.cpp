@@ -22,86 +22,19 @@ namespace {
 
 constexpr std::uint64_t kMostGlbBytes = std::numeric_limits<std::uint32_t>::max();
 
-// The name under which tinygltf asks for the one file that it may have.
-constexpr const char* kFileName = "buffer";
-
 using Bytes = std::span<const std::byte>;
 
-/// Callbacks that answer from `content` and refuse everything else.
-tinygltf::FsCallbacks callbacksFor(Bytes& content) {
-  tinygltf::FsCallbacks callbacks;
-  callbacks.FileExists = [](const std::string& name, void*) { return name == kFileName; };
-  callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
-  callbacks.ReadWholeFile = [](std::vector<unsigned char>* bytes, std::string*,
-                               const std::string& name, void* user) {
-    if (name != kFileName) return false;
-    const Bytes& file = *static_cast<const Bytes*>(user);
-    const auto* first = reinterpret_cast<const unsigned char*>(file.data());
-    bytes->assign(first, first + file.size());
-    return true;
-  };
-  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
-                                void*) { return false; };
-  callbacks.user_data = &content;
-  return callbacks;
-}
-
-/// What a chunk has to be filled up with.
-std::size_t paddingOf(std::size_t bytes) { return (4 - bytes % 4) % 4; }
-
-/// The size of a GLB file.
-std::uint64_t glbBytes(std::size_t json, std::size_t binary) {
-  constexpr std::uint64_t kHeader = 12, kChunkHeader = 8;
-  return kHeader + 2 * kChunkHeader + json + paddingOf(json) + binary + paddingOf(binary);
-}
-
-/// Reads JSON, or a GLB of JSON and a binary chunk, with a file beside it.
-Result<tinygltf::Model> load(std::string_view json, Bytes binary, Bytes file) {
-  tinygltf::TinyGLTF loader;
-  loader.SetFsCallbacks(callbacksFor(file));
-  tinygltf::Model model;
-  std::string error, warning;
-  bool isLoaded = false;
-  const std::uint64_t size = glbBytes(json.size(), binary.size());
-  if (size > kMostGlbBytes) {
-    return makeError(ErrorCode::LimitExceeded, -1, "its geometry takes more than 4 GB of glTF");
+/// Reads each element of a list of the document, if there is one. False: tinygltf refuses one.
+template <class Element, class Parse>
+bool readList(nlohmann::json& document, const char* name, std::vector<Element>& elements,
+              const Parse& parse) {
+  const auto list = document.find(name);
+  if (list == document.end()) return true;
+  elements.reserve(list->size());
+  for (nlohmann::json& element : *list) {
+    if (!parse(element, elements.emplace_back())) return false;
   }
-  if (binary.empty()) {
-    isLoaded = loader.LoadASCIIFromString(&model, &error, &warning, json.data(),
-                                          static_cast<unsigned>(json.size()), "");
-  } else {
-    std::string glb;
-    glb.reserve(static_cast<std::size_t>(size));
-    const auto appendChunk = [&glb](std::string_view type, std::string_view content, char filler) {
-      const std::size_t padding = paddingOf(content.size());
-      appendBytes(glb, content.size() + padding, 4);
-      glb.append(type).append(content).append(padding, filler);
-    };
-    glb += "glTF";
-    appendBytes(glb, 2, 4);
-    appendBytes(glb, size, 4);
-    appendChunk("JSON", json, ' ');
-    appendChunk({"BIN\0", 4}, {reinterpret_cast<const char*>(binary.data()), binary.size()}, '\0');
-    isLoaded = loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                           reinterpret_cast<const unsigned char*>(glb.data()),
-                                           static_cast<unsigned>(glb.size()));
-  }
-  if (!isLoaded) return makeError(ErrorCode::Internal, -1, "tinygltf refuses it: " + error);
-  return model;
-}
-
-/// Puts what travelled in "extras" back in its place.
-void putBack(tinygltf::Model& model) {
-  for (tinygltf::BufferView& view : model.bufferViews) {
-    if (!view.extras.Has("byteStride")) continue;
-    view.byteStride = static_cast<std::size_t>(view.extras.Get("byteStride").GetNumberAsDouble());
-  }
-  for (tinygltf::Mesh& mesh : model.meshes) {
-    for (tinygltf::Primitive& primitive : mesh.primitives) {
-      if (!primitive.extras.Has("indices")) continue;
-      primitive.indices = primitive.extras.Get("indices").GetNumberAsInt();
-    }
-  }
+  return true;
 }
 
 int hexDigit(char c) {
@@ -163,22 +96,59 @@ class TextBuffer : public std::streambuf {
 
 }  // namespace
 
-Result<tinygltf::Model> loadModel(const GeometryJson& document, Bytes binary) {
-  auto model = load(document.text, binary.first(document.embeddedBytes), {});
-  if (!model) return model.error();
-  putBack(model.value());
-  model.value().buffers.resize(document.buffers.size());
+Result<tinygltf::Model> loadModel(GeometryJson& document, Bytes binary) {
+  namespace gltf = tinygltf;
+  using Json = nlohmann::json;
+  gltf::Model model;
+  std::string error;
+  Json& geometry = document.geometry;
+  const auto readView = [&](Json& json, gltf::BufferView& view) {
+    // It refuses strides that are not multiples of 4.
+    const std::size_t stride = json.value("byteStride", std::size_t{0});
+    json.erase("byteStride");
+    const bool isRead = gltf::ParseBufferView(&view, &error, json, false);
+    view.byteStride = stride;
+    return isRead;
+  };
+  const auto readAccessor = [&](const Json& json, gltf::Accessor& accessor) {
+    return gltf::ParseAccessor(&accessor, &error, json, false);
+  };
+  const auto readMesh = [&](const Json& json, gltf::Mesh& mesh) {
+    return gltf::ParseMesh(&mesh, &model, &error, json, false);
+  };
+  const auto readNode = [&](const Json& json, gltf::Node& node) {
+    return gltf::ParseNode(&node, &error, json, false);
+  };
+  const auto readSkin = [&](const Json& json, gltf::Skin& skin) {
+    return gltf::ParseSkin(&skin, &error, json, false);
+  };
+  const auto readScene = [](const Json& json, gltf::Scene& scene) {
+    scene.name = json.value("name", "");
+    scene.nodes = json.at("nodes").get<std::vector<int>>();
+    return true;
+  };
+  if (!readList(geometry, "bufferViews", model.bufferViews, readView) ||
+      !readList(geometry, "accessors", model.accessors, readAccessor) ||
+      !readList(geometry, "meshes", model.meshes, readMesh) ||
+      !readList(geometry, "nodes", model.nodes, readNode) ||
+      !readList(geometry, "skins", model.skins, readSkin) ||
+      !readList(geometry, "scenes", model.scenes, readScene)) {
+    return makeError(ErrorCode::Internal, -1, "tinygltf refuses it: " + error);
+  }
+  model.defaultScene = geometry.value("scene", -1);
+  geometry = Json();  // it may be large
+  model.buffers.resize(document.buffers.size());
+  if (document.embeddedBytes > 0) {
+    model.buffers[0] = bufferOf(binary.first(document.embeddedBytes));
+  }
   return model;
 }
 
-tinygltf::Buffer bufferOfFile(Bytes content) {
-  if (content.empty()) return {};
-  const std::string json = std::string(R"({"asset":{"version":"2.0"},"buffers":[{"uri":")") +
-                           kFileName + R"(","byteLength":)" + std::to_string(content.size()) +
-                           "}]}";
-  auto model = load(json, {}, content);
-  return model && !model.value().buffers.empty() ? std::move(model.value().buffers[0])
-                                                 : tinygltf::Buffer();
+tinygltf::Buffer bufferOf(Bytes content) {
+  tinygltf::Buffer buffer;
+  const auto* first = reinterpret_cast<const unsigned char*>(content.data());
+  buffer.data.assign(first, first + content.size());
+  return buffer;
 }
 
 std::optional<tinygltf::Buffer> bufferOfData(std::string_view uri) {

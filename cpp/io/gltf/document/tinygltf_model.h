@@ -1,14 +1,13 @@
 // tinygltf behind guards: what it reads and what it writes.
 //
-// tinygltf 2.7 reads the container, the JSON, data: URIs and buffers, and writes GLB. Untrusted
-// files reach it only through the functions below, because of what it does with them:
+// tinygltf 2.7 reads the elements of a document and data: URIs, and writes GLB. Untrusted files
+// reach it only through the functions below, because of what it does with them:
 //   - It opens any file that a document names, "../" included. It is compiled without a file
-//     system; its callbacks know the one file that was handed in.
-//   - It recurses into nested JSON without a bound. geometryJson bounds the nesting before.
+//     system, and no buffer reaches it.
+//   - It recurses into nested JSON without a bound, and parses the text once more. geometryJson
+//     bounds the nesting and parses the text; tinygltf gets the elements that were checked.
 //   - It reads 8 bytes beyond a GLB whose last chunk is too long, and refuses chunks of other
-//   kinds,
-//     unaligned ones and padding, which are valid. openGlb checks the chunks, and the container is
-//     put together again with the two that matter.
+//     kinds, unaligned ones and padding, which are valid. openGlb reads the container.
 //   - It throws on an embedded buffer of 0 bytes, and gives every buffer without a uri the binary
 //     chunk. Only buffer 0 is read from there.
 //   - It reads all buffers at once and refuses the document where one is missing, where a file is
@@ -16,8 +15,8 @@
 //     not base64, or uses the digits of URLs. Buffers are read one by one when they are asked for.
 //   - It refuses documents for images, materials, animations and cameras that nobody asks for, and
 //     reads beyond buffers for images. geometryJson leaves them out.
-//   - It refuses indices without a buffer view, as Draco has them, and strides that are not
-//     multiples of 4. Both travel in "extras" and are put back.
+//   - It refuses strides that are not multiples of 4: they are set after it has read the view. It
+//     refuses indices without a buffer view, as Draco has them, where it reads a whole document.
 //   - It takes whole numbers written as 3.0 for none, and cuts integers to 32 bits without a word.
 //     geometryJson writes them in the ranges that it holds.
 //   - Its errors name neither a place nor a byte. geometryJson and openGlb report what is wrong
@@ -37,13 +36,12 @@
 
 namespace girth::io {
 
-/// The model of a checked document. `binary`: the GLB's binary chunk; its first bytes become
-/// buffer 0 where that has no uri. All other buffers are still empty. Error: LIMIT_EXCEEDED where
-/// the document's geometry takes more than 4 GB.
-Result<tinygltf::Model> loadModel(const GeometryJson& document, std::span<const std::byte> binary);
+/// The model of a checked document, whose JSON is consumed. `binary`: the GLB's binary chunk; its
+/// first bytes become buffer 0 where that has no uri. All other buffers are still empty.
+Result<tinygltf::Model> loadModel(GeometryJson& document, std::span<const std::byte> binary);
 
-/// A buffer with the content of a file.
-tinygltf::Buffer bufferOfFile(std::span<const std::byte> content);
+/// A buffer with a copy of the bytes.
+tinygltf::Buffer bufferOf(std::span<const std::byte> bytes);
 
 /// A buffer with the content of a data: URI; nothing where the URI is not valid.
 std::optional<tinygltf::Buffer> bufferOfData(std::string_view uri);

@@ -48,7 +48,7 @@ Result<std::uint32_t> GltfBuffers::fetched(const std::string& uri, std::uint32_t
     return error("it refers to the file " + inQuotes(name) + ", which is missing beside the model");
   }
   budget_.allowFor(bytes->size());
-  document_.model.buffers[index] = bufferOfFile(*bytes);
+  document_.model.buffers[index] = bufferOf(*bytes);
   return fetched_.emplace(uri, index).first->second;
 }
 
