@@ -377,12 +377,9 @@ TEST(Solver, TakesShapesOfExtremeSize) {
 }
 
 TEST(Solver, KeepsComponentsApart) {
-  Shape two = torus(2, 0.5, 12, 6);
-  const Index first = two.vertexCount();
-  const Shape sphere = moved(octasphere(1), 1, 0, 50);
-  for (const double x : sphere.positions) two.positions.push_back(x);
-  for (const Index v : sphere.triangles) two.triangles.push_back(v + first);
-  const SurfaceMesh mesh = two.mesh(), alone = sphere.mesh();
+  const Shape ring = torus(2, 0.5, 12, 6), sphere = moved(octasphere(1), 1, 0, 50);
+  const Index first = ring.vertexCount();
+  const SurfaceMesh mesh = together(ring, sphere).mesh(), alone = sphere.mesh();
   GirthSolver solver(mesh), aloneSolver(alone);
   for (Index v = 0; v < alone.vertexCount(); ++v) {
     expectClose(solver.value(Vertex(first + v)).value().length,
@@ -539,12 +536,9 @@ TEST(Solver, FindsPathsOverLargeSurfacesInLittleMemory) {
 }
 
 TEST(Solver, FindsNoPathToAnotherComponentOfALargeSurface) {
-  Shape two = potato(6);
-  const auto first = static_cast<Index>(two.positions.size() / 3);
-  const Shape other = tetrahedron();
-  two.positions.insert(two.positions.end(), other.positions.begin(), other.positions.end());
-  for (const Index v : other.triangles) two.triangles.push_back(first + v);
-  const SurfaceMesh mesh = two.mesh();
+  const Shape large = potato(6);
+  const Index first = large.vertexCount();
+  const SurfaceMesh mesh = together(large, tetrahedron()).mesh();
   const GeodesicPath path =
       GeodesicSolver(mesh)
           .path(SurfacePoint::atVertex(Vertex(first)), SurfacePoint::atVertex(Vertex(0)))

@@ -290,18 +290,10 @@ TEST(Handles, boundaryCurvesAreNone) {
   EXPECT_TRUE(handlesOf(test::octasphere(1).mesh()).handles.empty());
 }
 
-/// Two shapes as one.
-Shape together(Shape a, const Shape& b) {
-  const Index before = a.vertexCount();
-  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-  for (const Index v : b.triangles) a.triangles.push_back(before + v);
-  return a;
-}
-
 TEST(Handles, everyComponentCountsByItself) {
   // A torus within the tube of another, and a sphere within both.
   const Shape outer = test::torus(4, 2, 14, 8), inner = test::torus(4, 1, 14, 8);
-  const SurfaceMesh mesh = together(together(outer, inner), test::octasphere(1)).mesh();
+  const SurfaceMesh mesh = test::together(test::together(outer, inner), test::octasphere(1)).mesh();
   const Handles found = handlesOf(mesh);
   expectConsistent(mesh, found);
   for (const Index component : {0u, 1u}) {

@@ -154,14 +154,9 @@ TEST(PathProfile, pathsThroughPointsAreTheirPieces) {
 }
 
 TEST(PathProfile, noPathLeadsToAnotherComponent) {
-  test::Shape two = test::box(1, 1, 1, 1, 1, 1);
-  const test::Shape other = test::box(1, 1, 1, 1, 1, 1);
-  const Index first = two.vertexCount();
-  for (std::size_t i = 0; i < other.positions.size(); ++i) {
-    two.positions.push_back(other.positions[i] + 5);
-  }
-  for (const Index v : other.triangles) two.triangles.push_back(first + v);
-  const SurfaceMesh mesh = two.mesh();
+  const test::Shape box = test::box(1, 1, 1, 1, 1, 1);
+  const Index first = box.vertexCount();
+  const SurfaceMesh mesh = test::together(box, test::shifted(box, 5, 5, 5)).mesh();
   ASSERT_EQ(mesh.componentCount(), 2u);
   const SurfacePoint a = SurfacePoint::atVertex(Vertex(0)), b = SurfacePoint::atVertex(Vertex(1)),
                      c = SurfacePoint::atVertex(Vertex(first));

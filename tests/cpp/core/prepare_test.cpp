@@ -589,9 +589,7 @@ TEST(Prepare, PartsThatTouchAtAVertexComeApart) {
       other.positions[i + k] = 2 * shape.positions[k] - other.positions[i + k];
     }
   }
-  const Index first = shape.vertexCount();
-  shape.positions.insert(shape.positions.end(), other.positions.begin(), other.positions.end());
-  for (const Index v : other.triangles) shape.triangles.push_back(v + first);
+  shape = together(shape, other);
   const PreparedSurface out = prepared(apart(shape));
   EXPECT_EQ(out.report.nonManifoldVertices, 1u);
   EXPECT_EQ(out.report.addedVertices, 1u);
@@ -611,23 +609,9 @@ TEST(Prepare, PartsThatTouchAtAVertexComeApart) {
 TEST(Prepare, WhatTheFileClosesStaysClosed) {
   // Two cubes of a grid that overlap, a third one of its own vertices for every side, and a tube
   // without caps that stands on a side.
-  const auto add = [](Shape& shape, const Shape& other) {
-    const Index first = shape.vertexCount();
-    shape.positions.insert(shape.positions.end(), other.positions.begin(), other.positions.end());
-    for (const Index v : other.triangles) shape.triangles.push_back(v + first);
-  };
-  const auto shifted = [](Shape shape, double x, double y, double z) {
-    for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
-      shape.positions[i] += x;
-      shape.positions[i + 1] += y;
-      shape.positions[i + 2] += z;
-    }
-    return shape;
-  };
   const Shape cubes = box(2, 2, 2, 2, 2, 2);
   for (const auto& [x, y, z] : {std::array<double, 3>{1, 1, 1}, {1, 0, 0}, {0, 0, 2}}) {
-    Shape two = cubes;
-    add(two, shifted(cubes, x, y, z));
+    const Shape two = together(cubes, shifted(cubes, x, y, z));
     const PreparedSurface out = prepared(two);
     EXPECT_EQ(out.report.components, 2u);
     EXPECT_EQ(out.report.boundaryCurves, 0u);
@@ -637,8 +621,7 @@ TEST(Prepare, WhatTheFileClosesStaysClosed) {
     expectSound(two, out);
   }
   // Without numbers, what is inside of one cube is closed, and what is inside of both.
-  Shape crossing = cubes;
-  add(crossing, shifted(cubes, 1, 1, 1));
+  const Shape crossing = together(cubes, shifted(cubes, 1, 1, 1));
   const PreparedSurface nested = prepared(apart(crossing));
   EXPECT_EQ(nested.report.boundaryCurves, 0u);
   ASSERT_EQ(nested.report.components, 2u);
@@ -647,9 +630,9 @@ TEST(Prepare, WhatTheFileClosesStaysClosed) {
   expectSound(apart(crossing), nested);
   // The second cube open, and then with a seam round every side.
   for (const bool isOpen : {true, false}) {
-    Shape second = shifted(cubes, 1, 1, 1), two = cubes;
+    Shape second = shifted(cubes, 1, 1, 1);
     if (isOpen) second.triangles.resize(second.triangles.size() - 6);
-    add(two, isOpen ? second : apart(second));
+    const Shape two = together(cubes, isOpen ? second : apart(second));
     const PreparedSurface out = prepared(two);
     EXPECT_EQ(out.parts[0].faces, 48u);
     EXPECT_EQ(out.report.components, 2u);
@@ -657,19 +640,16 @@ TEST(Prepare, WhatTheFileClosesStaysClosed) {
     expectSound(two, out);
   }
   // A body that is there twice is one, and so is a sheet.
-  Shape twice = cubes;
-  add(twice, cubes);
+  Shape twice = together(cubes, cubes);
   EXPECT_EQ(prepared(twice).report.duplicateFaces, 48u);
   EXPECT_EQ(prepared(twice).report.components, 1u);
   Shape sheet = cubes;
   sheet.triangles.resize(sheet.triangles.size() / 2);
-  twice = sheet;
-  add(twice, sheet);
+  twice = together(sheet, sheet);
   EXPECT_EQ(prepared(twice).report.duplicateFaces, 24u);
   EXPECT_EQ(prepared(twice).report.boundaryEdges, prepared(sheet).report.boundaryEdges);
   // A tube without caps that stands on a cube, its foot on the cube's edges.
   const Shape tube = shifted(box(1, 1, 1, 1, 1, 1), 1, 1, 2);
-  Shape on = box(3, 3, 2, 3, 3, 2);
   Shape walls;
   walls.positions = tube.positions;
   for (std::size_t i = 0; i < tube.triangles.size(); i += 3) {
@@ -678,7 +658,7 @@ TEST(Prepare, WhatTheFileClosesStaysClosed) {
     if (z == 6 || z == 9) continue;
     walls.face(tube.triangles[i], tube.triangles[i + 1], tube.triangles[i + 2]);
   }
-  add(on, walls);
+  const Shape on = together(box(3, 3, 2, 3, 3, 2), walls);
   const PreparedSurface out = prepared(on);
   EXPECT_EQ(out.report.components, 2u);
   EXPECT_EQ(out.report.boundaryCurves, 2u);
@@ -707,15 +687,11 @@ TEST(Prepare, SliversAndDoubledComponentsAreCounted) {
   // A cube; two far smaller ones, the second a sliver; four faces that lie on each other, and a
   // plate that is thin, but has two sides.
   Shape shape = cubesAt({{0, 0, 0}});
-  const auto add = [&](const Shape& other) {
-    const Index first = shape.vertexCount();
-    shape.positions.insert(shape.positions.end(), other.positions.begin(), other.positions.end());
-    for (const Index v : other.triangles) shape.triangles.push_back(v + first);
-  };
-  add(moved(cubesAt({{1500, 0, 0}}), 2e-3, 0, 0));
-  add(moved(cubesAt({{50'000, 0, 0}}), 1e-4, 0, 0));
-  add({{6, 0, 0, 7, 0, 0, 6.3, 0.01, 0, 6.5, 0.0033, 0}, {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2}});
-  add(moved(box(1, 1, 1e-3, 1, 1, 1), 1, 0, 9));
+  shape = together(shape, moved(cubesAt({{1500, 0, 0}}), 2e-3, 0, 0));
+  shape = together(shape, moved(cubesAt({{50'000, 0, 0}}), 1e-4, 0, 0));
+  shape = together(shape, {{6, 0, 0, 7, 0, 0, 6.3, 0.01, 0, 6.5, 0.0033, 0},
+                           {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2}});
+  shape = together(shape, moved(box(1, 1, 1e-3, 1, 1, 1), 1, 0, 9));
   const PreparedSurface all = prepared(shape);
   EXPECT_EQ(all.report.components, 5u);
   EXPECT_EQ(all.report.sliverComponents, 1u);
@@ -845,9 +821,7 @@ TEST(Prepare, VerticesWithinEdgesAreCountedAndSewn) {
       };
       part(shape, false);
       part(lid, true);
-      const Index first = shape.vertexCount();
-      shape.positions.insert(shape.positions.end(), lid.positions.begin(), lid.positions.end());
-      for (const Index v : lid.triangles) shape.triangles.push_back(first + v);
+      shape = together(shape, lid);
       const PreparedSurface open = prepared(shape);
       const Index count = 4 * (cells - 1) + (isMutual ? 8 : 0);
       EXPECT_EQ(open.report.tJunctions, count);

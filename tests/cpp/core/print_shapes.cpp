@@ -149,13 +149,6 @@ Shape revolved(const std::vector<std::pair<double, double>>& profile, Index arou
   return s;
 }
 
-Shape together(Shape shape, const Shape& other) {
-  const Index first = shape.vertexCount();
-  shape.positions.insert(shape.positions.end(), other.positions.begin(), other.positions.end());
-  for (const Index v : other.triangles) shape.triangles.push_back(first + v);
-  return shape;
-}
-
 Shape turnedOver(Shape shape) {
   for (std::size_t i = 0; i < shape.triangles.size(); i += 3) {
     std::swap(shape.triangles[i], shape.triangles[i + 1]);
@@ -164,14 +157,6 @@ Shape turnedOver(Shape shape) {
 }
 
 std::vector<PrintShape> printShapes() {
-  const auto shifted = [](Shape shape, double x, double y, double z) {
-    for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
-      shape.positions[i] += x;
-      shape.positions[i + 1] += y;
-      shape.positions[i + 2] += z;
-    }
-    return shape;
-  };
   const auto scaled = [](Shape shape, double scale) {
     for (double& x : shape.positions) x *= scale;
     return shape;

@@ -19,8 +19,6 @@ Shape blocks(const std::vector<double>& xs, const std::vector<double>& ys,
 /// From the axis to the axis with the axis on its left going up, or closed and counter-clockwise.
 Shape revolved(const std::vector<std::pair<double, double>>& profile, Index around);
 
-/// Both as one surface.
-Shape together(Shape shape, const Shape& other);
 /// Its faces turned over.
 Shape turnedOver(Shape shape);
 

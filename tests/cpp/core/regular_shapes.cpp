@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <vector>
 
 #include "mesh/vector.h"
+#include "print_shapes.h"
 #include "random_meshes.h"
 
 namespace girth::test {
@@ -257,6 +259,50 @@ Shape doubled(const Shape& shape) {
   return withoutLoneVertices(both);
 }
 
+/// Boxes of a grid that share faces: crosses, stairs, frames, blocks with holes.
+Shape boxesShape(Random& random, std::string& history) {
+  constexpr int kMostCells = 4;
+  std::array<std::vector<double>, 3> planes;
+  for (std::vector<double>& along : planes) {
+    const Index count = 1 + random.below(kMostCells);
+    const bool isEven = random() < 0.6;
+    along = {0};
+    for (Index i = 0; i < count; ++i) along.push_back(along.back() + (isEven ? 1 : 0.2 + random()));
+  }
+  const auto cells = [&](std::size_t axis) { return static_cast<Index>(planes[axis].size() - 1); };
+  std::set<std::array<int, 3>> filled;
+  const Index most = 2 + random.below(14);
+  std::array<int, 3> cell{};
+  for (std::size_t k = 0; k < 3; ++k) cell[k] = static_cast<int>(random.below(cells(k)));
+  for (Index step = 0; step < most; ++step) {
+    filled.insert(cell);
+    const std::size_t axis = random.below(3);
+    cell[axis] += random() < 0.5 ? -1 : 1;
+    cell[axis] = std::clamp(cell[axis], 0, static_cast<int>(cells(axis)) - 1);
+  }
+  history += "union of " + std::to_string(filled.size()) + " boxes";
+  const Shape shape = blocks(planes[0], planes[1], planes[2], [&](int i, int j, int k) {
+    return filled.count({i, j, k}) > 0;
+  });
+  return random() < 0.3 && 4 * shape.vertexCount() < kMostVertices ? subdivided(shape) : shape;
+}
+
+/// Prisms of one axis and one number of sides, one on the other: a stepped shaft, closed.
+Shape shaftShape(Random& random, std::string& history) {
+  const Index sides = 3 + random.below(14), prisms = 2 + random.below(3);
+  std::vector<std::pair<double, double>> outline{{0, 0}};
+  double radius = 0.3 + random(), height = 0;
+  for (Index i = 0; i < prisms; ++i) {
+    outline.emplace_back(radius, height);
+    height += 0.1 + 3 * random();
+    outline.emplace_back(radius, height);
+    radius *= random() < 0.5 ? 0.3 + 0.6 * random() : 1.1 + 2 * random();
+  }
+  outline.emplace_back(0, height);
+  history += "union of " + std::to_string(prisms) + " prisms of " + std::to_string(sides);
+  return revolved(outline, sides);
+}
+
 double rounded(double x, double step) { return std::round(x / step) * step; }
 
 /// Turns, scales, moves and rounds.
@@ -299,6 +345,40 @@ void place(Shape& shape, Random& random, std::string& history) {
   history += decimals == 13 ? ", single precision" : ", " + std::to_string(decimals) + " decimals";
 }
 
+Shape singleBody(Random& random, std::string& history) {
+  const auto diagonals = static_cast<Diagonals>(random.below(3));
+  Shape shape;
+  switch (random.below(8)) {
+    case 0:
+    case 1:
+    case 2:
+      shape = tubeShape(random, diagonals, history);
+      break;
+    case 3:
+    case 4:
+      shape = torusShape(random, diagonals, history);
+      break;
+    case 5:
+      shape = revolvedShape(random, diagonals, history);
+      break;
+    case 6:
+      shape = sheetShape(random, diagonals, history);
+      break;
+    default:
+      shape = boxShape(random, history);
+      break;
+  }
+  if (random() < 0.1) {
+    shape = doubled(shape);
+    history += ", doubled";
+  }
+  if (random() < 0.1 && 4 * shape.vertexCount() < kMostVertices) {
+    shape = subdivided(shape);
+    history += ", subdivided";
+  }
+  return shape;
+}
+
 }  // namespace
 
 RegularShape regularShape(std::uint64_t seed) {
@@ -306,36 +386,12 @@ RegularShape regularShape(std::uint64_t seed) {
   for (int i = 0; i < 3; ++i) random();  // seeds near each other begin alike
   for (;;) {
     RegularShape result;
-    const auto diagonals = static_cast<Diagonals>(random.below(3));
     std::string& history = result.history;
     Shape& shape = result.shape;
-    switch (random.below(8)) {
-      case 0:
-      case 1:
-      case 2:
-        shape = tubeShape(random, diagonals, history);
-        break;
-      case 3:
-      case 4:
-        shape = torusShape(random, diagonals, history);
-        break;
-      case 5:
-        shape = revolvedShape(random, diagonals, history);
-        break;
-      case 6:
-        shape = sheetShape(random, diagonals, history);
-        break;
-      default:
-        shape = boxShape(random, history);
-        break;
-    }
-    if (random() < 0.1) {
-      shape = doubled(shape);
-      history += ", doubled";
-    }
-    if (random() < 0.1 && 4 * shape.vertexCount() < kMostVertices) {
-      shape = subdivided(shape);
-      history += ", subdivided";
+    if (seed >= kFirstUnion) {
+      shape = random() < 0.6 ? boxesShape(random, history) : shaftShape(random, history);
+    } else {
+      shape = singleBody(random, history);
     }
     place(shape, random, history);
     if (shape.vertexCount() <= kMostVertices && isSurface(shape, kNarrowest) &&

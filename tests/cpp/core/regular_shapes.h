@@ -17,10 +17,13 @@ struct RegularShape {
   std::string history;
 };
 
+/// From this seed on shapes are unions of bodies: of boxes, or of prisms with one axis.
+inline constexpr std::uint64_t kFirstUnion = 20'000;
+
 /// The surface of this seed, of some 10 to 250 vertices: a prism, tube, torus, cone, box, flat
-/// sheet, sphere, surface of revolution, extruded profile or a union of two of them, in one of
-/// three triangulations; turned, scaled, moved and rounded at random. Connected, without corners
-/// narrower than 1e-3; open ones have boundaries.
+/// sheet, sphere, surface of revolution or extruded profile, in one of three triangulations, or a
+/// union; turned, scaled, moved and rounded at random. Connected, without corners narrower than
+/// 1e-3; open ones have boundaries.
 RegularShape regularShape(std::uint64_t seed);
 
 }  // namespace girth::test

@@ -7,6 +7,7 @@
 #include "girth/girth.h"
 #include "girth/study/naive_girth.h"
 #include "regular_checks.h"
+#include "regular_shapes.h"
 #include "shapes.h"
 
 namespace girth::test {
@@ -55,6 +56,8 @@ TEST_P(RegularShapes, CarryTheRest) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sample, RegularShapes, testing::Range(0, 60));
+INSTANTIATE_TEST_SUITE_P(Unions, RegularShapes,
+                         testing::Range(int{kFirstUnion}, int{kFirstUnion} + 12));
 // Each of these found a fault once: a straight line beyond the end of a window that ends at a
 // vertex is shorter than every path (10, 17, 174, 320, 764); a point beside a boundary has arrivals
 // from outside (815); paths to a vertex tie, and the loop goes on from the one that was not noted

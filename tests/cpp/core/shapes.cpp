@@ -421,4 +421,20 @@ Shape moved(const Shape& shape, double scale, double angle, double shift) {
   return result;
 }
 
+Shape shifted(Shape shape, double x, double y, double z) {
+  for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
+    shape.positions[i] += x;
+    shape.positions[i + 1] += y;
+    shape.positions[i + 2] += z;
+  }
+  return shape;
+}
+
+Shape together(Shape shape, const Shape& other) {
+  const Index first = shape.vertexCount();
+  shape.positions.insert(shape.positions.end(), other.positions.begin(), other.positions.end());
+  for (const Index v : other.triangles) shape.triangles.push_back(first + v);
+  return shape;
+}
+
 }  // namespace girth::test

@@ -87,4 +87,10 @@ Shape relabelled(const Shape& shape, std::uint64_t seed, std::vector<Index>& new
 /// Each vertex p moved to s·R·p + t, R a rotation.
 Shape moved(const Shape& shape, double scale, double angle, double shift);
 
+/// Each vertex moved by (x, y, z).
+Shape shifted(Shape shape, double x, double y, double z);
+
+/// Two shapes as one: the vertices and faces of the second are numbered after the first's.
+Shape together(Shape shape, const Shape& other);
+
 }  // namespace girth::test
