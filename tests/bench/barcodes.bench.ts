@@ -3,7 +3,7 @@
 // quarters have one, the others up to sixteen.
 
 import { afterAll, test } from 'vitest';
-import { BarcodeRun } from '../../web/src/kernel/barcodes.js';
+import { BarcodeRun } from '../../web/src/kernel/page/barcodes.js';
 import { figure, printFigures, quantile, type Figure } from './figures.js';
 
 const vertexCount = 50_000;

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
 import type { GirthViewer, HoverDetail } from '../../web/src/element/index.js';
-import type { SurfacePoint } from '../../web/src/kernel/types.js';
+import type { SurfacePoint } from '../../web/src/kernel/types/types.js';
 import { partKinds } from '../../web/src/view/categories.js';
 import { colourAt } from '../../web/src/view/colormaps.js';
 import {

@@ -247,7 +247,7 @@ test('a process ends without dispose, and not before what was asked for is done'
 
 test('a package that is not whole is an error that says so', async () => {
   const dist = inFolder('node_modules/girth/dist/kernel');
-  for (const file of ['job-worker.js', 'wasm/girth-files.wasm']) {
+  for (const file of ['workers/job-worker.js', 'wasm/girth-files.wasm']) {
     renameSync(join(dist, file), join(dist, 'hidden'));
     const error = await printed(`
       console.log(JSON.stringify(await fails(createKernel({ mode: 'pool' }))));

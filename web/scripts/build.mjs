@@ -219,7 +219,13 @@ export async function buildDocs() {
 }
 
 /** What the element has of the kernel's sources, beside types. */
-const usedOfKernel = ['abort', 'crc', 'errors', 'trusted-script', 'worker-from-elsewhere'];
+const usedOfKernel = [
+  'page/abort',
+  'types/errors',
+  'unpack/crc',
+  'workers/trusted-script',
+  'workers/worker-from-elsewhere',
+];
 
 /** What pages run that `girth.show` of the Python package saves: the element without the kernel, in one file. */
 export async function buildSavedPage() {

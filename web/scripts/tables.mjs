@@ -305,9 +305,9 @@ function documentText(document) {
 /** Every file that is made of tables, by its path. */
 export async function tables() {
   const texts = {
-    'web/src/kernel/fields.ts': fieldsText(),
-    'web/src/kernel/length-units.ts': unitsText(),
-    'web/src/kernel/defaults.ts': defaultsText(),
+    'web/src/kernel/types/fields.ts': fieldsText(),
+    'web/src/kernel/types/length-units.ts': unitsText(),
+    'web/src/kernel/types/defaults.ts': defaultsText(),
     'web/docs/outputs.md': documentText('web/docs/outputs.md'),
   };
   const style = /** @type {const} */ ({ singleQuote: true, printWidth: 100 });

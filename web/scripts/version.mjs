@@ -18,7 +18,7 @@ function rewrite(path, change) {
 
 await script(() => {
   const { version } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8'));
-  rewrite('web/src/kernel/version.ts', (text) => text.replace(/'\d[^']*'/g, `'${version}'`));
+  rewrite('web/src/kernel/types/version.ts', (text) => text.replace(/'\d[^']*'/g, `'${version}'`));
   rewrite('CITATION.cff', (text) =>
     text
       .replace(/^version: .*$/m, `version: ${version}`)

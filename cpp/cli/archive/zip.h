@@ -1,5 +1,6 @@
 // Zip archives: their directory, and their files one at a time. What an archive states of itself is
-// checked before memory is allocated for it. The page reads them alike (web/src/kernel/zip.ts).
+// checked before memory is allocated for it. The page reads them alike
+// (web/src/kernel/unpack/zip.ts).
 #pragma once
 
 #include <cstddef>

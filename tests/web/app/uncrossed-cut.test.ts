@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { GirthError } from '../../../web/src/kernel/errors.js';
+import { GirthError } from '../../../web/src/kernel/types/errors.js';
 import type { Cut, SurfacePoint } from '../../../web/src/kernel/index.js';
 import { cutUncrossed } from '../../../web/app/uncrossed-cut.js';
 

@@ -1,10 +1,10 @@
 import { afterEach, expect, test, vi } from 'vitest';
 import { combine as combineBy } from '../../../web/src/element/combined-field.js';
 import { Fields, type FieldState } from '../../../web/src/element/fields.js';
-import { failure } from '../../../web/src/kernel/errors.js';
-import { summaryOf } from '../../../web/src/kernel/field-run.js';
+import { failure } from '../../../web/src/kernel/types/errors.js';
+import { summaryOf } from '../../../web/src/kernel/page/field-run.js';
 import type { GirthMethod } from '../../../web/src/element/attribute-types.js';
-import type { Field, FieldName, FieldOptions, Mesh } from '../../../web/src/kernel/types.js';
+import type { Field, FieldName, FieldOptions, Mesh } from '../../../web/src/kernel/types/types.js';
 
 const vertexCount = 3;
 const adjacency = { first: Uint32Array.of(0, 1, 3, 4), neighbours: Uint32Array.of(1, 0, 2, 1) };

@@ -3,7 +3,7 @@
 import { expect, test } from 'vitest';
 import { withDensity } from '../../../web/src/element/png-density.js';
 import { scaleBarLength, sizeOf } from '../../../web/src/element/snapshot.js';
-import { crcOf } from '../../../web/src/kernel/crc.js';
+import { crcOf } from '../../../web/src/kernel/unpack/crc.js';
 import { lengthFormat } from '../../../web/src/view/numbers.js';
 
 test('a scale bar is the greatest round length that fits, in the unit that is written', () => {

@@ -1,7 +1,12 @@
 // A worker that answers at once or when told to, without a thread and without WebAssembly.
 
-import type { FieldRequest, Reply, Report, Request } from '../../../web/src/kernel/protocol.js';
-import type { WorkerLike } from '../../../web/src/kernel/worker-client.js';
+import type {
+  FieldRequest,
+  Reply,
+  Report,
+  Request,
+} from '../../../web/src/kernel/types/protocol.js';
+import type { WorkerLike } from '../../../web/src/kernel/page/worker-client.js';
 
 /** What a fake does with a request: its answer, or a promise of it. A thrown error is answered too. */
 export type Behaviour = (

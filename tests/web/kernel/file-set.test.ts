@@ -2,7 +2,7 @@
 
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, test } from 'vitest';
-import { FileSet, looksLikeModel, type SetFile } from '../../../web/src/kernel/file-set.js';
+import { FileSet, looksLikeModel, type SetFile } from '../../../web/src/kernel/unpack/file-set.js';
 
 const file = (path: string, content: string | Uint8Array = 'x'): SetFile => {
   const bytes = typeof content === 'string' ? strToU8(content) : content;

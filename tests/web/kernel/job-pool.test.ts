@@ -2,13 +2,13 @@
 // workers and surfaces are let go of.
 
 import { beforeEach, describe, expect, test, vi } from 'vitest';
-import { cancelled, GirthError } from '../../../web/src/kernel/errors.js';
-import { JobPool, type JobNeeds } from '../../../web/src/kernel/job-pool.js';
-import { openKernel } from '../../../web/src/kernel/kernel.js';
-import type { JobOperations, SurfaceWithInput } from '../../../web/src/kernel/protocol.js';
-import type { SurfaceSource } from '../../../web/src/kernel/surface-source.js';
-import type { Field, Mesh } from '../../../web/src/kernel/types.js';
-import type { WorkerClient } from '../../../web/src/kernel/worker-client.js';
+import { cancelled, GirthError } from '../../../web/src/kernel/types/errors.js';
+import { JobPool, type JobNeeds } from '../../../web/src/kernel/page/job-pool.js';
+import { openKernel } from '../../../web/src/kernel/page/kernel.js';
+import type { JobOperations, SurfaceWithInput } from '../../../web/src/kernel/types/protocol.js';
+import type { SurfaceSource } from '../../../web/src/kernel/page/surface-source.js';
+import type { Field, Mesh } from '../../../web/src/kernel/types/types.js';
+import type { WorkerClient } from '../../../web/src/kernel/page/worker-client.js';
 import { FakeWorker, fakeSurface, fakeThickness, fakeValue } from './fake-worker.js';
 
 /** Bytes above which the pools under test take a surface to be heavy. */

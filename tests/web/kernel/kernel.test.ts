@@ -2,12 +2,16 @@
 
 import { readFileSync } from 'node:fs';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { GirthError, fieldsOf, hints } from '../../../web/src/kernel/errors.js';
-import { FieldRun, summaryOf } from '../../../web/src/kernel/field-run.js';
-import { openKernel } from '../../../web/src/kernel/kernel.js';
-import { chunkSize } from '../../../web/src/kernel/pool-engine.js';
-import type { FileWithPath, MeshArrays, PartialField } from '../../../web/src/kernel/types.js';
-import { longestStart } from '../../../web/src/kernel/worker-client.js';
+import { GirthError, fieldsOf, hints } from '../../../web/src/kernel/types/errors.js';
+import { FieldRun, summaryOf } from '../../../web/src/kernel/page/field-run.js';
+import { openKernel } from '../../../web/src/kernel/page/kernel.js';
+import { chunkSize } from '../../../web/src/kernel/page/pool-engine.js';
+import type {
+  FileWithPath,
+  MeshArrays,
+  PartialField,
+} from '../../../web/src/kernel/types/types.js';
+import { longestStart } from '../../../web/src/kernel/page/worker-client.js';
 import { FakeWorker, fakeSurface, fakeValue, type Behaviour } from './fake-worker.js';
 
 const anyArrays: MeshArrays = {

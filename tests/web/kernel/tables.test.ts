@@ -28,7 +28,7 @@ describe('tables', () => {
     ['PartOptions', 'smoothing', 'PartOptions', 'smoothing'],
   ])('%s.%s has the default of C++', (type, member, struct, ofStruct) => {
     const body = new RegExp(`export interface ${type}\\b[^]*?\\n}`).exec(
-      read('web/src/kernel/types.ts'),
+      read('web/src/kernel/types/types.ts'),
     )?.[0];
     const comment = new RegExp(`/\\*\\*((?:(?!\\*/)[^])*)\\*/\\s*${member}\\?:`).exec(body ?? '');
     const stated = /Default: ([\d.,]+?)[.,]?(?:\s|$)/.exec(comment?.[1] ?? '')?.[1];

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import type { Report } from '../../../web/src/kernel/protocol.js';
-import { ThreadsEngine } from '../../../web/src/kernel/threads-engine.js';
-import { WorkerClient } from '../../../web/src/kernel/worker-client.js';
+import type { Report } from '../../../web/src/kernel/types/protocol.js';
+import { ThreadsEngine } from '../../../web/src/kernel/page/threads-engine.js';
+import { WorkerClient } from '../../../web/src/kernel/page/worker-client.js';
 import { FakeWorker } from './fake-worker.js';
 
 const request = { coarseFaces: 10_000, audit: 200, seed: 1 };

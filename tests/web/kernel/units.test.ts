@@ -1,8 +1,8 @@
 // Units as pages write them, and as files name them.
 
 import { expect, test } from 'vitest';
-import { lengthUnits } from '../../../web/src/kernel/length-units.js';
-import { unitName, unitOf } from '../../../web/src/kernel/units.js';
+import { lengthUnits } from '../../../web/src/kernel/types/length-units.js';
+import { unitName, unitOf } from '../../../web/src/kernel/types/units.js';
 
 test('every unit of length has its name in files, and so has its density', () => {
   for (const { symbol, name } of lengthUnits) {

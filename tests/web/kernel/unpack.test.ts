@@ -5,8 +5,8 @@ import { createRequire } from 'node:module';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { beforeAll, describe, expect, test } from 'vitest';
-import { unpackIfCompressed } from '../../../web/src/kernel/unpack.js';
-import { unpackGltf, type Decoders } from '../../../web/src/kernel/unpack-gltf.js';
+import { unpackIfCompressed } from '../../../web/src/kernel/unpack/unpack.js';
+import { unpackGltf, type Decoders } from '../../../web/src/kernel/unpack/unpack-gltf.js';
 import { dracoDocument } from './draco-document.js';
 
 interface Encoding {

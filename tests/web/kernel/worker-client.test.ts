@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { cancelled, failure } from '../../../web/src/kernel/errors.js';
-import type { CommonOperations, Request } from '../../../web/src/kernel/protocol.js';
-import { WorkerClient } from '../../../web/src/kernel/worker-client.js';
+import { cancelled, failure } from '../../../web/src/kernel/types/errors.js';
+import type { CommonOperations, Request } from '../../../web/src/kernel/types/protocol.js';
+import { WorkerClient } from '../../../web/src/kernel/page/worker-client.js';
 import { FakeWorker } from './fake-worker.js';
 
 function clientOfFakes() {

@@ -2,7 +2,10 @@
 
 import { resolveObjectURL } from 'node:buffer';
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import { openWorker, scriptFromElsewhere } from '../../../web/src/kernel/worker-from-elsewhere.js';
+import {
+  openWorker,
+  scriptFromElsewhere,
+} from '../../../web/src/kernel/workers/worker-from-elsewhere.js';
 
 const page = 'https://page.example';
 const elsewhere = 'https://cdn.example/assets/worker.js';
@@ -77,7 +80,7 @@ describe('where a page wants addresses to be trusted', () => {
     vi.resetModules();
     vi.stubGlobal('Worker', Demanding);
     vi.stubGlobal('trustedTypes', { createPolicy });
-    return import('../../../web/src/kernel/worker-from-elsewhere.js');
+    return import('../../../web/src/kernel/workers/worker-from-elsewhere.js');
   };
   beforeEach(() => void createPolicy.mockReset().mockImplementation((_, rules) => trusting(rules)));
 

@@ -1,7 +1,7 @@
 // Workers of a copy of the package's folder, with a `Worker` that notes what it is made of.
 
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { workersIn } from '../../../web/src/kernel/workers.js';
+import { workersIn } from '../../../web/src/kernel/page/workers.js';
 
 let scripts: string[];
 

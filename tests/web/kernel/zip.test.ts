@@ -2,7 +2,13 @@
 
 import { deflateSync, strToU8, zipSync } from 'fflate';
 import { describe, expect, test } from 'vitest';
-import { isZip, safePath, unpack, unpackBudget, zipEntries } from '../../../web/src/kernel/zip.js';
+import {
+  isZip,
+  safePath,
+  unpack,
+  unpackBudget,
+  zipEntries,
+} from '../../../web/src/kernel/unpack/zip.js';
 
 const megabyte = 2 ** 20;
 const text = (bytes: Uint8Array) => new TextDecoder().decode(bytes);

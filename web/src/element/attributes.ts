@@ -1,8 +1,8 @@
 // What each attribute of the element can be. Any other value counts as if the attribute were not there.
 
-import { signatureNumbers } from '../kernel/fields.js';
-import { findLengthUnit, lengthUnits } from '../kernel/length-units.js';
-import type { GirthErrorFields } from '../kernel/types.js';
+import { signatureNumbers } from '../kernel/types/fields.js';
+import { findLengthUnit, lengthUnits } from '../kernel/types/length-units.js';
+import type { GirthErrorFields } from '../kernel/types/types.js';
 import { colormapNames } from '../view/colormap-names.js';
 import { derivedNames, fieldNames, isShownName } from '../view/field-words.js';
 import { readLengthOrShare } from '../view/length-text.js';

@@ -1,9 +1,9 @@
 // Two fields in one: their difference or their ratio at each vertex. It is fetched when that is first asked for, and uses what
 // is handed to it, as `section-tool.ts` does.
 
-import type { failure } from '../kernel/errors.js';
-import type { summaryOf } from '../kernel/field-run.js';
-import type { Field, FieldName, NamedField } from '../kernel/types.js';
+import type { failure } from '../kernel/types/errors.js';
+import type { summaryOf } from '../kernel/page/field-run.js';
+import type { Field, FieldName, NamedField } from '../kernel/types/types.js';
 import type {
   Combination,
   GivenName,

@@ -1,6 +1,6 @@
 // The element's events, and what they carry.
 
-import type { FieldName, GirthErrorFields, MeshInfo } from '../kernel/types.js';
+import type { FieldName, GirthErrorFields, MeshInfo } from '../kernel/types/types.js';
 import type { ShownName } from '../view/index.js';
 import type { PickDetail } from './loops-on-surface.js';
 import type { ShownField } from './shading.js';

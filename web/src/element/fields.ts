@@ -1,8 +1,8 @@
 // The fields of one model: each is computed when it is first asked for, kept, and known in part meanwhile.
 
-import { failure } from '../kernel/errors.js';
-import { summaryOf } from '../kernel/field-run.js';
-import { persistentFields } from '../kernel/fields.js';
+import { failure } from '../kernel/types/errors.js';
+import { summaryOf } from '../kernel/page/field-run.js';
+import { persistentFields } from '../kernel/types/fields.js';
 import type {
   Barcodes,
   Field,
@@ -13,7 +13,7 @@ import type {
   NamedField,
   PartialField,
   SpectralOptions,
-} from '../kernel/types.js';
+} from '../kernel/types/types.js';
 import {
   type Adjacency,
   type CombinedName,

@@ -2,8 +2,8 @@
 // at its vertices, and lines on it. It is read here, without the kernel, so that nothing has to be fetched to show
 // it. Whatever is not just so is left to the kernel, which reads any glTF and reports what is wrong.
 
-import type { ContourLine, Loop, LoopKind, Tips } from '../kernel/types.js';
-import { findLengthUnit } from '../kernel/length-units.js';
+import type { ContourLine, Loop, LoopKind, Tips } from '../kernel/types/types.js';
+import { findLengthUnit } from '../kernel/types/length-units.js';
 
 /** Numbers at the vertices, as they are named in the file. */
 export interface FigureValues {

@@ -1,8 +1,8 @@
 // The surface of a file that has its values in it, as a mesh that nothing can be computed on: whoever wants that
 // loads the file anew, by the kernel.
 
-import { failure } from '../kernel/errors.js';
-import type { Mesh, MeshInfo } from '../kernel/types.js';
+import { failure } from '../kernel/types/errors.js';
+import type { Mesh, MeshInfo } from '../kernel/types/types.js';
 import { inSlices } from '../view/index.js';
 import { type FigureFile, readFigure } from './figure-file.js';
 import { givenFields } from './given-fields.js';

@@ -1,6 +1,6 @@
 // By which method a girth was computed, as its field has it in words.
 
-import type { Field } from '../kernel/types.js';
+import type { Field } from '../kernel/types/types.js';
 import type { GirthMethod } from './attribute-types.js';
 
 export function methodOf({ method }: Field): GirthMethod {

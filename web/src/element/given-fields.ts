@@ -1,7 +1,7 @@
 // Fields that a file has for its vertices: those that the kernel computes, and any others under their names.
 
-import { summaryOf } from '../kernel/field-run.js';
-import type { Field, FieldName } from '../kernel/types.js';
+import { summaryOf } from '../kernel/page/field-run.js';
+import type { Field, FieldName } from '../kernel/types/types.js';
 import { type GivenName, isFieldName, isGivenName } from '../view/field-words.js';
 import type { FigureValues } from './figure-file.js';
 

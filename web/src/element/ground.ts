@@ -8,7 +8,7 @@ import {
   splatShadow,
   uprightPositions,
 } from '../view/index.js';
-import type { Mesh } from '../kernel/types.js';
+import type { Mesh } from '../kernel/types/types.js';
 
 export async function groundUnder(
   mesh: Mesh,

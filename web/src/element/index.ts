@@ -71,7 +71,7 @@ export {
   isGivenName,
   isShownName,
 } from '../view/field-words.js';
-export { type LengthUnit, findLengthUnit, lengthUnits } from '../kernel/length-units.js';
+export { type LengthUnit, findLengthUnit, lengthUnits } from '../kernel/types/length-units.js';
 export { type ReadLength, readLength, readLengthOrShare, typedUnit } from '../view/length-text.js';
 export { type Look, lookNames } from '../view/look.js';
 export {

@@ -1,7 +1,7 @@
 // The girth of surfaces with many triangles, computed on fewer and carried back.
 
-import { linked } from '../kernel/abort.js';
-import type { Field, FieldOptions, Mesh, WatchedOptions } from '../kernel/types.js';
+import { linked } from '../kernel/page/abort.js';
+import type { Field, FieldOptions, Mesh, WatchedOptions } from '../kernel/types/types.js';
 import { formatCount, nextTask } from '../view/index.js';
 
 /** Triangles that the girth is computed on first. */

@@ -1,7 +1,7 @@
 // What elements of a page have in common: those of one name are seen from the same place, in radii of each surface, or
 // their colours span one range. Fetched when an element asks for it.
 
-import { findLengthUnit } from '../kernel/length-units.js';
+import { findLengthUnit } from '../kernel/types/length-units.js';
 import { type CameraView, type Stage, isSameView } from '../view/index.js';
 import type { Ends } from './colour-range.js';
 import type { OwnRange } from './shading.js';

@@ -1,7 +1,7 @@
 // The loop under the pointer, under the finger or at the keyboard's probe, and the pinned loops.
 
-import { cancelled } from '../kernel/errors.js';
-import type { Loop, SurfacePoint } from '../kernel/types.js';
+import { cancelled } from '../kernel/types/errors.js';
+import type { Loop, SurfacePoint } from '../kernel/types/types.js';
 import {
   Latest,
   type LengthFormat,

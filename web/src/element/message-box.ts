@@ -1,6 +1,6 @@
 // What went wrong, in words, where the user looks.
 
-import type { GirthErrorFields, UnreadableModel } from '../kernel/types.js';
+import type { GirthErrorFields, UnreadableModel } from '../kernel/types/types.js';
 import type { Graphics } from '../view/index.js';
 import { make } from './dom.js';
 import { noGraphics } from './no-graphics.js';

@@ -1,7 +1,7 @@
 // One model on the stage: its surface, and what is computed of it.
 
-import { linked } from '../kernel/abort.js';
-import { failure } from '../kernel/errors.js';
+import { linked } from '../kernel/page/abort.js';
+import { failure } from '../kernel/types/errors.js';
 import type {
   Field,
   FieldName,
@@ -18,7 +18,7 @@ import type {
   SpectralOptions,
   Tips,
   WatchedOptions,
-} from '../kernel/types.js';
+} from '../kernel/types/types.js';
 import {
   Surface,
   type UpAxis,

@@ -1,7 +1,7 @@
 // Why there is no picture, and what helps.
 
-import { GirthError } from '../kernel/errors.js';
-import type { GirthErrorFields } from '../kernel/types.js';
+import { GirthError } from '../kernel/types/errors.js';
+import type { GirthErrorFields } from '../kernel/types/types.js';
 import type { Graphics } from '../view/index.js';
 
 export const noGraphics: Record<'lost' | 'missing', GirthErrorFields> = {

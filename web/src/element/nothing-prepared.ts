@@ -1,6 +1,6 @@
 // The account of a surface that is shown as it is: nothing was done to it.
 
-import type { PreparationReport } from '../kernel/types.js';
+import type { PreparationReport } from '../kernel/types/types.js';
 
 export const nothingPrepared: PreparationReport = {
   ...{

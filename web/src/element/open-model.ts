@@ -1,6 +1,6 @@
 // A model at an address: shown as it is where its file has its values in it, otherwise read by the kernel.
 
-import type { Mesh, Tips } from '../kernel/types.js';
+import type { Mesh, Tips } from '../kernel/types/types.js';
 import { figureOf } from './figure-mesh.js';
 import { carriedTo } from './given-fields.js';
 import type { FileContent } from './model.js';

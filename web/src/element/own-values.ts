@@ -1,8 +1,8 @@
 // What a GLB that was opened by hand has for its vertices, beside what the kernel reads of it and can compute. It is fetched
 // when a file is opened so, and uses what is handed to it, as `section-tool.ts` does.
 
-import type { failure } from '../kernel/errors.js';
-import type { Mesh, MeshSource } from '../kernel/types.js';
+import type { failure } from '../kernel/types/errors.js';
+import type { Mesh, MeshSource } from '../kernel/types/types.js';
 import type { readFigure } from './figure-file.js';
 import type { GivenField, carriedTo, givenFields } from './given-fields.js';
 import type { FileContent, onlySurface } from './model.js';

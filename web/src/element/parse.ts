@@ -1,6 +1,11 @@
 // What attributes, sources and errors mean, in the element's own terms.
 
-import type { FieldName, GirthErrorFields, MeshSource, SpectralOptions } from '../kernel/types.js';
+import type {
+  FieldName,
+  GirthErrorFields,
+  MeshSource,
+  SpectralOptions,
+} from '../kernel/types/types.js';
 
 /** What the ends of the colour map are: values, or the shares of the surface below them. */
 export interface RangeChoice {

@@ -1,6 +1,6 @@
 // Points of a surface, and from where it is seen, as words of attributes and addresses.
 
-import type { SurfacePoint } from '../kernel/types.js';
+import type { SurfacePoint } from '../kernel/types/types.js';
 import type { CameraView } from '../view/camera-view.js';
 
 /** A finite number in decimal digits; undefined for anything else. */

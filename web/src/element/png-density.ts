@@ -1,6 +1,6 @@
 // How large a PNG is meant to be printed: its pHYs chunk (PNG specification, section 11.3.4.3).
 
-import { crcOf } from '../kernel/crc.js';
+import { crcOf } from '../kernel/unpack/crc.js';
 
 /** Of the signature and the first chunk, which is always the header. */
 const headLength = 8 + 25;

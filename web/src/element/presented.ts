@@ -1,6 +1,12 @@
 // One model on a stage: its colours and legend, its loops and tips, what is marked, where one looks.
 
-import type { FieldName, Loop, PartThresholds, Parts, SurfacePoint } from '../kernel/types.js';
+import type {
+  FieldName,
+  Loop,
+  PartThresholds,
+  Parts,
+  SurfacePoint,
+} from '../kernel/types/types.js';
 import {
   Latest,
   type LegendContent,

@@ -1,6 +1,6 @@
 // Words on the surface: the length beside the pointer, and a tag on every pinned loop.
 
-import type { Loop, SurfacePoint } from '../kernel/types.js';
+import type { Loop, SurfacePoint } from '../kernel/types/types.js';
 import { type Box, type LengthFormat, formatLength } from '../view/index.js';
 import { make } from './dom.js';
 

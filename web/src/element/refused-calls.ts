@@ -1,6 +1,6 @@
 // What only the kernel can answer of a mesh, refused: for surfaces that are shown with what is known of them already.
 
-import type { Mesh } from '../kernel/types.js';
+import type { Mesh } from '../kernel/types/types.js';
 
 /** What is known of every mesh. */
 type Known = 'info' | 'geometry' | 'vertexOfInput' | 'vertexAreas' | 'dispose';

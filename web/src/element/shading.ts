@@ -7,7 +7,7 @@ import type {
   PartialField,
   RefinedGirth,
   Tips,
-} from '../kernel/types.js';
+} from '../kernel/types/types.js';
 import {
   type Category,
   type ColormapName,

@@ -1,6 +1,6 @@
 // One kernel for all elements of a page.
 
-import type { Kernel } from '../kernel/types.js';
+import type { Kernel } from '../kernel/types/types.js';
 
 let kernel: Promise<Kernel> | undefined;
 

@@ -1,7 +1,7 @@
 // A mesh as the element asks for it, of which everything is known already and nothing is computed.
 
-import { cancelled } from '../kernel/errors.js';
-import type { Field, FieldName, Loop, Mesh, MeshInfo } from '../kernel/types.js';
+import { cancelled } from '../kernel/types/errors.js';
+import type { Field, FieldName, Loop, Mesh, MeshInfo } from '../kernel/types/types.js';
 import { nothingPrepared } from './nothing-prepared.js';
 import { refusedCalls } from './refused-calls.js';
 

@@ -1,6 +1,6 @@
 // What the element shows as an object that can be kept as JSON: which attributes it takes, and with which values.
 
-import { GirthError } from '../kernel/errors.js';
+import { GirthError } from '../kernel/types/errors.js';
 import type { ViewerState } from './attribute-types.js';
 import {
   type AttributeName,

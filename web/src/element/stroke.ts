@@ -1,6 +1,6 @@
 // A line that a hand draws on the surface.
 
-import type { CallOptions, FacePoint, SurfacePoint } from '../kernel/types.js';
+import type { CallOptions, FacePoint, SurfacePoint } from '../kernel/types/types.js';
 
 /** How a stroke is drawn; see `GirthViewer.chooseStroke`. */
 export interface StrokeOptions extends CallOptions {

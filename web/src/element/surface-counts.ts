@@ -1,7 +1,7 @@
 // What is known of a surface by counting: components, genus, boundary. For surfaces that nobody has prepared; what
 // the kernel would mend is found, not mended.
 
-import type { MeshInfo } from '../kernel/types.js';
+import type { MeshInfo } from '../kernel/types/types.js';
 
 /** Steps of work between two chances to let the page go on. */
 const chunk = 1 << 14;

@@ -1,6 +1,6 @@
 // The tips of one model on its stage: contours, tinted regions, apexes, and one that is selected.
 
-import type { ContourLine, Tips } from '../kernel/types.js';
+import type { ContourLine, Tips } from '../kernel/types/types.js';
 import { type Stage, TipMarks } from '../view/index.js';
 import type { Model } from './model.js';
 

@@ -1,7 +1,7 @@
 // What the element draws and computes: a model that comes and goes, as the attributes ask for it. It is fetched
 // when it is first needed; what is there before is in `viewer-shell.ts`.
 
-import { failure } from '../kernel/errors.js';
+import { failure } from '../kernel/types/errors.js';
 import type {
   Field,
   FieldName,
@@ -13,8 +13,8 @@ import type {
   MeshInfo,
   MeshSource,
   Tips,
-} from '../kernel/types.js';
-import { openWorker } from '../kernel/worker-from-elsewhere.js';
+} from '../kernel/types/types.js';
+import { openWorker } from '../kernel/workers/worker-from-elsewhere.js';
 import {
   type Box,
   type CameraView,

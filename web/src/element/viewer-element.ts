@@ -40,7 +40,7 @@ import type {
   SurfacePoint,
   Tips,
   WatchedOptions,
-} from '../kernel/types.js';
+} from '../kernel/types/types.js';
 import type {
   CameraView,
   CombinedName,

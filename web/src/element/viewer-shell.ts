@@ -2,8 +2,8 @@
 // the surface is drawn. It fetches the rest, `viewer-core.ts`, when the element comes near the view or is asked
 // for something. Only what is light is imported here.
 
-import type { GirthErrorFields, LoadOptions, MeshInfo, MeshSource } from '../kernel/types.js';
-import { findLengthUnit } from '../kernel/length-units.js';
+import type { GirthErrorFields, LoadOptions, MeshInfo, MeshSource } from '../kernel/types/types.js';
+import { findLengthUnit } from '../kernel/types/length-units.js';
 import type { ViewerState } from './attribute-types.js';
 import { type AttributeName, attributeNames, attributeOf, faultOf } from './attributes.js';
 import { make } from './dom.js';

@@ -1,6 +1,6 @@
 // What the element announces to those who cannot see it: what is on the canvas, how it is moved, and what has ended.
 
-import type { FieldName } from '../kernel/types.js';
+import type { FieldName } from '../kernel/types/types.js';
 import { fieldTitle, formatLength } from '../view/index.js';
 import { make } from './dom.js';
 import type { Presented } from './presented.js';

@@ -1,6 +1,6 @@
 // Tips, parts and pinned loops, as words of the element's attributes: read, and written.
 
-import type { SurfacePoint } from '../kernel/types.js';
+import type { SurfacePoint } from '../kernel/types/types.js';
 import { readLength } from '../view/length-text.js';
 import { readCount, readNumber, readPoint, writePoint } from './place-words.js';
 

@@ -1,8 +1,8 @@
 // What attributes ask for beside colours: from where the surface is seen, tips, parts and pinned loops. An attribute
 // is followed when it is set and when a model comes; hands and methods go on from there.
 
-import { GirthError } from '../kernel/errors.js';
-import type { Mesh, SurfacePoint } from '../kernel/types.js';
+import { GirthError } from '../kernel/types/errors.js';
+import type { Mesh, SurfacePoint } from '../kernel/types/types.js';
 import { type Stage, readLength, straightNames } from '../view/index.js';
 import { attributeOf, isOn } from './attributes.js';
 import type { ViewerState } from './attribute-types.js';

@@ -3,8 +3,8 @@
  * @module girth
  */
 
-export { createKernel } from './kernel.js';
-export { GirthError } from './errors.js';
+export { createKernel } from './page/kernel.js';
+export { GirthError } from './types/errors.js';
 export {
   type SignatureNumbers,
   fieldListTitles,
@@ -13,8 +13,8 @@ export {
   persistentFields,
   signatureNumbers,
   usualTime,
-} from './fields.js';
-export { type LengthUnit, findLengthUnit, lengthUnits } from './length-units.js';
-export { version } from './version.js';
-export { type ZipFile, readZip } from './zip.js';
-export type * from './types.js';
+} from './types/fields.js';
+export { type LengthUnit, findLengthUnit, lengthUnits } from './types/length-units.js';
+export { version } from './types/version.js';
+export { type ZipFile, readZip } from './unpack/zip.js';
+export type * from './types/types.js';

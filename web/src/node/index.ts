@@ -1,15 +1,15 @@
 // What `import ... from 'girth'` is in Node.js: the same names and types as on a page (kernel/index.ts).
 
-import { openKernel } from '../kernel/kernel.js';
-import type { Kernel, KernelOptions } from '../kernel/types.js';
+import { openKernel } from '../kernel/page/kernel.js';
+import type { Kernel, KernelOptions } from '../kernel/types/types.js';
 import { nodeWorkers } from './kernel-workers.js';
 import { node } from './platform.js';
 
-export { GirthError } from '../kernel/errors.js';
-export { version } from '../kernel/version.js';
-export type * from '../kernel/types.js';
+export { GirthError } from '../kernel/types/errors.js';
+export { version } from '../kernel/types/version.js';
+export type * from '../kernel/types/types.js';
 
-/** Starts the workers, and waits until one of them can read models. Errors: as on a page (kernel/kernel.ts). */
+/** Starts the workers, and waits until one of them can read models. Errors: as on a page (kernel/page/kernel.ts). */
 export function createKernel(options: KernelOptions = {}): Promise<Kernel> {
   return openKernel(options, nodeWorkers, node);
 }

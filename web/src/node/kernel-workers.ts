@@ -1,8 +1,8 @@
 // The kernel's workers in Node.js. A worker keeps the process alive while it has something to do, and no longer.
 
-import type { Reply, Request } from '../kernel/protocol.js';
-import type { WorkerLike } from '../kernel/worker-client.js';
-import type { WorkerFactory } from '../kernel/workers.js';
+import type { Reply, Request } from '../kernel/types/protocol.js';
+import type { WorkerLike } from '../kernel/page/worker-client.js';
+import type { WorkerFactory } from '../kernel/page/workers.js';
 import { WebWorker } from './web-worker.js';
 
 class KernelWorker extends WebWorker {
@@ -25,7 +25,7 @@ class KernelWorker extends WebWorker {
 }
 
 const opening = (script: string) => (): WorkerLike =>
-  new KernelWorker(new URL(`../kernel/${script}`, import.meta.url));
+  new KernelWorker(new URL(`../kernel/workers/${script}`, import.meta.url));
 
 export const nodeWorkers: WorkerFactory = {
   single: opening('worker.js'),

@@ -4,9 +4,9 @@ import { readFile } from 'node:fs/promises';
 import { availableParallelism } from 'node:os';
 import { basename } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { failure, fieldsOf } from '../kernel/errors.js';
-import type { Platform } from '../kernel/platform.js';
-import { fetched, type ContentAt } from '../kernel/source.js';
+import { failure, fieldsOf } from '../kernel/types/errors.js';
+import type { Platform } from '../kernel/page/platform.js';
+import { fetched, type ContentAt } from '../kernel/page/source.js';
 
 export const node: Platform = {
   sharesMemory: true,

@@ -5,7 +5,7 @@ import { readFileSync, realpathSync } from 'node:fs';
 import { dirname, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { MessageChannel, receiveMessageOnPort, Worker } from 'node:worker_threads';
-import { addressBeside, type WorkerFiles } from '../kernel/worker-files.js';
+import { addressBeside, type WorkerFiles } from '../kernel/workers/worker-files.js';
 import type { Fetching } from './fetching.js';
 
 export const threadFiles: WorkerFiles = {

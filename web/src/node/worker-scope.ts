@@ -3,10 +3,10 @@
 
 import { readFile } from 'node:fs/promises';
 import { parentPort, workerData } from 'node:worker_threads';
-import { failure, fieldsOf } from '../kernel/errors.js';
-import { installAgain } from '../kernel/loading-failure.js';
-import type { Reply, Request } from '../kernel/protocol.js';
-import { workerFiles } from '../kernel/worker-files.js';
+import { failure, fieldsOf } from '../kernel/types/errors.js';
+import { installAgain } from '../kernel/workers/loading-failure.js';
+import type { Reply, Request } from '../kernel/types/protocol.js';
+import { workerFiles } from '../kernel/workers/worker-files.js';
 import { threadFiles } from './thread-files.js';
 import { WebWorker } from './web-worker.js';
 

@@ -1,7 +1,7 @@
 // A field while it is being computed: the values so far, and for every other vertex the value of
 // the nearest vertex that has one.
 
-import type { PartialField } from '../kernel/types.js';
+import type { PartialField } from '../kernel/types/types.js';
 import type { Adjacency } from './adjacency.js';
 
 /** Hops of a vertex that no value has reached. */

@@ -1,8 +1,8 @@
 // Which fields can be shown, and what they are called.
 
-import { fieldTitles } from '../kernel/fields.js';
-import type { FieldName } from '../kernel/types.js';
-import { unitOf } from '../kernel/units.js';
+import { fieldTitles } from '../kernel/types/fields.js';
+import type { FieldName } from '../kernel/types/types.js';
+import { unitOf } from '../kernel/types/units.js';
 
 /** Fields of numbers that the kernel computes, the default first. */
 export const fieldNames = Object.keys(fieldTitles) as readonly FieldName[];

@@ -1,7 +1,7 @@
 // Lengths as people type them: '3', '28 mm', '1.1in'. The command reads them in the same way
 // (cpp/io/text/length_text.h); tests/data/lengths.json holds both to it.
 
-import { type LengthUnit, findLengthUnit, lengthUnits } from '../kernel/length-units.js';
+import { type LengthUnit, findLengthUnit, lengthUnits } from '../kernel/types/length-units.js';
 
 /** A number of at least 0; a comma may stand for the point. NaN: it is none. */
 function amountOf(digits: string): number {

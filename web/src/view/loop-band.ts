@@ -4,7 +4,7 @@ import { Group } from 'three';
 import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineGeometry } from 'three/addons/lines/LineGeometry.js';
 import type { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import type { Loop } from '../kernel/types.js';
+import type { Loop } from '../kernel/types/types.js';
 import { type Dots, type Overlay, makeDots, strokeMaterial } from './fat-lines.js';
 
 /** The strokes of a band from the bottom up; widths in CSS pixels. */

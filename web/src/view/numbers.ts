@@ -1,7 +1,7 @@
 // Lengths and other values as people read them: one unit and one number of decimals for a whole field,
 // so that numbers keep their width while they change.
 
-import { findLengthUnit } from '../kernel/length-units.js';
+import { findLengthUnit } from '../kernel/types/length-units.js';
 
 /** How the values of one field are written: lengths, angles or plain numbers. */
 export interface LengthFormat {

@@ -2,7 +2,7 @@
 // point of the surface is on the canvas.
 
 import { type PerspectiveCamera, Raycaster, Vector2, type Vector3 } from 'three';
-import type { FacePoint } from '../kernel/types.js';
+import type { FacePoint } from '../kernel/types/types.js';
 import type { Surface } from './surface.js';
 import type { SurfaceSpace } from './surface-space.js';
 

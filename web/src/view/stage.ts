@@ -16,7 +16,7 @@ import {
   Scene,
   Vector3,
 } from 'three';
-import type { FacePoint } from '../kernel/types.js';
+import type { FacePoint } from '../kernel/types/types.js';
 import { CameraRig } from './camera-rig.js';
 import {
   type CameraView,

@@ -22,7 +22,7 @@ import {
   Vector3,
 } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
-import type { FacePoint, SurfacePoint } from '../kernel/types.js';
+import type { FacePoint, SurfacePoint } from '../kernel/types/types.js';
 import type { Adjacency } from './adjacency.js';
 import { weightsIn } from './barycentric.js';
 import type { Category } from './categories.js';

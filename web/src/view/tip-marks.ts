@@ -4,7 +4,7 @@ import { Group } from 'three';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import type { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import type { ContourLine } from '../kernel/types.js';
+import type { ContourLine } from '../kernel/types/types.js';
 import { type Dot, type Dots, type Overlay, makeDots, strokeMaterial } from './fat-lines.js';
 
 /** What is drawn; places are x, y, z. */

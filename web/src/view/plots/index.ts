@@ -41,4 +41,4 @@ export {
   formatNumber,
   writtenOut,
 } from '../numbers.js';
-export { type LengthUnit, findLengthUnit } from '../../kernel/length-units.js';
+export { type LengthUnit, findLengthUnit } from '../../kernel/types/length-units.js';
