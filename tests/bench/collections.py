@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 
 import numpy as np
-from girth import collection
+from pygirth import collection
 
 ROWS, COLUMNS = 10, 25
 FAMILIES = 100

@@ -1,4 +1,4 @@
-// Pages that `girth.show` saves, opened from the disk in a browser that has no network.
+// Pages that `pygirth.show` saves, opened from the disk in a browser that has no network.
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
@@ -17,7 +17,9 @@ const open = chromiumForTests();
 
 /** Runs lines of Python, which save page.html, and opens it; `python` gives what they print. */
 async function openPage(lines: string[]) {
-  const program = ['import girth, json, numpy as np', 'from shapes import *', ...lines].join('\n');
+  const program = ['import pygirth, json, numpy as np', 'from shapes import *', ...lines].join(
+    '\n',
+  );
   const python = execFileSync(join(repository, installedPython), ['-c', program], {
     cwd: folder,
     encoding: 'utf8',
@@ -43,9 +45,9 @@ const legendOf = (element: GirthViewer) =>
 
 test('a saved page shows the values of the girth, bit for bit, and fetches nothing', async () => {
   const { python, viewer, page, fetched, complaints } = await openPage([
-    'm = girth.Mesh(*torus(), unit="metre")',
+    'm = pygirth.Mesh(*torus(), unit="metre")',
     'f = m.igf()',
-    'girth.show(f, name="Ring", loops=[100], points=[3, 5]).save("page.html")',
+    'pygirth.show(f, name="Ring", loops=[100], points=[3, 5]).save("page.html")',
     'print(json.dumps({"values": f.values.tolist(), "length": m.loop(100).length}))',
   ]);
   const { values, length } = JSON.parse(python) as { values: number[]; length: number };
@@ -67,8 +69,8 @@ test('the value under the pointer is written out, by the row of the arrays', asy
   const { page, viewer, frame, complaints } = await openPage([
     'v, f = torus()',
     // Every vertex twice, the first one unused: rows and vertices have other numbers.
-    'm = girth.Mesh(np.repeat(v, 2, axis=0), 2 * f + 1)',
-    'girth.show(m, np.arange(len(m.vertices)) * 10.0, title="Rows").save("page.html")',
+    'm = pygirth.Mesh(np.repeat(v, 2, axis=0), 2 * f + 1)',
+    'pygirth.show(m, np.arange(len(m.vertices)) * 10.0, title="Rows").save("page.html")',
   ]);
   expect(await viewer.evaluate(legendOf)).toContain('Rows');
   const place = await placeOnSurface(viewer, 0.5, 0.15);
@@ -84,8 +86,8 @@ test('the value under the pointer is written out, by the row of the arrays', asy
 
 test('a notebook shows the same page in a frame of its own', async () => {
   const { frame, page, viewer, complaints } = await openPage([
-    'm = girth.Mesh(*prism())',
-    'shown = girth.show(m, m.geodesics(0), name="A & <b> \\"c\\"", colormap="magma", range=(0, 5))',
+    'm = pygirth.Mesh(*prism())',
+    'shown = pygirth.show(m, m.geodesics(0), name="A & <b> \\"c\\"", colormap="magma", range=(0, 5))',
     'open("page.html", "w").write("<!doctype html><meta charset=utf-8>" + shown._repr_html_())',
   ]);
   expect(frame).not.toBe(page.mainFrame());
@@ -101,7 +103,7 @@ test('a notebook shows the same page in a frame of its own', async () => {
 test('without a field, and far from the origin, the surface alone is drawn', async () => {
   const { viewer, complaints } = await openPage([
     'v, f = torus()',
-    'girth.show((v + [1e6, 0, 0], f)).save("page.html")',
+    'pygirth.show((v + [1e6, 0, 0], f)).save("page.html")',
   ]);
   const info = await viewer.evaluate((element) => (element as GirthViewer).info!);
   expect([info.vertexCount, info.faceCount, info.edgeCount]).toEqual([640, 1280, 1920]);

@@ -21,7 +21,7 @@ def test_what_is_needed_is_known_without_compiling(backend, tmp_path):
     name = backend.prepare_metadata_for_build_wheel(str(tmp_path))
     assert [path.name for path in tmp_path.iterdir()] == [name]
     text = (tmp_path / name / "METADATA").read_text()
-    assert text.startswith("Metadata-Version: 2.1\nName: girth\n") and "Requires-Dist: numpy>=1.21" in text
+    assert text.startswith("Metadata-Version: 2.1\nName: pygirth\n") and "Requires-Dist: numpy>=1.21" in text
 
 
 @pytest.mark.parametrize(

@@ -7,11 +7,11 @@ import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-import girth
 import numpy as np
+import pygirth
 import pytest
-from girth import collection
-from girth.collection import _clients, _collection, _search, _store, _tasks
+from pygirth import collection
+from pygirth.collection import _clients, _collection, _search, _store, _tasks
 from shapes import as_obj, prism, tetrahedron, torus
 
 
@@ -32,13 +32,13 @@ def files(tmp_path):
 def count(monkeypatch):
     """How many fields of how many models have been computed."""
     calls = []
-    compute = girth._girth.compared_fields
+    compute = pygirth._girth.compared_fields
 
     def counted(surface, names, *others):
         calls.append(tuple(names))
         return compute(surface, names, *others)
 
-    monkeypatch.setattr(girth._girth, "compared_fields", counted)
+    monkeypatch.setattr(pygirth._girth, "compared_fields", counted)
     return calls
 
 
@@ -47,11 +47,11 @@ def test_the_fields_and_distances_of_single_models(files):
     assert (len(models), models.computed, models.failed) == (12, 11, {})
     assert models.models[3] == str(files[3])
     for number in (0, 5, 9):
-        mesh = girth.load(files[number])
+        mesh = pygirth.load(files[number])
         values, weights = models.values(number, "igf")
         np.testing.assert_allclose(values, mesh.igf().values / np.sqrt(mesh.area), rtol=1e-12)
         np.testing.assert_allclose(weights.sum(), 1, rtol=1e-12)
-    single = girth.compare(files, ["igf", "geofarthest"], faces=0)
+    single = pygirth.compare(files, ["igf", "geofarthest"], faces=0)
     for name in models.names:
         assert np.array_equal(models.distances(name, block=5), single[name])
     assert models.distances("igf")[10, 11] < 1e-15
@@ -79,7 +79,7 @@ def test_a_second_run_computes_nothing(files, tmp_path, count):
 def test_what_was_written_before_a_stop_is_kept(files, tmp_path, count, monkeypatch):
     seen = []
     stopped = threading.Event()
-    compute = girth._girth.compared_fields
+    compute = pygirth._girth.compared_fields
 
     def held(*arguments):
         # On a busy machine all would be computed before the first result is looked at.
@@ -87,7 +87,7 @@ def test_what_was_written_before_a_stop_is_kept(files, tmp_path, count, monkeypa
             stopped.wait()
         return compute(*arguments)
 
-    monkeypatch.setattr(girth._girth, "compared_fields", held)
+    monkeypatch.setattr(pygirth._girth, "compared_fields", held)
 
     def stop(fraction):
         seen.append(fraction)
@@ -122,7 +122,7 @@ def test_unreadable_models_among_many(files, tmp_path):
     bad = np.isnan(distances).all(axis=1)
     assert np.flatnonzero(bad).tolist() == [3, 7, 8, 12, 14]
     assert np.isfinite(distances[~bad][:, ~bad]).all()
-    with pytest.raises(girth.InputError) as caught:
+    with pytest.raises(pygirth.InputError) as caught:
         models.values(3, "igf")
     assert caught.value.code == "UNKNOWN_FORMAT"
     numbers, far, _ = models.nearest(k=12)
@@ -138,7 +138,7 @@ def test_a_file_that_comes_back_is_tried_again(files, tmp_path, monkeypatch):
     def late(model):
         try:
             return real(model)
-        except girth.GirthError:
+        except pygirth.GirthError:
             hidden.exists() and hidden.rename(files[4])
             raise
 
@@ -207,7 +207,7 @@ def test_a_full_disk(files, tmp_path, count):
 )
 def test_a_store_of_another_program(files, tmp_path, header, code):
     (tmp_path / "store.json").write_text(header)
-    with pytest.raises(girth.InputError) as caught:
+    with pytest.raises(pygirth.InputError) as caught:
         collection.fields(files, store=tmp_path)
     assert caught.value.code == code and caught.value.file == str(tmp_path / "store.json")
     assert code == "MALFORMED_FILE" or "9.0.0" in caught.value.hint
@@ -215,7 +215,7 @@ def test_a_store_of_another_program(files, tmp_path, header, code):
 
 def test_folders_that_are_no_store(files, tmp_path):
     for path in (files[0], files[0].parent):
-        with pytest.raises(girth.InputError) as caught:
+        with pytest.raises(pygirth.InputError) as caught:
             collection.fields(files, store=path)
         assert caught.value.file == str(path)
 
@@ -244,7 +244,7 @@ def test_other_bytes_in_a_file_of_a_store_are_found_when_they_are_read(files, tm
     content[content.index(b"weights.npy") + 300] ^= 1
     path.write_bytes(content)
     models = collection.fields(files, store=store, faces=0)
-    with pytest.raises(girth.InputError) as caught:
+    with pytest.raises(pygirth.InputError) as caught:
         models.distances()
     assert (caught.value.code, caught.value.file) == ("MALFORMED_FILE", str(path))
     assert "delete it" in caught.value.hint
@@ -269,7 +269,7 @@ def test_a_store_that_carries_code_does_not_run_it(files, tmp_path):
 
 def test_workers_of_another_version(files, monkeypatch):
     monkeypatch.setattr(_collection._girth, "version", "9.9.9", raising=True)
-    with pytest.raises(girth.LimitError) as caught:
+    with pytest.raises(pygirth.LimitError) as caught:
         monkeypatch.setattr(
             _collection, "_keys_task", lambda _, version, models: _tasks.check_version("1.0.0")
         )
@@ -299,9 +299,9 @@ def test_workers_of_another_version(files, monkeypatch):
     ],
 )
 def test_options_out_of_range(files, call):
-    with pytest.raises(girth.InputError) as caught:
+    with pytest.raises(pygirth.InputError) as caught:
         call(files)
-    assert caught.value.code in girth.errors.error_codes and caught.value.hint
+    assert caught.value.code in pygirth.errors.error_codes and caught.value.hint
 
 
 def test_an_empty_collection():
@@ -381,7 +381,7 @@ def test_work_that_is_left_is_cancelled():
 @pytest.mark.parametrize("own_pool", [True, False])
 def test_what_threads_are_at_is_stopped(files, monkeypatch, own_pool):
     ends = {}
-    compute = girth._girth.compared_fields
+    compute = pygirth._girth.compared_fields
 
     def watched(surface, *others):
         try:
@@ -392,7 +392,7 @@ def test_what_threads_are_at_is_stopped(files, monkeypatch, own_pool):
             ends[surface.face_count] = type(error).__name__
             raise
 
-    monkeypatch.setattr(girth._girth, "compared_fields", watched)
+    monkeypatch.setattr(pygirth._girth, "compared_fields", watched)
 
     def stop(fraction):
         raise KeyboardInterrupt
@@ -408,7 +408,7 @@ def test_what_threads_are_at_is_stopped(files, monkeypatch, own_pool):
 def test_what_the_documents_say_of_a_store(files, tmp_path):
     collection.fields(files, store=tmp_path / "store")
     assert json.loads((tmp_path / "store/store.json").read_text()) == {
-        "format": _store.FORMAT, "program": girth.__version__
+        "format": _store.FORMAT, "program": pygirth.__version__
     }
     (text,) = (tmp_path / "store").rglob("parameters.txt")
     assert "igf" in text.read_text() and "faces 10000" in text.read_text()

@@ -1,4 +1,4 @@
-"""``python -m girth.collection``: the same results from a shell, in shares."""
+"""``python -m pygirth.collection``: the same results from a shell, in shares."""
 
 import csv
 import errno
@@ -8,12 +8,12 @@ import subprocess
 import sys
 import time
 
-import girth
 import numpy as np
+import pygirth
 import pytest
-from girth import collection
-from girth.collection import __main__ as command
-from girth.collection import _store
+from pygirth import collection
+from pygirth.collection import __main__ as command
+from pygirth.collection import _store
 from shapes import as_obj, prism, torus
 
 
@@ -118,7 +118,7 @@ def test_what_a_scheduler_stops_is_written(tmp_path):
     (tmp_path / "list.txt").write_text("".join(f"{path.name}\n" for path in paths))
     words = ["fields", tmp_path / "list.txt", "--store", tmp_path / "store", "--faces", "0"]
     child = subprocess.Popen(
-        [sys.executable, "-m", "girth.collection", *words, "--jobs", "1", "--save-every", "0"], stderr=subprocess.PIPE, text=True
+        [sys.executable, "-m", "pygirth.collection", *words, "--jobs", "1", "--save-every", "0"], stderr=subprocess.PIPE, text=True
     )
     while not list((tmp_path / "store").rglob("*.npz")) and child.poll() is None:
         time.sleep(0.05)
@@ -127,4 +127,4 @@ def test_what_a_scheduler_stops_is_written(tmp_path):
     shards = list((tmp_path / "store").rglob("*.npz"))
     kept = sum(len(np.load(path)["keys"]) for path in shards)
     assert 0 < kept < 200
-    assert girth.collection.fields(paths, store=tmp_path / "store", faces=0).reused == kept
+    assert pygirth.collection.fields(paths, store=tmp_path / "store", faces=0).reused == kept

@@ -4,8 +4,8 @@ import pickle
 import sys
 from types import SimpleNamespace
 
-import girth
 import numpy as np
+import pygirth
 import pytest
 from shapes import prism, tetrahedron, torus
 
@@ -13,11 +13,11 @@ V, F = tetrahedron()
 
 
 def error_of(call):
-    with pytest.raises(girth.GirthError) as caught:
+    with pytest.raises(pygirth.GirthError) as caught:
         call()
     error = caught.value
-    assert isinstance(error, girth.InputError) and isinstance(error, ValueError)
-    assert error.code in girth.errors.error_codes and error.message and error.hint
+    assert isinstance(error, pygirth.InputError) and isinstance(error, ValueError)
+    assert error.code in pygirth.errors.error_codes and error.message and error.hint
     assert error.code in str(error) and error.message in str(error) and error.hint in str(error)
     return error
 
@@ -45,7 +45,7 @@ def error_of(call):
     ],
 )
 def test_arrays_that_are_no_mesh(vertices, faces, code, words):
-    error = error_of(lambda: girth.igf(vertices, faces))
+    error = error_of(lambda: pygirth.igf(vertices, faces))
     assert error.code == code and words in error.message
 
 
@@ -53,7 +53,7 @@ def test_arrays_that_are_no_mesh(vertices, faces, code, words):
 def test_a_face_that_names_no_vertex(number):
     faces = F.astype(np.int64)
     faces[2, 1] = number
-    error = error_of(lambda: girth.Mesh(V, faces))
+    error = error_of(lambda: pygirth.Mesh(V, faces))
     assert (error.code, error.element) == ("INDEX_OUT_OF_RANGE", 2)
     assert f"face 2 names vertex {number} of 4" in error.message
 
@@ -61,14 +61,14 @@ def test_a_face_that_names_no_vertex(number):
 def test_numbers_beyond_64_bits_wrap_into_an_error():
     faces = F.astype(np.uint64)
     faces[1, 0] = 2**64 - 1
-    assert error_of(lambda: girth.Mesh(V, faces)).element == 1
+    assert error_of(lambda: pygirth.Mesh(V, faces)).element == 1
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 def test_positions_that_are_no_numbers(value):
     vertices = V.copy()
     vertices[3, 1] = value
-    error = error_of(lambda: girth.Mesh(vertices, F))
+    error = error_of(lambda: pygirth.Mesh(vertices, F))
     assert (error.code, error.element) == ("NON_FINITE_POSITION", 3)
 
 
@@ -84,18 +84,18 @@ def test_positions_that_are_no_numbers(value):
     ],
 )
 def test_any_layout_gives_the_same_values(vertices, faces):
-    assert np.array_equal(girth.igf(vertices, faces).values, girth.igf(V, F).values)
+    assert np.array_equal(pygirth.igf(vertices, faces).values, pygirth.igf(V, F).values)
 
 
 def test_float32_is_taken_as_it_is():
     single = V.astype(np.float32)
-    assert np.array_equal(girth.igf(single, F).values, girth.igf(single.astype(float), F).values)
+    assert np.array_equal(pygirth.igf(single, F).values, pygirth.igf(single.astype(float), F).values)
 
 
 def test_nothing_is_copied_where_the_layout_allows():
     vertices, faces = torus()
     vertices, faces = np.ascontiguousarray(vertices), np.ascontiguousarray(faces, np.int64)
-    mesh = girth.Mesh(vertices, faces)
+    mesh = pygirth.Mesh(vertices, faces)
     assert np.shares_memory(mesh.vertices, vertices) and np.shares_memory(mesh.faces, faces)
     assert not mesh.vertices.flags.writeable and vertices.flags.writeable
     values = mesh.geodesics(0).values
@@ -105,25 +105,25 @@ def test_nothing_is_copied_where_the_layout_allows():
 
 
 def test_a_result_outlives_its_mesh_and_is_written_to():
-    field = girth.Mesh(*torus()).geodesics(0)
+    field = pygirth.Mesh(*torus()).geodesics(0)
     field.values[:] = 1
     assert field.range == (1, 1)
 
 
 @pytest.mark.parametrize("vertex", [4, -1, 2**40, -(2**70)])
 def test_vertices_that_there_are_not(vertex):
-    mesh = girth.Mesh(V, F)
+    mesh = pygirth.Mesh(V, F)
     for call in (mesh.loop, mesh.geodesics, lambda v: mesh.path(0, v)):
         assert error_of(lambda: call(vertex)).code == "VERTEX_OUT_OF_RANGE"
 
 
 @pytest.mark.parametrize("vertex", ["1", 1.0, True, [0, "a"], object()])
 def test_points_that_are_none(vertex):
-    assert error_of(lambda: girth.Mesh(V, F).geodesics(vertex)).code == "VERTEX_OUT_OF_RANGE"
+    assert error_of(lambda: pygirth.Mesh(V, F).geodesics(vertex)).code == "VERTEX_OUT_OF_RANGE"
 
 
 def test_a_vertex_that_no_face_uses():
-    mesh = girth.Mesh(np.vstack([V, [[5, 5, 5]]]), F)
+    mesh = pygirth.Mesh(np.vstack([V, [[5, 5, 5]]]), F)
     error = error_of(lambda: mesh.loop(4))
     assert (error.code, error.element) == ("VERTEX_OUT_OF_RANGE", 4)
     field = mesh.igf()
@@ -145,15 +145,15 @@ def test_a_vertex_that_no_face_uses():
     ],
 )
 def test_places_that_are_none(arguments, code):
-    assert error_of(lambda: girth.Mesh(V, F).loop(**arguments)).code == code
+    assert error_of(lambda: pygirth.Mesh(V, F).loop(**arguments)).code == code
 
 
 def test_a_face_that_was_left_out():
     faces = np.vstack([F, [[0, 1, 2]]])
-    assert "left out" in error_of(lambda: girth.Mesh(V, faces).loop(face=4)).message
+    assert "left out" in error_of(lambda: pygirth.Mesh(V, faces).loop(face=4)).message
 
 
-MESH = girth.Mesh(V, F)
+MESH = pygirth.Mesh(V, F)
 
 
 @pytest.mark.parametrize(
@@ -202,21 +202,21 @@ MESH = girth.Mesh(V, F)
         lambda: MESH.parts(smoothing=np.nan),
         lambda: MESH.limbs(stations=0),
         lambda: MESH.limbs(stations=10**10),
-        lambda: girth.Mesh(V, F, weld=-1),
-        lambda: girth.Mesh(V, F, weld=np.nan),
-        lambda: girth.Mesh(V, F, scale=0),
-        lambda: girth.Mesh(V, F, scale=np.inf),
-        lambda: girth.Mesh(V, F, components=[1]),
-        lambda: girth.Mesh(V, F, components=[-1]),
-        lambda: girth.compare([MESH]),
-        lambda: girth.compare([MESH, MESH], ["beauty"]),
-        lambda: girth.compare([MESH, MESH], []),
-        lambda: girth.compare([MESH, MESH], faces=-1),
-        lambda: girth.compare([MESH, MESH], smooth=101),
-        lambda: girth.collection.fields([MESH], smooth=-1),
-        lambda: girth.compare([MESH, 5]),
-        lambda: girth.igf(V),
-        lambda: girth.igf(5),
+        lambda: pygirth.Mesh(V, F, weld=-1),
+        lambda: pygirth.Mesh(V, F, weld=np.nan),
+        lambda: pygirth.Mesh(V, F, scale=0),
+        lambda: pygirth.Mesh(V, F, scale=np.inf),
+        lambda: pygirth.Mesh(V, F, components=[1]),
+        lambda: pygirth.Mesh(V, F, components=[-1]),
+        lambda: pygirth.compare([MESH]),
+        lambda: pygirth.compare([MESH, MESH], ["beauty"]),
+        lambda: pygirth.compare([MESH, MESH], []),
+        lambda: pygirth.compare([MESH, MESH], faces=-1),
+        lambda: pygirth.compare([MESH, MESH], smooth=101),
+        lambda: pygirth.collection.fields([MESH], smooth=-1),
+        lambda: pygirth.compare([MESH, 5]),
+        lambda: pygirth.igf(V),
+        lambda: pygirth.igf(5),
     ],
 )
 def test_options_out_of_range(call):
@@ -224,28 +224,28 @@ def test_options_out_of_range(call):
 
 
 def test_paths_that_are_no_mesh(tmp_path, repository):
-    missing = error_of(lambda: girth.load(tmp_path / "missing.obj"))
+    missing = error_of(lambda: pygirth.load(tmp_path / "missing.obj"))
     assert missing.code == "FILE_NOT_FOUND" and missing.file.endswith("missing.obj")
-    assert error_of(lambda: girth.load(tmp_path)).code in ("FILE_UNREADABLE", "FILE_NOT_FOUND")
+    assert error_of(lambda: pygirth.load(tmp_path)).code in ("FILE_UNREADABLE", "FILE_NOT_FOUND")
     (tmp_path / "text.obj").write_text("It is not a model.\n")
-    assert error_of(lambda: girth.igf(str(tmp_path / "text.obj"))).code == "UNKNOWN_FORMAT"
+    assert error_of(lambda: pygirth.igf(str(tmp_path / "text.obj"))).code == "UNKNOWN_FORMAT"
     (tmp_path / "empty.ply").write_bytes(b"")
-    assert error_of(lambda: girth.igf(tmp_path / "empty.ply")).code == "EMPTY_FILE"
-    assert error_of(lambda: girth.load("a\0b.obj")).code == "FILE_NOT_FOUND"
+    assert error_of(lambda: pygirth.igf(tmp_path / "empty.ply")).code == "EMPTY_FILE"
+    assert error_of(lambda: pygirth.load("a\0b.obj")).code == "FILE_NOT_FOUND"
     bad = [path for path in (repository / "tests/data/bad").iterdir() if path.is_file()]
     assert len(bad) > 5
     for path in bad:
         try:
-            girth.load(path)
-        except girth.GirthError as error:
+            pygirth.load(path)
+        except pygirth.GirthError as error:
             assert error.file == str(path) and error.hint
 
 
 def test_a_path_with_letters_of_any_kind(tmp_path, repository):
     path = tmp_path / "Größe ♥.obj"
     path.write_bytes((repository / "tests/data/prism.obj").read_bytes())
-    assert len(girth.load(path).vertices) == 44
-    assert len(girth.as_mesh(bytes(path)).vertices) == 44
+    assert len(pygirth.load(path).vertices) == 44
+    assert len(pygirth.as_mesh(bytes(path)).vertices) == 44
 
 
 def block(kind, data):
@@ -267,11 +267,11 @@ def test_meshes_of_other_libraries(repository):
     )
     pyvista = polygons(V, np.hstack([np.full((4, 1), 3), F]).ravel())
     path = repository / "tests/data/prism.obj"
-    expected = girth.igf(V, F).values
-    for model in ((V, F), [V, F], trimesh, meshio, pyvista, girth.Mesh(V, F)):
-        assert np.array_equal(girth.igf(model).values, expected)
-        assert girth.compare([model, path], ["igf"])["igf"].shape == (2, 2)
-    assert len(girth.igf(path)) == len(girth.igf(str(path))) == 44
+    expected = pygirth.igf(V, F).values
+    for model in ((V, F), [V, F], trimesh, meshio, pyvista, pygirth.Mesh(V, F)):
+        assert np.array_equal(pygirth.igf(model).values, expected)
+        assert pygirth.compare([model, path], ["igf"])["igf"].shape == (2, 2)
+    assert len(pygirth.igf(path)) == len(pygirth.igf(str(path))) == 44
 
 
 def test_quads_become_triangles():
@@ -279,7 +279,7 @@ def test_quads_become_triangles():
     meshio = SimpleNamespace(points=CORNERS, cells=[block("quad", QUADS)])
     pyvista = polygons(CORNERS, [4, 0, 1, 2, 3, 3, 4, 5, 6, 3, 4, 6, 7])
     for model in (meshio, pyvista):
-        assert girth.as_mesh(model).faces.tolist() == [list(face) for face in halves]
+        assert pygirth.as_mesh(model).faces.tolist() == [list(face) for face in halves]
 
 
 @pytest.mark.parametrize(
@@ -297,18 +297,18 @@ def test_quads_become_triangles():
     ],
 )
 def test_models_without_a_surface(model):
-    error_of(lambda: girth.as_mesh(model))
+    error_of(lambda: pygirth.as_mesh(model))
 
 
 def test_without_pyvista_the_error_names_what_to_install(monkeypatch):
     # As where it is not installed: importing it fails.
     monkeypatch.setitem(sys.modules, "pyvista", None)
-    mesh = girth.Mesh(V, F)
+    mesh = pygirth.Mesh(V, F)
     for call in (mesh.to_pyvista, mesh.igf().to_pyvista, mesh.geodesics(0).to_pyvista):
-        with pytest.raises(girth.MissingPackageError) as caught:
+        with pytest.raises(pygirth.MissingPackageError) as caught:
             call()
         error = caught.value
-        assert isinstance(error, ImportError) and isinstance(error, girth.GirthError)
+        assert isinstance(error, ImportError) and isinstance(error, pygirth.GirthError)
         assert (error.code, error.name) == ("PROGRAM_NOT_LOADED", "pyvista")
         assert "PyVista" in error.message and sys.executable in error.message
         assert "pip install pyvista" in error.hint and error.hint in str(error)
@@ -320,8 +320,8 @@ def test_what_pyvista_itself_lacks_is_its_own_matter(monkeypatch, tmp_path):
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.delitem(sys.modules, "pyvista", raising=False)
     with pytest.raises(ModuleNotFoundError, match="a_package_that_there_is_not") as caught:
-        girth.Mesh(V, F).to_pyvista()
-    assert not isinstance(caught.value, girth.GirthError)
+        pygirth.Mesh(V, F).to_pyvista()
+    assert not isinstance(caught.value, pygirth.GirthError)
 
 
 def test_pyvista_is_handed_what_it_takes(monkeypatch):
@@ -332,7 +332,7 @@ def test_pyvista_is_handed_what_it_takes(monkeypatch):
         return made
 
     monkeypatch.setitem(sys.modules, "pyvista", SimpleNamespace(PolyData=poly_data))
-    field = girth.igf(V, F)
+    field = pygirth.igf(V, F)
     assert field.to_pyvista() is made
     assert np.array_equal(made.points, V) and made.faces.tolist()[:4] == [3, *F[0]]
     assert np.array_equal(made.point_data["igf"], field.values)
@@ -340,7 +340,7 @@ def test_pyvista_is_handed_what_it_takes(monkeypatch):
 
 
 def test_meshes_and_results_go_to_other_processes(repository):
-    mesh = girth.load(repository / "tests/data/prism_seams.glb", weld=0.001)
+    mesh = pygirth.load(repository / "tests/data/prism_seams.glb", weld=0.001)
     again = pickle.loads(pickle.dumps(mesh))
     assert (again.unit, again.report) == ("metre", mesh.report)
     assert np.array_equal(pickle.loads(pickle.dumps(mesh.igf())).values, mesh.igf().values)
@@ -350,8 +350,8 @@ def test_meshes_and_results_go_to_other_processes(repository):
 
 def test_what_is_printed():
     vertices, faces = prism()
-    mesh = girth.Mesh(vertices, faces, unit="metre")
-    assert repr(mesh) == "<girth.Mesh: 126 vertices, 240 faces, area 60, in metres>"
+    mesh = pygirth.Mesh(vertices, faces, unit="metre")
+    assert repr(mesh) == "<pygirth.Mesh: 126 vertices, 240 faces, area 60, in metres>"
     for result in (mesh.igf(), mesh.loop(60), mesh.tips(), mesh.parts(), mesh.path(0, 100)):
-        assert repr(result).startswith(f"<girth.{type(result).__name__}: ") and "\n" not in repr(result)
+        assert repr(result).startswith(f"<pygirth.{type(result).__name__}: ") and "\n" not in repr(result)
     assert repr(mesh.igf()).endswith(" metre>")

@@ -2,8 +2,8 @@
 
 import pickle
 
-import girth
 import numpy as np
+import pygirth
 import pytest
 from shapes import as_obj, lathe, prism, tetrahedron, torus
 
@@ -28,7 +28,7 @@ def model(tmp_path):
 
 
 def test_necks_are_those_of_the_command(command, model):
-    mesh = girth.load(model)
+    mesh = pygirth.load(model)
     found = mesh.necks()
     wanted = command("necks", model, as_json=True)
     assert found.unresolved == wanted["unresolved"] == 0
@@ -44,12 +44,12 @@ def test_necks_are_those_of_the_command(command, model):
         assert neck.sides.tolist() == [[side["area"], side["volume"]] for side in other["sides"]]
         assert neck.measures_girth and not neck.touches_boundary
     assert len(mesh.necks(min_prominence=np.inf)) == 1
-    assert repr(found[0]) == "<girth.Neck: length 4.28605, prominence inf>"
-    assert repr(found) == "<girth.Necks: 2 necks, lengths [4.286, 6.123]>"
+    assert repr(found[0]) == "<pygirth.Neck: length 4.28605, prominence inf>"
+    assert repr(found) == "<pygirth.Necks: 2 necks, lengths [4.286, 6.123]>"
 
 
 def test_segments_are_those_of_the_command(command, model):
-    mesh = girth.load(model)
+    mesh = pygirth.load(model)
     found = mesh.segments(girth=9, thickness=3)
     wanted = command("segments", model, "--girth", 9, "--thickness", 3, as_json=True)
     assert len(found) == len(wanted["segments"]) == 3
@@ -66,15 +66,15 @@ def test_segments_are_those_of_the_command(command, model):
         assert segment.apexes.tolist() == [tip["apex"]["vertices"][0] for tip in other["tips"]]
     assert sorted(tip for segment in found for tip in segment.tips) == list(range(len(mesh.tips())))
     assert len(mesh.segments(min_prominence=1e6)) == 2
-    assert repr(found).startswith("<girth.Segments: 3 segments: ")
-    with pytest.raises(girth.InputError):
+    assert repr(found).startswith("<pygirth.Segments: 3 segments: ")
+    with pytest.raises(pygirth.InputError):
         mesh.segments(girth=-1)
 
 
 def test_handles_are_those_of_the_command(command, tmp_path):
     path = tmp_path / "torus.obj"
     path.write_text(as_obj(*torus(12, 8)))
-    found = girth.load(path).handles()
+    found = pygirth.load(path).handles()
     wanted = command("handles", path, as_json=True)
     assert found.unresolved == 0
     assert [handle.kind for handle in found] == [one["kind"] for one in wanted["handles"]]
@@ -83,11 +83,11 @@ def test_handles_are_those_of_the_command(command, tmp_path):
         assert handle.length == other["length"]
         assert handle.may_be_shorter_by == other["mayBeShorterBy"]
         assert handle.points.tolist() == [point["position"] for point in other["points"]]
-    assert len(girth.Mesh(*tetrahedron()).handles()) == 0
+    assert len(pygirth.Mesh(*tetrahedron()).handles()) == 0
 
 
 def test_a_bottleneck_is_that_of_the_command(command, model):
-    mesh = girth.load(model)
+    mesh = pygirth.load(model)
     found = mesh.bottleneck(2 * SIDES, 4 * SIDES + 3)
     wanted = command("bottleneck", model, 2 * SIDES, 4 * SIDES + 3, as_json=True)
     assert found.kind == wanted["kind"] == "neck"
@@ -104,7 +104,7 @@ def test_a_bottleneck_is_that_of_the_command(command, model):
 
 
 def test_a_profile_is_that_of_the_command(command, model):
-    mesh = girth.load(model)
+    mesh = pygirth.load(model)
     words = (SIDES, 2 * SIDES + 1, "3:0.2,0.3,0.5", "--samples", 17)
     wanted = command("profile", model, *words, as_json=True)["stations"]
     found = mesh.profile(SIDES, 2 * SIDES + 1, (3, (0.2, 0.3, 0.5)), samples=17)
@@ -117,12 +117,12 @@ def test_a_profile_is_that_of_the_command(command, model):
 
 
 def test_a_profile_of_a_tube_is_its_perimeter():
-    mesh = girth.Mesh(*prism(6, length=40.0, rings=41))
+    mesh = pygirth.Mesh(*prism(6, length=40.0, rings=41))
     np.testing.assert_allclose(mesh.profile(6 * 15, 6 * 25 + 2).girths, 6, rtol=1e-12)
 
 
 def test_cuts_are_those_of_the_command(command, model):
-    mesh = girth.load(model)
+    mesh = pygirth.load(model)
     necks = mesh.necks()
     cut = mesh.cut(necks)
     parts = command("cut", model, "--necks", as_json=True)["parts"]
@@ -136,26 +136,26 @@ def test_cuts_are_those_of_the_command(command, model):
     capped = mesh.cut(necks[0], cap=True)
     assert [part.boundaries for part in capped] == [0, 0]
     assert (capped[0].face_rows == -1).sum() == SIDES - 2
-    assert girth.Mesh(capped[0].vertices, capped[0].faces).report["boundary_edges"] == 0
+    assert pygirth.Mesh(capped[0].vertices, capped[0].faces).report["boundary_edges"] == 0
     # Whatever has a loop can be cut along; it survives being pickled.
     bottleneck = pickle.loads(pickle.dumps(mesh.bottleneck(2 * SIDES, 4 * SIDES)))
     assert [part.area for part in mesh.cut(bottleneck)] == [part.area for part in mesh.cut(necks[0])]
     assert len(mesh.cut(mesh.loop(SIDES))) == 2
     assert len(mesh.cut([])) == 1
-    ring = girth.Mesh(*torus(12, 8))
+    ring = pygirth.Mesh(*torus(12, 8))
     opened = ring.cut(ring.handles()[0])
     assert len(opened) == 1 and opened[0].boundaries == 2 and opened[0].genus == 0
 
 
 def code_of(call):
-    with pytest.raises(girth.GirthError) as raised:
+    with pytest.raises(pygirth.GirthError) as raised:
         call()
     return raised.value.code
 
 
 def test_bad_input_is_named():
     vertices, faces = waists()
-    mesh = girth.Mesh(vertices, faces)
+    mesh = pygirth.Mesh(vertices, faces)
     for value in (-1, np.nan):
         assert code_of(lambda: mesh.necks(min_prominence=value)) == "INVALID_OPTION"
     assert code_of(lambda: mesh.handles(base_points=0)) == "INVALID_OPTION"
@@ -166,16 +166,16 @@ def test_bad_input_is_named():
     assert code_of(lambda: mesh.profile(0, 1, samples=-1)) == "INVALID_OPTION"
     assert code_of(lambda: mesh.profile(0, 1, samples=0, crossings=False)) == "INVALID_OPTION"
     assert code_of(lambda: mesh.cut([3])) == "USAGE"
-    two = girth.Mesh(np.vstack([vertices, vertices + 50]), np.vstack([faces, faces + len(vertices)]))
+    two = pygirth.Mesh(np.vstack([vertices, vertices + 50]), np.vstack([faces, faces + len(vertices)]))
     assert code_of(lambda: two.bottleneck(0, len(vertices))) == "INVALID_POINT"
     assert code_of(lambda: two.profile(0, len(vertices))) == "INVALID_POINT"
     # A loop of another mesh.
-    other = girth.Mesh(*torus())
+    other = pygirth.Mesh(*torus())
     assert code_of(lambda: mesh.cut(other.handles()[0])) == "INVALID_POINT"
 
 
 def test_progress_and_stopping():
-    mesh = girth.Mesh(*torus())
+    mesh = pygirth.Mesh(*torus())
     shares = []
     mesh.handles(progress=shares.append)
     assert shares == sorted(shares)

@@ -8,19 +8,19 @@ import inspect
 import json
 import re
 
-import girth
-import girth._girth
+import pygirth
+import pygirth._girth
 
 
 def test_the_version_is_that_of_the_project(repository):
     version = json.loads((repository / "package.json").read_text())["version"]
-    assert girth.__version__ == importlib.metadata.version("girth") == version
+    assert pygirth.__version__ == importlib.metadata.version("pygirth") == version
 
 
 def test_the_metadata_say_what_the_project_file_says(repository):
     project = (repository / "cpp/python/pyproject.toml").read_text()
-    metadata = importlib.metadata.metadata("girth")
-    assert [one for one in importlib.metadata.requires("girth") if one.startswith("numpy>=1.21")]
+    metadata = importlib.metadata.metadata("pygirth")
+    assert [one for one in importlib.metadata.requires("pygirth") if one.startswith("numpy>=1.21")]
     assert metadata["Summary"] == re.search(r'^description = "(.*)"', project, re.M).group(1)
     assert metadata["Requires-Python"] == re.search(r'^requires-python = "(.*)"', project, re.M).group(1)
 
@@ -52,18 +52,18 @@ class Stub:
             r"\b(tuple)(?=\[)": "Tuple",
             r"\b(Sequence|list)(?=\[)": "List",
             r"\b(Mapping|dict)(?=\[)": "Dict",
-            r"\b(Running|Surface)\b": r"girth._girth.\1",
+            r"\b(Running|Surface)\b": r"pygirth._girth.\1",
             r"Optional\[Callable\[.*": "object",
         }.items():
             text = re.sub(ours, theirs, text)
         return text
 
     def line_of(self, function, of=None):
-        """Such as ``loop(self: girth._girth.Surface, arg0: int) -> dict``."""
+        """Such as ``loop(self: pygirth._girth.Surface, arg0: int) -> dict``."""
         given = function.args
         assert not (given.kwonlyargs or given.vararg or given.kwarg or given.defaults), function.name
         places = given.posonlyargs + given.args
-        words = [f"self: girth._girth.{of}"] if of else []
+        words = [f"self: pygirth._girth.{of}"] if of else []
         for number, argument in enumerate(places[1:] if of else places):
             # What has no name cannot be passed by one.
             name = f"arg{number}" if argument in given.posonlyargs else argument.arg
@@ -72,10 +72,10 @@ class Stub:
 
 
 def test_the_stub_of_the_core_is_the_core():
-    folder = importlib.resources.files("girth")
+    folder = importlib.resources.files("pygirth")
     assert (folder / "py.typed").is_file()
     stub = Stub((folder / "_girth.pyi").read_text())
-    core = girth._girth
+    core = pygirth._girth
     declared = {*stub.values, *stub.functions, *stub.classes}
     assert declared == {name for name in dir(core) if not name.startswith("__")}
 
@@ -100,7 +100,7 @@ def test_the_stub_of_the_core_is_the_core():
 
 
 def test_all_names_that_are_public_are_exported():
-    for module in (girth.mesh, girth.results, girth.errors):
+    for module in (pygirth.mesh, pygirth.results, pygirth.errors):
         own = {
             name
             for name, value in vars(module).items()
@@ -109,7 +109,7 @@ def test_all_names_that_are_public_are_exported():
         # Of errors there is one function that only the core calls, and one that only the package does.
         assert own - {"exception_of", "input_error"} <= set(module.__all__)
         assert all(hasattr(module, name) for name in module.__all__)
-        assert set(module.__all__) - {"Point", "error_codes"} <= set(girth.__all__)
+        assert set(module.__all__) - {"Point", "error_codes"} <= set(pygirth.__all__)
 
 
 def test_everything_public_is_documented_and_annotated():
@@ -122,8 +122,8 @@ def test_everything_public_is_documented_and_annotated():
                 known = parameter.annotation is not inspect.Parameter.empty
                 assert known or parameter.name in ("self", "cls"), f"{name}({parameter.name})"
 
-    public = {name: getattr(girth, name) for name in girth.__all__}
-    public |= {name: getattr(girth.collection, name) for name in girth.collection.__all__}
+    public = {name: getattr(pygirth, name) for name in pygirth.__all__}
+    public |= {name: getattr(pygirth.collection, name) for name in pygirth.collection.__all__}
     for name, value in public.items():
         if inspect.ismodule(value) or isinstance(value, (dict, tuple)):
             continue

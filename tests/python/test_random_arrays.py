@@ -2,8 +2,8 @@
 
 import os
 
-import girth
 import numpy as np
+import pygirth
 import pytest
 
 # 10,000 in `npm run test:all`, where the module carries sanitizers.
@@ -84,7 +84,7 @@ def test_random_arrays(begin):
             options["weld"] = float(generator.choice([0, 1e-9, 0.5, 100]))
             options["close_holes"] = bool(generator.integers(2))
         try:
-            mesh = girth.Mesh(vertices, faces, **options)
+            mesh = pygirth.Mesh(vertices, faces, **options)
             field = mesh.igf(threads=1)
             assert field.values.shape == field.kinds.shape == (len(mesh.vertices),)
             used = field.kinds != 255
@@ -95,8 +95,8 @@ def test_random_arrays(begin):
                 mesh.tips(threads=1)
             mesh.field("sdf", rays=3, threads=1)
             ends["values"] += 1
-        except girth.GirthError as error:
-            assert error.code in girth.errors.error_codes and error.code != "INTERNAL", (number, error)
+        except pygirth.GirthError as error:
+            assert error.code in pygirth.errors.error_codes and error.code != "INTERNAL", (number, error)
             ends[error.code] = ends.get(error.code, 0) + 1
     # The arrays are as different as they are meant to be.
     assert sum(ends.values()) == count and ends["values"] > count / 8 and len(ends) >= 5, ends

@@ -7,35 +7,35 @@ import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-import girth
 import numpy as np
+import pygirth
 import pytest
 from shapes import torus
 
 #: Some tens of seconds of work, so that what is stopped cannot just have ended.
-LARGE = "girth.Mesh(*torus(400, 160))"
+LARGE = "pygirth.Mesh(*torus(400, 160))"
 
 
 def test_any_number_of_threads_gives_the_same_bits():
     vertices, faces = torus()
-    results = [girth.Mesh(vertices, faces).igf(threads=threads).values for threads in (1, 2, 5, None)]
+    results = [pygirth.Mesh(vertices, faces).igf(threads=threads).values for threads in (1, 2, 5, None)]
     for values in results[1:]:
         assert np.array_equal(values.view(np.uint64), results[0].view(np.uint64))
 
 
 def test_several_python_threads_at_once_share_a_mesh():
-    mesh = girth.Mesh(*torus())
+    mesh = pygirth.Mesh(*torus())
     expected = [mesh.loop(v).length for v in range(64)]
     with ThreadPoolExecutor(8) as pool:
         loops = list(pool.map(lambda v: mesh.loop(v).length, list(range(64)) * 4))
-        fields = list(pool.map(lambda _: girth.Mesh(*torus()).igf(threads=1).values, range(8)))
+        fields = list(pool.map(lambda _: pygirth.Mesh(*torus()).igf(threads=1).values, range(8)))
     assert loops == expected * 4
     for values in fields:
         assert np.array_equal(values, fields[0])
 
 
 def test_other_python_threads_run_meanwhile():
-    mesh = girth.Mesh(*torus(80, 40))
+    mesh = pygirth.Mesh(*torus(80, 40))
     finished = threading.Event()
     turns = 0
 
@@ -56,7 +56,7 @@ def test_other_python_threads_run_meanwhile():
 
 def test_progress_rises_to_one():
     seen = []
-    girth.Mesh(*torus(80, 40)).igf(progress=seen.append)
+    pygirth.Mesh(*torus(80, 40)).igf(progress=seen.append)
     assert seen == sorted(seen) and seen[-1] == 1 and len(seen) > 2
     assert all(0 <= fraction <= 1 for fraction in seen)
 
@@ -70,7 +70,7 @@ def test_a_bar_is_filled():
             self.n += more
 
     bar = Bar()
-    girth.compare([torus(20, 8), torus(20, 12)], ["igf", "sdf"], progress=bar)
+    pygirth.compare([torus(20, 8), torus(20, 12)], ["igf", "sdf"], progress=bar)
     assert bar.n == pytest.approx(50)
 
 
@@ -84,7 +84,7 @@ def test_what_progress_raises_stops_the_work():
         calls.append(fraction)
         raise Enough
 
-    mesh = girth.Mesh(*torus(400, 160))
+    mesh = pygirth.Mesh(*torus(400, 160))
     with pytest.raises(Enough):
         mesh.igf(progress=stop)
     assert len(calls) == 1 and calls[0] < 1
@@ -95,7 +95,7 @@ def run_until_interrupted(work):
     program = f"""
 import sys, time
 sys.path.insert(0, {str(__file__).rsplit('/', 1)[0]!r})
-import girth
+import pygirth
 from shapes import torus
 mesh = {LARGE}
 print("ready", flush=True)
@@ -123,7 +123,7 @@ print("goes on", flush=True)
         "mesh.tips()",
         "mesh.field('geofarthest')",
         "mesh.field('wks', pairs=3000)",
-        "girth.compare([mesh, mesh], ['hks'], faces=0)",
+        "pygirth.compare([mesh, mesh], ['hks'], faces=0)",
     ],
 )
 def test_control_c_is_a_keyboard_interrupt(work, record_property):
@@ -134,7 +134,7 @@ def test_a_large_mesh_is_prepared_and_let_go_without_a_leak():
     vertices, faces = torus(100, 50)
     before = sys.getrefcount(vertices)
     for _ in range(5):
-        mesh = girth.Mesh(vertices, faces)
+        mesh = pygirth.Mesh(vertices, faces)
         values = mesh.field("sdf", rays=2).values
         del mesh
     assert np.isfinite(values).all()

@@ -2,10 +2,10 @@
 
 import inspect
 
-import girth
 import numpy as np
+import pygirth
 import pytest
-from girth import _girth
+from pygirth import _girth
 from shapes import as_obj, limbed_body, prism, tetrahedron, torus
 
 
@@ -24,7 +24,7 @@ def assert_same_bits(one, other):
 @pytest.mark.parametrize("sides", [3, 4, 6, 12])
 def test_a_prism_has_the_girth_of_its_polygon(sides):
     vertices, faces = prism(sides, length=40.0, rings=41)
-    field = girth.igf(vertices, faces)
+    field = pygirth.igf(vertices, faces)
     middle = np.abs(vertices[:, 2] - 20) < 5
     np.testing.assert_allclose(field.values[middle], sides, rtol=1e-12)
     assert (field.kinds[middle] == 0).all()
@@ -33,15 +33,15 @@ def test_a_prism_has_the_girth_of_its_polygon(sides):
 def test_a_tetrahedron():
     # From a corner the farthest point is the middle of the opposite face: a height of a triangle and a
     # third of the next one's.
-    field = girth.igf(*tetrahedron())
+    field = pygirth.igf(*tetrahedron())
     np.testing.assert_allclose(field.values, field.values[0], rtol=1e-12)
-    mesh = girth.Mesh(*tetrahedron())
+    mesh = pygirth.Mesh(*tetrahedron())
     np.testing.assert_allclose(mesh.geodesics(0).values, [0, 1, 1, 1], rtol=1e-15)
     np.testing.assert_allclose(mesh.area, np.sqrt(3), rtol=1e-15)
 
 
 def test_a_loop_around_a_prism():
-    mesh = girth.Mesh(*prism(6, length=40.0, rings=41))
+    mesh = pygirth.Mesh(*prism(6, length=40.0, rings=41))
     vertex = 6 * 20
     loop = mesh.loop(vertex)
     assert loop.kind == "loop"
@@ -55,7 +55,7 @@ def test_a_loop_around_a_prism():
 
 def test_a_loop_at_a_point_of_a_face():
     vertices, faces = prism(6, length=40.0, rings=41)
-    mesh = girth.Mesh(vertices, faces)
+    mesh = pygirth.Mesh(vertices, faces)
     weights = np.array([0.2, 0.3, 0.5])
     loop = mesh.loop(face=240, weights=weights)
     np.testing.assert_allclose(loop.base, weights @ vertices[faces[240]], atol=1e-12)
@@ -68,7 +68,7 @@ def test_weights_belong_to_the_corners_of_a_face_that_was_turned_over():
     vertices, faces = torus()
     turned = faces.copy()
     turned[7] = turned[7][[0, 2, 1]]
-    mesh = girth.Mesh(vertices, turned)
+    mesh = pygirth.Mesh(vertices, turned)
     assert mesh.report["reoriented_faces"] == 1
     for row in (6, 7, 8):
         base = mesh.loop(face=row, weights=(0.1, 0.2, 0.7)).base
@@ -77,7 +77,7 @@ def test_weights_belong_to_the_corners_of_a_face_that_was_turned_over():
 
 def test_distances_and_paths_on_an_unfolded_prism():
     vertices, faces = prism(4, length=10.0, rings=11)
-    mesh = girth.Mesh(vertices, faces)
+    mesh = pygirth.Mesh(vertices, faces)
     # One side on, three up.
     np.testing.assert_allclose(mesh.geodesics(0).values[4 * 3 + 1], np.sqrt(10), rtol=1e-14)
     path = mesh.path(0, 4 * 3 + 1)
@@ -93,17 +93,17 @@ def test_distances_and_paths_on_an_unfolded_prism():
 
 def test_components_apart_are_infinitely_far():
     vertices, faces = tetrahedron()
-    both = girth.Mesh(np.vstack([vertices, vertices + 9]), np.vstack([faces, faces + 4]))
+    both = pygirth.Mesh(np.vstack([vertices, vertices + 9]), np.vstack([faces, faces + 4]))
     assert np.isinf(both.geodesics(0).values[4:]).all()
     path = both.path(0, 5)
     assert np.isinf(path.length) and len(path.points) == 0
-    kept = girth.Mesh(np.vstack([vertices, vertices + 9]), np.vstack([faces, faces + 4]), components=[1])
+    kept = pygirth.Mesh(np.vstack([vertices, vertices + 9]), np.vstack([faces, faces + 4]), components=[1])
     assert np.isnan(kept.igf().values[:4]).all() and np.isfinite(kept.igf().values[4:]).all()
 
 
 def test_the_tips_of_a_body_with_eight_limbs():
     vertices, faces = limbed_body(8, 30, 64)
-    mesh = girth.Mesh(vertices, faces)
+    mesh = pygirth.Mesh(vertices, faces)
     far = [tip for tip in mesh.tips() if np.linalg.norm(vertices[tip.apex]) > 3.4]
     assert len(far) == 8
     angles = np.sort(np.arctan2(*vertices[[tip.apex for tip in far]][:, 1::-1].T) % (2 * np.pi))
@@ -121,7 +121,7 @@ def test_the_tips_of_a_body_with_eight_limbs():
 
 
 def test_parts_cover_the_mesh():
-    mesh = girth.Mesh(*torus())
+    mesh = pygirth.Mesh(*torus())
     parts = mesh.parts(girth=7.0, thickness=3.0)
     assert len(parts) == 1 and parts[0].kind == "tube" and (parts.labels == 0).all()
     assert (parts.girth, parts.thickness) == (7.0, 3.0)
@@ -129,7 +129,7 @@ def test_parts_cover_the_mesh():
 
 
 def test_other_triangles_of_the_same_surface():
-    mesh = girth.Mesh(*torus())
+    mesh = pygirth.Mesh(*torus())
     for method in ("fitting", "even"):
         other = mesh.remesh(600, method=method)
         assert abs(len(other.faces) - 600) <= 12
@@ -139,18 +139,18 @@ def test_other_triangles_of_the_same_surface():
 def test_smoothed_it_is_nearer_to_what_it_was_before_noise():
     vertices, faces = torus()
     noise = np.random.default_rng(1).normal(scale=0.1, size=vertices.shape)
-    rough = girth.Mesh(vertices + noise, faces)
+    rough = pygirth.Mesh(vertices + noise, faces)
     smooth = rough.smooth(3)
     np.testing.assert_array_equal(smooth.faces, rough.faces)
     error = [np.abs(one.vertices - vertices).mean() for one in (rough, smooth)]
     assert error[1] < 0.7 * error[0]
     np.testing.assert_array_equal(rough.smooth(0).vertices, rough.vertices)
     # Compared it is smoothed likewise, and nearer.
-    plain = girth.Mesh(vertices, faces)
+    plain = pygirth.Mesh(vertices, faces)
     distances = [
-        girth.compare([plain, rough], "igf", smooth=steps)["igf"][0, 1] for steps in (0, 3)
+        pygirth.compare([plain, rough], "igf", smooth=steps)["igf"][0, 1] for steps in (0, 3)
     ]
-    both = girth.compare([plain.smooth(3), smooth], "igf")["igf"][0, 1]
+    both = pygirth.compare([plain.smooth(3), smooth], "igf")["igf"][0, 1]
     np.testing.assert_allclose(distances[1], both, rtol=1e-9)
     assert distances[1] < distances[0]
 
@@ -159,7 +159,7 @@ def test_shapes_of_any_size_and_place_are_the_same():
     vertices, faces = torus()
     turned = vertices[:, [1, 2, 0]] * 7 + 3
     names = ["igf", "2*igf+log-igf"]
-    compared = girth.compare([(vertices, faces), (turned, faces), prism()], names)
+    compared = pygirth.compare([(vertices, faces), (turned, faces), prism()], names)
     assert list(compared.descriptors) == names
     for matrix in compared.distances.values():
         assert matrix.shape == (3, 3) and np.array_equal(matrix, matrix.T)
@@ -181,7 +181,7 @@ def model(request, tmp_path, repository):
 
 
 def test_the_bits_of_the_command(model, command):
-    mesh = girth.load(model)
+    mesh = pygirth.load(model)
     assert_same_bits(mesh.igf().values, command("igf", model, output=".npy"))
     assert_same_bits(mesh.igf(method="ms").values, command("igf", model, "--method", "ms", output=".npy"))
     for name in ("sdf", "thickness", "geoaverage", "geofarthest", "angle", "hks"):
@@ -196,7 +196,7 @@ def test_the_refined_girth_of_the_command(tmp_path, command):
     vertices, faces = torus(60, 24)
     path = tmp_path / "fine.obj"
     path.write_text(as_obj(vertices, faces))
-    mesh = girth.load(path)
+    mesh = pygirth.load(path)
     refined = mesh.igf(method="refined", audit=30, threads=2)
     assert_same_bits(
         refined.values,
@@ -207,7 +207,7 @@ def test_the_refined_girth_of_the_command(tmp_path, command):
     share = refined.audit["equal"] / 30
     assert refined.audit["at_least"] <= share <= refined.audit["at_most"]
     # Proved ones are the exact ones.
-    proved = refined.states == girth.RefinedGirth.STATES.index("proved")
+    proved = refined.states == pygirth.RefinedGirth.STATES.index("proved")
     assert proved.sum() >= 30
     assert_same_bits(refined.values[proved], mesh.igf().values[proved])
     other = mesh.igf(method="refined", audit=30, seed=2)
@@ -215,7 +215,7 @@ def test_the_refined_girth_of_the_command(tmp_path, command):
 
 
 def test_the_persistent_girth_of_the_command(model, command):
-    mesh = girth.load(model)
+    mesh = pygirth.load(model)
     tau = 0.02 * mesh.area**0.5
     field = mesh.igf(persistence=tau)
     assert field.persistence == tau and len(field.mesh.tips(persistence=tau)) >= 0
@@ -235,14 +235,14 @@ def test_the_persistent_girth_of_the_command(model, command):
 
 
 def test_the_same_arrays_as_the_file(model):
-    mesh = girth.load(model)
-    again = girth.Mesh(mesh.vertices, mesh.faces)
+    mesh = pygirth.load(model)
+    again = pygirth.Mesh(mesh.vertices, mesh.faces)
     assert_same_bits(mesh.igf().values, again.igf().values)
     assert mesh.report == again.report
 
 
 def test_loops_tips_and_parts_of_the_command(model, command):
-    mesh = girth.load(model)
+    mesh = pygirth.load(model)
     for place, words in ((mesh.loop(20), ["20"]), (mesh.loop(face=5), ["--face", "5"])):
         theirs = command("loop", model, *words, output=".json")
         assert_same_bits(place.length, theirs["length"])
@@ -259,20 +259,20 @@ def test_loops_tips_and_parts_of_the_command(model, command):
 def test_distances_of_the_command(model, command, repository):
     others = [model, repository / "tests/data/prism.obj"]
     theirs = command("compare", *others, "--descriptors", "igf,hks", as_json=True)
-    ours = girth.compare(others, ["igf", "hks"])
+    ours = pygirth.compare(others, ["igf", "hks"])
     for descriptor in theirs["descriptors"]:
         assert_same_bits(ours[descriptor["name"]], descriptor["distances"])
 
 
 def test_parameters_of_fields_are_keywords_with_the_defaults_of_cpp():
-    keywords = inspect.signature(girth.Mesh.field).parameters
-    for name in girth.FIELDS:
+    keywords = inspect.signature(pygirth.Mesh.field).parameters
+    for name in pygirth.FIELDS:
         for keyword in _girth.field_parameters(name):
             # A keyword of Mesh.igf alone is no keyword of Mesh.field.
             assert keyword == "persistence" or keyword in keywords
-    mesh = girth.Mesh(*prism(4, length=4.0, rings=4))
+    mesh = pygirth.Mesh(*prism(4, length=4.0, rings=4))
     plain = mesh.field("sdf").values
     assert np.array_equal(plain, mesh.field("sdf", rays=30, cone=120).values)
     assert not np.array_equal(plain, mesh.field("sdf", rays=3).values)
-    with pytest.raises(girth.InputError, match="rays"):
+    with pytest.raises(pygirth.InputError, match="rays"):
         mesh.field("sdf", rays=0)

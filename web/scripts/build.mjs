@@ -227,7 +227,7 @@ const usedOfKernel = [
   'workers/worker-from-elsewhere',
 ];
 
-/** What pages run that `girth.show` of the Python package saves: the element without the kernel, in one file. */
+/** What pages run that `pygirth.show` of the Python package saves: the element without the kernel, in one file. */
 export async function buildSavedPage() {
   await refresh({
     name: 'saved-page',

@@ -69,9 +69,9 @@ export function testPythonWithSanitizers(report) {
   const tree = join(repository, buildSanitized('python', ['girth_python']));
   const packages = join(tree, 'packages');
   rmSync(packages, { recursive: true, force: true });
-  cpSync(join(repository, 'cpp/python/girth'), join(packages, 'girth'), { recursive: true });
+  cpSync(join(repository, 'cpp/python/pygirth'), join(packages, 'pygirth'), { recursive: true });
   for (const name of readdirSync(join(tree, 'python'))) {
-    cpSync(join(tree, 'python', name), join(packages, 'girth', name));
+    cpSync(join(tree, 'python', name), join(packages, 'pygirth', name));
   }
   // Python has none: the sanitizer comes first, and what throws exceptions has to be there when it looks for that.
   const runtime = outputOf('clang++', ['-print-file-name=libclang_rt.asan-x86_64.so'])?.trim();

@@ -31,7 +31,7 @@ PREFIXES = tuple(Path(prefix) for prefix in ("/usr", "/usr/local", "/opt/homebre
 
 METADATA = """\
 Metadata-Version: 2.1
-Name: girth
+Name: pygirth
 Version: {version}
 Summary: The intrinsic girth function of triangle meshes: exact values and shortest geodesic loops
 License: MIT
@@ -82,7 +82,7 @@ def _check_python() -> None:
     if not header.exists():
         number = f"{sys.version_info[0]}.{sys.version_info[1]}"
         raise SystemExit(
-            f"girth: Python {number} ({sys.executable}) has no headers ({header} is missing): on Debian "
+            f"pygirth: Python {number} ({sys.executable}) has no headers ({header} is missing): on Debian "
             "install python3-dev and use /usr/bin/python3; otherwise use a Python that has them"
         )
 
@@ -116,7 +116,7 @@ def prepare_metadata_for_build_wheel(
 ) -> str:
     """Writes what the wheel will need, so that pip finds out at once if it cannot be had; the folder's name."""
     _check_python()
-    name = f"girth-{_version()}.dist-info"
+    name = f"pygirth-{_version()}.dist-info"
     folder = Path(metadata_directory) / name
     folder.mkdir()
     (folder / "METADATA").write_bytes(_file_of_metadata())
@@ -144,14 +144,14 @@ def _files(module: Path) -> dict[str, bytes]:
     """What is in the package, by its place in the wheel."""
     content = {
         path.relative_to(PACKAGE).as_posix(): path.read_bytes()
-        for path in sorted((PACKAGE / "girth").rglob("*"))
+        for path in sorted((PACKAGE / "pygirth").rglob("*"))
         if path.is_file() and path.suffix in (".py", ".pyi", ".typed")
     }
-    content[f"girth/{module.name}"] = module.read_bytes()
-    # What `girth.show` needs; made by `npm run build:shown`, where there is Node.js.
+    content[f"pygirth/{module.name}"] = module.read_bytes()
+    # What `pygirth.show` needs; made by `npm run build:shown`, where there is Node.js.
     viewer = REPOSITORY / "build/shown/girth-shown.js"
     if viewer.exists():
-        content["girth/girth-shown.js"] = viewer.read_bytes()
+        content["pygirth/girth-shown.js"] = viewer.read_bytes()
     return content
 
 
@@ -165,7 +165,7 @@ def build_wheel(
     version = _version()
     platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
     tag = f"{TAG}-{TAG}-{platform}"
-    folder = f"girth-{version}.dist-info"
+    folder = f"pygirth-{version}.dist-info"
     content = _files(_compile(config_settings or {}))
     content[f"{folder}/LICENSE"] = (REPOSITORY / "LICENSE").read_bytes()
     content[f"{folder}/METADATA"] = _file_of_metadata()
@@ -176,7 +176,7 @@ def build_wheel(
         digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
         record += f"{name},sha256={digest},{len(data)}\n"
     content[f"{folder}/RECORD"] = f"{record}{folder}/RECORD,,\n".encode()
-    name = f"girth-{version}-{tag}.whl"
+    name = f"pygirth-{version}-{tag}.whl"
     with zipfile.ZipFile(Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as archive:
         for path, data in content.items():
             # A fixed date: the same files always make the same wheel.

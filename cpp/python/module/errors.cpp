@@ -16,7 +16,7 @@ namespace {
 /// Sets the exception that stands for an error.
 void raise(const Error& error) {
   const py::object exception =
-      py::module_::import("girth.errors")
+      py::module_::import("pygirth.errors")
           .attr("exception_of")(std::string(toString(error.code)), exitCodeOf(error.code),
                                 error.element, error.message, error.hint, error.file);
   PyErr_SetObject(py::type::of(exception).ptr(), exception.ptr());

@@ -7,7 +7,7 @@
 #include "working.h"
 
 PYBIND11_MODULE(_girth, module) {
-  module.doc() = "The core of Girth; use it through the package girth.";
+  module.doc() = "The core of Girth; use it through the package pygirth.";
   module.attr("version") = std::string(girth::version());
   girth::python::bindErrors(module);
   girth::python::bindSurface(module);

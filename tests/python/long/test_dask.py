@@ -7,11 +7,11 @@ from collections import Counter, defaultdict
 from contextlib import contextmanager
 from pathlib import Path
 
-import girth
 import numpy as np
+import pygirth
 import pytest
 from distributed import Client
-from girth import collection
+from pygirth import collection
 from shapes import as_obj, tetrahedron, torus
 
 HERE = Path(__file__).parent
@@ -111,7 +111,7 @@ def test_a_worker_is_killed_and_another_comes(files, tmp_path):
         assert (second.computed, second.reused) == (0, 90) and not cluster.log.exists()
 
         # Nothing is lost, and the bits are those of one process.
-        alone = girth.compare(files, ["igf"], faces=0)["igf"]
+        alone = pygirth.compare(files, ["igf"], faces=0)["igf"]
         assert np.array_equal(models.distances(client=client, block=20), alone)
         assert np.array_equal(second.distances(), alone)
         here, there = models.nearest(k=5), second.nearest(k=5, client=client)
@@ -141,7 +141,7 @@ def test_a_worker_of_another_version(files, tmp_path):
     with cluster_in(tmp_path) as (cluster, client):
         cluster.worker("--no-nanny", GIRTH_TEST_VERSION="0.0.7")
         client.wait_for_workers(1, timeout=120)
-        with pytest.raises(girth.LimitError) as caught:
+        with pytest.raises(pygirth.LimitError) as caught:
             collection.fields(files, client=client)
     assert caught.value.code == "PROGRAM_NOT_LOADED"
-    assert "0.0.7" in caught.value.message and girth.__version__ in caught.value.message
+    assert "0.0.7" in caught.value.message and pygirth.__version__ in caught.value.message

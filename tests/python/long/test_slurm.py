@@ -9,11 +9,11 @@ import sys
 import time
 from pathlib import Path
 
-import girth
 import numpy as np
+import pygirth
 import pytest
-from girth import collection
-from girth.collection._tasks import _key_of
+from pygirth import collection
+from pygirth.collection._tasks import _key_of
 from shapes import as_obj, torus
 
 CONFIGURATION = """\
@@ -116,12 +116,12 @@ def test_a_job_that_is_killed_is_queued_again_and_goes_on(slurm, tmp_path, repos
                 words = (entry / "cmdline").read_bytes().split(b"\0")
             except OSError:
                 continue
-            if b"girth.collection" in words and os.fsencode(store) in words:
+            if b"pygirth.collection" in words and os.fsencode(store) in words:
                 found[words[words.index(b"--part") + 1].decode()] = int(entry.name)
         return found
 
     # The first task is killed, as for want of memory, when it has written something.
-    own = {_key_of(girth.load(path)) for path in paths[::3]}
+    own = {_key_of(pygirth.load(path)) for path in paths[::3]}
 
     def written():
         keys = [np.load(path)["keys"].astype("U").tolist() for path in store.rglob("*.npz")]
@@ -136,7 +136,7 @@ def test_a_job_that_is_killed_is_queued_again_and_goes_on(slurm, tmp_path, repos
     assert "40 models:" in text and " 0 failed" in text
     models = collection.fields(paths, store=store, faces=0)
     assert (models.computed, models.reused) == (0, 120)
-    assert np.array_equal(models.distances(), girth.compare(paths, ["igf"], faces=0)["igf"])
+    assert np.array_equal(models.distances(), pygirth.compare(paths, ["igf"], faces=0)["igf"])
     # What the first run had written, the second one found.
     found = [int(part.split(" found")[0]) for part in text.split("computed, ")[1:]]
     assert len(found) == 1 and 0 < found[0] < 40

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from girth import collection
+from pygirth import collection
 from shapes import as_obj, prism, torus
 
 

@@ -2,11 +2,11 @@
 
 import os
 
-import girth
+import pygirth
 
 
 def dask_setup(_):
-    compute = girth._girth.compared_fields
+    compute = pygirth._girth.compared_fields
     log = os.open(os.environ["GIRTH_TEST_LOG"], os.O_CREAT | os.O_APPEND | os.O_WRONLY)
 
     def watched(surface, *others):
@@ -15,6 +15,6 @@ def dask_setup(_):
             os._exit(1)
         return compute(surface, *others)
 
-    girth._girth.compared_fields = watched
+    pygirth._girth.compared_fields = watched
     if "GIRTH_TEST_VERSION" in os.environ:
-        girth._girth.version = os.environ["GIRTH_TEST_VERSION"]
+        pygirth._girth.version = os.environ["GIRTH_TEST_VERSION"]

@@ -1,5 +1,5 @@
 // What a saved page runs: it shows a surface and values that were computed elsewhere, by the element alone. No kernel, no
-// worker, nothing fetched. `girth.show` of the Python package makes such pages (cpp/python/girth/_show.py).
+// worker, nothing fetched. `pygirth.show` of the Python package makes such pages (cpp/python/pygirth/_show.py).
 
 import type { Field, Kernel, Loop } from '../kernel/types/types.js';
 import { formatLength } from '../view/index.js';

@@ -7,8 +7,8 @@ from typing import Any, Iterable, Optional, Sequence, Union
 
 import numpy as np
 
-from girth import _girth
-from girth._arguments import (
+from pygirth import _girth
+from pygirth._arguments import (
     Progress,
     face_count,
     faces_of,
@@ -20,9 +20,9 @@ from girth._arguments import (
     vertices_of,
     whole_number,
 )
-from girth._models import arrays_of, polydata_of
-from girth.errors import input_error
-from girth.results import (
+from pygirth._models import arrays_of, polydata_of
+from pygirth.errors import input_error
+from pygirth.results import (
     AxisLoop,
     Barcode,
     Bottleneck,
@@ -102,7 +102,7 @@ class Mesh:
 
     Examples
     --------
-    >>> m = girth.Mesh(V, F)
+    >>> m = pygirth.Mesh(V, F)
     >>> m.igf().values
     """
 
@@ -170,7 +170,7 @@ class Mesh:
     def __repr__(self) -> str:
         unit = f", in {self._unit}s" if self._unit else ""
         return (
-            f"<girth.Mesh: {len(self._vertices)} vertices, {len(self._faces)} faces, "
+            f"<pygirth.Mesh: {len(self._vertices)} vertices, {len(self._faces)} faces, "
             f"area {self.area:.6g}{unit}>"
         )
 

@@ -8,8 +8,8 @@ from typing import Any, Iterable, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
-from girth import _girth
-from girth._arguments import (
+from pygirth import _girth
+from pygirth._arguments import (
     Progress,
     face_count,
     real_number,
@@ -17,11 +17,11 @@ from girth._arguments import (
     smoothing_steps,
     whole_number,
 )
-from girth.collection._clients import Work
-from girth.collection._search import Distributions, Index, block_of, nearest_of
-from girth.collection._store import NAMES, Group, Store, groups_of
-from girth.collection._tasks import computed, keys_of
-from girth.errors import GirthError, LimitError, input_error
+from pygirth.collection._clients import Work
+from pygirth.collection._search import Distributions, Index, block_of, nearest_of
+from pygirth.collection._store import NAMES, Group, Store, groups_of
+from pygirth.collection._tasks import computed, keys_of
+from pygirth.errors import GirthError, LimitError, input_error
 
 #: Results are also written when there are so many bytes of them.
 BYTES_BETWEEN = 2**26
@@ -89,7 +89,7 @@ class Collection:
     def __repr__(self) -> str:
         failed = f", {len(self.failed)} failed" if self.failed else ""
         return (
-            f"<girth.collection.Collection: {len(self)} models with {', '.join(self.names)}{failed}>"
+            f"<pygirth.collection.Collection: {len(self)} models with {', '.join(self.names)}{failed}>"
         )
 
     def __len__(self) -> int:
@@ -144,12 +144,12 @@ class Collection:
         out : ndarray of float64, shape (models, models), optional
             Where it goes, such as a ``numpy.memmap``. Default: a new array.
         progress
-            As of `girth.igf`.
+            As of `pygirth.igf`.
 
         Returns
         -------
         ndarray of float64, shape (models, models)
-            Symmetric, zeros on the diagonal; NaN of models that failed. Those of `girth.compare`.
+            Symmetric, zeros on the diagonal; NaN of models that failed. Those of `pygirth.compare`.
         """
         all = self._packed(name)
         count, size = len(self), whole_number(block, "block")
@@ -317,7 +317,7 @@ def fields(
     Parameters
     ----------
     files : iterable
-        Paths, or whatever else `girth.as_mesh` takes.
+        Paths, or whatever else `pygirth.as_mesh` takes.
     client : dask.distributed.Client or concurrent.futures.Executor, optional
         Where it is computed: each worker reads the files itself. Workers may come, go and be lost
         meanwhile. Default: on all cores of this machine.
@@ -329,7 +329,7 @@ def fields(
     faces : int, optional
         Larger models are remeshed to so many faces; 0: all are taken as they are.
     smooth : int, optional
-        Steps of smoothing after that, as of `girth.Mesh.smooth`: three for rough scans.
+        Steps of smoothing after that, as of `pygirth.Mesh.smooth`: three for rough scans.
     retries : int, optional
         How often a model is tried again whose file could not be read or whose worker was lost.
     batch : int, optional
@@ -338,7 +338,7 @@ def fields(
         Results are written at least so often, in seconds: no more is lost where the program is
         killed. 0: each at once.
     progress
-        As of `girth.igf`.
+        As of `pygirth.igf`.
 
     Returns
     -------

@@ -8,8 +8,8 @@ from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy as np
 
-from girth import _girth
-from girth.errors import input_error
+from pygirth import _girth
+from pygirth.errors import input_error
 
 #: A callable that takes the finished share in [0, 1], or a bar with ``update`` and ``total``.
 Progress = Union[None, Callable[[float], object], Any]

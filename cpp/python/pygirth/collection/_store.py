@@ -25,8 +25,8 @@ from typing import Iterable, Iterator, Mapping, NamedTuple, Optional, Sequence
 
 import numpy as np
 
-from girth import _girth
-from girth.errors import InputError, error_codes, input_error
+from pygirth import _girth
+from pygirth.errors import InputError, error_codes, input_error
 
 #: The fields that a collection can have: those with one number for each vertex.
 NAMES = ("igf", "igf-ms", "sdf", "geoaverage", "geofarthest")

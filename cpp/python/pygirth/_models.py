@@ -6,8 +6,8 @@ from typing import Any, Optional
 
 import numpy as np
 
-from girth._arguments import faces_of, vertices_of
-from girth.errors import MissingPackageError, input_error
+from pygirth._arguments import faces_of, vertices_of
+from pygirth.errors import MissingPackageError, input_error
 
 
 def arrays_of(model: Any) -> Optional[tuple[np.ndarray, np.ndarray]]:

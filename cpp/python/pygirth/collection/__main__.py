@@ -1,8 +1,8 @@
 """The fields of a collection from a shell, a share of it at a time.
 
-    python -m girth.collection fields LIST --store fields --part 3/40
-    python -m girth.collection matrix LIST --store fields -o igf.npy
-    python -m girth.collection nearest LIST --store fields -k 10 -o igf.csv
+    python -m pygirth.collection fields LIST --store fields --part 3/40
+    python -m pygirth.collection matrix LIST --store fields -o igf.npy
+    python -m pygirth.collection nearest LIST --store fields -k 10 -o igf.csv
 
 LIST is a text file with a path a line, relative to its folder; ``-`` is standard input.
 """
@@ -21,9 +21,9 @@ from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from girth.collection import NAMES, Collection, fields
-from girth.collection._clients import cores
-from girth.errors import GirthError, error_codes, input_error
+from pygirth.collection import NAMES, Collection, fields
+from pygirth.collection._clients import cores
+from pygirth.errors import GirthError, error_codes, input_error
 
 
 def _listed(path: str) -> list[str]:
@@ -46,7 +46,7 @@ def _part(text: str) -> tuple[int, int]:
 
 def _arguments(words: Optional[Sequence[str]]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="python -m girth.collection",
+        prog="python -m pygirth.collection",
         description="Fields, distances and nearest neighbours of a collection of models.",
     )
     commands = parser.add_subparsers(dest="command", required=True)

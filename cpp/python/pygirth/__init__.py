@@ -1,16 +1,16 @@
 """The intrinsic girth function of triangle meshes: exact values and shortest geodesic loops.
 
->>> import girth
->>> field = girth.igf(V, F)          # one value for each row of V
->>> m = girth.load("model.glb")      # or girth.Mesh(V, F), or girth.as_mesh(a trimesh)
+>>> import pygirth
+>>> field = pygirth.igf(V, F)          # one value for each row of V
+>>> m = pygirth.load("model.glb")      # or pygirth.Mesh(V, F), or pygirth.as_mesh(a trimesh)
 >>> m.tips().apexes
 """
 
-from girth import _girth, collection, errors, results
-from girth._show import Shown, show
-from girth.errors import GirthError, InputError, LimitError, MissingPackageError
-from girth.mesh import FIELDS, Mesh, as_mesh, compare, igf, load
-from girth.results import (
+from pygirth import _girth, collection, errors, results
+from pygirth._show import Shown, show
+from pygirth.errors import GirthError, InputError, LimitError, MissingPackageError
+from pygirth.mesh import FIELDS, Mesh, as_mesh, compare, igf, load
+from pygirth.results import (
     AxisLoop,
     Barcode,
     Bottleneck,

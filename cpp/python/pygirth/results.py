@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional
 import numpy as np
 
 if TYPE_CHECKING:
-    from girth.mesh import Mesh
+    from pygirth.mesh import Mesh
 
 __all__ = [
     "AxisLoop",
@@ -49,7 +49,7 @@ class _Result:
     """Shows its class and its one line."""
 
     def __repr__(self) -> str:
-        return f"<girth.{type(self).__name__}: {self._line()}>"
+        return f"<pygirth.{type(self).__name__}: {self._line()}>"
 
     def _line(self) -> str:
         raise NotImplementedError

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 
-from girth import _girth
+from pygirth import _girth
 
 __all__ = ["GirthError", "InputError", "LimitError", "MissingPackageError", "error_codes"]
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from girth import _girth
+from pygirth import _girth
 
 #: Intervals of the quantile functions.
 INTERVALS = 32

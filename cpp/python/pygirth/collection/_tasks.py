@@ -7,12 +7,12 @@ from typing import Any, Callable, Sequence, Union
 
 import numpy as np
 
-from girth import _girth
-from girth._arguments import running
-from girth.collection._clients import until_stopped
-from girth.collection._store import Fields
-from girth.errors import GirthError, LimitError
-from girth.mesh import Mesh, as_mesh
+from pygirth import _girth
+from pygirth._arguments import running
+from pygirth.collection._clients import until_stopped
+from pygirth.collection._store import Fields
+from pygirth.errors import GirthError, LimitError
+from pygirth.mesh import Mesh, as_mesh
 
 #: A model's key, or why it has none.
 Key = Union[str, GirthError]

@@ -8,7 +8,7 @@ from collections import deque
 from concurrent.futures import FIRST_COMPLETED, Executor, ThreadPoolExecutor, wait
 from typing import Any, Callable, Iterator, Optional
 
-from girth.errors import input_error
+from pygirth.errors import input_error
 
 #: Tasks that are with the scheduler at a time: enough for a few hundred workers.
 WINDOW = 1000

@@ -12,11 +12,11 @@ from typing import Any, Iterable, Optional, Sequence, Union
 
 import numpy as np
 
-from girth import _girth
-from girth._arguments import one_of, path_of, real_number, running, whole_number
-from girth.errors import LimitError, input_error
-from girth.mesh import FIELDS, Mesh, as_mesh
-from girth.results import Field
+from pygirth import _girth
+from pygirth._arguments import one_of, path_of, real_number, running, whole_number
+from pygirth.errors import LimitError, input_error
+from pygirth.mesh import FIELDS, Mesh, as_mesh
+from pygirth.results import Field
 
 __all__ = ["Shown", "show"]
 
@@ -74,7 +74,7 @@ class Shown:
         self._title = title
 
     def __repr__(self) -> str:
-        return f"<girth.Shown: {self._title}, {len(self.page) / 1e6:.1f} MB>"
+        return f"<pygirth.Shown: {self._title}, {len(self.page) / 1e6:.1f} MB>"
 
     def _repr_html_(self) -> str:
         """The page as a fragment of another one: a frame of its own."""
@@ -155,8 +155,8 @@ def show(
 
     Examples
     --------
-    >>> girth.show(m, "igf")
-    >>> girth.show(m.igf(), points=m.tips().apexes).save("octopus.html")
+    >>> pygirth.show(m, "igf")
+    >>> pygirth.show(m.igf(), points=m.tips().apexes).save("octopus.html")
     """
     if field is None and isinstance(model, Field):
         field = model
@@ -212,7 +212,7 @@ def show(
 
 
 def _program() -> str:
-    file = importlib.resources.files("girth") / "girth-shown.js"
+    file = importlib.resources.files("pygirth") / "girth-shown.js"
     if not file.is_file():
         raise LimitError(
             "PROGRAM_NOT_LOADED",
@@ -250,7 +250,7 @@ def _values_of(
         raise input_error(
             "USAGE",
             f"there are {rows.shape[1]} numbers at each vertex",
-            "choose one of them: girth.show(m, field.values[:, 0])",
+            "choose one of them: pygirth.show(m, field.values[:, 0])",
         )
     if rows.shape != (count,):
         raise input_error(
