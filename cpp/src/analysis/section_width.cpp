@@ -1,60 +1,12 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
+#include <utility>
 #include <vector>
 
+#include "analysis/convex_hull.h"
+#include "analysis/plane_frame.h"
 #include "girth/print_check.h"
 #include "mesh/vector.h"
 
 namespace girth {
-
-namespace {
-
-struct Point2 {
-  double x, y;
-};
-
-double cross(const Point2& o, const Point2& a, const Point2& b) {
-  return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
-}
-
-/// The corners of the convex hull, counter-clockwise (Andrew 1979).
-std::vector<Point2> convexHull(std::vector<Point2> points) {
-  std::sort(points.begin(), points.end(),
-            [](const Point2& a, const Point2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  std::vector<Point2> hull;
-  for (int half = 0; half < 2; ++half) {
-    const std::size_t first = hull.size();
-    for (const Point2& p : points) {
-      while (hull.size() >= first + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(p);
-    }
-    hull.pop_back();  // where the other half starts
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
-/// The least width of a convex polygon: one of the two lines lies along a side.
-double widthOf(const std::vector<Point2>& hull) {
-  if (hull.size() < 3) return 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Point2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
-    const double length = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
-    if (!(length > 0)) continue;
-    double width = 0;
-    for (const Point2& p : hull) width = std::max(width, cross(a, b, p) / length);
-    least = std::min(least, width);
-  }
-  return std::isfinite(least) ? least : 0;
-}
-
-}  // namespace
 
 double sectionWidth(const SurfaceMesh& mesh, const GirthLoop& loop) {
   if (loop.kind != LoopKind::Loop) return 0;
@@ -69,17 +21,13 @@ double sectionWidth(const SurfaceMesh& mesh, const GirthLoop& loop) {
   const double area = norm(normal);
   if (!(area > 0)) return 0;
   normal = (1 / area) * normal;
-  // Two directions across the normal (Duff et al. 2017).
-  const double sign = normal.z < 0 ? -1 : 1;
-  const double a = -1 / (sign + normal.z), b = normal.x * normal.y * a;
-  const Vec3 right{1 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};
-  const Vec3 up{b, sign + normal.y * normal.y * a, -normal.y};
+  const PlaneFrame frame(normal);
   std::vector<Point2> flat;
   for (const Vec3& p : points) {
     const Vec3 d = unit * (p - points[0]);
-    flat.push_back({dot(d, right), dot(d, up)});
+    flat.push_back(frame.flat(d));
   }
-  return loop.length * widthOf(convexHull(std::move(flat)));
+  return loop.length * widthsOf(convexHull(std::move(flat))).least;
 }
 
 }  // namespace girth

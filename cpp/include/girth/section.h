@@ -1,0 +1,107 @@
+// Plane sections: where planes cut a surface, and the measures of the curves.
+//
+// GIRTH_EXPERIMENTAL (girth/version.h).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "girth/error.h"
+#include "girth/execution.h"
+#include "girth/export.h"
+#include "girth/surface_mesh.h"
+#include "girth/surface_point.h"
+
+namespace girth {
+
+/// The points x with normal · x = offset.
+struct Plane {
+  /// Of any length but 0.
+  Vec3 normal{0, 0, 1};
+  /// In model units, where the normal has length 1.
+  double offset{0};
+};
+
+/// A curve in which a plane cuts a surface (web/docs/definitions.md, section 8).
+struct SectionCurve {
+  /// The edges that it crosses and the vertices that it passes, in order; straight between
+  /// neighbours. Seen from the tip of the plane's normal, what the surface encloses lies on the
+  /// left. The last point of a closed curve equals the first.
+  std::vector<SurfacePoint> points;
+  /// False where it ends at the surface's boundary.
+  bool closed{true};
+  /// The component of the surface that it lies on.
+  Index component{kNoIndex};
+  /// Its length, in model units; of an open curve without the gap.
+  double perimeter{0};
+  /// The perimeter of its convex hull in the plane, in model units: what a tape shows, which spans
+  /// hollows.
+  double tape{0};
+  /// The area that it encloses, those of the holes in it taken away, in squared model units; 0
+  /// where it is open.
+  double area{0};
+  /// The diameter of a circle of that area, in model units.
+  double equivalentDiameter{0};
+  /// The least distance of two parallel lines in the plane that hold it between them, in model
+  /// units.
+  double leastWidth{0};
+  /// The greatest one: that of its two points that are farthest apart.
+  double greatestWidth{0};
+  /// The centroid of its area; of an open curve, of its length.
+  Vec3 centre;
+  /// Whether it bounds a hole: what the surface encloses lies round it.
+  bool hole{false};
+  /// The curve that it is a hole in, as its index; kNoIndex where it is none.
+  Index holeIn{kNoIndex};
+};
+
+/// What one plane cuts.
+struct Section {
+  /// The plane, its normal of length 1.
+  Plane plane;
+  /// In the order of the components, then of the first edge that each crosses. Empty where the
+  /// plane misses the surface.
+  std::vector<SectionCurve> curves;
+  /// The sum of the curves' lengths, in model units.
+  double perimeter{0};
+  /// The perimeter of the convex hull of all curves, in model units: one tape round them.
+  double tape{0};
+  /// The sum of the areas of the curves that are no holes, in squared model units.
+  double area{0};
+};
+
+/// The least and the greatest normal · x of a surface, in model units.
+struct HeightRange {
+  /// At the lowest vertex.
+  double low{0};
+  /// At the highest one.
+  double high{0};
+};
+
+/// How far a surface reaches along a direction. O(n). Error: INVALID_OPTION where the direction has
+/// no length, or one that is not finite.
+GIRTH_EXPORT Result<HeightRange> heightRange(const SurfaceMesh& mesh, const Vec3& normal);
+
+/// The sections of a surface with planes of one normal, at several offsets.
+///
+/// *Planes through vertices.* A vertex that lies in the plane (nearer to it than 1e-12 of the
+/// greatest coordinate) counts as lying above it, on the side of the normal. So every curve runs
+/// through edges that lead from below to above, curves never end inside the surface, and where the
+/// plane touches it from above there is none. A face in the plane is part of the section by its
+/// outline, where the surface goes on below it.
+///
+/// *Holes* are found by the surface's orientation: a closed curve is a hole where the enclosed side
+/// lies round it and another curve of the section lies round that. Curves of bodies that overlap
+/// are measured one by one.
+///
+/// On polyhedra the measures are exact to rounding. Time: O(n log m + c log c) for n faces, m
+/// planes and c crossed edges, on all threads; the same result for any number of them. Errors:
+/// INVALID_OPTION (a normal without length, an offset that is not finite), CANCELLED.
+GIRTH_EXPORT Result<std::vector<Section>> sections(const SurfaceMesh& mesh, const Vec3& normal,
+                                                   std::span<const double> offsets,
+                                                   const ExecutionContext& context = {});
+
+/// The section with one plane. The same errors.
+GIRTH_EXPORT Result<Section> section(const SurfaceMesh& mesh, const Plane& plane);
+
+}  // namespace girth
