@@ -43,7 +43,7 @@ struct Handle {
   Vec3 centre;
   /// The area that the loop encloses in its mean plane, in squared model units.
   double area{0};
-  Index component{0};  ///< of the surface
+  Index component{0};  ///< the number of its component of the surface, from 0
 };
 
 /// How handles are searched for.

@@ -26,9 +26,9 @@ GIRTH_EXPORT std::string_view toString(PartKind kind);
 /// The paper's τ1 and τ2, in model units: plate = {I > girth, SDF < thickness}, tube = {I < girth,
 /// SDF < thickness}, body the rest.
 struct PartThresholds {
-  /// τ1: tubes have a smaller girth.
+  /// τ1: tubes have a smaller girth, in model units.
   double girth{0};
-  /// τ2: tubes and plates are thinner.
+  /// τ2: tubes and plates are thinner, in model units.
   double thickness{0};
 };
 
@@ -57,18 +57,18 @@ struct PartOptions {
 
 /// A connected region of one kind.
 struct GIRTH_EXPORT Part {
-  PartKind kind{PartKind::Body};  ///< the same of all its vertices
-  std::vector<Vertex> vertices;   ///< in rising order
-  double area{0};                 ///< sum of the vertices' areas
+  PartKind kind{PartKind::Body};  ///< what all its vertices are
+  std::vector<Vertex> vertices;   ///< its vertices, in rising order
+  double area{0};                 ///< sum of the vertices' areas, in squared model units
   /// Median of the girth over the region, in model units; NaN where it is unknown.
   double medianGirth{0};
   /// Median of the thickness over the region, in model units; NaN where it is unknown.
   double medianThickness{0};
   /// Its thinnest place: the vertex with the least girth (tube), otherwise the least SDF; none
-  /// where it is unknown. The loop there is GirthSolver::loop's.
+  /// where it is unknown. GirthSolver::loop gives the loop there.
   Vertex thinnest;
 
-  /// Radius of the round tube with the same girth, I / 2π.
+  /// Radius of the round tube with the same girth, I / 2π, in model units.
   double equivalentRadius() const;
 };
 

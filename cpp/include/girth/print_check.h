@@ -38,8 +38,8 @@ enum class WeakKind : std::uint8_t {
 GIRTH_EXPORT std::string_view toString(WeakKind kind);
 
 /// A connected place that does not meet a limit.
-struct WeakPlace {
-  WeakKind kind{WeakKind::Tube};  ///< which limit
+struct GIRTH_EXPORT WeakPlace {
+  WeakKind kind{WeakKind::Tube};  ///< which limit it does not meet
   /// Those that do not meet the limit, in rising order; where only the inside of faces does not,
   /// the corners of these.
   std::vector<Vertex> vertices;
@@ -51,8 +51,11 @@ struct WeakPlace {
   double least{0};
   /// The point that has it.
   SurfacePoint thinnest;
-  /// Of walls and gaps, the point of the surface across from it.
+  /// Of walls and gaps, the point of the surface across from it, in model units.
   Vec3 opposite;
+
+  /// What is too small: "diameter", "thickness" or "clearance".
+  std::string_view measure() const;
 };
 
 /// The answer to a check.
@@ -67,6 +70,9 @@ struct PrintCheck {
   double passingScale{0};
   /// False after cancelling; then the rest means nothing.
   bool complete{false};
+
+  /// Whether nothing fails.
+  bool passes() const { return places.empty(); }
 };
 
 /// Values at the vertices, NaN where there is none. A field that no limit needs may be empty.

@@ -56,9 +56,9 @@ struct GirthAudit {
   /// The median of the differences, as shares of the exact value. Where no value was found, it is
   /// off by 1.
   double median{0};
-  /// The difference that one in twenty exceeds.
+  /// The difference that one in twenty exceeds, as a share.
   double percentile95{0};
-  /// The largest.
+  /// The largest difference, as a share.
   double greatest{0};
 };
 

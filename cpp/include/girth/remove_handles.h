@@ -20,7 +20,7 @@ struct HandleRemoval {
   /// Each is the shortest round its handle, where `mayBeShorterBy` is 0, as in findHandles.
   std::vector<Handle> removed;
   Index genusBefore{0};  ///< of all components together
-  Index genusAfter{0};   ///< the same
+  Index genusAfter{0};   ///< the same of what is left
   /// Faces that were made or moved and cross others, since there was no room for them; those of the
   /// surface that crossed each other before do not count.
   Index crossingFaces{0};

@@ -16,8 +16,8 @@ namespace girth {
 struct ContourLine {
   /// The middles of the edges that it crosses.
   std::vector<SurfacePoint> points;
-  /// It comes back to its first point, which is not repeated. Otherwise it ends at the boundary,
-  /// or, an arc, inside faces.
+  /// Whether it comes back to its first point, which is not repeated. Otherwise it ends at the
+  /// boundary, or, an arc, inside faces.
   bool closed{false};
 };
 
@@ -35,17 +35,17 @@ struct Tip {
   Vertex apex;
   /// How far, in model units.
   double apexDistance{0};
-  /// How far the girth rises from outside to inside: the median over the edges that the contour
-  /// crosses. Tips that noise makes rise little.
+  /// How far the girth rises from outside to inside, in model units: the median over the edges that
+  /// the contour crosses. Tips that noise makes rise little.
   double jump{0};
 };
 
 /// A part of the discontinuity contour that is no tip's: it ends somewhere, or where it meets the
 /// contour of a tip, which it follows closely.
 struct OpenArc {
-  ContourLine line;  ///< never closed
-  double length{0};  ///< in model units
-  double jump{0};    ///< as of a tip
+  ContourLine line;  ///< where it runs; never closed
+  double length{0};  ///< its length, in model units
+  double jump{0};    ///< how far the girth rises across it, in model units: as of a tip
 };
 
 /// The tips of a surface, and what else the girth jumps along.

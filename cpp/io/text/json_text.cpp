@@ -15,4 +15,16 @@ std::string numberJson(double value) {
   return std::isfinite(value) ? formatNumber(value) : std::string("null");
 }
 
+JsonObject& JsonObject::addJson(std::string_view name, std::string_view value) {
+  if (text_.size() > 1 && text_.back() != '\n') text_ += ',';
+  ((text_ += '"') += name) += "\":";
+  text_ += value;
+  return *this;
+}
+
+JsonObject& JsonObject::addJsonLine(std::string_view name, std::string_view value) {
+  text_ += ",\n";
+  return addJson(name, value);
+}
+
 }  // namespace girth::io

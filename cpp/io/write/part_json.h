@@ -1,14 +1,12 @@
-// What a part of a surface measures, as members of a JSON object.
+// What a part of a surface measures, as JSON.
 #pragma once
 
-#include <string>
-
 #include "girth/surface_mesh.h"
+#include "text/json_text.h"
 
 namespace girth::io {
 
-/// `area`, `volume` (null where it has a boundary), `faces`, `vertices`, `genus` and `boundaries`,
-/// without braces.
-std::string partMembers(const SurfaceMesh& part);
+/// `area`, `volume` (null where it has a boundary), `faces`, `vertices`, `genus` and `boundaries`.
+JsonObject partJson(const SurfaceMesh& part);
 
 }  // namespace girth::io

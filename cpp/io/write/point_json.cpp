@@ -7,11 +7,19 @@
 #include "text/number_text.h"
 
 namespace girth::io {
+namespace {
 
-std::string modelJson(std::string_view file, const LoadedMesh& loaded) {
-  return "{\"file\":" + jsonString(file) + ",\"unit\":" + jsonString(loaded.unit) +
-         (loaded.fewerFaces == 0 ? "" : ",\"fewerFaces\":" + std::to_string(loaded.fewerFaces));
+/// Elements of the surface as a JSON array of the file's; those made here are left out.
+template <class Element>
+std::string inputs(const std::vector<Index>& inputOf, const std::vector<Element>& elements) {
+  JsonList list;
+  for (const Element element : elements) {
+    if (inputOf[element] != kNoIndex) list.add(std::to_string(inputOf[element]));
+  }
+  return list.text();
 }
+
+}  // namespace
 
 std::string pointText(const Vec3& point, char separator) {
   return formatNumber(point.x) + separator + formatNumber(point.y) + separator +
@@ -24,16 +32,26 @@ std::string inputText(const LoadedMesh& loaded, Vertex vertex) {
 }
 
 std::string inputsJson(const LoadedMesh& loaded, const std::vector<Vertex>& vertices) {
-  std::string text;
-  for (const Vertex v : vertices) {
-    if (loaded.inputOfVertex[v] == kNoIndex) continue;
-    text += (text.empty() ? "" : ",") + std::to_string(loaded.inputOfVertex[v]);
-  }
-  return "[" + text + "]";
+  return inputs(loaded.inputOfVertex, vertices);
 }
 
-std::string persistenceJson(double persistence) {
-  return persistence == 0 ? "" : ",\"persistence\":" + formatNumber(persistence);
+std::string facesJson(const LoadedMesh& loaded, const std::vector<Face>& faces) {
+  return inputs(loaded.inputOfFace, faces);
+}
+
+std::string numbersJson(const LoadedMesh& loaded, const VertexNumbers& numbers) {
+  JsonList list;
+  for (std::size_t i = 0; i < numbers.vertices.size(); ++i) {
+    if (loaded.inputOfVertex[numbers.vertices[i]] == kNoIndex) continue;
+    list.add(numberJson(numbers.numbers[i]));
+  }
+  return list.text();
+}
+
+std::string numbersJson(std::span<const Index> places) {
+  JsonList list;
+  for (const Index place : places) list.add(std::to_string(place + 1));
+  return list.text();
 }
 
 std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point) {
@@ -54,32 +72,34 @@ std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point) {
       count = 3;
       break;
   }
-  std::string numbers;
-  std::string weights;
+  JsonList numbers, weights;
   for (std::size_t i = 0; i < count; ++i) {
-    const char* separator = i == 0 ? "" : ",";
-    numbers += separator + inputText(loaded, vertices[i]);
-    weights += separator + formatNumber(point.weights[i]);
+    numbers.add(inputText(loaded, vertices[i]));
+    weights.add(formatNumber(point.weights[i]));
   }
-  return "{\"position\":[" + pointText(positionOf(mesh, point), ',') + "],\"vertices\":[" +
-         numbers + "],\"weights\":[" + weights + "]}";
+  return JsonObject()
+      .addJson("position", "[" + pointText(positionOf(mesh, point), ',') + "]")
+      .addJson("vertices", numbers.text())
+      .addJson("weights", weights.text())
+      .text();
 }
 
-std::string pointsJson(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points) {
-  std::string text = "[";
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    text += (i == 0 ? "\n" : ",\n") + pointJson(loaded, points[i]);
-  }
-  return text + "]";
+std::string vertexJson(const LoadedMesh& loaded, Vertex vertex) {
+  return vertex == Vertex::none ? "null" : pointJson(loaded, SurfacePoint::atVertex(vertex));
 }
 
-std::string sidesJson(const std::vector<CurveSide>& sides) {
-  std::string text;
-  for (const CurveSide& side : sides) {
-    text += (text.empty() ? "" : ",") + ("{\"area\":" + formatNumber(side.area)) +
-            ",\"volume\":" + numberJson(side.volume) + "}";
+std::string positionsJson(const LoadedMesh& loaded, std::span<const SurfacePoint> points) {
+  JsonList list;
+  for (const SurfacePoint& point : points) {
+    list.add("[" + pointText(positionOf(loaded.mesh, point), ',') + "]");
   }
-  return "[" + text + "]";
+  return list.text();
+}
+
+std::string pointsJson(const LoadedMesh& loaded, std::span<const SurfacePoint> points) {
+  JsonList list(true);
+  for (const SurfacePoint& point : points) list.add(pointJson(loaded, point));
+  return list.text();
 }
 
 void appendClosedLine(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points,

@@ -1,20 +1,17 @@
-// A model, and points and vertices of its surface, as text, in the numbers of the file.
+// Points, vertices and faces of a surface as text, in the numbers of the file.
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "girth/cut_surface.h"
+#include "girth/describe/description.h"
 #include "girth/io/read_mesh.h"
 #include "girth/surface_point.h"
 
 namespace girth::io {
-
-/// What the JSON about a model begins with: `file`, `unit`, and where it was measured on fewer
-/// triangles than the file has, `fewerFaces`, their number.
-std::string modelJson(std::string_view file, const LoadedMesh& loaded);
 
 /// x, y and z between separators.
 std::string pointText(const Vec3& point, char separator);
@@ -25,18 +22,27 @@ std::string inputText(const LoadedMesh& loaded, Vertex vertex);
 /// Vertices of the surface as a JSON array of the file's; those made here are left out.
 std::string inputsJson(const LoadedMesh& loaded, const std::vector<Vertex>& vertices);
 
-/// `,"persistence":0.5`: of the girth that something was found by; nothing where it is 0.
-std::string persistenceJson(double persistence);
+/// The same of faces.
+std::string facesJson(const LoadedMesh& loaded, const std::vector<Face>& faces);
+
+/// The numbers of those vertices that the file has.
+std::string numbersJson(const LoadedMesh& loaded, const VertexNumbers& numbers);
+
+/// Places in a list as a JSON array, counted from 1.
+std::string numbersJson(std::span<const Index> places);
 
 /// `position`, and the `vertices` of the file (one, the two of an edge, or the three of a face)
 /// that the point lies between, with their `weights`.
 std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point);
 
-/// Points as a JSON array, one a line.
-std::string pointsJson(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points);
+/// The same of a vertex; null where it is none.
+std::string vertexJson(const LoadedMesh& loaded, Vertex vertex);
 
-/// `area` and `volume` of each side of a curve, as a JSON array.
-std::string sidesJson(const std::vector<CurveSide>& sides);
+/// The positions of points as a JSON array.
+std::string positionsJson(const LoadedMesh& loaded, std::span<const SurfacePoint> points);
+
+/// Points as a JSON array, one a line.
+std::string pointsJson(const LoadedMesh& loaded, std::span<const SurfacePoint> points);
 
 /// Appends a closed polyline as vertices and a line element of OBJ; the last point equals the
 /// first. `count`: of the vertices that stand before it and, from now on, with it.

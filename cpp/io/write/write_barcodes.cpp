@@ -4,10 +4,9 @@
 #include <cstddef>
 
 #include "bytes/append.h"
-#include "text/json_text.h"
 #include "text/number_text.h"
 #include "write/npy.h"
-#include "write/point_json.h"
+#include "write/result_json.h"
 
 namespace girth::io {
 namespace {
@@ -23,34 +22,33 @@ void forEachBar(const LoadedMesh& loaded, std::span<const Barcode> barcodes, Tak
 }
 
 std::string barsJson(const Barcode& barcode) {
-  std::string text;
+  JsonList bars;
   for (const SaddleBar& bar : barcode.bars) {
-    text +=
-        (text.empty() ? "[" : ",[") + formatNumber(bar.birth) + "," + numberJson(bar.death) + "]";
+    bars.add("[" + formatNumber(bar.birth) + "," + numberJson(bar.death) + "]");
   }
-  return "[" + text + "]";
+  return bars.text();
 }
 
 }  // namespace
 
 std::string barcodesJson(const LoadedMesh& loaded, std::span<const Barcode> barcodes,
                          std::string_view file) {
-  std::string columns;
+  ResultJson json(file, loaded);
+  json.addValue("maxPersistence", barcodes.empty() ? 0 : barcodes.front().maxPersistence)
+      .addValue("vertices", loaded.vertexOfInput.size());
   const auto column = [&](const char* name, const char* separator, const auto& textOf) {
     std::string entries;
     for (const Vertex vertex : loaded.vertexOfInput) {
       entries += (entries.empty() ? "" : separator) +
                  (vertex == Vertex::none ? std::string("null") : textOf(barcodes[vertex]));
     }
-    columns += std::string(",\n\"") + name + "\":[" + entries + "]";
+    json.addJsonLine(name, "[" + entries + "]");
   };
   column("bars", ",\n", barsJson);
   column("rest", ",", [](const Barcode& barcode) { return numberJson(barcode.rest.length); });
   column("restKind", ",",
          [](const Barcode& barcode) { return jsonString(toString(barcode.rest.kind)); });
-  const double maxPersistence = barcodes.empty() ? 0 : barcodes.front().maxPersistence;
-  return modelJson(file, loaded) + ",\"maxPersistence\":" + numberJson(maxPersistence) +
-         ",\"vertices\":" + std::to_string(loaded.vertexOfInput.size()) + columns + "}\n";
+  return json.file();
 }
 
 std::string barcodesCsv(const LoadedMesh& loaded, std::span<const Barcode> barcodes) {

@@ -2,22 +2,16 @@
 
 #include <cstddef>
 
-#include "text/json_text.h"
-#include "text/number_text.h"
+#include "girth/describe/bottleneck.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
+#include "write/result_json.h"
 
 namespace girth::io {
 
 std::string bottleneckJson(const LoadedMesh& loaded, const Bottleneck& bottleneck,
                            std::string_view file) {
-  return modelJson(file, loaded) + ",\"kind\":" + jsonString(toString(bottleneck.kind)) +
-         ",\"girth\":" + formatNumber(bottleneck.girth) +
-         ",\"place\":" + pointJson(loaded, bottleneck.place) + ",\"centre\":[" +
-         pointText(bottleneck.centre, ',') + "],\"area\":" + formatNumber(bottleneck.area) +
-         ",\"sides\":" + sidesJson(bottleneck.sides) +
-         ",\"points\":" + pointsJson(loaded, bottleneck.points) +
-         ",\"way\":" + pointsJson(loaded, bottleneck.way) + "}\n";
+  return ResultJson(file, loaded).addMembers(bottleneck).file();
 }
 
 std::string bottleneckObj(const LoadedMesh& loaded, const Bottleneck& bottleneck) {
@@ -38,14 +32,17 @@ std::string bottleneckObj(const LoadedMesh& loaded, const Bottleneck& bottleneck
 
 Result<std::string> bottleneckGlb(const LoadedMesh& loaded, const Bottleneck& bottleneck) {
   GlbWriter writer;
-  const std::string unit = jsonString(loaded.unit);
+  const std::string_view unit = loaded.unit;
   if (!bottleneck.points.empty()) {
     addLine(loaded, bottleneck.points,
-            "{\"girth\":" + formatNumber(bottleneck.girth) +
-                ",\"kind\":" + jsonString(toString(bottleneck.kind)) + ",\"unit\":" + unit + "}",
+            JsonObject()
+                .add("girth", bottleneck.girth)
+                .add("kind", toString(bottleneck.kind))
+                .add("unit", unit)
+                .text(),
             "bottleneck", writer);
   }
-  addLine(loaded, bottleneck.way, "{\"unit\":" + unit + "}", "way", writer);
+  addLine(loaded, bottleneck.way, JsonObject().add("unit", unit).text(), "way", writer);
   return writer.file(loaded.unit);
 }
 

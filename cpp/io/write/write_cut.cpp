@@ -8,13 +8,11 @@
 #include <utility>
 
 #include "girth/io/write_mesh.h"
-#include "text/json_text.h"
-#include "text/number_text.h"
 #include "text/unit_text.h"
 #include "write/attributed_part.h"
 #include "write/glb_writer.h"
 #include "write/part_json.h"
-#include "write/point_json.h"
+#include "write/result_json.h"
 
 namespace girth::io {
 namespace {
@@ -54,7 +52,7 @@ void addPart(const LoadedMesh& loaded, const CutModel& model, std::size_t number
     }
   }
   writer.addTriangles(part.triangles);
-  writer.endMesh(TINYGLTF_MODE_TRIANGLES, "{\"unit\":" + jsonString(loaded.unit) + "}", name);
+  writer.endMesh(TINYGLTF_MODE_TRIANGLES, JsonObject().add("unit", loaded.unit).text(), name);
 }
 
 }  // namespace
@@ -81,12 +79,14 @@ Index partGenus(const SurfaceMesh& part) {
   return genus;
 }
 
-std::string partMembers(const SurfaceMesh& part) {
-  return "\"area\":" + formatNumber(part.area()) + ",\"volume\":" + numberJson(partVolume(part)) +
-         ",\"faces\":" + std::to_string(part.faceCount()) +
-         ",\"vertices\":" + std::to_string(part.vertexCount()) +
-         ",\"genus\":" + std::to_string(partGenus(part)) +
-         ",\"boundaries\":" + std::to_string(part.boundaryCount(0));
+JsonObject partJson(const SurfaceMesh& part) {
+  return JsonObject()
+      .add("area", part.area())
+      .add("volume", partVolume(part))
+      .add("faces", part.faceCount())
+      .add("vertices", part.vertexCount())
+      .add("genus", partGenus(part))
+      .add("boundaries", part.boundaryCount(0));
 }
 
 CutModel cutModel(const CutSurface& cut) {
@@ -135,11 +135,11 @@ Result<std::string> partFile(const LoadedMesh& loaded, const CutModel& model, st
 }
 
 std::string cutJson(const LoadedMesh& loaded, const CutModel& model, std::string_view file) {
-  std::string text = modelJson(file, loaded) + ",\"parts\":[";
-  for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    text += (i == 0 ? "\n{" : ",\n{") + partMembers(model.parts[i].mesh) + "}";
-  }
-  return text + "]}\n";
+  JsonList parts(true);
+  for (const SurfaceComponent& part : model.parts) parts.add(partJson(part.mesh).text());
+  ResultJson json(file, loaded);
+  json.addJson("parts", parts.text());
+  return json.file();
 }
 
 namespace {

@@ -16,6 +16,7 @@
 #include "write/glb_writer.h"
 #include "write/npy.h"
 #include "write/point_json.h"
+#include "write/result_json.h"
 
 namespace girth::io {
 namespace {
@@ -73,10 +74,10 @@ std::string particulars(const VertexField& field) {
 
 /// A field's name, method, unit and completeness as JSON.
 std::string aboutJson(const VertexField& field) {
-  return "{\"name\":" + jsonString(field.name) + ",\"method\":" + jsonString(field.method) +
-         ",\"unit\":" + jsonString(field.unit) +
-         (field.words.empty() ? "" : ",\"codes\":" + jsonString(meaningOfCodes(field.words))) +
-         ",\"complete\":" + (field.complete() ? "true" : "false") + "}";
+  JsonObject about;
+  about.add("name", field.name).add("method", field.method).add("unit", field.unit);
+  if (!field.words.empty()) about.add("codes", meaningOfCodes(field.words));
+  return about.add("complete", field.complete()).text();
 }
 
 /// The least and the greatest value.
@@ -111,32 +112,36 @@ std::vector<std::uint16_t> coloursOf(const VertexField& field, const ColourRange
 void addLoop(GlbWriter& writer, const SurfaceMesh& mesh, const GirthLoop& loop) {
   const std::vector<Vec3> points = polyline(mesh, loop);
   if (points.empty()) return;  // unresolved
-  const std::string vertex = std::to_string(Index(loop.base.vertex()));
+  const Index vertex = loop.base.vertex();
   const Vec3 middle = positionOf(mesh, loop.midpoint);
+  const std::string measures = JsonObject()
+                                   .add("vertex", vertex)
+                                   .add("length", loop.length)
+                                   .add("kind", girth::toString(loop.kind))
+                                   .add("angle", loop.angle)
+                                   .addJson("midpoint", "[" + pointText(middle, ',') + "]")
+                                   .text();
   writer.addPositions(points);
-  writer.endMesh(TINYGLTF_MODE_LINE_STRIP,
-                 "{\"loop\":{\"vertex\":" + vertex + ",\"length\":" + formatNumber(loop.length) +
-                     ",\"kind\":" + jsonString(girth::toString(loop.kind)) + ",\"angle\":" +
-                     formatNumber(loop.angle) + ",\"midpoint\":[" + pointText(middle, ',') + "]}}",
-                 "loop " + vertex);
+  writer.endMesh(TINYGLTF_MODE_LINE_STRIP, JsonObject().addJson("loop", measures).text(),
+                 "loop " + std::to_string(vertex));
 }
 
-/// The members `tips` and `crossedEdges` of a surface's extras.
-std::string tipsMembers(const Tips& tips) {
-  std::string text;
+/// Adds `tips` and `crossedEdges` to a surface's extras.
+void addTips(const Tips& tips, JsonObject& extras) {
+  JsonList list;
   for (const Tip& tip : tips.tips) {
-    std::string vertices;
-    for (const Vertex v : tip.vertices) {
-      vertices += (vertices.empty() ? "" : ",") + std::to_string(Index(v));
-    }
-    text += std::string(text.empty() ? "" : ",") + "{\"vertices\":[" + vertices +
-            "],\"area\":" + formatNumber(tip.area) +
-            ",\"boundaryLength\":" + formatNumber(tip.boundaryLength) +
-            ",\"apex\":" + std::to_string(Index(tip.apex)) +
-            ",\"apexDistance\":" + formatNumber(tip.apexDistance) +
-            ",\"jump\":" + formatNumber(tip.jump) + "}";
+    JsonList vertices;
+    for (const Vertex v : tip.vertices) vertices.add(std::to_string(Index(v)));
+    list.add(JsonObject()
+                 .addJson("vertices", vertices.text())
+                 .add("area", tip.area)
+                 .add("boundaryLength", tip.boundaryLength)
+                 .add("apex", Index(tip.apex))
+                 .add("apexDistance", tip.apexDistance)
+                 .add("jump", tip.jump)
+                 .text());
   }
-  return ",\"tips\":[" + text + "],\"crossedEdges\":" + std::to_string(tips.crossedEdges);
+  extras.addJson("tips", list.text()).add("crossedEdges", tips.crossedEdges);
 }
 
 /// A line of a contour; a closed one ends with its first point.
@@ -154,17 +159,15 @@ void addContour(GlbWriter& writer, const SurfaceMesh& mesh, const ContourLine& l
 void addContours(GlbWriter& writer, const SurfaceMesh& mesh, const Tips& tips) {
   for (std::size_t i = 0; i < tips.tips.size(); ++i) {
     for (const ContourLine& line : tips.tips[i].contour) {
-      addContour(writer, mesh, line,
-                 "{\"contour\":{\"tip\":" + std::to_string(i) +
-                     ",\"closed\":" + (line.closed ? "true" : "false") + "}}",
+      const std::string what = JsonObject().add("tip", i).add("closed", line.closed).text();
+      addContour(writer, mesh, line, JsonObject().addJson("contour", what).text(),
                  "tip " + std::to_string(i + 1));
     }
   }
   for (std::size_t i = 0; i < tips.arcs.size(); ++i) {
     const OpenArc& arc = tips.arcs[i];
-    addContour(writer, mesh, arc.line,
-               "{\"arc\":{\"length\":" + formatNumber(arc.length) +
-                   ",\"jump\":" + formatNumber(arc.jump) + "}}",
+    const std::string what = JsonObject().add("length", arc.length).add("jump", arc.jump).text();
+    addContour(writer, mesh, arc.line, JsonObject().addJson("arc", what).text(),
                "arc " + std::to_string(i + 1));
   }
 }
@@ -204,17 +207,13 @@ std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fiel
 
 std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fields,
                       std::string_view file, Columns wanted) {
-  std::string about, columns;
+  JsonList about;
+  std::vector<std::pair<std::string, std::string>> columns;
   bool complete = true;
   const auto column = [&](const std::string& name, const auto& textAt) {
-    columns += ",\n" + jsonString(name) + ":[";
-    const char* separator = "";
-    for (const Vertex vertex : loaded.vertexOfInput) {
-      columns += separator;
-      columns += textAt(vertex);
-      separator = ",";
-    }
-    columns += "]";
+    JsonList texts;
+    for (const Vertex vertex : loaded.vertexOfInput) texts.add(textAt(vertex));
+    columns.emplace_back(name, texts.text());
   };
   for (std::size_t axis = 0; wanted == Columns::Positions && axis < kAxes.size(); ++axis) {
     column(kAxes[axis], [&](Vertex vertex) {
@@ -223,7 +222,7 @@ std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fie
     });
   }
   for (const VertexField& field : fields) {
-    about += (about.empty() ? "" : ",") + aboutJson(field);
+    about.add(aboutJson(field));
     complete = complete && field.complete();
     column(field.name, [&](Vertex vertex) {
       if (!hasValue(field, vertex) || !std::isfinite(field.values[vertex])) {
@@ -238,9 +237,12 @@ std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fie
                                      : std::string("null");
     });
   }
-  return modelJson(file, loaded) + ",\"complete\":" + (complete ? "true" : "false") +
-         ",\"vertices\":" + std::to_string(loaded.vertexOfInput.size()) + ",\"fields\":[" + about +
-         "]" + columns + "}\n";
+  ResultJson json(file, loaded);
+  json.add("complete", complete)
+      .add("vertices", loaded.vertexOfInput.size())
+      .addJson("fields", about.text());
+  for (const auto& [name, texts] : columns) json.addJsonLine(name, texts);
+  return json.file();
 }
 
 std::string fieldNpy(const LoadedMesh& loaded, const VertexField& field) {
@@ -302,10 +304,10 @@ Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexFie
   for (const Vertex v : mesh.vertices()) positions.push_back(mesh.position(v));
   writer.addPositions(positions);
   if (!fields.empty()) writer.addColours(coloursOf(fields[0], range ? *range : rangeOf(fields[0])));
-  std::string about;
+  JsonObject about;
   for (const VertexField& field : fields) {
     const std::string attribute = "_" + capitals(field.name);
-    about += (about.empty() ? "" : ",") + jsonString(attribute) + ":" + aboutJson(field);
+    about.addJson(attribute, aboutJson(field));
     writer.addValues(attribute, field.values);
     if (field.kinds.empty()) continue;
     std::vector<double> kinds(field.values.size(), -1);
@@ -315,9 +317,10 @@ Result<std::string> fieldGlb(const LoadedMesh& loaded, std::span<const VertexFie
     writer.addValues("_" + capitals(field.kindName), kinds);
   }
   writer.addTriangles(mesh);
-  writer.endMesh(TINYGLTF_MODE_TRIANGLES,
-                 "{\"unit\":" + jsonString(loaded.unit) + ",\"fields\":{" + about + "}" +
-                     (lines.tips == nullptr ? "" : tipsMembers(*lines.tips)) + "}");
+  JsonObject extras;
+  extras.add("unit", loaded.unit).addJson("fields", about.text());
+  if (lines.tips != nullptr) addTips(*lines.tips, extras);
+  writer.endMesh(TINYGLTF_MODE_TRIANGLES, extras.text());
   for (const GirthLoop& loop : lines.loops) addLoop(writer, mesh, loop);
   if (lines.tips != nullptr) addContours(writer, mesh, *lines.tips);
   return writer.file(loaded.unit);

@@ -2,10 +2,11 @@
 
 #include <cstddef>
 
-#include "text/json_text.h"
+#include "girth/describe/handles.h"
 #include "text/number_text.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
+#include "write/result_json.h"
 
 namespace girth::io {
 namespace {
@@ -20,19 +21,7 @@ std::string nameOf(const Handles& handles, std::size_t i) {
 }  // namespace
 
 std::string handlesJson(const LoadedMesh& loaded, const Handles& handles, std::string_view file) {
-  std::string text = modelJson(file, loaded) +
-                     ",\"unresolved\":" + std::to_string(handles.unresolved) + ",\"handles\":[";
-  const char* separator = "\n";
-  for (const Handle& handle : handles.handles) {
-    text += separator + ("{\"length\":" + formatNumber(handle.length)) + ",\"kind\":\"" +
-            kindOf(handle) + "\",\"mayBeShorterBy\":" + formatNumber(handle.mayBeShorterBy) +
-            ",\"component\":" + std::to_string(handle.component) +
-            ",\"area\":" + formatNumber(handle.area) + ",\"centre\":[" +
-            pointText(handle.centre, ',') + "],\"points\":" + pointsJson(loaded, handle.points) +
-            "}";
-    separator = ",\n";
-  }
-  return text + "]}\n";
+  return ResultJson(file, loaded).addMembers(handles).file();
 }
 
 std::string handlesCsv(const LoadedMesh& loaded, const Handles& handles) {
@@ -62,8 +51,11 @@ Result<std::string> handlesGlb(const LoadedMesh& loaded, const Handles& handles)
   for (std::size_t i = 0; i < handles.handles.size(); ++i) {
     const Handle& handle = handles.handles[i];
     addLine(loaded, handle.points,
-            "{\"length\":" + formatNumber(handle.length) + ",\"kind\":\"" + kindOf(handle) +
-                "\",\"unit\":" + jsonString(loaded.unit) + "}",
+            JsonObject()
+                .add("length", handle.length)
+                .add("kind", toString(handle.kind))
+                .add("unit", loaded.unit)
+                .text(),
             nameOf(handles, i), writer);
   }
   return writer.file(loaded.unit);

@@ -2,10 +2,11 @@
 
 #include <cstddef>
 
-#include "text/json_text.h"
+#include "girth/describe/limb_axis.h"
 #include "text/number_text.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
+#include "write/result_json.h"
 
 namespace girth::io {
 
@@ -21,19 +22,10 @@ std::string limbAxisCsv(const LoadedMesh& loaded, std::span<const AxisStation> a
 
 std::string limbAxisJson(const LoadedMesh& loaded, std::span<const AxisStation> axis,
                          std::string_view file) {
-  std::string text = modelJson(file, loaded) +
-                     ",\"length\":" + formatNumber(axis.empty() ? 0 : axis.back().distance) +
-                     ",\"loops\":[";
-  const char* separator = "\n";
-  for (const AxisStation& station : axis) {
-    text +=
-        separator + ("{\"distance\":" + formatNumber(station.distance)) +
-        ",\"along\":" + formatNumber(station.along) + ",\"girth\":" + formatNumber(station.girth) +
-        ",\"area\":" + formatNumber(station.area) + ",\"centre\":[" +
-        pointText(station.centre, ',') + "],\"points\":" + pointsJson(loaded, station.points) + "}";
-    separator = ",\n";
-  }
-  return text + "]}\n";
+  return ResultJson(file, loaded)
+      .addValue("length", axis.empty() ? 0 : axis.back().distance)
+      .addValue("loops", axis)
+      .file();
 }
 
 std::string limbAxisObj(const LoadedMesh& loaded, std::span<const AxisStation> axis) {
@@ -55,8 +47,11 @@ Result<std::string> limbAxisGlb(const LoadedMesh& loaded, std::span<const AxisSt
   GlbWriter writer;
   for (std::size_t i = 0; i < axis.size(); ++i) {
     addLine(loaded, axis[i].points,
-            "{\"girth\":" + formatNumber(axis[i].girth) + ",\"distance\":" +
-                formatNumber(axis[i].distance) + ",\"unit\":" + jsonString(loaded.unit) + "}",
+            JsonObject()
+                .add("girth", axis[i].girth)
+                .add("distance", axis[i].distance)
+                .add("unit", loaded.unit)
+                .text(),
             "loop_" + std::to_string(i + 1), writer);
   }
   return writer.file(loaded.unit);

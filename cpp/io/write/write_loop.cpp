@@ -2,26 +2,28 @@
 
 #include <cstddef>
 
-#include "text/json_text.h"
-#include "text/number_text.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
+#include "write/result_json.h"
 
 namespace girth::io {
 
 std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::string_view file,
                      bool withPoints, double persistence) {
-  const std::string vertex = loop.base.kind == SurfacePoint::Kind::AtVertex
-                                 ? inputText(loaded, loop.base.vertex())
-                                 : "null";
-  std::string text =
-      "{\"file\":" + jsonString(file) + ",\"vertex\":" + vertex +
-      ",\"base\":" + pointJson(loaded, loop.base) + ",\"length\":" + formatNumber(loop.length) +
-      ",\"kind\":" + jsonString(toString(loop.kind)) + ",\"angle\":" + formatNumber(loop.angle) +
-      ",\"unit\":" + jsonString(loaded.unit) + persistenceJson(persistence) +
-      ",\"midpoint\":" + pointJson(loaded, loop.midpoint);
-  if (withPoints) text += ",\"points\":" + pointsJson(loaded, loop.points);
-  return text + "}\n";
+  ResultJson json(&loaded);
+  json.addValue("file", file)
+      .addValue("vertex", loop.base.vertex() == Vertex::none
+                              ? kNoIndex
+                              : loaded.inputOfVertex[loop.base.vertex()])
+      .addValue("base", loop.base)
+      .addValue("length", loop.length)
+      .addValue("kind", loop.kind)
+      .addValue("angle", loop.angle)
+      .addValue("unit", loaded.unit)
+      .addPersistence(persistence)
+      .addValue("midpoint", loop.midpoint);
+  if (withPoints) json.addValue("points", loop.points);
+  return json.file();
 }
 
 std::string loopObj(const LoadedMesh& loaded, const GirthLoop& loop) {
@@ -42,10 +44,12 @@ Result<std::string> loopGlb(const LoadedMesh& loaded, const GirthLoop& loop) {
   if (points.empty()) return makeError(ErrorCode::EmptyMesh, -1, "the loop has no points");
   GlbWriter writer;
   writer.addPositions(points);
-  writer.endMesh(TINYGLTF_MODE_LINE_STRIP, "{\"length\":" + formatNumber(loop.length) +
-                                               ",\"kind\":" + jsonString(toString(loop.kind)) +
-                                               ",\"angle\":" + formatNumber(loop.angle) +
-                                               ",\"unit\":" + jsonString(loaded.unit) + "}");
+  writer.endMesh(TINYGLTF_MODE_LINE_STRIP, JsonObject()
+                                               .add("length", loop.length)
+                                               .add("kind", toString(loop.kind))
+                                               .add("angle", loop.angle)
+                                               .add("unit", loaded.unit)
+                                               .text());
   return writer.file(loaded.unit);
 }
 

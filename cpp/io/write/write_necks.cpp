@@ -4,38 +4,21 @@
 #include <cstddef>
 #include <vector>
 
-#include "text/json_text.h"
+#include "girth/describe/necks.h"
 #include "text/number_text.h"
 #include "write/glb_writer.h"
 #include "write/point_json.h"
+#include "write/result_json.h"
 
 namespace girth::io {
 namespace {
 
 std::string wordOf(bool value) { return value ? "true" : "false"; }
 
-std::string neckJson(const LoadedMesh& loaded, const Neck& neck) {
-  return "{\"length\":" + formatNumber(neck.length) +
-         ",\"prominence\":" + numberJson(neck.prominence) +
-         ",\"width\":" + formatNumber(neck.width) + ",\"area\":" + formatNumber(neck.area) +
-         ",\"radius\":" + formatNumber(neck.radius) + ",\"centre\":[" +
-         pointText(neck.centre, ',') + "],\"normal\":[" + pointText(neck.normal, ',') +
-         "],\"sides\":" + sidesJson(neck.sides) +
-         ",\"measuresGirth\":" + wordOf(neck.measuresGirth) +
-         ",\"touchesBoundary\":" + wordOf(neck.touchesBoundary) +
-         ",\"vertices\":" + inputsJson(loaded, neck.vertices) +
-         ",\"points\":" + pointsJson(loaded, neck.points) + "}";
-}
-
 }  // namespace
 
 std::string necksJson(const LoadedMesh& loaded, const Necks& necks, std::string_view file) {
-  std::string text = modelJson(file, loaded) +
-                     ",\"unresolved\":" + std::to_string(necks.unresolved) + ",\"necks\":[";
-  for (std::size_t i = 0; i < necks.necks.size(); ++i) {
-    text += (i == 0 ? "\n" : ",\n") + neckJson(loaded, necks.necks[i]);
-  }
-  return text + "]}\n";
+  return ResultJson(file, loaded).addMembers(necks).file();
 }
 
 std::string necksCsv(const LoadedMesh& loaded, const Necks& necks) {
@@ -68,9 +51,12 @@ Result<std::string> necksGlb(const LoadedMesh& loaded, const Necks& necks) {
   for (std::size_t i = 0; i < necks.necks.size(); ++i) {
     const Neck& neck = necks.necks[i];
     addLine(loaded, neck.points,
-            "{\"length\":" + formatNumber(neck.length) + ",\"prominence\":" +
-                numberJson(neck.prominence) + ",\"area\":" + formatNumber(neck.area) +
-                ",\"unit\":" + jsonString(loaded.unit) + "}",
+            JsonObject()
+                .add("length", neck.length)
+                .add("prominence", neck.prominence)
+                .add("area", neck.area)
+                .add("unit", loaded.unit)
+                .text(),
             "neck_" + std::to_string(i + 1), writer);
   }
   return writer.file(loaded.unit);

@@ -1,8 +1,9 @@
 #include "girth/io/write_path_profile.h"
 
-#include "text/json_text.h"
+#include "girth/describe/path_profile.h"
 #include "text/number_text.h"
 #include "write/point_json.h"
+#include "write/result_json.h"
 
 namespace girth::io {
 
@@ -18,18 +19,10 @@ std::string pathProfileCsv(const LoadedMesh& loaded, std::span<const PathStation
 
 std::string pathProfileJson(const LoadedMesh& loaded, std::span<const PathStation> stations,
                             std::string_view file) {
-  std::string text = modelJson(file, loaded) + ",\"length\":" +
-                     formatNumber(stations.empty() ? 0 : stations.back().distance) +
-                     ",\"stations\":[";
-  const char* separator = "\n";
-  for (const PathStation& station : stations) {
-    text += separator + ("{\"distance\":" + formatNumber(station.distance)) +
-            ",\"girth\":" + formatNumber(station.girth) +
-            ",\"kind\":" + jsonString(toString(station.kind)) +
-            ",\"point\":" + pointJson(loaded, station.point) + "}";
-    separator = ",\n";
-  }
-  return text + "]}\n";
+  return ResultJson(file, loaded)
+      .addValue("length", stations.empty() ? 0 : stations.back().distance)
+      .addValue("stations", stations)
+      .file();
 }
 
 }  // namespace girth::io

@@ -4,11 +4,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "text/json_text.h"
-#include "text/number_text.h"
+#include "girth/describe/parts.h"
 #include "write/glb_writer.h"
 #include "write/part_json.h"
-#include "write/point_json.h"
+#include "write/result_json.h"
 
 namespace girth::io {
 namespace {
@@ -29,13 +28,28 @@ constexpr std::array<Colour, 8> kColours{{{51858, 22721, 0},
 std::string_view kindText(const Segment& segment) { return toString(segment.kind()); }
 
 std::string sharesJson(const Segment& segment) {
-  std::string text;
+  JsonObject shares;
   for (const PartKind kind : kKinds) {
-    const double area = segment.kindAreas[static_cast<std::size_t>(kind)];
-    text += (text.empty() ? "{" : ",") + jsonString(toString(kind)) + ":" +
-            numberJson(area / segment.area);
+    shares.add(toString(kind), segment.kindAreas[static_cast<std::size_t>(kind)] / segment.area);
   }
-  return text + "}";
+  return shares.text();
+}
+
+std::string segmentJson(const LoadedMesh& loaded, const SegmentedModel& segmented,
+                        std::size_t number) {
+  const Segment& segment = segmented.segments[number];
+  JsonList tips;
+  for (const Index tip : segment.tips) {
+    tips.add(ResultJson(&loaded)
+                 .addValue("tip", tip + 1)
+                 .addValue("apex", segmented.tips[tip].apex)
+                 .text());
+  }
+  return partJson(segmented.model.parts[number].mesh)
+      .add("kind", kindText(segment))
+      .addJson("shares", sharesJson(segment))
+      .addJson("tips", tips.text())
+      .text();
 }
 
 /// The numbers of a segment's tips, from 1.
@@ -62,35 +76,20 @@ Result<SegmentedModel> segmentedModel(const SurfaceMesh& mesh, std::span<const N
 
 std::string segmentsJson(const LoadedMesh& loaded, const SegmentedModel& segmented,
                          std::string_view file) {
-  const PartOptions& kinds = segmented.kinds;
-  std::string text = modelJson(file, loaded) +
-                     ",\"thresholds\":{\"girth\":" + numberJson(kinds.thresholds.girth) +
-                     ",\"thickness\":" + numberJson(kinds.thresholds.thickness) +
-                     "},\"smoothing\":" + formatNumber(kinds.smoothing) + ",\"crossing\":[";
-  for (std::size_t i = 0; i < segmented.crossing.size(); ++i) {
-    text += (i == 0 ? "" : ",") + std::to_string(segmented.crossing[i] + 1);
-  }
-  text += "],\"segments\":[";
+  JsonList segments(true), faces;
   for (std::size_t i = 0; i < segmented.segments.size(); ++i) {
-    const Segment& segment = segmented.segments[i];
-    text += (i == 0 ? "\n{" : ",\n{") + partMembers(segmented.model.parts[i].mesh) +
-            ",\"kind\":" + jsonString(kindText(segment)) + ",\"shares\":" + sharesJson(segment) +
-            ",\"tips\":[";
-    for (std::size_t k = 0; k < segment.tips.size(); ++k) {
-      const Index tip = segment.tips[k];
-      text += (k == 0 ? "" : ",") + ("{\"tip\":" + std::to_string(tip + 1)) +
-              ",\"apex\":" + pointJson(loaded, SurfacePoint::atVertex(segmented.tips[tip].apex)) +
-              "}";
-    }
-    text += "]}";
+    segments.add(segmentJson(loaded, segmented, i));
   }
-  text += "],\n\"faces\":[";
-  const std::vector<Index> labels = partOfFaces(loaded, segmented.model);
-  for (std::size_t face = 0; face < labels.size(); ++face) {
-    text += (face == 0 ? "" : ",") +
-            (labels[face] == kNoIndex ? std::string("null") : std::to_string(labels[face] + 1));
+  for (const Index label : partOfFaces(loaded, segmented.model)) {
+    faces.add(label == kNoIndex ? "null" : std::to_string(label + 1));
   }
-  return text + "]}\n";
+  ResultJson json(file, loaded);
+  json.addValue("thresholds", segmented.kinds.thresholds)
+      .addValue("smoothing", segmented.kinds.smoothing)
+      .addValue("crossing", Numbers{segmented.crossing})
+      .addJson("segments", segments.text())
+      .addJsonLine("faces", faces.text());
+  return json.file();
 }
 
 std::string segmentsCsv(const LoadedMesh& loaded, const SegmentedModel& segmented) {
@@ -121,11 +120,14 @@ Result<std::string> segmentsGlb(const LoadedMesh& loaded, const SegmentedModel& 
     writer.addPositions(places);
     writer.addColours(channels);
     writer.addTriangles(mesh);
-    writer.endMesh(
-        TINYGLTF_MODE_TRIANGLES,
-        "{\"unit\":" + jsonString(loaded.unit) + ",\"kind\":" + jsonString(kindText(segment)) +
-            ",\"shares\":" + sharesJson(segment) + ",\"tips\":[" + tipsText(segment, ",") + "]}",
-        "segment_" + std::to_string(i + 1));
+    writer.endMesh(TINYGLTF_MODE_TRIANGLES,
+                   JsonObject()
+                       .add("unit", loaded.unit)
+                       .add("kind", kindText(segment))
+                       .addJson("shares", sharesJson(segment))
+                       .addJson("tips", "[" + tipsText(segment, ",") + "]")
+                       .text(),
+                   "segment_" + std::to_string(i + 1));
   }
   return writer.file(loaded.unit);
 }

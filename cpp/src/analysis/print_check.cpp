@@ -343,6 +343,18 @@ std::string_view toString(WeakKind kind) {
   return "gap";
 }
 
+std::string_view WeakPlace::measure() const {
+  switch (kind) {
+    case WeakKind::Tube:
+      return "diameter";
+    case WeakKind::Wall:
+      return "thickness";
+    case WeakKind::Gap:
+      break;
+  }
+  return "clearance";
+}
+
 std::optional<Error> whyNotChecked(const SurfaceMesh& mesh, const PrintFields& fields,
                                    const PrintLimits& limits) {
   const bool walls = limits.wallThickness > 0;

@@ -20,7 +20,7 @@ namespace {
 
 using test::Shape;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// With the fields that the limits need.
 PrintCheck check(const SurfaceMesh& mesh, const PrintLimits& limits,
@@ -235,7 +235,7 @@ TEST(PrintCheck, BadInputIsRefused) {
     return found.ok() ? std::string("ok") : std::string(toString(found.error().code));
   };
   EXPECT_EQ(code({field, field}, {-1, 0, 0}), "USAGE");
-  EXPECT_EQ(code({field, field}, {0, kNone, 0}), "USAGE");
+  EXPECT_EQ(code({field, field}, {0, kNoValue, 0}), "USAGE");
   EXPECT_EQ(code({field, field}, {0, 0, -1}), "USAGE");
   EXPECT_EQ(code({few, field}, {1, 1, 0}), "USAGE");
   EXPECT_EQ(code({field, few}, {1, 1, 0}), "USAGE");
@@ -250,7 +250,7 @@ TEST(PrintCheck, BadInputIsRefused) {
 TEST(PrintCheck, WallsPassOnlyWhereTheyWereMeasured) {
   const Shape box = test::box(2, 2, 1, 2, 2, 1);
   const SurfaceMesh body = box.mesh(), insideOut = test::turnedOver(box).mesh();
-  const std::vector<double> measured(body.vertexCount(), 1), none(body.vertexCount(), kNone);
+  const std::vector<double> measured(body.vertexCount(), 1), none(body.vertexCount(), kNoValue);
   std::vector<double> some = none;
   some[3] = 1;
   EXPECT_FALSE(whyNotChecked(body, {{}, measured}, {1, 1, 1}));

@@ -1,0 +1,15 @@
+// The members of what girth/cut_surface.h finds.
+#pragma once
+
+#include "girth/cut_surface.h"
+#include "girth/describe/description.h"
+
+namespace girth {
+
+/// The members of a curve's side.
+constexpr auto describe(Members<CurveSide>) {
+  return described<CurveSide>(member("area", &CurveSide::area),
+                              member("volume", &CurveSide::volume));
+}
+
+}  // namespace girth
