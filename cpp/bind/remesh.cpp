@@ -17,8 +17,14 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
-/// A surface of about `faces` faces, of even size or as fits the shape, as `describe` gives it, or
-/// an error.
+/// {described}: a surface as `describe` gives it.
+val made(const SurfaceMesh& mesh) {
+  val result = val::object();
+  result.set("described", describe(mesh));
+  return result;
+}
+
+/// {described} of a surface of about `faces` faces, of even size or as fits the shape, or an error.
 val remeshSurface(const JobSurface& surface, double faces, bool even, const val& onProgress) {
   return guarded([&] {
     const bool isNumber = faces >= 0 && faces <= 4e9;
@@ -27,17 +33,17 @@ val remeshSurface(const JobSurface& surface, double faces, bool even, const val&
     const Result<RemeshedSurface> remeshed =
         remesh(surface.mesh(), options, reportingTo(onProgress));
     if (!remeshed) return toJs(remeshed.error());
-    return describe(remeshed.value().mesh);
+    return made(remeshed.value().mesh);
   });
 }
 
-/// The surface with its vertices moved, as `describe` gives it, or an error.
+/// {described} of the surface with its vertices moved, or an error.
 val smoothed(const JobSurface& surface, double steps, const val& onProgress) {
   return guarded([&] {
     const Result<SurfaceMesh> smooth =
         smoothSurface(surface.mesh(), indexOf(steps), reportingTo(onProgress));
     if (!smooth) return toJs(smooth.error());
-    return describe(smooth.value());
+    return made(smooth.value());
   });
 }
 

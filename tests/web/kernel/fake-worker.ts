@@ -66,6 +66,15 @@ export const fakeThickness = (vertex: number) => (vertex === 0 ? NaN : 1 / verte
 
 /** A surface of `count` vertices as the fakes answer about it. */
 export function fakeSurface(count: number): Behaviour {
+  const opened = () => ({
+    info: { name: '', vertexCount: count, faceCount: count, unit: 'm' },
+    arrays: { positions: new Float64Array(3 * count), indices: new Uint32Array(3) },
+    origin: [0, 0, 0],
+    drawn: new Float32Array(3 * count),
+    boundary: new Uint32Array(0),
+    vertexOfInput: new Uint32Array(count),
+    inputOfVertex: new Uint32Array(count),
+  });
   return ({ operation, arguments: args }, report) => {
     switch (operation) {
       case 'order':
@@ -121,16 +130,9 @@ export function fakeSurface(count: number): Behaviour {
         return { length: 1, points: new Float64Array(8), polyline: new Float32Array(6) };
       case 'take':
       case 'read':
+        return opened();
       case 'remesh':
-        return {
-          info: { name: '', vertexCount: count, faceCount: count, unit: 'm' },
-          arrays: { positions: new Float64Array(3 * count), indices: new Uint32Array(3) },
-          origin: [0, 0, 0],
-          drawn: new Float32Array(3 * count),
-          boundary: new Uint32Array(0),
-          vertexOfInput: new Uint32Array(count),
-          inputOfVertex: new Uint32Array(count),
-        };
+        return { opened: opened() };
       default:
         return {};
     }

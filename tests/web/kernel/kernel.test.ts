@@ -311,13 +311,13 @@ describe('fields', () => {
     const surface = fakeSurface(4);
     const { kernel } = await fakeKernel((request, report) => {
       if (request.operation === 'writeFields') {
-        const { model, fields, format } = request.arguments as {
+        const { model, named, format } = request.arguments as {
           model: { unit: string };
-          fields: { name: string; unit: string; method: string; kinds: Uint8Array }[];
+          named: { name: string; unit: string; method: string; kinds: Uint8Array }[];
           format: string;
         };
-        const named = fields.map(({ name, unit, kinds }) => [name, unit, kinds.length]);
-        written.push([model.unit, ...named, format]);
+        const fields = named.map(({ name, unit, kinds }) => [name, unit, kinds.length]);
+        written.push([model.unit, ...fields, format]);
       }
       return surface(request, report);
     });
@@ -390,7 +390,7 @@ describe('spectral fields', () => {
     const surface = fakeSurface(5);
     const { kernel } = await fakeKernel((request, report) => {
       if (/spectralField|heatMaxima/.test(request.operation)) {
-        asked.push((request.arguments as { field: object }).field);
+        asked.push((request.arguments as { signature: object }).signature);
       }
       return surface(request, report);
     });

@@ -12,15 +12,14 @@ import { MeshOfWorkers, progressOf } from './mesh.js';
 import type { MeshHost } from './mesh-host.js';
 import { page, type Platform } from './platform.js';
 import { PoolEngine } from './pool-engine.js';
+import type { JobOperations, StudiesOperations } from '../types/operations.js';
 import type {
   CommonOperations,
   FieldRequest,
   FoundRefined,
-  JobOperations,
   RefinedRequest,
   Report,
   SingleOperations,
-  StudiesOperations,
   SurfaceArrays,
   ThreadsOperations,
 } from '../types/protocol.js';

@@ -3,14 +3,13 @@
 import type { BarcodeRun } from './barcodes.js';
 import type { JobNeeds } from './job-pool.js';
 import type { PointArguments, PointOperation } from './loop-queue.js';
+import type { JobOperations, StudiesOperations } from '../types/operations.js';
 import type {
   Answer,
   FieldRequest,
   FoundRefined,
-  JobOperations,
   RefinedRequest,
   SingleOperations,
-  StudiesOperations,
   SurfaceArrays,
 } from '../types/protocol.js';
 import type { SurfaceSource } from './surface-source.js';

@@ -12,18 +12,17 @@ import {
 } from '../types/field-request.js';
 import { summaryOf } from './field-run.js';
 import type { MeshHost } from './mesh-host.js';
+import type { JobOperations, StudiesOperations } from '../types/operations.js';
 import type {
   Answer,
   Arguments,
   FileContent,
   GirthAndDiameter,
-  JobOperations,
   OpenedSurface,
   PlacedStation,
   PrintArrays,
   Report,
   SegmentRequest,
-  StudiesOperations,
   SurfaceWithInput,
   WrittenLoop,
   WrittenModel,
@@ -150,19 +149,14 @@ export class MeshOfWorkers implements Mesh {
 
   async #spectralField(
     name: SpectralFieldName,
-    { spectral, signal, onProgress }: FieldOptions,
+    { spectral, ...watched }: FieldOptions,
   ): Promise<Omit<Field, 'unit'>> {
-    const field = spectralRequest(name, spectral);
-    const note = spectralNote(field);
-    const { values, method } = await this.#askSpectral(
-      'spectralField',
-      { field },
-      signal,
-      onProgress,
-    );
+    const signature = spectralRequest(name, spectral);
+    const note = spectralNote(signature);
+    const { values, method } = await this.#askSpectral('spectralField', { signature }, watched);
     const kinds = new Uint8Array(0);
     const { range, withoutValue } = summaryOf(values);
-    onProgress?.(1);
+    watched.onProgress?.(1);
     return { name, values, kinds, range, method, withoutValue, note };
   }
 
@@ -173,9 +167,8 @@ export class MeshOfWorkers implements Mesh {
     ...options
   }: RefinedOptions = {}): Promise<RefinedGirth> {
     const request = { coarseFaces, audit, seed };
-    const { onProgress } = options;
     const alone = (signal: AbortSignal) =>
-      this.#ask('refinedGirth', { request }, signal, { onProgress });
+      this.#ask('refinedGirth', { request }, { ...options, signal });
     const found = await this.#host.refined(this.surface, request, options, alone);
     const { unit } = this.info;
     return { name: 'igf', method: 'refined', unit, ...summaryOf(found.values), ...found };
@@ -223,45 +216,36 @@ export class MeshOfWorkers implements Mesh {
   async path(
     from: SurfacePoint,
     to: SurfacePoint,
-    { signal }: CallOptions = {},
+    options: CallOptions = {},
   ): Promise<SurfacePath> {
-    const { unit } = this.info;
-    const [start, end] = [from, to].map((point) => checkedPoint(point, this.info));
-    const found = await this.#ask('path', { from: start!, to: end! }, signal);
-    return { ...found, unit };
+    const found = await this.#ask('path', this.#ends(from, to), options);
+    return { ...found, unit: this.info.unit };
   }
 
-  async vertexAreas({ signal }: CallOptions = {}): Promise<Float64Array> {
-    const { areas } = await this.#ask('vertexAreas', {}, signal);
-    return areas;
+  async vertexAreas(options: CallOptions = {}): Promise<Float64Array> {
+    return (await this.#ask('vertexAreas', {}, options)).areas;
   }
 
-  async tips(igf: Field, { signal }: CallOptions = {}): Promise<Tips> {
-    const girth = this.#own(igf, 'igf');
-    return this.#ask('tips', { girth }, signal);
+  async tips(igf: Field, options: CallOptions = {}): Promise<Tips> {
+    return this.#ask('tips', { girth: this.#own(igf, 'igf') }, options);
   }
 
   async limbs(
     igf: Field,
-    { signal, onProgress, stations = defaults.stations }: LimbOptions = {},
+    { stations = defaults.stations, ...options }: LimbOptions = {},
   ): Promise<Limbs> {
-    const girth = this.#own(igf, 'igf');
-    return this.#ask('limbs', { girth, stations }, signal, { onProgress });
+    return this.#ask('limbs', { girth: this.#own(igf, 'igf'), stations }, options);
   }
 
-  async necks(
-    igf: Field,
-    { signal, onProgress, minProminence = 0 }: NeckOptions = {},
-  ): Promise<Necks> {
-    const girth = this.#own(igf, 'igf');
-    return this.#ask('necks', { girth, minProminence }, signal, { onProgress });
+  async necks(igf: Field, { minProminence = 0, ...options }: NeckOptions = {}): Promise<Necks> {
+    return this.#ask('necks', { girth: this.#own(igf, 'igf'), minProminence }, options);
   }
 
   async bottleneck(
     igf: Field,
     from: SurfacePoint,
     to: SurfacePoint,
-    { signal, onProgress }: WatchedOptions = {},
+    options: WatchedOptions = {},
   ): Promise<Bottleneck> {
     const girth = this.#own(igf, 'igf');
     if (igf.persistence) {
@@ -269,9 +253,7 @@ export class MeshOfWorkers implements Mesh {
         hint: 'compute it without: a bottleneck is one of the girth itself',
       });
     }
-    const [start, end] = [from, to].map((point) => checkedPoint(point, this.info));
-    const args = { girth, from: start!, to: end! };
-    return this.#ask('bottleneck', args, signal, { onProgress });
+    return this.#ask('bottleneck', { girth, ...this.#ends(from, to) }, options);
   }
 
   async profile(
@@ -280,22 +262,18 @@ export class MeshOfWorkers implements Mesh {
   ): Promise<Profile> {
     const { unit } = this.info;
     const args = { points: this.#checked(points), ...profilePlaces, ...options };
-    const found = await this.#ask('profile', args, signal, { onProgress });
+    const found = await this.#ask('profile', args, { signal, onProgress });
     return { ...found, unit };
   }
 
-  async axis(
-    { profile }: Pick<Limb, 'profile'>,
-    { signal, onProgress }: WatchedOptions = {},
-  ): Promise<LimbAxis> {
-    const { unit } = this.info;
+  async axis({ profile }: Pick<Limb, 'profile'>, options: WatchedOptions = {}): Promise<LimbAxis> {
     const stations = profile.map(({ distance, least, place }): PlacedStation => {
       return place === undefined
         ? { distance, least }
         : { distance, least, place: checkedPoint(place, this.info) };
     });
-    const found = await this.#ask('axis', { profile: stations }, signal, { onProgress });
-    return { ...found, unit };
+    const found = await this.#ask('axis', { profile: stations }, options);
+    return { ...found, unit: this.info.unit };
   }
 
   async exportProfile(
@@ -309,53 +287,50 @@ export class MeshOfWorkers implements Mesh {
         const { distance, along, girth, centre, area } = loop;
         return { distance, along, girth, centre, area, points: this.#checked(loop.points) };
       });
-      return (await this.#ask('writeAxis', { model, loops, format }, signal)).bytes;
+      return (await this.#ask('writeAxis', { model, loops, format }, { signal })).bytes;
     }
     if ('stations' in given) {
-      const stations = given.stations.map(({ place, ...station }): PathStation => {
+      const measured = given.stations.map(({ place, ...station }): PathStation => {
         return { ...station, place: checkedPoint(place, this.info) };
       });
-      return (await this.#ask('writeStations', { model, stations, format }, signal)).bytes;
+      return (await this.#ask('writeStations', { model, measured, format }, { signal })).bytes;
     }
     const points = this.#checked(given);
     const args = { model, points, ...profilePlaces, ...options, format };
-    return (await this.#ask('writeProfile', args, signal, { onProgress })).bytes;
+    return (await this.#ask('writeProfile', args, { signal, onProgress })).bytes;
   }
 
   async handles({
-    signal,
-    onProgress,
     basePoints = defaults.basePoints,
+    ...options
   }: HandleOptions = {}): Promise<Handles> {
-    return this.#ask('handles', { basePoints }, signal, { onProgress });
+    return this.#ask('handles', { basePoints }, options);
   }
 
   async removeHandles(
     length: number,
-    { signal, onProgress, basePoints = defaults.basePoints }: HandleOptions = {},
+    { basePoints = defaults.basePoints, ...options }: HandleOptions = {},
   ): Promise<RepairedMesh> {
     const passing = bytesOf(this.#jobSurface);
     const args = { length, basePoints, info: this.info };
-    const watched = { onProgress, passing };
-    const { opened, removal } = await this.#ask('removeHandles', args, signal, watched);
+    const { opened, removal } = await this.#ask('removeHandles', args, options, { passing });
     return Object.assign(new MeshOfWorkers(this.#host, opened), { removal });
   }
 
   async levelCurves(
     { values }: NamedField,
     level: number,
-    { signal }: CallOptions = {},
+    options: CallOptions = {},
   ): Promise<LevelCurve[]> {
     this.#checkCount(values);
-    const { curves } = await this.#ask('levelCurves', { values, level }, signal);
-    return curves;
+    return (await this.#ask('levelCurves', { values, level }, options)).curves;
   }
 
   async cut(
     curves: readonly (readonly SurfacePoint[])[],
-    { signal, cap = false }: CutOptions = {},
+    { cap = false, ...options }: CutOptions = {},
   ): Promise<Cut> {
-    return this.#ask('cut', { curves: curves.map((curve) => this.#checked(curve)), cap }, signal);
+    return this.#ask('cut', { curves: curves.map((curve) => this.#checked(curve)), cap }, options);
   }
 
   async exportCut(
@@ -373,7 +348,7 @@ export class MeshOfWorkers implements Mesh {
       cap,
       format,
     };
-    const { files } = await this.#ask('writeCut', args, signal, { passing });
+    const { files } = await this.#ask('writeCut', args, { signal }, { passing });
     return files;
   }
 
@@ -381,26 +356,26 @@ export class MeshOfWorkers implements Mesh {
     return points.map((point) => checkedPoint(point, this.info));
   }
 
-  async segments(
-    igf: Field,
-    sdf: Field,
-    { signal, onProgress, ...options }: SegmentOptions = {},
-  ): Promise<Segments> {
-    const args = { fields: this.#girthAndDiameter(igf, sdf), options: divided(options) };
-    return this.#ask('segments', args, signal, { onProgress });
+  #ends(from: SurfacePoint, to: SurfacePoint) {
+    return { from: checkedPoint(from, this.info), to: checkedPoint(to, this.info) };
+  }
+
+  async segments(igf: Field, sdf: Field, options: SegmentOptions = {}): Promise<Segments> {
+    const args = { fields: this.#girthAndDiameter(igf, sdf), division: divided(options) };
+    return this.#ask('segments', args, options);
   }
 
   async exportSegments(
     igf: Field,
     sdf: Field,
     format: 'csv' | 'json' | 'glb',
-    { signal, onProgress, unit, ...options }: ExportOptions & SegmentOptions = {},
+    { unit, ...options }: ExportOptions & SegmentOptions = {},
   ): Promise<Uint8Array> {
     const fields = this.#girthAndDiameter(igf, sdf);
     const [model, content] = [this.#written(unit), this.#content];
-    const args = { model, content, fields, options: divided(options), format };
+    const args = { model, content, fields, division: divided(options), format };
     const passing = this.#contentSize();
-    const { bytes } = await this.#ask('writeSegments', args, signal, { onProgress, passing });
+    const { bytes } = await this.#ask('writeSegments', args, options, { passing });
     return bytes;
   }
 
@@ -412,50 +387,43 @@ export class MeshOfWorkers implements Mesh {
   async suggestedThresholds(
     igf: Field,
     sdf: Field,
-    { signal }: CallOptions = {},
+    options: CallOptions = {},
   ): Promise<PartThresholds> {
-    const fields = this.#girthAndDiameter(igf, sdf);
-    return this.#ask('thresholds', { fields }, signal);
+    return this.#ask('suggestedThresholds', { fields: this.#girthAndDiameter(igf, sdf) }, options);
   }
 
   async parts(
     igf: Field,
     sdf: Field,
     parts: PartOptions,
-    { signal }: CallOptions = {},
+    options: CallOptions = {},
   ): Promise<Parts> {
     const fields = this.#girthAndDiameter(igf, sdf);
-    return this.#ask('parts', { fields, options: whole(parts) }, signal);
+    return this.#ask('parts', { fields, options: whole(parts) }, options);
   }
 
   async maxima(
     { values }: NamedField,
-    { signal, minima = false }: MaximaOptions = {},
+    { minima = false, ...options }: MaximaOptions = {},
   ): Promise<Maximum[]> {
     this.#checkCount(values);
-    const { maxima } = await this.#ask('maxima', { values, minima }, signal);
-    return maxima;
+    return (await this.#ask('maxima', { values, minima }, options)).maxima;
   }
 
-  async heatMaxima({
-    signal,
-    onProgress,
-    ...options
-  }: WatchedOptions & SpectralOptions = {}): Promise<Maximum[]> {
-    const field = spectralRequest('hks', options);
-    const { maxima } = await this.#askSpectral('heatMaxima', { field }, signal, onProgress);
-    onProgress?.(1);
+  async heatMaxima(options: WatchedOptions & SpectralOptions = {}): Promise<Maximum[]> {
+    const signature = spectralRequest('hks', options);
+    const { maxima } = await this.#askSpectral('heatMaxima', { signature }, options);
+    options.onProgress?.(1);
     return maxima;
   }
 
   async printCheck(
     given: PrintFields,
     limited: PrintLimits,
-    { signal, onProgress }: WatchedOptions = {},
+    options: WatchedOptions = {},
   ): Promise<PrintCheck> {
     const limits = wholeLimits(limited);
-    const args = { fields: this.#printed(given, limits), limits };
-    return this.#ask('printCheck', args, signal, { onProgress });
+    return this.#ask('printCheck', { printed: this.#printed(given, limits), limits }, options);
   }
 
   exportField(field: Field, format: FieldFormat, options: ExportOptions = {}): Promise<Uint8Array> {
@@ -467,7 +435,7 @@ export class MeshOfWorkers implements Mesh {
     format: FieldFormat,
     { signal, unit }: ExportOptions = {},
   ): Promise<Uint8Array> {
-    const written = fields.map((field): NamedField => {
+    const named = fields.map((field): NamedField => {
       const none = new Uint8Array(0);
       const { name, values, kinds = none, states = none, method = '' } = field;
       this.#checkCount(values);
@@ -477,9 +445,7 @@ export class MeshOfWorkers implements Mesh {
     });
     const length = fields.find(({ name }) => isLength(name));
     const model = this.#written(unit ?? length?.unit);
-    const args = { model, fields: written, format };
-    const { bytes } = await this.#ask('writeFields', args, signal);
-    return bytes;
+    return (await this.#ask('writeFields', { model, named, format }, { signal })).bytes;
   }
 
   async exportTips(
@@ -489,19 +455,17 @@ export class MeshOfWorkers implements Mesh {
   ): Promise<Uint8Array> {
     const girth = this.#own(igf, 'igf');
     const model = this.#written(unit, igf.persistence);
-    const { bytes } = await this.#ask('writeTips', { model, girth, format }, signal);
-    return bytes;
+    return (await this.#ask('writeTips', { model, girth, format }, { signal })).bytes;
   }
 
   async exportLimbs(
     igf: Field,
     format: 'json' | 'csv',
-    { signal, unit, onProgress, stations = defaults.stations }: ExportOptions & LimbOptions = {},
+    { unit, stations = defaults.stations, ...watched }: ExportOptions & LimbOptions = {},
   ): Promise<Uint8Array> {
     const girth = this.#own(igf, 'igf');
     const args = { model: this.#written(unit, igf.persistence), girth, stations, format };
-    const { bytes } = await this.#ask('writeLimbs', args, signal, { onProgress });
-    return bytes;
+    return (await this.#ask('writeLimbs', args, watched)).bytes;
   }
 
   async exportParts(
@@ -514,8 +478,7 @@ export class MeshOfWorkers implements Mesh {
     const fields = this.#girthAndDiameter(igf, sdf);
     const options = whole(parts);
     const model = this.#written(unit, igf.persistence);
-    const { bytes } = await this.#ask('writeParts', { model, fields, options, format }, signal);
-    return bytes;
+    return (await this.#ask('writeParts', { model, fields, options, format }, { signal })).bytes;
   }
 
   async exportWeakPlaces(
@@ -525,10 +488,10 @@ export class MeshOfWorkers implements Mesh {
     { signal, unit }: ExportOptions = {},
   ): Promise<Uint8Array> {
     const limits = wholeLimits(limited);
-    const fields = this.#printed(given, limits);
+    const printed = this.#printed(given, limits);
     const model = this.#written(unit, given.igf?.persistence);
-    const { bytes } = await this.#ask('writeWeakPlaces', { model, fields, limits, format }, signal);
-    return bytes;
+    const args = { model, printed, limits, format };
+    return (await this.#ask('writeWeakPlaces', args, { signal })).bytes;
   }
 
   async exportLoops(
@@ -538,17 +501,16 @@ export class MeshOfWorkers implements Mesh {
   ): Promise<Uint8Array[]> {
     const checked = points.map((point) => checkedPoint(point, this.info));
     const args = { model: this.#written(unit, persistence), points: checked, format };
-    const { files } = await this.#ask('writeLoops', args, signal);
-    return files;
+    return (await this.#ask('writeLoops', args, { signal })).files;
   }
 
   async remesh(
     faces: number,
-    { even = false, signal, onProgress }: RemeshOptions = {},
+    { even = false, ...options }: RemeshOptions = {},
   ): Promise<RemeshedMesh> {
     const passing = bytesOf(this.#jobSurface);
     const args = { faces, even, info: this.info };
-    const opened = await this.#ask('remesh', args, signal, { onProgress, passing });
+    const { opened } = await this.#ask('remesh', args, options, { passing });
     const mesh = new MeshOfWorkers(this.#host, opened);
     const none = new Uint8Array(0);
     return Object.assign(mesh, {
@@ -563,12 +525,10 @@ export class MeshOfWorkers implements Mesh {
     });
   }
 
-  async smooth(steps: number, { signal, onProgress }: WatchedOptions = {}): Promise<Mesh> {
+  async smooth(steps: number, options: WatchedOptions = {}): Promise<Mesh> {
     const passing = bytesOf(this.#jobSurface);
-    const opened = await this.#ask('smooth', { steps, info: this.info }, signal, {
-      onProgress,
-      passing,
-    });
+    const args = { steps, info: this.info };
+    const { opened } = await this.#ask('smooth', args, options, { passing });
     return new MeshOfWorkers(this.#host, opened);
   }
 
@@ -576,7 +536,7 @@ export class MeshOfWorkers implements Mesh {
     remeshed: MeshOfWorkers,
     values: Float64Array,
     kinds: Uint8Array,
-    { signal }: CallOptions,
+    options: CallOptions,
   ): Promise<Pick<Field, 'values' | 'kinds'>> {
     if (values.length !== remeshed.info.vertexCount) {
       throw failure('USAGE', 'there is not one value for each vertex of the remeshed surface', {
@@ -584,14 +544,14 @@ export class MeshOfWorkers implements Mesh {
       });
     }
     const args = { remeshed: remeshed.surface.number, values, kinds };
-    return this.#ask('carryBack', args, signal, { other: remeshed });
+    return this.#ask('carryBack', args, options, { other: remeshed });
   }
 
   async difference(
     field: Field,
     other: Mesh,
     otherField: Field,
-    { signal }: CallOptions = {},
+    options: CallOptions = {},
   ): Promise<number> {
     if (!(other instanceof MeshOfWorkers)) {
       throw failure('USAGE', 'the other mesh is not one of this package', {
@@ -605,20 +565,15 @@ export class MeshOfWorkers implements Mesh {
       other: other.surface.number,
       otherValues: otherField.values,
     };
-    const { difference } = await this.#ask('difference', args, signal, { other });
-    return difference;
+    return (await this.#ask('difference', args, options, { other })).difference;
   }
 
   /** A job on this surface. The number of another one may be among the arguments. */
   #ask<K extends keyof JobOperations>(
     operation: K,
     args: Omit<Arguments<JobOperations, K>, 'surface'>,
-    signal: AbortSignal | undefined,
-    {
-      other = this,
-      onProgress,
-      passing = 0,
-    }: { other?: MeshOfWorkers; passing?: number } & Pick<WatchedOptions, 'onProgress'> = {},
+    { signal, onProgress }: WatchedOptions,
+    { other = this, passing = 0 }: { other?: MeshOfWorkers; passing?: number } = {},
   ): Promise<Answer<JobOperations, K>> {
     const onReport = progressOf(signal, onProgress);
     const surface = this.#jobSurface;
@@ -632,8 +587,7 @@ export class MeshOfWorkers implements Mesh {
   #askSpectral<K extends 'spectralField' | 'heatMaxima'>(
     operation: K,
     args: Omit<Arguments<StudiesOperations, K>, 'surface'>,
-    signal: AbortSignal | undefined,
-    onProgress: WatchedOptions['onProgress'],
+    { signal, onProgress }: WatchedOptions,
   ): Promise<Answer<StudiesOperations, K>> {
     const { surface } = this;
     const onReport = progressOf(signal, onProgress);

@@ -5,43 +5,19 @@
 import type { parameterPaths } from './fields.js';
 import type {
   AxisLoop,
-  Bottleneck,
-  Cut,
-  CutFormat,
   Field,
-  FieldFormat,
-  FileWithPath,
   GirthErrorFields,
   GirthStation,
-  HandleRemoval,
-  Handles,
-  LevelCurve,
-  LimbAxis,
-  Limbs,
   Loop,
-  LoopFormat,
   LoopKind,
-  Maximum,
   MeshInfo,
-  NamedField,
-  Necks,
   PartialField,
-  PartOptions,
-  Parts,
-  PartThresholds,
-  PathStation,
-  PrepareOptions,
-  PrintCheck,
-  PrintLimits,
-  Profile,
   RefinedGirth,
   RefinedOptions,
   SegmentOptions,
-  Segments,
   SpectralFieldName,
   SpectralOptions,
   SurfacePoint,
-  Tips,
   VertexFieldName,
 } from './types.js';
 
@@ -217,181 +193,12 @@ export type PlacedStation = Pick<GirthStation, 'distance' | 'least' | 'place'>;
 /** A loop of an axis as it is written. */
 export type WrittenLoop = Omit<AxisLoop, 'polyline'>;
 
-/** A worker for jobs: it reads models, and analyses, remeshes and writes surfaces. */
-export interface JobOperations extends CommonOperations {
-  /** Reads the model of the path `model`, or the first one, and prepares its surface. */
-  read: [
-    { files: FileWithPath[]; address?: string; model?: string; prepare: PrepareOptions },
-    OpenedSurface,
-  ];
-  /** Prepares the caller's arrays. */
-  take: [{ arrays: SurfaceArrays; prepare: PrepareOptions }, OpenedSurface];
-  /** Builds a surface and keeps it under this number. */
-  adopt: [{ surface: number; arrays: SurfaceWithInput }, object];
-  /** A surface of about so many faces. `info` is that of the original. */
-  remesh: [{ surface: number; faces: number; even: boolean; info: MeshInfo }, OpenedSurface];
-  /** The surface with its vertices moved. `info` is that of the original. */
-  smooth: [{ surface: number; steps: number; info: MeshInfo }, OpenedSurface];
-  /** Carries values at the vertices of `remeshed`, and kinds where there are some, to those of `surface`. */
-  carryBack: [
-    { surface: number; remeshed: number; values: Float64Array; kinds: Uint8Array },
-    { values: Float64Array<ArrayBuffer>; kinds: Uint8Array<ArrayBuffer> },
-  ];
-  refinedGirth: [{ surface: number; request: RefinedRequest }, FoundRefined];
-  /** The difference of two fields, each on its surface. */
-  difference: [
-    { surface: number; values: Float64Array; other: number; otherValues: Float64Array },
-    { difference: number },
-  ];
-  path: [
-    { surface: number; from: SurfacePoint; to: SurfacePoint },
-    { length: number; straight: number; polyline: Float32Array<ArrayBuffer> },
-  ];
-  vertexAreas: [{ surface: number }, { areas: Float64Array<ArrayBuffer> }];
-  tips: [{ surface: number; girth: Float64Array }, Tips];
-  /** The limbs of all tips, with so many stations each. */
-  limbs: [{ surface: number; girth: Float64Array; stations: number }, Limbs];
-  necks: [{ surface: number; girth: Float64Array; minProminence: number }, Necks];
-  bottleneck: [
-    { surface: number; girth: Float64Array; from: SurfacePoint; to: SurfacePoint },
-    Bottleneck,
-  ];
-  profile: [
-    { surface: number; points: readonly SurfacePoint[]; samples: number; crossings: boolean },
-    Omit<Profile, 'unit'>,
-  ];
-  axis: [{ surface: number; profile: readonly PlacedStation[] }, Omit<LimbAxis, 'unit'>];
-  handles: [{ surface: number; basePoints: number }, Handles];
-  /** The surface without handles shorter than a length. `info` is that of the original. */
-  removeHandles: [
-    { surface: number; length: number; basePoints: number; info: MeshInfo },
-    { opened: OpenedSurface; removal: HandleRemoval },
-  ];
-  levelCurves: [{ surface: number; values: Float64Array; level: number }, { curves: LevelCurve[] }];
-  cut: [{ surface: number; curves: readonly SurfacePoint[][]; cap: boolean }, Cut];
-  writeProfile: [
-    {
-      surface: number;
-      model: WrittenModel;
-      points: readonly SurfacePoint[];
-      samples: number;
-      crossings: boolean;
-      format: string;
-    },
-    { bytes: Uint8Array<ArrayBuffer> },
-  ];
-  /** The same of stations that have been measured. */
-  writeStations: [
-    { surface: number; model: WrittenModel; stations: readonly PathStation[]; format: string },
-    { bytes: Uint8Array<ArrayBuffer> },
-  ];
-  writeAxis: [
-    { surface: number; model: WrittenModel; loops: readonly WrittenLoop[]; format: string },
-    { bytes: Uint8Array<ArrayBuffer> },
-  ];
-  writeCut: [
-    {
-      surface: number;
-      model: WrittenModel;
-      content: FileContent;
-      curves: readonly SurfacePoint[][];
-      cap: boolean;
-      format: CutFormat;
-    },
-    { files: Uint8Array<ArrayBuffer>[] },
-  ];
-  segments: [{ surface: number; fields: GirthAndDiameter; options: SegmentRequest }, Segments];
-  writeSegments: [
-    {
-      surface: number;
-      model: WrittenModel;
-      content: FileContent;
-      fields: GirthAndDiameter;
-      options: SegmentRequest;
-      format: string;
-    },
-    { bytes: Uint8Array<ArrayBuffer> },
-  ];
-  thresholds: [{ surface: number; fields: GirthAndDiameter }, PartThresholds];
-  parts: [{ surface: number; fields: GirthAndDiameter; options: Required<PartOptions> }, Parts];
-  /** The maxima of values, or their minima. */
-  maxima: [{ surface: number; values: Float64Array; minima: boolean }, { maxima: Maximum[] }];
-  printCheck: [{ surface: number; fields: PrintArrays; limits: Required<PrintLimits> }, PrintCheck];
-  writeFields: [
-    { surface: number; model: WrittenModel; fields: readonly NamedField[]; format: FieldFormat },
-    { bytes: Uint8Array<ArrayBuffer> },
-  ];
-  writeTips: [
-    { surface: number; model: WrittenModel; girth: Float64Array; format: string },
-    { bytes: Uint8Array<ArrayBuffer> },
-  ];
-  writeLimbs: [
-    {
-      surface: number;
-      model: WrittenModel;
-      girth: Float64Array;
-      stations: number;
-      format: string;
-    },
-    { bytes: Uint8Array<ArrayBuffer> },
-  ];
-  writeParts: [
-    {
-      surface: number;
-      model: WrittenModel;
-      fields: GirthAndDiameter;
-      options: Required<PartOptions>;
-      format: string;
-    },
-    { bytes: Uint8Array<ArrayBuffer> },
-  ];
-  writeWeakPlaces: [
-    {
-      surface: number;
-      model: WrittenModel;
-      fields: PrintArrays;
-      limits: Required<PrintLimits>;
-      format: string;
-    },
-    { bytes: Uint8Array<ArrayBuffer> },
-  ];
-  writeLoops: [
-    {
-      surface: number;
-      model: WrittenModel;
-      points: readonly SurfacePoint[];
-      format: LoopFormat;
-    },
-    { files: Uint8Array<ArrayBuffer>[] },
-  ];
-}
-
 /** Fields that shapes are compared by (`study_fields.h`). */
 export interface StudyFields {
   /** Weight of each vertex: its share of the area. */
   weights: Float64Array<ArrayBuffer>;
   /** `dimensions` numbers per vertex. */
   fields: { name: string; dimensions: number; values: Float64Array<ArrayBuffer> }[];
-}
-
-/** A worker for jobs with the module that computes spectra and compares shapes. */
-export interface StudiesOperations extends CommonOperations {
-  /** Keeps the spectrum for the next request on the same surface. */
-  spectralField: [
-    { surface: number; field: SpectralRequest },
-    { values: Float64Array<ArrayBuffer>; method: string },
-  ];
-  /** Persistent maxima of the heat kernel signature. */
-  heatMaxima: [{ surface: number; field: SpectralRequest }, { maxima: Maximum[] }];
-  /** The names of the groups of fields that descriptors need. */
-  fieldGroups: [{ descriptors: readonly string[] }, { groups: string[] }];
-  /** One group of fields. The surface is remeshed to about so many faces where it has more, and then smoothed. */
-  studyFields: [{ surface: number; group: string; faces: number; smooth: number }, StudyFields];
-  /** For each descriptor the distances between all models, row by row. */
-  compare: [
-    { models: readonly (readonly StudyFields[])[]; descriptors: readonly string[] },
-    { matrices: Float64Array<ArrayBuffer>[] },
-  ];
 }
 
 /** The worker that hosts the module with threads. */

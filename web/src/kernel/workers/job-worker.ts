@@ -2,14 +2,16 @@
 // loaded with the first of them.
 
 import createAnalysis, { type AnalysisModule, type JobSurface } from '../wasm/girth-analysis.mjs';
-import createFiles, { type FilesModule } from '../wasm/girth-files.mjs';
+import createFiles, { type Described, type FilesModule } from '../wasm/girth-files.mjs';
 import { failure, fieldsOf, GirthError } from '../types/errors.js';
 import { FileSet, type SetFile } from '../unpack/file-set.js';
 import { loadedModule } from './loading-failure.js';
+import { forwards } from './forwards.js';
 import { moduleOptions, openedSurface, remeshedSurface } from './opened-surface.js';
-import type { OpenedSurface, JobOperations } from '../types/protocol.js';
+import { type JobOperations, analysing, makingSurfaces, serving } from '../types/operations.js';
+import type { OpenedSurface } from '../types/protocol.js';
 import { SurfaceStore } from './surface-store.js';
-import type { FileWithPath, UnreadableModel } from '../types/types.js';
+import type { FileWithPath, MeshInfo, UnreadableModel } from '../types/types.js';
 import { unpackIfCompressed } from '../unpack/unpack.js';
 import { workerFiles } from './worker-files.js';
 import { checked, progressTo, serveRequests } from './worker-loop.js';
@@ -59,7 +61,15 @@ async function firstReadable(
   throw new GirthError({ ...error, message });
 }
 
-serveRequests<JobOperations>({
+/** A surface that was made of another one, whose `info` is given, as the page receives it. */
+function opened<M extends { described: Described }>({ described, ...rest }: M, info: MeshInfo) {
+  return { opened: remeshedSurface(described, info), ...rest };
+}
+
+const functions = () => analysis;
+const makers = forwards(makingSurfaces, functions, surfaces);
+
+serveRequests<JobOperations>(surfaces, {
   async start() {
     files = await loadedModule(() => createFiles(), import.meta.url);
     return {};
@@ -110,162 +120,8 @@ serveRequests<JobOperations>({
     return {};
   },
 
-  remesh({ surface, faces, even, info }, report) {
-    const made = checked(analysis.remesh(surfaces.get(surface), faces, even, progressTo(report)));
-    return remeshedSurface(made, info);
-  },
-
-  smooth({ surface, steps, info }, report) {
-    const made = checked(analysis.smooth(surfaces.get(surface), steps, progressTo(report)));
-    return remeshedSurface(made, info);
-  },
-
-  carryBack({ surface, remeshed, values, kinds }) {
-    return checked(
-      analysis.carryBack(surfaces.get(surface), surfaces.get(remeshed), values, kinds),
-    );
-  },
-
-  refinedGirth({ surface, request }, report) {
-    return checked(analysis.refinedGirth(surfaces.get(surface), request, progressTo(report)));
-  },
-
-  difference({ surface, values, other, otherValues }) {
-    return checked(
-      analysis.difference(surfaces.get(surface), values, surfaces.get(other), otherValues),
-    );
-  },
-
-  path({ surface, from, to }) {
-    return checked(analysis.path(surfaces.get(surface), from, to));
-  },
-
-  vertexAreas({ surface }) {
-    return checked(analysis.vertexAreas(surfaces.get(surface)));
-  },
-
-  tips({ surface, girth }) {
-    return checked(analysis.tips(surfaces.get(surface), girth));
-  },
-
-  limbs({ surface, girth, stations }, report) {
-    return checked(analysis.limbs(surfaces.get(surface), girth, stations, progressTo(report)));
-  },
-
-  necks({ surface, girth, minProminence }, report) {
-    return checked(analysis.necks(surfaces.get(surface), girth, minProminence, progressTo(report)));
-  },
-
-  bottleneck({ surface, girth, from, to }, report) {
-    const progress = progressTo(report);
-    return checked(analysis.bottleneck(surfaces.get(surface), girth, from, to, progress));
-  },
-
-  profile({ surface, points, samples, crossings }, report) {
-    const progress = progressTo(report);
-    return checked(analysis.profile(surfaces.get(surface), points, samples, crossings, progress));
-  },
-
-  axis({ surface, profile }, report) {
-    return checked(analysis.axis(surfaces.get(surface), profile, progressTo(report)));
-  },
-
-  handles({ surface, basePoints }, report) {
-    return checked(analysis.handles(surfaces.get(surface), basePoints, progressTo(report)));
-  },
-
-  removeHandles({ surface, length, basePoints, info }, report) {
-    const from = surfaces.get(surface);
-    const { described, removal } = checked(
-      analysis.removeHandles(from, length, basePoints, progressTo(report)),
-    );
-    return { opened: remeshedSurface(described, info), removal };
-  },
-
-  levelCurves({ surface, values, level }) {
-    return checked(analysis.levelCurves(surfaces.get(surface), values, level));
-  },
-
-  cut({ surface, curves, cap }) {
-    return checked(analysis.cut(surfaces.get(surface), curves, cap));
-  },
-
-  writeProfile({ surface, model, points, samples, crossings, format }, report) {
-    const progress = progressTo(report);
-    const from = surfaces.get(surface);
-    return checked(
-      analysis.writeProfile(from, model, points, samples, crossings, format, progress),
-    );
-  },
-
-  writeStations({ surface, model, stations, format }) {
-    return checked(analysis.writeStations(surfaces.get(surface), model, stations, format));
-  },
-
-  writeAxis({ surface, model, loops, format }) {
-    return checked(analysis.writeAxis(surfaces.get(surface), model, loops, format));
-  },
-
-  writeCut({ surface, model, content, curves, cap, format }) {
-    return checked(analysis.writeCut(surfaces.get(surface), model, content, curves, cap, format));
-  },
-
-  segments({ surface, fields, options }, report) {
-    return checked(analysis.segments(surfaces.get(surface), fields, options, progressTo(report)));
-  },
-
-  writeSegments({ surface, model, content, fields, options, format }, report) {
-    const progress = progressTo(report);
-    const from = surfaces.get(surface);
-    return checked(analysis.writeSegments(from, model, content, fields, options, format, progress));
-  },
-
-  thresholds({ surface, fields }) {
-    return checked(analysis.suggestedThresholds(surfaces.get(surface), fields));
-  },
-
-  parts({ surface, fields, options }) {
-    return checked(analysis.parts(surfaces.get(surface), fields, options));
-  },
-
-  maxima({ surface, values, minima }) {
-    return checked(analysis.maxima(surfaces.get(surface), values, minima));
-  },
-
-  printCheck({ surface, fields, limits }, report) {
-    return checked(analysis.printCheck(surfaces.get(surface), fields, limits, progressTo(report)));
-  },
-
-  writeFields({ surface, model, fields, format }) {
-    return checked(analysis.writeFields(surfaces.get(surface), model, fields, format));
-  },
-
-  writeTips({ surface, model, girth, format }) {
-    return checked(analysis.writeTips(surfaces.get(surface), model, girth, format));
-  },
-
-  writeLimbs({ surface, model, girth, stations, format }, report) {
-    const progress = progressTo(report);
-    const from = surfaces.get(surface);
-    return checked(analysis.writeLimbs(from, model, girth, stations, format, progress));
-  },
-
-  writeParts({ surface, model, fields, options, format }) {
-    return checked(analysis.writeParts(surfaces.get(surface), model, fields, options, format));
-  },
-
-  writeWeakPlaces({ surface, model, fields, limits, format }, report) {
-    const progress = progressTo(report);
-    const from = surfaces.get(surface);
-    return checked(analysis.writeWeakPlaces(from, model, fields, limits, format, progress));
-  },
-
-  writeLoops({ surface, model, points, format }) {
-    return checked(analysis.writeLoops(surfaces.get(surface), model, points, format));
-  },
-
-  drop({ surface }) {
-    surfaces.drop(surface);
-    return {};
-  },
+  ...forwards({ ...analysing, ...serving }, functions, surfaces),
+  remesh: ({ info, ...args }, report) => opened(makers.remesh(args, report), info),
+  smooth: ({ info, ...args }, report) => opened(makers.smooth(args, report), info),
+  removeHandles: ({ info, ...args }, report) => opened(makers.removeHandles(args, report), info),
 });

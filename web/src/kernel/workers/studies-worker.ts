@@ -3,14 +3,15 @@
 
 import createModule, { type GirthStudiesModule, type Surface } from '../wasm/girth-studies.mjs';
 import { loadedModule } from './loading-failure.js';
-import type { StudiesOperations } from '../types/protocol.js';
+import { type StudiesOperations, studying } from '../types/operations.js';
+import { forwards } from './forwards.js';
 import { SurfaceStore } from './surface-store.js';
-import { checked, progressTo, serveRequests } from './worker-loop.js';
+import { checked, serveRequests } from './worker-loop.js';
 
 let module: GirthStudiesModule;
 const surfaces = new SurfaceStore<Surface>();
 
-serveRequests<StudiesOperations>({
+serveRequests<StudiesOperations>(surfaces, {
   async start() {
     module = await loadedModule(() => createModule(), import.meta.url);
     return {};
@@ -22,30 +23,5 @@ serveRequests<StudiesOperations>({
     return {};
   },
 
-  spectralField({ surface, field }, report) {
-    return checked(module.spectralField(surfaces.get(surface), field, progressTo(report)));
-  },
-
-  heatMaxima({ surface, field }, report) {
-    return checked(module.heatMaxima(surfaces.get(surface), field, progressTo(report)));
-  },
-
-  fieldGroups({ descriptors }) {
-    return checked(module.fieldGroups(descriptors));
-  },
-
-  studyFields({ surface, group, faces, smooth }, report) {
-    return checked(
-      module.studyFields(surfaces.get(surface), group, faces, smooth, progressTo(report)),
-    );
-  },
-
-  compare({ models, descriptors }, report) {
-    return checked(module.compare(models, descriptors, progressTo(report)));
-  },
-
-  drop({ surface }) {
-    surfaces.drop(surface);
-    return {};
-  },
+  ...forwards(studying, () => module, surfaces),
 });

@@ -28,7 +28,7 @@ function sharedMemory([maximum = 0, ...less] = mostPages): WebAssembly.Memory {
 let module: GirthThreadsModule;
 const surfaces = new SurfaceStore<Surface>();
 
-serveRequests<ThreadsOperations>({
+serveRequests<ThreadsOperations>(surfaces, {
   async start({ threads }) {
     const load = () => createModule({ girthThreads: threads, wasmMemory: sharedMemory() });
     module = await loadedModule(load, import.meta.url);
@@ -50,10 +50,5 @@ serveRequests<ThreadsOperations>({
   refinedGirth({ surface, request, threads }, report) {
     const progress = progressTo(report);
     return checked(surfaces.get(surface).refinedGirth(request, threads, progress));
-  },
-
-  drop({ surface }) {
-    surfaces.drop(surface);
-    return {};
   },
 });

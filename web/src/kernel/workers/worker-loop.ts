@@ -3,6 +3,7 @@
 
 import { GirthError, fieldsOf } from '../types/errors.js';
 import { findKeptModules } from './kept-modules.js';
+import type { SurfaceStore } from './surface-store.js';
 import type {
   Answer,
   Arguments,
@@ -44,15 +45,23 @@ function buffersOf(content: object): ArrayBuffer[] {
   return [...buffers];
 }
 
-/** Serves requests, one after the other, in the order in which they arrive. */
-export function serveRequests<T extends CommonOperations>(handlers: Handlers<T>): void {
+/** Serves requests, one after the other, in the order in which they arrive; `surfaces` are those that it holds. */
+export function serveRequests<T extends CommonOperations>(
+  surfaces: Pick<SurfaceStore<never>, 'drop'>,
+  operations: Omit<Handlers<T>, 'drop'>,
+): void {
   findKeptModules();
+  const drop = ({ surface }: Arguments<CommonOperations, 'drop'>) => {
+    surfaces.drop(surface);
+    return {};
+  };
+  const handlers = { ...operations, drop };
   const scope = self as unknown as DedicatedWorkerGlobalScope;
   const post = (reply: Reply, content: object) => scope.postMessage(reply, buffersOf(content));
 
   const serve = async ({ id, operation, arguments: args }: Request) => {
     try {
-      const handler = handlers[operation as keyof T] as (
+      const handler = handlers[operation as keyof typeof handlers] as (
         args: object,
         report: ReportSink,
       ) => object | Promise<object>;

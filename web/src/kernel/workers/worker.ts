@@ -30,7 +30,7 @@ async function withFields(number: number): Promise<FieldsSurface> {
 const surfaceFor = (number: number, field: FieldRequest) =>
   isPlainGirth(field) ? surfaces.get(number) : withFields(number);
 
-serveRequests<SingleOperations>({
+serveRequests<SingleOperations>(surfaces, {
   async start() {
     module = await loadedModule(() => createModule(), import.meta.url);
     return {};
@@ -67,10 +67,5 @@ serveRequests<SingleOperations>({
   async barcode({ surface, point, maxPersistence, maxSaddles, loops }) {
     const on = await withFields(surface);
     return checked(on.barcode(point, maxPersistence, maxSaddles, loops));
-  },
-
-  drop({ surface }) {
-    surfaces.drop(surface);
-    return {};
   },
 });
