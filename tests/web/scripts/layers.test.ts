@@ -63,9 +63,10 @@ test('public headers include public headers and the standard library only', () =
   expect(includes('cpp/include/girth/io', /^girth\/study\//)).toEqual([]);
 });
 
-/** The modules of our own that a module imports, types included. */
+/** The modules of our own that a module imports, types included, at once or when they are needed. */
 function importsOf(path: string): string[] {
-  return [...text(path).matchAll(/(?:^|\n)\s*(?:import|export)\s[^;'"]*?from\s*'(\.[^']+)'/g)]
+  const imports = /(?:(?:^|\n)\s*(?:import|export)\s[^;'"]*?from\s*|\bimport\(\s*)'(\.[^']+)'/g;
+  return [...text(path).matchAll(imports)]
     .map(([, name]) => normalize(join(dirname(path), name!)).replace(/\.js$/, '.ts'))
     .filter((name) => existsSync(join(repository, name)));
 }

@@ -6,7 +6,7 @@ import type { Mesh, MeshInfo } from '../kernel/types/types.js';
 import { inSlices } from '../view/index.js';
 import { type FigureFile, readFigure } from './figure-file.js';
 import { givenFields } from './given-fields.js';
-import type { FileContent } from './model.js';
+import type { FileContent } from './file-content.js';
 import { nothingPrepared } from './nothing-prepared.js';
 import { refusedCalls } from './refused-calls.js';
 import { countSurface, vertexAreasOf } from './surface-counts.js';

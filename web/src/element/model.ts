@@ -6,7 +6,6 @@ import type {
   Field,
   FieldName,
   Limbs,
-  Loop,
   Maximum,
   Mesh,
   PartOptions,
@@ -29,36 +28,12 @@ import {
   upAxisOf,
 } from '../view/index.js';
 import { Fields, type FieldsHost } from './fields.js';
-import type { GivenField } from './given-fields.js';
+import { type FileContent, onlySurface } from './file-content.js';
 
 /** Sizes that the 32-bit numbers of drawing can hold, with room for what is computed of them. */
 const drawnSizes = [1e-30, 1e30] as const;
 /** Edges sharper than this stay visible as creases, in radians. */
 const creaseAngle = (38 * Math.PI) / 180;
-
-/** What a model's file has besides its surface. */
-export interface FileContent {
-  /** Values at the surface's vertices. */
-  fields: readonly GivenField[];
-  /** Loops at vertices. */
-  loops: readonly Loop[];
-  tips: Tips | undefined;
-  /** The unit that lengths are written in, unless another one is wished for; '' for the model's. */
-  ownUnit: string;
-  /** Whether the first of its values are shown where nothing else is wished for. */
-  leads: boolean;
-  /** Nothing else can be computed of it: that takes the kernel, which has not read it. */
-  isAll: boolean;
-}
-
-export const onlySurface: FileContent = {
-  fields: [],
-  loops: [],
-  tips: undefined,
-  ownUnit: '',
-  leads: false,
-  isAll: false,
-};
 
 export class Model {
   /** Aborted when the model goes. */

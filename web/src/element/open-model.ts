@@ -3,7 +3,7 @@
 import type { Mesh, Tips } from '../kernel/types/types.js';
 import { figureOf } from './figure-mesh.js';
 import { carriedTo } from './given-fields.js';
-import type { FileContent } from './model.js';
+import type { FileContent } from './file-content.js';
 import { nameOf } from './parse.js';
 import { sharedKernel } from './shared-kernel.js';
 import type { Watched } from './work.js';

@@ -5,7 +5,7 @@ import type { failure } from '../kernel/types/errors.js';
 import type { Mesh, MeshSource } from '../kernel/types/types.js';
 import type { readFigure } from './figure-file.js';
 import type { GivenField, carriedTo, givenFields } from './given-fields.js';
-import type { FileContent, onlySurface } from './model.js';
+import type { FileContent, onlySurface } from './file-content.js';
 
 /** What the element reads values with. */
 export interface ValuesKit {
