@@ -15,6 +15,7 @@ import {
   strictPolicy,
   type StaticServer,
 } from './support.js';
+import { fieldComplete } from './viewer-page.js';
 
 const openPage = chromiumForTests();
 let server: StaticServer;
@@ -101,6 +102,26 @@ test('what the tutorial of the element says to write does what it says', async (
     .poll(() => second.evaluate((element) => element.shadowRoot!.textContent))
     // Lengths have a digit less once the greatest girth is known.
     .toMatch(/Loop 1 pinned: 0\.1(299|30)\sm/);
+  expect(complaints).toEqual([]);
+  await host.close();
+});
+
+test('the element of README shows its model', async () => {
+  const readme = readFileSync(join(repository, 'README.md'), 'utf8');
+  const [, lines = ''] = /^```html\n([^]*?)^```$/m.exec(readme) ?? [];
+  const docs = join(repository, 'build/page/docs');
+  const icon = '<link rel="icon" href="data:," />';
+  const host = await serve(join(docs, 'models'), {
+    pages: { '/': `<!doctype html><html lang="en"><title>README</title>${icon}${lines}</html>` },
+    folders: { '/girth/': join(docs, 'girth') },
+  });
+  const { page, complaints } = await openPage(host.url);
+  const viewer = page.locator('girth-viewer');
+  await fieldComplete(viewer);
+  const range = await viewer.evaluate(
+    async (element: GirthViewer) => (await element.fieldOf('igf')).range,
+  );
+  expect(range[0]).toBeCloseTo(0.0740848, 6);
   expect(complaints).toEqual([]);
   await host.close();
 });

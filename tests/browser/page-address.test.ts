@@ -18,6 +18,18 @@ async function openAt(state: string): Promise<void> {
   ({ page, viewer, address } = await openBuilt(state));
 }
 
+test('the link of README shows its model and its loop', async () => {
+  const readme = readFileSync(join(repository, 'README.md'), 'utf8');
+  const [, state = ''] = /`http:\/\/localhost:4173\/#([^`]+)`/.exec(readme) ?? [];
+  await openAt(state);
+  await modelIs(page, 'octopus.glb');
+  await page.locator('#loops tbody tr').first().waitFor({ state: 'attached', timeout: 60_000 });
+  const bases = await viewer.evaluate((element: GirthViewer) =>
+    element.pinned.map(({ loop }) => loop.base),
+  );
+  expect(bases).toEqual([120]);
+});
+
 test('a link reproduces model, field, colours, camera, loops and thresholds', async () => {
   await openAt(
     'model=octopus&field=sdf&colormap=turbo&range=5%25%2095%25&isolines=10&edges=1' +

@@ -99,14 +99,16 @@ test.each(documents)('%s', (document) => {
   });
 });
 
-/** What README's first program leaves to the reader. */
+/** The names that the program with all calls leaves to the reader. */
 const left = `const file = 'model.glb';
   const { signal } = new AbortController();
   const [onProgress, onPartial] = [() => {}, () => {}];`;
 
-test('README.md: its programs in JavaScript', () => {
+test('README.md and javascript.md: their programs', () => {
   run(command, ['remesh', 'octopus.glb', '--faces', '1500', '-o', 'model.glb']);
-  const programs = blocksOf('README.md').filter(({ language }) => language === 'js');
+  const programs = ['web/docs/javascript.md', 'README.md'].flatMap((file) =>
+    blocksOf(file).filter(({ language }) => language === 'js'),
+  );
   expect(programs).toHaveLength(2);
   const [first = '', second = ''] = programs.map(({ text }) => text);
   for (const program of [`${left}\n${first}`, second]) {

@@ -74,7 +74,7 @@ function written(...words: string[]): string {
 
 test('the readme’s lines write what the command writes', async () => {
   const readme = readFileSync(join(repository, 'README.md'), 'utf8');
-  const [, lines] = /### Node\.js\n[^]*?```js\n([^]*?)```/.exec(readme) ?? [];
+  const [, lines] = /^```js\n([^]*?)^```/m.exec(readme) ?? [];
   const asTheirs = readFileSync(inFolder('packed.glb'));
   writeFileSync(inFolder('model.glb'), asTheirs);
   const { status, stdout, stderr } = await run(lines!);

@@ -15,12 +15,12 @@ DOCUMENTS = REPOSITORY / "web/docs"
 
 def programs():
     """Each ```python block, named by its document."""
-    for document in sorted(DOCUMENTS.rglob("*.md")):
+    for document in [REPOSITORY / "README.md", *sorted(DOCUMENTS.rglob("*.md"))]:
         blocks = re.findall(r"^```python\n(.*?)^```$", document.read_text(), re.M | re.S)
         for number, block in enumerate(blocks, 1):
             if "from distributed import" in block:
                 continue
-            yield pytest.param(block, id=f"{document.relative_to(DOCUMENTS)}, {number}")
+            yield pytest.param(block, id=f"{document.relative_to(REPOSITORY)}, {number}")
 
 
 @pytest.mark.parametrize("program", programs())
@@ -39,4 +39,4 @@ def test_program_of_a_document(program, tmp_path):
 
 
 def test_there_are_programs():
-    assert len(list(programs())) >= 4
+    assert len(list(programs())) >= 5

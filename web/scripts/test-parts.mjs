@@ -154,7 +154,7 @@ function pageFingerprint() {
 }
 
 /**
- * In the order in which they are begun. The table in CONTRIBUTING.md says what is in which, and why.
+ * In the order in which they are begun. The table in tests/README.md says what is in which, and why.
  * @type {Record<string, Part>}
  */
 export const parts = {

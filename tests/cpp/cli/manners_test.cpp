@@ -47,12 +47,12 @@ TEST_F(Command, everyCommandHasExamplesAndExitCodes) {
   }
 }
 
-TEST_F(Command, exitCodesOfTheReadmeAreThoseOfTheHelp) {
+TEST_F(Command, exitCodesOfTheDocumentAreThoseOfTheHelp) {
   const std::string help = run({"help"}).output;
   std::string words = help.substr(help.find("Exit codes: "));
   std::replace(words.begin(), words.end(), '\n', ' ');
   std::size_t found = 0;
-  for (const std::string& line : linesOf(contentOf(kData + "/../../README.md"))) {
+  for (const std::string& line : linesOf(contentOf(kData + "/../../web/docs/command.md"))) {
     if (line.size() < 4 || line[0] != '|' || line[2] < '0' || line[2] > '9') continue;
     const std::size_t from = line.find_first_not_of(" |", 3);
     const std::size_t to = line.find_last_not_of(" |");

@@ -1,8 +1,8 @@
 #!/bin/bash
-# README's lines, as they stand: `readme.sh PREFIX SOURCE FOLDER COMPILER`. PREFIX: what Girth is installed under;
-# SOURCE: the repository; FOLDER: where to work, which is made anew. Its ```cpp blocks, and those of the documents, are
-# compiled and run; its ```cmake block is used by a project; its lines of the command are run, but for the study of
-# robustness, which takes minutes. Prints what is wrong and ends with 1.
+# The lines of README and documents, as they stand: `readme.sh PREFIX SOURCE FOLDER COMPILER`. PREFIX: Girth is installed
+# under it; SOURCE: the repository; FOLDER: where to work, which is made anew. All ```cpp blocks are compiled and run; a
+# project uses the ```cmake block of cpp.md; README's and command.md's lines of the command are run, but for the study
+# of robustness, which takes minutes. Prints each failure and ends with 1.
 set -u
 prefix=$1 source=$2 folder=$3 compiler=$4
 . "$(dirname "$0")/expect.sh"
@@ -20,9 +20,11 @@ blocks() {
 
 blocks cpp "$source/README.md" README-
 for document in "$source"/web/docs/*.md "$source"/web/docs/*/*.md; do
-  blocks cpp "$document" "$(basename "$document" .md)-"
+  name=${document#"$source/web/docs/"}
+  name=${name%.md}
+  blocks cpp "$document" "${name//\//-}-"
 done
-[ -f README-2 ] || { echo 'wrong: README has no two programs in C++'; failed=1; }
+[ -f README-1 ] && [ -f cpp-1 ] || { echo 'wrong: README or cpp.md has no program in C++'; failed=1; }
 flags_of girth-study --cflags --libs
 for block in *-[0-9]*; do
   mv "$block" "$block.cpp"
@@ -31,8 +33,9 @@ for block in *-[0-9]*; do
 done
 [ "$(head -1 values.csv)" = 'vertex,igf,kind' ] || { echo 'wrong: README writes no values.csv'; failed=1; }
 expect 1 'absent.obj: FILE_NOT_FOUND: ' ./README-1 absent.obj
+expect 1 'usage: ./README-1 MODEL' ./README-1
 
-blocks cmake "$source/README.md" lines-
+blocks cmake "$source/web/docs/cpp.md" lines-
 {
   echo 'cmake_minimum_required(VERSION 3.25)'
   echo 'project(mine LANGUAGES CXX)'
@@ -63,9 +66,10 @@ if [ -x "$prefix/bin/girth" ]; then
   }' > hourglass.obj
   girth remesh hourglass.obj --faces 100 -q -o figure.stl || failed=1
   mkdir -p folder/thin folder/thick && cp a.obj b.obj folder/thin && cp a.obj model.stl folder/thick
-  blocks sh "$source/README.md" lines-
+  blocks sh "$source/README.md" lines-README-
+  blocks sh "$source/web/docs/command.md" lines-
   grep -h '^girth ' lines-* | sed 's/ *#.*//' > lines
-  [ "$(wc -l < lines)" -ge 15 ] || { echo "wrong: README has only $(wc -l < lines) lines of the command"; failed=1; }
+  [ "$(wc -l < lines)" -ge 15 ] || { echo "wrong: command.md has only $(wc -l < lines) lines of the command"; failed=1; }
   grep -v '^girth study robustness ' lines > tried
   while read -r line; do
     # A printer's limits are not met by this model.
@@ -76,9 +80,9 @@ if [ -x "$prefix/bin/girth" ]; then
   done < tried
   # Whatever a line names after -o is there, with something in it; a folder has a page.
   grep -o -- '-o [^ ]*' tried | sed 's/^-o //; s|/$|/index.html|' | sort -u > made
-  [ "$(wc -l < made)" -ge 10 ] || { echo "wrong: README's lines write only $(wc -l < made) files"; failed=1; }
+  [ "$(wc -l < made)" -ge 10 ] || { echo "wrong: the lines write only $(wc -l < made) files"; failed=1; }
   while read -r made; do
-    [ -s "$made" ] || { echo "wrong: README's lines do not write $made"; failed=1; }
+    [ -s "$made" ] || { echo "wrong: the lines do not write $made"; failed=1; }
   done < made
 fi
 finish

@@ -60,6 +60,15 @@ test('there are documents', () => {
   expect(documents).toContain('README.md');
 });
 
+test.each(['README.md', 'CONTRIBUTING.md'])('%s has at most 8,000 bytes', (path) => {
+  expect(Buffer.byteLength(text(path))).toBeLessThanOrEqual(8_000);
+});
+
+// npm's `girth` is nobody's, or somebody else's.
+test.each(documents)('%s: npx does not ask npm for girth', (path) => {
+  expect(text(path)).not.toMatch(/npx girth|npm install girth/);
+});
+
 test.each(documents)('%s: links lead somewhere', (path) => {
   const { prose } = read(path);
   const broken = targetsOf(prose).filter((link) => {
