@@ -22,6 +22,11 @@ def test_the_metadata_say_what_the_project_file_says(repository):
     metadata = importlib.metadata.metadata("pygirth")
     assert [one for one in importlib.metadata.requires("pygirth") if one.startswith("numpy>=1.21")]
     assert metadata["Summary"] == re.search(r'^description = "(.*)"', project, re.M).group(1)
+    citation = (repository / "CITATION.cff").read_text()
+    address = re.search(r"^repository-code: *'?([^'\s]+)", citation, re.M)
+    assert metadata["Home-page"] == (address[1] if address else "no public address yet, see CITATION.cff")
+    # The other lines that `pip show` has.
+    assert all(metadata[name] for name in ("Name", "Author", "Author-email", "License"))
     assert metadata["Requires-Python"] == re.search(r'^requires-python = "(.*)"', project, re.M).group(1)
 
 

@@ -1,8 +1,9 @@
 // `npm version ...` runs this: writes the version of package.json where the package exports it, into the
-// citation, and over what the change log has as unreleased.
+// citation, and over what the change log has as unreleased; and the citation's address into package.json.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { withAddress } from './address.mjs';
 import { repository, script } from './run.mjs';
 
 const date = new Date().toISOString().slice(0, 10);
@@ -23,6 +24,11 @@ await script(() => {
     text
       .replace(/^version: .*$/m, `version: ${version}`)
       .replace(/^date-released: .*$/m, `date-released: '${date}'`),
+  );
+  const citation = readFileSync(join(repository, 'CITATION.cff'), 'utf8');
+  rewrite(
+    'package.json',
+    (text) => `${JSON.stringify(withAddress(JSON.parse(text), citation), null, 2)}\n`,
   );
   rewrite('CHANGELOG.md', (text) =>
     text.replace(/^## \[Unreleased\]$/m, `$&\n\n## [${version}] - ${date}`),

@@ -34,6 +34,9 @@ Metadata-Version: 2.1
 Name: pygirth
 Version: {version}
 Summary: The intrinsic girth function of triangle meshes: exact values and shortest geodesic loops
+Home-page: {address}
+Author: The Girth authors
+Author-email: none yet
 License: MIT
 Requires-Python: >=3.9
 Requires-Dist: {numpy}
@@ -46,6 +49,13 @@ Requires-Dist: pyvista; extra == 'pyvista'
 
 def _version() -> str:
     return json.loads((REPOSITORY / "package.json").read_text(encoding="utf8"))["version"]
+
+
+def _address() -> str:
+    """The project's address on the web, which CITATION.cff has once there is one."""
+    citation = (REPOSITORY / "CITATION.cff").read_text(encoding="utf8")
+    found = re.search(r"^repository-code: *'?([^'\s]+)", citation, re.M)
+    return found[1] if found else "no public address yet, see CITATION.cff"
 
 
 def _pybind11_of_the_system() -> tuple[int, int] | None:
@@ -108,7 +118,7 @@ def _numpy() -> str:
 
 
 def _file_of_metadata() -> bytes:
-    return METADATA.format(version=_version(), numpy=_numpy()).encode()
+    return METADATA.format(version=_version(), address=_address(), numpy=_numpy()).encode()
 
 
 def prepare_metadata_for_build_wheel(

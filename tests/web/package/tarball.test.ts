@@ -20,6 +20,7 @@ import { publint } from 'publint';
 import { formatMessage } from 'publint/utils';
 import { build, type Rolldown } from 'vite';
 import { afterAll, beforeAll, expect, test } from 'vitest';
+import { withAddress } from '../../../web/scripts/address.mjs';
 import { install, packed, type Manifest } from './packed.js';
 
 const repository = fileURLToPath(new URL('../../..', import.meta.url));
@@ -216,10 +217,7 @@ test('links and pictures of the readme lead to files that are in it, or to the w
 
 test('package and citation name the same address of the project, or neither names one', () => {
   const citation = readFileSync(join(packageFolder, 'CITATION.cff'), 'utf8');
-  const [, address] = /^repository-code: '?([^'\n]*)/m.exec(citation) ?? [];
-  const { repository, homepage, bugs } = manifest;
-  const named = address && [`git+${address}.git`, `${address}#readme`, `${address}/issues`];
-  expect([repository?.url, homepage, bugs]).toEqual(named ?? [undefined, undefined, undefined]);
+  expect(manifest).toEqual(withAddress({ ...manifest }, citation));
 });
 
 test('its types name no package but those that it depends on', () => {
