@@ -6,7 +6,8 @@
 namespace girth::cli {
 
 extern const Command kInfo, kIgf, kLoop, kRemesh, kField, kTips, kLimbs, kNecks, kHandles, kCut,
-    kSegments, kBottleneck, kProfile, kParts, kRetrieve, kSignature, kCompare, kStudy, kHelp;
+    kSection, kSegments, kBottleneck, kProfile, kParts, kRetrieve, kSignature, kCompare, kStudy,
+    kHelp;
 
 /// Under `girth study`.
 extern const Command kStudyAccuracy, kStudyRobustness;

@@ -22,7 +22,7 @@ struct Plane {
   double offset{0};
 };
 
-/// A curve in which a plane cuts a surface (web/docs/definitions.md, section 8).
+/// A curve in which a plane cuts a surface (web/docs/definitions.md, section 5).
 struct SectionCurve {
   /// The edges that it crosses and the vertices that it passes, in order; straight between
   /// neighbours. Seen from the tip of the plane's normal, what the surface encloses lies on the
@@ -49,10 +49,8 @@ struct SectionCurve {
   double greatestWidth{0};
   /// The centroid of its area; of an open curve, of its length.
   Vec3 centre;
-  /// Whether it bounds a hole: what the surface encloses lies round it.
+  /// Whether it bounds a hole in another curve: what the surface encloses lies round it.
   bool hole{false};
-  /// The curve that it is a hole in, as its index; kNoIndex where it is none.
-  Index holeIn{kNoIndex};
 };
 
 /// What one plane cuts.
@@ -68,6 +66,12 @@ struct Section {
   double tape{0};
   /// The sum of the areas of the curves that are no holes, in squared model units.
   double area{0};
+};
+
+/// What several planes cut.
+struct Sections {
+  /// In the order in which the planes were given.
+  std::vector<Section> sections;
 };
 
 /// The least and the greatest normal · x of a surface, in model units.
@@ -97,11 +101,11 @@ GIRTH_EXPORT Result<HeightRange> heightRange(const SurfaceMesh& mesh, const Vec3
 /// On polyhedra the measures are exact to rounding. Time: O(n log m + c log c) for n faces, m
 /// planes and c crossed edges, on all threads; the same result for any number of them. Errors:
 /// INVALID_OPTION (a normal without length, an offset that is not finite), CANCELLED.
-GIRTH_EXPORT Result<std::vector<Section>> sections(const SurfaceMesh& mesh, const Vec3& normal,
-                                                   std::span<const double> offsets,
-                                                   const ExecutionContext& context = {});
+GIRTH_EXPORT Result<Sections> findSections(const SurfaceMesh& mesh, const Vec3& normal,
+                                           std::span<const double> offsets,
+                                           const ExecutionContext& context = {});
 
 /// The section with one plane. The same errors.
-GIRTH_EXPORT Result<Section> section(const SurfaceMesh& mesh, const Plane& plane);
+GIRTH_EXPORT Result<Section> findSection(const SurfaceMesh& mesh, const Plane& plane);
 
 }  // namespace girth

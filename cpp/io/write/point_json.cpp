@@ -102,15 +102,16 @@ std::string pointsJson(const LoadedMesh& loaded, std::span<const SurfacePoint> p
   return list.text();
 }
 
-void appendClosedLine(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points,
-                      std::size_t& count, std::string& obj) {
+void appendLine(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points, bool isClosed,
+                std::size_t& count, std::string& obj) {
   std::string line = "l";
   const std::size_t first = count + 1;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+  for (std::size_t i = 0; i + (isClosed ? 1 : 0) < points.size(); ++i) {
     obj += "v " + pointText(positionOf(loaded.mesh, points[i]), ' ') + "\n";
     line += " " + std::to_string(++count);
   }
-  obj += line + " " + std::to_string(first) + "\n";
+  if (isClosed) line += " " + std::to_string(first);
+  obj += line + "\n";
 }
 
 }  // namespace girth::io

@@ -44,9 +44,9 @@ std::string positionsJson(const LoadedMesh& loaded, std::span<const SurfacePoint
 /// Points as a JSON array, one a line.
 std::string pointsJson(const LoadedMesh& loaded, std::span<const SurfacePoint> points);
 
-/// Appends a closed polyline as vertices and a line element of OBJ; the last point equals the
-/// first. `count`: of the vertices that stand before it and, from now on, with it.
-void appendClosedLine(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points,
-                      std::size_t& count, std::string& obj);
+/// Appends a polyline as vertices and a line element of OBJ; the last point of a closed one equals
+/// the first. `count`: of the vertices that stand before it and, from now on, with it.
+void appendLine(const LoadedMesh& loaded, const std::vector<SurfacePoint>& points, bool isClosed,
+                std::size_t& count, std::string& obj);
 
 }  // namespace girth::io

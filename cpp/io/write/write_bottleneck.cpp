@@ -19,7 +19,7 @@ std::string bottleneckObj(const LoadedMesh& loaded, const Bottleneck& bottleneck
   std::size_t count = 0;
   if (!bottleneck.points.empty()) {
     text += "o bottleneck\n";
-    appendClosedLine(loaded, bottleneck.points, count, text);
+    appendLine(loaded, bottleneck.points, true, count, text);
   }
   text += "o way\n";
   std::string line = "l";

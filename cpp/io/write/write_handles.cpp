@@ -41,7 +41,7 @@ std::string handlesObj(const LoadedMesh& loaded, const Handles& handles) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < handles.handles.size(); ++i) {
     text += "o " + nameOf(handles, i) + "\n";
-    appendClosedLine(loaded, handles.handles[i].points, count, text);
+    appendLine(loaded, handles.handles[i].points, true, count, text);
   }
   return text;
 }

@@ -33,7 +33,7 @@ std::string limbAxisObj(const LoadedMesh& loaded, std::span<const AxisStation> a
   std::size_t count = 0;
   for (std::size_t i = 0; i < axis.size(); ++i) {
     text += "o loop_" + std::to_string(i + 1) + "\n";
-    appendClosedLine(loaded, axis[i].points, count, text);
+    appendLine(loaded, axis[i].points, true, count, text);
   }
   if (axis.empty()) return text;
   text += "o axis\n";

@@ -29,7 +29,7 @@ std::string loopJson(const LoadedMesh& loaded, const GirthLoop& loop, std::strin
 std::string loopObj(const LoadedMesh& loaded, const GirthLoop& loop) {
   std::string text;
   std::size_t count = 0;
-  appendClosedLine(loaded, loop.points, count, text);
+  appendLine(loaded, loop.points, true, count, text);
   return text;
 }
 

@@ -41,7 +41,7 @@ std::string necksObj(const LoadedMesh& loaded, const Necks& necks) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < necks.necks.size(); ++i) {
     text += "o neck_" + std::to_string(i + 1) + "\n";
-    appendClosedLine(loaded, necks.necks[i].points, count, text);
+    appendLine(loaded, necks.necks[i].points, true, count, text);
   }
   return text;
 }

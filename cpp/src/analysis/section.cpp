@@ -175,7 +175,7 @@ class SectionCutter {
       all.insert(all.end(), hull.begin(), hull.end());
     }
     section.tape = perimeterOf(convexHull(std::move(all)));
-    findHoles(curves, outlines);
+    const std::vector<std::size_t> holeIn = findHoles(curves, outlines);
     for (std::size_t i = 0; i < curves.size(); ++i) {
       SectionCurve& curve = curves[i];
       if (!curve.closed) continue;
@@ -183,7 +183,7 @@ class SectionCutter {
       const double sign = outlines[i].area < 0 ? -1 : 1;
       Point2 moment{sign * outlines[i].moment.x, sign * outlines[i].moment.y};
       for (std::size_t j = 0; j < curves.size(); ++j) {
-        if (curves[j].holeIn != i) continue;
+        if (holeIn[j] != i) continue;
         area += outlines[j].area;  // negative
         moment = {moment.x + outlines[j].moment.x, moment.y + outlines[j].moment.y};
       }
@@ -230,8 +230,11 @@ class SectionCutter {
 
   Vec3 planar(const Vec3& origin, const Point2& p) const { return origin + frame_.inSpace(p); }
 
-  /// Each clockwise curve is a hole in the smallest counter-clockwise one that lies round it.
-  static void findHoles(std::vector<SectionCurve>& curves, const std::vector<Outline>& outlines) {
+  /// Each clockwise curve is a hole in the smallest counter-clockwise one that lies round it: in
+  /// which curve each is one, or none (the number of curves).
+  static std::vector<std::size_t> findHoles(std::vector<SectionCurve>& curves,
+                                            const std::vector<Outline>& outlines) {
+    std::vector<std::size_t> holeIn(curves.size(), curves.size());
     for (std::size_t i = 0; i < curves.size(); ++i) {
       const double least = kNoArea * curves[i].perimeter * curves[i].perimeter;
       if (!curves[i].closed || !(outlines[i].area < -least)) continue;
@@ -243,10 +246,11 @@ class SectionCutter {
         if (!curves[j].closed || !(area > -outlines[i].area) || !(area < smallest)) continue;
         if (!isInside(middle, outlines[j].corners)) continue;
         smallest = area;
-        curves[i].holeIn = static_cast<Index>(j);
+        holeIn[i] = j;
       }
-      curves[i].hole = curves[i].holeIn != kNoIndex;
+      curves[i].hole = holeIn[i] < curves.size();
     }
+    return holeIn;
   }
 
   const SurfaceMesh& mesh_;
@@ -271,9 +275,8 @@ Result<HeightRange> heightRange(const SurfaceMesh& mesh, const Vec3& normal) {
   return range;
 }
 
-Result<std::vector<Section>> sections(const SurfaceMesh& mesh, const Vec3& normal,
-                                      std::span<const double> offsets,
-                                      const ExecutionContext& context) {
+Result<Sections> findSections(const SurfaceMesh& mesh, const Vec3& normal,
+                              std::span<const double> offsets, const ExecutionContext& context) {
   const auto unit = unitVector(normal);
   if (!unit) return noDirection();
   for (const double offset : offsets) {
@@ -282,20 +285,21 @@ Result<std::vector<Section>> sections(const SurfaceMesh& mesh, const Vec3& norma
     }
   }
   const SectionCutter cutter(mesh, *unit);
-  std::vector<Section> result(offsets.size());
+  Sections result;
+  result.sections.resize(offsets.size());
   const bool isDone =
       parallelFor(offsets.size(), kPlanesAtOnce, context, [&](std::size_t begin, std::size_t end) {
         cutter.cut(offsets.subspan(begin, end - begin),
-                   std::span(result).subspan(begin, end - begin));
+                   std::span(result.sections).subspan(begin, end - begin));
       });
   if (!isDone) return makeError(ErrorCode::Cancelled, -1, "the sections were cancelled");
   return result;
 }
 
-Result<Section> section(const SurfaceMesh& mesh, const Plane& plane) {
-  auto all = sections(mesh, plane.normal, {&plane.offset, 1}, {1, nullptr, {}});
+Result<Section> findSection(const SurfaceMesh& mesh, const Plane& plane) {
+  auto all = findSections(mesh, plane.normal, {&plane.offset, 1}, {1, nullptr, {}});
   if (!all) return all.error();
-  return std::move(all.value().front());
+  return std::move(all.value().sections.front());
 }
 
 }  // namespace girth

@@ -22,7 +22,7 @@ namespace {
 constexpr double kExact = 1e-12;
 
 Section cut(const SurfaceMesh& mesh, const Vec3& normal, double offset) {
-  return section(mesh, {normal, offset}).value();
+  return findSection(mesh, {normal, offset}).value();
 }
 
 void expectNear(double value, double expected) {
@@ -123,7 +123,6 @@ TEST(Section, HolesAreTakenAway) {
                      &hole = found.curves[found.curves[0].hole ? 0 : 1];
   EXPECT_FALSE(outer.hole);
   ASSERT_TRUE(hole.hole);
-  EXPECT_EQ(&found.curves[hole.holeIn], &outer);
   EXPECT_NE(outer.component, hole.component);
   expectNear(outer.area, 94);
   expectNear(hole.area, 6);
@@ -229,7 +228,7 @@ TEST(Section, AreasAddUpToTheVolume) {
       offsets.push_back((heights[i] + heights[i + 1]) / 2);
       offsets.push_back(heights[i + 1]);
     }
-    const std::vector<Section> all = sections(mesh, normal, offsets).value();
+    const std::vector<Section> all = findSections(mesh, normal, offsets).value().sections;
     double sum = 0;
     for (std::size_t i = 0; i < all.size(); i += 3) {
       sum +=
@@ -248,14 +247,15 @@ TEST(Section, AreasAddUpToTheVolume) {
 
 TEST(Section, RefusesPlanesThatAreNone) {
   const SurfaceMesh mesh = test::tetrahedron().mesh();
-  EXPECT_EQ(section(mesh, {{0, 0, 0}, 0}).error().code, ErrorCode::InvalidOption);
-  EXPECT_EQ(section(mesh, {{0, 0, 1}, NAN}).error().code, ErrorCode::InvalidOption);
-  EXPECT_EQ(section(mesh, {{0, INFINITY, 1}, 0}).error().code, ErrorCode::InvalidOption);
+  EXPECT_EQ(findSection(mesh, {{0, 0, 0}, 0}).error().code, ErrorCode::InvalidOption);
+  EXPECT_EQ(findSection(mesh, {{0, 0, 1}, NAN}).error().code, ErrorCode::InvalidOption);
+  EXPECT_EQ(findSection(mesh, {{0, INFINITY, 1}, 0}).error().code, ErrorCode::InvalidOption);
   EXPECT_EQ(heightRange(mesh, {0, 0, NAN}).error().code, ErrorCode::InvalidOption);
   const std::atomic<bool> cancel{true};
-  EXPECT_EQ(sections(mesh, {0, 0, 1}, std::vector<double>(100, 0.1), {1, &cancel, {}}).error().code,
-            ErrorCode::Cancelled);
-  EXPECT_TRUE(sections(mesh, {0, 0, 1}, {}).value().empty());
+  EXPECT_EQ(
+      findSections(mesh, {0, 0, 1}, std::vector<double>(100, 0.1), {1, &cancel, {}}).error().code,
+      ErrorCode::Cancelled);
+  EXPECT_TRUE(findSections(mesh, {0, 0, 1}, {}).value().sections.empty());
 }
 
 TEST(ConvexHull, WidthsAreThoseOfAllDirections) {
