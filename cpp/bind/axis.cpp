@@ -9,10 +9,10 @@
 
 #include "boundary.h"
 #include "described.h"
-#include "drawn_curve.h"
+#include "girth/describe/limb_axis.h"
 #include "girth/io/write_limb_axis.h"
-#include "girth/limb_axis.h"
 #include "job_surface.h"
+#include "result_object.h"
 #include "surface_point.h"
 
 using emscripten::val;
@@ -41,23 +41,13 @@ val axis(const JobSurface& surface, const val& profile, const val& onProgress) {
   return guarded([&] {
     const auto found = limbAxis(surface.mesh(), stationsOf(profile), reportingTo(onProgress));
     if (!found) return toJs(found.error());
-    val loops = val::array();
     std::vector<Vec3> middles;
-    for (const AxisStation& station : found.value()) {
-      val entry = drawnCurve(surface, station.points);
-      entry.set("distance", station.distance);
-      entry.set("along", station.along);
-      entry.set("girth", station.girth);
-      entry.set("centre", tripleOf(station.centre));
-      entry.set("area", station.area);
-      loops.call<void>("push", entry);
-      middles.push_back(station.centre);
-    }
-    val result = val::object();
-    result.set("length", found.value().empty() ? 0 : found.value().back().distance);
-    result.set("loops", loops);
-    result.set("polyline", drawnPoints(middles, surface.origin()));
-    return result;
+    for (const AxisStation& station : found.value()) middles.push_back(station.centre);
+    ResultObject result(surface.drawn());
+    result("length", found.value().empty() ? 0 : found.value().back().distance);
+    result("loops", found.value());
+    result("polyline", drawnPoints(middles, surface.origin()));
+    return result.object();
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "described.h"
 #include "girth/io/read_mesh.h"
+#include "result_object.h"
 
 namespace girth::bind {
 
@@ -32,6 +33,9 @@ class JobSurface {
 
   /// What drawn points of the surface are relative to.
   const Vec3& origin() const { return origin_; }
+
+  /// The surface as its results are drawn.
+  DrawnSurface drawn() const { return {&mesh(), origin_}; }
 
   /// The surface as writers take it, with a unit for its lengths: 'metre', or ''. The reference is
   /// the same for every call.

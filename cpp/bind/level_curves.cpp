@@ -4,8 +4,8 @@
 #include <emscripten/bind.h>
 
 #include "boundary.h"
-#include "drawn_curve.h"
 #include "job_surface.h"
+#include "result_object.h"
 
 using emscripten::val;
 
@@ -25,9 +25,10 @@ val levelCurvesOf(const JobSurface& surface, const val& values, double level) {
     if (!found) return toJs(found.error());
     val curves = val::array();
     for (const SurfaceCurve& curve : found.value()) {
-      val entry = drawnCurve(surface, curve);
-      entry.set("closed", isClosed(curve));
-      curves.call<void>("push", entry);
+      ResultObject entry(surface.drawn());
+      entry("points", Curve{curve});
+      entry("closed", isClosed(curve));
+      curves.call<void>("push", entry.object());
     }
     val result = val::object();
     result.set("curves", curves);

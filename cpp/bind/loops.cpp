@@ -4,12 +4,12 @@
 
 #include "boundary.h"
 #include "described.h"
-#include "drawn_curve.h"
-#include "girth/bottleneck.h"
-#include "girth/handles.h"
-#include "girth/necks.h"
-#include "girth/remove_handles.h"
+#include "girth/describe/bottleneck.h"
+#include "girth/describe/handles.h"
+#include "girth/describe/necks.h"
+#include "girth/describe/remove_handles.h"
 #include "job_surface.h"
+#include "result_object.h"
 #include "surface_point.h"
 
 using emscripten::val;
@@ -17,55 +17,12 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
-/// `ClosedLoop` of types.ts without its length.
-val closedLoop(const JobSurface& surface, const std::vector<SurfacePoint>& points,
-               const Vec3& centre, double area) {
-  val result = drawnCurve(surface, points);
-  result.set("centre", tripleOf(centre));
-  result.set("area", area);
-  return result;
-}
-
-/// `LoopSide[]` of types.ts.
-val sidesOf(const std::vector<CurveSide>& sides) {
-  val list = val::array();
-  for (const CurveSide& side : sides) {
-    val entry = val::object();
-    entry.set("area", side.area);
-    entry.set("volume", side.volume);
-    list.call<void>("push", entry);
-  }
-  return list;
-}
-
-/// `Neck` of types.ts.
-val neckOf(const JobSurface& surface, const Neck& neck) {
-  val result = closedLoop(surface, neck.points, neck.centre, neck.area);
-  result.set("length", neck.length);
-  result.set("prominence", neck.prominence);
-  result.set("width", neck.width);
-  result.set("vertices", copyOut<Index>("Uint32Array", numbersOf(neck.vertices)));
-  result.set("normal", tripleOf(neck.normal));
-  result.set("radius", neck.radius);
-  result.set("sides", sidesOf(neck.sides));
-  result.set("measuresGirth", neck.measuresGirth);
-  result.set("touchesBoundary", neck.touchesBoundary);
-  return result;
-}
-
 /// `Necks` of types.ts, or an error.
 val necks(const JobSurface& surface, const val& girth, double minProminence,
           const val& onProgress) {
   return guarded([&] {
-    const Result<Necks> found =
-        findNecks(surface.mesh(), copyIn<double>(girth), {minProminence}, reportingTo(onProgress));
-    if (!found) return toJs(found.error());
-    val list = val::array();
-    for (const Neck& neck : found.value().necks) list.call<void>("push", neckOf(surface, neck));
-    val result = val::object();
-    result.set("necks", list);
-    result.set("unresolved", found.value().unresolved);
-    return result;
+    return objectOf(surface.drawn(), findNecks(surface.mesh(), copyIn<double>(girth),
+                                               {minProminence}, reportingTo(onProgress)));
   });
 }
 
@@ -73,19 +30,9 @@ val necks(const JobSurface& surface, const val& girth, double minProminence,
 val bottleneck(const JobSurface& surface, const val& girth, const val& from, const val& to,
                const val& onProgress) {
   return guarded([&] {
-    const Result<Bottleneck> found = findBottleneck(
-        surface.mesh(), copyIn<double>(girth), pointOf(from), pointOf(to), reportingTo(onProgress));
-    if (!found) return toJs(found.error());
-    const Bottleneck& one = found.value();
-    val way = val::array();
-    for (const SurfacePoint& point : one.way) way.call<void>("push", surfacePointOf(point));
-    val result = closedLoop(surface, one.points, one.centre, one.area);
-    result.set("girth", one.girth);
-    result.set("kind", std::string(toString(one.kind)));
-    result.set("place", surfacePointOf(one.place));
-    result.set("sides", sidesOf(one.sides));
-    result.set("way", way);
-    return result;
+    return objectOf(surface.drawn(),
+                    findBottleneck(surface.mesh(), copyIn<double>(girth), pointOf(from),
+                                   pointOf(to), reportingTo(onProgress)));
   });
 }
 
@@ -96,22 +43,8 @@ HandleOptions handleOptions(double basePoints) {
 /// `Handles` of types.ts, or an error.
 val handles(const JobSurface& surface, double basePoints, const val& onProgress) {
   return guarded([&] {
-    const Result<Handles> found =
-        findHandles(surface.mesh(), handleOptions(basePoints), reportingTo(onProgress));
-    if (!found) return toJs(found.error());
-    val list = val::array();
-    for (const Handle& handle : found.value().handles) {
-      val entry = closedLoop(surface, handle.points, handle.centre, handle.area);
-      entry.set("length", handle.length);
-      entry.set("kind", std::string(toString(handle.kind)));
-      entry.set("component", handle.component);
-      entry.set("mayBeShorterBy", handle.mayBeShorterBy);
-      list.call<void>("push", entry);
-    }
-    val result = val::object();
-    result.set("handles", list);
-    result.set("unresolved", found.value().unresolved);
-    return result;
+    return objectOf(surface.drawn(), findHandles(surface.mesh(), handleOptions(basePoints),
+                                                 reportingTo(onProgress)));
   });
 }
 
@@ -123,23 +56,20 @@ val surfaceWithoutHandles(const JobSurface& surface, double length, double baseP
     const Result<HandleRemoval> made =
         removeHandles(surface.mesh(), length, handleOptions(basePoints), reportingTo(onProgress));
     if (!made) return toJs(made.error());
+    ResultObject removal;
+    removal.addMembers(made.value());
     val removed = val::array();
     for (const Handle& handle : made.value().removed) {
-      val entry = val::object();
-      entry.set("kind", std::string(toString(handle.kind)));
-      entry.set("length", handle.length);
-      entry.set("centre", tripleOf(handle.centre));
-      removed.call<void>("push", entry);
+      ResultObject entry;
+      entry("kind", handle.kind);
+      entry("length", handle.length);
+      entry("centre", handle.centre);
+      removed.call<void>("push", entry.object());
     }
-    val removal = val::object();
-    removal.set("removed", removed);
-    removal.set("genusBefore", made.value().genusBefore);
-    removal.set("genusAfter", made.value().genusAfter);
-    removal.set("crossingFaces", made.value().crossingFaces);
-    removal.set("provenLength", made.value().provenLength);
+    removal("removed", removed);
     val result = val::object();
     result.set("described", describe(made.value().mesh));
-    result.set("removal", removal);
+    result.set("removal", removal.object());
     return result;
   });
 }

@@ -3,27 +3,18 @@
 
 #include <emscripten/val.h>
 
-#include <span>
+#include <vector>
 
-#include "boundary.h"
-#include "girth/persistent_maxima.h"
+#include "girth/describe/persistent_maxima.h"
+#include "result_object.h"
 
 namespace girth::bind {
 
 /// {maxima}, each a `Maximum` of types.ts.
-inline emscripten::val describe(std::span<const PersistentMaximum> maxima) {
-  emscripten::val list = emscripten::val::array();
-  for (const PersistentMaximum& maximum : maxima) {
-    emscripten::val entry = emscripten::val::object();
-    entry.set("vertex", Index{maximum.vertex});
-    entry.set("value", maximum.value);
-    entry.set("persistence", maximum.persistence);
-    entry.set("saddle", maximum.saddle == kNoIndex ? -1 : static_cast<double>(maximum.saddle));
-    list.call<void>("push", entry);
-  }
-  emscripten::val result = emscripten::val::object();
-  result.set("maxima", list);
-  return result;
+inline emscripten::val maximaOf(const std::vector<PersistentMaximum>& maxima) {
+  ResultObject result;
+  result("maxima", maxima);
+  return result.object();
 }
 
 }  // namespace girth::bind

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "boundary.h"
+#include "girth/describe/path_profile.h"
 #include "girth/geodesic_solver.h"
 #include "girth/io/write_path_profile.h"
-#include "girth/path_profile.h"
 #include "job_surface.h"
 #include "surface_point.h"
 
@@ -25,15 +25,12 @@ val path(const JobSurface& surface, const val& from, const val& to) {
     const SurfacePoint start = pointOf(from), end = pointOf(to);
     const Result<GeodesicPath> found = GeodesicSolver(mesh).path(start, end);
     if (!found) return toJs(found.error());
-    std::vector<Vec3> points;
-    for (const SurfacePoint& point : found.value().points)
-      points.push_back(positionOf(mesh, point));
     const Vec3 a = positionOf(mesh, start), b = positionOf(mesh, end);
-    val result = val::object();
-    result.set("length", found.value().length);
-    result.set("straight", std::hypot(b.x - a.x, b.y - a.y, b.z - a.z));
-    result.set("polyline", drawnPoints(points, surface.origin()));
-    return result;
+    ResultObject result(surface.drawn());
+    result("length", found.value().length);
+    result("straight", std::hypot(b.x - a.x, b.y - a.y, b.z - a.z));
+    result("polyline", Line{found.value().points});
+    return result.object();
   });
 }
 
@@ -61,22 +58,18 @@ val profile(const JobSurface& surface, const val& points, double samples, bool c
     if (!path) return toJs(path.error());
     const auto found = stationsAlong(mesh, path.value(), samples, crossings, onProgress);
     if (!found) return toJs(found.error());
-    std::vector<Vec3> drawn;
-    for (const SurfacePoint& point : path.value()) drawn.push_back(positionOf(mesh, point));
     val list = val::array();
     for (const PathStation& station : found.value()) {
-      val entry = val::object();
-      entry.set("distance", station.distance);
-      entry.set("girth", station.girth);
-      entry.set("kind", std::string(toString(station.kind)));
-      entry.set("place", surfacePointOf(station.point));
-      list.call<void>("push", entry);
+      ResultObject entry;
+      entry.addMembers(station);
+      entry("place", station.point);
+      list.call<void>("push", entry.object());
     }
-    val result = val::object();
-    result.set("length", found.value().back().distance);
-    result.set("stations", list);
-    result.set("polyline", drawnPoints(drawn, surface.origin()));
-    return result;
+    ResultObject result(surface.drawn());
+    result("length", found.value().back().distance);
+    result("stations", list);
+    result("polyline", Line{path.value()});
+    return result.object();
   });
 }
 

@@ -8,10 +8,11 @@
 #include "boundary.h"
 #include "described.h"
 #include "file_content.h"
+#include "girth/describe/prepare_surface.h"
 #include "girth/io/attributes.h"
 #include "girth/io/length_unit.h"
 #include "girth/io/read_mesh.h"
-#include "girth/prepare_surface.h"
+#include "result_object.h"
 
 using emscripten::val;
 
@@ -29,45 +30,6 @@ PrepareOptions optionsOf(const val& options) {
   return prepare;
 }
 
-/// `PreparationReport` of types.ts.
-val accountOf(const PreparationReport& report) {
-  val holes = val::array();
-  for (const ClosedHole& hole : report.holes) {
-    val entry = val::object();
-    entry.set("edges", hole.edges);
-    entry.set("perimeter", hole.perimeter);
-    entry.set("area", hole.area);
-    entry.set("vertex", hole.vertex);
-    holes.call<void>("push", entry);
-  }
-  val result = val::object();
-  result.set("inputVertices", report.inputVertices);
-  result.set("inputFaces", report.inputFaces);
-  result.set("weldedVertices", report.weldedVertices);
-  result.set("degenerateFaces", report.degenerateFaces);
-  result.set("addedFaces", report.addedFaces);
-  result.set("flippedFaces", report.flippedFaces);
-  result.set("duplicateFaces", report.duplicateFaces);
-  result.set("unreferencedVertices", report.unreferencedVertices);
-  result.set("reorientedFaces", report.reorientedFaces);
-  result.set("oneSidedEdges", report.oneSidedEdges);
-  result.set("nonManifoldEdges", report.nonManifoldEdges);
-  result.set("nonManifoldVertices", report.nonManifoldVertices);
-  result.set("addedVertices", report.addedVertices);
-  result.set("components", report.components);
-  result.set("sliverComponents", report.sliverComponents);
-  result.set("doubledComponents", report.doubledComponents);
-  result.set("keptComponents", report.keptComponents);
-  result.set("boundaryCurves", report.boundaryCurves);
-  result.set("boundaryEdges", report.boundaryEdges);
-  result.set("crackVertices", report.crackVertices);
-  result.set("tJunctions", report.tJunctions);
-  result.set("crackWidth", report.crackWidth);
-  result.set("closedHoles", report.closedHoles);
-  result.set("holes", holes);
-  return result;
-}
-
 /// `Prepared` of wasm-modules.d.ts, without what the file states. `corners`: what it has besides
 /// the surface, as `io::cornerAttributes` gives it.
 val describePrepared(const PreparedSurface& prepared,
@@ -83,7 +45,7 @@ val describePrepared(const PreparedSurface& prepared,
   result.set("vertexOfInput", copyOut<Index>("Uint32Array", numbersOf(prepared.vertexOfInput)));
   result.set("inputOfVertex", copyOut<Index>("Uint32Array", prepared.inputOfVertex));
   result.set("parts", parts);
-  result.set("report", accountOf(prepared.report));
+  result.set("report", ResultObject().addMembers(prepared.report).object());
   result.set("content", fileContentOf(prepared, corners));
   return result;
 }

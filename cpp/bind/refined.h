@@ -8,7 +8,8 @@
 #include <string>
 
 #include "boundary.h"
-#include "girth/refined_girth.h"
+#include "girth/describe/refined_girth.h"
+#include "result_object.h"
 
 namespace girth::bind {
 
@@ -38,18 +39,6 @@ inline std::string refinedNote(const RefinedGirth& refined) {
          " vertices have no value: no loop was found within the bounds of the search";
 }
 
-inline emscripten::val describe(const GirthAudit& audit) {
-  emscripten::val result = emscripten::val::object();
-  result.set("vertices", audit.vertices);
-  result.set("equal", audit.equal);
-  result.set("atLeast", audit.atLeast);
-  result.set("atMost", audit.atMost);
-  result.set("median", audit.median);
-  result.set("percentile95", audit.percentile95);
-  result.set("greatest", audit.greatest);
-  return result;
-}
-
 /// `FoundRefined` of protocol.ts, or an error.
 inline emscripten::val refinedOf(const SurfaceMesh& mesh, const emscripten::val& request,
                                  const ExecutionContext& context) {
@@ -68,7 +57,7 @@ inline emscripten::val refinedOf(const SurfaceMesh& mesh, const emscripten::val&
   result.set("values", copyOut<double>("Float64Array", refined.field.values));
   result.set("kinds", codes(refined.field.kinds));
   result.set("states", codes(refined.states));
-  result.set("audit", describe(refined.audit));
+  result.set("audit", ResultObject().addMembers(refined.audit).object());
   result.set("coarseFaces", refined.coarseFaces);
   result.set("leanFaces", refined.leanFaces);
   result.set("note", refinedNote(refined));

@@ -10,6 +10,7 @@
 #include "boundary.h"
 #include "cut_part.h"
 #include "file_content.h"
+#include "girth/describe/parts.h"
 #include "girth/io/write_segments.h"
 #include "job_surface.h"
 
@@ -64,15 +65,11 @@ val segments(const JobSurface& surface, const val& fields, const val& options,
       entry.set("tips", val::array(segment.tips));
       list.call<void>("push", entry);
     }
-    const PartThresholds& used = model.kinds.thresholds;
-    val thresholds = val::object();
-    thresholds.set("girth", used.girth);
-    thresholds.set("thickness", used.thickness);
     val result = val::object();
     result.set("segments", list);
     result.set("labels", copyOut<Index>("Uint32Array",
                                         io::partOfFaces(model.model, surface.mesh().faceCount())));
-    result.set("thresholds", thresholds);
+    result.set("thresholds", ResultObject().addMembers(model.kinds.thresholds).object());
     result.set("crossing", val::array(model.crossing));
     return result;
   });

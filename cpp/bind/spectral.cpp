@@ -82,7 +82,7 @@ val heatMaxima(StudiesSurface& surface, const val& request, const val& onProgres
     if (const auto error = prepare(surface, request, onProgress)) return toJs(*error);
     const auto found = persistentHeatMaxima(surface.mesh(), surface.spectrum(), timeOf(request));
     if (!found) return toJs(found.error());
-    return describe(found.value());
+    return maximaOf(found.value());
   });
 }
 
