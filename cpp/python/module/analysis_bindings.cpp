@@ -10,12 +10,12 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "curves.h"
+#include "girth/describe/limbs.h"
+#include "girth/describe/parts.h"
+#include "girth/describe/tips.h"
 #include "girth/io/write_segments.h"
-#include "girth/limbs.h"
-#include "girth/parts.h"
 #include "girth/segments.h"
-#include "girth/tips.h"
+#include "result_dict.h"
 #include "surface.h"
 #include "working.h"
 
@@ -26,25 +26,6 @@ namespace {
 
 using Shared = std::shared_ptr<Surface>;
 
-/// (places, closed)
-py::tuple lineOf(const SurfaceMesh& mesh, const ContourLine& line) {
-  return py::make_tuple(placesOf(mesh, line.points), line.closed);
-}
-
-py::dict tipOf(const SurfaceMesh& mesh, const Tip& tip) {
-  py::list contour;
-  for (const ContourLine& line : tip.contour) contour.append(lineOf(mesh, line));
-  py::dict result;
-  result["vertices"] = numberArray(tip.vertices);
-  result["contour"] = contour;
-  result["area"] = tip.area;
-  result["boundary_length"] = tip.boundaryLength;
-  result["apex"] = numberOf(tip.apex);
-  result["apex_distance"] = tip.apexDistance;
-  result["jump"] = tip.jump;
-  return result;
-}
-
 /// The girth, and the tips by it.
 Result<Tips> tipsByGirth(const Surface& surface, double persistence,
                          const ExecutionContext& context) {
@@ -53,42 +34,12 @@ Result<Tips> tipsByGirth(const Surface& surface, double persistence,
   return findTips(surface.mesh(), girth.value()->values, {context.threads, context.cancel, {}});
 }
 
-/// (tips, arcs): the arcs as (line, length, jump).
-py::tuple tipsOf(const Shared& surface, double persistence, const Running& running) {
+py::dict tipsOf(const Shared& surface, double persistence, const Running& running) {
   const Tips found =
       compute<Tips>(running, [surface, persistence](const ExecutionContext& context) {
         return tipsByGirth(*surface, persistence, context);
       });
-  py::list tips, arcs;
-  for (const Tip& tip : found.tips) tips.append(tipOf(surface->mesh(), tip));
-  for (const OpenArc& arc : found.arcs) {
-    arcs.append(py::make_tuple(placesOf(surface->mesh(), arc.line.points), arc.length, arc.jump));
-  }
-  return py::make_tuple(tips, arcs);
-}
-
-py::dict limbOf(const Limb& limb) {
-  std::vector<double> profile;
-  SurfaceCurve places;
-  for (const GirthStation& station : limb.profile) {
-    profile.insert(profile.end(), {station.distance, station.ring, station.median, station.least});
-    places.push_back(station.place);
-  }
-  const auto stations = static_cast<py::ssize_t>(limb.profile.size());
-  py::dict result;
-  result["apex"] = numberOf(limb.apex);
-  result["tips"] = std::vector<Index>(limb.tips);
-  result["length"] = limb.length;
-  result["end"] = std::string(toString(limb.end));
-  result["narrowest"] = limb.narrowest;
-  result["narrowest_distance"] = limb.narrowestDistance;
-  result["median"] = limb.median;
-  result["base"] = limb.base;
-  result["vertices"] = numberArray(limb.vertices);
-  result["distances"] = arrayOf(std::vector<double>(limb.distances));
-  result["profile"] = arrayOf(std::move(profile), {stations, 4});
-  result["places"] = curveOf(places);
-  return result;
+  return dictOf(surface->mesh(), found);
 }
 
 py::list limbsOf(const Shared& surface, Index stations, double persistence,
@@ -103,9 +54,7 @@ py::list limbsOf(const Shared& surface, Index stations, double persistence,
         return findLimbs(surface->mesh(), girth.value()->values, tips.value().tips, {stations},
                          quiet);
       });
-  py::list limbs;
-  for (const Limb& limb : found.limbs) limbs.append(limbOf(limb));
-  return limbs;
+  return listOf(surface->mesh(), found.limbs);
 }
 
 struct FoundParts {
@@ -137,20 +86,9 @@ py::tuple partsByThresholds(const Shared& surface, double girth, double thicknes
       running, [surface, options, persistence](const ExecutionContext& context) {
         return partsOf(*surface, options, persistence, context);
       });
-  py::list parts;
-  for (const Part& part : found.parts.parts) {
-    py::dict one;
-    one["kind"] = std::string(toString(part.kind));
-    one["vertices"] = numberArray(part.vertices);
-    one["area"] = part.area;
-    one["median_girth"] = part.medianGirth;
-    one["median_thickness"] = part.medianThickness;
-    one["thinnest"] = numberOf(part.thinnest);
-    one["equivalent_radius"] = part.equivalentRadius();
-    parts.append(one);
-  }
   return py::make_tuple(found.thresholds.girth, found.thresholds.thickness,
-                        numberArray(found.parts.partOf), parts);
+                        numberArray(found.parts.partOf),
+                        listOf(surface->mesh(), found.parts.parts));
 }
 
 /// Thresholds as above.

@@ -1,6 +1,7 @@
 // Curves on a surface as Python keeps them: plain arrays, so that results can be pickled.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace girth::python {
 /// its weights, shape (k, 3).
 using CurveArrays = std::pair<Array<std::int64_t>, Array<double>>;
 
-inline CurveArrays curveOf(const SurfaceCurve& points) {
+inline CurveArrays curveOf(std::span<const SurfacePoint> points) {
   std::vector<std::int64_t> elements;
   std::vector<double> weights;
   for (const SurfacePoint& point : points) {

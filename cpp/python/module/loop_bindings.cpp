@@ -11,14 +11,15 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "curves.h"
-#include "girth/bottleneck.h"
 #include "girth/cut_surface.h"
-#include "girth/handles.h"
+#include "girth/describe/bottleneck.h"
+#include "girth/describe/handles.h"
+#include "girth/describe/limb_axis.h"
+#include "girth/describe/necks.h"
 #include "girth/io/write_cut.h"
-#include "girth/limb_axis.h"
-#include "girth/necks.h"
 #include "girth/path_profile.h"
 #include "points.h"
+#include "result_dict.h"
 #include "surface.h"
 #include "working.h"
 
@@ -29,31 +30,6 @@ namespace {
 
 using Shared = std::shared_ptr<Surface>;
 
-/// (area, volume) of each side.
-Array<double> sidesOf(const std::vector<CurveSide>& sides) {
-  std::vector<double> numbers;
-  for (const CurveSide& side : sides) numbers.insert(numbers.end(), {side.area, side.volume});
-  return arrayOf(std::move(numbers), {static_cast<py::ssize_t>(sides.size()), 2});
-}
-
-py::dict neckOf(const SurfaceMesh& mesh, const Neck& neck) {
-  py::dict result;
-  result["length"] = neck.length;
-  result["prominence"] = neck.prominence;
-  result["points"] = placesOf(mesh, neck.points);
-  result["curve"] = curveOf(neck.points);
-  result["width"] = neck.width;
-  result["vertices"] = numberArray(neck.vertices);
-  result["centre"] = pointArray(neck.centre);
-  result["normal"] = pointArray(neck.normal);
-  result["radius"] = neck.radius;
-  result["area"] = neck.area;
-  result["sides"] = sidesOf(neck.sides);
-  result["measures_girth"] = neck.measuresGirth;
-  result["touches_boundary"] = neck.touchesBoundary;
-  return result;
-}
-
 /// (necks, unresolved)
 py::tuple necksOf(const Shared& surface, double minProminence, const Running& running) {
   const Necks found = compute<Necks>(
@@ -62,9 +38,7 @@ py::tuple necksOf(const Shared& surface, double minProminence, const Running& ru
         if (!girth) return girth.error();
         return findNecks(surface->mesh(), girth.value()->values, {minProminence}, context);
       });
-  py::list necks;
-  for (const Neck& neck : found.necks) necks.append(neckOf(surface->mesh(), neck));
-  return py::make_tuple(necks, found.unresolved);
+  return py::make_tuple(listOf(surface->mesh(), found.necks), found.unresolved);
 }
 
 /// (handles, unresolved)
@@ -73,20 +47,7 @@ py::tuple handlesOf(const Shared& surface, std::size_t basePoints, const Running
       compute<Handles>(running, [surface, basePoints](const ExecutionContext& context) {
         return findHandles(surface->mesh(), {basePoints}, context);
       });
-  py::list handles;
-  for (const Handle& handle : found.handles) {
-    py::dict one;
-    one["length"] = handle.length;
-    one["kind"] = std::string(toString(handle.kind));
-    one["points"] = placesOf(surface->mesh(), handle.points);
-    one["curve"] = curveOf(handle.points);
-    one["centre"] = pointArray(handle.centre);
-    one["area"] = handle.area;
-    one["component"] = handle.component;
-    one["may_be_shorter_by"] = handle.mayBeShorterBy;
-    handles.append(one);
-  }
-  return py::make_tuple(handles, found.unresolved);
+  return py::make_tuple(listOf(surface->mesh(), found.handles), found.unresolved);
 }
 
 py::dict bottleneckOf(const Shared& surface, const Point& from, const Point& to,
@@ -98,18 +59,7 @@ py::dict bottleneckOf(const Shared& surface, const Point& from, const Point& to,
         if (!girth) return girth.error();
         return findBottleneck(surface->mesh(), girth.value()->values, start, end, context);
       });
-  const SurfaceMesh& mesh = surface->mesh();
-  py::dict result;
-  result["girth"] = found.girth;
-  result["kind"] = std::string(toString(found.kind));
-  result["place"] = pointArray(positionOf(mesh, found.place));
-  result["points"] = placesOf(mesh, found.points);
-  result["curve"] = curveOf(found.points);
-  result["centre"] = pointArray(found.centre);
-  result["area"] = found.area;
-  result["sides"] = sidesOf(found.sides);
-  result["way"] = placesOf(mesh, found.way);
-  return result;
+  return dictOf(surface->mesh(), found);
 }
 
 using Stations = std::vector<PathStation>;
@@ -166,19 +116,7 @@ py::list axisOf(const Shared& surface, const Array<double>& profile, const Curve
       compute<Axis>(running, [surface, stations](const ExecutionContext& context) -> Result<Axis> {
         return limbAxis(surface->mesh(), stations, context);
       });
-  py::list loops;
-  for (const AxisStation& station : axis) {
-    py::dict loop;
-    loop["distance"] = station.distance;
-    loop["along"] = station.along;
-    loop["girth"] = station.girth;
-    loop["centre"] = pointArray(station.centre);
-    loop["area"] = station.area;
-    loop["points"] = placesOf(surface->mesh(), station.points);
-    loop["curve"] = curveOf(station.points);
-    loops.append(loop);
-  }
-  return loops;
+  return listOf(surface->mesh(), axis);
 }
 
 /// (parts, part of each face of the input)

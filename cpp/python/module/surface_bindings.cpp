@@ -16,6 +16,8 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "curves.h"
+#include "girth/describe/prepare_surface.h"
+#include "girth/describe/refined_girth.h"
 #include "girth/fields.h"
 #include "girth/handles.h"
 #include "girth/heat_maxima.h"
@@ -23,12 +25,12 @@
 #include "girth/io/load_mesh.h"
 #include "girth/limbs.h"
 #include "girth/path_profile.h"
-#include "girth/refined_girth.h"
 #include "girth/remesh.h"
 #include "girth/smooth_surface.h"
 #include "girth/spectrum.h"
 #include "girth/vertex_areas.h"
 #include "points.h"
+#include "result_dict.h"
 #include "surface.h"
 #include "working.h"
 
@@ -120,32 +122,7 @@ py::tuple surfaceOfFile(const std::string& path, double weld, bool closeHoles,
 }
 
 py::dict reportOf(const Surface& surface) {
-  const PreparationReport& report = surface.loaded().report;
-  py::dict counts;
-  counts["input_vertices"] = report.inputVertices;
-  counts["input_faces"] = report.inputFaces;
-  counts["welded_vertices"] = report.weldedVertices;
-  counts["degenerate_faces"] = report.degenerateFaces;
-  counts["added_faces"] = report.addedFaces;
-  counts["flipped_faces"] = report.flippedFaces;
-  counts["duplicate_faces"] = report.duplicateFaces;
-  counts["unreferenced_vertices"] = report.unreferencedVertices;
-  counts["reoriented_faces"] = report.reorientedFaces;
-  counts["one_sided_edges"] = report.oneSidedEdges;
-  counts["non_manifold_edges"] = report.nonManifoldEdges;
-  counts["non_manifold_vertices"] = report.nonManifoldVertices;
-  counts["added_vertices"] = report.addedVertices;
-  counts["components"] = report.components;
-  counts["sliver_components"] = report.sliverComponents;
-  counts["doubled_components"] = report.doubledComponents;
-  counts["kept_components"] = report.keptComponents;
-  counts["boundary_curves"] = report.boundaryCurves;
-  counts["boundary_edges"] = report.boundaryEdges;
-  counts["crack_vertices"] = report.crackVertices;
-  counts["t_junctions"] = report.tJunctions;
-  counts["crack_width"] = report.crackWidth;
-  counts["closed_holes"] = report.closedHoles;
-  return counts;
+  return dictOf(surface.mesh(), surface.loaded().report);
 }
 
 py::tuple arraysOf(const GirthField& field) {
@@ -186,17 +163,9 @@ py::tuple refinedGirthOf(const Shared& surface, Index audit, std::uint64_t seed,
   for (const GirthState state : refined.states) {
     states.push_back(static_cast<std::uint8_t>(state));
   }
-  const GirthAudit& found = refined.audit;
-  py::dict result;
-  result["vertices"] = found.vertices;
-  result["equal"] = found.equal;
-  result["at_least"] = found.atLeast;
-  result["at_most"] = found.atMost;
-  result["median"] = found.median;
-  result["percentile95"] = found.percentile95;
-  result["greatest"] = found.greatest;
   const py::tuple girth = arraysOf(refined.field);
-  return py::make_tuple(girth[0], girth[1], arrayOf(std::move(states)), result);
+  return py::make_tuple(girth[0], girth[1], arrayOf(std::move(states)),
+                        dictOf(surface->mesh(), refined.audit));
 }
 
 using Values = std::vector<double>;

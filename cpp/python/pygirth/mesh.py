@@ -195,8 +195,8 @@ class Mesh:
         return self._surface.area
 
     @property
-    def report(self) -> dict[str, int]:
-        """What the preparation did, in counts."""
+    def report(self) -> dict[str, Any]:
+        """What the preparation did, in counts; ``holes`` lists those that were filled."""
         return self._surface.report()
 
     @property
@@ -381,7 +381,7 @@ class Mesh:
         Tips
             Largest jump first.
         """
-        return Tips(self, *_girth.tips(self._surface, _persistence(persistence), running(threads, progress)))
+        return Tips(self, _girth.tips(self._surface, _persistence(persistence), running(threads, progress)))
 
     def limbs(
         self,

@@ -603,9 +603,9 @@ class Contour(_Result):
         Whether it comes back to its first point.
     """
 
-    def __init__(self, points: np.ndarray, closed: bool) -> None:
-        self.points = points
-        self.closed = closed
+    def __init__(self, found: dict) -> None:
+        self.points: np.ndarray = found["points"]
+        self.closed: bool = found["closed"]
 
     def _line(self) -> str:
         return f"{'closed' if self.closed else 'open'}, {len(self.points)} points"
@@ -630,7 +630,7 @@ class Tip(_Result):
 
     def __init__(self, mesh: "Mesh", found: dict) -> None:
         self.vertices = mesh._rows_of(found["vertices"])
-        self.contour = [Contour(points, closed) for points, closed in found["contour"]]
+        self.contour = [Contour(line) for line in found["contour"]]
         self.area: float = found["area"]
         self.boundary_length: float = found["boundary_length"]
         self.apex = mesh._row_of(found["apex"])
@@ -653,10 +653,10 @@ class Tips(_Result):
         Parts of the contour that are no tip's, longest first.
     """
 
-    def __init__(self, mesh: "Mesh", tips: list, arcs: list) -> None:
+    def __init__(self, mesh: "Mesh", found: dict) -> None:
         self.mesh = mesh
-        self.tips = [Tip(mesh, tip) for tip in tips]
-        self.arcs = [Contour(points, False) for points, _, _ in arcs]
+        self.tips = [Tip(mesh, tip) for tip in found["tips"]]
+        self.arcs = [Contour(arc["line"]) for arc in found["arcs"]]
 
     def __len__(self) -> int:
         return len(self.tips)
