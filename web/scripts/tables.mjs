@@ -1,15 +1,12 @@
-// Makes the tables of TypeScript and of documents from those in C++ (`fields.def`, `length_units.def`): `npm run build:tables`.
+// Makes the tables of TypeScript and of documents from those in C++ (`fields.def`, `length_units.def`, `describe/`): `npm run build:tables`.
 
-import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { format } from 'oxfmt';
+import { headers, read, structOf } from './headers.mjs';
+import { resultsText } from './results.mjs';
 import { repository } from './run.mjs';
-
-const headers = 'cpp/include/girth';
-
-/** @param {string} path */
-const read = (path) => readFileSync(join(repository, path), 'utf8');
 
 /**
  * The arguments of each use of a macro, as they are written; texts without their quotation marks.
@@ -32,43 +29,6 @@ function entriesOf(table, macro) {
     return words.map((word) => word.trim());
   });
 }
-
-/**
- * A struct of the public headers: its comment, and its members.
- * @param {string} name
- */
-export function structOf(name) {
-  for (const file of readdirSync(join(repository, headers), { recursive: true })) {
-    if (!String(file).endsWith('.h')) continue;
-    const text = read(join(headers, String(file)));
-    const found = new RegExp(
-      `((?:^///.*\\n)*)^struct (?:GIRTH_EXPORT )?${name} \\{\\n([^]*?)^\\};`,
-      'm',
-    ).exec(text);
-    if (!found) continue;
-    const [, comment = '', body = ''] = found;
-    const members = [
-      ...body.matchAll(/((?:^ {2}\/\/\/.*\n)*)^ {2}([\w:<>]+) (\w+)(?:\{(.*?)\})?;/gm),
-    ];
-    return {
-      comment: plain(comment),
-      members: Object.fromEntries(
-        members.map(([, words = '', type = '', member = '', byDefault = '']) => [
-          member,
-          { type, comment: plain(words), byDefault: byDefault.replaceAll("'", '') },
-        ]),
-      ),
-    };
-  }
-  throw new Error(`no header has a struct ${name}`);
-}
-
-/** @param {string} comment */
-const plain = (comment) =>
-  comment
-    .replace(/^ *\/\/\/ ?/gm, '')
-    .trim()
-    .replace(/\s+/g, ' ');
 
 /**
  * The default of a member of a struct, as C++ has it.
@@ -308,6 +268,7 @@ export async function tables() {
     'web/src/kernel/types/fields.ts': fieldsText(),
     'web/src/kernel/types/length-units.ts': unitsText(),
     'web/src/kernel/types/defaults.ts': defaultsText(),
+    'web/src/kernel/types/results.ts': resultsText(),
     'web/docs/outputs.md': documentText('web/docs/outputs.md'),
   };
   const style = /** @type {const} */ ({ singleQuote: true, printWidth: 100 });

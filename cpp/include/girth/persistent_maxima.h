@@ -14,7 +14,7 @@ namespace girth {
 struct PersistentMaximum {
   /// Where it is.
   Vertex vertex;
-  /// The field there.
+  /// The field there, in its unit.
   double value{0};
   /// How far one must go down from it, at least, to reach a higher maximum: 0 or more, in the
   /// field's unit. Of the highest of a component: how far down to its least value.

@@ -112,7 +112,7 @@ struct PreparationReport {
   /// Boundary vertices that lie as near to the inside of a boundary edge: a neighbour has no vertex
   /// there.
   Index tJunctions{0};
-  /// A weldDistance that joins both; 0 where there are none.
+  /// A weldDistance, in model units, that joins both; 0 where there are none.
   double crackWidth{0};
   /// Boundary curves that were filled.
   Index closedHoles{0};

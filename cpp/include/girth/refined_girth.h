@@ -51,7 +51,7 @@ struct GirthAudit {
   /// The share of equal ones among all vertices lies between this and `atMost` with a probability
   /// of 95 % (Wilson 1927).
   double atLeast{0};
-  /// The upper end.
+  /// The upper end of that share.
   double atMost{1};
   /// The median of the differences, as shares of the exact value. Where no value was found, it is
   /// off by 1.

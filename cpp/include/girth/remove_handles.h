@@ -24,8 +24,8 @@ struct HandleRemoval {
   /// Faces that were made or moved and cross others, since there was no room for them; those of the
   /// surface that crossed each other before do not count.
   Index crossingFaces{0};
-  /// No loop is left that is shorter than this, but those that touch the boundary: the length that
-  /// was asked for, or less where the budget did not suffice to prove it.
+  /// No loop is left that is shorter than this, in model units, but those that touch the boundary:
+  /// the length that was asked for, or less where the budget did not suffice to prove it.
   double provenLength{0};
 };
 

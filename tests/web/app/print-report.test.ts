@@ -4,6 +4,7 @@ import type { WeakPlace } from '../../../web/src/kernel/index.js';
 
 const tube: WeakPlace = {
   kind: 'tube',
+  measure: 'diameter',
   vertices: new Uint32Array([1, 2]),
   area: 20.5,
   faces: new Uint32Array(),
@@ -12,6 +13,7 @@ const tube: WeakPlace = {
 };
 const wall: WeakPlace = {
   kind: 'wall',
+  measure: 'thickness',
   vertices: new Uint32Array([9]),
   area: 4,
   faces: new Uint32Array([3]),
@@ -19,8 +21,8 @@ const wall: WeakPlace = {
   thinnest: { face: 3, weights: [0.5, 0.25, 0.25] },
   opposite: [0, 0, 1],
 };
-const check = { places: [tube, wall], failingShare: 0.1249, passingScale: 1.412 };
-const passed = { places: [], failingShare: 0, passingScale: 0.6149 };
+const check = { passes: false, places: [tube, wall], failingShare: 0.1249, passingScale: 1.412 };
+const passed = { passes: true, places: [], failingShare: 0, passingScale: 0.6149 };
 const report: PrintReport = {
   model: 'bracket.stl',
   facts: '9,872 faces · genus 3',
@@ -76,7 +78,7 @@ test('cautions stand under the answer', () => {
 });
 
 test('the answer says of how much, and what would help', () => {
-  const one = { places: [wall], failingShare: 0.001, passingScale: 12.345 };
+  const one = { passes: false, places: [wall], failingShare: 0.001, passingScale: 12.345 };
   expect(answerWords(one)).toBe(
     'Fails: one place is too thin, <1% of the surface. Passes from 12.4 times this size.',
   );

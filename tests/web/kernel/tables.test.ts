@@ -4,6 +4,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, test } from 'vitest';
 import { repository } from '../../../web/scripts/run.mjs';
+import { membersOf } from '../../../web/scripts/headers.mjs';
+import { results } from '../../../web/scripts/results.mjs';
 import { defaultOf, tables } from '../../../web/scripts/tables.mjs';
 
 const read = (path: string) => readFileSync(join(repository, path), 'utf8');
@@ -13,6 +15,29 @@ describe('tables', () => {
     for (const [path, text] of Object.entries(await tables())) {
       expect(read(path) === text, `${path} is stale: npm run build:tables`).toBe(true);
     }
+  });
+
+  test('a member of a result that is not described is named, with where it is listed', () => {
+    const area = 'member("area", &CurveSide::area)';
+    const volume = 'member("volume", &CurveSide::volume)';
+    const listed = (body: string) => membersOf('CurveSide', body, 'describe/cut_surface.h');
+    expect(listed(`${area}, ${volume}`).map(({ name }) => name)).toEqual(['area', 'volume']);
+    expect(() => listed(area)).toThrow(
+      'CurveSide::volume is not described: list it in describe/cut_surface.h',
+    );
+    expect(() => listed(`${area}, ${volume}, member("mass", &CurveSide::mass)`)).toThrow(
+      'describe/cut_surface.h: CurveSide has no member mass',
+    );
+  });
+
+  test('numbers of results have their unit in their comments', () => {
+    const unit = /\b(model units|radians|shares?|scale of the shape|its unit|field's unit)\b/;
+    const without = results().flatMap(({ name, members }) =>
+      members
+        .filter(({ type, comment }) => type === 'double' && !unit.test(comment))
+        .map((member) => `${name}.${member.name}`),
+    );
+    expect(without).toEqual([]);
   });
 
   /** Interfaces of types.ts, their members, and the structs of C++ that have the defaults. */

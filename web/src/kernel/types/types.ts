@@ -2,6 +2,26 @@
 // No three.js and no DOM. Names are those of the C++ core. Lengths are in the model's own units.
 
 import type { FieldName, FieldParameters } from './fields.js';
+import type { SurfacePoint } from './points.js';
+import type {
+  AxisLoop,
+  Bottleneck,
+  GirthAudit,
+  HandleKind,
+  Handles,
+  Limb,
+  Limbs,
+  LoopKind,
+  Maximum,
+  Necks,
+  Part,
+  PartKind,
+  PartThresholds,
+  PreparationReport,
+  PrintCheck,
+  Tips,
+} from './results.js';
+import type * as found from './results.js';
 
 export type {
   FieldName,
@@ -11,15 +31,8 @@ export type {
   ThicknessOptions,
   VertexFieldName,
 } from './fields.js';
-
-/**
- * How the shortest loop at a point came about.
- *
- * - `'loop'`: it runs round the surface.
- * - `'antipodal'`: no loop is shorter than the way to the farthest point and back.
- * - `'unresolved'`: the search reached its limit. The length is a lower bound, and there is no polyline.
- */
-export type LoopKind = 'loop' | 'antipodal' | 'unresolved';
+export type * from './points.js';
+export type * from './results.js';
 
 /** The fields of a failure, as plain data. */
 export interface GirthErrorFields {
@@ -180,18 +193,6 @@ export interface SpectralOptions {
   component?: number;
 }
 
-/** A maximum of a field, and how far it rises above its surroundings (`persistent_maxima.h`). */
-export interface Maximum {
-  /** Where it is. */
-  vertex: number;
-  /** The field's value there. */
-  value: number;
-  /** How far one must go down from it to reach a higher maximum, in the field's unit. */
-  persistence: number;
-  /** The vertex where its surroundings meet those of a higher maximum; -1 for the highest of a component. */
-  saddle: number;
-}
-
 /** A field with one value for each vertex of the surface. */
 export interface Field {
   /** Which field it is. */
@@ -234,27 +235,6 @@ export interface RefinedOptions extends WatchedOptions {
 }
 
 /**
- * How values that were found in bands compare with exact ones, at vertices drawn at random.
- * @experimental
- */
-export interface GirthAudit {
-  /** Vertices that were compared. */
-  vertices: number;
-  /** Those at which the two are equal to one part in a million. */
-  equal: number;
-  /** The share of equal ones among all vertices lies between this and `atMost` with a probability of 95 %. */
-  atLeast: number;
-  /** The upper end. */
-  atMost: number;
-  /** The median of the differences, as shares of the exact value. */
-  median: number;
-  /** The difference that one in twenty exceeds, as a share. */
-  percentile95: number;
-  /** The largest difference, as a share. */
-  greatest: number;
-}
-
-/**
  * The girth of a large surface at all its vertices. Each value is the length of a geodesic loop; NaN where none was
  * found. Wherever a field 'igf' is asked for, it serves.
  * @experimental
@@ -289,106 +269,6 @@ export interface NamedField {
   method?: string;
 }
 
-/** A line across edges of the surface. */
-export interface ContourLine {
-  /** It returns to its first point, which is not repeated. Otherwise it ends at a boundary or in faces. */
-  closed: boolean;
-  /** x, y, z of each point, relative to {@link MeshGeometry.origin}. */
-  polyline: Float32Array;
-}
-
-/** Where the shape ends: a region that the discontinuity contour of the girth cuts off (`tips.h`). */
-export interface Tip {
-  /** Its vertices, in rising order. */
-  vertices: Uint32Array;
-  /** What cuts it off: usually one closed line. */
-  contour: ContourLine[];
-  /** Area inside the contour, in squared model units. */
-  area: number;
-  /** Length of the contour, in model units. */
-  boundaryLength: number;
-  /** The vertex that is farthest from the contour along the surface. */
-  apex: number;
-  /** How far the apex is from the contour along the surface, in model units. */
-  apexDistance: number;
-  /** How far the girth rises from outside to inside, in model units. */
-  jump: number;
-}
-
-/** A part of the discontinuity contour that cuts no tip off. */
-export interface OpenArc {
-  /** Where it runs. */
-  line: ContourLine;
-  /** Its length, in model units. */
-  length: number;
-  /** How far the girth rises across it, in model units. */
-  jump: number;
-}
-
-/** The tips of a surface, and the rest of the discontinuity contour. */
-export interface Tips {
-  /** The tips, largest jump first. */
-  tips: Tip[];
-  /** The parts of the contour that cut no tip off, longest first. */
-  arcs: OpenArc[];
-  /** Number of edges that the contour crosses. */
-  crossedEdges: number;
-}
-
-/** The girth at one distance: along a ring, a closed curve that goes round the surface there (`girth_profile.h`). */
-export interface GirthStation {
-  /** How far along, in model units. */
-  distance: number;
-  /** Length of the ring itself, in model units. */
-  ring: number;
-  /** The median of the girth over the ring, in model units; NaN where no part of it has a value. */
-  median: number;
-  /** The least girth on the ring among loops that go round here, in model units; NaN where none does. */
-  least: number;
-  /** Where that is: {@link Mesh.loop} gives the loop there. Only where `least` is a number. */
-  place?: SurfacePoint;
-}
-
-/**
- * Why a limb ends (`limbs.h`): it spreads into a thicker part; loops slip off; it splits; a handle, or the
- * boundary, is reached; it is its whole component.
- */
-export type LimbEnd = 'spreads' | 'slips' | 'splits' | 'handle' | 'boundary' | 'whole';
-
-/** A finger, an arm, a leg: what lies between a tip's apex and the ring at `length` from it (`limbs.h`). */
-export interface Limb {
-  /** The vertex that it begins at: the apex of a tip. */
-  apex: number;
-  /** The tips that it ends in, by their numbers in {@link Tips.tips}; the first has this apex. */
-  tips: number[];
-  /** Distance from the apex to the base along the surface, in model units. */
-  length: number;
-  /** Why it ends there. */
-  end: LimbEnd;
-  /** The least girth from the tip's contour to the base, as far as the stations lead to it, in model units; NaN where there is none. */
-  narrowest: number;
-  /** How far from the apex that is, in model units: of a neck, on average. */
-  narrowestDistance: number;
-  /** The middle one of the stations' medians, in model units: along half of the limb the girth is less. */
-  median: number;
-  /** The least girth at the base, in model units; NaN for a limb that is its whole component. */
-  base: number;
-  /** The vertices that the ring at the base cuts off, in rising order. */
-  vertices: Uint32Array;
-  /** Their distances from the apex, in model units. */
-  distances: Float64Array;
-  /** From near the apex to the base, at equal distances. */
-  profile: GirthStation[];
-}
-
-/** The limbs of a surface. */
-export interface Limbs {
-  /** Longest first. */
-  limbs: Limb[];
-  /** Numbers of the tips that end no limb, by {@link Tips.tips}. */
-  tipsWithoutLimb: number[];
-}
-
 /** How limbs are measured. */
 export interface LimbOptions extends WatchedOptions {
   /** Stations of a profile, 1 to 10,000. Default: 64. */
@@ -419,86 +299,15 @@ export interface LevelCurve {
   polyline: Float32Array;
 }
 
-/** A side of a loop that separates its component. */
-export interface LoopSide {
-  /** In squared model units. */
-  area: number;
-  /** Enclosed by the side and a cone over the loop, in cubed model units; NaN where the side has a boundary. */
-  volume: number;
-}
-
-/** A place that is narrower than all around it (`necks.h`). */
-export interface Neck extends ClosedLoop {
-  /**
-   * How far the girth must rise on the way to a narrower neck, in model units; Infinity where none can be
-   * reached.
-   */
-  prominence: number;
-  /** Width of the band of parallel loops of the same length, in model units; 0 for a single one. */
-  width: number;
-  /** The vertices that it passes, in rising order, at least one. */
-  vertices: Uint32Array;
-  /** Unit normal of its mean plane; zero where there is none. */
-  normal: [number, number, number];
-  /** Mean distance of the loop from its centre within the plane, in model units. */
-  radius: number;
-  /** What it separates, the larger area first; one where it separates nothing; none where it cannot be cut. */
-  sides: LoopSide[];
-  /** Whether the girth is its length at all of its vertices. */
-  measuresGirth: boolean;
-  /** Whether it touches the boundary. */
-  touchesBoundary: boolean;
-}
-
-/** The necks of a surface. There may be none. */
-export interface Necks {
-  /** Most prominent first, of equal ones the shortest. */
-  necks: Neck[];
-  /** Vertices whose loops could not be followed. */
-  unresolved: number;
-}
-
 /** Which necks are wanted. */
 export interface NeckOptions extends WatchedOptions {
   /** Those of at least this prominence, in model units, from 0 on. Default: 0. */
   minProminence?: number;
 }
 
-/**
- * Round the material ('handle') or round a hole ('tunnel'); 'unknown' where the component crosses itself, so
- * that it has no inside (`handles.h`).
- */
-export type HandleKind = 'handle' | 'tunnel' | 'unknown';
-
-/**
- * What the narrowest place of the widest way is (`bottleneck.h`): a neck between the points; a place between them
- * whose loop can be made shorter by moving it to one side; or one of the two points, with no neck between them.
- */
-export type BottleneckKind = 'neck' | 'pass' | 'end';
-
-/** The narrowest place that no way from one point to another avoids. */
-export interface Bottleneck extends Omit<ClosedLoop, 'length'> {
-  /** The least girth on the widest way, in model units: the length of its loop. */
-  girth: number;
-  /** What is there. */
-  kind: BottleneckKind;
-  /** Where on the way the girth is least. */
-  place: SurfacePoint;
-  /** What the loop separates, as of {@link Neck}; none unless it is a neck. */
-  sides: LoopSide[];
-  /** The way that was found, from point to point along pieces of edges: a witness of the girth, and not short. */
-  way: SurfacePoint[];
-}
-
 /** The girth at one place of a path. */
-export interface PathStation {
-  /** Along the path from its first point, in model units. */
-  distance: number;
-  /** There, in model units. */
-  girth: number;
-  /** How it came about. */
-  kind: LoopKind;
-  /** Where: {@link Mesh.loop} gives the loop. */
+export interface PathStation extends found.PathStation {
+  /** The same as `point`. */
   place: SurfacePoint;
 }
 
@@ -512,16 +321,6 @@ export interface Profile {
   polyline: Float32Array;
   /** The model's unit: 'm' for glTF, '' where the file does not state it. */
   unit: string;
-}
-
-/** One of the loops that are swept along a limb (`limb_axis.h`). */
-export interface AxisLoop extends Omit<ClosedLoop, 'length'> {
-  /** Along the axis from its first point to this loop's `centre`, in model units. */
-  distance: number;
-  /** Over the surface, from the limb's apex, in model units. */
-  along: number;
-  /** The loop's length, in model units. */
-  girth: number;
 }
 
 /** The axis of a limb or another tube: the line through the middles of the loops that are swept along it. */
@@ -544,24 +343,6 @@ export interface ProfileOptions extends WatchedOptions {
   crossings?: boolean;
 }
 
-/** A short loop round a handle, or through a hole. */
-export interface Handle extends ClosedLoop {
-  /** Which of the two it is. */
-  kind: HandleKind;
-  /** The number of its component. */
-  component: number;
-  /** How much shorter a loop in its place may be, at most, in model units. 0: proven to be the shortest. */
-  mayBeShorterBy: number;
-}
-
-/** Of a component of genus g, g handles and g tunnels. */
-export interface Handles {
-  /** The shortest first. */
-  handles: Handle[];
-  /** Those that the genus promises and that were not found. */
-  unresolved: number;
-}
-
 /** How handles are searched for. */
 export interface HandleOptions extends WatchedOptions {
   /**
@@ -582,20 +363,9 @@ export interface RemovedHandle {
 }
 
 /** What was taken away from a surface, and what is left. */
-export interface HandleRemoval {
+export interface HandleRemoval extends found.HandleRemoval {
   /** In the order of the cuts. */
   removed: RemovedHandle[];
-  /** Of all components together. */
-  genusBefore: number;
-  /** The same. */
-  genusAfter: number;
-  /** Faces made or moved that cross others, for want of room. */
-  crossingFaces: number;
-  /**
-   * No loop is left that is shorter, but those that touch the boundary: the length asked for, or less where proving it
-   * would take longer.
-   */
-  provenLength: number;
 }
 
 /** A part of a surface that was cut. */
@@ -636,17 +406,6 @@ export interface CutOptions extends CallOptions {
  */
 export type CutFormat = 'glb' | 'obj' | 'stl' | 'ply' | 'json' | 'csv';
 
-/** What a place of a shape is; 'unknown' where the girth or the thickness has no value (`parts.h`). */
-export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
-
-/** The thresholds that divide a shape into parts: τ1 and τ2 of the paper, section 6.3. */
-export interface PartThresholds {
-  /** Tubes have a smaller girth, plates a larger one; in model units, from 0 to Infinity. */
-  girth: number;
-  /** Tubes and plates have a smaller thickness; in model units, from 0 to Infinity. */
-  thickness: number;
-}
-
 /** Thresholds, and whether parts are smoothed. */
 export interface PartOptions extends PartThresholds {
   /**
@@ -654,24 +413,6 @@ export interface PartOptions extends PartThresholds {
    * thresholds.
    */
   smoothing?: number;
-}
-
-/** A connected region of one kind (`parts.h`). */
-export interface Part {
-  /** What it is. */
-  kind: PartKind;
-  /** Its vertices, in rising order. */
-  vertices: Uint32Array;
-  /** Sum of its vertices' areas, in squared model units. */
-  area: number;
-  /** Median of the girth over the region, in model units; NaN where it is unknown. */
-  medianGirth: number;
-  /** Median of the thickness over the region, in model units; NaN where it is unknown. */
-  medianThickness: number;
-  /** The vertex of the least girth (tubes) or thickness (other kinds); -1 where it is unknown. */
-  thinnest: number;
-  /** Radius of the round tube of the same median girth, I / 2π, in model units. */
-  equivalentRadius: number;
 }
 
 /** The parts of a surface. */
@@ -726,48 +467,6 @@ export interface PrintFields {
   /** The medial thickness, by default options. */
   thickness?: Field;
 }
-
-/** A connected place that is too thin to print, or too close to another (`print_check.h`). */
-export interface WeakPlace {
-  /** A thin tube, a thin wall, or a narrow gap. */
-  kind: 'tube' | 'wall' | 'gap';
-  /** Its vertices, in rising order; where only the inside of faces is too thin, their corners. */
-  vertices: Uint32Array;
-  /** Of walls and gaps, the faces that are too thin somewhere, in rising order. */
-  faces: Uint32Array;
-  /** In squared model units. */
-  area: number;
-  /** The least diameter of the tube, thickness of the wall or width of the gap, in model units. */
-  least: number;
-  /** Where that is: a vertex, or a point of a face. */
-  thinnest: SurfacePoint;
-  /** Of walls and gaps, the position across from it, in model units. */
-  opposite?: [number, number, number];
-}
-
-/** What a shape has that cannot be printed, how much that is, and what would help (`print_check.h`). */
-export interface PrintCheck {
-  /** The places, the worst first; none where it passes. */
-  places: WeakPlace[];
-  /** The share of the surface's area that is in them, in [0, 1]. */
-  failingShare: number;
-  /**
-   * The scale from which on it passes: 1.12 where it passes at 112% of its size; at most 1 where it passes as
-   * it is. 0 where nothing is limited; infinite where something has no thickness at all.
-   */
-  passingScale: number;
-}
-
-/** A point of a face. */
-export interface FacePoint {
-  /** From 0 to the face count minus one. Face f has the vertices `indices[3 * f]` and the next two. */
-  face: number;
-  /** Shares of the face's three vertices, in their order: none below 0, the sum 1. */
-  weights: readonly [number, number, number];
-}
-
-/** A vertex, or a point of a face: of its inside, of an edge (one weight is 0) or a corner. */
-export type SurfacePoint = number | FacePoint;
 
 /** The shortest loop at a point of the surface. */
 export interface Loop {
@@ -891,73 +590,6 @@ export interface SurfacePath {
   polyline: Float32Array;
   /** The model's unit: 'm' for glTF, '' where the file does not state it. */
   unit: string;
-}
-
-/** What was done to the input, each step counted, in this order (`prepare_surface.h`). */
-export interface PreparationReport {
-  /** Vertices of the input. */
-  inputVertices: number;
-  /** Triangles of the input. */
-  inputFaces: number;
-  /** Vertices that became one with an earlier one. */
-  weldedVertices: number;
-  /** Faces without area that were dropped. */
-  degenerateFaces: number;
-  /** Faces made by dividing others, whose open edges had vertices of neighbours within them. */
-  addedFaces: number;
-  /** Faces without area whose longest side was flipped, as dropping them would open the surface. */
-  flippedFaces: number;
-  /** Faces that have the three vertices of another one, dropped. */
-  duplicateFaces: number;
-  /** Vertices that no face uses, dropped. */
-  unreferencedVertices: number;
-  /** Faces turned over, so that neighbours agree. */
-  reorientedFaces: number;
-  /** Edges cut because the surface has one side only there, as a Möbius strip has. */
-  oneSidedEdges: number;
-  /** Edges with more than two faces, cut apart. */
-  nonManifoldEdges: number;
-  /** Vertices cut apart where parts touch only there. */
-  nonManifoldVertices: number;
-  /** Copies of vertices made by cutting. */
-  addedVertices: number;
-  /** Connected components of what came out. */
-  components: number;
-  /** Components of less than a millionth of the largest one's area. */
-  sliverComponents: number;
-  /** Closed components that hold nothing: two sheets on each other. */
-  doubledComponents: number;
-  /** Components that were kept. */
-  keptComponents: number;
-  /** Boundary curves of the kept components, after holes were closed. */
-  boundaryCurves: number;
-  /** Edges of these curves. */
-  boundaryEdges: number;
-  /**
-   * Boundary vertices that nearly coincide with another one, as where two sides of a crack differ by a rounding: by less than a hundred
-   * thousandth of the extent and a tenth of the edges there.
-   */
-  crackVertices: number;
-  /** Boundary vertices that lie as near to the inside of a boundary edge: a neighbour has no vertex there. */
-  tJunctions: number;
-  /** A `weldDistance` that joins both; 0 where there are none. */
-  crackWidth: number;
-  /** Boundary curves that were filled. */
-  closedHoles: number;
-  /** The holes that were filled. */
-  holes: ClosedHole[];
-}
-
-/** A hole that was filled. */
-export interface ClosedHole {
-  /** Number of edges of its rim. */
-  edges: number;
-  /** Length of its rim, in model units. */
-  perimeter: number;
-  /** Area of the faces that fill it, in squared model units. */
-  area: number;
-  /** A vertex of the input on its rim. */
-  vertex: number;
 }
 
 /** A connected component of what was read, kept or not. */

@@ -1,0 +1,631 @@
+// Made of the headers in cpp/include/girth by `npm run build:tables`: not to be edited.
+
+import type { SurfacePoint } from './points.js';
+
+/**
+ * What the narrowest place of the widest way is (web/docs/definitions.md, section 5).
+ *
+ * - `'neck'`: A neck between the points: its loop is a closed geodesic, shorter than every other closed curve near it.
+ * - `'pass'`: A place between them whose loop can be made shorter by moving it to one side.
+ * - `'end'`: One of the two points: there is no neck between them.
+ */
+export type BottleneckKind = 'neck' | 'pass' | 'end';
+
+/**
+ * On which side of its component a loop bounds a surface (web/docs/definitions.md, section 5).
+ *
+ * - `'handle'`: inside: it goes round the material
+ * - `'tunnel'`: outside: it goes round a hole
+ * - `'unknown'`: the component has no inside: it, or what closes its holes, crosses it
+ */
+export type HandleKind = 'handle' | 'tunnel' | 'unknown';
+
+/**
+ * Why a limb ends where it does (web/docs/definitions.md, section 5).
+ *
+ * - `'spreads'`: It spreads into a thicker part: beyond, the ring grows by more than π times the distance.
+ * - `'slips'`: Beyond, the loops at half of the ring's points have slipped off: they go round other parts.
+ * - `'splits'`: The ring falls apart into two, each round a part that is deeper than the limb is thick; or the loops slip over the place, less than half a loop beyond, where it does.
+ * - `'handle'`: The ring meets itself round a handle, or the loops slip over the place where it does.
+ * - `'boundary'`: The ring reaches the boundary of the surface.
+ * - `'whole'`: Never: the limb is its whole component, as of a spindle.
+ */
+export type LimbEnd = 'spreads' | 'slips' | 'splits' | 'handle' | 'boundary' | 'whole';
+
+/**
+ * What a place of a shape is (paper, section 6.3).
+ *
+ * - `'body'`: thick
+ * - `'tube'`: thin, and a short loop goes round it
+ * - `'plate'`: thin, but no short loop goes round it
+ * - `'unknown'`: its girth or its thickness has no value
+ */
+export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
+
+/**
+ * How the shortest loop came about (paper, section 3.1, figure 1).
+ *
+ * - `'loop'`: The frontier of the growing geodesic disk touched itself head-on: a loop around the surface.
+ * - `'antipodal'`: The frontier vanished at one farthest point without a loop before: the "loop" is out and back again.
+ * - `'unresolved'`: The budget was met first. The length is a lower bound, and `atMost` one from above.
+ */
+export type LoopKind = 'loop' | 'antipodal' | 'unresolved';
+
+/**
+ * What is wrong with a place.
+ *
+ * - `'tube'`: a tube's diameter
+ * - `'wall'`: a wall's thickness
+ * - `'gap'`: the clearance
+ */
+export type WeakKind = 'tube' | 'wall' | 'gap';
+
+/**
+ * The bottleneck between two points.
+ *
+ * @experimental
+ */
+export interface Bottleneck {
+  /** What is there. */
+  kind: BottleneckKind;
+  /** The least girth on the widest way, in model units: the length of its loop. */
+  girth: number;
+  /** Where on the way the girth is least. */
+  place: SurfacePoint;
+  /**
+   * Mean of the loop's points, each part counted by its length, in model units; zero where there is no
+   * loop.
+   */
+  centre: [number, number, number];
+  /** The area that the loop encloses in its mean plane, in squared model units. */
+  area: number;
+  /** Of a neck, what it separates its component into: as `Neck.sides`. */
+  sides: LoopSide[];
+  /**
+   * The loop: of a neck the closed geodesic itself (of a band of parallel ones that in the middle),
+   * otherwise the loop of the girth at `place`, empty where that is unresolved. As `Loop.points`; the
+   * last point equals the first.
+   */
+  points: SurfacePoint[];
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
+  /**
+   * The way that was found, from the first point to the second, along the pieces of the mesh's edges: it
+   * is a witness of the girth, and not short.
+   */
+  way: SurfacePoint[];
+}
+
+/** What a closed curve separates a component into. */
+export interface LoopSide {
+  /** In squared model units. */
+  area: number;
+  /**
+   * Enclosed by this side and the cone over the curve from the mean of its points, in cubed model units:
+   * negative where the surface faces inwards. NaN where the side has a boundary.
+   */
+  volume: number;
+}
+
+/**
+ * The girth at one distance: along a ring, a closed curve that goes round the surface there.
+ */
+export interface GirthStation {
+  /** How far along, in model units. */
+  distance: number;
+  /** Length of the ring itself, in model units. */
+  ring: number;
+  /**
+   * The median of the girth over the ring, each part of it counted by its length, in model units; NaN
+   * where no part has a value.
+   */
+  median: number;
+  /**
+   * The least girth on the ring among loops that go round here, in model units; NaN where none does.
+   */
+  least: number;
+  /**
+   * Where it is: a point of an edge. `Mesh.loop` gives the loop there. Only where `least` is a number.
+   */
+  place?: SurfacePoint;
+}
+
+/**
+ * A closed geodesic round a handle or a tunnel.
+ *
+ * @experimental
+ */
+export interface Handle {
+  /** In model units. */
+  length: number;
+  /** Round the material, or round a hole. */
+  kind: HandleKind;
+  /**
+   * How much shorter a loop in its place may be, at most, in model units: one of its kind and component
+   * that is no sum of the shorter ones listed. 0: none is, which is proven to a share of 1e-9.
+   */
+  mayBeShorterBy: number;
+  /** The number of its component of the surface, from 0. */
+  component: number;
+  /** The area that the loop encloses in its mean plane, in squared model units. */
+  area: number;
+  /** Mean of the loop's points, each part counted by its length, in model units. */
+  centre: [number, number, number];
+  /**
+   * The edges it crosses and the vertices it passes in order; the last point equals the first. Between
+   * neighbours it is straight inside one face or along one edge. Of a band of parallel loops the one in
+   * the middle.
+   */
+  points: SurfacePoint[];
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
+}
+
+/**
+ * The handles of a surface.
+ *
+ * @experimental
+ */
+export interface Handles {
+  /** Handles and tunnels that the genus promises and that were not found. */
+  unresolved: number;
+  /** The shortest first. */
+  handles: Handle[];
+}
+
+/**
+ * One of the loops that are swept along a tube.
+ *
+ * @experimental
+ */
+export interface AxisLoop {
+  /** Along the axis from its first point, in model units. */
+  distance: number;
+  /**
+   * Over the surface: how far along the first station is, and on along the path, in model units.
+   */
+  along: number;
+  /** The loop's length, in model units. */
+  girth: number;
+  /** That the loop encloses in its mean plane, in squared model units. */
+  area: number;
+  /** A point of the axis: the mean of the loop's points, each part counted by its length. */
+  centre: [number, number, number];
+  /** The loop, as `Loop.points`; the last point equals the first. */
+  points: SurfacePoint[];
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
+}
+
+/**
+ * A finger, an arm, a leg: what lies between a tip's apex and the ring of points at `length` from it.
+ */
+export interface Limb {
+  /** Distance from the apex to the ring at its base, along the surface, in model units. */
+  length: number;
+  /**
+   * The least girth of loops round the limb, from the tip's contour to the base, in model units: of the
+   * shortest neck, otherwise on the ring at one of these ends, or where loops slip off between them.
+   * Exact, but not proven to be least between two stations. NaN where there is none.
+   */
+  narrowest: number;
+  /**
+   * How far from the apex it is, in model units: its ring, of equal ones the nearest, or the mean
+   * distance of the neck; NaN where there is none.
+   */
+  narrowestDistance: number;
+  /**
+   * The middle one of the stations' medians, of those where a loop goes round the limb, in model units:
+   * along half of the limb the girth is less.
+   */
+  median: number;
+  /** The least girth at the base, in model units; NaN for a limb that is its whole component. */
+  base: number;
+  /** Why it ends there. */
+  end: LimbEnd;
+  /**
+   * The tips that it ends in, by their numbers in the list that was handed over; the first is the one
+   * with this apex. Several where the distances from each of their apexes give the same limb.
+   */
+  tips: number[];
+  /** Where it begins: the apex of a tip. */
+  apex: number;
+  /** The vertices that the ring at the base cuts off, in rising order. */
+  vertices: Uint32Array;
+  /** Their distances from the apex, in model units. */
+  distances: Float64Array;
+  /** From near the apex to the base, at equal distances; the last station is the base. */
+  profile: GirthStation[];
+}
+
+/** The limbs of a surface. */
+export interface Limbs {
+  /** Longest first. */
+  limbs: Limb[];
+  /**
+   * Numbers of the tips that end no limb, in rising order: what they end is nowhere longer than it is
+   * thick, no loop goes round it, or it is a whole component beside a limb that has a base.
+   */
+  tipsWithoutLimb: number[];
+}
+
+/**
+ * A closed geodesic that is shorter than every other closed curve near it (web/docs/definitions.md,
+ * section 5).
+ */
+export interface Neck {
+  /** In model units. */
+  length: number;
+  /**
+   * How far the girth must rise, at least, on the way over the surface from here to a narrower neck, in
+   * model units; infinite where no narrower one can be reached. See findNecks for what it is measured
+   * on.
+   */
+  prominence: number;
+  /**
+   * Width of the band of parallel loops of the same length, in model units: 0 for a single one.
+   */
+  width: number;
+  /** The area that the loop encloses in its mean plane, in squared model units. */
+  area: number;
+  /** Mean distance of the loop from its centre, within the mean plane, in model units. */
+  radius: number;
+  /** Mean of the loop's points, each part counted by its length, in model units. */
+  centre: [number, number, number];
+  /**
+   * Unit normal of the loop's mean plane: of all planes the one onto which it casts the largest area.
+   * Seen from its tip the loop runs counter-clockwise. Zero where there is none.
+   */
+  normal: [number, number, number];
+  /**
+   * What it separates its component into, the larger area first; one where it separates nothing, as
+   * round a handle. Empty where the surface cannot be cut along it.
+   */
+  sides: LoopSide[];
+  /**
+   * Whether the girth is this neck's length at all of its vertices. Otherwise a shorter loop goes
+   * through one of them, as beside a thinner part.
+   */
+  measuresGirth: boolean;
+  /** Whether it touches the surface's boundary. */
+  touchesBoundary: boolean;
+  /**
+   * The vertices that the loop passes; of a band, that its two outermost loops pass. In rising order, at
+   * least one.
+   */
+  vertices: Uint32Array;
+  /**
+   * The loop: the edges it crosses and the vertices it passes in order; the last point equals the first.
+   * Between neighbours it is straight inside one face or along one edge. Of a band of parallel loops the
+   * one in the middle.
+   */
+  points: SurfacePoint[];
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
+}
+
+/** The necks of a surface. */
+export interface Necks {
+  /**
+   * Vertices whose loops could not be followed: their girth is unresolved, or drawing them tight took
+   * more steps than their size explains.
+   */
+  unresolved: number;
+  /** Most prominent first, of equal ones the shortest. */
+  necks: Neck[];
+}
+
+/**
+ * The paper's τ1 and τ2, in model units: plate = {I > girth, SDF < thickness}, tube = {I < girth, SDF
+ * < thickness}, body the rest.
+ */
+export interface PartThresholds {
+  /** Τ1: tubes have a smaller girth, in model units. */
+  girth: number;
+  /** Τ2: tubes and plates are thinner, in model units. */
+  thickness: number;
+}
+
+/** A connected region of one kind. */
+export interface Part {
+  /** What all its vertices are. */
+  kind: PartKind;
+  /** Sum of the vertices' areas, in squared model units. */
+  area: number;
+  /** Median of the girth over the region, in model units; NaN where it is unknown. */
+  medianGirth: number;
+  /** Median of the thickness over the region, in model units; NaN where it is unknown. */
+  medianThickness: number;
+  /** Radius of the round tube with the same girth, I / 2π, in model units. */
+  equivalentRadius: number;
+  /**
+   * Its thinnest place: the vertex with the least girth (tube), otherwise the least SDF; none where it
+   * is unknown. `Mesh.loop` gives the loop there. None is -1.
+   */
+  thinnest: number;
+  /** Its vertices, in rising order. */
+  vertices: Uint32Array;
+}
+
+/**
+ * The girth at one place of a path.
+ *
+ * @experimental
+ */
+export interface PathStation {
+  /** Along the path from its first point, in model units. */
+  distance: number;
+  /** There, in model units. */
+  girth: number;
+  /** How it came about. */
+  kind: LoopKind;
+  /** Where: `Mesh.loop` gives the loop. */
+  point: SurfacePoint;
+}
+
+/** A maximum of a field. */
+export interface Maximum {
+  /** Where it is. */
+  vertex: number;
+  /** The field there, in its unit. */
+  value: number;
+  /**
+   * How far one must go down from it, at least, to reach a higher maximum: 0 or more, in the field's
+   * unit. Of the highest of a component: how far down to its least value.
+   */
+  persistence: number;
+  /**
+   * The vertex where its surroundings meet those of a higher maximum; none for the highest. None is -1.
+   */
+  saddle: number;
+}
+
+/** A boundary curve that was filled. */
+export interface ClosedHole {
+  /** Its number of edges. */
+  edges: number;
+  /** Its length, in model units. */
+  perimeter: number;
+  /** Area of the faces that fill it, in squared model units. */
+  area: number;
+  /** A vertex of the input on it. */
+  vertex: number;
+}
+
+/**
+ * Account of what was done, step by step, in this order. All numbers but crackWidth are counts; an
+ * unspoilt closed surface has zeros from weldedVertices to addedVertices. inputVertices −
+ * weldedVertices − unreferencedVertices + addedVertices: the vertices, and inputFaces + addedFaces −
+ * degenerateFaces − duplicateFaces: the faces, before components are chosen and holes are closed.
+ */
+export interface PreparationReport {
+  /** Vertices of the input. */
+  inputVertices: number;
+  /** Triangles of the input. */
+  inputFaces: number;
+  /**
+   * Vertices that became one with an earlier one: at the same position, within the distance asked for,
+   * or so near that a face between them has no area (1e-12 of its longest side).
+   */
+  weldedVertices: number;
+  /**
+   * Faces without area, dropped: they repeat a vertex, or their smallest height is below 1e-12 of their
+   * longest side.
+   */
+  degenerateFaces: number;
+  /**
+   * Faces made by dividing others, whose open edges had vertices of neighbours within them
+   * (`PrepareOptions.weldDistance`, closeHoles).
+   */
+  addedFaces: number;
+  /**
+   * Faces without area whose middle vertex lies on their longest side, and whose loss would open the
+   * surface: that side was flipped, so that the neighbour's area is shared by two faces.
+   */
+  flippedFaces: number;
+  /**
+   * Faces that have the three vertices of another one, dropped. Two copies are kept only as a partition
+   * between two solids: where all edges of the doubled patch's rim that have other faces have an even
+   * number of them.
+   */
+  duplicateFaces: number;
+  /** Vertices that no face is left to use, dropped. */
+  unreferencedVertices: number;
+  /**
+   * Faces turned over, so that neighbours agree. The greater part of each piece (pieces: connected by
+   * edges of two faces) keeps its side.
+   */
+  reorientedFaces: number;
+  /** Edges cut because the surface has one side only there, as a Möbius strip has. */
+  oneSidedEdges: number;
+  /**
+   * Edges with more than two faces, cut apart. Pieces that have two faces there keep them joined; of the
+   * rest, those that bound wedges of solid in turn (facing away and towards each other alternately) are
+   * joined in pairs. Where solids cross that are open nowhere, what lies inside of more of them is
+   * joined first: they stay closed. All others have their boundary there.
+   */
+  nonManifoldEdges: number;
+  /** Vertices cut apart, apart from the ends of cut edges: parts touched only there. */
+  nonManifoldVertices: number;
+  /** Copies of vertices made by all cutting. */
+  addedVertices: number;
+  /** Connected components of what came out. */
+  components: number;
+  /** How many of them are slivers: of less than a millionth of the largest one's area. */
+  sliverComponents: number;
+  /**
+   * How many of them are closed and hold nothing: two sheets on each other, such as cutting edges of
+   * many faces leaves behind. The volume inside, divided by half the area, is below a millionth of the
+   * component's extent.
+   */
+  doubledComponents: number;
+  /** How many are kept. */
+  keptComponents: number;
+  /**
+   * Boundary curves of the kept components (web/docs/definitions.md, section 2), counted after holes
+   * were closed.
+   */
+  boundaryCurves: number;
+  /** The edges of these curves. */
+  boundaryEdges: number;
+  /**
+   * Boundary vertices that nearly coincide with another one, as where two sides of a crack differ by a
+   * rounding: by less than a hundred thousandth of the extent and a tenth of the edges there.
+   */
+  crackVertices: number;
+  /**
+   * Boundary vertices that lie as near to the inside of a boundary edge: a neighbour has no vertex
+   * there.
+   */
+  tJunctions: number;
+  /** Boundary curves that were filled. */
+  closedHoles: number;
+  /** A weldDistance, in model units, that joins both; 0 where there are none. */
+  crackWidth: number;
+  /** Each of these. */
+  holes: ClosedHole[];
+}
+
+/** A connected place that does not meet a limit. */
+export interface WeakPlace {
+  /** Which limit it does not meet. */
+  kind: WeakKind;
+  /** What is too small: "diameter", "thickness" or "clearance". */
+  measure: string;
+  /** The least diameter, thickness or clearance there, in model units. */
+  least: number;
+  /** In squared model units; of faces that meet the limit in part, by samples. */
+  area: number;
+  /** The point that has it. */
+  thinnest: SurfacePoint;
+  /** Of walls and gaps, the point of the surface across from it, in model units. */
+  opposite?: [number, number, number];
+  /**
+   * Those that do not meet the limit, in rising order; where only the inside of faces does not, the
+   * corners of these.
+   */
+  vertices: Uint32Array;
+  /** Of walls and gaps, the faces that somewhere do not meet the limit, in rising order. */
+  faces: Uint32Array;
+}
+
+/** The answer to a check. */
+export interface PrintCheck {
+  /** Whether nothing fails. */
+  passes: boolean;
+  /** The share of the surface's area, in [0, 1], that is in places. */
+  failingShare: number;
+  /**
+   * From this scale of the shape on nothing fails: all measures grow with it. 1.12: it passes at 112% of
+   * its size; at most 1 where it passes as it is, and so far at least it may shrink. 0 where nothing is
+   * limited; infinite where something has no thickness at all.
+   */
+  passingScale: number;
+  /** The worst first, in shares of their limits. */
+  places: WeakPlace[];
+}
+
+/**
+ * How values that were found in bands compare with exact ones, at vertices drawn at random.
+ *
+ * @experimental
+ */
+export interface GirthAudit {
+  /** Vertices that were compared. */
+  vertices: number;
+  /** Those at which the two are equal to one part in a million. */
+  equal: number;
+  /**
+   * The share of equal ones among all vertices lies between this and `atMost` with a probability of 95 %
+   * (Wilson 1927).
+   */
+  atLeast: number;
+  /** The upper end of that share. */
+  atMost: number;
+  /**
+   * The median of the differences, as shares of the exact value. Where no value was found, it is off by
+   * 1.
+   */
+  median: number;
+  /** The difference that one in twenty exceeds, as a share. */
+  percentile95: number;
+  /** The largest difference, as a share. */
+  greatest: number;
+}
+
+/**
+ * A surface with fewer handles, and the account of what was done.
+ *
+ * @experimental
+ */
+export interface HandleRemoval {
+  /** Of all components together. */
+  genusBefore: number;
+  /** The same of what is left. */
+  genusAfter: number;
+  /**
+   * Faces that were made or moved and cross others, since there was no room for them; those of the
+   * surface that crossed each other before do not count.
+   */
+  crossingFaces: number;
+  /**
+   * No loop is left that is shorter than this, in model units, but those that touch the boundary: the
+   * length that was asked for, or less where the budget did not suffice to prove it.
+   */
+  provenLength: number;
+}
+
+/** A line across edges of the surface: a point in the middle of each, in order. */
+export interface ContourLine {
+  /**
+   * Whether it comes back to its first point, which is not repeated. Otherwise it ends at the boundary,
+   * or, an arc, inside faces.
+   */
+  closed: boolean;
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
+}
+
+/** A region that the discontinuity contour cuts off. */
+export interface Tip {
+  /** Area inside the contour, in squared model units. */
+  area: number;
+  /** Length of the contour, in model units. */
+  boundaryLength: number;
+  /**
+   * How far the girth rises from outside to inside, in model units: the median over the edges that the
+   * contour crosses. Tips that noise makes rise little.
+   */
+  jump: number;
+  /** The vertex of the region that is farthest from the contour, along the surface. */
+  apex: number;
+  /** How far, in model units. */
+  apexDistance: number;
+  /** Its vertices, in rising order. */
+  vertices: Uint32Array;
+  /** What cuts it off: usually one closed line. */
+  contour: ContourLine[];
+}
+
+/**
+ * A part of the discontinuity contour that is no tip's: it ends somewhere, or where it meets the
+ * contour of a tip, which it follows closely.
+ */
+export interface OpenArc {
+  /** Its length, in model units. */
+  length: number;
+  /** How far the girth rises across it, in model units: as of a tip. */
+  jump: number;
+  /** Where it runs; never closed. */
+  line: ContourLine;
+}
+
+/** The tips of a surface, and what else the girth jumps along. */
+export interface Tips {
+  /** Edges that the contour crosses. */
+  crossedEdges: number;
+  /** Largest jump first. */
+  tips: Tip[];
+  /** Longest first. */
+  arcs: OpenArc[];
+}
