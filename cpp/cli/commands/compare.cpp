@@ -1,5 +1,4 @@
 // girth compare: how far a few models are apart.
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -14,7 +13,6 @@
 #include "process/report.h"
 #include "study/typical_distance.h"
 #include "text/json_text.h"
-#include "text/number_text.h"
 
 namespace girth::cli {
 namespace compare_command {
@@ -38,22 +36,21 @@ std::string matrixJson(const Signatures& signatures, const Descriptor& descripto
                        const Options& options) {
   const std::size_t models = options.models.size();
   const auto typical = typicalDistance(descriptor.name, options);
-  const std::string typicalText =
-      typical ? "{\"poses\":" + io::formatNumber(typical->poses) +
-                    ",\"classes\":" + io::formatNumber(typical->classes) + "}"
-              : "null";
-  std::string rows;
+  io::JsonList rows;
   for (std::size_t i = 0; i < models; ++i) {
-    std::string row;
+    io::JsonList row;
     for (std::size_t j = 0; j < models; ++j) {
-      const double distance = i == j ? 0 : signatures.distance(descriptor.name, i, j);
-      row += (j == 0 ? "" : ",") +
-             (std::isfinite(distance) ? io::formatNumber(distance) : std::string("null"));
+      row.add(io::numberJson(i == j ? 0 : signatures.distance(descriptor.name, i, j)));
     }
-    rows += (i == 0 ? "[" : ",[") + row + "]";
+    rows.add(row.text());
   }
-  return "{\"name\":" + io::jsonString(descriptor.name) + ",\"distances\":[" + rows +
-         "],\"typical\":" + typicalText + "}";
+  io::JsonObject usual;
+  if (typical) usual.add("poses", typical->poses).add("classes", typical->classes);
+  return io::JsonObject()
+      .add("name", descriptor.name)
+      .addJson("distances", rows.text())
+      .addJson("typical", typical ? usual.text() : "null")
+      .text();
 }
 
 /// The distances of every pair, each beside what is usual.
@@ -122,15 +119,17 @@ int run(const Options& options) {
   }
   for (std::size_t m = 0; m < fields.size(); ++m) signatures.addWords(m, fields[m]);
   if (options.json) {
-    std::string models, tables;
-    for (const std::string& model : options.models) {
-      models += (models.empty() ? "" : ",") + io::jsonString(model);
-    }
+    io::JsonList models, tables;
+    for (const std::string& model : options.models) models.add(io::jsonString(model));
     for (const Descriptor& descriptor : descriptors.value()) {
-      tables += (tables.empty() ? "" : ",") + matrixJson(signatures, descriptor, options);
+      tables.add(matrixJson(signatures, descriptor, options));
     }
-    std::printf("{\"models\":[%s],\"unit\":%s,\"descriptors\":[%s]}\n", models.c_str(),
-                io::jsonString(unit).c_str(), tables.c_str());
+    std::puts(io::JsonObject()
+                  .addJson("models", models.text())
+                  .add("unit", unit)
+                  .addJson("descriptors", tables.text())
+                  .text()
+                  .c_str());
     return 0;
   }
   if (hasSummary()) printText(signatures, names, options);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -103,14 +104,15 @@ std::int64_t inFile(const io::LoadedMesh& loaded, Index vertex) {
 }
 
 std::string maximaJson(const io::LoadedMesh& loaded, const std::vector<PersistentMaximum>& maxima) {
-  std::string text;
+  io::JsonList list;
   for (const PersistentMaximum& maximum : maxima) {
-    text += (text.empty() ? "" : ",");
-    text += "{\"vertex\":" + std::to_string(inFile(loaded, maximum.vertex)) +
-            ",\"value\":" + io::formatNumber(maximum.value) +
-            ",\"persistence\":" + io::formatNumber(maximum.persistence) + "}";
+    list.add(io::JsonObject()
+                 .add("vertex", inFile(loaded, maximum.vertex))
+                 .add("value", maximum.value)
+                 .add("persistence", maximum.persistence)
+                 .text());
   }
-  return ",\"maxima\":[" + text + "]";
+  return list.text();
 }
 
 void printMaxima(const io::LoadedMesh& loaded, const std::vector<PersistentMaximum>& maxima) {
@@ -141,20 +143,20 @@ void print(const Options& options, const io::LoadedMesh& loaded,
   const double median = n == 0 ? 0 : (values[(n - 1) / 2] + values[n / 2]) / 2;
   const ComputedField& first = fields[0];
   if (options.json) {
-    const auto number = [&](double value) {
-      return n == 0 ? std::string("null") : io::formatNumber(value);
-    };
-    const std::string text =
-        "{\"file\":" + io::jsonString(options.model) +
-        ",\"field\":" + io::jsonString(options.name) +
-        ",\"method\":" + io::jsonString(first.method) + ",\"unit\":" + io::jsonString(first.unit) +
-        ",\"components\":" + std::to_string(fields.size()) +
-        ",\"vertices\":" + std::to_string(first.values.size()) +
-        ",\"withValue\":" + std::to_string(n / fields.size()) +
-        ",\"min\":" + number(n == 0 ? 0 : values.front()) + ",\"median\":" + number(median) +
-        ",\"max\":" + number(n == 0 ? 0 : values.back()) +
-        (options.maxima > 0 ? maximaJson(loaded, maxima) : "") + "}\n";
-    std::fputs(text.c_str(), stdout);
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    io::JsonObject json;
+    json.add("file", options.model)
+        .add("field", options.name)
+        .add("method", first.method)
+        .add("unit", first.unit)
+        .add("components", fields.size())
+        .add("vertices", first.values.size())
+        .add("withValue", n / fields.size())
+        .add("min", n == 0 ? kNone : values.front())
+        .add("median", n == 0 ? kNone : median)
+        .add("max", n == 0 ? kNone : values.back());
+    if (options.maxima > 0) json.addJson("maxima", maximaJson(loaded, maxima));
+    std::puts(json.text().c_str());
     return;
   }
   if (!hasSummary()) return;

@@ -14,7 +14,6 @@
 #include "process/jobs.h"
 #include "process/report.h"
 #include "text/json_text.h"
-#include "text/number_text.h"
 
 namespace girth::cli {
 namespace info_command {
@@ -45,32 +44,16 @@ Box boundingBox(const SurfaceMesh& mesh) {
   return box;
 }
 
-std::string joinedNumbers(const std::array<double, 3>& numbers) {
-  return "[" + io::formatNumber(numbers[0]) + "," + io::formatNumber(numbers[1]) + "," +
-         io::formatNumber(numbers[2]) + "]";
+std::string jsonOf(const std::array<double, 3>& numbers) {
+  io::JsonList list;
+  for (const double number : numbers) list.add(io::numberJson(number));
+  return list.text();
 }
 
-std::string joinedGenera(const SurfaceMesh& mesh, const char* separator) {
+std::string joinedGenera(const SurfaceMesh& mesh) {
   std::string text;
   for (Index c = 0; c < mesh.componentCount(); ++c) {
-    text += (c == 0 ? "" : separator) + std::to_string(mesh.genus(c));
-  }
-  return text;
-}
-
-std::string joinedBoundaries(const SurfaceMesh& mesh) {
-  std::string text;
-  for (Index c = 0; c < mesh.componentCount(); ++c) {
-    text += (c == 0 ? "" : ",") + std::to_string(mesh.boundaryCount(c));
-  }
-  return text;
-}
-
-std::string componentsText(const io::LoadedMesh& loaded) {
-  std::string text;
-  for (const SurfacePart& part : loaded.parts) {
-    text += std::string(text.empty() ? "" : ",") + "{\"faces\":" + std::to_string(part.faces) +
-            ",\"area\":" + io::formatNumber(part.area) + "}";
+    text += (c == 0 ? "" : ", ") + std::to_string(mesh.genus(c));
   }
   return text;
 }
@@ -78,25 +61,35 @@ std::string componentsText(const io::LoadedMesh& loaded) {
 void printJson(const std::string& file, const io::LoadedMesh& loaded) {
   const SurfaceMesh& mesh = loaded.mesh;
   const Box box = boundingBox(mesh);
-  std::string notes;
-  for (const std::string& note : loaded.notes) {
-    notes += (notes.empty() ? "" : ",") + io::jsonString(note);
+  io::JsonList genus, boundaries, notes, parts;
+  for (Index c = 0; c < mesh.componentCount(); ++c) {
+    genus.add(std::to_string(mesh.genus(c)));
+    boundaries.add(std::to_string(mesh.boundaryCount(c)));
   }
-  const std::string text = "{\"file\":" + io::jsonString(file) +
-                           ",\"format\":" + io::jsonString(io::toString(loaded.format)) +
-                           ",\"unit\":" + io::jsonString(loaded.unit) +
-                           ",\"vertices\":" + std::to_string(mesh.vertexCount()) +
-                           ",\"edges\":" + std::to_string(mesh.edgeCount()) +
-                           ",\"faces\":" + std::to_string(mesh.faceCount()) +
-                           ",\"components\":" + std::to_string(mesh.componentCount()) +
-                           ",\"genus\":[" + joinedGenera(mesh, ",") + "],\"boundaries\":[" +
-                           joinedBoundaries(mesh) + "],\"area\":" + io::formatNumber(mesh.area()) +
-                           ",\"meanEdgeLength\":" + io::formatNumber(mesh.meanEdgeLength()) +
-                           ",\"boundingBox\":{\"min\":" + joinedNumbers(box.low) +
-                           ",\"max\":" + joinedNumbers(box.high) + "},\"notes\":[" + notes +
-                           "],\"byComponent\":[" + componentsText(loaded) +
-                           "],\"report\":" + io::reportJson(loaded.report) + "}\n";
-  std::fputs(text.c_str(), stdout);
+  for (const std::string& note : loaded.notes) notes.add(io::jsonString(note));
+  for (const SurfacePart& part : loaded.parts) {
+    parts.add(io::JsonObject().add("faces", part.faces).add("area", part.area).text());
+  }
+  const io::JsonObject json = io::JsonObject()
+                                  .add("file", file)
+                                  .add("format", io::toString(loaded.format))
+                                  .add("unit", loaded.unit)
+                                  .add("vertices", mesh.vertexCount())
+                                  .add("edges", mesh.edgeCount())
+                                  .add("faces", mesh.faceCount())
+                                  .add("components", mesh.componentCount())
+                                  .addJson("genus", genus.text())
+                                  .addJson("boundaries", boundaries.text())
+                                  .add("area", mesh.area())
+                                  .add("meanEdgeLength", mesh.meanEdgeLength())
+                                  .addJson("boundingBox", io::JsonObject()
+                                                              .addJson("min", jsonOf(box.low))
+                                                              .addJson("max", jsonOf(box.high))
+                                                              .text())
+                                  .addJson("notes", notes.text())
+                                  .addJson("byComponent", parts.text())
+                                  .addJson("report", io::reportJson(loaded.report));
+  std::puts(json.text().c_str());
 }
 
 std::string counted(Index count, const char* one, const char* many) {
@@ -156,7 +149,7 @@ void printText(const std::string& file, const io::LoadedMesh& loaded) {
                         ? ""
                         : " (of " + std::to_string(report.inputFaces) + " in the file)"));
   row("components", std::to_string(mesh.componentCount()));
-  row("genus", joinedGenera(mesh, ", "));
+  row("genus", joinedGenera(mesh));
   if (report.boundaryCurves > 0) {
     row("boundary", counted(report.boundaryCurves, "curve", "curves") + " of " +
                         counted(report.boundaryEdges, "edge", "edges"));

@@ -21,7 +21,6 @@
 #include "process/progress_line.h"
 #include "process/report.h"
 #include "text/json_text.h"
-#include "text/number_text.h"
 
 namespace girth::cli {
 namespace remesh_command {
@@ -48,23 +47,24 @@ struct Options {
 void print(const Options& options, const io::LoadedMesh& loaded, const SurfaceMesh& mesh,
            const std::optional<HandleRemoval>& repaired, std::optional<double> difference) {
   if (options.json) {
-    const std::string text =
-        "{\"file\":" + io::jsonString(options.model) +
-        ",\"facesBefore\":" + std::to_string(loaded.report.inputFaces) +
-        ",\"faces\":" + std::to_string(mesh.faceCount()) +
-        ",\"vertices\":" + std::to_string(mesh.vertexCount()) +
-        ",\"areaBefore\":" + io::formatNumber(loaded.mesh.area()) +
-        ",\"area\":" + io::formatNumber(mesh.area()) +
-        ",\"meanEdgeLength\":" + io::formatNumber(mesh.meanEdgeLength()) +
-        ",\"unit\":" + io::jsonString(loaded.unit) +
-        ",\"output\":" + io::jsonString(options.output.path) +
-        (repaired ? ",\"genusBefore\":" + std::to_string(repaired->genusBefore) +
-                        ",\"genus\":" + std::to_string(repaired->genusAfter) +
-                        ",\"crossingFaces\":" + std::to_string(repaired->crossingFaces) +
-                        ",\"provenLength\":" + io::formatNumber(repaired->provenLength)
-                  : "") +
-        (difference ? ",\"difference\":" + io::formatNumber(*difference) : "") + "}\n";
-    std::fputs(text.c_str(), stdout);
+    io::JsonObject json;
+    json.add("file", options.model)
+        .add("facesBefore", loaded.report.inputFaces)
+        .add("faces", mesh.faceCount())
+        .add("vertices", mesh.vertexCount())
+        .add("areaBefore", loaded.mesh.area())
+        .add("area", mesh.area())
+        .add("meanEdgeLength", mesh.meanEdgeLength())
+        .add("unit", loaded.unit)
+        .add("output", options.output.path);
+    if (repaired) {
+      json.add("genusBefore", repaired->genusBefore)
+          .add("genus", repaired->genusAfter)
+          .add("crossingFaces", repaired->crossingFaces)
+          .add("provenLength", repaired->provenLength);
+    }
+    if (difference) json.add("difference", *difference);
+    std::puts(json.text().c_str());
     return;
   }
   if (!hasSummary()) return;

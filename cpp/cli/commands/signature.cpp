@@ -44,10 +44,14 @@ std::string signatureCsv(const std::string& name, const std::vector<double>& sha
 
 std::string signatureJson(const std::string& name, const std::vector<double>& shares,
                           const study::HistogramRange& range) {
-  std::string text;
-  for (const double share : shares) text += (text.empty() ? "" : ",") + io::formatNumber(share);
-  return "{\"name\":" + io::jsonString(name) + ",\"low\":" + io::formatNumber(range.low) +
-         ",\"high\":" + io::formatNumber(range.high) + ",\"shares\":[" + text + "]}";
+  io::JsonList list;
+  for (const double share : shares) list.add(io::numberJson(share));
+  return io::JsonObject()
+      .add("name", name)
+      .add("low", range.low)
+      .add("high", range.high)
+      .addJson("shares", list.text())
+      .text();
 }
 
 int run(const Options& options) {
@@ -74,6 +78,7 @@ int run(const Options& options) {
   // Of a model that is scaled to area 1, lengths have no unit.
   const std::string unit = options.fields.unitArea ? "" : loaded.value().unit;
   std::string rows;
+  io::JsonList list(true);
   for (const std::string& name : names) {
     const Distribution* distribution = signatures.distributionOf(name, 0);
     if (distribution == nullptr) {
@@ -92,13 +97,13 @@ int run(const Options& options) {
     if (extension == ".csv") {
       rows += signatureCsv(name, shares, range);
     } else {
-      rows += (rows.empty() ? "\n" : ",\n") + signatureJson(name, shares, range);
+      list.add(signatureJson(name, shares, range));
     }
   }
-  const std::string content = extension == ".csv" ? "descriptor,low,high,share,cumulative\n" + rows
-                                                  : "{\"file\":" + io::jsonString(options.model) +
-                                                        ",\"unit\":" + io::jsonString(unit) +
-                                                        ",\"signatures\":[" + rows + "]}\n";
+  io::JsonObject json;
+  json.add("file", options.model).add("unit", unit).addJson("signatures", list.text());
+  const std::string content =
+      extension == ".csv" ? "descriptor,low,high,share,cumulative\n" + rows : json.text() + "\n";
   if (const auto error = writeOutput(options.output, content)) {
     return reportError(options.output.path, *error);
   }

@@ -33,11 +33,13 @@ std::string formatted(const char* format, double value) {
 }
 
 std::string errorJson(const std::string& file, const Error& error) {
-  return "{" + (file.empty() ? "" : "\"file\":" + io::jsonString(file) + ",") +
-         "\"error\":{\"code\":" + io::jsonString(toString(error.code)) +
-         ",\"element\":" + (error.element < 0 ? "null" : std::to_string(error.element)) +
-         ",\"message\":" + io::jsonString(error.message) +
-         ",\"hint\":" + io::jsonString(error.hint) + "}}\n";
+  io::JsonObject about, line;
+  if (!file.empty()) line.add("file", file);
+  about.add("code", toString(error.code))
+      .addJson("element", error.element < 0 ? "null" : std::to_string(error.element))
+      .add("message", error.message)
+      .add("hint", error.hint);
+  return line.addJson("error", about.text()).text() + "\n";
 }
 
 }  // namespace

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "girth/describe/refined_girth.h"
 #include "girth/parallel.h"
-#include "girth/refined_girth.h"
 #include "model/persistence.h"
 #include "process/report.h"
 #include "text/json_text.h"
-#include "text/number_text.h"
 
 namespace girth::cli::igf_command {
 
@@ -65,20 +65,12 @@ double nanosecondsPerWindow(const GirthField& field, const Options& options, con
          static_cast<double>(field.statistics.windowsCrossed);
 }
 
-std::string refinedJson(const RefinedGirth& refined) {
-  const GirthAudit& audit = refined.audit;
-  std::string text = ",\"coarseFaces\":" + std::to_string(refined.coarseFaces) +
-                     ",\"leanFaces\":" + std::to_string(refined.leanFaces);
-  for (const GirthState state : kStates) {
-    text += "," + io::jsonString(toString(state)) + ":" + std::to_string(refined.count(state));
-  }
-  return text + ",\"audit\":{\"vertices\":" + std::to_string(audit.vertices) +
-         ",\"equal\":" + std::to_string(audit.equal) +
-         ",\"atLeast\":" + io::formatNumber(audit.atLeast) +
-         ",\"atMost\":" + io::formatNumber(audit.atMost) +
-         ",\"median\":" + io::formatNumber(audit.median) +
-         ",\"percentile95\":" + io::formatNumber(audit.percentile95) +
-         ",\"greatest\":" + io::formatNumber(audit.greatest) + "}";
+void addRefined(const RefinedGirth& refined, io::JsonObject& json) {
+  json.add("coarseFaces", refined.coarseFaces).add("leanFaces", refined.leanFaces);
+  for (const GirthState state : kStates) json.add(toString(state), refined.count(state));
+  io::JsonObject audit;
+  visitMembers(refined.audit, [&](const char* name, const auto& value) { audit.add(name, value); });
+  json.addJson("audit", audit.text());
 }
 
 void printRefined(const RefinedGirth& refined) {
@@ -104,34 +96,34 @@ void printRefined(const RefinedGirth& refined) {
 void printJson(const Work& work, const GirthField& field, const Options& options,
                const Timing& timing) {
   const Summary summary = summarize(field);
-  const auto number = [&](double value) {
-    return summary.computed > 0 ? io::formatNumber(value) : std::string("null");
-  };
-  std::string text =
-      "{\"file\":" + io::jsonString(work.model) +
-      ",\"field\":\"igf\",\"method\":" + io::jsonString(methodText(options)) +
-      (work.fewerFaces == 0 ? "" : ",\"fewerFaces\":" + std::to_string(work.fewerFaces)) +
-      ",\"persistence\":" + io::formatNumber(work.persistence) +
-      ",\"unit\":" + io::jsonString(work.loaded.unit) +
-      ",\"vertices\":" + std::to_string(field.values.size()) +
-      ",\"computed\":" + std::to_string(summary.computed) +
-      ",\"complete\":" + (field.complete() ? "true" : "false") +
-      ",\"min\":" + number(summary.least) + ",\"median\":" + number(summary.median) +
-      ",\"max\":" + number(summary.greatest) + ",\"loop\":" + std::to_string(summary.loops) +
-      ",\"antipodal\":" + std::to_string(summary.antipodal) +
-      ",\"unresolved\":" + std::to_string(summary.unresolved) +
-      ",\"seconds\":" + readable(timing.computing);
-  if (work.refined != nullptr) text += refinedJson(*work.refined);
-  if (options.output.isWanted()) text += ",\"output\":" + io::jsonString(options.output.path);
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const bool isEmpty = summary.computed == 0;
+  io::JsonObject json;
+  json.add("file", work.model).add("field", "igf").add("method", methodText(options));
+  if (work.fewerFaces != 0) json.add("fewerFaces", work.fewerFaces);
+  json.add("persistence", work.persistence)
+      .add("unit", work.loaded.unit)
+      .add("vertices", field.values.size())
+      .add("computed", summary.computed)
+      .add("complete", field.complete())
+      .add("min", isEmpty ? kNone : summary.least)
+      .add("median", isEmpty ? kNone : summary.median)
+      .add("max", isEmpty ? kNone : summary.greatest)
+      .add("loop", summary.loops)
+      .add("antipodal", summary.antipodal)
+      .add("unresolved", summary.unresolved)
+      .addJson("seconds", readable(timing.computing));
+  if (work.refined != nullptr) addRefined(*work.refined, json);
+  if (options.output.isWanted()) json.add("output", options.output.path);
   if (options.stats) {
-    text += ",\"readingSeconds\":" + readable(timing.reading) +
-            ",\"sources\":" + std::to_string(field.statistics.sources) +
-            ",\"windowsCreated\":" + std::to_string(field.statistics.windowsCreated) +
-            ",\"windowsCrossed\":" + std::to_string(field.statistics.windowsCrossed) +
-            ",\"peakBytes\":" + std::to_string(field.statistics.peakBytes) +
-            ",\"nanosecondsPerWindow\":" + readable(nanosecondsPerWindow(field, options, timing));
+    json.addJson("readingSeconds", readable(timing.reading))
+        .add("sources", field.statistics.sources)
+        .add("windowsCreated", field.statistics.windowsCreated)
+        .add("windowsCrossed", field.statistics.windowsCrossed)
+        .add("peakBytes", field.statistics.peakBytes)
+        .addJson("nanosecondsPerWindow", readable(nanosecondsPerWindow(field, options, timing)));
   }
-  std::fputs((text + "}\n").c_str(), stdout);
+  std::puts(json.text().c_str());
 }
 
 void printText(const Work& work, const GirthField& field, const Options& options,
