@@ -1,4 +1,4 @@
-// The interfaces of results in TypeScript, of what girth/describe lists and the headers say.
+// The types of results in TypeScript and Python, of what girth/describe lists and the headers say.
 
 import { descriptions, isExperimental, structOf, wordsOf } from './headers.mjs';
 
@@ -13,6 +13,18 @@ const publicNames = /** @type {Record<string, string>} */ ({
 
 /** @param {string} struct */
 export const publicName = (struct) => publicNames[struct] ?? struct;
+
+/** What of the structs has a class in Python. */
+const pythonNames = /** @type {Record<string, string>} */ ({
+  AxisStation: 'AxisLoop',
+  Bottleneck: 'Bottleneck',
+  ContourLine: 'Contour',
+  Handle: 'Handle',
+  Limb: 'Limb',
+  Neck: 'Neck',
+  Part: 'Part',
+  Tip: 'Tip',
+});
 
 /** Structs that are given, not found: their types have options. */
 const given = new Set(['PrintLimits']);
@@ -61,6 +73,7 @@ export function results() {
   const all = descriptions().filter(({ struct }) => !given.has(struct));
   const known = new Set(all.map(({ struct }) => struct));
   return all.map(({ struct, members }) => ({
+    struct,
     name: publicName(struct),
     ...structOf(struct),
     members: members
@@ -108,4 +121,135 @@ import type { SurfacePoint } from './points.js';
 
 ${[...new Set(enumerations)].map(wordsText).join('\n')}
 ${interfaces.join('\n')}`;
+}
+
+/** Types of members in Python: of the attribute, and in words where these say more. */
+const pythonTypes = /** @type {Record<string, [string, string?]>} */ ({
+  bool: ['bool'],
+  double: ['float'],
+  Index: ['int'],
+  Vertex: ['int'],
+  Vec3: ['np.ndarray', 'ndarray of float64, shape (3,)'],
+  SurfacePoint: ['np.ndarray', 'ndarray of float64, shape (3,)'],
+  GirthProfile: ['np.ndarray', 'ndarray of float64, shape (stations, 4)'],
+  'std::string_view': ['str'],
+  'std::vector<CurveSide>': ['np.ndarray', 'ndarray of float64, shape (sides, 2)'],
+  'std::vector<double>': ['np.ndarray', 'ndarray of float64'],
+  'std::vector<Index>': ['list[int]', 'list of int'],
+  'std::vector<Vertex>': ['np.ndarray', 'ndarray of int64'],
+  'std::vector<SurfacePoint>': ['np.ndarray', 'ndarray of float64, shape (k, 3)'],
+});
+
+/** @param {string} name */
+const snakeCase = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
+
+/** What a member is in Python. @param {ReturnType<typeof results>[number]['members'][number]} member */
+function pythonMember({ name, type, comment, typescript, isEnumeration }) {
+  const [, entry = ''] = /^std::vector<(\w+)>$/.exec(type) ?? [];
+  const ofClass = pythonNames[entry];
+  const [annotation, words = annotation] = isEnumeration
+    ? ['str']
+    : ofClass
+      ? [`list["${ofClass}"]`, `list of ${ofClass}`]
+      : (pythonTypes[type] ?? []);
+  if (annotation === undefined) throw new Error(`${name} has a type that Python has not: ${type}`);
+  const columns = /** @type {Record<string, string>} */ ({
+    GirthProfile: 'GirthStation',
+    'std::vector<CurveSide>': 'CurveSide',
+  })[type];
+  const more = [
+    ...(isEnumeration
+      ? wordsOf(typescript).words.map(
+          ({ word, meaning }) => `\`\`"${word}"\`\`: ${sentences(meaning)}`,
+        )
+      : []),
+    ...(columns ? columnsOf(columns) : []),
+    ...(type === 'Vertex' ? ['-1 where there is none, or the preparation made it.'] : []),
+  ];
+  const text = [sentences(comment), ...more].join(' ');
+  return { name: snakeCase(name), annotation, words, text: inPython(text) };
+}
+
+/** The numbers of each row, where a list of structs is an array. @param {string} struct */
+function columnsOf(struct) {
+  const found = results().find((one) => one.struct === struct);
+  const columns = (found?.members ?? []).filter(({ type }) => type === 'double');
+  return ['Columns:', ...columns.map(({ name, comment }) => `${name}: ${sentences(comment)}`)];
+}
+
+/** Names of members as Python has them. @param {string} text */
+const inPython = (text) => text.replace(/`([a-z]\w*)`/g, (_, name) => `\`\`${snakeCase(name)}\`\``);
+
+/** @param {string} text @param {string} indent */
+const wrapped = (text, indent) =>
+  text.replace(new RegExp(`(.{1,${96 - indent.length}})(?: |$)`, 'g'), `${indent}$1\n`);
+
+export function pythonText() {
+  const classes = results().flatMap(({ struct, comment, members }) => {
+    const name = pythonNames[struct];
+    if (!name) return [];
+    const own = members.map(pythonMember);
+    const attributes = own.map(
+      ({ name: attribute, words, text }) =>
+        `    ${attribute} : ${words}\n${wrapped(text, '        ')}`,
+    );
+    const kept = members.flatMap(({ how, type }) => [
+      ...(how === 'curve' ? ['_curve'] : []),
+      ...(type === 'GirthProfile' ? ['_places'] : []),
+    ]);
+    const annotations = [
+      ...own.map(({ name: attribute, annotation }) => `    ${attribute}: ${annotation}\n`),
+      ...kept.map((attribute) => `    ${attribute}: tuple[np.ndarray, np.ndarray]\n`),
+    ];
+    const summary = wrapped(`"""${inPython(sentences(comment))}`, '    ');
+    return `class ${name}(_Members):\n${summary}\n    Attributes\n    ----------\n${attributes.join('')}    """\n\n${annotations.join('')}`;
+  });
+  return `"""The members of results. Made of the headers in cpp/include/girth by \`npm run build:tables\`: not to be edited."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+
+class _Members:
+    def __init__(self, found: dict[str, Any]) -> None:
+        self.__dict__.update(found)
+
+
+${classes.join('\n\n')}`;
+}
+
+/** The unit that a comment states, as documents name it. @param {string} comment */
+export function unitOf(comment) {
+  const [, power] = /\b(squared |cubed )?model units\b/.exec(comment) ?? [];
+  if (power !== undefined) return power === 'squared ' ? 'area' : 'volume';
+  if (/\bmodel units\b/.test(comment)) return 'length';
+  return /\bradians\b/.test(comment) ? 'radian' : '';
+}
+
+/** Entries of lists in JSON; what is a file's whole content has tables of its own. */
+const tabled =
+  'Tip ContourLine OpenArc Limb GirthStation Neck CurveSide Handle Part WeakPlace PathStation AxisStation PreparationReport ClosedHole GirthAudit'.split(
+    ' ',
+  );
+
+/** Tables of the members of results in JSON. */
+export function documentTables() {
+  const all = results();
+  return tabled
+    .map((struct) => {
+      const found = all.find((one) => one.struct === struct);
+      if (!found) throw new Error(`${struct} is not described`);
+      const rows = found.members.map(({ name, type, typescript, comment, isEnumeration }) => {
+        const words = isEnumeration
+          ? wordsOf(typescript).words.map(({ word }) => `\`${word}\``)
+          : [];
+        const meaning = [sentences(comment), ...(words.length > 0 ? [`${words.join(', ')}.`] : [])];
+        return `| \`${name}\` | ${/double|Vec3/.test(type) ? unitOf(comment) : ''} | ${meaning.join(' ')} |`;
+      });
+      return `### ${found.name}\n\n${sentences(found.comment)}\n\n| member | unit | meaning |\n| --- | --- | --- |\n${rows.join('\n')}`;
+    })
+    .join('\n\n');
 }

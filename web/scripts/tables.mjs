@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { format } from 'oxfmt';
 import { headers, read, structOf } from './headers.mjs';
-import { resultsText } from './results.mjs';
+import { documentTables, pythonText, resultsText } from './results.mjs';
 import { repository } from './run.mjs';
 
 /**
@@ -251,15 +251,20 @@ function documentTable() {
   return `| field | unit | a value is |\n| --- | --- | --- |\n${rows.join('\n')}`;
 }
 
-const begin = '<!-- fields: made of cpp/include/girth/fields.def by `npm run build:tables` -->';
-const end = '<!-- fields end -->';
+/** Parts of documents that are made here, each between two comments. */
+const parts = [
+  { name: 'fields', of: 'cpp/include/girth/fields.def', text: documentTable },
+  { name: 'results', of: 'cpp/include/girth/describe', text: documentTables },
+];
 
 /** @param {string} document */
 function documentText(document) {
-  const text = read(document);
-  const [from, to] = [text.indexOf(begin), text.indexOf(end)];
-  if (from < 0 || to < from) throw new Error(`${document} has no place for the table of fields`);
-  return `${text.slice(0, from)}${begin}\n\n${documentTable()}\n\n${text.slice(to)}`;
+  return parts.reduce((text, { name, of, text: partText }) => {
+    const begin = `<!-- ${name}: made of ${of} by \`npm run build:tables\` -->`;
+    const [from, to] = [text.indexOf(begin), text.indexOf(`<!-- ${name} end -->`)];
+    if (from < 0 || to < from) throw new Error(`${document} has no place for the part ${name}`);
+    return `${text.slice(0, from)}${begin}\n\n${partText()}\n\n${text.slice(to)}`;
+  }, read(document));
 }
 
 /** Every file that is made of tables, by its path. */
@@ -275,7 +280,10 @@ export async function tables() {
   const formatted = Object.entries(texts).map(async ([path, text]) => {
     return /** @type {const} */ ([path, (await format(path, text, style)).code]);
   });
-  return Object.fromEntries(await Promise.all(formatted));
+  return {
+    ...Object.fromEntries(await Promise.all(formatted)),
+    'cpp/python/pygirth/_members.py': pythonText(),
+  };
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

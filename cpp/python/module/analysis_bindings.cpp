@@ -39,7 +39,7 @@ py::dict tipsOf(const Shared& surface, double persistence, const Running& runnin
       compute<Tips>(running, [surface, persistence](const ExecutionContext& context) {
         return tipsByGirth(*surface, persistence, context);
       });
-  return dictOf(surface->mesh(), found);
+  return dictOf(surface->loaded(), found);
 }
 
 py::list limbsOf(const Shared& surface, Index stations, double persistence,
@@ -54,7 +54,7 @@ py::list limbsOf(const Shared& surface, Index stations, double persistence,
         return findLimbs(surface->mesh(), girth.value()->values, tips.value().tips, {stations},
                          quiet);
       });
-  return listOf(surface->mesh(), found.limbs);
+  return listOf(surface->loaded(), found.limbs);
 }
 
 struct FoundParts {
@@ -88,7 +88,7 @@ py::tuple partsByThresholds(const Shared& surface, double girth, double thicknes
       });
   return py::make_tuple(found.thresholds.girth, found.thresholds.thickness,
                         numberArray(found.parts.partOf),
-                        listOf(surface->mesh(), found.parts.parts));
+                        listOf(surface->loaded(), found.parts.parts));
 }
 
 /// Thresholds as above.
@@ -129,7 +129,8 @@ py::tuple segmentsByNecks(const Shared& surface, double minProminence, double gi
           segment.kindAreas[static_cast<std::size_t>(kind)] / segment.area;
     }
     py::list apexes;
-    for (const Index tip : segment.tips) apexes.append(numberOf(found.tips[tip].apex));
+    for (const Index tip : segment.tips)
+      apexes.append(rowOf(surface->loaded(), found.tips[tip].apex));
     py::dict one;
     one["area"] = segment.area;
     one["kind"] = std::string(toString(segment.kind()));

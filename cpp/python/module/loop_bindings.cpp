@@ -38,7 +38,7 @@ py::tuple necksOf(const Shared& surface, double minProminence, const Running& ru
         if (!girth) return girth.error();
         return findNecks(surface->mesh(), girth.value()->values, {minProminence}, context);
       });
-  return py::make_tuple(listOf(surface->mesh(), found.necks), found.unresolved);
+  return py::make_tuple(listOf(surface->loaded(), found.necks), found.unresolved);
 }
 
 /// (handles, unresolved)
@@ -47,7 +47,7 @@ py::tuple handlesOf(const Shared& surface, std::size_t basePoints, const Running
       compute<Handles>(running, [surface, basePoints](const ExecutionContext& context) {
         return findHandles(surface->mesh(), {basePoints}, context);
       });
-  return py::make_tuple(listOf(surface->mesh(), found.handles), found.unresolved);
+  return py::make_tuple(listOf(surface->loaded(), found.handles), found.unresolved);
 }
 
 py::dict bottleneckOf(const Shared& surface, const Point& from, const Point& to,
@@ -59,7 +59,7 @@ py::dict bottleneckOf(const Shared& surface, const Point& from, const Point& to,
         if (!girth) return girth.error();
         return findBottleneck(surface->mesh(), girth.value()->values, start, end, context);
       });
-  return dictOf(surface->mesh(), found);
+  return dictOf(surface->loaded(), found);
 }
 
 using Stations = std::vector<PathStation>;
@@ -116,7 +116,7 @@ py::list axisOf(const Shared& surface, const Array<double>& profile, const Curve
       compute<Axis>(running, [surface, stations](const ExecutionContext& context) -> Result<Axis> {
         return limbAxis(surface->mesh(), stations, context);
       });
-  return listOf(surface->mesh(), axis);
+  return listOf(surface->loaded(), axis);
 }
 
 /// (parts, part of each face of the input)

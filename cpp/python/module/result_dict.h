@@ -3,6 +3,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -14,6 +16,7 @@
 #include "girth/describe/cut_surface.h"
 #include "girth/describe/description.h"
 #include "girth/girth_profile.h"
+#include "girth/io/read_mesh.h"
 
 namespace girth::python {
 
@@ -28,29 +31,36 @@ inline pybind11::str snakeCase(const char* name) {
   return text;
 }
 
-/// The members of a result. Vertices and faces have the surface's numbers; points are positions.
+/// The row of the user's vertices that a vertex comes from; -1 where it was made by the
+/// preparation.
+inline std::int64_t rowOf(const io::LoadedMesh& loaded, Vertex vertex) {
+  return vertex == Vertex::none ? -1 : numberOf(loaded.inputOfVertex[vertex]);
+}
+
+/// The members of a result. Vertices are rows of the user's vertices; points are positions.
 template <Described Struct>
-pybind11::dict dictOf(const SurfaceMesh& mesh, const Struct& result);
+pybind11::dict dictOf(const io::LoadedMesh& loaded, const Struct& result);
 
 /// A list of results.
 template <Described Struct>
-pybind11::list listOf(const SurfaceMesh& mesh, const std::vector<Struct>& results) {
+pybind11::list listOf(const io::LoadedMesh& loaded, const std::vector<Struct>& results) {
   pybind11::list list;
-  for (const Struct& result : results) list.append(dictOf(mesh, result));
+  for (const Struct& result : results) list.append(dictOf(loaded, result));
   return list;
 }
 
 /// Fills a dictionary, member by member.
 class ResultDict {
  public:
-  ResultDict(const SurfaceMesh& mesh, pybind11::dict members)
-      : mesh_(mesh), members_(std::move(members)) {}
+  ResultDict(const io::LoadedMesh& loaded, pybind11::dict members)
+      : loaded_(loaded), members_(std::move(members)) {}
 
+  /// With the points as `cut` takes them.
   void operator()(const char* name, const Curve& curve) {
     (*this)(name, curve.points);
-    members_["curve"] = curveOf(curve.points);
+    members_["_curve"] = curveOf(curve.points);
   }
-  /// A row of numbers for each station, and where their least girths are, as `places`.
+  /// A row of numbers for each station, and where their least girths are, as `axis` takes it.
   void operator()(const char* name, const GirthProfile& profile) {
     std::vector<double> numbers;
     SurfaceCurve places;
@@ -61,7 +71,7 @@ class ResultDict {
     }
     members_[name] =
         arrayOf(std::move(numbers), {static_cast<pybind11::ssize_t>(profile.size()), 4});
-    members_["places"] = curveOf(places);
+    members_["_places"] = curveOf(places);
   }
   template <class Value>
   void operator()(const char* name, const Value& value) {
@@ -69,6 +79,7 @@ class ResultDict {
   }
 
  private:
+  std::int64_t valueOf(Index number) const { return numberOf(number); }
   template <class Value>
   requires std::is_arithmetic_v<Value> Value valueOf(Value value)
   const { return value; }
@@ -77,18 +88,25 @@ class ResultDict {
   const { return std::string(toString(word)); }
   Array<double> valueOf(const Vec3& point) const { return pointArray(point); }
   Array<double> valueOf(const SurfacePoint& point) const {
-    return pointArray(positionOf(mesh_, point));
+    return pointArray(positionOf(loaded_.mesh, point));
   }
   Array<double> valueOf(std::span<const SurfacePoint> points) const {
-    return placesOf(mesh_, points);
+    return placesOf(loaded_.mesh, points);
   }
-  Array<double> valueOf(const Line& line) const { return placesOf(mesh_, line.points); }
-  std::int64_t valueOf(Vertex vertex) const { return numberOf(vertex); }
+  Array<double> valueOf(const Line& line) const { return placesOf(loaded_.mesh, line.points); }
+  std::int64_t valueOf(Vertex vertex) const { return rowOf(loaded_, vertex); }
   Array<std::int64_t> valueOf(const std::vector<Vertex>& vertices) const {
-    return numberArray(vertices);
+    std::vector<std::int64_t> rows;
+    forEachRow(vertices, [&](std::size_t row, Vertex) { rows.push_back(std::int64_t(row)); });
+    return arrayOf(std::move(rows));
   }
   Array<double> valueOf(const VertexNumbers& numbers) const {
-    return arrayOf(std::vector<double>(numbers.numbers.begin(), numbers.numbers.end()));
+    std::vector<double> ofVertex(loaded_.mesh.vertexCount()), ofRow;
+    for (std::size_t i = 0; i < numbers.vertices.size(); ++i) {
+      ofVertex[numbers.vertices[i]] = numbers.numbers[i];
+    }
+    forEachRow(numbers.vertices, [&](std::size_t, Vertex v) { ofRow.push_back(ofVertex[v]); });
+    return arrayOf(std::move(ofRow));
   }
   pybind11::list valueOf(const Numbers& numbers) const {
     pybind11::list list;
@@ -103,21 +121,32 @@ class ResultDict {
   }
   template <Described Struct>
   pybind11::dict valueOf(const Struct& result) const {
-    return dictOf(mesh_, result);
+    return dictOf(loaded_, result);
   }
   template <Described Struct>
   pybind11::list valueOf(const std::vector<Struct>& results) const {
-    return listOf(mesh_, results);
+    return listOf(loaded_, results);
   }
 
-  const SurfaceMesh& mesh_;
+  /// Calls `take(row, vertex)` for all rows of the user's vertices that are one of these, in order.
+  template <class Take>
+  void forEachRow(std::span<const Vertex> vertices, Take take) const {
+    std::vector<bool> isChosen(loaded_.mesh.vertexCount());
+    for (const Vertex v : vertices) isChosen[v] = true;
+    for (std::size_t row = 0; row < loaded_.vertexOfInput.size(); ++row) {
+      const Vertex v = loaded_.vertexOfInput[row];
+      if (v != Vertex::none && isChosen[v]) take(row, v);
+    }
+  }
+
+  const io::LoadedMesh& loaded_;
   pybind11::dict members_;
 };
 
 template <Described Struct>
-pybind11::dict dictOf(const SurfaceMesh& mesh, const Struct& result) {
+pybind11::dict dictOf(const io::LoadedMesh& loaded, const Struct& result) {
   pybind11::dict members;
-  visitMembers(result, ResultDict(mesh, members));
+  visitMembers(result, ResultDict(loaded, members));
   return members;
 }
 

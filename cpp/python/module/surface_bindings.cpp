@@ -122,7 +122,7 @@ py::tuple surfaceOfFile(const std::string& path, double weld, bool closeHoles,
 }
 
 py::dict reportOf(const Surface& surface) {
-  return dictOf(surface.mesh(), surface.loaded().report);
+  return dictOf(surface.loaded(), surface.loaded().report);
 }
 
 py::tuple arraysOf(const GirthField& field) {
@@ -165,7 +165,7 @@ py::tuple refinedGirthOf(const Shared& surface, Index audit, std::uint64_t seed,
   }
   const py::tuple girth = arraysOf(refined.field);
   return py::make_tuple(girth[0], girth[1], arrayOf(std::move(states)),
-                        dictOf(surface->mesh(), refined.audit));
+                        dictOf(surface->loaded(), refined.audit));
 }
 
 using Values = std::vector<double>;

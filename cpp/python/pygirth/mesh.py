@@ -409,7 +409,7 @@ class Mesh:
             raise input_error("INVALID_OPTION", f"stations is {count}", "choose 1 to 10,000")
         tau = _persistence(persistence)
         found = _girth.limbs(self._surface, count, tau, running(threads, progress))
-        return [Limb(self, limb) for limb in found]
+        return [Limb(limb) for limb in found]
 
     def parts(
         self,
@@ -469,7 +469,7 @@ class Mesh:
         """
         least = _not_negative(min_prominence, "min_prominence")
         found, unresolved = _girth.necks(self._surface, least, running(threads, progress))
-        return Necks([Neck(self, neck) for neck in found], unresolved)
+        return Necks([Neck(neck) for neck in found], unresolved)
 
     def segments(
         self,
@@ -858,17 +858,6 @@ class Mesh:
         result = np.full(len(known), none, values.dtype)
         result[known] = values[self._row_of_vertex[known]]
         return result
-
-    def _rows_of(self, vertices: np.ndarray) -> np.ndarray:
-        """The rows of `vertices` that are these vertices of the surface."""
-        if self._is_plain:
-            return vertices
-        chosen = np.zeros(len(self._row_of_vertex) + 1, bool)
-        chosen[vertices] = True
-        return np.flatnonzero(chosen[self._vertex_of_row])
-
-    def _row_of(self, vertex: int) -> int:
-        return int(self._row_of_vertex[vertex]) if vertex >= 0 else -1
 
     def _point(self, point: Any) -> tuple[int, list[float]]:
         """A point as the core takes it: (vertex, []) or (face, weights)."""

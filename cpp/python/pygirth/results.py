@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional
 
 import numpy as np
 
+from pygirth import _members
+
 if TYPE_CHECKING:
     from pygirth.mesh import Mesh
 
@@ -294,86 +296,12 @@ class Path(_Result):
         return f"length {self.length:.6g}, {len(self.points)} points"
 
 
-class Neck(_Result):
-    """A closed geodesic that a surface cannot be slipped out of without stretching it.
-
-    Attributes
-    ----------
-    length : float
-        Of the loop, in model units.
-    prominence : float
-        How far the girth must rise on the way to a narrower neck; infinite where none can be
-        reached.
-    points : ndarray of float64, shape (k, 3)
-        The polyline; the last point equals the first.
-    width : float
-        Of the band of parallel loops of this length; 0: a single one.
-    vertices : ndarray of int64
-        The vertices that the loop passes, in rising order.
-    centre, normal : ndarray of float64, shape (3,)
-        The middle, and the unit normal of the mean plane.
-    radius, area : float
-        The mean distance from the centre, and the area enclosed in the mean plane.
-    sides : ndarray of float64, shape (s, 2)
-        Area and volume of what the loop separates, the larger area first; one row where it
-        separates nothing. The volume is NaN where the side has a boundary.
-    measures_girth : bool
-        Whether the girth is this length at all its vertices; otherwise a shorter loop goes through.
-    touches_boundary : bool
-        Whether it touches the surface's boundary.
-    """
-
-    def __init__(self, mesh: "Mesh", found: dict) -> None:
-        self.length: float = found["length"]
-        self.prominence: float = found["prominence"]
-        self.points: np.ndarray = found["points"]
-        self.width: float = found["width"]
-        self.vertices = mesh._rows_of(found["vertices"])
-        self.centre: np.ndarray = found["centre"]
-        self.normal: np.ndarray = found["normal"]
-        self.radius: float = found["radius"]
-        self.area: float = found["area"]
-        self.sides: np.ndarray = found["sides"]
-        self.measures_girth: bool = found["measures_girth"]
-        self.touches_boundary: bool = found["touches_boundary"]
-        self._curve: tuple[np.ndarray, np.ndarray] = found["curve"]
-
+class Neck(_members.Neck, _Result):
     def _line(self) -> str:
         return f"length {self.length:.6g}, prominence {self.prominence:.4g}"
 
 
-class Handle(_Result):
-    """A closed geodesic round a handle or through a tunnel.
-
-    Attributes
-    ----------
-    length : float
-        In model units.
-    kind : str
-        ``"handle"``: round the material; ``"tunnel"``: round a hole; ``"unknown"``: the surface
-        crosses itself.
-    points : ndarray of float64, shape (k, 3)
-        The polyline; the last point equals the first.
-    centre : ndarray of float64, shape (3,)
-        Its middle.
-    area : float
-        Enclosed in its mean plane, in squared model units.
-    component : int
-        Of the surface, from 0.
-    may_be_shorter_by : float
-        How much shorter a loop in its place may be, at most; 0: proven to be the shortest.
-    """
-
-    def __init__(self, found: dict) -> None:
-        self.length: float = found["length"]
-        self.kind: str = found["kind"]
-        self.points: np.ndarray = found["points"]
-        self.centre: np.ndarray = found["centre"]
-        self.area: float = found["area"]
-        self.component: int = found["component"]
-        self.may_be_shorter_by: float = found["may_be_shorter_by"]
-        self._curve: tuple[np.ndarray, np.ndarray] = found["curve"]
-
+class Handle(_members.Handle, _Result):
     def _line(self) -> str:
         return f"{self.kind}, length {self.length:.6g}"
 
@@ -434,41 +362,7 @@ class Handles(_Loops):
     _name = "handles"
 
 
-class Bottleneck(_Result):
-    """The narrowest place on the widest way from one point to another.
-
-    Attributes
-    ----------
-    girth : float
-        There, in model units: the length of the loop.
-    kind : str
-        ``"neck"``; ``"pass"``: a narrow place whose loop can be moved to where it is shorter;
-        ``"end"``: one of the two points, with no neck between them.
-    place : ndarray of float64, shape (3,)
-        Where on the way it is.
-    points : ndarray of float64, shape (k, 3)
-        The loop; the last point equals the first.
-    centre : ndarray of float64, shape (3,)
-        Its middle.
-    area : float
-        Enclosed in its mean plane, in squared model units.
-    sides : ndarray of float64, shape (s, 2)
-        As of `Neck`; none unless it is one.
-    way : ndarray of float64, shape (w, 3)
-        The way, along edges and parts of edges.
-    """
-
-    def __init__(self, found: dict) -> None:
-        self.girth: float = found["girth"]
-        self.kind: str = found["kind"]
-        self.place: np.ndarray = found["place"]
-        self.points: np.ndarray = found["points"]
-        self.centre: np.ndarray = found["centre"]
-        self.area: float = found["area"]
-        self.sides: np.ndarray = found["sides"]
-        self.way: np.ndarray = found["way"]
-        self._curve: tuple[np.ndarray, np.ndarray] = found["curve"]
-
+class Bottleneck(_members.Bottleneck, _Result):
     def _line(self) -> str:
         return f"{self.kind}, girth {self.girth:.6g}"
 
@@ -504,34 +398,7 @@ class Profile(_Result):
         )
 
 
-class AxisLoop(_Result):
-    """One of the loops that are swept along a limb.
-
-    Attributes
-    ----------
-    distance : float
-        Along the axis from its first point, in model units.
-    along : float
-        Over the surface from the limb's apex, in model units.
-    girth : float
-        Its length, in model units.
-    centre : ndarray of float64, shape (3,)
-        Its middle: a point of the axis.
-    area : float
-        Enclosed in its mean plane, in squared model units.
-    points : ndarray of float64, shape (k, 3)
-        The loop; the last point equals the first.
-    """
-
-    def __init__(self, found: dict) -> None:
-        self.distance: float = found["distance"]
-        self.along: float = found["along"]
-        self.girth: float = found["girth"]
-        self.centre: np.ndarray = found["centre"]
-        self.area: float = found["area"]
-        self.points: np.ndarray = found["points"]
-        self._curve: tuple[np.ndarray, np.ndarray] = found["curve"]
-
+class AxisLoop(_members.AxisLoop, _Result):
     def _line(self) -> str:
         return f"distance {self.distance:.4g}, girth {self.girth:.6g}"
 
@@ -592,50 +459,14 @@ class Cut(_Result):
         return f"{len(self)} parts, areas {[float(f'{part.area:.4g}') for part in self.parts]}"
 
 
-class Contour(_Result):
-    """A line along which the girth jumps.
-
-    Attributes
-    ----------
-    points : ndarray of float64, shape (k, 3)
-        In order; the first is not repeated.
-    closed : bool
-        Whether it comes back to its first point.
-    """
-
-    def __init__(self, found: dict) -> None:
-        self.points: np.ndarray = found["points"]
-        self.closed: bool = found["closed"]
-
+class Contour(_members.Contour, _Result):
     def _line(self) -> str:
         return f"{'closed' if self.closed else 'open'}, {len(self.points)} points"
 
 
-class Tip(_Result):
-    """A region that the discontinuity contour cuts off.
-
-    Attributes
-    ----------
-    vertices : ndarray of int64
-        Its vertices, in rising order.
-    contour : list of Contour
-        What cuts it off.
-    area, boundary_length : float
-        Inside the contour, in squared model units; of the contour, in model units.
-    apex : int
-        The vertex farthest from the contour; -1 where it was made by the preparation.
-    apex_distance, jump : float
-        How far that is, and how far the girth rises from outside to inside, in model units.
-    """
-
-    def __init__(self, mesh: "Mesh", found: dict) -> None:
-        self.vertices = mesh._rows_of(found["vertices"])
-        self.contour = [Contour(line) for line in found["contour"]]
-        self.area: float = found["area"]
-        self.boundary_length: float = found["boundary_length"]
-        self.apex = mesh._row_of(found["apex"])
-        self.apex_distance: float = found["apex_distance"]
-        self.jump: float = found["jump"]
+class Tip(_members.Tip, _Result):
+    def __init__(self, found: dict) -> None:
+        super().__init__({**found, "contour": [Contour(line) for line in found["contour"]]})
 
     def _line(self) -> str:
         return f"{len(self.vertices)} vertices, apex {self.apex}, jump {self.jump:.4g}"
@@ -655,7 +486,7 @@ class Tips(_Result):
 
     def __init__(self, mesh: "Mesh", found: dict) -> None:
         self.mesh = mesh
-        self.tips = [Tip(mesh, tip) for tip in found["tips"]]
+        self.tips = [Tip(tip) for tip in found["tips"]]
         self.arcs = [Contour(arc["line"]) for arc in found["arcs"]]
 
     def __len__(self) -> int:
@@ -676,72 +507,12 @@ class Tips(_Result):
         return f"{len(self)} tips, apexes {self.apexes.tolist()}"
 
 
-class Limb(_Result):
-    """What a tip ends: a finger, an arm, a leg.
-
-    Attributes
-    ----------
-    apex : int
-        The vertex where it begins.
-    tips : list of int
-        The tips that it ends in, by their numbers in `Mesh.tips`.
-    length : float
-        From the apex to its base, along the surface, in model units.
-    end : str
-        Why it ends: ``"spreads"``, ``"slips"``, ``"splits"``, ``"handle"``, ``"boundary"`` or
-        ``"whole"``.
-    narrowest, narrowest_distance, median, base : float
-        The least girth and how far from the apex it is; the median along the limb; the girth at its
-        base. In model units; NaN where there is none.
-    vertices : ndarray of int64
-        What the base cuts off, in rising order.
-    profile : ndarray of float64, shape (stations, 4)
-        Distance from the apex, length of the ring, median and least girth there, in model units.
-    """
-
-    def __init__(self, mesh: "Mesh", found: dict) -> None:
-        self.apex = mesh._row_of(found["apex"])
-        self.tips: list[int] = found["tips"]
-        self.length: float = found["length"]
-        self.end: str = found["end"]
-        self.narrowest: float = found["narrowest"]
-        self.narrowest_distance: float = found["narrowest_distance"]
-        self.median: float = found["median"]
-        self.base: float = found["base"]
-        self.vertices = mesh._rows_of(found["vertices"])
-        self.profile: np.ndarray = found["profile"]
-        self._places: tuple[np.ndarray, np.ndarray] = found["places"]
-
+class Limb(_members.Limb, _Result):
     def _line(self) -> str:
         return f"apex {self.apex}, length {self.length:.4g}, narrowest {self.narrowest:.4g}"
 
 
-class Part(_Result):
-    """A connected region of one kind.
-
-    Attributes
-    ----------
-    kind : str
-        ``"body"``, ``"tube"``, ``"plate"`` or ``"unknown"``.
-    vertices : ndarray of int64
-        In rising order.
-    area : float
-        In squared model units.
-    median_girth, median_thickness, equivalent_radius : float
-        In model units; NaN where unknown. The radius is that of the round tube of this girth.
-    thinnest : int
-        The vertex of the least girth (tube), otherwise of the least thickness; -1: none.
-    """
-
-    def __init__(self, mesh: "Mesh", found: dict) -> None:
-        self.kind: str = found["kind"]
-        self.vertices = mesh._rows_of(found["vertices"])
-        self.area: float = found["area"]
-        self.median_girth: float = found["median_girth"]
-        self.median_thickness: float = found["median_thickness"]
-        self.equivalent_radius: float = found["equivalent_radius"]
-        self.thinnest = mesh._row_of(found["thinnest"])
-
+class Part(_members.Part, _Result):
     def _line(self) -> str:
         return f"{self.kind}, {len(self.vertices)} vertices, area {self.area:.4g}"
 
@@ -764,7 +535,7 @@ class Parts(_Result):
         self, mesh: "Mesh", girth: float, thickness: float, labels: np.ndarray, parts: list
     ) -> None:
         self.mesh = mesh
-        self.parts = [Part(mesh, part) for part in parts]
+        self.parts = [Part(part) for part in parts]
         self.labels = labels
         self.girth = girth
         self.thickness = thickness
@@ -801,12 +572,12 @@ class Segment(_Result):
         The apex of each of these; -1 where it was made by the preparation.
     """
 
-    def __init__(self, mesh: "Mesh", found: dict) -> None:
+    def __init__(self, found: dict) -> None:
         self.area: float = found["area"]
         self.kind: str = found["kind"]
         self.shares: dict[str, float] = found["shares"]
         self.tips: list[int] = found["tips"]
-        self.apexes = np.array([mesh._row_of(apex) for apex in found["apexes"]], np.int64)
+        self.apexes = np.array(found["apexes"], np.int64)
 
     def _line(self) -> str:
         return f"{self.kind}, area {self.area:.4g}, tips {self.tips}"
@@ -840,7 +611,7 @@ class Segments(_Result):
         crossing: list,
     ) -> None:
         self.mesh = mesh
-        self.segments = [Segment(mesh, segment) for segment in segments]
+        self.segments = [Segment(segment) for segment in segments]
         self.labels = labels
         self.girth = girth
         self.thickness = thickness

@@ -1,0 +1,326 @@
+"""The members of results. Made of the headers in cpp/include/girth by `npm run build:tables`: not to be edited."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+
+class _Members:
+    def __init__(self, found: dict[str, Any]) -> None:
+        self.__dict__.update(found)
+
+
+class Bottleneck(_Members):
+    """The bottleneck between two points.
+
+    Attributes
+    ----------
+    kind : str
+        What is there. ``"neck"``: A neck between the points: its loop is a closed geodesic,
+        shorter than every other closed curve near it. ``"pass"``: A place between them whose
+        loop can be made shorter by moving it to one side. ``"end"``: One of the two points:
+        there is no neck between them.
+    girth : float
+        The least girth on the widest way, in model units: the length of its loop.
+    place : ndarray of float64, shape (3,)
+        Where on the way the girth is least.
+    centre : ndarray of float64, shape (3,)
+        Mean of the loop's points, each part counted by its length, in model units; zero where
+        there is no loop.
+    area : float
+        The area that the loop encloses in its mean plane, in squared model units.
+    sides : ndarray of float64, shape (sides, 2)
+        Of a neck, what it separates its component into: as `Neck.sides`. Columns: area: In
+        squared model units. volume: Enclosed by this side and the cone over the curve from the
+        mean of its points, in cubed model units: negative where the surface faces inwards. NaN
+        where the side has a boundary.
+    points : ndarray of float64, shape (k, 3)
+        The loop: of a neck the closed geodesic itself (of a band of parallel ones that in the
+        middle), otherwise the loop of the girth at ``place``, empty where that is unresolved.
+        As `Loop.points`; the last point equals the first.
+    way : ndarray of float64, shape (k, 3)
+        The way that was found, from the first point to the second, along the pieces of the
+        mesh's edges: it is a witness of the girth, and not short.
+    """
+
+    kind: str
+    girth: float
+    place: np.ndarray
+    centre: np.ndarray
+    area: float
+    sides: np.ndarray
+    points: np.ndarray
+    way: np.ndarray
+    _curve: tuple[np.ndarray, np.ndarray]
+
+
+class Handle(_Members):
+    """A closed geodesic round a handle or a tunnel.
+
+    Attributes
+    ----------
+    length : float
+        In model units.
+    kind : str
+        Round the material, or round a hole. ``"handle"``: Inside: it goes round the material.
+        ``"tunnel"``: Outside: it goes round a hole. ``"unknown"``: The component has no inside:
+        it, or what closes its holes, crosses it.
+    may_be_shorter_by : float
+        How much shorter a loop in its place may be, at most, in model units: one of its kind
+        and component that is no sum of the shorter ones listed. 0: none is, which is proven to
+        a share of 1e-9.
+    component : int
+        The number of its component of the surface, from 0.
+    area : float
+        The area that the loop encloses in its mean plane, in squared model units.
+    centre : ndarray of float64, shape (3,)
+        Mean of the loop's points, each part counted by its length, in model units.
+    points : ndarray of float64, shape (k, 3)
+        The edges it crosses and the vertices it passes in order; the last point equals the
+        first. Between neighbours it is straight inside one face or along one edge. Of a band of
+        parallel loops the one in the middle.
+    """
+
+    length: float
+    kind: str
+    may_be_shorter_by: float
+    component: int
+    area: float
+    centre: np.ndarray
+    points: np.ndarray
+    _curve: tuple[np.ndarray, np.ndarray]
+
+
+class AxisLoop(_Members):
+    """One of the loops that are swept along a tube.
+
+    Attributes
+    ----------
+    distance : float
+        Along the axis from its first point, in model units.
+    along : float
+        Over the surface: how far along the first station is, and on along the path, in model
+        units.
+    girth : float
+        The loop's length, in model units.
+    area : float
+        That the loop encloses in its mean plane, in squared model units.
+    centre : ndarray of float64, shape (3,)
+        A point of the axis: the mean of the loop's points, each part counted by its length.
+    points : ndarray of float64, shape (k, 3)
+        The loop, as `Loop.points`; the last point equals the first.
+    """
+
+    distance: float
+    along: float
+    girth: float
+    area: float
+    centre: np.ndarray
+    points: np.ndarray
+    _curve: tuple[np.ndarray, np.ndarray]
+
+
+class Limb(_Members):
+    """A finger, an arm, a leg: what lies between a tip's apex and the ring of points at
+    ``length`` from it.
+
+    Attributes
+    ----------
+    length : float
+        Distance from the apex to the ring at its base, along the surface, in model units.
+    narrowest : float
+        The least girth of loops round the limb, from the tip's contour to the base, in model
+        units: of the shortest neck, otherwise on the ring at one of these ends, or where loops
+        slip off between them. Exact, but not proven to be least between two stations. NaN where
+        there is none.
+    narrowest_distance : float
+        How far from the apex it is, in model units: its ring, of equal ones the nearest, or the
+        mean distance of the neck; NaN where there is none.
+    median : float
+        The middle one of the stations' medians, of those where a loop goes round the limb, in
+        model units: along half of the limb the girth is less.
+    base : float
+        The least girth at the base, in model units; NaN for a limb that is its whole component.
+    end : str
+        Why it ends there. ``"spreads"``: It spreads into a thicker part: beyond, the ring grows
+        by more than π times the distance. ``"slips"``: Beyond, the loops at half of the ring's
+        points have slipped off: they go round other parts. ``"splits"``: The ring falls apart
+        into two, each round a part that is deeper than the limb is thick; or the loops slip
+        over the place, less than half a loop beyond, where it does. ``"handle"``: The ring
+        meets itself round a handle, or the loops slip over the place where it does.
+        ``"boundary"``: The ring reaches the boundary of the surface. ``"whole"``: Never: the
+        limb is its whole component, as of a spindle.
+    tips : list of int
+        The tips that it ends in, by their numbers in the list that was handed over; the first
+        is the one with this apex. Several where the distances from each of their apexes give
+        the same limb.
+    apex : int
+        Where it begins: the apex of a tip. -1 where there is none, or the preparation made it.
+    vertices : ndarray of int64
+        The vertices that the ring at the base cuts off, in rising order.
+    distances : ndarray of float64
+        Their distances from the apex, in model units.
+    profile : ndarray of float64, shape (stations, 4)
+        From near the apex to the base, at equal distances; the last station is the base.
+        Columns: distance: How far along, in model units. ring: Length of the ring itself, in
+        model units. median: The median of the girth over the ring, each part of it counted by
+        its length, in model units; NaN where no part has a value. least: The least girth on the
+        ring among loops that go round here, in model units; NaN where none does.
+    """
+
+    length: float
+    narrowest: float
+    narrowest_distance: float
+    median: float
+    base: float
+    end: str
+    tips: list[int]
+    apex: int
+    vertices: np.ndarray
+    distances: np.ndarray
+    profile: np.ndarray
+    _places: tuple[np.ndarray, np.ndarray]
+
+
+class Neck(_Members):
+    """A closed geodesic that is shorter than every other closed curve near it
+    (web/docs/definitions.md, section 5).
+
+    Attributes
+    ----------
+    length : float
+        In model units.
+    prominence : float
+        How far the girth must rise, at least, on the way over the surface from here to a
+        narrower neck, in model units; infinite where no narrower one can be reached. See
+        findNecks for what it is measured on.
+    width : float
+        Width of the band of parallel loops of the same length, in model units: 0 for a single
+        one.
+    area : float
+        The area that the loop encloses in its mean plane, in squared model units.
+    radius : float
+        Mean distance of the loop from its centre, within the mean plane, in model units.
+    centre : ndarray of float64, shape (3,)
+        Mean of the loop's points, each part counted by its length, in model units.
+    normal : ndarray of float64, shape (3,)
+        Unit normal of the loop's mean plane: of all planes the one onto which it casts the
+        largest area. Seen from its tip the loop runs counter-clockwise. Zero where there is
+        none.
+    sides : ndarray of float64, shape (sides, 2)
+        What it separates its component into, the larger area first; one where it separates
+        nothing, as round a handle. Empty where the surface cannot be cut along it. Columns:
+        area: In squared model units. volume: Enclosed by this side and the cone over the curve
+        from the mean of its points, in cubed model units: negative where the surface faces
+        inwards. NaN where the side has a boundary.
+    measures_girth : bool
+        Whether the girth is this neck's length at all of its vertices. Otherwise a shorter loop
+        goes through one of them, as beside a thinner part.
+    touches_boundary : bool
+        Whether it touches the surface's boundary.
+    vertices : ndarray of int64
+        The vertices that the loop passes; of a band, that its two outermost loops pass. In
+        rising order, at least one.
+    points : ndarray of float64, shape (k, 3)
+        The loop: the edges it crosses and the vertices it passes in order; the last point
+        equals the first. Between neighbours it is straight inside one face or along one edge.
+        Of a band of parallel loops the one in the middle.
+    """
+
+    length: float
+    prominence: float
+    width: float
+    area: float
+    radius: float
+    centre: np.ndarray
+    normal: np.ndarray
+    sides: np.ndarray
+    measures_girth: bool
+    touches_boundary: bool
+    vertices: np.ndarray
+    points: np.ndarray
+    _curve: tuple[np.ndarray, np.ndarray]
+
+
+class Part(_Members):
+    """A connected region of one kind.
+
+    Attributes
+    ----------
+    kind : str
+        What all its vertices are. ``"body"``: Thick. ``"tube"``: Thin, and a short loop goes
+        round it. ``"plate"``: Thin, but no short loop goes round it. ``"unknown"``: Its girth
+        or its thickness has no value.
+    area : float
+        Sum of the vertices' areas, in squared model units.
+    median_girth : float
+        Median of the girth over the region, in model units; NaN where it is unknown.
+    median_thickness : float
+        Median of the thickness over the region, in model units; NaN where it is unknown.
+    equivalent_radius : float
+        Radius of the round tube with the same girth, I / 2π, in model units.
+    thinnest : int
+        Its thinnest place: the vertex with the least girth (tube), otherwise the least SDF;
+        none where it is unknown. `Mesh.loop` gives the loop there. -1 where there is none, or
+        the preparation made it.
+    vertices : ndarray of int64
+        Its vertices, in rising order.
+    """
+
+    kind: str
+    area: float
+    median_girth: float
+    median_thickness: float
+    equivalent_radius: float
+    thinnest: int
+    vertices: np.ndarray
+
+
+class Contour(_Members):
+    """A line across edges of the surface: a point in the middle of each, in order.
+
+    Attributes
+    ----------
+    closed : bool
+        Whether it comes back to its first point, which is not repeated. Otherwise it ends at
+        the boundary, or, an arc, inside faces.
+    points : ndarray of float64, shape (k, 3)
+        The middles of the edges that it crosses.
+    """
+
+    closed: bool
+    points: np.ndarray
+
+
+class Tip(_Members):
+    """A region that the discontinuity contour cuts off.
+
+    Attributes
+    ----------
+    area : float
+        Area inside the contour, in squared model units.
+    boundary_length : float
+        Length of the contour, in model units.
+    jump : float
+        How far the girth rises from outside to inside, in model units: the median over the
+        edges that the contour crosses. Tips that noise makes rise little.
+    apex : int
+        The vertex of the region that is farthest from the contour, along the surface. -1 where
+        there is none, or the preparation made it.
+    apex_distance : float
+        How far, in model units.
+    vertices : ndarray of int64
+        Its vertices, in rising order.
+    contour : list of Contour
+        What cuts it off: usually one closed line.
+    """
+
+    area: float
+    boundary_length: float
+    jump: float
+    apex: int
+    apex_distance: float
+    vertices: np.ndarray
+    contour: list["Contour"]
