@@ -6,6 +6,7 @@
 
 #include "analysis.h"
 #include "boundary.h"
+#include "file_content.h"
 #include "girth/girth_solver.h"
 #include "girth/io/write_field.h"
 #include "girth/io/write_limbs.h"
@@ -142,11 +143,13 @@ val writeParts(JobSurface& surface, const val& model, const val& fields, const v
   });
 }
 
-/// {bytes} of a file with the weak places, or an error.
-val writeWeakPlaces(JobSurface& surface, const val& model, const val& fields, const val& limits,
-                    const std::string& format, const val& onProgress) {
+/// {bytes} of a file with the weak places, by `FileContent` of protocol.ts for its faces; or an
+/// error.
+val writeWeakPlaces(JobSurface& surface, const val& model, const val& content, const val& fields,
+                    const val& limits, const std::string& format, const val& onProgress) {
   return guarded([&] {
     const io::LoadedMesh& loaded = surface.inUnit(unitOf(model));
+    const WithFileContent with(surface.loaded(), content);
     if (format != "json") return toJs(unknownFormat("weak places", format));
     const PrintLimits wanted = limitsOf(limits);
     const auto check = printCheckOf(loaded.mesh, fields, wanted, reportingTo(onProgress));

@@ -1,7 +1,7 @@
 // Fields besides the girth, tips and parts, with the real modules in Chromium: the same bits as the
 // command gives, with threads and with a pool; and what is said of surfaces that have none.
 
-import { execFileSync } from 'node:child_process';
+import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -31,7 +31,9 @@ function written(text: string, ending: string, ...words: string[]): string {
   const [model, output] = [join(scratch, 'model.obj'), join(scratch, `output.${ending}`)];
   writeFileSync(model, text);
   const [name, ...options] = words;
-  execFileSync(command, [name!, model, ...options, '-o', output], { stdio: 'ignore' });
+  const { status } = spawnSync(command, [name!, model, ...options, '-o', output]);
+  // 4: the command has found weak places.
+  if (status !== 0 && status !== 4) throw new Error(`girth ${name} ends with ${status}`);
   return readFileSync(output, 'utf8');
 }
 
@@ -509,6 +511,8 @@ for (const mode of ['threads', 'pool'] as const) {
       const places = JSON.parse(
         written(bulbs, 'json', 'parts', '--girth', '2', '--thickness', '1'),
       ) as Written;
+      const weakest = ['--min-tube', '0.5', '--min-wall', '0.1'];
+      const weakPlaces = JSON.parse(written(bulbs, 'json', 'parts', ...weakest)) as Written;
       const found = await page.evaluate(async (text) => {
         const kernel = await girth.createKernel({ threads: 2 });
         const mesh = await kernel.load(girth.obj(text, 'model.obj'));
@@ -576,6 +580,7 @@ for (const mode of ['threads', 'pool'] as const) {
         if (kind !== 'unknown') expect(vertices).toContain(thinnest);
       });
       const { places: weak, failingShare, passingScale } = found.check;
+      expect(found.writtenWeak).toEqual({ ...weakPlaces, file });
       expect(found.writtenWeak).toMatchObject({ failingShare, passingScale });
       expect(found.writtenWeak['passes']).toBe(weak.length === 0);
       expect(passingScale > 1).toBe(weak.length > 0);

@@ -74,6 +74,13 @@ export function fakeSurface(count: number): Behaviour {
     boundary: new Uint32Array(0),
     vertexOfInput: new Uint32Array(count),
     inputOfVertex: new Uint32Array(count),
+    content: {
+      faceCount: count,
+      inputOfFace: new Uint32Array(count),
+      attributes: [],
+      rowOfCorner: new Uint32Array(0),
+      values: new Float64Array(0),
+    },
   });
   return ({ operation, arguments: args }, report) => {
     switch (operation) {

@@ -490,8 +490,9 @@ export class MeshOfWorkers implements Mesh {
     const limits = wholeLimits(limited);
     const printed = this.#printed(given, limits);
     const model = this.#written(unit, given.igf?.persistence);
-    const args = { model, printed, limits, format };
-    return (await this.#ask('writeWeakPlaces', args, { signal })).bytes;
+    const args = { model, content: this.#content, printed, limits, format };
+    const passing = this.#contentSize();
+    return (await this.#ask('writeWeakPlaces', args, { signal }, { passing })).bytes;
   }
 
   async exportLoops(

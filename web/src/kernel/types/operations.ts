@@ -200,7 +200,7 @@ export const serving = {
   ).gives<OneFile>(),
   writeParts: takes('surface', 'model', 'fields', 'options', 'format').gives<OneFile>(),
   writeWeakPlaces: takes(
-    ...(['surface', 'model', 'printed', 'limits', 'format', 'onProgress'] as const),
+    ...(['surface', 'model', 'content', 'printed', 'limits', 'format', 'onProgress'] as const),
   ).gives<OneFile>(),
 };
 
