@@ -10,6 +10,18 @@ include=$(find "$prefix" -type d -path '*include/girth' | head -1)
   (cd "$include/.." && find girth -name '*.h' | sort | sed 's/.*/#include <&>/')
   sed '/^#include <girth/d' "$source/tests/cpp/consumer/strict.cpp"
 } > strict.cpp
+# A member that is not listed is named by the compiler, with what to do.
+cat > undescribed.cpp << 'END'
+#include <girth/describe/description.h>
+
+struct Account {
+  double length, width;
+};
+constexpr auto describe(girth::Members<Account>) {
+  return girth::described<Account>(girth::member("length", &Account::length));
+}
+int main() { return std::get<0>(describe(girth::Members<Account>())).name[0]; }
+END
 for compiler in "$4" g++ clang++; do
   command -v "$compiler" > /dev/null || continue
   name=$("$compiler" --version | head -1)
@@ -22,6 +34,8 @@ for compiler in "$4" g++ clang++; do
         -Wshadow -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual -Werror -D$definition \
         -I"$include/.." strict.cpp
     done
+    expect 1 'a member of this struct is not described: list it here' \
+      "$compiler" -std=$standard -fsyntax-only -DGIRTH_STATIC -I"$include/.." undescribed.cpp
   done
 done
 finish
