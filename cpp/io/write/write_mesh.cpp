@@ -100,7 +100,7 @@ Result<std::string> glbFile(const SurfaceMesh& mesh, std::string_view unit) {
   for (const Vertex v : mesh.vertices()) positions.push_back(mesh.position(v));
   writer.addPositions(positions);
   writer.addTriangles(mesh);
-  writer.endMesh(TINYGLTF_MODE_TRIANGLES, "{\"unit\":" + jsonString(unit) + "}");
+  writer.endMesh(TINYGLTF_MODE_TRIANGLES, JsonObject().add("unit", unit).text());
   return writer.file(unit);
 }
 

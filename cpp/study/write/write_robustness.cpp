@@ -1,6 +1,7 @@
 #include "girth/study/write_robustness.h"
 
 #include <cmath>
+#include <limits>
 
 #include "text/json_text.h"
 #include "text/number_text.h"
@@ -9,17 +10,15 @@
 namespace girth::study {
 
 using io::formatNumber;
-using io::jsonString;
+using io::JsonList;
+using io::JsonObject;
 
 namespace {
 
-std::string number(double value, const char* none) {
-  return std::isfinite(value) ? formatNumber(value) : std::string(none);
-}
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-std::string number(const std::optional<double>& value, const char* none) {
-  return value ? number(*value, none) : std::string(none);
-}
+/// Empty where there is none.
+std::string cellOf(double value) { return std::isfinite(value) ? formatNumber(value) : ""; }
 
 }  // namespace
 
@@ -27,23 +26,26 @@ std::string robustnessCsv(std::span<const RobustnessRow> rows) {
   std::string text = "figure,change,faces,difference,unchanged,paper,note\n";
   for (const RobustnessRow& row : rows) {
     text += row.figure + "," + csvText(row.change) + "," + std::to_string(row.faces) + "," +
-            number(row.difference, "") + "," + number(row.unchanged, "") + "," +
-            number(row.paper, "") + "," + csvText(row.note) + "\n";
+            cellOf(row.difference) + "," + cellOf(row.unchanged.value_or(kNoNumber)) + "," +
+            cellOf(row.paper.value_or(kNoNumber)) + "," + csvText(row.note) + "\n";
   }
   return text;
 }
 
 std::string robustnessJson(std::span<const RobustnessRow> rows, std::string_view file) {
-  std::string text;
+  JsonList list(true);
   for (const RobustnessRow& row : rows) {
-    text += text.empty() ? "\n" : ",\n";
-    text += "{\"figure\":" + jsonString(row.figure) + ",\"change\":" + jsonString(row.change) +
-            ",\"faces\":" + std::to_string(row.faces) +
-            ",\"difference\":" + number(row.difference, "null") +
-            ",\"unchanged\":" + number(row.unchanged, "null") +
-            ",\"paper\":" + number(row.paper, "null") + ",\"note\":" + jsonString(row.note) + "}";
+    list.add(JsonObject()
+                 .add("figure", row.figure)
+                 .add("change", row.change)
+                 .add("faces", row.faces)
+                 .add("difference", row.difference)
+                 .add("unchanged", row.unchanged.value_or(kNoNumber))
+                 .add("paper", row.paper.value_or(kNoNumber))
+                 .add("note", row.note)
+                 .text());
   }
-  return "{\"file\":" + jsonString(file) + ",\"rows\":[" + text + "]}\n";
+  return JsonObject().add("file", file).addJson("rows", list.text()).text() + "\n";
 }
 
 }  // namespace girth::study

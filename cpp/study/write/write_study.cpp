@@ -7,7 +7,10 @@
 namespace girth::study {
 
 using io::formatNumber;
+using io::JsonList;
+using io::JsonObject;
 using io::jsonString;
+using io::numberJson;
 
 namespace {
 
@@ -17,27 +20,27 @@ double recallOf(const RetrievalMeasures& measures, std::size_t level) {
 
 std::string descriptorJson(const StudyDescriptor& descriptor) {
   const RetrievalMeasures& mean = descriptor.mean;
-  std::string precision;
-  for (const double value : mean.precision) {
-    precision += (precision.empty() ? "" : ",") + formatNumber(value);
-  }
-  return "{\"name\":" + jsonString(descriptor.name) +
-         ",\"queries\":" + std::to_string(descriptor.queries) +
-         ",\"nearestNeighbour\":" + formatNumber(mean.nearestNeighbour) +
-         ",\"firstTier\":" + formatNumber(mean.firstTier) +
-         ",\"secondTier\":" + formatNumber(mean.secondTier) +
-         ",\"eMeasure\":" + formatNumber(mean.eMeasure) +
-         ",\"eMeasureWithQuery\":" + formatNumber(mean.eMeasureWithQuery) +
-         ",\"discountedGain\":" + formatNumber(mean.discountedGain) + ",\"precision\":[" +
-         precision + "]}";
+  JsonList precision;
+  for (const double value : mean.precision) precision.add(numberJson(value));
+  return JsonObject()
+      .add("name", descriptor.name)
+      .add("queries", descriptor.queries)
+      .add("nearestNeighbour", mean.nearestNeighbour)
+      .add("firstTier", mean.firstTier)
+      .add("secondTier", mean.secondTier)
+      .add("eMeasure", mean.eMeasure)
+      .add("eMeasureWithQuery", mean.eMeasureWithQuery)
+      .add("discountedGain", mean.discountedGain)
+      .addJson("precision", precision.text())
+      .text();
 }
 
 /// The items as a JSON array, one a line.
 template <class Items, class ToText>
 std::string arrayOf(const Items& items, ToText toText) {
-  std::string text;
-  for (const auto& item : items) text += (text.empty() ? "\n" : ",\n") + toText(item);
-  return "[" + text + "]";
+  JsonList list(true);
+  for (const auto& item : items) list.add(toText(item));
+  return list.text();
 }
 
 }  // namespace
@@ -69,26 +72,30 @@ std::string precisionRecallCsv(const RetrievalStudy& study) {
 }
 
 std::string studyJson(const RetrievalStudy& study) {
-  std::string settings;
-  for (const auto& [name, value] : study.settings) {
-    settings += (settings.empty() ? "" : ",") + jsonString(name) + ":" + jsonString(value);
-  }
-  return "{\"title\":" + jsonString(study.title) + ",\"settings\":{" + settings + "},\"classes\":" +
-         arrayOf(study.classes, [](const std::string& name) { return jsonString(name); }) +
-         ",\"models\":" +
-         arrayOf(study.models,
-                 [](const StudyModel& model) {
-                   return "{\"file\":" + jsonString(model.name) +
-                          ",\"class\":" + std::to_string(model.ofClass) + "}";
-                 }) +
-         ",\"descriptors\":" + arrayOf(study.descriptors, descriptorJson) + ",\"failed\":" +
-         arrayOf(study.failed,
-                 [](const auto& failure) {
-                   return "{\"file\":" + jsonString(failure.first) +
-                          ",\"reason\":" + jsonString(failure.second) + "}";
-                 }) +
-         ",\"notes\":" +
-         arrayOf(study.notes, [](const std::string& note) { return jsonString(note); }) + "}\n";
+  JsonObject settings;
+  for (const auto& [name, value] : study.settings) settings.add(name, value);
+  return JsonObject()
+             .add("title", study.title)
+             .addJson("settings", settings.text())
+             .addJson("classes", arrayOf(study.classes, jsonString))
+             .addJson("models", arrayOf(study.models,
+                                        [](const StudyModel& model) {
+                                          return JsonObject()
+                                              .add("file", model.name)
+                                              .add("class", model.ofClass)
+                                              .text();
+                                        }))
+             .addJson("descriptors", arrayOf(study.descriptors, descriptorJson))
+             .addJson("failed", arrayOf(study.failed,
+                                        [](const auto& failure) {
+                                          return JsonObject()
+                                              .add("file", failure.first)
+                                              .add("reason", failure.second)
+                                              .text();
+                                        }))
+             .addJson("notes", arrayOf(study.notes, jsonString))
+             .text() +
+         "\n";
 }
 
 }  // namespace girth::study
