@@ -37,17 +37,19 @@ function classIn(file, name) {
   return found;
 }
 
-/**
- * The attributes, as the comment of the class lists them: '- `src`: address of a model.'
- * @param {string} comment with its lines
- */
-function attributesIn(comment) {
-  const items = comment.split(/^\s*- /m).slice(1);
-  return items.flatMap((item) => {
-    const [whole, name] = /^`([a-z-]+)`: /.exec(item) ?? [];
-    if (!whole || !name) return [];
-    const description = oneLine(item.slice(whole.length).split(/\n\s*\n/)[0] ?? '');
-    return [{ name, description, type: { text: 'string' } }];
+/** The attributes with their manual: the comments of their rules. */
+export function attributes() {
+  const rules = parsed('attributes.ts')
+    .statements.filter(ts.isVariableStatement)
+    .flatMap(({ declarationList }) => [...declarationList.declarations])
+    .find(({ name }) => name.getText() === 'rules')?.initializer;
+  if (!rules || !ts.isObjectLiteralExpression(rules))
+    throw new Complaint('attributes.ts: no rules');
+  return rules.properties.map((rule) => {
+    const name = rule.name && ts.isStringLiteral(rule.name) ? rule.name.text : rule.name?.getText();
+    const description = commentOf(rule);
+    if (!name || !description) throw new Complaint(`attributes.ts: ${name} has no comment`);
+    return { name, description, type: { text: 'string' } };
   });
 }
 
@@ -105,12 +107,11 @@ function events() {
 
 /** Custom elements manifest, schema 1.0.0. */
 export function elementManifest() {
-  const declaration = classIn('viewer-element.ts', 'GirthViewer');
-  const shell = classIn('viewer-shell.ts', 'ViewerShell');
-  const comment =
-    /\/\*\*\n \* `<girth-viewer[^]*?\*\//.exec(textOf('viewer-element.ts'))?.[0] ?? '';
-  const lines = comment.replace(/^ \* ?/gm, '');
-  const attributes = attributesIn(lines.slice(0, lines.indexOf('\nEvents (')));
+  const classes = [
+    classIn('viewer-shell.ts', 'ViewerShell'),
+    classIn('mesh-calls.ts', 'MeshCalls'),
+    classIn('viewer-element.ts', 'GirthViewer'),
+  ];
   const style = textOf('shell-style.ts');
   const properties = new Set(
     [...style.matchAll(/^\s*(--girth-[a-z-]+):/gm)].map(([, name]) => name),
@@ -138,8 +139,8 @@ export function elementManifest() {
             name: 'GirthViewer',
             tagName: tag,
             description: 'A surface, its girth as colours, and the loop under the pointer.',
-            attributes,
-            members: [...membersOf(shell), ...membersOf(declaration)],
+            attributes: attributes(),
+            members: classes.flatMap(membersOf),
             events: events(),
             slots: named(slots),
             cssParts: named(parts),

@@ -1,9 +1,11 @@
-// Makes the tables of TypeScript and of documents from those in C++ (`fields.def`, `length_units.def`, `describe/`): `npm run build:tables`.
+// Makes the tables of TypeScript and of documents from those in C++ (`fields.def`, `length_units.def`, `describe/`), and the
+// manual of the element's attributes from their rules: `npm run build:tables`.
 
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { format } from 'oxfmt';
+import { attributes } from './element-manifest.mjs';
 import { headers, read, structOf } from './headers.mjs';
 import { documentTables, pythonText, resultsText } from './results.mjs';
 import { repository } from './run.mjs';
@@ -251,15 +253,50 @@ function documentTable() {
   return `| field | unit | a value is |\n| --- | --- | --- |\n${rows.join('\n')}`;
 }
 
-/** Parts of documents that are made here, each between two comments. */
-const parts = [
-  { name: 'fields', of: 'cpp/include/girth/fields.def', text: documentTable },
-  { name: 'results', of: 'cpp/include/girth/describe', text: documentTables },
-];
+const ruleFile = 'web/src/element/attributes.ts';
 
-/** @param {string} document */
+/** The table of attributes in a document. */
+function attributeTable() {
+  const rows = attributes().map(({ name, description }) => `| \`${name}\` | ${description} |`);
+  return `| attribute | what it does, and what it can be |\n| --- | --- |\n${rows.join('\n')}`;
+}
+
+/** Comments of the attributes' types. */
+function attributeTypes() {
+  const path = 'web/src/element/attribute-types.ts';
+  return attributes().reduce((text, { name, description }) => {
+    const member = new RegExp(`  /\\*\\*(?:(?!\\*/)[^])*\\*/\\n(?=  '?${name}'?\\?:)`);
+    if (!member.test(text)) throw new Error(`${path} has no commented member for ${name}`);
+    return text.replace(member, () => commentWith(description));
+  }, read(path));
+}
+
+/**
+ * A member's comment.
+ * @param {string} words
+ */
+function commentWith(words) {
+  if (words.length < 90) return `  /** ${words} */\n`;
+  const lines = [''];
+  for (const word of words.split(' ')) {
+    if (`${lines.at(-1)} ${word}`.length > 94) lines.push('');
+    lines.push(`${lines.pop()} ${word}`);
+  }
+  return `  /**\n${lines.map((line) => `   *${line}\n`).join('')}   */\n`;
+}
+
+/** Parts that are made here, each between two comments, by their documents. */
+const parts = {
+  'web/docs/outputs.md': [
+    { name: 'fields', of: 'cpp/include/girth/fields.def', text: documentTable },
+    { name: 'results', of: 'cpp/include/girth/describe', text: documentTables },
+  ],
+  'web/docs/embedding.md': [{ name: 'attributes', of: ruleFile, text: attributeTable }],
+};
+
+/** @param {keyof typeof parts} document */
 function documentText(document) {
-  return parts.reduce((text, { name, of, text: partText }) => {
+  return parts[document].reduce((text, { name, of, text: partText }) => {
     const begin = `<!-- ${name}: made of ${of} by \`npm run build:tables\` -->`;
     const [from, to] = [text.indexOf(begin), text.indexOf(`<!-- ${name} end -->`)];
     if (from < 0 || to < from) throw new Error(`${document} has no place for the part ${name}`);
@@ -275,6 +312,8 @@ export async function tables() {
     'web/src/kernel/types/defaults.ts': defaultsText(),
     'web/src/kernel/types/results.ts': resultsText(),
     'web/docs/outputs.md': documentText('web/docs/outputs.md'),
+    'web/docs/embedding.md': documentText('web/docs/embedding.md'),
+    'web/src/element/attribute-types.ts': attributeTypes(),
   };
   const style = /** @type {const} */ ({ singleQuote: true, printWidth: 100 });
   const formatted = Object.entries(texts).map(async ([path, text]) => {

@@ -1,45 +1,16 @@
 // `<girth-viewer>`: a surface, its girth as colours, and the loop under the pointer.
 
 import type {
-  Barcode,
-  BarcodeOptions,
-  Bottleneck,
   CallOptions,
-  Cut,
-  CutFormat,
-  CutOptions,
   Field,
-  FieldFormat,
   FieldName,
   HandleOptions,
   HandleRemoval,
-  Handles,
-  Limb,
-  LevelCurve,
-  LimbAxis,
-  Limbs,
   Loop,
-  LoopFormat,
-  Maximum,
-  MeshGeometry,
   MeshInfo,
-  NamedField,
-  NeckOptions,
-  Necks,
-  PartOptions,
-  Parts,
-  PartThresholds,
-  PrintCheck,
-  PrintLimits,
-  Profile,
-  ProfileOptions,
-  SegmentOptions,
-  Segments,
   SpectralOptions,
   SurfacePath,
   SurfacePoint,
-  Tips,
-  WatchedOptions,
 } from '../kernel/types/types.js';
 import type {
   CameraView,
@@ -54,81 +25,21 @@ import { combinationOf, isFieldName, isGivenName } from '../view/field-words.js'
 import { lengthFormat } from '../view/numbers.js';
 import type { GirthViewerEventMap, GirthViewerListener } from './events.js';
 import type { PinnedLoop } from './loops-on-surface.js';
-import type { PartsWish, PlaceOnSurface, PlacePicture, Presented } from './presented.js';
+import { MeshCalls } from './mesh-calls.js';
+import type { PartsWish, PlaceOnSurface, PlacePicture } from './presented.js';
 import type { ShownField, ShownPlaces } from './shading.js';
 import type { DrawingOptions } from './drawing.js';
 import type { FigureOptions } from './snapshot.js';
 import type { StrokeOptions } from './stroke.js';
 import { takeTexts } from './property-texts.js';
 import type { TipsChoice } from './tips-on-surface.js';
-import { ViewerShell } from './viewer-shell.js';
 
 /**
  * `<girth-viewer src="model.glb"></girth-viewer>`
  *
- * Attributes; a value that is none of these counts as if the attribute were not there, is a warning on the
- * console and an `error` with the code INVALID_OPTION:
- * - `src`: address of a model: GLB, glTF with its buffers beside it, OBJ, PLY, STL, OFF, or a zip.
- * - `loading`: `lazy` fetches nothing but a small script before the element is near the view; by default,
- *   `eager`, the script that draws comes at once, and only the model waits for the view.
- * - `poster`: address of a picture that is shown until the surface is drawn, and where it cannot be drawn.
- *   An element in the slot `poster` serves as well. What is in the slot `caption` stands below the surface.
- * - `unit`: the unit of lengths where the file does not state it, for example `mm`.
- * - `shown-unit`: the unit that lengths are written in: `um`, `mm`, `cm`, `m`, `km`, `in` or `ft`; by
- *   default the model's own. Files that are exported keep the model's.
- * - `field`: what colours the surface: a field of the kernel (`FieldName`; `igf`, the girth, by default), `kind` (of the
- *   loop), `state` (how sure a refined girth is), `tips` (how far the girth rises at the tip that a place is in), `parts` (tubes, plates and
- *   body) or `none`; values of the file as in `_heat`; or two of these in one: their difference, `igf-sdf`, where they
- *   have the same unit, or their ratio, `igf/sdf`.
- * - `method`: how the girth is computed. `exact` (default); `coarse`, on about 10,000 triangles, whose values are carried
- *   back to all vertices; `refined`, at all vertices in a fraction of the time, with states and an audit (`RefinedGirth`), for
- *   surfaces of more than some 20,000 triangles. The colours are those of `coarse` until a refined girth is there; with
- *   a `persistence` it is `coarse`.
- * - `persistence`: passes over loops whose saddles last no longer than this, as noise makes them: a length in
- *   model units or with a unit, as in `0.5` or `3mm`, or a share of the square root of the area, as in `2%`.
- *   It holds for the girth, for what is made of it and for loops; pinned ones are computed anew.
- * - `field-title`: what the legend calls the field; by default its usual name.
- * - `colormap`: `viridis` (default), `cividis`, `plasma`, `magma`, `turbo`, or `rdbu`, which diverges and is
- *   the default for differences, round 0, and where values have both signs.
- * - `range`: `auto` (default), the body of the values, without what few places stretch it by; two numbers, the values at the ends of the colour map; or two percentages as
- *   in `5% 95%`, the shares of the surface's area that lie below them.
- * - `log`: the colour map is logarithmic, where all values in it are above 0.
- * - `isolines`: so many lines of equal value between the ends of the range; none by default.
- * - `time`: of `hks`, as a share of the surface's area, `0.002` by default; small times see small details.
- * - `energy`: of `wks`, from `1` (low: the whole shape) to `100` (details); `20` by default.
- * - `component`: of `sihks`, the frequency, from `1` (default) to `19`. Changed while its field is
- *   shown, each of these three computes it anew.
- * - `loop`: `hover` (default), `none`, or vertices whose loops are pinned once the model is there,
- *   as in `loop="12 4031"`.
- * - `pins`: the loops that are pinned, with commas between them, and with their names: `pins="12 waist, 4031"`. A
- *   point of a face is the face and two of its weights: `7:0.2:0.3`. `%2C` is a comma of a name. `none` pins none, not
- *   even those that the file has.
- * - `tips`: draws the tips: all; those that rise at least so much, as in `5mm`; and marks one, as in `#2` or `5mm #2`, the
- *   highest being 1. `none` draws none, not even those that the file has.
- * - `parts`: the girth and the thickness where tubes and plates begin, and the smoothing, as in
- *   `parts="200mm 50mm 0.1"`; by default as the model's own values suggest. `field="parts"` colours by them.
- * - `bottleneck`: two points, as in `bottleneck="12, 4031"`: they are marked, and the narrowest loop on the widest way between them
- *   is drawn.
- * - `profile`: two points or more, up to 200: the shortest path through them is drawn, and its points are marked; of more
- *   than twelve, its ends.
- * - `camera`: from where the surface is seen: `front`, `side`, `top`, or the six numbers of a `CameraView`: `polar`,
- *   `azimuth`, `distance` and the three of `target`; by default from where it is seen whole.
- * - `edges`: draws the mesh's edges.
- * - `shading`: `smooth` (default); `flat`, so that each face can be seen; or `transparent`.
- * - `section`: cuts away what lies beyond a plane across a direction of the file, `x`, `-y` or three numbers, and a share
- *   of the surface's extent along it: `x 40%` leaves the first 40% along x. The inside is drawn plainly; what is cut away is not
- *   picked.
- * - `up`: the direction of the file that is up: `y`, `z`, `-y`, `-z`, `x` or `-x`. Default: the format's
- *   convention (y of glTF and OBJ, z of STL), otherwise a guess from the shape; see `upAxis`.
- * - `keep-view`: the next model is seen from where this one is, in sizes of the models.
- * - `linked`: a name. Elements of a page that have the same one are seen from the same place, in radii of each surface: to move
- *   one moves all, within the frame. As at first, by `0` or `resetView`, all surfaces are seen whole.
- * - `one-scale`: a name. The colours of elements that have the same one, and show the same field, span one range: from the
- *   least to the greatest that each would show alone, whatever their units; or the two numbers of `range` of one of them.
- * - `controls`: what lies on the surface beside it: `none`; the `legend` (default); or `full`, and without a value, a small
- *   bar too: first view, axes and straight views, drawing, pause.
- * - `turn`: turns slowly once it is computed and until something is done on the page, unless the system asks
- *   for reduced motion; with a button that stops it.
+ * Attributes, which `GirthViewerAttributes` describes; a value that is none of theirs counts as if the attribute were
+ * not there, is a warning on the console and an `error` with the code INVALID_OPTION. What is in the slot `caption`
+ * stands below the surface.
  *
  * An attribute is followed when it is set, and when a model comes. In between, hands and methods go on from there, and
  * the attribute stays as it is written. `state` has what is shown now, in the words of the attributes.
@@ -148,7 +59,7 @@ import { ViewerShell } from './viewer-shell.js';
  * Nothing is fetched for `src` or computed before the element is in view, and no field before it is asked
  * for, by the attribute or by a method. All elements of a page share one kernel.
  */
-export class GirthViewer extends ViewerShell {
+export class GirthViewer extends MeshCalls {
   /** Calls a function or an object with each event of a name; see {@link GirthViewerEvents}. */
   override addEventListener<Name extends keyof GirthViewerEventMap>(
     type: Name,
@@ -189,16 +100,6 @@ export class GirthViewer extends ViewerShell {
     super.removeEventListener(type, listener, options);
   }
 
-  /** The vertex of the surface for each vertex of the file; 0xFFFFFFFF where no face uses it. */
-  get vertexOfInput(): Uint32Array {
-    return this.require().model.mesh.vertexOfInput;
-  }
-
-  /** The surface that is drawn: do not modify its arrays. */
-  get geometry(): MeshGeometry {
-    return this.require().model.mesh.geometry;
-  }
-
   /** How the element writes lengths: those of loops, and the girth. */
   get lengthFormat(): LengthFormat {
     return this.core?.lengthFormat ?? lengthFormat(1, this.unit, this.shownUnit);
@@ -224,7 +125,7 @@ export class GirthViewer extends ViewerShell {
    * place of that.
    */
   async remesh(faces: number): Promise<MeshInfo> {
-    const { mesh, fields } = (await this.#whole()).model;
+    const { mesh, fields } = (await this.whole()).model;
     const from = this.core?.madeFrom ?? { mesh, field: fields.get('igf')?.field };
     const { name } = from.mesh.info;
     const words = `Remeshing ${name || 'the model'} …`;
@@ -273,12 +174,6 @@ export class GirthViewer extends ViewerShell {
     return mesh.difference(field, before.mesh, before.field, { signal: life.signal });
   }
 
-  /** The model, read by the kernel, which can compute. */
-  async #whole(): Promise<Presented> {
-    this.require();
-    return this.core!.whole();
-  }
-
   // ---- fields, tips and parts
 
   /**
@@ -296,15 +191,6 @@ export class GirthViewer extends ViewerShell {
   /** The values at every vertex that the model's file has, in its order: `_heat`. */
   get given(): ValuesName[] {
     return this.presented?.model.fields.givenNames ?? [];
-  }
-
-  /** A whole field; computed now, in view of the user, unless it is there. Cancelling rejects. */
-  async fieldOf(name: FieldName): Promise<Field> {
-    if (!isFieldName(name)) throw new RangeError(`no field is called ${String(name)}`);
-    const { fields, file } = this.require().model;
-    const given = fields.givenOf(name);
-    if (file.isAll && given) return { ...given, name };
-    return (await this.#whole()).model.fields.compute(name);
   }
 
   /**
@@ -329,54 +215,15 @@ export class GirthViewer extends ViewerShell {
     return this.require().model.fields.shareOf(name);
   }
 
-  /** The area that each vertex of the surface stands for. */
-  async areas(): Promise<Float64Array> {
-    return this.require().model.areas();
-  }
-
-  /** The tips; the girth is computed first unless it is there. */
-  async tips(): Promise<Tips> {
-    const { model } = this.require();
-    return model.file.tips ? model.tips() : (await this.#whole()).model.tips();
-  }
-
   /** Draws the tips' contours and apexes and tints their regions, or no longer. */
   async showTips(choice: TipsChoice): Promise<void> {
     this.require();
     await this.core!.showTips(choice);
   }
 
-  /**
-   * The limbs that the tips end, and how thick they are all along; the girth is computed first unless it is
-   * there. Of several calls at a time, the first one has the progress and can stop it.
-   */
-  async limbs(options: WatchedOptions = {}): Promise<Limbs> {
-    return (await this.#whole()).model.limbs(options);
-  }
-
-  /** Where a field is greatest, or least, among its surroundings; most persistent first. */
-  async maxima(name: FieldName, options: { minima?: boolean } = {}): Promise<Maximum[]> {
-    return (await this.#whole()).model.maxima(name, options.minima ?? false);
-  }
-
-  /** Where heat stays longest, most persistent first: the paper's comparison with the tips. */
-  async heatMaxima(options: SpectralOptions = {}): Promise<Maximum[]> {
-    return (await this.#whole()).model.heatMaxima(options);
-  }
-
   /** Marks points of the surface with diamonds; without an argument none. */
   showPoints(points: ArrayLike<SurfacePoint> = []): void {
     this.require().showPoints(points);
-  }
-
-  /** Thresholds to start from; girth and shape diameter are computed first. */
-  async suggestedThresholds(): Promise<PartThresholds> {
-    return (await this.#whole()).model.suggestedThresholds();
-  }
-
-  /** Tubes, plates and body as connected parts; girth and shape diameter are computed first. */
-  async parts(options: PartOptions): Promise<Parts> {
-    return (await this.#whole()).model.parts(options);
   }
 
   /** The thresholds that colour the surface by parts; undefined until they were first chosen. */
@@ -392,14 +239,6 @@ export class GirthViewer extends ViewerShell {
     this.require().setThresholds(wish);
   }
 
-  /**
-   * What is too thin to print or too close together, and the scale from which on nothing is; the fields that the
-   * limits need are computed first.
-   */
-  async printCheck(limits: PrintLimits): Promise<PrintCheck> {
-    return (await this.#whole()).model.printCheck(limits);
-  }
-
   /** Colours the surface by kinds of places, with a legend of their own, until the next call or until `field` changes. */
   showPlaces(places?: ShownPlaces): void {
     this.require().showPlaces(places);
@@ -412,18 +251,6 @@ export class GirthViewer extends ViewerShell {
 
   // ---- loops
 
-  /** The exact loop at a vertex of the surface, or at a point of one of its faces. */
-  async loop(point: SurfacePoint): Promise<Loop> {
-    const { mesh, life, fields } = (await this.#whole()).model;
-    return mesh.loop(point, { signal: life.signal, persistence: fields.persistence });
-  }
-
-  /** The saddles of the distance from a point, those that `persistence` passes over too. */
-  async barcode(point: SurfacePoint, options: BarcodeOptions = {}): Promise<Barcode> {
-    const { mesh, life } = (await this.#whole()).model;
-    return mesh.barcode(point, { signal: life.signal, ...options });
-  }
-
   /**
    * Computes the saddles of all vertices, with progress and until `cancel`, and keeps them for as long as the
    * model is shown: from then on another `persistence` up to `maxPersistence`, in model units, shows at once.
@@ -434,59 +261,12 @@ export class GirthViewer extends ViewerShell {
     await this.core!.keepBarcodes(maxPersistence);
   }
 
-  /** The shortest path between two points, and how far they are apart in space. */
-  async path(from: SurfacePoint, to: SurfacePoint): Promise<SurfacePath> {
-    const { mesh, life } = (await this.#whole()).model;
-    return mesh.path(from, to, { signal: life.signal });
-  }
-
-  /**
-   * The places that are narrower than all around them; the girth is computed first unless it is there.
-   * @experimental
-   */
-  async necks(options: NeckOptions = {}): Promise<Necks> {
-    const { mesh, life, fields } = (await this.#whole()).model;
-    return mesh.necks(await fields.compute('igf'), { signal: life.signal, ...options });
-  }
-
-  /**
-   * The narrowest place on the widest way from one point to another; the girth is computed first unless it is there.
-   * @experimental
-   */
-  async bottleneck(
-    from: SurfacePoint,
-    to: SurfacePoint,
-    options: WatchedOptions = {},
-  ): Promise<Bottleneck> {
-    const { mesh, life, fields } = (await this.#whole()).model;
-    const { signal } = life;
-    return mesh.bottleneck(await fields.girth(signal), from, to, { signal, ...options });
-  }
-
-  /**
-   * The girth along the shortest path through two points or more.
-   * @experimental
-   */
-  async profile(points: readonly SurfacePoint[], options: ProfileOptions = {}): Promise<Profile> {
-    const { mesh, life } = (await this.#whole()).model;
-    return mesh.profile(points, { signal: life.signal, ...options });
-  }
-
-  /**
-   * The girth along the axis of a limb, with the loops that are swept along it.
-   * @experimental
-   */
-  async axis(limb: Pick<Limb, 'profile'>, options: WatchedOptions = {}): Promise<LimbAxis> {
-    const { mesh, life } = (await this.#whole()).model;
-    return mesh.axis(limb, { signal: life.signal, ...options });
-  }
-
   /**
    * The next point of the surface that is clicked, tapped, or chosen with Enter, which then pins no loop. Rejected with
    * CANCELLED after Escape, when the signal fires, and when another model comes or the method is called again.
    */
   async choosePoint({ signal }: CallOptions = {}): Promise<SurfacePoint> {
-    return (await this.#whole()).loops.choosePoint(signal);
+    return (await this.whole()).loops.choosePoint(signal);
   }
 
   /**
@@ -496,47 +276,8 @@ export class GirthViewer extends ViewerShell {
    * @experimental
    */
   async chooseStroke(options: StrokeOptions = {}): Promise<SurfacePoint[]> {
-    const { loops } = await this.#whole();
+    const { loops } = await this.whole();
     return loops.chooseStroke(options);
-  }
-
-  /**
-   * Short loops round the surface's handles and through its holes.
-   * @experimental
-   */
-  async handles(options: HandleOptions = {}): Promise<Handles> {
-    const { mesh, life } = (await this.#whole()).model;
-    return mesh.handles({ signal: life.signal, ...options });
-  }
-
-  /**
-   * Where the girth has one value; it is computed first unless it is there.
-   * @experimental
-   */
-  async levelCurves(girth: number, options: CallOptions = {}): Promise<LevelCurve[]> {
-    const { mesh, life, fields } = (await this.#whole()).model;
-    const igf = await fields.compute('igf');
-    return mesh.levelCurves(igf, girth, { signal: life.signal, ...options });
-  }
-
-  /**
-   * The parts of the surface, cut along curves; what is shown stays whole.
-   * @experimental
-   */
-  async cut(curves: readonly (readonly SurfacePoint[])[], options: CutOptions = {}): Promise<Cut> {
-    const { mesh, life } = (await this.#whole()).model;
-    return mesh.cut(curves, { signal: life.signal, ...options });
-  }
-
-  /**
-   * What the surface falls into at its necks, and what each part is; girth and shape diameter are computed first. What is
-   * shown stays whole.
-   * @experimental
-   */
-  async segments(options: SegmentOptions = {}): Promise<Segments> {
-    const { model } = await this.#whole();
-    const { igf, sdf } = await model.girthAndDiameter();
-    return model.mesh.segments(igf, sdf, { signal: model.life.signal, ...options });
   }
 
   /** Draws lines on the surface, each given by x, y, z of its points; without an argument none. */
@@ -565,7 +306,7 @@ export class GirthViewer extends ViewerShell {
 
   /** Computes the loop at a vertex or at a point of a face, and keeps it on the surface; one that is known is only kept. */
   async pin(point: SurfacePoint | Loop): Promise<PinnedLoop> {
-    const { loops } = await this.#whole();
+    const { loops } = await this.whole();
     return typeof point === 'object' && 'polyline' in point ? loops.keep(point) : loops.pin(point);
   }
 
@@ -660,114 +401,6 @@ export class GirthViewer extends ViewerShell {
   async snapshotOf(picture: PlacePicture): Promise<Blob> {
     const core = await this.needed();
     return core.snapshotOf(picture);
-  }
-
-  // ---- files, in the element's unit
-
-  /** A field, or two in one, as a file's content; computed first unless it is there. */
-  async exportField(
-    format: FieldFormat,
-    name: FieldName | CombinedName = 'igf',
-  ): Promise<Uint8Array> {
-    return this.exportFields([name], format);
-  }
-
-  /** Several fields in one file, also such as were not computed here; NPY takes only one. */
-  async exportFields(
-    fields: readonly (FieldName | CombinedName | NamedField)[],
-    format: FieldFormat,
-  ): Promise<Uint8Array> {
-    const { mesh, life, fields: known } = (await this.#whole()).model;
-    const { unit } = this;
-    const whole = await Promise.all(
-      fields.map(async (field) => {
-        if (typeof field !== 'string') return field;
-        if (isFieldName(field)) return this.fieldOf(field);
-        return known.combinedToWrite(field, unit);
-      }),
-    );
-    return mesh.exportFields(whole, format, { signal: life.signal, unit });
-  }
-
-  /** The tips as a file's content. */
-  async exportTips(format: 'json' | 'obj'): Promise<Uint8Array> {
-    const { mesh, life } = (await this.#whole()).model;
-    const { unit } = this;
-    return mesh.exportTips(await this.fieldOf('igf'), format, { signal: life.signal, unit });
-  }
-
-  /** The limbs as a file's content: everything, or a row for each. */
-  async exportLimbs(format: 'json' | 'csv'): Promise<Uint8Array> {
-    const { mesh, life } = (await this.#whole()).model;
-    const { unit } = this;
-    return mesh.exportLimbs(await this.fieldOf('igf'), format, { signal: life.signal, unit });
-  }
-
-  /** The parts as a file's content. */
-  async exportParts(options: PartOptions, format: 'json'): Promise<Uint8Array> {
-    const { model } = await this.#whole();
-    const { igf, sdf } = await model.girthAndDiameter();
-    const { signal } = model.life;
-    return model.mesh.exportParts(igf, sdf, options, format, { signal, unit: this.unit });
-  }
-
-  /** The answer of the print check as a file's content. */
-  async exportWeakPlaces(limits: PrintLimits, format: 'json'): Promise<Uint8Array> {
-    const { model } = await this.#whole();
-    const fields = await model.printFields(limits);
-    const { signal } = model.life;
-    return model.mesh.exportWeakPlaces(fields, limits, format, { signal, unit: this.unit });
-  }
-
-  /**
-   * The parts of the surface, cut along curves, as files: one, or with 'stl' and 'ply' one for each part.
-   * @experimental
-   */
-  async exportCut(
-    curves: readonly (readonly SurfacePoint[])[],
-    format: CutFormat,
-    options: CutOptions = {},
-  ): Promise<Uint8Array[]> {
-    const { mesh, life } = (await this.#whole()).model;
-    return mesh.exportCut(curves, format, { signal: life.signal, unit: this.unit, ...options });
-  }
-
-  /**
-   * The segments as a file's content: a label for each face, everything, or a node for each segment.
-   * @experimental
-   */
-  async exportSegments(
-    format: 'csv' | 'json' | 'glb',
-    options: SegmentOptions = {},
-  ): Promise<Uint8Array> {
-    const { model } = await this.#whole();
-    const { igf, sdf } = await model.girthAndDiameter();
-    const { signal } = model.life;
-    const { unit } = this;
-    return model.mesh.exportSegments(igf, sdf, format, { signal, unit, ...options });
-  }
-
-  /**
-   * The girth along the shortest path through points, or what was measured along a path or an axis, as a file's content: a
-   * row for each place, or everything; the loops of an axis also as lines.
-   * @experimental
-   */
-  async exportProfile<Along extends readonly SurfacePoint[] | Profile | LimbAxis>(
-    along: Along,
-    format: 'csv' | 'json' | (Along extends LimbAxis ? 'obj' | 'glb' : never),
-    options: ProfileOptions = {},
-  ): Promise<Uint8Array> {
-    const { mesh, life } = (await this.#whole()).model;
-    const { signal } = life;
-    return mesh.exportProfile(along as LimbAxis, format, { signal, unit: this.unit, ...options });
-  }
-
-  /** The pinned loops, oldest first, a file's content for each. */
-  async exportLoops(format: LoopFormat): Promise<Uint8Array[]> {
-    const { mesh, life, fields } = (await this.#whole()).model;
-    const points = this.pinned.map(({ loop }) => loop.base);
-    const { persistence } = fields;
-    return mesh.exportLoops(points, format, { signal: life.signal, unit: this.unit, persistence });
   }
 }
 

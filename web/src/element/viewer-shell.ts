@@ -175,6 +175,12 @@ export abstract class ViewerShell extends ElementOrNone {
     return this.core.require();
   }
 
+  /** What is drawn, of a model that the kernel has read, which can compute; rejected where none is. */
+  protected async whole(): Promise<Presented> {
+    this.require();
+    return this.core!.whole();
+  }
+
   /** What the element draws and computes, fetched now unless it is there. */
   protected needed(): Promise<ViewerCore> {
     this.#fetching ??= import('./viewer-core.js').then(

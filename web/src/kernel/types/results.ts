@@ -575,6 +575,93 @@ export interface HandleRemoval {
   provenLength: number;
 }
 
+/**
+ * The points x with normal · x = offset.
+ *
+ * @experimental
+ */
+export interface Plane {
+  /** Of any length but 0. */
+  normal: [number, number, number];
+  /** In model units, where the normal has length 1. */
+  offset: number;
+}
+
+/**
+ * A curve in which a plane cuts a surface (web/docs/definitions.md, section 5).
+ *
+ * @experimental
+ */
+export interface SectionCurve {
+  /** Its length, in model units; of an open curve without the gap. */
+  perimeter: number;
+  /**
+   * The perimeter of its convex hull in the plane, in model units: what a tape shows, which spans
+   * hollows.
+   */
+  tape: number;
+  /**
+   * The area that it encloses, those of the holes in it taken away, in squared model units; 0 where it
+   * is open.
+   */
+  area: number;
+  /** The diameter of a circle of that area, in model units. */
+  equivalentDiameter: number;
+  /**
+   * The least distance of two parallel lines in the plane that hold it between them, in model units.
+   */
+  leastWidth: number;
+  /** The greatest one: that of its two points that are farthest apart. */
+  greatestWidth: number;
+  /** The centroid of its area; of an open curve, of its length. */
+  centre: [number, number, number];
+  /** False where it ends at the surface's boundary. */
+  closed: boolean;
+  /** Whether it bounds a hole in another curve: what the surface encloses lies round it. */
+  hole: boolean;
+  /** The component of the surface that it lies on. */
+  component: number;
+  /**
+   * The edges that it crosses and the vertices that it passes, in order; straight between neighbours.
+   * Seen from the tip of the plane's normal, what the surface encloses lies on the left. The last point
+   * of a closed curve equals the first.
+   */
+  points: SurfacePoint[];
+  /** x, y, z of its points, relative to `MeshGeometry.origin`. */
+  polyline: Float32Array;
+}
+
+/**
+ * What one plane cuts.
+ *
+ * @experimental
+ */
+export interface Section {
+  /** The plane, its normal of length 1. */
+  plane: Plane;
+  /** The sum of the curves' lengths, in model units. */
+  perimeter: number;
+  /** The perimeter of the convex hull of all curves, in model units: one tape round them. */
+  tape: number;
+  /** The sum of the areas of the curves that are no holes, in squared model units. */
+  area: number;
+  /**
+   * In the order of the components, then of the first edge that each crosses. Empty where the plane
+   * misses the surface.
+   */
+  curves: SectionCurve[];
+}
+
+/**
+ * What several planes cut.
+ *
+ * @experimental
+ */
+export interface Sections {
+  /** In the order in which the planes were given. */
+  sections: Section[];
+}
+
 /** A line across edges of the surface: a point in the middle of each, in order. */
 export interface ContourLine {
   /**
