@@ -23,6 +23,8 @@ const pythonNames = /** @type {Record<string, string>} */ ({
   Limb: 'Limb',
   Neck: 'Neck',
   Part: 'Part',
+  Section: 'Section',
+  SectionCurve: 'SectionCurve',
   Tip: 'Tip',
 });
 
@@ -231,7 +233,7 @@ export function unitOf(comment) {
 
 /** Entries of lists in JSON; what is a file's whole content has tables of its own. */
 const tabled =
-  'Tip ContourLine OpenArc Limb GirthStation Neck CurveSide Handle Part WeakPlace PathStation AxisStation PreparationReport ClosedHole GirthAudit'.split(
+  'Tip ContourLine OpenArc Limb GirthStation Neck CurveSide Handle Part WeakPlace Section SectionCurve PathStation AxisStation PreparationReport ClosedHole GirthAudit'.split(
     ' ',
   );
 

@@ -14,14 +14,6 @@
 
 namespace girth {
 
-/// The points x with normal · x = offset.
-struct Plane {
-  /// Of any length but 0.
-  Vec3 normal{0, 0, 1};
-  /// In model units, where the normal has length 1.
-  double offset{0};
-};
-
 /// A curve in which a plane cuts a surface (web/docs/definitions.md, section 5).
 struct SectionCurve {
   /// The edges that it crosses and the vertices that it passes, in order; straight between
@@ -55,8 +47,10 @@ struct SectionCurve {
 
 /// What one plane cuts.
 struct Section {
-  /// The plane, its normal of length 1.
-  Plane plane;
+  /// The plane's normal, of length 1.
+  Vec3 normal{0, 0, 1};
+  /// normal · x of all points of the plane, in model units.
+  double offset{0};
   /// In the order of the components, then of the first edge that each crosses. Empty where the
   /// plane misses the surface.
   std::vector<SectionCurve> curves;
@@ -86,7 +80,8 @@ struct HeightRange {
 /// no length, or one that is not finite.
 GIRTH_EXPORT Result<HeightRange> heightRange(const SurfaceMesh& mesh, const Vec3& normal);
 
-/// The sections of a surface with planes of one normal, at several offsets.
+/// The sections of a surface with planes of one normal, at several offsets: normal · x in model
+/// units, where the normal has length 1 (it may be given with any length but 0).
 ///
 /// *Planes through vertices.* A vertex that lies in the plane (nearer to it than 1e-12 of the
 /// greatest coordinate) counts as lying above it, on the side of the normal. So every curve runs
@@ -106,6 +101,7 @@ GIRTH_EXPORT Result<Sections> findSections(const SurfaceMesh& mesh, const Vec3& 
                                            const ExecutionContext& context = {});
 
 /// The section with one plane. The same errors.
-GIRTH_EXPORT Result<Section> findSection(const SurfaceMesh& mesh, const Plane& plane);
+GIRTH_EXPORT Result<Section> findSection(const SurfaceMesh& mesh, const Vec3& normal,
+                                         double offset);
 
 }  // namespace girth

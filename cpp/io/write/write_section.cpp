@@ -40,7 +40,7 @@ std::string sectionsCsv(const LoadedMesh& loaded, const Sections& sections) {
       "closed,hole,component,unit\n";
   forEachCurve(sections, [&](const Section& section, std::size_t s, const SectionCurve& curve,
                              std::size_t c) {
-    text += std::to_string(s) + "," + formatNumber(section.plane.offset) + "," + std::to_string(c);
+    text += std::to_string(s) + "," + formatNumber(section.offset) + "," + std::to_string(c);
     for (const double number : {curve.perimeter, curve.tape, curve.area, curve.equivalentDiameter,
                                 curve.leastWidth, curve.greatestWidth}) {
       text += "," + formatNumber(number);
@@ -69,7 +69,7 @@ Result<std::string> sectionsGlb(const LoadedMesh& loaded, const Sections& sectio
                              std::size_t c) {
     addLine(loaded, curve.points,
             JsonObject()
-                .add("offset", section.plane.offset)
+                .add("offset", section.offset)
                 .add("perimeter", curve.perimeter)
                 .add("tape", curve.tape)
                 .add("area", curve.area)

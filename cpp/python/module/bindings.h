@@ -12,7 +12,7 @@ void bindErrors(pybind11::module_& module);
 void bindSurface(pybind11::module_& module);
 /// Tips, limbs and parts.
 void bindAnalysis(pybind11::module_& module);
-/// Necks, handles, bottlenecks, profiles and cuts.
+/// Necks, sections, handles, bottlenecks, profiles and cuts.
 void bindLoops(pybind11::module_& module);
 /// Fields that shapes are compared by, and the distances between shapes.
 void bindComparison(pybind11::module_& module);

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -16,6 +17,7 @@
 #include "girth/describe/handles.h"
 #include "girth/describe/limb_axis.h"
 #include "girth/describe/necks.h"
+#include "girth/describe/section.h"
 #include "girth/io/write_cut.h"
 #include "girth/path_profile.h"
 #include "points.h"
@@ -39,6 +41,16 @@ py::tuple necksOf(const Shared& surface, double minProminence, const Running& ru
         return findNecks(surface->mesh(), girth.value()->values, {minProminence}, context);
       });
   return py::make_tuple(listOf(surface->loaded(), found.necks), found.unresolved);
+}
+
+/// A list of sections.
+py::list sectionsOf(const Shared& surface, const std::array<double, 3>& normal,
+                    const std::vector<double>& offsets, const Running& running) {
+  const Sections found =
+      compute<Sections>(running, [surface, normal, offsets](const ExecutionContext& context) {
+        return findSections(surface->mesh(), {normal[0], normal[1], normal[2]}, offsets, context);
+      });
+  return listOf(surface->loaded(), found.sections);
 }
 
 /// (handles, unresolved)
@@ -153,6 +165,7 @@ py::tuple cutAlong(const Shared& surface, const std::vector<CurveArrays>& curves
 
 void bindLoops(py::module_& module) {
   module.def("necks", &necksOf);
+  module.def("sections", &sectionsOf);
   module.def("handles", &handlesOf);
   module.def("bottleneck", &bottleneckOf);
   module.def("profile", &profileOf);

@@ -278,6 +278,82 @@ class Part(_Members):
     vertices: np.ndarray
 
 
+class SectionCurve(_Members):
+    """A curve in which a plane cuts a surface (web/docs/definitions.md, section 5).
+
+    Attributes
+    ----------
+    perimeter : float
+        Its length, in model units; of an open curve without the gap.
+    tape : float
+        The perimeter of its convex hull in the plane, in model units: what a tape shows, which
+        spans hollows.
+    area : float
+        The area that it encloses, those of the holes in it taken away, in squared model units;
+        0 where it is open.
+    equivalent_diameter : float
+        The diameter of a circle of that area, in model units.
+    least_width : float
+        The least distance of two parallel lines in the plane that hold it between them, in
+        model units.
+    greatest_width : float
+        The greatest one: that of its two points that are farthest apart.
+    centre : ndarray of float64, shape (3,)
+        The centroid of its area; of an open curve, of its length.
+    closed : bool
+        False where it ends at the surface's boundary.
+    hole : bool
+        Whether it bounds a hole in another curve: what the surface encloses lies round it.
+    component : int
+        The component of the surface that it lies on.
+    points : ndarray of float64, shape (k, 3)
+        The edges that it crosses and the vertices that it passes, in order; straight between
+        neighbours. Seen from the tip of the plane's normal, what the surface encloses lies on
+        the left. The last point of a closed curve equals the first.
+    """
+
+    perimeter: float
+    tape: float
+    area: float
+    equivalent_diameter: float
+    least_width: float
+    greatest_width: float
+    centre: np.ndarray
+    closed: bool
+    hole: bool
+    component: int
+    points: np.ndarray
+    _curve: tuple[np.ndarray, np.ndarray]
+
+
+class Section(_Members):
+    """What one plane cuts.
+
+    Attributes
+    ----------
+    normal : ndarray of float64, shape (3,)
+        The plane's normal, of length 1.
+    offset : float
+        Normal · x of all points of the plane, in model units.
+    perimeter : float
+        The sum of the curves' lengths, in model units.
+    tape : float
+        The perimeter of the convex hull of all curves, in model units: one tape round them.
+    area : float
+        The sum of the areas of the curves that are no holes, in squared model units.
+    curves : list of SectionCurve
+        In the order of the components, then of the first edge that each crosses. Empty where
+        the plane misses the surface.
+    """
+
+    normal: np.ndarray
+    offset: float
+    perimeter: float
+    tape: float
+    area: float
+    curves: list["SectionCurve"]
+
+
 class Contour(_Members):
     """A line across edges of the surface: a point in the middle of each, in order.
 

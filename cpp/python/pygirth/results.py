@@ -36,6 +36,8 @@ __all__ = [
     "Path",
     "Profile",
     "RefinedGirth",
+    "Section",
+    "SectionCurve",
     "Segment",
     "Segments",
     "Tip",
@@ -462,6 +464,19 @@ class Cut(_Result):
 class Contour(_members.Contour, _Result):
     def _line(self) -> str:
         return f"{'closed' if self.closed else 'open'}, {len(self.points)} points"
+
+
+class SectionCurve(_members.SectionCurve, _Result):
+    def _line(self) -> str:
+        return f"{'closed' if self.closed else 'open'}, perimeter {self.perimeter:.6g}"
+
+
+class Section(_members.Section, _Result):
+    def __init__(self, found: dict) -> None:
+        super().__init__({**found, "curves": [SectionCurve(one) for one in found["curves"]]})
+
+    def _line(self) -> str:
+        return f"{len(self.curves)} curves, perimeter {self.perimeter:.6g}, area {self.area:.6g}"
 
 
 class Tip(_members.Tip, _Result):

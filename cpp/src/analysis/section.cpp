@@ -85,7 +85,8 @@ class SectionCutter {
     }
     std::vector<std::size_t> visited(mesh_.faceCount(), 0);
     for (std::size_t k = 0; k < offsets.size(); ++k) {
-      result[k].plane = {normal_, offsets[k]};
+      result[k].normal = normal_;
+      result[k].offset = offsets[k];
       for (const Face f : crossed[k]) {
         if (visited[f] == k + 1) continue;
         if (auto curve = follow(f, offsets[k], k + 1, visited)) {
@@ -296,8 +297,8 @@ Result<Sections> findSections(const SurfaceMesh& mesh, const Vec3& normal,
   return result;
 }
 
-Result<Section> findSection(const SurfaceMesh& mesh, const Plane& plane) {
-  auto all = findSections(mesh, plane.normal, {&plane.offset, 1}, {1, nullptr, {}});
+Result<Section> findSection(const SurfaceMesh& mesh, const Vec3& normal, double offset) {
+  auto all = findSections(mesh, normal, {&offset, 1}, {1, nullptr, {}});
   if (!all) return all.error();
   return std::move(all.value().sections.front());
 }

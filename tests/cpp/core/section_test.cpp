@@ -22,7 +22,7 @@ namespace {
 constexpr double kExact = 1e-12;
 
 Section cut(const SurfaceMesh& mesh, const Vec3& normal, double offset) {
-  return findSection(mesh, {normal, offset}).value();
+  return findSection(mesh, normal, offset).value();
 }
 
 void expectNear(double value, double expected) {
@@ -56,7 +56,7 @@ TEST(Section, OfPrismsIsTheirPolygon) {
       expectNear(curve.leastWidth,
                  sides % 2 == 0 ? 2 * apothem : apothem * (1 + 1 / std::cos(kPi / sides)));
       expectNear(found.area, curve.area);
-      expectNear(found.plane.normal.z, 1);
+      expectNear(found.normal.z, 1);
     }
   }
 }
@@ -247,9 +247,9 @@ TEST(Section, AreasAddUpToTheVolume) {
 
 TEST(Section, RefusesPlanesThatAreNone) {
   const SurfaceMesh mesh = test::tetrahedron().mesh();
-  EXPECT_EQ(findSection(mesh, {{0, 0, 0}, 0}).error().code, ErrorCode::InvalidOption);
-  EXPECT_EQ(findSection(mesh, {{0, 0, 1}, NAN}).error().code, ErrorCode::InvalidOption);
-  EXPECT_EQ(findSection(mesh, {{0, INFINITY, 1}, 0}).error().code, ErrorCode::InvalidOption);
+  EXPECT_EQ(findSection(mesh, {0, 0, 0}, 0).error().code, ErrorCode::InvalidOption);
+  EXPECT_EQ(findSection(mesh, {0, 0, 1}, NAN).error().code, ErrorCode::InvalidOption);
+  EXPECT_EQ(findSection(mesh, {0, INFINITY, 1}, 0).error().code, ErrorCode::InvalidOption);
   EXPECT_EQ(heightRange(mesh, {0, 0, NAN}).error().code, ErrorCode::InvalidOption);
   const std::atomic<bool> cancel{true};
   EXPECT_EQ(

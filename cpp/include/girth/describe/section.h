@@ -6,11 +6,6 @@
 
 namespace girth {
 
-/// The members of a plane.
-constexpr auto describe(Members<Plane>) {
-  return described<Plane>(member("normal", &Plane::normal), member("offset", &Plane::offset));
-}
-
 /// The members of a curve.
 constexpr auto describe(Members<SectionCurve>) {
   return described<SectionCurve>(
@@ -26,7 +21,7 @@ constexpr auto describe(Members<SectionCurve>) {
 
 /// The members of a section.
 constexpr auto describe(Members<Section>) {
-  return described<Section>(member("plane", &Section::plane),
+  return described<Section>(member("normal", &Section::normal), member("offset", &Section::offset),
                             member("perimeter", &Section::perimeter),
                             member("tape", &Section::tape), member("area", &Section::area),
                             member("curves", &Section::curves));

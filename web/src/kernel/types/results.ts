@@ -576,18 +576,6 @@ export interface HandleRemoval {
 }
 
 /**
- * The points x with normal · x = offset.
- *
- * @experimental
- */
-export interface Plane {
-  /** Of any length but 0. */
-  normal: [number, number, number];
-  /** In model units, where the normal has length 1. */
-  offset: number;
-}
-
-/**
  * A curve in which a plane cuts a surface (web/docs/definitions.md, section 5).
  *
  * @experimental
@@ -637,8 +625,10 @@ export interface SectionCurve {
  * @experimental
  */
 export interface Section {
-  /** The plane, its normal of length 1. */
-  plane: Plane;
+  /** The plane's normal, of length 1. */
+  normal: [number, number, number];
+  /** Normal · x of all points of the plane, in model units. */
+  offset: number;
   /** The sum of the curves' lengths, in model units. */
   perimeter: number;
   /** The perimeter of the convex hull of all curves, in model units: one tape round them. */
