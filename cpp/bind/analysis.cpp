@@ -7,7 +7,6 @@
 #include "girth/describe/limbs.h"
 #include "girth/describe/parts.h"
 #include "girth/describe/print_check.h"
-#include "girth/describe/tips.h"
 #include "girth/vertex_areas.h"
 #include "job_surface.h"
 #include "maxima.h"
@@ -26,10 +25,12 @@ val areasOfVertices(const JobSurface& surface) {
   });
 }
 
-/// `Tips` of types.ts, or an error.
+/// `FoundTips` of protocol.ts, or an error.
 val tips(const JobSurface& surface, const val& girth) {
-  return guarded(
-      [&] { return objectOf(surface.drawn(), findTips(surface.mesh(), copyIn<double>(girth))); });
+  return guarded([&] {
+    const Result<Tips> found = findTips(surface.mesh(), copyIn<double>(girth));
+    return found ? tipsWithPoints(surface.drawn(), found.value()) : toJs(found.error());
+  });
 }
 
 /// `Limbs` of types.ts, or an error.
@@ -56,12 +57,8 @@ val parts(const JobSurface& surface, const val& fields, const val& options) {
     const Result<Parts> found =
         findParts(surface.mesh(), values.girth, values.diameter, partOptionsOf(options));
     if (!found) return toJs(found.error());
-    std::vector<std::uint8_t> kinds;
-    for (const PartKind kind : found.value().kinds) {
-      kinds.push_back(static_cast<std::uint8_t>(kind));
-    }
     ResultObject result;
-    result("kinds", copyOut<std::uint8_t>("Uint8Array", kinds));
+    result("kinds", kindCodes(found.value().kinds));
     result("partOf", copyOut<Index>("Uint32Array", found.value().partOf));
     result("parts", found.value().parts);
     return result.object();

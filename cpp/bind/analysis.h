@@ -1,15 +1,19 @@
-// Arguments of the functions that compute and write tips, limbs and parts.
+// Arguments and results of the functions that compute and write tips, limbs and parts.
 #pragma once
 
 #include <emscripten/val.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "boundary.h"
+#include "girth/describe/tips.h"
 #include "girth/limbs.h"
 #include "girth/parts.h"
 #include "girth/print_check.h"
 #include "girth/tips.h"
+#include "result_object.h"
+#include "surface_point.h"
 
 namespace girth::bind {
 
@@ -20,6 +24,20 @@ struct GirthAndDiameter {
   explicit GirthAndDiameter(const emscripten::val& fields)
       : girth(copyIn<double>(fields["girth"])), diameter(copyIn<double>(fields["diameter"])) {}
 };
+
+/// `FoundTips` of protocol.ts: lines have drawn positions alone, so their exact points go with
+/// them.
+inline emscripten::val tipsWithPoints(const DrawnSurface& surface, const Tips& tips) {
+  std::vector<SurfacePoint> points;
+  const auto add = [&](const ContourLine& line) {
+    points.insert(points.end(), line.points.begin(), line.points.end());
+  };
+  for (const Tip& tip : tips.tips) std::for_each(tip.contour.begin(), tip.contour.end(), add);
+  for (const OpenArc& arc : tips.arcs) add(arc.line);
+  emscripten::val result = ResultObject(surface).addMembers(tips).object();
+  result.set("linePoints", packedPoints(points));
+  return result;
+}
 
 /// The limbs of all tips by the girth. `stations` as JavaScript gives it.
 inline Result<Limbs> limbsByGirth(const SurfaceMesh& mesh, const std::vector<double>& girth,
@@ -35,6 +53,22 @@ inline Result<Limbs> limbsByGirth(const SurfaceMesh& mesh, const std::vector<dou
 inline PartOptions partOptionsOf(const emscripten::val& options) {
   return {{options["girth"].as<double>(), options["thickness"].as<double>()},
           options["smoothing"].as<double>()};
+}
+
+/// The kinds of vertices as Uint8Array.
+inline emscripten::val kindCodes(const std::vector<PartKind>& kinds) {
+  std::vector<std::uint8_t> codes;
+  for (const PartKind kind : kinds) codes.push_back(static_cast<std::uint8_t>(kind));
+  return copyOut<std::uint8_t>("Uint8Array", codes);
+}
+
+/// The same again.
+inline std::vector<PartKind> kindsAgain(const emscripten::val& codes) {
+  std::vector<PartKind> kinds;
+  for (const std::uint8_t code : copyIn<std::uint8_t>(codes)) {
+    kinds.push_back(static_cast<PartKind>(code));
+  }
+  return kinds;
 }
 
 /// `PrintLimits` of types.ts, complete.

@@ -3,14 +3,11 @@
 #include <emscripten/bind.h>
 
 #include <limits>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "boundary.h"
 #include "described.h"
 #include "girth/describe/limb_axis.h"
-#include "girth/io/write_limb_axis.h"
 #include "job_surface.h"
 #include "result_object.h"
 #include "surface_point.h"
@@ -51,45 +48,7 @@ val axis(const JobSurface& surface, const val& profile, const val& onProgress) {
   });
 }
 
-/// The loops of `LimbAxis` again.
-std::vector<AxisStation> loopsOf(const val& loops) {
-  std::vector<AxisStation> stations;
-  for (unsigned i = 0; i < loops["length"].as<unsigned>(); ++i) {
-    const val loop = loops[i];
-    const val centre = loop["centre"];
-    AxisStation station;
-    station.distance = loop["distance"].as<double>();
-    station.along = loop["along"].as<double>();
-    station.girth = loop["girth"].as<double>();
-    station.centre = {centre[0].as<double>(), centre[1].as<double>(), centre[2].as<double>()};
-    station.area = loop["area"].as<double>();
-    station.points = curveAgain(loop["points"]);
-    stations.push_back(std::move(station));
-  }
-  return stations;
-}
-
-Result<std::string> contentFor(const std::string& format, const io::LoadedMesh& loaded,
-                               const std::vector<AxisStation>& axis, const std::string& name) {
-  if (format == "csv") return io::limbAxisCsv(loaded, axis);
-  if (format == "obj") return io::limbAxisObj(loaded, axis);
-  if (format == "glb") return io::limbAxisGlb(loaded, axis);
-  if (format == "json") return io::limbAxisJson(loaded, axis, name);
-  return makeError(ErrorCode::Usage, -1, "an axis is not written as '" + format + "'");
-}
-
-/// {bytes} of a file with the loops of `LimbAxis`, or an error.
-val writeAxis(JobSurface& surface, const val& model, const val& loops, const std::string& format) {
-  return guarded([&] {
-    const io::LoadedMesh& loaded = surface.inUnit(model["unit"].as<std::string>());
-    return fileOf(contentFor(format, loaded, loopsOf(loops), model["name"].as<std::string>()));
-  });
-}
-
-EMSCRIPTEN_BINDINGS(girthAxis) {
-  emscripten::function("axis", &axis);
-  emscripten::function("writeAxis", &writeAxis);
-}
+EMSCRIPTEN_BINDINGS(girthAxis) { emscripten::function("axis", &axis); }
 
 }  // namespace
 }  // namespace girth::bind

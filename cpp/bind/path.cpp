@@ -9,7 +9,6 @@
 #include "boundary.h"
 #include "girth/describe/path_profile.h"
 #include "girth/geodesic_solver.h"
-#include "girth/io/write_path_profile.h"
 #include "job_surface.h"
 #include "surface_point.h"
 
@@ -73,59 +72,9 @@ val profile(const JobSurface& surface, const val& points, double samples, bool c
   });
 }
 
-Result<std::string> contentFor(const std::string& format, const io::LoadedMesh& loaded,
-                               const Stations& stations, const val& model) {
-  if (format == "csv") return io::pathProfileCsv(loaded, stations);
-  if (format == "json") {
-    return io::pathProfileJson(loaded, stations, model["name"].as<std::string>());
-  }
-  return makeError(ErrorCode::Usage, -1, "a path's profile is not written as '" + format + "'");
-}
-
-/// {bytes} of the same as a file, or an error.
-val writeProfile(JobSurface& surface, const val& model, const val& points, double samples,
-                 bool crossings, const std::string& format, const val& onProgress) {
-  return guarded([&] {
-    const io::LoadedMesh& loaded = surface.inUnit(model["unit"].as<std::string>());
-    const auto path = shortestPathThrough(loaded.mesh, curveOf(points));
-    if (!path) return toJs(path.error());
-    const auto found = stationsAlong(loaded.mesh, path.value(), samples, crossings, onProgress);
-    if (!found) return toJs(found.error());
-    return fileOf(contentFor(format, loaded, found.value(), model));
-  });
-}
-
-/// The stations of `Profile` of types.ts again.
-Stations stationsOf(const val& list) {
-  Stations stations;
-  for (unsigned i = 0; i < list["length"].as<unsigned>(); ++i) {
-    const auto kind = list[i]["kind"].as<std::string>();
-    PathStation station;
-    station.distance = list[i]["distance"].as<double>();
-    station.girth = list[i]["girth"].as<double>();
-    for (const LoopKind one : {LoopKind::Antipodal, LoopKind::Unresolved}) {
-      if (kind == toString(one)) station.kind = one;
-    }
-    station.point = pointAgain(list[i]["place"]);
-    stations.push_back(station);
-  }
-  return stations;
-}
-
-/// {bytes} of a file with the stations of a `Profile`, or an error.
-val writeStations(JobSurface& surface, const val& model, const val& stations,
-                  const std::string& format) {
-  return guarded([&] {
-    const io::LoadedMesh& loaded = surface.inUnit(model["unit"].as<std::string>());
-    return fileOf(contentFor(format, loaded, stationsOf(stations), model));
-  });
-}
-
 EMSCRIPTEN_BINDINGS(girthPath) {
   emscripten::function("path", &path);
   emscripten::function("profile", &profile);
-  emscripten::function("writeProfile", &writeProfile);
-  emscripten::function("writeStations", &writeStations);
 }
 
 }  // namespace

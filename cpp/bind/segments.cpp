@@ -9,7 +9,7 @@
 #include "analysis.h"
 #include "boundary.h"
 #include "cut_part.h"
-#include "file_content.h"
+#include "girth/describe/necks.h"
 #include "girth/describe/parts.h"
 #include "girth/io/write_segments.h"
 #include "job_surface.h"
@@ -19,10 +19,18 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
+/// What a body is divided by.
+struct Division {
+  std::vector<PartKind> vertexKinds;
+  PartOptions kinds;
+  Tips tips;
+  Necks necks;
+};
+
 /// By {girth, diameter} and {minProminence, girth, thickness, smoothing}; a threshold that is
 /// undefined is the suggested one.
-Result<io::SegmentedModel> segmented(const SurfaceMesh& mesh, const val& fields, const val& options,
-                                     const ExecutionContext& context) {
+Result<Division> divisionOf(const SurfaceMesh& mesh, const val& fields, const val& options,
+                            const ExecutionContext& context) {
   const GirthAndDiameter values(fields);
   PartOptions kinds;
   kinds.smoothing = options["smoothing"].as<double>();
@@ -32,22 +40,25 @@ Result<io::SegmentedModel> segmented(const SurfaceMesh& mesh, const val& fields,
        {std::pair{"girth", &thresholds.girth}, {"thickness", &thresholds.thickness}}) {
     if (const val wanted = options[name]; !wanted.isUndefined()) *threshold = wanted.as<double>();
   }
-  const auto parts = findParts(mesh, values.girth, values.diameter, kinds);
+  auto parts = findParts(mesh, values.girth, values.diameter, kinds);
   if (!parts) return parts.error();
   auto tips = findTips(mesh, values.girth);
   if (!tips) return tips.error();
-  const auto necks =
-      findNecks(mesh, values.girth, {options["minProminence"].as<double>()}, context);
+  auto necks = findNecks(mesh, values.girth, {options["minProminence"].as<double>()}, context);
   if (!necks) return necks.error();
-  return io::segmentedModel(mesh, necks.value().necks, parts.value().kinds, kinds,
-                            std::move(tips.value().tips));
+  return Division{std::move(parts.value().kinds), kinds, std::move(tips).value(),
+                  std::move(necks).value()};
 }
 
-/// `Segments` of types.ts, or an error.
+/// `FoundSegments` of protocol.ts, or an error.
 val segments(const JobSurface& surface, const val& fields, const val& options,
              const val& onProgress) {
   return guarded([&] {
-    const auto found = segmented(surface.mesh(), fields, options, reportingTo(onProgress));
+    const auto division = divisionOf(surface.mesh(), fields, options, reportingTo(onProgress));
+    if (!division) return toJs(division.error());
+    const Division& by = division.value();
+    const auto found =
+        io::segmentedModel(surface.mesh(), by.necks.necks, by.vertexKinds, by.kinds, by.tips.tips);
     if (!found) return toJs(found.error());
     const io::SegmentedModel& model = found.value();
     val list = val::array();
@@ -71,35 +82,17 @@ val segments(const JobSurface& surface, const val& fields, const val& options,
                                         io::partOfFaces(model.model, surface.mesh().faceCount())));
     result.set("thresholds", ResultObject().addMembers(model.kinds.thresholds).object());
     result.set("crossing", val::array(model.crossing));
+    val files = val::object();
+    files.set("kinds", kindCodes(by.vertexKinds));
+    files.set("smoothing", by.kinds.smoothing);
+    files.set("tips", tipsWithPoints(surface.drawn(), by.tips));
+    files.set("necks", ResultObject(surface.drawn()).addMembers(by.necks).object());
+    result.set("by", files);
     return result;
   });
 }
 
-Result<std::string> contentFor(const std::string& format, const io::LoadedMesh& loaded,
-                               const io::SegmentedModel& segmented, const std::string& name) {
-  if (format == "csv") return io::segmentsCsv(loaded, segmented);
-  if (format == "glb") return io::segmentsGlb(loaded, segmented);
-  if (format == "json") return io::segmentsJson(loaded, segmented, name);
-  return makeError(ErrorCode::Usage, -1, "segments are not written as '" + format + "'");
-}
-
-/// {bytes} of a file with the segments, of `WrittenModel` and `FileContent` of protocol.ts; or an
-/// error.
-val writeSegments(JobSurface& surface, const val& model, const val& content, const val& fields,
-                  const val& options, const std::string& format, const val& onProgress) {
-  return guarded([&] {
-    const io::LoadedMesh& loaded = surface.inUnit(model["unit"].as<std::string>());
-    const WithFileContent with(surface.loaded(), content);
-    const auto found = segmented(loaded.mesh, fields, options, reportingTo(onProgress));
-    if (!found) return toJs(found.error());
-    return fileOf(contentFor(format, loaded, found.value(), model["name"].as<std::string>()));
-  });
-}
-
-EMSCRIPTEN_BINDINGS(girthSegments) {
-  emscripten::function("segments", &segments);
-  emscripten::function("writeSegments", &writeSegments);
-}
+EMSCRIPTEN_BINDINGS(girthSegments) { emscripten::function("segments", &segments); }
 
 }  // namespace
 }  // namespace girth::bind

@@ -4,6 +4,7 @@
 #include <emscripten/val.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -32,9 +33,8 @@ inline std::vector<SurfacePoint> curveOf(const emscripten::val& points) {
   return curve;
 }
 
-/// The same, and what `faceWithWeights` gave of a point of an edge is that point again, to the bit.
-inline SurfacePoint pointAgain(const emscripten::val& point) {
-  const SurfacePoint given = pointOf(point);
+/// A point that `beside` gave of a point of an edge is that point again, to the bit.
+inline SurfacePoint onEdgeAgain(const SurfacePoint& given) {
   if (given.kind != SurfacePoint::Kind::InFace) return given;
   const std::array<double, 3>& shares = given.weights;
   for (Index corner = 0; corner < 3; ++corner) {
@@ -45,14 +45,8 @@ inline SurfacePoint pointAgain(const emscripten::val& point) {
   return given;
 }
 
-/// The points of `SurfacePoint[]` that C++ gave, again.
-inline std::vector<SurfacePoint> curveAgain(const emscripten::val& points) {
-  std::vector<SurfacePoint> curve;
-  for (unsigned k = 0; k < points["length"].as<unsigned>(); ++k) {
-    curve.push_back(pointAgain(points[k]));
-  }
-  return curve;
-}
+/// A `SurfacePoint` of types.ts that C++ gave, again.
+inline SurfacePoint pointAgain(const emscripten::val& point) { return onEdgeAgain(pointOf(point)); }
 
 /// A point that is no vertex as barycentric coordinates; of an edge, those of the face beside it.
 inline SurfacePoint beside(const SurfacePoint& point) {
@@ -99,6 +93,20 @@ inline emscripten::val packedPoints(std::span<const SurfacePoint> points) {
     numbers.insert(numbers.end(), {static_cast<double>(inside.face()), a, b, c});
   }
   return copyOut<double>("Float64Array", numbers);
+}
+
+/// The points that `packedPoints` packed, again.
+inline std::vector<SurfacePoint> unpackedPoints(const emscripten::val& packed) {
+  const auto numbers = copyIn<double>(packed);
+  std::vector<SurfacePoint> points;
+  for (std::size_t i = 0; i + 4 <= numbers.size(); i += 4) {
+    const Index number = indexOf(numbers[i]);
+    points.push_back(std::isnan(numbers[i + 1])
+                         ? SurfacePoint::atVertex(Vertex(number))
+                         : onEdgeAgain(SurfacePoint::inFace(
+                               Face(number), {numbers[i + 1], numbers[i + 2], numbers[i + 3]})));
+  }
+  return points;
 }
 
 }  // namespace girth::bind

@@ -345,3 +345,73 @@ test('what cannot be searched is refused, and a signal stops it', async () => {
     ...[usage, 'VERTEX_OUT_OF_RANGE', usage, usage, 'INVALID_POINT'],
   ]);
 });
+
+/** Bytes of a file of the command, as Latin text. */
+function fileOfCommand(model: string, name: string, format: string, ...words: string[]): string {
+  const output = join(scratch, `written.${format}`);
+  writeFileSync(join(scratch, 'model.obj'), model);
+  execFileSync(command, [name, 'model.obj', ...words, '-o', output, '--force'], {
+    cwd: scratch,
+    stdio: 'ignore',
+  });
+  return readFileSync(output, 'latin1');
+}
+
+test('what was found is written as the command writes it, byte by byte', async () => {
+  const [body, ring] = [dumbbell(16, 12), torus(16, 9)];
+  const mine = await page.evaluate(
+    async ([body, ring]) => {
+      const kernel = await girth.createKernel({ threads: 1 });
+      const mesh = await kernel.load(girth.obj(body!, 'model.obj'));
+      const holed = await kernel.load(girth.obj(ring!, 'model.obj'));
+      const igf = await mesh.field('igf');
+      const latin = (bytes: Uint8Array) =>
+        Array.from(bytes, (b) => String.fromCharCode(b)).join('');
+      const [necks, tips] = [await mesh.necks(igf), await mesh.tips(igf)];
+      const [limbs, bottleneck] = [await mesh.limbs(igf), await mesh.bottleneck(igf, 0, 60)];
+      const handles = await holed.handles();
+      const files: Record<string, string> = {};
+      for (const format of ['csv', 'json', 'obj', 'glb'] as const) {
+        files[`necks ${format}`] = latin(await mesh.write(necks, format));
+        files[`handles ${format}`] = latin(await holed.write(handles, format));
+        if (format !== 'csv') {
+          files[`bottleneck ${format}`] = latin(await mesh.write(bottleneck, format));
+        }
+      }
+      for (const format of ['json', 'obj'] as const) {
+        files[`tips ${format}`] = latin(await mesh.write(tips, format));
+      }
+      for (const format of ['json', 'csv'] as const) {
+        files[`limbs ${format}`] = latin(await mesh.write(limbs, format));
+      }
+      files['limbs csv --profiles'] = latin(await mesh.write(limbs, 'csv', { profiles: true }));
+      // What is left of a list is a list.
+      const first = { ...necks, necks: necks.necks.slice(0, 1) };
+      const rows =
+        latin(await mesh.write(first, 'csv'))
+          .trim()
+          .split('\n').length - 1;
+      const [neck] = necks.necks;
+      const elsewhere = { ...neck!, points: [...neck!.points, 1_000_000] };
+      const refused = [
+        await girth.refusal(mesh.write({ ...tips }, 'json')),
+        await girth.refusal(mesh.write({ necks: [elsewhere], unresolved: 0 }, 'json')),
+        await girth.refusal(mesh.write(necks, 'ply' as 'obj')),
+        await girth.refusal(holed.write(necks, 'obj')),
+        await girth.refusal(mesh.write(mesh.info as never, 'json' as never)),
+      ];
+      kernel.dispose();
+      return { files, rows, codes: refused.map(({ code }) => code) };
+    },
+    [body, ring],
+  );
+  for (const [asked, written] of Object.entries(mine.files)) {
+    const [name = '', format = '', ...words] = asked.split(' ');
+    const ends = name === 'bottleneck' ? ['0', '60'] : [];
+    const model = name === 'handles' ? ring : body;
+    expect(written === fileOfCommand(model, name, format, ...ends, ...words), asked).toBe(true);
+  }
+  expect(Object.keys(mine.files)).toHaveLength(16);
+  expect(mine.rows).toBe(1);
+  expect(mine.codes).toEqual(['USAGE', 'INVALID_POINT', 'USAGE', 'INVALID_POINT', 'USAGE']);
+});

@@ -56,9 +56,9 @@ async function endsOf({ page, viewer }: BuiltPage) {
   };
 }
 
-async function downloaded(page: Page, format: string) {
+async function downloaded(page: Page, format: string, within = '#necks-panel') {
   const coming = page.waitForEvent('download');
-  await page.locator(`#necks-panel [data-format=${format}]`).click();
+  await page.locator(`${within} [data-format=${format}]`).click();
   const download = await coming;
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
@@ -140,6 +140,36 @@ test('a neck is listed, shown, and the surface cut along it', async () => {
   await panel.locator('#neck-prominence').fill('-1');
   await page.keyboard.press('Enter');
   expect(await panel.locator('#neck-prominence').getAttribute('aria-invalid')).toBe('true');
+});
+
+test('the menu has what is listed as files, once it is', async () => {
+  const { page, viewer } = await openWith('torus.obj', torus(16, 9));
+  const openMenu = () => page.getByRole('button', { name: 'Export' }).click();
+  const isOffered = (what: string) => page.locator(`#export-${what}`).isVisible();
+  await openMenu();
+  await page.locator('#export').waitFor();
+  expect([await isOffered('necks'), await isOffered('handles')]).toEqual([false, false]);
+  await page.keyboard.press('Escape');
+  const panel = await openPanel(page, 'necks');
+  const rows = panel.getByRole('list', { name: 'Handles and tunnels' }).getByRole('button');
+  await rows.first().waitFor({ timeout: 60_000 });
+  const lengths = await viewer.evaluate(async (element: GirthViewer) =>
+    (await element.handles()).handles.map(({ length }) => length),
+  );
+  const files: Record<string, Buffer> = {};
+  for (const format of ['csv', 'json', 'obj', 'glb']) {
+    await openMenu();
+    const { name, bytes } = await downloaded(page, format, '#export-handles');
+    expect(name).toBe(`torus-handles.${format}`);
+    files[format] = bytes;
+  }
+  const { handles } = JSON.parse(files['json']!.toString()) as { handles: { length: number }[] };
+  expect(handles.map(({ length }) => length)).toEqual(lengths);
+  expect(files['csv']!.toString().trim().split('\n')).toHaveLength(1 + lengths.length);
+  expect(files['obj']!.toString().match(/^l /gm)!.length).toBeGreaterThan(0);
+  expect(files['glb']!.toString('latin1', 0, 4)).toBe('glTF');
+  await openMenu();
+  expect([await isOffered('necks'), await isOffered('bottleneck')]).toEqual([true, false]);
 });
 
 test('the bottleneck of two points that are clicked, and the profile between them', async () => {

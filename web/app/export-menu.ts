@@ -1,4 +1,4 @@
-// What is on the page as files: fields, tips, limbs, parts, the pinned loops, the picture, and all of it.
+// What is on the page as files: fields, tips, limbs, parts, necks, handles, the bottleneck, the pinned loops, the picture, and all of it.
 
 import type { FieldFormat, FieldName, LoopFormat } from '../src/kernel/index.js';
 import {
@@ -15,6 +15,7 @@ import { Draft } from './draft.js';
 import { failureWords } from './failure-words.js';
 import { FigureChoice } from './figure-choice.js';
 import type { LimbsPanel } from './limbs-panel.js';
+import type { NecksPanel } from './necks-panel.js';
 import type { PagePlot } from './page-plot.js';
 import type { PartsPanel } from './parts-panel.js';
 import type { PinnedList } from './pinned-list.js';
@@ -40,6 +41,7 @@ interface ExportedPanels {
   parts: PartsPanel;
   loops: PinnedList;
   limbs: LimbsPanel;
+  necks: NecksPanel;
 }
 
 const textFile = (text: string): Uint8Array => new TextEncoder().encode(text);
@@ -48,7 +50,7 @@ const textFile = (text: string): Uint8Array => new TextEncoder().encode(text);
 export function offerExports(
   viewer: GirthViewer,
   known: ComputedFields,
-  { parts, loops: pinned, limbs: limbsPanel }: ExportedPanels,
+  { parts, loops: pinned, limbs: limbsPanel, necks: necksPanel }: ExportedPanels,
   plots: () => readonly PagePlot[],
   project: () => Promise<Uint8Array>,
 ): void {
@@ -164,6 +166,21 @@ export function offerExports(
       ]),
     ),
   ];
+  /** What the panel of necks lists, in the formats that it is written in. */
+  const listed = (name: keyof NecksPanel['listed'], formats: Readonly<Record<string, string>>) =>
+    Object.entries(formats).map(([format, about]) =>
+      entry(format, about, () =>
+        save(`-${name}`, format, async () => [
+          { content: await viewer.write(necksPanel.listed[name]!, format as 'json') },
+        ]),
+      ),
+    );
+  const lines = { obj: 'loops as lines', glb: 'loops as line strips', json: 'measures and points' };
+  const measured = {
+    necks: listed('necks', { csv: 'a row for each that is listed', ...lines }),
+    handles: listed('handles', { csv: 'a row for each', ...lines }),
+    bottleneck: listed('bottleneck', lines),
+  };
   const figure = new FigureChoice();
   const picture = [
     entry('png', 'as it is now', () =>
@@ -194,6 +211,9 @@ export function offerExports(
     group('Tips', 'export-tips', ...tips),
     group('Limbs', 'export-limbs', ...limbs),
     group('Tubes and plates', 'export-parts', ...tubes),
+    group('Necks', 'export-necks', ...measured.necks),
+    group('Handles and tunnels', 'export-handles', ...measured.handles),
+    group('Bottleneck', 'export-bottleneck', ...measured.bottleneck),
     group('Pinned loops', 'export-loops', ...loops),
     group('Picture', 'export-picture', figure.element, ...picture),
     group('Project', 'export-project', ...whole),
@@ -213,6 +233,9 @@ export function offerExports(
     field.disabled = names.length === 0;
     for (const button of fields) button.disabled = names.length === 0;
     for (const button of [...tips, ...limbs, ...tubes]) button.disabled = !names.includes('igf');
+    for (const name of Object.keys(measured)) {
+      byId(`export-${name}`).hidden = !(name in necksPanel.listed);
+    }
     for (const button of loops) button.disabled = viewer.pinned.length === 0;
     for (const button of [...picture, ...whole]) button.disabled = !viewer.info;
   });

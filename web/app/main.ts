@@ -436,7 +436,7 @@ acceptDrops(byId('drop'), (files) => void openFiles(files));
 acceptLaunches((files) => void openFiles(files));
 const plots = (): PagePlot[] =>
   [field, limbs, necks, parts, compare].flatMap((panel) => panel.plots);
-offerExports(viewer, computed, { parts, loops, limbs }, plots, async () =>
+offerExports(viewer, computed, { parts, loops, limbs, necks }, plots, async () =>
   (await projects()).projectOf(viewer, session.opened!, read(), computed),
 );
 offerSharing(shared);

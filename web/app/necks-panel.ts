@@ -197,6 +197,16 @@ export class NecksPanel {
     return this.#between.plots;
   }
 
+  /** What is listed, and the bottleneck: as far as they are found. */
+  get listed(): { necks?: Necks; handles?: Handles; bottleneck?: Bottleneck } {
+    const { found } = this.#search;
+    const { bottleneck } = this.#between;
+    return {
+      ...(found && { necks: { ...found.necks, necks: this.#shownNecks }, handles: found.handles }),
+      ...(bottleneck && { bottleneck }),
+    };
+  }
+
   /** What links have of it. */
   read(): PageState {
     const { length } = this.#least;

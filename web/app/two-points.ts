@@ -263,7 +263,7 @@ export class TwoPoints {
   /** Words and numbers in the present unit. */
   refresh(): void {
     const format = this.#viewer.lengthFormat;
-    const [bottleneck, profile] = [this.#bottleneck, this.#profile];
+    const [bottleneck, profile] = [this.bottleneck, this.#profile];
     this.#list.show(
       bottleneck
         ? [
@@ -285,7 +285,8 @@ export class TwoPoints {
     this.#plot.show(profile);
   }
 
-  get #bottleneck(): Bottleneck | undefined {
+  /** The bottleneck between the points, once it is found. */
+  get bottleneck(): Bottleneck | undefined {
     const { found } = this.#search;
     return found && 'bottleneck' in found ? found.bottleneck : undefined;
   }

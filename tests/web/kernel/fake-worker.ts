@@ -126,10 +126,10 @@ export function fakeSurface(count: number): Behaviour {
         return { length: 1, straight: 1, polyline: new Float32Array(6) };
       case 'printCheck':
         return { places: [], failingShare: 0, passingScale: 0 };
+      case 'tips':
+        return { tips: [], arcs: [], crossedEdges: 0, linePoints: new Float64Array(0) };
       case 'writeFields':
-      case 'writeTips':
-      case 'writeParts':
-      case 'writeWeakPlaces':
+      case 'writeFound':
         return { bytes: new Uint8Array(1) };
       case 'writeLoops':
         return { files: [new Uint8Array(1)] };

@@ -5,7 +5,7 @@ import { beforeEach, describe, expect, test, vi } from 'vitest';
 import { cancelled, GirthError } from '../../../web/src/kernel/types/errors.js';
 import { JobPool, type JobNeeds } from '../../../web/src/kernel/page/job-pool.js';
 import { openKernel } from '../../../web/src/kernel/page/kernel.js';
-import type { JobOperations } from '../../../web/src/kernel/types/operations.js';
+import type { JobOperations } from '../../../web/src/kernel/types/operations/job.js';
 import type { SurfaceWithInput } from '../../../web/src/kernel/types/protocol.js';
 import type { SurfaceSource } from '../../../web/src/kernel/page/surface-source.js';
 import type { Field, Mesh } from '../../../web/src/kernel/types/types.js';

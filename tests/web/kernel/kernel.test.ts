@@ -339,6 +339,28 @@ describe('fields', () => {
   });
 });
 
+test('a result is written without being found again, with what files state besides', async () => {
+  const written: object[] = [];
+  const surface = fakeSurface(4);
+  const { kernel, readers } = await fakeKernel((request, report) => {
+    if (request.operation === 'writeFound') written.push(request.arguments);
+    return surface(request, report);
+  });
+  const mesh = await kernel.load(anyArrays);
+  const [igf, sdf] = [await mesh.field('igf', { persistence: 0.5 }), await mesh.field('sdf')];
+  const [tips, thresholds] = [await mesh.tips(igf), { girth: 1, thickness: 2 }];
+  const parts = await mesh.parts(igf, sdf, thresholds);
+  const before = readers[0]!.operations.length;
+  await mesh.write(tips, 'obj', { unit: 'mm' });
+  await mesh.write(parts, 'json');
+  expect(readers[0]!.operations.slice(before)).toEqual(['writeFound', 'writeFound']);
+  expect(written).toMatchObject([
+    { model: { unit: 'millimetre', persistence: 0.5 }, found: { kind: 'tips' }, format: 'obj' },
+    { model: { unit: 'metre' }, found: { kind: 'parts', options: thresholds }, format: 'json' },
+  ]);
+  expect(await codeOf(mesh.write({ ...parts }, 'json'))).toBe('USAGE');
+});
+
 describe('spectral fields', () => {
   test('come from a worker that starts when it is needed, and keeps what it has', async () => {
     const { kernel, spectral } = await fakeKernel(fakeSurface(20));

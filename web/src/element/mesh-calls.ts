@@ -12,6 +12,7 @@ import type {
   Field,
   FieldFormat,
   FieldName,
+  FormatOf,
   HandleOptions,
   Handles,
   LevelCurve,
@@ -40,6 +41,7 @@ import type {
   SurfacePoint,
   Tips,
   WatchedOptions,
+  WriteOptions,
 } from '../kernel/types/types.js';
 import type { CombinedName } from '../view/index.js';
 import { isFieldName } from '../view/field-words.js';
@@ -261,34 +263,38 @@ export abstract class MeshCalls extends ViewerShell {
     });
   }
 
+  /**
+   * A result of this surface as a file's content, as it was found: see `Mesh.write`.
+   * @experimental
+   */
+  write<Found extends object>(
+    found: Found,
+    format: FormatOf<Found>,
+    options: Omit<WriteOptions, 'unit'> = {},
+  ): Promise<Uint8Array> {
+    return this.#ask(({ mesh, signal }) =>
+      mesh.write(found, format, { signal, unit: this.unit, ...options }),
+    );
+  }
+
   /** The tips as a file's content. */
   exportTips(format: 'json' | 'obj'): Promise<Uint8Array> {
-    return this.#ask(async ({ mesh, signal }) =>
-      mesh.exportTips(await this.fieldOf('igf'), format, { signal, unit: this.unit }),
-    );
+    return this.#ask(async ({ model }) => this.write(await model.tips(), format));
   }
 
   /** The limbs as a file's content: everything, or a row for each. */
   exportLimbs(format: 'json' | 'csv'): Promise<Uint8Array> {
-    return this.#ask(async ({ mesh, signal }) =>
-      mesh.exportLimbs(await this.fieldOf('igf'), format, { signal, unit: this.unit }),
-    );
+    return this.#ask(async ({ model }) => this.write(await model.limbs(), format));
   }
 
   /** The parts as a file's content. */
   exportParts(options: PartOptions, format: 'json'): Promise<Uint8Array> {
-    return this.#ask(async ({ model, mesh, signal }) => {
-      const { igf, sdf } = await model.girthAndDiameter();
-      return mesh.exportParts(igf, sdf, options, format, { signal, unit: this.unit });
-    });
+    return this.#ask(async ({ model }) => this.write(await model.parts(options), format));
   }
 
   /** The answer of the print check as a file's content. */
   exportWeakPlaces(limits: PrintLimits, format: 'json'): Promise<Uint8Array> {
-    return this.#ask(async ({ model, mesh, signal }) => {
-      const fields = await model.printFields(limits);
-      return mesh.exportWeakPlaces(fields, limits, format, { signal, unit: this.unit });
-    });
+    return this.#ask(async ({ model }) => this.write(await model.printCheck(limits), format));
   }
 
   /**
@@ -313,10 +319,7 @@ export abstract class MeshCalls extends ViewerShell {
     format: 'csv' | 'json' | 'glb',
     options: SegmentOptions = {},
   ): Promise<Uint8Array> {
-    return this.#ask(async ({ model, mesh, signal }) => {
-      const { igf, sdf } = await model.girthAndDiameter();
-      return mesh.exportSegments(igf, sdf, format, { signal, unit: this.unit, ...options });
-    });
+    return this.#ask(async () => this.write(await this.segments(options), format));
   }
 
   /**

@@ -1,6 +1,6 @@
 // What only the kernel can answer of a mesh, refused: for surfaces that are shown with what is known of them already.
 
-import { analysisNames } from '../kernel/types/operations.js';
+import { analysisNames } from '../kernel/types/operations/analysis.js';
 import type { Mesh } from '../kernel/types/types.js';
 
 /** What is known of every mesh. */
@@ -9,7 +9,14 @@ type Known = 'info' | 'geometry' | 'vertexOfInput' | 'vertexAreas' | 'dispose';
 /** Calls that are no operations of the module for analysis. */
 const others = [
   ...(['field', 'loop', 'barcode', 'barcodes', 'heatMaxima'] as const),
-  ...(['exportField', 'exportFields', 'exportLoops', 'exportProfile', 'exportCut'] as const),
+  ...([
+    'write',
+    'exportField',
+    'exportFields',
+    'exportLoops',
+    'exportProfile',
+    'exportCut',
+  ] as const),
   ...(['exportTips', 'exportLimbs', 'exportParts', 'exportSegments', 'exportWeakPlaces'] as const),
 ] satisfies (keyof Mesh)[];
 

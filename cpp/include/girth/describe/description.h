@@ -34,15 +34,17 @@ struct VertexNumbers {
   std::span<const double> numbers;   ///< in their order
 };
 
-/// A member of a result. `isStored`: it is a data member of the struct, none that is worked out.
-template <class Get, bool isStored = true>
+/// A member of a result. `Which`: of a data member, the pointer to it; `nullptr_t` of what is
+/// worked out.
+template <class Get, class Which>
 struct Member {
   const char* name;  ///< in all outputs; Python's is made of it
   Get get;           ///< gives what visitors take, of a result
+  Which which;       ///< where a result that is read back has it
 };
-/// A data member.
-template <class Get>
-Member(const char*, Get) -> Member<Get>;
+/// A member of its parts.
+template <class Get, class Which>
+Member(const char*, Get, Which) -> Member<Get, Which>;
 
 /// A data member that no output has.
 struct Unwritten {};
@@ -50,49 +52,54 @@ struct Unwritten {};
 /// A member as it is: a data member, or one that a function of the struct works out.
 template <class Struct, class Value>
 constexpr auto member(const char* name, Value Struct::*which) {
-  using Get = Value Struct::*;
-  return Member<Get, std::is_member_object_pointer_v<Get>>{name, which};
+  if constexpr (std::is_member_object_pointer_v<Value Struct::*>) {
+    return Member{name, which, which};
+  } else {
+    return Member{name, which, nullptr};
+  }
 }
 
 /// A member that a function works out.
 template <class Struct, class Value>
 constexpr auto member(const char* name, Value (*of)(const Struct&)) {
-  return Member<decltype(of), false>{name, of};
+  return Member{name, of, nullptr};
 }
 
 /// Points as a Curve.
 template <class Struct, class Points>
 constexpr auto curve(const char* name, Points Struct::*which) {
-  return Member{name, [which](const Struct& result) { return Curve{result.*which}; }};
+  return Member{name, [which](const Struct& result) { return Curve{result.*which}; }, which};
 }
 
 /// Points as a Line.
 template <class Struct, class Points>
 constexpr auto line(const char* name, Points Struct::*which) {
-  return Member{name, [which](const Struct& result) { return Line{result.*which}; }};
+  return Member{name, [which](const Struct& result) { return Line{result.*which}; }, which};
 }
 
 /// Places in another list.
 template <class Struct, class Places>
 constexpr auto numbers(const char* name, Places Struct::*which) {
-  return Member{name, [which](const Struct& result) { return Numbers{result.*which}; }};
+  return Member{name, [which](const Struct& result) { return Numbers{result.*which}; }, which};
 }
 
 /// A number for each vertex of another member.
 template <class Struct, class Values, class Vertices>
 constexpr auto numbersAt(const char* name, Values Struct::*which, Vertices Struct::*vertices) {
-  return Member{name, [which, vertices](const Struct& result) {
-                  return VertexNumbers{result.*vertices, result.*which};
-                }};
+  const auto get = [which, vertices](const Struct& result) {
+    return VertexNumbers{result.*vertices, result.*which};
+  };
+  return Member{name, get, which};
 }
 
 /// A member that a result has only where a function says so: visitors get a pointer, which is null
 /// elsewhere.
 template <class Struct, class Value>
 constexpr auto memberWhere(const char* name, Value Struct::*which, bool (*isThere)(const Struct&)) {
-  return Member{name, [which, isThere](const Struct& result) {
-                  return isThere(result) ? &(result.*which) : nullptr;
-                }};
+  const auto get = [which, isThere](const Struct& result) {
+    return isThere(result) ? &(result.*which) : nullptr;
+  };
+  return Member{name, get, which};
 }
 
 /// A data member that no output has.
@@ -123,7 +130,7 @@ template <class Listed>
 inline constexpr bool kIsStored = true;
 /// Those that are worked out do not.
 template <class Get>
-inline constexpr bool kIsStored<Member<Get, false>> = false;
+inline constexpr bool kIsStored<Member<Get, std::nullptr_t>> = false;
 
 /// The members of a struct, in the order of its JSON: all its data members, and what is worked out.
 template <class Struct, class... Listed>

@@ -2,7 +2,7 @@
 
 import { fieldsOf, GirthError } from '../types/errors.js';
 import type { JobPool } from './job-pool.js';
-import type { StudiesOperations } from '../types/operations.js';
+import type { StudiesOperations } from '../types/operations/studies.js';
 import type { Report, StudyFields } from '../types/protocol.js';
 import type { SurfaceSource } from './surface-source.js';
 import type { CompareOptions, Comparison } from '../types/types.js';

@@ -12,7 +12,8 @@ import { MeshOfWorkers, progressOf } from './mesh.js';
 import type { MeshHost } from './mesh-host.js';
 import { page, type Platform } from './platform.js';
 import { PoolEngine } from './pool-engine.js';
-import type { JobOperations, StudiesOperations } from '../types/operations.js';
+import type { JobOperations } from '../types/operations/job.js';
+import type { StudiesOperations } from '../types/operations/studies.js';
 import type {
   CommonOperations,
   FieldRequest,

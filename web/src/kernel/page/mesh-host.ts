@@ -3,7 +3,8 @@
 import type { BarcodeRun } from './barcodes.js';
 import type { JobNeeds } from './job-pool.js';
 import type { PointArguments, PointOperation } from './loop-queue.js';
-import type { JobOperations, StudiesOperations } from '../types/operations.js';
+import type { JobOperations } from '../types/operations/job.js';
+import type { StudiesOperations } from '../types/operations/studies.js';
 import type {
   Answer,
   FieldRequest,

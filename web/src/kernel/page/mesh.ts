@@ -11,12 +11,15 @@ import {
   spectralRequest,
 } from '../types/field-request.js';
 import { summaryOf } from './field-run.js';
+import { kindOf } from './found.js';
 import type { MeshHost } from './mesh-host.js';
-import type { JobOperations, StudiesOperations } from '../types/operations.js';
+import type { JobOperations } from '../types/operations/job.js';
+import type { StudiesOperations } from '../types/operations/studies.js';
 import type {
   Answer,
   Arguments,
   FileContent,
+  FoundBesides,
   GirthAndDiameter,
   OpenedSurface,
   PlacedStation,
@@ -24,7 +27,6 @@ import type {
   Report,
   SegmentRequest,
   SurfaceWithInput,
-  WrittenLoop,
   WrittenModel,
 } from '../types/protocol.js';
 import { checkedPoint, unpackedPoints } from './surface-point.js';
@@ -63,7 +65,6 @@ import type {
   PartOptions,
   Parts,
   PartThresholds,
-  PathStation,
   PrintCheck,
   PrintFields,
   PrintLimits,
@@ -83,6 +84,7 @@ import type {
   SurfacePoint,
   Tips,
   WatchedOptions,
+  WriteOptions,
 } from '../types/types.js';
 import { unitName, unitOf } from '../types/units.js';
 
@@ -125,6 +127,8 @@ export class MeshOfWorkers implements Mesh {
   readonly #jobSurface: SurfaceSource<SurfaceWithInput>;
   /** What the file has besides. */
   readonly #content: FileContent;
+  /** Of results that this mesh has found. */
+  readonly #besides = new WeakMap<object, FoundBesides>();
   readonly #host: MeshHost;
   readonly #life = new AbortController();
 
@@ -227,14 +231,18 @@ export class MeshOfWorkers implements Mesh {
   }
 
   async tips(igf: Field, options: CallOptions = {}): Promise<Tips> {
-    return this.#ask('tips', { girth: this.#own(igf, 'igf') }, options);
+    const girth = this.#own(igf, 'igf');
+    const { linePoints, ...tips } = await this.#ask('tips', { girth }, options);
+    return this.#found(tips, { linePoints, persistence: igf.persistence });
   }
 
   async limbs(
     igf: Field,
     { stations = defaults.stations, ...options }: LimbOptions = {},
   ): Promise<Limbs> {
-    return this.#ask('limbs', { girth: this.#own(igf, 'igf'), stations }, options);
+    const girth = this.#own(igf, 'igf');
+    const limbs = await this.#ask('limbs', { girth, stations }, options);
+    return this.#found(limbs, { persistence: igf.persistence });
   }
 
   async necks(igf: Field, { minProminence = 0, ...options }: NeckOptions = {}): Promise<Necks> {
@@ -279,25 +287,54 @@ export class MeshOfWorkers implements Mesh {
   async exportProfile(
     given: readonly SurfacePoint[] | Profile | LimbAxis,
     format: 'csv' | 'json' | 'obj' | 'glb',
-    { signal, unit, onProgress, ...options }: ExportOptions & ProfileOptions = {},
+    options: ExportOptions & ProfileOptions = {},
   ): Promise<Uint8Array> {
-    const model = this.#written(unit);
-    if ('loops' in given) {
-      const loops = given.loops.map((loop): WrittenLoop => {
-        const { distance, along, girth, centre, area } = loop;
-        return { distance, along, girth, centre, area, points: this.#checked(loop.points) };
-      });
-      return (await this.#ask('writeAxis', { model, loops, format }, { signal })).bytes;
-    }
-    if ('stations' in given) {
-      const measured = given.stations.map(({ place, ...station }): PathStation => {
-        return { ...station, place: checkedPoint(place, this.info) };
-      });
-      return (await this.#ask('writeStations', { model, measured, format }, { signal })).bytes;
-    }
-    const points = this.#checked(given);
-    const args = { model, points, ...profilePlaces, ...options, format };
-    return (await this.#ask('writeProfile', args, { signal, onProgress })).bytes;
+    const isMeasured = 'stations' in given || 'loops' in given;
+    return this.write(isMeasured ? given : await this.profile(given, options), format, options);
+  }
+
+  async write(
+    found: object,
+    format: string,
+    { unit, profiles = false, ...options }: WriteOptions = {},
+  ): Promise<Uint8Array> {
+    const besides = this.#besides.get(found) ?? {};
+    const kind = kindOf(found, besides);
+    const model = this.#written(unit, besides.persistence);
+    const content = kind === 'segments' ? this.#content : undefined;
+    const written = {
+      ...besides,
+      kind,
+      result: this.#checkedAlong(found),
+      profiles,
+      ...(content && { content }),
+    };
+    const passing = content ? this.#contentSize() : 0;
+    return (await this.#ask('writeFound', { model, found: written, format }, options, { passing }))
+      .bytes;
+  }
+
+  /** The same result. What files state of it besides is known from now on. */
+  #found<Found extends object>(found: Found, besides: FoundBesides): Found {
+    this.#besides.set(found, besides);
+    return found;
+  }
+
+  /** The result with the places of a profile, or the points of an axis, checked, as callers may have made them. */
+  #checkedAlong(found: Partial<Pick<Profile, 'stations'> & Pick<LimbAxis, 'loops'>>): object {
+    const { stations, loops } = found;
+    return {
+      ...found,
+      ...(stations && {
+        stations: stations.map((station) => ({
+          ...station,
+          point: checkedPoint(station.place, this.info),
+        })),
+      }),
+      ...(loops && {
+        loops: loops.map((loop) => ({ ...loop, points: this.#checked(loop.points) })),
+      }),
+    };
   }
 
   async handles({
@@ -362,21 +399,17 @@ export class MeshOfWorkers implements Mesh {
 
   async segments(igf: Field, sdf: Field, options: SegmentOptions = {}): Promise<Segments> {
     const args = { fields: this.#girthAndDiameter(igf, sdf), division: divided(options) };
-    return this.#ask('segments', args, options);
+    const { by, ...segments } = await this.#ask('segments', args, options);
+    return this.#found(segments, { by });
   }
 
   async exportSegments(
     igf: Field,
     sdf: Field,
     format: 'csv' | 'json' | 'glb',
-    { unit, ...options }: ExportOptions & SegmentOptions = {},
+    options: ExportOptions & SegmentOptions = {},
   ): Promise<Uint8Array> {
-    const fields = this.#girthAndDiameter(igf, sdf);
-    const [model, content] = [this.#written(unit), this.#content];
-    const args = { model, content, fields, division: divided(options), format };
-    const passing = this.#contentSize();
-    const { bytes } = await this.#ask('writeSegments', args, options, { passing });
-    return bytes;
+    return this.write(await this.segments(igf, sdf, options), format, options);
   }
 
   #contentSize(): number {
@@ -398,8 +431,9 @@ export class MeshOfWorkers implements Mesh {
     parts: PartOptions,
     options: CallOptions = {},
   ): Promise<Parts> {
-    const fields = this.#girthAndDiameter(igf, sdf);
-    return this.#ask('parts', { fields, options: whole(parts) }, options);
+    const args = { fields: this.#girthAndDiameter(igf, sdf), options: whole(parts) };
+    const found = await this.#ask('parts', args, options);
+    return this.#found(found, { options: args.options, persistence: igf.persistence });
   }
 
   async maxima(
@@ -423,7 +457,9 @@ export class MeshOfWorkers implements Mesh {
     options: WatchedOptions = {},
   ): Promise<PrintCheck> {
     const limits = wholeLimits(limited);
-    return this.#ask('printCheck', { printed: this.#printed(given, limits), limits }, options);
+    const printed = this.#printed(given, limits);
+    const check = await this.#ask('printCheck', { printed, limits }, options);
+    return this.#found(check, { limits, persistence: given.igf?.persistence });
   }
 
   exportField(field: Field, format: FieldFormat, options: ExportOptions = {}): Promise<Uint8Array> {
@@ -451,21 +487,17 @@ export class MeshOfWorkers implements Mesh {
   async exportTips(
     igf: Field,
     format: 'json' | 'obj',
-    { signal, unit }: ExportOptions = {},
+    options: ExportOptions = {},
   ): Promise<Uint8Array> {
-    const girth = this.#own(igf, 'igf');
-    const model = this.#written(unit, igf.persistence);
-    return (await this.#ask('writeTips', { model, girth, format }, { signal })).bytes;
+    return this.write(await this.tips(igf, options), format, options);
   }
 
   async exportLimbs(
     igf: Field,
     format: 'json' | 'csv',
-    { unit, stations = defaults.stations, ...watched }: ExportOptions & LimbOptions = {},
+    options: ExportOptions & LimbOptions = {},
   ): Promise<Uint8Array> {
-    const girth = this.#own(igf, 'igf');
-    const args = { model: this.#written(unit, igf.persistence), girth, stations, format };
-    return (await this.#ask('writeLimbs', args, watched)).bytes;
+    return this.write(await this.limbs(igf, options), format, options);
   }
 
   async exportParts(
@@ -473,26 +505,18 @@ export class MeshOfWorkers implements Mesh {
     sdf: Field,
     parts: PartOptions,
     format: 'json',
-    { signal, unit }: ExportOptions = {},
+    options: ExportOptions = {},
   ): Promise<Uint8Array> {
-    const fields = this.#girthAndDiameter(igf, sdf);
-    const options = whole(parts);
-    const model = this.#written(unit, igf.persistence);
-    return (await this.#ask('writeParts', { model, fields, options, format }, { signal })).bytes;
+    return this.write(await this.parts(igf, sdf, parts, options), format, options);
   }
 
   async exportWeakPlaces(
     given: PrintFields,
-    limited: PrintLimits,
+    limits: PrintLimits,
     format: 'json',
-    { signal, unit }: ExportOptions = {},
+    options: ExportOptions = {},
   ): Promise<Uint8Array> {
-    const limits = wholeLimits(limited);
-    const printed = this.#printed(given, limits);
-    const model = this.#written(unit, given.igf?.persistence);
-    const args = { model, content: this.#content, printed, limits, format };
-    const passing = this.#contentSize();
-    return (await this.#ask('writeWeakPlaces', args, { signal }, { passing })).bytes;
+    return this.write(await this.printCheck(given, limits, options), format, options);
   }
 
   async exportLoops(

@@ -4,7 +4,6 @@
 
 import type { parameterPaths } from './fields.js';
 import type {
-  AxisLoop,
   Field,
   GirthErrorFields,
   GirthStation,
@@ -12,12 +11,16 @@ import type {
   LoopKind,
   MeshInfo,
   PartialField,
+  PartOptions,
+  PrintLimits,
   RefinedGirth,
   RefinedOptions,
   SegmentOptions,
+  Segments,
   SpectralFieldName,
   SpectralOptions,
   SurfacePoint,
+  Tips,
   VertexFieldName,
 } from './types.js';
 
@@ -190,8 +193,41 @@ export interface SingleOperations extends CommonOperations {
 /** What an axis needs of a limb's stations. */
 export type PlacedStation = Pick<GirthStation, 'distance' | 'least' | 'place'>;
 
-/** A loop of an axis as it is written. */
-export type WrittenLoop = Omit<AxisLoop, 'polyline'>;
+/** Tips as a worker finds them. */
+export interface FoundTips extends Tips {
+  /** The exact points of their lines, packed, in their order: contours first, then arcs. */
+  linePoints: Float64Array<ArrayBuffer>;
+}
+
+/** Segments as a worker finds them. */
+export interface FoundSegments extends Segments {
+  /** What they are written by, for nothing to be searched for again. */
+  by: object;
+}
+
+/** What files state of a result besides, or are written by. */
+export interface FoundBesides {
+  /** Of the girth that it was found by. Default: 0. */
+  persistence?: number | undefined;
+  /** Of tips. */
+  linePoints?: Float64Array;
+  /** Of parts. */
+  options?: Required<PartOptions>;
+  /** Of a print check. */
+  limits?: Required<PrintLimits>;
+  /** Of segments. */
+  by?: object;
+}
+
+/** A result to be written. */
+export interface WrittenFound extends FoundBesides {
+  kind: string;
+  result: object;
+  /** Of limbs as CSV: a row for each station. */
+  profiles: boolean;
+  /** Of segments. */
+  content?: FileContent;
+}
 
 /** Fields that shapes are compared by (`study_fields.h`). */
 export interface StudyFields {

@@ -136,6 +136,27 @@ export interface ExportOptions extends CallOptions {
   unit?: string;
 }
 
+/** Options of {@link Mesh.write}. */
+export interface WriteOptions extends ExportOptions {
+  /** Of limbs as CSV: a row for each station of each limb, instead of one for each limb. Default: false. */
+  profiles?: boolean;
+}
+
+/** Formats that a result is written in. */
+export type FormatOf<Found> = Found extends Necks | Handles | LimbAxis
+  ? 'csv' | 'json' | 'obj' | 'glb'
+  : Found extends Segments
+    ? 'csv' | 'json' | 'glb'
+    : Found extends Bottleneck
+      ? 'json' | 'obj' | 'glb'
+      : Found extends Limbs | Profile
+        ? 'csv' | 'json'
+        : Found extends Tips
+          ? 'json' | 'obj'
+          : Found extends Parts | PrintCheck
+            ? 'json'
+            : never;
+
 /** Options of calls that report their progress. */
 export interface WatchedOptions extends CallOptions {
   /** Receives the finished share, in [0, 1]. It never falls and ends with 1. */
@@ -925,6 +946,20 @@ export interface Mesh {
    * @experimental
    */
   heatMaxima(options?: WatchedOptions & SpectralOptions): Promise<Maximum[]>;
+  /**
+   * Writes a result of this mesh as a file, as the command of its name does: `girth necks -o necks.glb`. Nothing is
+   * searched for again. Tips, parts, print checks and segments are the very objects that this mesh gave; others may be
+   * made of those, such as the necks of a list that matter. Errors: USAGE for an object that is no result, or not of
+   * this mesh, and for another format; VERTEX_OUT_OF_RANGE and INVALID_POINT where it is not on this mesh; EMPTY_MESH
+   * where a GLB would have no lines; LIMIT_EXCEEDED where it would pass 4 GB.
+   *
+   * @experimental
+   */
+  write<Found extends object>(
+    found: Found,
+    format: FormatOf<Found>,
+    options?: WriteOptions,
+  ): Promise<Uint8Array>;
   /** Writes the tips as a file (`write_tips.h`): JSON, or the contours as lines of OBJ. */
   exportTips(igf: Field, format: 'json' | 'obj', options?: ExportOptions): Promise<Uint8Array>;
   /** Writes the limbs as a file (`write_limbs.h`). Errors: as of {@link Mesh.limbs}. */

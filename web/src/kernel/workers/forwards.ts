@@ -5,7 +5,7 @@ import {
   type MessagesOf,
   type OperationTable,
   isSurface,
-} from '../types/operations.js';
+} from '../types/operations/table.js';
 import type { Answer, Arguments } from '../types/protocol.js';
 import type { SurfaceStore } from './surface-store.js';
 import { type ReportSink, checked, progressTo } from './worker-loop.js';

@@ -3,7 +3,7 @@
 
 import createModule, { type GirthStudiesModule, type Surface } from '../wasm/girth-studies.mjs';
 import { loadedModule } from './loading-failure.js';
-import { type StudiesOperations, studying } from '../types/operations.js';
+import { type StudiesOperations, studying } from '../types/operations/studies.js';
 import { forwards } from './forwards.js';
 import { SurfaceStore } from './surface-store.js';
 import { checked, serveRequests } from './worker-loop.js';

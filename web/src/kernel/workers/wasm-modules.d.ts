@@ -132,15 +132,16 @@ declare module '*/girth-files.mjs' {
 }
 
 declare module '*/girth-analysis.mjs' {
-  type Operations = typeof import('../types/operations.js');
+  type Analysis = typeof import('../types/operations/analysis.js');
+  type Serving = typeof import('../types/operations/serving.js');
 
   /** A surface that a worker keeps from one job to the next. */
   export interface JobSurface {
     delete(): void;
   }
 
-  type Functions = import('../types/operations.js').FunctionsOf<
-    Operations['makingSurfaces'] & Operations['analysing'] & Operations['serving'],
+  type Functions = import('../types/operations/table.js').FunctionsOf<
+    Analysis['makingSurfaces'] & Analysis['analysing'] & Serving['serving'],
     JobSurface
   >;
 
@@ -185,14 +186,14 @@ declare module '*/girth-threads.mjs' {
 }
 
 declare module '*/girth-studies.mjs' {
-  type Operations = typeof import('../types/operations.js');
+  type Studies = typeof import('../types/operations/studies.js');
 
   /** A surface, with its spectrum and the remeshed surface that comparisons use. */
   export interface Surface {
     delete(): void;
   }
 
-  type Functions = import('../types/operations.js').FunctionsOf<Operations['studying'], Surface>;
+  type Functions = import('../types/operations/table.js').FunctionsOf<Studies['studying'], Surface>;
 
   export interface GirthStudiesModule extends Functions {
     exactSurface(positions: Float64Array, indices: Uint32Array): { surface: Surface } | Failed;

@@ -1,0 +1,68 @@
+// What the module for analysis makes of a surface, and finds on it. Each has a call of a mesh that has its name.
+
+import type { Described } from '../../wasm/girth-files.mjs';
+import type { FoundRefined, FoundSegments, FoundTips } from '../protocol.js';
+import type {
+  Bottleneck,
+  Cut,
+  HandleRemoval,
+  Handles,
+  LevelCurve,
+  LimbAxis,
+  Limbs,
+  Maximum,
+  Mesh,
+  Necks,
+  Parts,
+  PartThresholds,
+  PrintCheck,
+  Profile,
+} from '../types.js';
+import { takes } from './table.js';
+
+interface Made {
+  described: Described;
+}
+
+/** What is made of a surface, by the module for analysis: other surfaces. */
+export const makingSurfaces = {
+  remesh: takes('surface', 'faces', 'even', 'onProgress').gives<Made>(),
+  smooth: takes('surface', 'steps', 'onProgress').gives<Made>(),
+  removeHandles: takes('surface', 'length', 'basePoints', 'onProgress').gives<
+    Made & { removal: HandleRemoval }
+  >(),
+};
+
+/** What is found on a surface, by the same module. Each has a call of a mesh that has its name, as those above have. */
+export const analysing = {
+  difference: takes('surface', 'values', 'other', 'otherValues').gives<{ difference: number }>(),
+  refinedGirth: takes('surface', 'request', 'onProgress').gives<FoundRefined>(),
+  vertexAreas: takes('surface').gives<{ areas: Float64Array<ArrayBuffer> }>(),
+  path: takes('surface', 'from', 'to').gives<{
+    length: number;
+    straight: number;
+    polyline: Float32Array<ArrayBuffer>;
+  }>(),
+  tips: takes('surface', 'girth').gives<FoundTips>(),
+  limbs: takes('surface', 'girth', 'stations', 'onProgress').gives<Limbs>(),
+  necks: takes('surface', 'girth', 'minProminence', 'onProgress').gives<Necks>(),
+  bottleneck: takes('surface', 'girth', 'from', 'to', 'onProgress').gives<Bottleneck>(),
+  profile: takes('surface', 'points', 'samples', 'crossings', 'onProgress').gives<
+    Omit<Profile, 'unit'>
+  >(),
+  axis: takes('surface', 'profile', 'onProgress').gives<Omit<LimbAxis, 'unit'>>(),
+  handles: takes('surface', 'basePoints', 'onProgress').gives<Handles>(),
+  levelCurves: takes('surface', 'values', 'level').gives<{ curves: LevelCurve[] }>(),
+  cut: takes('surface', 'curves', 'cap').gives<Cut>(),
+  segments: takes('surface', 'fields', 'division', 'onProgress').gives<FoundSegments>(),
+  suggestedThresholds: takes('surface', 'fields').gives<PartThresholds>(),
+  parts: takes('surface', 'fields', 'options').gives<Parts>(),
+  maxima: takes('surface', 'values', 'minima').gives<{ maxima: Maximum[] }>(),
+  printCheck: takes('surface', 'printed', 'limits', 'onProgress').gives<PrintCheck>(),
+};
+
+/** Calls of a mesh that are operations of their names. */
+export const analysisNames = Object.keys({
+  ...makingSurfaces,
+  ...analysing,
+}) as (keyof Mesh & (keyof typeof makingSurfaces | keyof typeof analysing))[];

@@ -1,0 +1,22 @@
+// What other calls of a mesh take of the module for analysis: what is carried, and files.
+
+import { takes } from './table.js';
+
+interface OneFile {
+  bytes: Uint8Array<ArrayBuffer>;
+}
+interface Files {
+  files: Uint8Array<ArrayBuffer>[];
+}
+
+/** Operations behind calls of other names. */
+export const serving = {
+  carryBack: takes('surface', 'remeshed', 'values', 'kinds').gives<{
+    values: Float64Array<ArrayBuffer>;
+    kinds: Uint8Array<ArrayBuffer>;
+  }>(),
+  writeFields: takes('surface', 'model', 'named', 'format').gives<OneFile>(),
+  writeLoops: takes('surface', 'model', 'points', 'format').gives<Files>(),
+  writeCut: takes('surface', 'model', 'content', 'curves', 'cap', 'format').gives<Files>(),
+  writeFound: takes('surface', 'model', 'found', 'format').gives<OneFile>(),
+};
