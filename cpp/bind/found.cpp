@@ -19,6 +19,7 @@
 #include "girth/describe/parts.h"
 #include "girth/describe/path_profile.h"
 #include "girth/describe/print_check.h"
+#include "girth/describe/section.h"
 #include "girth/describe/tips.h"
 #include "girth/io/write_bottleneck.h"
 #include "girth/io/write_handles.h"
@@ -27,6 +28,7 @@
 #include "girth/io/write_necks.h"
 #include "girth/io/write_parts.h"
 #include "girth/io/write_path_profile.h"
+#include "girth/io/write_section.h"
 #include "girth/io/write_segments.h"
 #include "girth/io/write_tips.h"
 #include "job_surface.h"
@@ -98,6 +100,18 @@ Content necksFile(const Asked& asked) {
   if (asked.format == "glb") return io::necksGlb(asked.loaded, necks.value());
   if (asked.format == "json") return io::necksJson(asked.loaded, necks.value(), asked.name);
   return asked.unknownFormat("necks are");
+}
+
+Content sectionsFile(const Asked& asked) {
+  const auto sections = asked.result<Sections>();
+  if (!sections) return sections.error();
+  if (asked.format == "csv") return io::sectionsCsv(asked.loaded, sections.value());
+  if (asked.format == "obj") return io::sectionsObj(asked.loaded, sections.value());
+  if (asked.format == "glb") return io::sectionsGlb(asked.loaded, sections.value());
+  if (asked.format == "json") {
+    return io::sectionsJson(asked.loaded, sections.value(), asked.name);
+  }
+  return asked.unknownFormat("sections are");
 }
 
 Content handlesFile(const Asked& asked) {
@@ -187,7 +201,7 @@ val writeFound(JobSurface& surface, const val& model, const val& found, const st
       {"tips", tipsFile},         {"limbs", limbsFile},           {"necks", necksFile},
       {"handles", handlesFile},   {"bottleneck", bottleneckFile}, {"profile", profileFile},
       {"axis", axisFile},         {"parts", partsFile},           {"printCheck", weakPlacesFile},
-      {"segments", segmentsFile},
+      {"segments", segmentsFile}, {"sections", sectionsFile},
   };
   return guarded([&] {
     const io::LoadedMesh& loaded = surface.inUnit(model["unit"].as<std::string>());

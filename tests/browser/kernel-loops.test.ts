@@ -370,10 +370,12 @@ test('what was found is written as the command writes it, byte by byte', async (
       const [necks, tips] = [await mesh.necks(igf), await mesh.tips(igf)];
       const [limbs, bottleneck] = [await mesh.limbs(igf), await mesh.bottleneck(igf, 0, 60)];
       const handles = await holed.handles();
+      const sections = await mesh.sections([1, 0, 0], [0, 1.5]);
       const files: Record<string, string> = {};
       for (const format of ['csv', 'json', 'obj', 'glb'] as const) {
         files[`necks ${format}`] = latin(await mesh.write(necks, format));
         files[`handles ${format}`] = latin(await holed.write(handles, format));
+        files[`section ${format}`] = latin(await mesh.write(sections, format));
         if (format !== 'csv') {
           files[`bottleneck ${format}`] = latin(await mesh.write(bottleneck, format));
         }
@@ -408,10 +410,11 @@ test('what was found is written as the command writes it, byte by byte', async (
   for (const [asked, written] of Object.entries(mine.files)) {
     const [name = '', format = '', ...words] = asked.split(' ');
     const ends = name === 'bottleneck' ? ['0', '60'] : [];
+    if (name === 'section') ends.push(...'--along x --at-height 0 --at-height 1.5'.split(' '));
     const model = name === 'handles' ? ring : body;
     expect(written === fileOfCommand(model, name, format, ...ends, ...words), asked).toBe(true);
   }
-  expect(Object.keys(mine.files)).toHaveLength(16);
+  expect(Object.keys(mine.files)).toHaveLength(20);
   expect(mine.rows).toBe(1);
   expect(mine.codes).toEqual(['USAGE', 'INVALID_POINT', 'USAGE', 'INVALID_POINT', 'USAGE']);
 });

@@ -9,6 +9,7 @@ const kinds: readonly [member: string, kind: string, by?: keyof FoundBesides][] 
   ['tipsWithoutLimb', 'limbs'],
   ['necks', 'necks'],
   ['handles', 'handles'],
+  ['sections', 'sections'],
   ['way', 'bottleneck'],
   ['stations', 'profile'],
   ['loops', 'axis'],

@@ -77,6 +77,7 @@ import type {
   RepairedMesh,
   SaddleBar,
   SegmentOptions,
+  Sections,
   Segments,
   SpectralFieldName,
   SpectralOptions,
@@ -247,6 +248,16 @@ export class MeshOfWorkers implements Mesh {
 
   async necks(igf: Field, { minProminence = 0, ...options }: NeckOptions = {}): Promise<Necks> {
     return this.#ask('necks', { girth: this.#own(igf, 'igf'), minProminence }, options);
+  }
+
+  async sections(
+    normal: readonly [number, number, number],
+    offsets: readonly number[] | Float64Array,
+    options: WatchedOptions = {},
+  ): Promise<Sections> {
+    const along = Float64Array.from(normal);
+    if (along.length !== 3) throw failure('USAGE', 'the normal has three numbers');
+    return this.#ask('sections', { normal: along, offsets: Float64Array.from(offsets) }, options);
   }
 
   async bottleneck(

@@ -19,6 +19,7 @@ import type {
   PartThresholds,
   PreparationReport,
   PrintCheck,
+  Sections,
   Tips,
 } from './results.js';
 import type * as found from './results.js';
@@ -143,7 +144,7 @@ export interface WriteOptions extends ExportOptions {
 }
 
 /** Formats that a result is written in. */
-export type FormatOf<Found> = Found extends Necks | Handles | LimbAxis
+export type FormatOf<Found> = Found extends Necks | Handles | LimbAxis | Sections
   ? 'csv' | 'json' | 'obj' | 'glb'
   : Found extends Segments
     ? 'csv' | 'json' | 'glb'
@@ -794,6 +795,17 @@ export interface Mesh {
    * @experimental
    */
   necks(igf: Field, options?: NeckOptions): Promise<Necks>;
+  /**
+   * Cuts the surface with planes of one normal, at some offsets along it in model units, and measures the curves
+   * (`findSections`). Errors: INVALID_OPTION where the normal has no length, or an offset is not finite.
+   *
+   * @experimental
+   */
+  sections(
+    normal: readonly [number, number, number],
+    offsets: readonly number[] | Float64Array,
+    options?: WatchedOptions,
+  ): Promise<Sections>;
   /**
    * Finds the narrowest place on the widest way from one point to another (`findBottleneck`). `igf` is the field of
    * that name, without persistence. Errors: VERTEX_OUT_OF_RANGE; INVALID_POINT, also where no way leads from one to the

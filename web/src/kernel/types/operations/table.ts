@@ -65,6 +65,8 @@ interface Inputs {
   model: WrittenModel;
   models: readonly (readonly StudyFields[])[];
   named: readonly NamedField[];
+  normal: Float64Array;
+  offsets: Float64Array;
   options: Required<PartOptions>;
   otherValues: Float64Array;
   points: readonly SurfacePoint[];
