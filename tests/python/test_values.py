@@ -120,6 +120,22 @@ def test_the_tips_of_a_body_with_eight_limbs():
     assert len(mesh.cut(axis[len(axis) // 2]).parts) == 2
 
 
+def test_vertices_of_results_are_rows_all_copies_among_them():
+    vertices, faces = limbed_body(8, 30, 64)
+    limb = pygirth.Mesh(vertices, faces).limbs(stations=8)[0]
+    assert limb.distances.shape == limb.vertices.shape and limb.distances.max() <= limb.length
+    assert limb.distances[limb.vertices == limb.apex] == 0
+    # A corner of its own for each face: the preparation welds them.
+    corners = vertices[faces].reshape(-1, 3)
+    welded = pygirth.Mesh(corners, np.arange(len(corners)).reshape(-1, 3)).limbs(stations=8)[0]
+    assert limb.length == welded.length
+    rows = np.flatnonzero(np.isin(faces.ravel(), limb.vertices))
+    assert np.array_equal(welded.vertices, rows) and welded.apex in rows
+    assert_same_bits(
+        welded.distances, limb.distances[np.searchsorted(limb.vertices, faces.ravel()[rows])]
+    )
+
+
 def test_parts_cover_the_mesh():
     mesh = pygirth.Mesh(*torus())
     parts = mesh.parts(girth=7.0, thickness=3.0)
