@@ -37,7 +37,7 @@ struct SectionCurve {
   /// The least distance of two parallel lines in the plane that hold it between them, in model
   /// units.
   double leastWidth{0};
-  /// The greatest one: that of its two points that are farthest apart.
+  /// The greatest one, in model units: that of its two points that are farthest apart.
   double greatestWidth{0};
   /// The centroid of its area; of an open curve, of its length.
   Vec3 centre;

@@ -297,7 +297,7 @@ class SectionCurve(_Members):
         The least distance of two parallel lines in the plane that hold it between them, in
         model units.
     greatest_width : float
-        The greatest one: that of its two points that are farthest apart.
+        The greatest one, in model units: that of its two points that are farthest apart.
     centre : ndarray of float64, shape (3,)
         The centroid of its area; of an open curve, of its length.
     closed : bool

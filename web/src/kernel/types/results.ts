@@ -599,7 +599,7 @@ export interface SectionCurve {
    * The least distance of two parallel lines in the plane that hold it between them, in model units.
    */
   leastWidth: number;
-  /** The greatest one: that of its two points that are farthest apart. */
+  /** The greatest one, in model units: that of its two points that are farthest apart. */
   greatestWidth: number;
   /** The centroid of its area; of an open curve, of its length. */
   centre: [number, number, number];
