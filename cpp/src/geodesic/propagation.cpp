@@ -23,8 +23,7 @@ double tied(double length) { return length * (1 + 2 * kRounding); }
 /// than `length`.
 bool reaches(const Window& w, double halfedge, Vec2 point, double length) {
   const double rest = length - w.sigma;
-  return rest > 0 && dot(point - w.root, point - w.root) < rest * rest &&
-         w.covers(halfedge, point);
+  return rest > 0 && dot(point - w.root, point - w.root) < rest * rest && w.covers(halfedge, point);
 }
 
 /// Moves the near end of an interval away from a vertex as far as the path over it wins
