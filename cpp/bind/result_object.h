@@ -22,7 +22,7 @@ struct DrawnSurface {
 /// An object of members of results.
 class ResultObject {
  public:
-  /// Of the surface that the results are of; none where they have no points.
+  /// An object without members. `surface`: that of the results; none where they have no points.
   explicit ResultObject(const DrawnSurface& surface = {}) : surface_(surface) {}
 
   /// The object with the members so far.

@@ -1,4 +1,4 @@
-// What the public headers of C++ say, for the tables that are made of them.
+// Structs and enumerations of the public headers of C++, for the tables that are made of them.
 
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';

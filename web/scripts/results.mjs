@@ -14,7 +14,7 @@ const publicNames = /** @type {Record<string, string>} */ ({
 /** @param {string} struct */
 export const publicName = (struct) => publicNames[struct] ?? struct;
 
-/** What of the structs has a class in Python. */
+/** Structs that have a class in Python, and its name. */
 const pythonNames = /** @type {Record<string, string>} */ ({
   AxisStation: 'AxisLoop',
   Bottleneck: 'Bottleneck',
@@ -145,7 +145,7 @@ const pythonTypes = /** @type {Record<string, [string, string?]>} */ ({
 /** @param {string} name */
 const snakeCase = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 
-/** What a member is in Python. @param {ReturnType<typeof results>[number]['members'][number]} member */
+/** A member as Python has it. @param {ReturnType<typeof results>[number]['members'][number]} member */
 function pythonMember({ name, type, comment, typescript, isEnumeration }) {
   const [, entry = ''] = /^std::vector<(\w+)>$/.exec(type) ?? [];
   const ofClass = pythonNames[entry];

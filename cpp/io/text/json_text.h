@@ -59,7 +59,7 @@ class GIRTH_EXPORT JsonObject {
   }
   /// A value that is JSON already.
   JsonObject& addJson(std::string_view name, std::string_view value);
-  /// The same in a line of its own.
+  /// A value that is JSON already, in a line of its own.
   JsonObject& addJsonLine(std::string_view name, std::string_view value);
 
   /// The object with the members so far.

@@ -1,4 +1,4 @@
-// What a part of a surface measures, as JSON.
+// Measures of a part of a surface, as JSON.
 #pragma once
 
 #include "girth/surface_mesh.h"

@@ -22,7 +22,7 @@ std::string inputText(const LoadedMesh& loaded, Vertex vertex);
 /// Vertices of the surface as a JSON array of the file's; those made here are left out.
 std::string inputsJson(const LoadedMesh& loaded, const std::vector<Vertex>& vertices);
 
-/// The same of faces.
+/// Faces of the surface as a JSON array of the file's; those made here are left out.
 std::string facesJson(const LoadedMesh& loaded, const std::vector<Face>& faces);
 
 /// The numbers of those vertices that the file has.
@@ -35,7 +35,7 @@ std::string numbersJson(std::span<const Index> places);
 /// that the point lies between, with their `weights`.
 std::string pointJson(const LoadedMesh& loaded, const SurfacePoint& point);
 
-/// The same of a vertex; null where it is none.
+/// A vertex as `pointJson` writes it; null where it is none.
 std::string vertexJson(const LoadedMesh& loaded, Vertex vertex);
 
 /// The positions of points as a JSON array.

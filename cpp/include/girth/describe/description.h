@@ -59,12 +59,6 @@ constexpr auto member(const char* name, Value Struct::*which) {
   }
 }
 
-/// A member that a function works out.
-template <class Struct, class Value>
-constexpr auto member(const char* name, Value (*of)(const Struct&)) {
-  return Member{name, of, nullptr};
-}
-
 /// Points as a Curve.
 template <class Struct, class Points>
 constexpr auto curve(const char* name, Points Struct::*which) {
@@ -128,7 +122,7 @@ constexpr std::size_t memberCount() {
 /// Whether a member counts among the data members.
 template <class Listed>
 inline constexpr bool kIsStored = true;
-/// Those that are worked out do not.
+/// One that is worked out does not.
 template <class Get>
 inline constexpr bool kIsStored<Member<Get, std::nullptr_t>> = false;
 
