@@ -169,6 +169,7 @@ Content weakPlacesFile(const Asked& asked) {
   if (asked.format != "json") return asked.unknownFormat("weak places are");
   const auto check = asked.result<PrintCheck>();
   if (!check) return check.error();
+  const WithFileContent with(asked.surface.loaded(), asked.found["content"]);
   return io::printCheckJson(asked.loaded, check.value(), limitsOf(asked.found["limits"]),
                             asked.name, asked.persistence);
 }

@@ -153,9 +153,10 @@ test('the menu has what is listed as files, once it is', async () => {
   const panel = await openPanel(page, 'necks');
   const rows = panel.getByRole('list', { name: 'Handles and tunnels' }).getByRole('button');
   await rows.first().waitFor({ timeout: 60_000 });
-  const lengths = await viewer.evaluate(async (element: GirthViewer) =>
-    (await element.handles()).handles.map(({ length }) => length),
-  );
+  const lengths = await viewer.evaluate(async (element: GirthViewer) => {
+    const mesh = await element.mesh;
+    return (await mesh.handles()).handles.map(({ length }) => length);
+  });
   const files: Record<string, Buffer> = {};
   for (const format of ['csv', 'json', 'obj', 'glb']) {
     await openMenu();

@@ -3,30 +3,40 @@
 import { failure } from '../types/errors.js';
 import type { FoundBesides } from '../types/protocol.js';
 
-/** A member that only results of one kind have; and what these are written by besides. */
-const kinds: readonly [member: string, kind: string, by?: keyof FoundBesides][] = [
-  ['arcs', 'tips', 'linePoints'],
-  ['tipsWithoutLimb', 'limbs'],
-  ['necks', 'necks'],
-  ['handles', 'handles'],
-  ['sections', 'sections'],
-  ['way', 'bottleneck'],
-  ['stations', 'profile'],
-  ['loops', 'axis'],
-  ['partOf', 'parts', 'options'],
-  ['passingScale', 'printCheck', 'limits'],
-  ['labels', 'segments', 'by'],
+interface Kind {
+  name: string;
+  /** A member that only its results have. */
+  member: string;
+  /** What these are written by besides. */
+  by?: keyof FoundBesides;
+  /** Its files have faces by their numbers in the model's file. */
+  hasFaces?: true;
+}
+
+const kinds: readonly Kind[] = [
+  { name: 'tips', member: 'arcs', by: 'linePoints' },
+  { name: 'limbs', member: 'tipsWithoutLimb' },
+  { name: 'necks', member: 'necks' },
+  { name: 'handles', member: 'handles' },
+  { name: 'sections', member: 'sections' },
+  { name: 'bottleneck', member: 'way' },
+  { name: 'profile', member: 'stations' },
+  { name: 'axis', member: 'loops' },
+  { name: 'parts', member: 'partOf', by: 'options' },
+  { name: 'printCheck', member: 'passingScale', by: 'limits', hasFaces: true },
+  { name: 'segments', member: 'labels', by: 'by', hasFaces: true },
 ];
 
 /** The kind of a result. Throws where it is none, or `besides` lacks what it is written by. */
-export function kindOf(found: object, besides: FoundBesides): string {
-  const [, kind, by] = kinds.find(([member]) => member in found) ?? [];
-  if (!kind)
+export function kindOf(found: object, besides: FoundBesides): Kind {
+  const kind = kinds.find(({ member }) => member in found);
+  if (!kind) {
     throw failure('USAGE', 'this is no result that is written', {
       hint: 'write what a mesh has found',
     });
-  if (by && !besides[by]) {
-    throw failure('USAGE', `this mesh has not found these ${kind}`, {
+  }
+  if (kind.by && !besides[kind.by]) {
+    throw failure('USAGE', `this mesh has not found these ${kind.name}`, {
       hint: 'write the very object that it gave',
     });
   }

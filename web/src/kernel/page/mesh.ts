@@ -310,12 +310,12 @@ export class MeshOfWorkers implements Mesh {
     { unit, profiles = false, ...options }: WriteOptions = {},
   ): Promise<Uint8Array> {
     const besides = this.#besides.get(found) ?? {};
-    const kind = kindOf(found, besides);
+    const { name, hasFaces } = kindOf(found, besides);
     const model = this.#written(unit, besides.persistence);
-    const content = kind === 'segments' ? this.#content : undefined;
+    const content = hasFaces && this.#content;
     const written = {
       ...besides,
-      kind,
+      kind: name,
       result: this.#checkedAlong(found),
       profiles,
       ...(content && { content }),

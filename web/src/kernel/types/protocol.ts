@@ -225,7 +225,7 @@ export interface WrittenFound extends FoundBesides {
   result: object;
   /** Of limbs as CSV: a row for each station. */
   profiles: boolean;
-  /** Of segments. */
+  /** Where files have faces by their numbers in the model's file. */
   content?: FileContent;
 }
 

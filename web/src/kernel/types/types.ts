@@ -962,8 +962,8 @@ export interface Mesh {
    * Writes a result of this mesh as a file, as the command of its name does: `girth necks -o necks.glb`. Nothing is
    * searched for again. Tips, parts, print checks and segments are the very objects that this mesh gave; others may be
    * made of those, such as the necks of a list that matter. Errors: USAGE for an object that is no result, or not of
-   * this mesh, and for another format; VERTEX_OUT_OF_RANGE and INVALID_POINT where it is not on this mesh; EMPTY_MESH
-   * where a GLB would have no lines; LIMIT_EXCEEDED where it would pass 4 GB.
+   * this mesh, and for another format; VERTEX_OUT_OF_RANGE and INVALID_POINT where it is not on this mesh;
+   * LIMIT_EXCEEDED where a GLB would pass 4 GB.
    *
    * @experimental
    */
