@@ -23,7 +23,8 @@ double tied(double length) { return length * (1 + 2 * kRounding); }
 /// than `length`.
 bool reaches(const Window& w, double halfedge, Vec2 point, double length) {
   const double rest = length - w.sigma;
-  return rest > 0 && dot(point - w.root, point - w.root) < rest * rest && w.covers(halfedge, point);
+  return rest > 0 && dot(point - w.root, point - w.root) < rest * rest &&
+         w.covers(halfedge, point) && w.pathTo(halfedge, point) < length;
 }
 
 /// Moves the near end of an interval away from a vertex as far as the path over it wins
@@ -492,8 +493,8 @@ PathEnd Propagation::pathTo(Index halfedge, Vec2 point) const {
     const Crossing c = unfolding_->crossing(h);
     const Vec2 p = unfolding_->toFrame(halfedge, h, point);
     eachEntered(h, [&](const Window& w) {
-      const double distance = w.distanceTo(p);
-      if (distance > best.distance || !w.covers(c.length(), p)) return;
+      if (w.distanceTo(p) > best.distance || !w.covers(c.length(), p)) return;
+      const double distance = w.pathTo(c.length(), p);
       // Of those that tie, the one that came first.
       if (distance < best.distance || (distance == best.distance && best.bundle.halfedge == h)) {
         best = {distance, {h, w.root, w.sigma}, kNoIndex, kNoIndex};

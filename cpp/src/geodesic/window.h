@@ -19,8 +19,18 @@ struct Window {
 
   /// Length of the straight path from the source to a point of the face that the window covers.
   double distanceTo(Vec2 point) const { return sigma + norm(point - root); }
-  /// The last vertex that the path to a point passes: the root, or the vertex at the end of the
-  /// window where the straight line passes beside it.
+  /// Length of a path from the source to a point of the face: the straight one where the window
+  /// covers the point, else the one over the end of the window next to it. `length`: of the
+  /// halfedge. A straight line beyond the end would leave the window's faces, and may be shorter
+  /// than every path by as much as it passes beside the end.
+  double pathTo(double length, Vec2 point) const {
+    const Vec2 ray = point - root, from = Vec2{gapFrom, 0} - root,
+               to = Vec2{length - gapTo, 0} - root;
+    if (cross(from, ray) > 0) return sigma + norm(from) + norm(ray - from);
+    if (cross(to, ray) < 0) return sigma + norm(to) + norm(ray - to);
+    return sigma + norm(ray);
+  }
+  /// Where that path comes from: the root, or the vertex at the end of the window.
   Vec2 comesFrom(double length, Vec2 point) const {
     const Vec2 ray = point - root, from = Vec2{gapFrom, 0}, to = Vec2{length - gapTo, 0};
     if (gapFrom == 0 && cross(from - root, ray) > 0) return from;

@@ -34,8 +34,9 @@ void findArrivalsAtVertex(const Propagation& propagation, Index vertex, double r
     const Index opposite = Unfolding::next(out);
     const Crossing entry = unfolding.crossing(opposite);
     propagation.eachEntered(opposite, [&](const Window& w) {
-      const double whole = w.distanceTo(entry.apex());
-      if (whole <= reach && w.covers(entry.length(), entry.apex())) {
+      if (w.distanceTo(entry.apex()) > reach || !w.covers(entry.length(), entry.apex())) return;
+      const double whole = w.pathTo(entry.length(), entry.apex());
+      if (whole <= reach) {
         arrivals.paths.push_back(
             {unfolding.directionOf(out, unfolding.toPrevious(opposite, w.root)),
              whole,
@@ -113,8 +114,9 @@ void findArrivals(const Propagation& propagation, Index halfedge, Vec2 point, do
       arrive(unfolding.toFrame(h, base, {0, 0}), over, {{}, c.from()});
     }
     propagation.eachEntered(h, [&](const Window& w) {
-      const double whole = w.distanceTo(there);
-      if (whole <= reach && w.covers(c.length(), there)) {
+      if (w.distanceTo(there) > reach || !w.covers(c.length(), there)) return;
+      const double whole = w.pathTo(c.length(), there);
+      if (whole <= reach) {
         const Vec2 from = w.comesFrom(c.length(), there);
         arrive(unfolding.toFrame(h, base, from), whole, {{h, w.root, w.sigma}, kNoIndex});
       }
