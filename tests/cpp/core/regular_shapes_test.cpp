@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(Unions, RegularShapes,
 // that bends round a window's end comes from there (5287, 8014); the enumeration cannot follow
 // lines that run along edges (4707, 4734). A midpoint beyond a side of its face is nearer there
 // over a third path (11114). A straight line past the end of a window refutes the loop (1558,
-// 15842, 19165).
+// 15842).
 INSTANTIATE_TEST_SUITE_P(OnceFailed, RegularShapes,
                          testing::Values(73, 83, 95, 174, 320, 421, 764, 815, 1153, 1221, 1689,
                                          1893, 11114, 1558, 15842));
