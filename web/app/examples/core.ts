@@ -11,7 +11,7 @@ interface Failed {
   message: string;
 }
 
-/** What is used of the module (`web/src/kernel/wasm-modules.d.ts`). */
+/** What is used of the module (`web/src/kernel/workers/wasm-modules.d.ts`). */
 interface Module {
   jobSurface(
     positions: Float64Array,
@@ -24,7 +24,7 @@ interface Module {
     faces: number,
     even: boolean,
     onProgress: (fraction: number) => boolean,
-  ): { positions: Float64Array; indices: Uint32Array } | Failed;
+  ): { described: { positions: Float64Array; indices: Uint32Array } } | Failed;
 }
 
 type CreateModule = (options: { wasmBinary: Uint8Array }) => Promise<Module>;
@@ -58,7 +58,7 @@ export async function loadCore(): Promise<Core> {
         module.jobSurface(Float64Array.from(positions), Uint32Array.from(indices), own, own),
       );
       try {
-        return checked(module.remesh(surface, faces, true, () => true));
+        return checked(module.remesh(surface, faces, true, () => true)).described;
       } finally {
         surface.delete();
       }
