@@ -99,6 +99,10 @@ int runCommandLine(std::span<const std::string> arguments) {
     beQuiet();
     arguments = arguments.subspan(1);
   }
+  if (arguments.empty()) {
+    print(helpOfCommands("girth", allCommands()));
+    return exitCodeOf(ErrorCode::Usage);
+  }
   return runOneOf(allCommands(), "girth", arguments);
 }
 

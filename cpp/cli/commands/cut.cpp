@@ -1,6 +1,7 @@
 // girth cut: the surface taken apart along loops.
 #include "girth/cut_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -19,6 +20,7 @@
 #include "girth/io/write_cut.h"
 #include "girth/level_curves.h"
 #include "girth/necks.h"
+#include "model/clear_necks.h"
 #include "model/computing.h"
 #include "model/loading.h"
 #include "process/output.h"
@@ -46,7 +48,7 @@ struct Options {
   std::string level;
   /// A file with curves.
   std::string curves;
-  /// As typed, with or without a unit. Empty: 0.
+  /// As typed, with or without a unit. Empty: the suggested one.
   std::string minProminence;
   bool cap{false};
   bool json{false};
@@ -54,16 +56,14 @@ struct Options {
 
 /// The necks that are cut along.
 Result<std::vector<SurfaceCurve>> neckCurves(const Options& options, const io::LoadedMesh& loaded) {
-  NeckOptions wanted;
-  if (const auto error = readLength(options.minProminence, loaded.unit, wanted.minProminence)) {
-    return *error;
-  }
+  const auto typed = readProminence(options.minProminence, loaded.unit);
+  if (!typed) return typed.error();
+  // One neck may be named that is not clear.
+  const auto least = options.neck ? std::optional(typed.value().value_or(0)) : typed.value();
   const auto girth = computeGirth(options.model, loaded.mesh, 0, options.threads, kRemeshFirst);
   if (!girth) return girth.error();
-  auto found = [&] {
-    ProgressLine progress(options.model);
-    return findNecks(loaded.mesh, girth.value().values, wanted, watched(options.threads, progress));
-  }();
+  const auto found =
+      computeNecks(options.model, loaded, girth.value().values, least, options.threads);
   if (!found) return found.error();
   const std::vector<Neck>& necks = found.value().necks;
   std::vector<SurfaceCurve> curves;
@@ -115,7 +115,15 @@ Result<std::vector<SurfaceCurve>> levelCurvesOf(const Options& options,
   if (const auto error = readLength(options.level, loaded.unit, level)) return *error;
   const auto girth = computeGirth(options.model, loaded.mesh, 0, options.threads, kRemeshFirst);
   if (!girth) return girth.error();
-  return levelCurves(loaded.mesh, girth.value().values, level);
+  const std::vector<double>& values = girth.value().values;
+  auto curves = levelCurves(loaded.mesh, values, level);
+  if (curves && curves.value().empty()) {
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    return makeError(ErrorCode::ValueOutOfRange, -1,
+                     "the girth is nowhere " + options.level + ": it goes from " +
+                         readable(*least) + " to " + readable(*greatest) + unitSuffix(loaded.unit));
+  }
+  return curves;
 }
 
 /// The curves of a file, whose name errors have.
@@ -245,6 +253,10 @@ int run(const Options& options) {
                                   "name a vertex, a neck with --neck, or all with --necks; or "
                                   "use --handle, --handles, --at or --along"));
   }
+  if (!options.minProminence.empty() && !options.neck && !options.allNecks) {
+    return reportError("", usageError("--min-prominence has an effect on --neck and --necks only",
+                                      "leave it out"));
+  }
   if (const auto error = checkOutputs(options, 1)) {
     return reportError(options.output.path, *error);
   }
@@ -283,8 +295,8 @@ Run add(OptionTable& table) {
   table.add("--neck N", options->neck,
             "Cut along one neck, numbered from 1 as girth necks lists it");
   table.add("--necks", options->allNecks, "Cut along all necks");
-  addLengthOption(table, "--min-prominence LENGTH", options->minProminence,
-                  "Of the necks only those of at least this prominence, as in 2mm; 0 by default");
+  addProminenceOption(table, options->minProminence,
+                      "Of the necks only those of at least this prominence");
   table.add(
       "--handle N", options->handle,
       "Cut along the loop of one handle or tunnel, numbered from 1 as girth handles lists it");

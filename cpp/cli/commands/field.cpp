@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -205,6 +207,13 @@ struct Parameter {
   std::string keyword, value, fields, words;
   double least, greatest;
 
+  /// The fields of this command that have it.
+  std::vector<std::string> ofFields() const {
+    std::istringstream words(fields);
+    std::vector<std::string> found{std::istream_iterator<std::string>(words), {}};
+    std::erase(found, "igf");
+    return found;
+  }
   std::string declaration() const { return "--" + keyword + (value.empty() ? "" : " ") + value; }
   /// "sdf: rays from each vertex; 30 by default"
   std::string text(const std::string& byDefault) const {
@@ -223,7 +232,9 @@ template <class Kind>
 struct Taken : Parameter {};
 
 void addParameter(OptionTable& table, const Taken<Count>& of, unsigned& member, Options&) {
-  table.add(of.declaration(), member, of.text(std::to_string(member))).range(of.least, of.greatest);
+  table.add(of.declaration(), member, of.text(std::to_string(member)))
+      .range(of.least, of.greatest)
+      .onlyFor("--field", of.ofFields());
 }
 void addParameter(OptionTable& table, const Taken<Degrees>& of, double& member, Options&) {
   // Radians cannot hold most degrees exactly.
@@ -235,15 +246,18 @@ void addParameter(OptionTable& table, const Taken<Degrees>& of, double& member, 
     return std::string();
   };
   table.onValue(of.declaration(), store, of.text(io::formatNumber(usual) + " degrees"))
-      .range(of.least, of.greatest);
+      .range(of.least, of.greatest)
+      .onlyFor("--field", of.ofFields());
 }
 void addParameter(OptionTable& table, const Taken<Distances>& of, DistanceMethod& member,
                   Options&) {
-  table.onFlag(
-      of.declaration(), [&member] { member = DistanceMethod::Exact; }, of.text(""));
+  table
+      .onFlag(
+          of.declaration(), [&member] { member = DistanceMethod::Exact; }, of.text(""))
+      .onlyFor("--field", of.ofFields());
 }
-void addParameter(OptionTable& table, const Taken<Length>&, double&, Options& options) {
-  addPersistenceOption(table, options.persistence, "angle");
+void addParameter(OptionTable& table, const Taken<Length>& of, double&, Options& options) {
+  addPersistenceOption(table, options.persistence, "angle").onlyFor("--field", of.ofFields());
 }
 
 Run add(OptionTable& table) {

@@ -10,8 +10,8 @@
 #include "commands/measure.h"
 #include "commands/table.h"
 #include "girth/io/write_necks.h"
+#include "model/clear_necks.h"
 #include "model/computing.h"
-#include "process/progress_line.h"
 #include "process/report.h"
 
 namespace girth::cli {
@@ -19,7 +19,7 @@ namespace necks_command {
 namespace {
 
 struct Options : MeasuringOptions {
-  /// As typed, with or without a unit. Empty: 0.
+  /// As typed, with or without a unit. Empty: the suggested one.
   std::string minProminence;
 };
 
@@ -43,15 +43,12 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Nec
 }
 
 Result<Necks> compute(const Options& options, const io::LoadedMesh& loaded) {
-  NeckOptions wanted;
-  if (auto error = readLength(options.minProminence, loaded.unit, wanted.minProminence)) {
-    return *std::move(error);
-  }
+  const auto least = readProminence(options.minProminence, loaded.unit);
+  if (!least) return least.error();
   const auto girth = computeGirth(options.model, loaded.mesh, 0, options.threads);
   if (!girth) return girth.error();
-  ProgressLine progress(options.model);
   auto necks =
-      findNecks(loaded.mesh, girth.value().values, wanted, watched(options.threads, progress));
+      computeNecks(options.model, loaded, girth.value().values, least.value(), options.threads);
   if (necks && necks.value().unresolved > 0) {
     printNote(options.model, std::to_string(necks.value().unresolved) +
                                  " vertices have loops that could not be followed");
@@ -70,9 +67,8 @@ Run add(OptionTable& table) {
         printText(options->model, loaded, necks);
       }};
   table.add("MODEL", options->model, "The model to read").required();
-  addLengthOption(table, "--min-prominence LENGTH", options->minProminence,
-                  "Only necks from which the girth must rise by this to reach a narrower one, as "
-                  "in 2mm; 0 by default");
+  addProminenceOption(table, options->minProminence,
+                      "Only necks from which the girth must rise by this to reach a narrower one");
   addOutputOptions(table, options->output, writers.endings(),
                    "Write the necks: .json, .csv (a row for each), .obj or .glb (closed lines)");
   addFacesOption(table, options->preparing);

@@ -55,12 +55,12 @@ void printParts(const std::string& model, const io::LoadedMesh& loaded, const Pa
                 const PartOptions& options, double persistence) {
   constexpr std::size_t kShown = 20;
   const std::string unit = unitSuffix(loaded.unit);
-  std::printf("%s: %zu part%s; thin: thickness below %s%s; tubes: girth below %s%s%s\n",
+  std::printf("%s: %zu part%s; thin: shape diameter below %s%s; tubes: girth below %s%s%s\n",
               model.c_str(), parts.parts.size(), parts.parts.size() == 1 ? "" : "s",
               readable(options.thresholds.thickness).c_str(), unit.c_str(),
               readable(options.thresholds.girth).c_str(), unit.c_str(),
               persistenceText(persistence, loaded).c_str());
-  std::printf("  %4s %-8s %12s %12s %12s %12s  %s\n", "part", "kind", "area", "girth", "thickness",
+  std::printf("  %4s %-8s %12s %12s %12s %12s  %s\n", "part", "kind", "area", "girth", "diameter",
               "radius", "thinnest at vertex");
   for (std::size_t i = 0; i < parts.parts.size() && i < kShown; ++i) {
     const Part& part = parts.parts[i];
@@ -311,11 +311,15 @@ Run add(OptionTable& table) {
   table.add("MODEL", options->model, "The model to read").required();
   addLengthOption(table, "--girth LENGTH", options->girth,
                   "Tubes have a girth below this length (tau 1)");
-  addLengthOption(table, "--thickness LENGTH", options->diameter,
-                  "Tubes and plates are thinner than this length (tau 2)");
+  addLengthOption(
+      table, "--thickness,--shape-diameter LENGTH", options->diameter,
+      "Tubes and plates have a shape diameter below this length (tau 2); --thickness is "
+      "the older name, until 2.0");
   table
-      .add("--smooth WEIGHT", options->smoothing,
-           "What all neighbours of a vertex count against its own kind; 0 by default")
+      .add("--smooth,--smooth-labels WEIGHT", options->smoothing,
+           "Weight of all neighbours of a vertex against its own kind, 0 by default; --smooth is "
+           "the "
+           "older name, until 2.0")
       .range(0, 1e6);
   addLengthOption(table, "--min-tube LENGTH", options->minTube,
                   "List tubes thinner than this diameter, as in 3mm; ends with 4 if there are any");

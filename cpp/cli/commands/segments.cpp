@@ -11,6 +11,7 @@
 #include "commands/measure.h"
 #include "commands/table.h"
 #include "girth/io/write_segments.h"
+#include "model/clear_necks.h"
 #include "model/computing.h"
 #include "model/fewer_triangles.h"
 #include "process/progress_line.h"
@@ -21,7 +22,7 @@ namespace segments_command {
 namespace {
 
 struct Options : MeasuringOptions {
-  /// Lengths as typed, with or without a unit. Empty: 0 (prominence), or found from the fields.
+  /// Lengths as typed, with or without a unit. Empty: suggested by the model.
   std::string minProminence, girth, thickness;
   double smoothing{0};
 };
@@ -32,13 +33,13 @@ Result<io::SegmentedModel> compute(const Options& options, const io::LoadedMesh&
   }
   const SurfaceMesh& mesh = loaded.mesh;
   // The typed lengths are checked before long work.
-  NeckOptions wanted;
+  const auto least = readProminence(options.minProminence, loaded.unit);
+  if (!least) return least.error();
   PartOptions kinds;
   kinds.smoothing = options.smoothing;
   PartThresholds typed;
-  for (const auto& [text, length] : {std::pair{&options.minProminence, &wanted.minProminence},
-                                     {&options.girth, &typed.girth},
-                                     {&options.thickness, &typed.thickness}}) {
+  for (const auto& [text, length] :
+       {std::pair{&options.girth, &typed.girth}, {&options.thickness, &typed.thickness}}) {
     if (auto error = readLength(*text, loaded.unit, *length)) return *std::move(error);
   }
   auto found = computeTips(options.model, mesh, 0, options.threads);
@@ -53,9 +54,9 @@ Result<io::SegmentedModel> compute(const Options& options, const io::LoadedMesh&
   const auto parts = findParts(mesh, girth, diameter.value().values, kinds);
   if (!parts) return parts.error();
 
-  ProgressLine progress(options.model);
-  const auto necks = findNecks(mesh, girth, wanted, watched(options.threads, progress));
+  const auto necks = computeNecks(options.model, loaded, girth, least.value(), options.threads);
   if (!necks) return necks.error();
+  ProgressLine progress(options.model);
   auto segmented = io::segmentedModel(mesh, necks.value().necks, parts.value().kinds, kinds,
                                       std::move(found.value().tips.tips), watched(1, progress));
   if (const std::size_t crossing = segmented ? segmented.value().crossing.size() : 0;
@@ -99,15 +100,18 @@ Run add(OptionTable& table) {
         printText(options->model, loaded, segmented);
       }};
   table.add("MODEL", options->model, "The model to read").required();
-  addLengthOption(table, "--min-prominence LENGTH", options->minProminence,
-                  "Divide at necks of at least this prominence, as in 2mm; 0 by default: at all");
+  addProminenceOption(table, options->minProminence, "Divide at necks of at least this prominence");
   addLengthOption(table, "--girth LENGTH", options->girth,
                   "Tubes have a girth below this length (tau 1)");
-  addLengthOption(table, "--thickness LENGTH", options->thickness,
-                  "Tubes and plates are thinner than this length (tau 2)");
+  addLengthOption(
+      table, "--thickness,--shape-diameter LENGTH", options->thickness,
+      "Tubes and plates have a shape diameter below this length (tau 2); --thickness is "
+      "the older name, until 2.0");
   table
-      .add("--smooth WEIGHT", options->smoothing,
-           "What all neighbours of a vertex count against its own kind; 0 by default")
+      .add("--smooth,--smooth-labels WEIGHT", options->smoothing,
+           "Weight of all neighbours of a vertex against its own kind, 0 by default; --smooth is "
+           "the "
+           "older name, until 2.0")
       .range(0, 1e6);
   addOutputOptions(table, options->output, writers.endings(),
                    "Write the segments: .json, .csv (the segment of each face, its kind and its "

@@ -17,8 +17,8 @@ std::string textFor(const std::string& of, const char* sizes) {
 
 }  // namespace
 
-void addPersistenceOption(OptionTable& table, std::string& typed, const std::string& of) {
-  table.onValue(
+Option& addPersistenceOption(OptionTable& table, std::string& typed, const std::string& of) {
+  return table.onValue(
       "--persistence LENGTH",
       [&typed](const std::string& text) {
         // Whether the model has a unit is known only once it has been read.

@@ -12,7 +12,7 @@ namespace girth::cli {
 /// Adds `--persistence`, a length or a percentage of the square root of the area. `typed` keeps it
 /// as it was typed; it stays empty where it is not given. `of`: the fields that it is for, where it
 /// is not for all.
-void addPersistenceOption(OptionTable& table, std::string& typed, const std::string& of = "");
+Option& addPersistenceOption(OptionTable& table, std::string& typed, const std::string& of = "");
 
 /// Adds `--persistence` for models of different sizes: as a percentage only, kept as a share.
 void addPersistenceShareOption(OptionTable& table, double& share, const std::string& of);

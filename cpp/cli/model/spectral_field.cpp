@@ -13,17 +13,20 @@ void addSpectralFieldOptions(OptionTable& table, SpectralFieldOptions& options) 
       .add("--pairs N", options.pairs,
            "hks, sihks, wks: pairs of eigenvalues and -functions; " +
                std::to_string(options.pairs) + " by default")
-      .range(2, 100'000);
+      .range(2, 100'000)
+      .onlyFor("--field", {"hks", "sihks", "wks"});
   table
       .add("--time T,T,...", options.times,
            "hks: diffusion times as shares of the area; " + io::formatNumber(kHeatMaximaTime) +
                " by default")
       .separated()
-      .range(0, 1e6);
+      .range(0, 1e6)
+      .onlyFor("--field", {"hks"});
   table
       .add("--only N", options.component,
            "hks, sihks, wks: one number of each vertex's only, counted from 1")
-      .range(1, 100'000);
+      .range(1, 100'000)
+      .onlyFor("--field", {"hks", "sihks", "wks"});
 }
 
 Result<std::vector<ComputedField>> computeSpectralField(const std::string& field,

@@ -130,6 +130,12 @@ Option& Option::needs(std::string other) {
   return *this;
 }
 
+Option& Option::onlyFor(std::string other, std::vector<std::string> values) {
+  decider_ = std::move(other);
+  deciding_ = std::move(values);
+  return *this;
+}
+
 bool Option::hasName(std::string_view name) const {
   return isArgument() ? name == valueName_
                       : std::find(names_.begin(), names_.end(), name) != names_.end();
@@ -139,6 +145,7 @@ const std::string& Option::title() const { return isArgument() ? valueName_ : na
 
 std::string Option::take(const std::string& value) {
   given_ = true;
+  typed_ = value;
   if (!separated_) return takeOne(value);
   for (const std::string& piece : splitAtCommas(value)) {
     if (std::string fault = takeOne(piece); !fault.empty()) return fault;

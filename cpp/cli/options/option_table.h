@@ -38,6 +38,9 @@ class Option {
   Option& excludes(std::string other);
   /// Can be given only together with another, by its name.
   Option& needs(std::string other);
+  /// Has an effect only where another option, by its name, has one of these values; is refused
+  /// elsewhere.
+  Option& onlyFor(std::string other, std::vector<std::string> values);
 
   /// "-o", "--output"; none for an argument.
   const std::vector<std::string>& names() const { return names_; }
@@ -53,6 +56,11 @@ class Option {
   bool isGiven() const { return given_; }
   const std::string& excluded() const { return excluded_; }
   const std::string& needed() const { return needed_; }
+  /// The option and the values of `onlyFor`; none: always.
+  const std::string& decider() const { return decider_; }
+  const std::vector<std::string>& deciding() const { return deciding_; }
+  /// The value that was given last, as typed.
+  const std::string& typed() const { return typed_; }
   bool hasName(std::string_view name) const;
   /// The longest name, or what stands for an argument.
   const std::string& title() const;
@@ -72,7 +80,8 @@ class Option {
   bool hasRange_{false};
   double least_{0}, greatest_{0};
   bool required_{false}, separated_{false}, greedy_{false}, given_{false};
-  std::string excluded_, needed_;
+  std::string excluded_, needed_, decider_, typed_;
+  std::vector<std::string> deciding_;
 };
 
 /// A line to copy, and what it does.

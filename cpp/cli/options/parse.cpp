@@ -147,8 +147,27 @@ class Parsing {
       if (!option.needed().empty() && !isGiven(option.needed())) {
         return wrong(name + " needs " + option.needed() + " too");
       }
+      if (auto error = checkEffect(option)) return error;
     }
     return std::nullopt;
+  }
+
+  /// Refuses an option that has no effect beside the others.
+  std::optional<Error> checkEffect(const Option& option) const {
+    if (option.decider().empty()) return std::nullopt;
+    const auto& options = table_.options();
+    const auto decider = std::find_if(options.begin(), options.end(), [&](const Option& other) {
+      return other.hasName(option.decider());
+    });
+    const std::vector<std::string>& values = option.deciding();
+    const std::string typed = decider == options.end() ? "" : decider->typed();
+    if (std::find(values.begin(), values.end(), typed) != values.end()) return std::nullopt;
+    std::string listed;
+    for (const std::string& value : values) {
+      listed += (listed.empty() ? " " : &value == &values.back() ? " and " : ", ") + value;
+    }
+    return usageError(option.title() + " has an effect on " + option.decider() + listed + " only",
+                      "leave it out");
   }
 
   OptionTable& table_;

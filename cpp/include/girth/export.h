@@ -8,6 +8,10 @@
 // For those who link static ones nothing is defined, and the mark means nothing.
 #pragma once
 
+#if __cplusplus < 202002L
+#error "Girth needs C++20: compile with -std=c++20"
+#endif
+
 /// Marks what a shared library shows.
 #if defined(GIRTH_BUILDING) || defined(GIRTH_SHARED)
 #define GIRTH_EXPORT __attribute__((visibility("default")))

@@ -98,4 +98,8 @@ GIRTH_EXPORT Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const do
                                      const NeckOptions& options = {},
                                      const ExecutionContext& context = {});
 
+/// A least prominence for the clear ones of all necks of a surface: a twentieth of the narrowest
+/// one's length. Necks of noise and most of bands of parallel loops are below it. 0 without necks.
+GIRTH_EXPORT double suggestedProminence(std::span<const Neck> necks);
+
 }  // namespace girth

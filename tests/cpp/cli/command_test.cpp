@@ -33,8 +33,7 @@ TEST_F(Command, helpAndVersion) {
 
 TEST_F(Command, wrongUsageIsOneLineAndExitCodeOne) {
   const std::string prism = kData + "/prism.obj";
-  for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
-                                                    {"fly"},
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"fly"},
                                                     {"igf"},
                                                     {"loop", prism},
                                                     {"loop", prism, "-3"},

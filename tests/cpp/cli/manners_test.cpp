@@ -91,6 +91,56 @@ TEST_F(Command, slipsAreAnsweredWithWhatWasMeant) {
   }
 }
 
+TEST_F(Command, optionsWithoutEffectAreRefusedWithTheReason) {
+  const std::string prism = kData + "/prism.obj";
+  const struct {
+    std::vector<std::string> arguments;
+    const char* words;
+  } cases[]{{{"field", prism, "--field", "sdf", "--time", "3"},
+             "--time has an effect on --field hks only"},
+            {{"field", prism, "--field", "sdf", "--pairs", "7"},
+             "--pairs has an effect on --field hks, sihks and wks only; leave it out"},
+            {{"field", prism, "--field", "angle", "--rays", "9"},
+             "--rays has an effect on --field sdf only"},
+            {{"field", prism, "--field", "sdf", "--exact"},
+             "--exact has an effect on --field geoaverage and geofarthest only"},
+            {{"field", prism, "--field", "sdf", "--persistence", "1%"},
+             "--persistence has an effect on --field angle only"},
+            {{"igf", prism, "--method", "ms", "--audit", "3"},
+             "--audit has an effect on --method refined only"},
+            {{"igf", prism, "--audit", "3"}, "--audit has an effect on --method refined only"},
+            {{"cut", prism, "3", "--min-prominence", "2"},
+             "--min-prominence has an effect on --neck and --necks only"}};
+  for (const auto& [arguments, words] : cases) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
+    EXPECT_TRUE(contains(outcome.errors, words)) << words << "\n" << outcome.errors;
+  }
+  EXPECT_EQ(run({"field", prism, "--field", "sdf", "--rays", "9"}).exitCode, 0);
+  EXPECT_EQ(run({"igf", prism, "--audit", "3", "--method", "refined"}).exitCode, 0);
+}
+
+TEST_F(Command, withoutACommandThereIsHelp) {
+  const Outcome alone = run({});
+  EXPECT_EQ(alone.output, run({"--help"}).output);
+  EXPECT_EQ(alone.exitCode, 1);
+  EXPECT_EQ(alone.errors, "");
+}
+
+TEST_F(Command, olderNamesOfOptionsDoTheSame) {
+  const std::string prism = kData + "/prism.obj";
+  for (const std::string command : {"parts", "segments"}) {
+    const std::vector<std::string> arguments{command, prism, "--json", "--girth", "9"};
+    const auto with = [&](const std::string& diameter, const std::string& labels) {
+      std::vector<std::string> all = arguments;
+      all.insert(all.end(), {diameter, "2", labels, "0.5"});
+      return run(all).output;
+    };
+    EXPECT_EQ(with("--thickness", "--smooth"), with("--shape-diameter", "--smooth-labels"));
+    EXPECT_NE(with("--thickness", "--smooth"), "");
+  }
+}
+
 TEST_F(Command, optionsAreReadInEveryWayThatIsUsual) {
   const std::string prism = kData + "/prism.obj";
   for (const std::vector<std::string>& ending :

@@ -78,6 +78,12 @@ TEST_F(Command, whatCannotBeCutIsNamed) {
   refused({"-1"}, "");
   refused({"--neck", "2"}, "there is no neck 2; necks are numbered from 1 to 1");
   refused({"--neck", "0"}, "there is no neck 0");
+  const Outcome beyond = run({"cut", model, "--at", "100", "-o", path("uncut.obj")});
+  EXPECT_EQ(beyond.exitCode, 2) << beyond.errors;
+  EXPECT_TRUE(contains(beyond.errors,
+                       "VALUE_OUT_OF_RANGE: the girth is nowhere 100: it goes from 6 to 10.3"))
+      << beyond.errors;
+  EXPECT_FALSE(fs::exists(path("uncut.obj")));
   // No neck at all: nothing to cut, and one part.
   const Json parts =
       Json::parse(run({"cut", kData + "/prism.obj", "--necks", "--json"}).output)["parts"];
@@ -109,6 +115,9 @@ TEST_F(Command, necksOfAProminence) {
   EXPECT_TRUE(contains(run({"necks", model, "--min-prominence", "0"}).output, "1 neck\n"));
   EXPECT_TRUE(contains(run({"necks", model, "--unit", "cm", "--min-prominence", "20mm"}).output,
                        "1 neck\n"));
+  // The one neck is clear: nothing is left out, and no note says so.
+  EXPECT_EQ(run({"necks", model}).output, run({"necks", model, "--min-prominence", "0"}).output);
+  EXPECT_EQ(run({"necks", model}).errors, "");
   for (const std::string length : {"-1", "nan", "wide", ""}) {
     const Outcome outcome = run({"necks", model, "--min-prominence", length});
     EXPECT_EQ(outcome.exitCode, 1) << length;

@@ -137,9 +137,10 @@ TEST_F(Command, twoNecksThatTouchAreCutBoth) {
     }
   }
   const std::string file = write("torus.obj", model);
-  const std::size_t necks = Json::parse(run({"necks", file, "--json"}).output)["necks"].size();
+  const std::size_t necks =
+      Json::parse(run({"necks", file, "--min-prominence", "0", "--json"}).output)["necks"].size();
   EXPECT_GE(necks, 2u);
-  const Outcome outcome = run({"cut", file, "--necks", "--json"});
+  const Outcome outcome = run({"cut", file, "--necks", "--min-prominence", "0", "--json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   EXPECT_EQ(Json::parse(outcome.output)["parts"].size(), necks);
 }

@@ -42,6 +42,9 @@ double polylineLength(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& 
 /// What must hold for every neck.
 void expectConsistent(const SurfaceMesh& mesh, const Necks& necks) {
   EXPECT_EQ(necks.unresolved, 0u);
+  double shortest = kInfinity;
+  for (const Neck& neck : necks.necks) shortest = std::min(shortest, neck.length);
+  EXPECT_DOUBLE_EQ(suggestedProminence(necks.necks), necks.necks.empty() ? 0 : shortest / 20);
   GirthSolver solver(mesh);
   for (const Neck& neck : necks.necks) {
     ASSERT_GE(neck.points.size(), 4u);

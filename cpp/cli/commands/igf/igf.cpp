@@ -223,7 +223,8 @@ Run add(OptionTable& table) {
            "Of the refined method: compare with the exact one at so many vertices, drawn at "
            "random; " +
                std::to_string(options->audit) + " by default")
-      .range(0, 1'000'000);
+      .range(0, 1'000'000)
+      .onlyFor("--method", {"refined"});
   table
       .add("--faces N", options->faces,
            "Compute on at most so many triangles: a larger model is remeshed to them, and the "

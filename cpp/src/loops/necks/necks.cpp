@@ -241,4 +241,11 @@ Result<Necks> findNecks(const SurfaceMesh& mesh, std::span<const double> girth,
   return found;
 }
 
+double suggestedProminence(std::span<const Neck> necks) {
+  constexpr double kShare = 0.05;
+  const auto narrowest = std::min_element(
+      necks.begin(), necks.end(), [](const Neck& a, const Neck& b) { return a.length < b.length; });
+  return narrowest == necks.end() ? 0 : kShare * narrowest->length;
+}
+
 }  // namespace girth

@@ -18,7 +18,7 @@ export const hints = {
   UNSUPPORTED_FEATURE: 'export the model without that feature',
   MISSING_RESOURCE: 'keep the files that the model refers to beside it',
   LIMIT_EXCEEDED: 'use a smaller model',
-  CANCELLED: 'what was computed before is kept',
+  CANCELLED: 'run it again to have the result',
   OUT_OF_MEMORY: 'use a smaller model or fewer threads',
   PROGRAM_NOT_LOADED:
     'reload the page; if it stays, a part of the program is missing on its server or not allowed to be loaded',
