@@ -14,7 +14,7 @@ macro(girth_find_package name debianPackage)
   endif()
 endmacro()
 
-# What compressed glTF is unpacked with. In WebAssembly the page does that.
+# Libraries that unpack compressed glTF. In WebAssembly the page does that.
 if(GIRTH_GLTF_CODECS)
   girth_find_package(draco libdraco-dev GIRTH_GLTF_CODECS)
   girth_find_package(meshoptimizer libmeshoptimizer-dev GIRTH_GLTF_CODECS)

@@ -1,4 +1,4 @@
-# What all targets have in common.
+# Settings that all targets have in common.
 
 # The language, the warnings, and arithmetic that gives the same bits everywhere.
 function(girth_configure target)
@@ -53,7 +53,7 @@ function(girth_unity target)
   endif()
 endfunction()
 
-# What a shared library shows, and its name: before 1.0.0 each minor version has an interface of its own.
+# Visibility and name of a shared library: before 1.0.0 each minor version has an interface of its own.
 function(girth_visibility target)
   if(PROJECT_VERSION_MAJOR EQUAL 0)
     set(interface "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")

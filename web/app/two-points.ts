@@ -76,7 +76,7 @@ export class TwoPoints {
   /** Whether the question was asked here, not by a link, which has a camera of its own. */
   #isByHand = false;
   #choosing: AbortController | undefined;
-  /** Of vertices near the path how far along it they are. */
+  /** Each vertex near the path, with its distance along the path. */
   #places = new Map<number, number>();
   readonly #viewer: GirthViewer;
   readonly #events: TwoPointsEvents;

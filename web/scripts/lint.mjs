@@ -6,6 +6,7 @@ import { spawn } from 'node:child_process';
 import { availableParallelism } from 'node:os';
 import { basename, dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { checkOpenings } from './openings.mjs';
 import { buildReference } from './reference.mjs';
 import { Complaint, outputOf, repository, run, runTool, script } from './run.mjs';
 import { setUp } from './setup.mjs';
@@ -115,11 +116,12 @@ export async function lintNative({ changedOnly }) {
 }
 
 /**
- * Format, rules, types and public comments of everything, and whether each mutation still finds its line.
+ * Format, openings of comments, rules, types and public comments of everything, and whether each mutation still finds its line.
  * @param {{ changedOnly: boolean }} which of the C++ sources clang-tidy reads
  */
 export async function lint(which) {
   format(false);
+  checkOpenings();
   run('node', ['tests/mutation/run.mjs', '--check']);
   lintWeb(false);
   await buildReference();

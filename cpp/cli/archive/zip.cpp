@@ -103,7 +103,7 @@ std::string safePath(std::string_view name) {
   return path;
 }
 
-/// What is known to lie inside, and so to fit into this machine's sizes.
+/// A part known to lie inside, and so to fit into this machine's sizes.
 std::span<const std::byte> part(std::span<const std::byte> bytes, std::uint64_t at,
                                 std::uint64_t size) {
   return bytes.subspan(static_cast<std::size_t>(at), static_cast<std::size_t>(size));

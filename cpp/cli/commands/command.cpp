@@ -26,7 +26,7 @@ int print(const std::string& text) {
   return 0;
 }
 
-/// What was typed where a command was expected.
+/// Refuses a word that was typed where a command was expected.
 int noSuchCommand(const std::string& typed, const std::string& above,
                   std::span<const Command* const> commands) {
   std::vector<std::string> names;

@@ -1,4 +1,4 @@
-// What a command is. Each stands in a file of its own, with its options, its help and its work; the
+// A command. Each stands in a file of its own, with its options, its help and its work; the
 // table of all of them is table.cpp.
 #pragma once
 

@@ -37,7 +37,7 @@ unsigned threadsOfJob(unsigned threads, unsigned jobs);
 /// Adds `--positions`: x, y, z, and units in the header.
 void addPositionsOption(OptionTable& table, bool& positions);
 
-/// What the option asks of writers.
+/// The columns that the option asks of writers.
 io::Columns columnsOf(bool positions);
 
 /// The format of a surface by an output's ending: ".obj", ".ply", ".stl", ".off"; others are GLB.

@@ -126,7 +126,7 @@ void printMaxima(const io::LoadedMesh& loaded, const std::vector<PersistentMaxim
   }
 }
 
-/// What stands behind a value in the summary.
+/// The unit behind a value in the summary.
 std::string unitOf(const std::string& field, const std::string& unit) {
   const FieldUnit kind = findField(field)->unit;
   if (kind == FieldUnit::Radian) return " rad";

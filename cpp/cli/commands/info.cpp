@@ -96,7 +96,7 @@ std::string counted(Index count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/// What was done to the file, in words, one step a line.
+/// The changes to the file, in words, one step a line.
 std::vector<std::string> stepsDone(const PreparationReport& report, const std::string& unit) {
   std::vector<std::string> steps;
   const auto step = [&](Index count, const char* one, const char* many, const char* done) {

@@ -35,7 +35,7 @@ struct Options {
   /// Lengths as typed, with or without a unit. Empty: found from the fields (thresholds), or not
   /// checked (limits).
   std::string girth, diameter, minTube, minWall, minGap;
-  /// Of the girth, as typed: a length or a share.
+  /// The girth's persistence, as typed: a length or a share.
   std::string persistence;
   double smoothing{0};
   bool positions{false};
@@ -161,13 +161,13 @@ std::string verticesFor(const Options& options, const io::LoadedMesh& loaded,
              : io::fieldPly(loaded, fields);
 }
 
-/// What is asked for, with lengths as numbers.
+/// The wanted parts and checks, with lengths as numbers.
 struct Wanted {
   PartOptions parts;
   /// τ1 and τ2 where they are given.
   std::optional<double> girth, thickness;
   PrintLimits limits;
-  /// Of the girth.
+  /// The girth's persistence.
   double persistence{0};
   /// Whether limits are to be checked.
   bool checks{false};

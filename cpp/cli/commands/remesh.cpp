@@ -106,7 +106,7 @@ Result<double> differenceOf(const Options& options, const SurfaceMesh& before,
   return fieldDifference(before, old.value().values, after, made.value().values);
 }
 
-/// Who asks for finer triangles, fewer handles or no wrinkles does not ask for fewer triangles.
+/// A wish for finer triangles, fewer handles or no wrinkles is none for fewer triangles.
 Index mostFaces(const Options& options) {
   const bool isOther = !options.removeHandles.empty() || options.smoothing > 0;
   if (options.faces == 0 && isOther) return kMostFaces;

@@ -75,7 +75,7 @@ int run(const Options& options) {
   Signatures signatures(names, 1, comparison.signatures);
   signatures.add(0, fields.value());
   constexpr std::size_t kBins = 512;
-  // Of a model that is scaled to area 1, lengths have no unit.
+  // Lengths of a model that is scaled to area 1 have no unit.
   const std::string unit = options.fields.unitArea ? "" : loaded.value().unit;
   std::string rows;
   io::JsonList list(true);

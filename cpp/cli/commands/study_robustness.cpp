@@ -25,7 +25,7 @@ constexpr std::uint32_t kMostPlaces = 1'000;
 
 struct Options {
   std::string model;
-  /// Of the model and its poses.
+  /// Preparation of the model and its poses.
   ModelOptions preparing;
   std::vector<std::string> poses;
   study::RobustnessOptions study;

@@ -25,7 +25,7 @@ namespace {
 struct Options : MeasuringOptions {
   std::string persistence;
   bool stability{false};
-  /// Of the trials, in mean edge lengths.
+  /// Noise of the trials, in mean edge lengths.
   std::vector<double> noise{study::TipTrialOptions{}.noise};
 };
 

@@ -58,7 +58,7 @@ std::vector<std::string> namesOf(std::span<const Command* const> commands) {
   return names;
 }
 
-/// What can stand where a file cannot: commands, or those below one.
+/// Words that can stand where a file cannot: commands, or those below one.
 std::vector<std::string> wordsBehind(const Completed& command) {
   if (command.words == "help") return namesOf(allCommands());
   return namesOf(command.command->below);
@@ -105,7 +105,7 @@ std::string bashCompletion(const std::vector<Completed>& commands) {
          "complete -F _girth girth\n";
 }
 
-/// What _arguments must not read as its own signs.
+/// Text that _arguments does not read as its own signs.
 std::string zshText(std::string_view text) {
   std::string result;
   for (const char c : text) {

@@ -10,13 +10,13 @@
 
 namespace girth::cli {
 
-/// What the program is, in one sentence.
+/// The program in one sentence.
 std::string_view programSummary();
 
 /// Which models are read, and how their vertices are numbered.
 std::string_view modelWords();
 
-/// What every page of help ends with: formats, numbering, exit codes.
+/// The end of every page of help: formats, numbering, exit codes.
 std::string helpEnd();
 
 /// "girth igf MODEL... [options]".
@@ -25,7 +25,7 @@ std::string usageOf(const std::string& name, const OptionTable& table);
 /// An option with what stands for its value, as in "-o, --output FILE".
 std::string declarationOf(const Option& option);
 
-/// What an option does, with the values that it takes.
+/// The meaning of an option, with the values that it takes.
 std::string meaningOf(const Option& option);
 
 /// The help of one command. `name`: what it is called by, "girth igf".

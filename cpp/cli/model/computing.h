@@ -14,7 +14,7 @@
 
 namespace girth::cli {
 
-/// What `remedy` is for commands with `--faces`, and without.
+/// Remedies of noteLargeSurface, for commands with `--faces` and without.
 inline constexpr std::string_view kFewerFaces = "--faces 10000 takes seconds";
 inline constexpr std::string_view kRemeshFirst = "girth remesh makes fewer of them";
 

@@ -76,8 +76,8 @@ void stateUnit(const std::string& path, const std::string& typed, std::string& u
   unit = known->name;
 }
 
-/// What makes the whole model as high as wished; `unit` becomes that of the wish where it is not
-/// known.
+/// The scale that makes the whole model as high as wished; `unit` becomes that of the wish where it
+/// is not known.
 Result<double> scaleToHeight(const ModelOptions& options, const io::ReadModel& read,
                              std::string& unit) {
   const auto typed = io::parseLength(options.height);

@@ -12,7 +12,7 @@ namespace girth::cli {
 
 struct ModelFile {
   std::vector<std::byte> bytes;
-  /// What the format may be guessed by, and messages call it.
+  /// The name by which the format may be guessed, and which messages have.
   std::string name;
   /// The files that the model refers to: beside it, or in the same zip.
   io::ResourceReader resources;

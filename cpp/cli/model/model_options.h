@@ -41,8 +41,8 @@ struct ModelOptions {
 /// `--up` and `--entry`.
 void addModelOptions(OptionTable& table, ModelOptions& options);
 
-/// What was asked for, as it could be typed: "--weld 0.1mm --close-holes"; empty where nothing was.
-/// Of one file, models with the same text are the same surface.
+/// The options that were given, as they could be typed: "--weld 0.1mm --close-holes"; empty without
+/// any. Of one file, models with the same text are the same surface.
 std::string preparationText(const ModelOptions& options);
 
 /// The most faces that can be asked for.

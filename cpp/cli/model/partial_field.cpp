@@ -29,7 +29,7 @@ std::optional<LoopKind> kindOf(std::string_view text) {
   return std::nullopt;
 }
 
-/// What stands before the separator, which is taken off with it.
+/// The text before the separator, which is taken off with it.
 std::string_view taken(std::string_view& text, char separator) {
   const std::size_t end = std::min(text.find(separator), text.size());
   const std::string_view piece = text.substr(0, end);

@@ -1,4 +1,4 @@
-// What a stopped run of `girth igf` leaves beside its output: the values so far, with whose they
+// Values that a stopped run of `girth igf` leaves beside its output, with whose they
 // are, so that another run can go on from there.
 #pragma once
 

@@ -17,11 +17,11 @@ Option& addPersistenceOption(OptionTable& table, std::string& typed, const std::
 /// Adds `--persistence` for models of different sizes: as a percentage only, kept as a share.
 void addPersistenceShareOption(OptionTable& table, double& share, const std::string& of);
 
-/// What was typed as a length in the unit of the model; 0 where nothing was. Error: USAGE, where it
-/// has a unit and the model has none that is known.
+/// The typed persistence as a length in the unit of the model; 0 where none was typed. Error:
+/// USAGE, where it has a unit and the model has none that is known.
 Result<double> persistenceOf(const std::string& typed, const io::LoadedMesh& loaded);
 
-/// What a summary says of it: ", persistence 0.5 mm"; nothing where it is 0.
+/// The words of a summary on it: ", persistence 0.5 mm"; none where it is 0.
 std::string persistenceText(double persistence, const io::LoadedMesh& loaded);
 
 }  // namespace girth::cli

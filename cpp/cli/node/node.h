@@ -1,5 +1,5 @@
-// What Node.js does for the command's WebAssembly module in place of the operating system. Defined
-// in node_library.js.
+// Calls that Node.js answers for the command's WebAssembly module in place of the operating system.
+// Defined in node_library.js.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What node.h declares, in JavaScript; linked into the command's module. `require` is that of Node.js in every thread.
+// The calls of node.h, in JavaScript; linked into the command's module. `require` is that of Node.js in every thread.
 
 mergeInto(LibraryManager.library, {
   // Signals reach the first thread alone.

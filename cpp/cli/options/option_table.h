@@ -1,4 +1,4 @@
-// What a command takes: its options, its arguments and examples of its use. Help, manual
+// The table of a command's options and arguments, with examples of its use. Help, manual
 // pages, completions and the messages about wrong usage are all made of this table; so it is a
 // table of our own, and not one of a library that only parses.
 #pragma once
@@ -44,7 +44,7 @@ class Option {
 
   /// "-o", "--output"; none for an argument.
   const std::vector<std::string>& names() const { return names_; }
-  /// What stands for the value in help: "FILE"; empty for a flag.
+  /// The name of the value in help: "FILE"; empty for a flag.
   const std::string& valueName() const { return valueName_; }
   const std::string& text() const { return text_; }
   const std::vector<std::string>& choices() const { return choices_; }
@@ -113,7 +113,7 @@ class OptionTable {
     examples_.push_back({std::move(line), std::move(meaning)});
   }
 
-  /// What to choose when, and what it costs: a paragraph of the help, with a title of a word or
+  /// Advice on choices and costs: a paragraph of the help, with a title of a word or
   /// two.
   void note(std::string title, std::string text) {
     notes_.push_back({std::move(title), std::move(text)});

@@ -16,7 +16,7 @@ inline constexpr std::array kExitCodes{
     ExitCode{3, "a limit was met or the work was cancelled"},
     ExitCode{4, "a check fails: something is too thin to print"}};
 
-/// What a check that fails ends with, so that a build script can use it.
+/// The exit code of a check that fails, so that a build script can use it.
 inline constexpr int kCheckFails = 4;
 
 }  // namespace girth::cli

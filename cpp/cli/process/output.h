@@ -19,7 +19,7 @@ struct Output {
   std::string format;
   /// Whether even the model itself may be replaced.
   bool force{false};
-  /// What can be written: ".csv", ...
+  /// Endings that can be written: ".csv", ...
   std::vector<std::string> endings;
 
   bool isWanted() const { return !path.empty(); }
@@ -28,7 +28,7 @@ struct Output {
   bool isFolder() const;
   /// Whether it is a file that stays, and neither a pipe nor a device.
   bool isFile() const;
-  /// What is to be written, as an ending: ".csv".
+  /// The ending of the output: ".csv".
   std::string ending() const;
 };
 

@@ -31,16 +31,16 @@ void printNote(const std::string& file, const std::string& text);
 /// A number with six significant digits and no exponent, for reading.
 std::string readable(double value);
 
-/// The same; "-" where there is no value.
+/// A value as `readable` writes it; "-" where there is no value.
 std::string readableOrDash(double value);
 
 /// Seconds as "0.42 s" or "3 min 5 s".
 std::string readableTime(double seconds);
 
-/// What follows a length: " mm" for millimetres, and so on; empty where the unit is not known.
+/// The unit behind a length: " mm" for millimetres, and so on; empty where the unit is not known.
 std::string unitSuffix(const std::string& unit);
 
-/// What follows an area: " mm²".
+/// The unit behind an area: " mm²".
 std::string areaSuffix(const std::string& unit);
 
 /// Prints the line below a table that names the units of its columns; nothing where the unit is not

@@ -18,7 +18,7 @@ class Sha256 {
   Sha256& add(std::string_view text) {
     return add(std::as_bytes(std::span(text.data(), text.size())));
   }
-  /// Of all that was added; nothing may be added afterwards.
+  /// The digest of all that was added; nothing may be added afterwards.
   Digest finish();
 
  private:

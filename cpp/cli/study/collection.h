@@ -22,7 +22,7 @@ struct Collection {
   /// Ordered by class, then as they are listed.
   std::vector<CollectionModel> models;
   std::vector<std::string> classes;
-  /// What was wrong and what became of it: one line each.
+  /// Faults and their consequences, one line each.
   std::vector<std::string> notes;
 };
 

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the file's layout. Another number: another key, and so another file.
+/// The version of the file's layout. Another number: another key, and so another file.
 constexpr std::uint32_t kVersion = 1;
 /// Read as another number on a machine of the other byte order.
 constexpr std::uint32_t kByteOrder = 0x01020304;

@@ -17,7 +17,7 @@ struct RetrievalOptions : ComparisonOptions {
   std::vector<std::string> folders;
   /// A class file for each folder, as far as they go.
   std::vector<std::string> classes;
-  /// Of every model.
+  /// Preparation of every model.
   ModelOptions preparing;
   std::string output;
   /// Empty: in the output.

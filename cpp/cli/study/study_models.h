@@ -19,12 +19,13 @@
 namespace girth::cli {
 
 struct StudyModels {
-  /// Those that have fields; their classes are numbers in `classes`, which has none without models.
+  /// Models that have fields; their classes are numbers in `classes`, which has none without
+  /// models.
   std::vector<CollectionModel> models;
   std::vector<std::string> classes;
   /// Models that were left out, by name, and why.
   std::vector<std::pair<std::string, std::string>> failed;
-  /// What else was wrong and what became of it: one line each.
+  /// Other faults and their consequences, one line each.
   std::vector<std::string> notes;
   /// The distances of `models` by each of the descriptors' terms.
   std::map<std::string, study::PairDistances> distances;

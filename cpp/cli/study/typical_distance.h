@@ -1,4 +1,4 @@
-// What distances mean: how far poses of one shape are apart, and shapes of different classes.
+// Typical distances: between poses of one shape, and between shapes of different classes.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ struct TypicalDistance {
   double classes;  ///< of two shapes of different classes
 };
 
-/// Of a descriptor, as it was measured: of models scaled to area 1, by the exact distance of their
-/// distributions. Nothing where it was not measured, or is computed otherwise.
+/// The typical distance of a descriptor, as measured on models scaled to area 1, by the exact
+/// distance of their distributions. Nothing where it was not measured, or is computed otherwise.
 std::optional<TypicalDistance> typicalDistance(const std::string& descriptor,
                                                const ComparisonOptions& options);
 

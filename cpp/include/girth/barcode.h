@@ -34,7 +34,7 @@ struct Barcode {
   /// the first that does, and none beyond it is listed. Saddles that last no longer than rounding
   /// can tell, a share of 4e-9, are left out.
   std::vector<SaddleBar> bars;
-  /// Of each bar its loop, where they were asked for; otherwise none.
+  /// The loop of each bar, where loops were asked for; otherwise empty.
   std::vector<GirthLoop> loops;
   /// Persistence is known up to this.
   double maxPersistence{0};
@@ -47,7 +47,7 @@ struct Barcode {
   GIRTH_EXPORT GirthValue girth(double persistence) const;
 };
 
-/// What of a barcode is wanted.
+/// The wanted part of a barcode.
 struct BarcodeOptions {
   /// Up to which persistence it is wanted, in model units. The less, the sooner it is there.
   double maxPersistence{std::numeric_limits<double>::infinity()};

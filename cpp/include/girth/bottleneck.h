@@ -17,7 +17,7 @@
 
 namespace girth {
 
-/// What the narrowest place of the widest way is (web/docs/definitions.md, section 5).
+/// The kind of the narrowest place of the widest way (web/docs/definitions.md, section 5).
 enum class BottleneckKind : std::uint8_t {
   /// A neck between the points: its loop is a closed geodesic, shorter than every other closed
   /// curve near it.
@@ -47,14 +47,14 @@ struct Bottleneck {
   Vec3 centre;
   /// The area that the loop encloses in its mean plane, in squared model units.
   double area{0};
-  /// Of a neck, what it separates its component into: as Neck::sides.
+  /// The sides of a neck, as Neck::sides; empty for other kinds.
   std::vector<CurveSide> sides;
   /// The way that was found, from the first point to the second, along the pieces of the mesh's
   /// edges: it is a witness of the girth, and not short.
   std::vector<SurfacePoint> way;
 };
 
-/// Of all ways over the surface from one point to another the one whose least girth is greatest,
+/// The way over the surface from one point to another whose least girth is greatest,
 /// and the narrowest place on it.
 ///
 /// The girth is measured over the surface, in between vertices too, as the prominence of findNecks:

@@ -25,7 +25,7 @@ struct CutOptions {
   bool cutsCavities{true};
 };
 
-/// What is left of a surface that was cut.
+/// The parts of a surface that was cut.
 struct CutSurface {
   /// All parts in one; they are its components, where the cuts divide the surface.
   SurfaceMesh mesh;
@@ -68,7 +68,7 @@ GIRTH_EXPORT Result<CutSurface> cutSurface(const SurfaceMesh& mesh,
                                            const CutOptions& options = {},
                                            const ExecutionContext& context = {});
 
-/// What a closed curve separates a component into.
+/// One of the pieces into which a closed curve separates a component.
 struct CurveSide {
   double area{0};  ///< in squared model units
   /// Enclosed by this side and the cone over the curve from the mean of its points, in cubed model

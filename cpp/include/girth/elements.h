@@ -89,7 +89,7 @@ class ElementRange {
    public:
     /// As the standard library calls what it goes through.
     using value_type = Element<Kind>;
-    /// Of positions.
+    /// The difference of two positions.
     using difference_type = std::ptrdiff_t;
 
     /// Before any element.
@@ -134,7 +134,7 @@ template <class Kind>
 std::vector<Index> numbersOf(std::span<const Element<Kind>> elements) {
   return {elements.begin(), elements.end()};
 }
-/// The same of a vector.
+/// The elements of a vector.
 template <class Kind>
 std::vector<Index> numbersOf(const std::vector<Element<Kind>>& elements) {
   return {elements.begin(), elements.end()};

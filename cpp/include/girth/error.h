@@ -13,7 +13,7 @@
 
 namespace girth {
 
-/// What went wrong. The table with texts, exit codes and remedies is `error_codes.def`.
+/// The codes of failures. The table with texts, exit codes and remedies is `error_codes.def`.
 enum class ErrorCode : std::uint8_t {
 #define GIRTH_ERROR_CODE(name, text, exitCode, hint) name,
 #include "girth/error_codes.def"
@@ -28,13 +28,13 @@ GIRTH_EXPORT int exitCodeOf(ErrorCode code);
 
 /// A failure.
 struct GIRTH_EXPORT Error {
-  /// What went wrong.
+  /// The kind of failure.
   ErrorCode code{ErrorCode::Internal};
   /// The first offending element: a vertex, face, line or byte, as the message states. -1: none.
   std::int64_t element{-1};
-  /// What is wrong and where, in words: "edge 3–7 of face 12 has no face on its other side".
+  /// The fault and its place, in words: "edge 3–7 of face 12 has no face on its other side".
   std::string message{};
-  /// What to do about it.
+  /// The remedy.
   std::string hint{};
   /// The file that it is about, where a path was given; otherwise empty.
   std::string file{};
@@ -51,12 +51,12 @@ GIRTH_EXPORT Error makeError(ErrorCode code, std::int64_t element, std::string m
 /// caught as `const girth::Error&`, with all that it has, or as `const std::exception&`.
 class GIRTH_EXPORT ThrownError : public Error, public std::exception {
  public:
-  /// Of that failure.
+  /// Throws that failure.
   explicit ThrownError(Error error);
   ~ThrownError() override;
   /// Copied with its text.
   ThrownError(const ThrownError&);
-  /// The same.
+  /// Assigned with its text.
   ThrownError& operator=(const ThrownError&);
 
   /// Error::text.
@@ -82,7 +82,7 @@ class [[nodiscard]] Result {
 
   /// Whether there is a value.
   bool ok() const { return content_.index() == 0; }
-  /// The same as ok().
+  /// Whether there is a value, as ok().
   explicit operator bool() const { return ok(); }
 
   /// The value. Where there is none, the error is thrown (ThrownError).
@@ -90,13 +90,13 @@ class [[nodiscard]] Result {
     requireValue();
     return *std::get_if<0>(&content_);
   }
-  /// The same, not to be changed.
+  /// The value, not to be changed.
   const T& value() const& {
     requireValue();
     return *std::get_if<0>(&content_);
   }
-  /// The same, moved out of a result that is going: a value of its own, so that `const auto& mesh =
-  /// SurfaceMesh::fromArrays(...).value();` lasts.
+  /// The value, moved out of a result that is going: a value of its own, so that `const auto& mesh
+  /// = SurfaceMesh::fromArrays(...).value();` lasts.
   T value() && {
     requireValue();
     return std::move(*std::get_if<0>(&content_));
@@ -107,7 +107,7 @@ class [[nodiscard]] Result {
     requireError();
     return *std::get_if<1>(&content_);
   }
-  /// The same, moved out of a result that is going.
+  /// The error, moved out of a result that is going.
   Error error() && {
     requireError();
     return std::move(*std::get_if<1>(&content_));

@@ -22,7 +22,7 @@ struct ExecutionContext {
   /// Whether the work has been asked to stop.
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
 
-  /// What one of several threads is handed: stopped by the same `cancel`, without progress.
+  /// The context of one of several threads: stopped by the same `cancel`, without progress.
   ExecutionContext ofOneThread() const { return {1, cancel, {}}; }
 };
 

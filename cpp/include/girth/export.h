@@ -1,4 +1,4 @@
-// What shared libraries show of themselves.
+// The symbols that shared libraries show.
 //
 // Shared libraries (BUILD_SHARED_LIBS) hide everything but what is marked with GIRTH_EXPORT: the
 // functions and classes of the public headers, and of the private ones what the project's other

@@ -40,7 +40,7 @@ class GIRTH_EXPORT GeodesicSolver {
   ~GeodesicSolver();
   /// Solvers can be moved, not copied.
   GeodesicSolver(GeodesicSolver&&) noexcept;
-  /// The same.
+  /// Solvers can be assigned by moving.
   GeodesicSolver& operator=(GeodesicSolver&&) noexcept;
 
   /// Distance of every vertex from the source, in model units; infinite beyond the radius and in
@@ -62,7 +62,7 @@ class GIRTH_EXPORT GeodesicSolver {
   /// Calls give up with LIMIT_EXCEEDED after this number of windows. Default: 2^26, and n^1.5 on
   /// more than 165,000 faces, several times as many as usual meshes need.
   void setBudget(std::size_t windows);
-  /// What the last call cost.
+  /// The cost of the last call.
   SearchStatistics statistics() const;
 
  private:

@@ -23,12 +23,12 @@ enum class GirthMethod : std::uint8_t {
   Marched,
 };
 
-/// Of the girth, what stands at vertices that were not computed: NaN.
+/// The girth at vertices that were not computed: NaN.
 template <>
 inline constexpr GirthValue kNotComputed<GirthValue>{std::numeric_limits<double>::quiet_NaN(),
                                                      LoopKind::Loop};
 
-/// Of barcodes, one without bars of which nothing is known.
+/// The barcode at vertices that were not computed: one without bars, of which nothing is known.
 template <>
 inline const Barcode kNotComputed<Barcode>{};
 
@@ -40,7 +40,7 @@ struct GirthField {
   std::vector<LoopKind> kinds;
   /// Vertices computed; less than all of them only after cancelling.
   std::size_t computed{0};
-  /// What it cost.
+  /// The cost of computing it.
   SearchStatistics statistics;
 
   /// Whether all vertices have been computed.
@@ -50,7 +50,7 @@ struct GirthField {
 /// Values that were finished since the last report.
 using GirthPartial = VertexPartial<GirthValue>;
 
-/// What of the girth is computed.
+/// The girth that is computed: its method and its persistence.
 struct GirthOptions {
   /// How.
   GirthMethod method{GirthMethod::Exact};
@@ -64,7 +64,7 @@ GIRTH_EXPORT GirthField girthField(const SurfaceMesh& mesh, GirthMethod method =
                                    const ExecutionContext& context = {},
                                    const std::function<void(const GirthPartial&)>& onPartial = {});
 
-/// The same, or I_tau(v): `girthField(mesh, {.persistence = 0.5})`.
+/// I(v) or I_tau(v) at all vertices: `girthField(mesh, {.persistence = 0.5})`.
 GIRTH_EXPORT GirthField girthField(const SurfaceMesh& mesh, const GirthOptions& options,
                                    const ExecutionContext& context = {},
                                    const std::function<void(const GirthPartial&)>& onPartial = {});
@@ -74,7 +74,7 @@ GIRTH_EXPORT GirthField girthFieldOf(const VertexValues<GirthValue>& girth);
 
 /// I(v), exactly, in model units, with its kind.
 GIRTH_EXPORT VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh);
-/// The same by a method.
+/// The girth as a function of vertices, by a method.
 GIRTH_EXPORT VertexFunction<GirthValue> girthFunction(const SurfaceMesh& mesh, GirthMethod method);
 /// The mesh must outlive the function: keep it in a variable.
 VertexFunction<GirthValue> girthFunction(const SurfaceMesh&&,
@@ -96,7 +96,7 @@ VertexFunction<Barcode> barcodeFunction(const SurfaceMesh&&, const BarcodeOption
 /// The angle at v between the two ends of the loop through it (GirthLoop::angle), in radians; NaN
 /// where the loop is unresolved.
 GIRTH_EXPORT VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh);
-/// The same of the loop of I_tau. `persistence`: tau, in model units; INVALID_OPTION where it is
+/// The angle of the loop of I_tau. `persistence`: tau, in model units; INVALID_OPTION where it is
 /// none (`checkPersistence`).
 GIRTH_EXPORT VertexFunction<double> loopAngleFunction(const SurfaceMesh& mesh, double persistence);
 /// The mesh must outlive the function: keep it in a variable.

@@ -108,7 +108,7 @@ class GIRTH_EXPORT GirthSolver {
   /// `maxPersistence`, and as far beyond it.
   Result<Barcode> barcode(Vertex vertex, const BarcodeOptions& options,
                           const ExecutionContext& context = {});
-  /// The same for any point p.
+  /// The barcode of any point p.
   Result<Barcode> barcode(const SurfacePoint& point, const BarcodeOptions& options,
                           const ExecutionContext& context = {});
 
@@ -119,7 +119,7 @@ class GIRTH_EXPORT GirthSolver {
   /// Calls give up with LoopKind::Unresolved after so many windows, or as much work on pairs of
   /// windows, loops and the farthest point. Default: 2^26.
   void setBudget(std::size_t windows);
-  /// What the last call cost.
+  /// The cost of the last call.
   SearchStatistics statistics() const;
 
  private:

@@ -23,7 +23,7 @@ GIRTH_EXPORT Result<VertexSignatures> heatKernelSignature(const Spectrum& spectr
 /// are the paper's (section 6.1) and those of the original authors' program, which was made for
 /// models some 200 units tall: hence the area.
 struct SihksOptions {
-  /// What times are powers of; above 1.
+  /// The base whose powers are the times; above 1.
   double base{2};
   /// The first exponent.
   double first{1};

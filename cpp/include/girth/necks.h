@@ -41,8 +41,8 @@ struct Neck {
   double radius{0};
   /// The area that the loop encloses in its mean plane, in squared model units.
   double area{0};
-  /// What it separates its component into, the larger area first; one where it separates nothing,
-  /// as round a handle. Empty where the surface cannot be cut along it.
+  /// The sides that it separates its component into, the larger area first; one where it separates
+  /// nothing, as round a handle. Empty where the surface cannot be cut along it.
   std::vector<CurveSide> sides;
   /// Whether the girth is this neck's length at all of its vertices. Otherwise a shorter loop goes
   /// through one of them, as beside a thinner part.
@@ -53,7 +53,7 @@ struct Neck {
 
 /// Which necks are wanted.
 struct NeckOptions {
-  /// Those of at least this prominence, in model units, 0 or more.
+  /// The least prominence of the necks that are wanted, in model units, 0 or more.
   double minProminence{0};
 };
 

@@ -12,7 +12,7 @@
 
 namespace girth {
 
-/// What a place of a shape is (paper, section 6.3).
+/// The kind of a place of a shape (paper, section 6.3).
 enum class PartKind : std::uint8_t {
   Body,     ///< thick
   Tube,     ///< thin, and a short loop goes round it
@@ -47,7 +47,7 @@ GIRTH_EXPORT PartThresholds suggestedThresholds(const SurfaceMesh& mesh,
 
 /// How vertices are divided among parts.
 struct PartOptions {
-  /// What is thin, and round what a short loop goes.
+  /// The lengths below which a place is thin, and a loop short.
   PartThresholds thresholds;
   /// 0: plain thresholds, as in the paper. Above: a vertex becomes what most of its neighbourhood
   /// is, where the kind by thresholds counts 1 and all neighbours together count this much;

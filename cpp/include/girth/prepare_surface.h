@@ -12,7 +12,7 @@
 
 namespace girth {
 
-/// What is done to triangles beyond what a surface needs.
+/// Changes to triangles beyond those that a surface needs.
 struct PrepareOptions {
   /// Multiplies every position before anything else: lengths below, and all that come out, are
   /// those of the larger or smaller model. Positive.
@@ -145,7 +145,7 @@ struct PreparedSurface {
   std::vector<Index> inputOfFace;
   /// All components, numbered by their first face of the input.
   std::vector<SurfacePart> parts;
-  /// What was done.
+  /// The changes that were made.
   PreparationReport report;
 };
 

@@ -1,4 +1,4 @@
-// What is too thin, or too close together, for a printer.
+// The check of a body for places too thin, or too close together, for a printer.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace girth {
 
-/// What a printer can still make, in model units; 0: any.
+/// The least lengths that a printer can make, in model units; 0: any.
 struct PrintLimits {
   /// The least diameter of a tube.
   double tubeDiameter{0};
@@ -27,7 +27,7 @@ struct PrintLimits {
   double gap{0};
 };
 
-/// What is wrong with a place.
+/// The fault of a place.
 enum class WeakKind : std::uint8_t {
   Tube,  ///< a tube's diameter
   Wall,  ///< a wall's thickness
@@ -40,10 +40,10 @@ GIRTH_EXPORT std::string_view toString(WeakKind kind);
 /// A connected place that does not meet a limit.
 struct GIRTH_EXPORT WeakPlace {
   WeakKind kind{WeakKind::Tube};  ///< which limit it does not meet
-  /// Those that do not meet the limit, in rising order; where only the inside of faces does not,
+  /// Vertices that do not meet the limit, in rising order; where only the inside of faces does not,
   /// the corners of these.
   std::vector<Vertex> vertices;
-  /// Of walls and gaps, the faces that somewhere do not meet the limit, in rising order.
+  /// Faces that somewhere do not meet the limit, of walls and gaps, in rising order.
   std::vector<Face> faces;
   /// In squared model units; of faces that meet the limit in part, by samples.
   double area{0};
@@ -51,10 +51,10 @@ struct GIRTH_EXPORT WeakPlace {
   double least{0};
   /// The point that has it.
   SurfacePoint thinnest;
-  /// Of walls and gaps, the point of the surface across from it, in model units.
+  /// The point of the surface across from it, in model units; of walls and gaps only.
   Vec3 opposite;
 
-  /// What is too small: "diameter", "thickness" or "clearance".
+  /// The measure that is too small: "diameter", "thickness" or "clearance".
   std::string_view measure() const;
 };
 
@@ -97,7 +97,7 @@ GIRTH_EXPORT std::optional<Error> whyNotChecked(const SurfaceMesh& mesh, const P
 /// - Tubes, where the girth is below 2π times the limit: the least width of the cross-section
 ///   inside the loop, or the girth by π where that is less. What is longer round is a wall.
 ///
-/// What lies below a limit by a millionth of it passes: files hold coordinates in single precision.
+/// A length below a limit by a millionth of it passes: files hold coordinates in single precision.
 /// `options.side` does not matter. The same for any number of threads. O(n log n) for usual
 /// surfaces, and a loop for every vertex of a tube. Errors: those of whyNotChecked; USAGE where
 /// there are not as many values as vertices, a limit is negative or not a number, or the angle is

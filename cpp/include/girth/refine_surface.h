@@ -1,4 +1,4 @@
-// The same surface in more triangles.
+// Refining: one surface in more triangles.
 #pragma once
 
 #include "girth/error.h"

@@ -46,7 +46,7 @@ struct RefinedOptions {
 struct GirthAudit {
   /// Vertices that were compared.
   Index vertices{0};
-  /// Those at which the two are equal to one part in a million.
+  /// Vertices at which the two are equal to one part in a million.
   Index equal{0};
   /// The share of equal ones among all vertices lies between this and `atMost` with a probability
   /// of 95 % (Wilson 1927).

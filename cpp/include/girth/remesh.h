@@ -1,4 +1,4 @@
-// The same surface with other triangles: as many as asked for.
+// Remeshing: one surface with other triangles, as many as asked for.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace girth {
 
-/// What the new triangles are to be good at.
+/// The quality that the new triangles are to have.
 enum class RemeshMethod : std::uint8_t {
   /// To keep the shape: edges are collapsed where that moves the surface least, by quadrics
   /// (Garland and Heckbert 1997), and vertices put where they fit the planes of the faces best,
@@ -26,7 +26,7 @@ enum class RemeshMethod : std::uint8_t {
   Even,
 };
 
-/// What mesh is wanted.
+/// The wanted mesh.
 struct RemeshOptions {
   /// Triangles wanted, from 4 to 100 million.
   Index faces{10'000};

@@ -42,7 +42,7 @@ struct HandleRemoval {
 /// edges). Where none leaves room, as for a film over a hole that something passes through, it is
 /// closed as at first, and the crossing faces are counted.
 ///
-/// Of a handle and a tunnel that are one (a small ring stuck to the surface has both loops) the
+/// Where a handle and a tunnel are one (a small ring stuck to the surface has both loops), the
 /// shorter loop is cut, which takes both away. In rounds: all short loops that lie apart from each
 /// other, the shortest first; then the surface is searched again, until it is proven that no loop
 /// is shorter, as far as the budget of `options` goes (`provenLength`). The number of components

@@ -1,4 +1,4 @@
-// What a computation cost.
+// The cost of a computation.
 //
 // GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once

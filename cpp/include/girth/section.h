@@ -45,7 +45,7 @@ struct SectionCurve {
   bool hole{false};
 };
 
-/// What one plane cuts.
+/// The curves that one plane cuts.
 struct Section {
   /// The plane's normal, of length 1.
   Vec3 normal{0, 0, 1};
@@ -62,7 +62,7 @@ struct Section {
   double area{0};
 };
 
-/// What several planes cut.
+/// The curves that several planes cut.
 struct Sections {
   /// In the order in which the planes were given.
   std::vector<Section> sections;

@@ -30,10 +30,10 @@ struct CutAtNecks {
 GIRTH_EXPORT Result<CutAtNecks> cutAtNecks(const SurfaceMesh& mesh, std::span<const Neck> necks,
                                            const ExecutionContext& context = {});
 
-/// What a segment is.
+/// One segment of a body.
 struct GIRTH_EXPORT Segment {
   double area{0};  ///< in squared model units, without caps
-  /// Of that, the area of each kind, in the order of PartKind: each point of a face belongs to its
+  /// The area of each kind, in the order of PartKind: each point of a face belongs to its
   /// three vertices by its barycentric coordinates, and so to their kinds. They add up to `area`.
   std::array<double, 4> kindAreas{};
   /// Numbers of the tips whose apexes lie on it, in rising order.

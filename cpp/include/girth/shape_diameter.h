@@ -63,7 +63,7 @@ Result<VertexFunction<double>> shapeDiameterFunction(
 /// is measured is the space around it. O(n).
 GIRTH_EXPORT bool isInsideOut(const SurfaceMesh& mesh);
 
-/// What people are to know of the values, in sentences: that the surface is inside out, that so
+/// Remarks on the values for people, in sentences: that the surface is inside out, that so
 /// many of its vertices have no thickness. Empty where there is no remark.
 GIRTH_EXPORT std::string shapeDiameterNote(bool insideOut, Index withoutValue, Index vertices);
 

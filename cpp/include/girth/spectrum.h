@@ -26,7 +26,7 @@ struct Spectrum {
   /// outside its component, and positive at the vertex where its magnitude is largest (the first of
   /// those within a millionth of that).
   std::vector<double> vectors;
-  /// What belongs to each vertex, in squared model units: its mixed Voronoi area in the triangles
+  /// The area of each vertex, in squared model units: its mixed Voronoi area in the triangles
   /// that the operator is made of. They add up to the surface's area.
   std::vector<double> areas;
 };
@@ -46,7 +46,7 @@ struct Spectrum {
 /// Sylvester's law of inertia. Values are those of the matrices to about 1e-10 relative; within the
 /// space of a multiple value the basis is arbitrary.
 ///
-/// The same input always gives the same bits, on any number of threads (it uses one); another
+/// One input always gives the same bits, on any number of threads (it uses one); another
 /// compiler or WebAssembly may differ by rounding. Time about O(n · pairs²); 10,000 faces and 300
 /// pairs take a few seconds. Memory: 3 numbers for each vertex and pair. Cancelling takes up to a
 /// second.

@@ -20,7 +20,7 @@ struct Vec3 {
   double z{0};  ///< along the third axis
 };
 
-/// What to do with edges that have a face on one side only.
+/// The treatment of edges that have a face on one side only.
 enum class OpenEdges : std::uint8_t {
   Refuse,    ///< OPEN_EDGE: only closed surfaces are wanted
   Boundary,  ///< paths may run along them but not across (web/docs/definitions.md, section 2)

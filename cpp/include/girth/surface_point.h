@@ -11,7 +11,7 @@ namespace girth {
 
 /// A vertex; a point at share t of a halfedge; or a point inside a face.
 struct SurfacePoint {
-  /// What a point is given by.
+  /// The element by which a point is given.
   enum class Kind : std::uint8_t {
     AtVertex,  ///< a vertex
     OnEdge,    ///< a share of a halfedge

@@ -64,7 +64,7 @@ GIRTH_EXPORT Result<VertexFunction<double>> medialThicknessFunction(
 Result<VertexFunction<double>> medialThicknessFunction(
     const SurfaceMesh&&, const ThicknessOptions& options = {}) = delete;
 
-/// What people are to know of the values, in sentences: that the surface is inside out, that
+/// Remarks on the values for people, in sentences: that the surface is inside out, that
 /// nothing faces so many of its vertices. Empty where there is nothing to say.
 GIRTH_EXPORT std::string thicknessNote(bool insideOut, Index withoutValue, Index vertices);
 

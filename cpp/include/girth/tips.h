@@ -25,7 +25,7 @@ struct ContourLine {
 struct Tip {
   /// Its vertices, in rising order.
   std::vector<Vertex> vertices;
-  /// What cuts it off: usually one closed line.
+  /// The line that cuts it off: usually one closed line.
   std::vector<ContourLine> contour;
   /// Area inside the contour, in squared model units.
   double area{0};

@@ -33,10 +33,10 @@ struct VertexFunction {
   std::function<VertexEvaluator<Value>(const ExecutionContext& context)> evaluator;
 };
 
-/// What stands at vertices that were not computed.
+/// The value at vertices that were not computed.
 template <class Value>
 inline constexpr Value kNotComputed{};
-/// Of numbers: NaN.
+/// The number at vertices that were not computed: NaN.
 template <>
 inline constexpr double kNotComputed<double> = std::numeric_limits<double>::quiet_NaN();
 
@@ -106,7 +106,7 @@ VertexValues<Value> evaluateAll(
   return result;
 }
 
-/// What people are to know of values that propagations gave up (GirthSolver::setBudget), in a
+/// A remark on values that propagations gave up (GirthSolver::setBudget), in a
 /// sentence; empty where there is none.
 GIRTH_EXPORT std::string budgetNote(Index withoutValue, Index vertices);
 

@@ -6,11 +6,11 @@
 
 namespace girth {
 
-/// The same count of numbers for every vertex.
+/// Numbers of every vertex, the same count for each.
 struct VertexSignatures {
   /// How many numbers a vertex has.
   std::size_t dimensions{0};
-  /// Of vertex v: values[v · dimensions + d].
+  /// The numbers of vertex v are values[v · dimensions + d].
   std::vector<double> values;
 };
 

@@ -1,4 +1,4 @@
-// Who may write a file, as the system has it: rights_posix.cpp and rights_windows.cpp.
+// Rights to write a file, as the system has them: rights_posix.cpp and rights_windows.cpp.
 #pragma once
 
 #include <cstdio>

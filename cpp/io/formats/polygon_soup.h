@@ -26,7 +26,7 @@ class PolygonSoup {
     }
     corners_.push_back(vertex);
   }
-  /// What the corner that was added last has besides its vertex, by a number; kNoIndex until then.
+  /// Sets the attribute's number of the corner that was added last; kNoIndex until then.
   void setValue(Index value) {
     values_.resize(corners_.size(), kNoIndex);
     values_.back() = value;

@@ -100,7 +100,7 @@ class ObjReader {
     return std::nullopt;
   }
 
-  /// Of the vertex read last: none where one of its numbers is none.
+  /// Adds the colour of the vertex read last: none where one of its numbers is none.
   void addColour(std::string_view red, std::string_view green, std::string_view blue) {
     const std::array words{red, green, blue};
     std::array<double, 3> colour;
@@ -135,7 +135,7 @@ class ObjReader {
     texture_.insert(texture_.end(), place.begin(), place.end());
   }
 
-  /// Of the corner read last, as in "7/3/2": the number of its texture coordinate.
+  /// Adds the texture coordinate of the corner read last, by its number as in "7/3/2".
   void addTexture(std::string_view word) {
     const std::size_t slash = word.find('/');
     if (slash == std::string_view::npos) return;

@@ -52,7 +52,7 @@ std::optional<Keyword> parseKeyword(std::string_view word) {
   return keyword;
 }
 
-/// What both encodings have in common.
+/// The part that both encodings have in common.
 class OffReader {
  protected:
   /// Adds a vertex that stands at `place`, a line or byte.

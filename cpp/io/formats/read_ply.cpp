@@ -301,7 +301,7 @@ class HeaderReader {
   Header header_;
 };
 
-/// What stands behind the header, as text. Functions that return false have failed: then `problem`
+/// The body behind the header, as text. Functions that return false have failed: then `problem`
 /// says how.
 class AsciiBody {
  public:
@@ -355,7 +355,7 @@ class AsciiBody {
     problem_ = std::move(problem);
     return false;
   }
-  /// What went wrong; empty: the file ended.
+  /// The fault; empty: the file ended.
   const std::string& problem() const { return problem_; }
   /// The word that is no number; empty where that was not it.
   std::string_view wrongNumber() const { return wrongNumber_; }
@@ -373,7 +373,7 @@ class AsciiBody {
   PassedText passed_;  ///< behind the values that the header declares
 };
 
-/// What stands behind the header, as numbers of fixed size.
+/// The body behind the header, as numbers of fixed size.
 class BinaryBody {
  public:
   BinaryBody(std::span<const std::byte> bytes, const Header& header)
@@ -538,7 +538,7 @@ class BodyReader {
 
   static constexpr std::size_t kNoAttribute = std::numeric_limits<std::size_t>::max();
 
-  /// What a property of vertices is of an attribute.
+  /// The component of an attribute that a property of vertices is.
   struct Component {
     std::size_t attribute{kNoAttribute};
     Index place{0};
@@ -787,7 +787,7 @@ std::optional<std::uint64_t> splatCount(const Header& header) {
   return vertices->count;
 }
 
-/// What keeps a file with a sound header from being a surface.
+/// The error of a file with a sound header that is no surface.
 std::optional<Error> checkKind(const Header& header) {
   const auto countOf = [&](std::string_view name) {
     const Element* element = header.find(name);

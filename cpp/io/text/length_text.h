@@ -11,7 +11,7 @@
 
 namespace girth::io {
 
-/// What somebody has typed: a number of at least 0, and the unit behind it.
+/// A typed length: a number of at least 0, and the unit behind it.
 struct TypedLength {
   double number{0};
   const LengthUnit* unit{nullptr};  ///< null where none was typed
@@ -25,7 +25,7 @@ GIRTH_EXPORT Result<TypedLength> parseLength(std::string_view text);
 /// Where `unit` is empty, because it is not known, none can be typed. Error: USAGE.
 GIRTH_EXPORT Result<double> lengthInUnit(std::string_view text, std::string_view unit);
 
-/// The same, or a share of `whole`, a length in that unit: "2%" is 0.02 times as long. Error:
+/// A length, or a share of `whole`, a length in that unit: "2%" is 0.02 times as long. Error:
 /// USAGE.
 GIRTH_EXPORT Result<double> lengthOrShare(std::string_view text, std::string_view unit,
                                           double whole);

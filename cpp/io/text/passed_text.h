@@ -1,4 +1,4 @@
-// What stands in a text file behind all that its format knows, and is passed over.
+// Text behind all that a file's format knows, which is passed over.
 #pragma once
 
 #include <cstddef>

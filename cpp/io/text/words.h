@@ -25,7 +25,7 @@ GIRTH_EXPORT std::optional<std::int64_t> parseInteger(std::string_view text);
 /// Takes a text apart. Nothing is copied: words stay valid as long as the text.
 class Words {
  public:
-  /// What a backslash at the end of a line means.
+  /// The meaning of a backslash at the end of a line.
   enum class Continuation : bool { No, JoinsLines };
 
   /// A line's rest from `comment` on is no words; '\0': there are no comments.

@@ -32,10 +32,10 @@ class Bottleneck(_Members):
     area : float
         The area that the loop encloses in its mean plane, in squared model units.
     sides : ndarray of float64, shape (sides, 2)
-        Of a neck, what it separates its component into: as `Neck.sides`. Columns: area: In
-        squared model units. volume: Enclosed by this side and the cone over the curve from the
-        mean of its points, in cubed model units: negative where the surface faces inwards. NaN
-        where the side has a boundary.
+        The sides of a neck, as `Neck.sides`; empty for other kinds. Columns: area: In squared
+        model units. volume: Enclosed by this side and the cone over the curve from the mean of
+        its points, in cubed model units: negative where the surface faces inwards. NaN where
+        the side has a boundary.
     points : ndarray of float64, shape (k, 3)
         The loop: of a neck the closed geodesic itself (of a band of parallel ones that in the
         middle), otherwise the loop of the girth at ``place``, empty where that is unresolved.
@@ -210,11 +210,11 @@ class Neck(_Members):
         largest area. Seen from its tip the loop runs counter-clockwise. Zero where there is
         none.
     sides : ndarray of float64, shape (sides, 2)
-        What it separates its component into, the larger area first; one where it separates
-        nothing, as round a handle. Empty where the surface cannot be cut along it. Columns:
-        area: In squared model units. volume: Enclosed by this side and the cone over the curve
-        from the mean of its points, in cubed model units: negative where the surface faces
-        inwards. NaN where the side has a boundary.
+        The sides that it separates its component into, the larger area first; one where it
+        separates nothing, as round a handle. Empty where the surface cannot be cut along it.
+        Columns: area: In squared model units. volume: Enclosed by this side and the cone over
+        the curve from the mean of its points, in cubed model units: negative where the surface
+        faces inwards. NaN where the side has a boundary.
     measures_girth : bool
         Whether the girth is this neck's length at all of its vertices. Otherwise a shorter loop
         goes through one of them, as beside a thinner part.
@@ -327,7 +327,7 @@ class SectionCurve(_Members):
 
 
 class Section(_Members):
-    """What one plane cuts.
+    """The curves that one plane cuts.
 
     Attributes
     ----------
@@ -390,7 +390,7 @@ class Tip(_Members):
     vertices : ndarray of int64
         Its vertices, in rising order.
     contour : list of Contour
-        What cuts it off: usually one closed line.
+        The line that cuts it off: usually one closed line.
     """
 
     area: float

@@ -232,7 +232,7 @@ class NaiveGirth {
     return angle;
   }
 
-  /// The same at its end, where it leads back.
+  /// The direction at its end, where it leads back.
   double directionBack(Index halfedge) const {
     const Halfedge twin = mesh_.twin(Halfedge(halfedge));
     return twin == kNoIndex ? mesh_.totalAngle(mesh_.to(Halfedge(halfedge))) : directionOf(twin);

@@ -11,7 +11,7 @@ namespace {
 /// The E-measure looks at so many.
 constexpr std::size_t kRetrieved = 32;
 
-/// What place i, from 1, counts.
+/// The weight of place i, from 1.
 double gain(std::size_t place) {
   return place == 1 ? 1 : 1 / std::log2(static_cast<double>(place));
 }

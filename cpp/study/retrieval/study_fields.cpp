@@ -22,7 +22,7 @@ constexpr Index kVerticesPerPair = 5, kLeastPairs = 10;
 
 Error stopped() { return makeError(ErrorCode::Cancelled, -1, "stopped before it was finished"); }
 
-/// The same triangles on positions multiplied by `factor`.
+/// The mesh's triangles on positions multiplied by `factor`.
 Result<SurfaceMesh> scaled(const SurfaceMesh& mesh, double factor) {
   std::vector<Vec3> positions = positionsOf(mesh);
   for (Vec3& p : positions) p = factor * p;

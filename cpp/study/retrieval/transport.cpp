@@ -34,7 +34,7 @@ bool wholeShares(std::span<const double> masses, Side& side) {
     side.share.push_back(share);
     rest -= share;
   }
-  // What rounding left over is too little for the greatest to notice.
+  // The rest that rounding left is too little to change the greatest.
   *std::max_element(side.share.begin(), side.share.end()) += rest;
   return true;
 }
@@ -146,7 +146,7 @@ class NetworkSimplex {
       }
     }
     const Node top = a;
-    // Of the arcs that lose flow and have the least, the last on the way round leaves: this keeps
+    // The last arc on the way round that loses flow and has the least leaves: this keeps
     // the tree strongly feasible, and so no sequence of pivots repeats.
     std::int64_t least = INT64_MAX;
     Node leaving = kNone;

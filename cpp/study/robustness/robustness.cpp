@@ -150,7 +150,7 @@ class Run {
   Run(const ExecutionContext& context, double persistence, double total)
       : context_(context), persistence_(persistence), total_(total) {}
 
-  /// What a field of so many faces costs, in the unit of `total`.
+  /// The cost of a field of so many faces, in the unit of `total`.
   static double costOf(double faces) { return faces * std::sqrt(faces); }
 
   /// Nothing where it was cancelled.

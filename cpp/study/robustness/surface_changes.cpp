@@ -50,7 +50,7 @@ double extentAlong(const SurfaceMesh& mesh, double Vec3::*axis) {
   return high - low;
 }
 
-/// Of length 1, or 0 where it has none.
+/// The vector of length 1 in its direction, or 0 where it has none.
 Vec3 unitVector(const Vec3& v) {
   const double length = norm(v);
   return length > 0 ? (1 / length) * v : Vec3{};

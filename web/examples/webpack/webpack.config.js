@@ -5,6 +5,6 @@ export default {
   output: { filename: 'app.js', trustedTypes: 'webpack' },
   // The kernel and three.js are larger than what webpack warns of.
   performance: { hints: false },
-  // Of the package: what Vite and Emscripten would ask for elsewhere, and a thread's script, which its threads share.
+  // Modules of the package: what Vite and Emscripten would ask for elsewhere, and a thread's script, which its threads share.
   ignoreWarnings: [{ module: /girth/ }, /Circular dependency between chunks/],
 };

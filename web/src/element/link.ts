@@ -45,7 +45,7 @@ export class LinkedView {
     const before = this.#others;
     if (!views.join(this, name)) return;
     const own = this.#stageOf();
-    // Of what is to be seen as a whole there is less.
+    // The models that must fit into the view together have become fewer.
     for (const stage of own ? [own, ...before] : before) stage.refit();
     this.arrive();
   }

@@ -730,7 +730,7 @@ export class ViewerCore {
     this.#shared?.view.arrive();
     if (continued?.tips) presented.tips.show(continued.tips.all, continued.tips.choice);
     else if (!continued) this.#asked.greetTips(presented);
-    // What is done then is newer than what attributes ask for.
+    // Calls made on `load` override the attributes: they are newer.
     if (!continued) this.#send('load', { info: mesh.info });
     void this.#afterShowing(presented, continued);
     void this.#showField();

@@ -1,4 +1,4 @@
-// What `import ... from 'girth'` is in Node.js: the same names and types as on a page (kernel/index.ts).
+// The module that `import ... from 'girth'` loads in Node.js: names and types are those of a page (kernel/index.ts).
 
 import { openKernel } from '../kernel/page/kernel.js';
 import type { Kernel, KernelOptions } from '../kernel/types/types.js';

@@ -1,4 +1,4 @@
-// What a kernel asks of Node.js.
+// Services of Node.js that a kernel asks for.
 
 import { readFile } from 'node:fs/promises';
 import { availableParallelism } from 'node:os';

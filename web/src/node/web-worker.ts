@@ -14,7 +14,7 @@ export class WebWorker {
   constructor(script: string | URL) {
     this.thread = new Worker(new URL('./worker-scope.js', import.meta.url), {
       workerData: String(script),
-      // Those of the program itself may not suit: `--input-type`, for one, is refused beside a file.
+      // The program's own options may not suit: `--input-type`, for one, is refused beside a file.
       execArgv: [],
     });
     let isOver = false;

@@ -1,4 +1,4 @@
-// What files say of their vertices besides where they are: colours, texture coordinates, fields.
+// Attributes of vertices in files, besides positions: colours, texture coordinates, fields.
 //
 // GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once
@@ -18,12 +18,12 @@ struct Attribute {
   std::string name;
   /// Numbers of each: 3 or 4 of a colour, 2 of a texture coordinate, 1 of a field.
   Index width{1};
-  /// Of colours, which lie in [0, 1]: in proportion to light, as in glTF; otherwise as on a screen
+  /// Colours, which lie in [0, 1], are in proportion to light, as in glTF; otherwise as on a screen
   /// (sRGB), as in PLY and OBJ.
   bool isLinear{false};
   /// Width numbers for each; NaN where there is none.
   std::vector<double> values;
-  /// Of the corners of triangles where these differ at a vertex, as along the seam of a texture:
+  /// The corners of triangles, where they differ at a vertex as along the seam of a texture:
   /// whose values of all a corner has, kNoIndex where it has none. Empty: `values` are those of the
   /// vertices, or of the corners, in order.
   std::vector<Index> corners{};

@@ -40,17 +40,17 @@ struct ReadModel {
   /// of one mesh that share a list of positions share its vertices, and points and lines are left
   /// out.
   TriangleSoup soup;
-  /// What the bytes were recognised as.
+  /// The format that the bytes were recognised as.
   Format format{Format::Obj};
   /// "metre" for glTF; empty where the file does not state it. Girth's own files state theirs: OBJ,
   /// OFF and PLY in a comment, as in "unit: millimetre", STL in its header; a GLB of a model
   /// without a known unit has `"unit":""` in the extras of its meshes, and is not in metres.
   std::string unit;
-  /// What the reader did that a user may want to know, one sentence each.
+  /// Remarks of the reader that a user may want to know, one sentence each.
   std::vector<std::string> notes;
-  /// Of the vertices, or of the corners of the triangles, where ReadOptions asks for them.
+  /// Attributes of the vertices, or of the triangles' corners, where ReadOptions asks for them.
   std::vector<Attribute> attributes{};
-  /// What is left out of them, or missing somewhere, one sentence each.
+  /// Attributes that are left out, or missing somewhere, one sentence each.
   std::vector<std::string> attributeNotes{};
 };
 
@@ -62,8 +62,8 @@ struct LoadedMesh : PreparedSurface {
   std::string unit;
   /// As in ReadModel.
   std::vector<std::string> notes;
-  /// Of the corners of the surface's faces, halfedge by halfedge (cornerAttributes); empty where
-  /// the file has none, or nobody asked.
+  /// Attributes of the corners of the surface's faces, halfedge by halfedge (cornerAttributes);
+  /// empty where the file has none, or nobody asked.
   std::vector<Attribute> attributes{};
   /// As in ReadModel.
   std::vector<std::string> attributeNotes{};
@@ -72,7 +72,7 @@ struct LoadedMesh : PreparedSurface {
   Index fewerFaces{0};
 };
 
-/// What is read besides the surface.
+/// Parts of a file that are read besides the surface.
 struct ReadOptions {
   /// Attributes of vertices. PLY: colours (`red`, `green`, `blue`, `alpha`), texture coordinates
   /// (`s`, `t` or `u`, `v`), and other properties of one number, but normals, as `_name`. OBJ:

@@ -1,4 +1,4 @@
-// What preparing a surface did, as JSON.
+// The report on preparing a surface, as JSON.
 #pragma once
 
 #include <string>

@@ -26,13 +26,13 @@ namespace girth::io {
                                                           std::span<const VertexField> fields,
                                                           Columns columns = Columns::Fields);
 
-/// The same of one field.
+/// Saves one field.
 [[nodiscard]] GIRTH_EXPORT std::optional<Error> saveField(const std::string& path,
                                                           const LoadedMesh& loaded,
                                                           const VertexField& field,
                                                           Columns columns = Columns::Fields);
 
-/// The same of the girth, as the field "igf". `method`: the one that it was computed by.
+/// Saves the girth, as the field "igf". `method`: the one that it was computed by.
 [[nodiscard]] GIRTH_EXPORT std::optional<Error> saveField(const std::string& path,
                                                           const LoadedMesh& loaded,
                                                           const GirthField& field,

@@ -19,7 +19,7 @@ namespace girth::io {
 
 /// Values at the vertices of a surface. Does not own them.
 struct GIRTH_EXPORT VertexField {
-  /// What files call it: a small letter, then small letters, digits and underscores: "igf", "sdf".
+  /// Its name in files: a small letter, then small letters, digits and underscores: "igf", "sdf".
   std::string name;
   /// One for each vertex of the surface; NaN where there is none.
   std::span<const double> values;
@@ -27,10 +27,10 @@ struct GIRTH_EXPORT VertexField {
   std::string unit;
   /// How it was computed, in a word: "exact"; may be empty.
   std::string method;
-  /// Of the girth function: how each value came about, one for each vertex. Otherwise empty. At
+  /// Kinds of the girth's values, one for each vertex; empty for other fields. At
   /// most one of the fields of a file has kinds.
   std::span<const LoopKind> kinds;
-  /// What files call the kinds.
+  /// The name of the kinds in files.
   std::string kindName{"kind"};
   /// Where values are codes, what they mean: i is words[i]. Text has the words, binary files the
   /// codes.

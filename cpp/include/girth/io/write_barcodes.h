@@ -25,7 +25,7 @@ GIRTH_EXPORT std::string barcodesJson(const LoadedMesh& loaded, std::span<const 
 /// empty where it is infinite.
 GIRTH_EXPORT std::string barcodesCsv(const LoadedMesh& loaded, std::span<const Barcode> barcodes);
 
-/// The same rows as NumPy reads them: dtype '<f8', shape (bars, 3).
+/// These rows as NumPy reads them: dtype '<f8', shape (bars, 3).
 GIRTH_EXPORT std::string barcodesNpy(const LoadedMesh& loaded, std::span<const Barcode> barcodes);
 
 }  // namespace girth::io

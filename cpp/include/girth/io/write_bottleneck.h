@@ -22,8 +22,8 @@ GIRTH_EXPORT std::string bottleneckJson(const LoadedMesh& loaded, const Bottlene
 /// with an open one.
 GIRTH_EXPORT std::string bottleneckObj(const LoadedMesh& loaded, const Bottleneck& bottleneck);
 
-/// The same as nodes with line strips (mode 3), positions rounded to floats; in the mesh's `extras`
-/// of the loop its `girth`, `kind` and `unit`. glTF is in metres, as in fieldGlb. Error:
+/// The bottleneck as nodes with line strips (mode 3), positions rounded to floats; in the mesh's
+/// `extras` of the loop its `girth`, `kind` and `unit`. glTF is in metres, as in fieldGlb. Error:
 /// LIMIT_EXCEEDED where the file would pass 4 GB.
 GIRTH_EXPORT Result<std::string> bottleneckGlb(const LoadedMesh& loaded,
                                                const Bottleneck& bottleneck);

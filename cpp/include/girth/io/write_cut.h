@@ -12,7 +12,7 @@
 
 namespace girth::io {
 
-/// What cutting made of a model: its parts, the largest area first, which outputs number from 1.
+/// The parts of a model that was cut, the largest area first, which outputs number from 1.
 struct CutModel {
   std::vector<SurfaceComponent> parts;  ///< vertices and faces are those of the cut surface
   std::vector<Face> faces;              ///< of the cut surface: CutSurface::faces
@@ -22,8 +22,8 @@ struct CutModel {
 /// The parts of a surface that was cut, each with its cavities (partsOf).
 GIRTH_EXPORT CutModel cutModel(const CutSurface& cut);
 
-/// What a part encloses, in cubed model units: negative where it faces inwards, NaN where it has a
-/// boundary.
+/// The volume that a part encloses, in cubed model units: negative where it faces inwards, NaN
+/// where it has a boundary.
 GIRTH_EXPORT double partVolume(const SurfaceMesh& part);
 
 /// The handles of a part, those of its cavities among them.
@@ -55,7 +55,7 @@ GIRTH_EXPORT std::string cutJson(const LoadedMesh& loaded, const CutModel& model
 /// on the surface.
 GIRTH_EXPORT std::vector<Index> partOfFaces(const LoadedMesh& loaded, const CutModel& model);
 
-/// The same for each of `faceCount` faces of the surface that was cut.
+/// The part of each of `faceCount` faces of the surface that was cut.
 GIRTH_EXPORT std::vector<Index> partOfFaces(const CutModel& model, Index faceCount);
 
 /// `face,part` and a row for every face of the file that is on the surface: the part that has most

@@ -30,10 +30,10 @@ enum class Columns : std::uint8_t {
 GIRTH_EXPORT std::string fieldCsv(const LoadedMesh& loaded, std::span<const VertexField> fields,
                                   Columns columns = Columns::Fields);
 
-/// The same as one JSON object: `file`, `unit` of the model ("" where it is not known), `complete`,
-/// `vertices`, `fields` (of each its `name`, `method`, `unit` and whether it is `complete`), and
-/// one array for every column of the CSV but the first, under its name (without units), with null
-/// where that is empty.
+/// The fields as one JSON object: `file`, `unit` of the model ("" where it is not known),
+/// `complete`, `vertices`, `fields` (of each its `name`, `method`, `unit` and whether it is
+/// `complete`), and one array for every column of the CSV but the first, under its name (without
+/// units), with null where that is empty.
 GIRTH_EXPORT std::string fieldJson(const LoadedMesh& loaded, std::span<const VertexField> fields,
                                    std::string_view file, Columns columns = Columns::Fields);
 

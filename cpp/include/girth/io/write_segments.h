@@ -12,7 +12,7 @@
 
 namespace girth::io {
 
-/// What a segmentation is written with.
+/// A segmentation with all that is written of it.
 struct SegmentedModel {
   /// The parts of the surface that was cut at its necks.
   CutModel model;

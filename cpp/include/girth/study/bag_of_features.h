@@ -18,7 +18,7 @@ namespace girth::study {
 struct VocabularyOptions {
   /// Words: the paper takes 48.
   std::size_t words{48};
-  /// The same seed always gives the same words.
+  /// A seed; one seed always gives the same words.
   std::uint64_t seed{1};
   /// Rounds of Lloyd's algorithm at most; it ends when no feature changes its word.
   unsigned rounds{50};

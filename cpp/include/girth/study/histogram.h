@@ -11,7 +11,7 @@
 
 namespace girth::study {
 
-/// What the bins of a histogram cover; `low` < `high`.
+/// The range that the bins of a histogram cover; `low` < `high`.
 struct HistogramRange {
   double low{0};   ///< where the first bin begins
   double high{1};  ///< where the last bin ends

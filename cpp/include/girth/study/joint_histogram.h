@@ -17,7 +17,7 @@ namespace girth::study {
 struct JointHistogram {
   /// For each cell the mean of the first field's values in it (not the cell's middle).
   std::vector<double> first;
-  /// The same of the second field.
+  /// The values of the second field.
   std::vector<double> second;
   /// For each cell its share of the whole.
   std::vector<double> shares;
@@ -29,9 +29,9 @@ struct JointHistogram {
 struct JointHistogramOptions {
   /// Cells along each axis, 1 to 1000.
   std::size_t bins{16};
-  /// What they cover of the first field; values outside count to the cells at the ends.
+  /// The range of the first field that they cover; values outside count to the cells at the ends.
   HistogramRange first;
-  /// And of the second.
+  /// The range of the second field.
   HistogramRange second;
 };
 

@@ -26,8 +26,9 @@ struct GIRTH_EXPORT RetrievalMeasures {
   /// E-measure of the first 32: 2 / (1/P + 1/R) with precision P = r(32)/32 and recall R =
   /// r(32)/(C − 1), that is 2 r(32) / (32 + C − 1). At most 74.5% with 20 models a class.
   double eMeasure{0};
-  /// The same with the query counted as found in the first place, and in its class: 2 (r(31) + 1) /
-  /// (32 + C). At most 76.9% with 20 models a class; the paper's 75.94% for SIHKS must be this.
+  /// The E-measure with the query counted as found in the first place, and in its class: 2 (r(31) +
+  /// 1) / (32 + C). At most 76.9% with 20 models a class; the paper's 75.94% for SIHKS must be
+  /// this.
   double eMeasureWithQuery{0};
   /// Discounted cumulative gain over the whole ranking, 1 for the first place and 1 / log2(i) for
   /// place i from 2, divided by that of a perfect ranking.

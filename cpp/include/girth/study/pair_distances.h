@@ -39,7 +39,7 @@ class GIRTH_EXPORT PairDistances {
   std::size_t models_;
   Distance distance_;
   bool keeps_;
-  /// Of pair (i, j), j < i: at i (i − 1) / 2 + j.
+  /// The distance of pair (i, j), j < i, at i (i − 1) / 2 + j.
   std::vector<double> pairs_;
   double mean_{0};
 };

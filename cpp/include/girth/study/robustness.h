@@ -20,7 +20,7 @@
 
 namespace girth::study {
 
-/// What the study does.
+/// The extent of the study.
 struct RobustnessOptions {
   /// Triangles of the even mesh that changes are made to, and of all that are compared with it.
   Index faces{10'000};
@@ -34,7 +34,7 @@ struct RobustnessOptions {
   /// tau of all girths over the square root of each surface's area (girth/barcode.h); 0: the girth
   /// itself.
   double persistence{0};
-  /// Of the random noise; the same seed always gives the same surfaces.
+  /// The seed of the random noise; one seed always gives the same surfaces.
   std::uint64_t seed{1};
   /// The humps of Figure 8e.
   HumpOptions humps;
@@ -47,9 +47,9 @@ struct RobustnessOptions {
 
 /// One change of the surface, and what came of the girth.
 struct RobustnessRow {
-  /// Of the paper: "7", "8b", ... "9".
+  /// The figure of the paper: "7", "8b", ... "9".
   std::string figure;
-  /// What was done to the surface.
+  /// The change of the surface.
   std::string change;
   /// Triangles of the changed surface.
   Index faces{0};
@@ -59,7 +59,7 @@ struct RobustnessRow {
   /// Where vertices are still the same ones: the share of the area whose girth, as it stands in the
   /// model, changed by at most 5%.
   std::optional<double> unchanged;
-  /// What the paper reports for its own models. It does not state how strong its changes were.
+  /// The paper's result for its own models. It does not state how strong its changes were.
   std::optional<double> paper;
   /// Why there is no value.
   std::string note;

@@ -35,7 +35,7 @@ struct Descriptor {
   };
   /// As it was given.
   std::string name;
-  /// What it is the sum of; one or more.
+  /// The terms that it is the sum of; one or more.
   std::vector<Term> terms;
 };
 
@@ -46,7 +46,7 @@ GIRTH_EXPORT Result<Descriptor> parseDescriptor(std::string_view text);
 /// The groups of fields that descriptors need, each once.
 GIRTH_EXPORT std::vector<FieldGroup> groupsOf(const std::vector<Descriptor>& descriptors);
 
-/// What one-dimensional fields are multiplied by before they are compared.
+/// The factor that multiplies one-dimensional fields before they are compared.
 enum class ValueScale : std::uint8_t {
   AsIs,      ///< nothing: the surface's area is the measure
   Greatest,  ///< each model's greatest value becomes 1 (the paper's Figure 9)
@@ -58,7 +58,7 @@ struct SignatureOptions {
   /// Bins of one-dimensional histograms over the values of all models; 0: the exact distance of the
   /// distributions.
   std::size_t bins{0};
-  /// What values are multiplied by.
+  /// The factor of the values.
   ValueScale scale{ValueScale::AsIs};
   /// One-dimensional values are distinguished up to the one that this share (in (0, 1]) of all
   /// models together does not exceed; greater ones count as it: the long loops of plates and tips
@@ -85,7 +85,7 @@ class GIRTH_EXPORT Signatures {
   ~Signatures();
   /// Signatures can be moved, not copied.
   Signatures(Signatures&&) noexcept;
-  /// The same.
+  /// Signatures can be assigned by moving.
   Signatures& operator=(Signatures&&) noexcept;
 
   /// Hands over all fields of a model that its descriptors need (groupsOf).

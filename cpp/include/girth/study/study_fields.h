@@ -49,18 +49,18 @@ struct FieldParameters {
   /// Steps of smoothing (smoothSurface), once there are the triangles and the noise: rough scans
   /// are found again better so.
   Index smoothing{0};
-  /// Of igf: tau over the square root of the area (girth/barcode.h); 0: the girth itself.
+  /// For igf: tau over the square root of the area (girth/barcode.h); 0: the girth itself.
   double persistence{0};
-  /// Of the shape diameter.
+  /// Options of the shape diameter.
   ShapeDiameterOptions diameter;
-  /// Of geoaverage and geofarthest.
+  /// The distances of geoaverage and geofarthest.
   DistanceMethod distances{DistanceMethod::FastMarching};
   /// Never more than one pair for 5 vertices (but 10): faster waves describe the triangles, not the
   /// shape, and spoil wks.
   SpectrumOptions spectrum;
-  /// Of sihks.
+  /// Options of sihks.
   SihksOptions sihks;
-  /// Of wks.
+  /// Options of wks.
   WksOptions wks;
 };
 
@@ -70,13 +70,13 @@ struct StudyField {
   std::string name;
   /// Numbers of each vertex.
   std::size_t dimensions{1};
-  /// Of vertex v: values[v · dimensions + d]; NaN where there is none.
+  /// The numbers of vertex v are values[v · dimensions + d]; NaN where there is none.
   std::vector<double> values;
 };
 
 /// Fields and how much each vertex counts: its share of the area.
 struct GIRTH_EXPORT StudyFields {
-  /// Of each vertex; they add up to 1.
+  /// The weight of each vertex; they add up to 1.
   std::vector<double> weights;
   /// On the same vertices.
   std::vector<StudyField> fields;

@@ -1,4 +1,4 @@
-// What happens to surfaces between two scans of the same thing: other triangles, noise, humps,
+// Changes of a surface between two scans of one thing: other triangles, noise, humps,
 // parts that have grown together. The ways in which the paper's section 5.2 puts the girth to the
 // test.
 //
@@ -18,7 +18,7 @@
 
 namespace girth::study {
 
-/// The same surface with long thin triangles: remeshed (remesh.h) while it is drawn out `stretch`
+/// The surface with long thin triangles: remeshed (remesh.h) while it is drawn out `stretch`
 /// times along the axis of space in which it is longest, so that triangles across that axis come
 /// out shorter by as much. `stretch`: from 1, which is plain remeshing, to 100. Errors: those of
 /// remesh; INVALID_OPTION.

@@ -16,7 +16,7 @@
 
 namespace girth::study {
 
-/// What came of the tips on one changed surface.
+/// The tips that are found again on one changed surface.
 struct GIRTH_EXPORT TipTrial {
   /// By how many mean edge lengths vertices moved at most (withNoise); none: each triangle was cut
   /// into four instead (subdivided), which leaves the surface as it is.
@@ -39,7 +39,7 @@ struct GIRTH_EXPORT TipTrial {
 struct TipTrialOptions {
   /// One trial each, beside that of smaller triangles.
   std::vector<double> noise{0.05, 0.1, 0.25};
-  /// Of the noise; the same seed always gives the same surfaces.
+  /// The seed of the noise; one seed always gives the same surfaces.
   std::uint64_t seed{1};
   /// tau of the girth that tips are found by, in model units (girth/barcode.h).
   double persistence{0};

@@ -22,7 +22,7 @@ struct StudyModel {
   std::uint32_t ofClass{0};
 };
 
-/// What came of one descriptor.
+/// The result of one descriptor.
 struct StudyDescriptor {
   /// As it was given: "igf+sdf".
   std::string name;
@@ -38,7 +38,7 @@ struct StudyDescriptor {
 struct StudyAnswers {
   /// A number in RetrievalStudy::models.
   std::uint32_t query{0};
-  /// The same of the models nearest to it, nearest first.
+  /// The models nearest to it, nearest first.
   std::vector<std::uint32_t> answers;
 };
 
@@ -48,7 +48,7 @@ struct RetrievalStudy {
   std::string title;
   /// How it was made, each with what it is called.
   std::vector<std::pair<std::string, std::string>> settings;
-  /// Those that were compared.
+  /// The models that were compared.
   std::vector<StudyModel> models;
   /// The names of the classes.
   std::vector<std::string> classes;

@@ -1,4 +1,4 @@
-// What came of the tips on changed surfaces, as JSON.
+// The tips found again on changed surfaces, as JSON.
 //
 // GIRTH_EXPERIMENTAL (girth/version.h).
 #pragma once

@@ -62,7 +62,7 @@ constexpr int kMostBands = 4;
 /// Exact values take at most so many times the windows of what was done before, or so many, some
 /// minutes of one core: surfaces like spheres have no loops, and all values are exact.
 constexpr double kMostExact = 3, kMostExactWindows = 1e10;
-/// And of that, those that are only to check.
+/// The share of that budget that exact values may take which only check others.
 constexpr double kMostChecks = 0.15;
 /// Vertices that are looked at in one go, before what follows from them spreads and the work is
 /// added up.
@@ -124,7 +124,7 @@ class Refinement {
  private:
   // Shares of the whole progress that the stages end at.
   static constexpr double kGround = 0.3, kProved = 0.9;
-  // And of the progress of a stage that its steps end at.
+  // Shares of a stage's progress that its steps end at.
   static constexpr double kCoarse = 0.05, kSeeded = 0.15, kSpread = 0.75;
 
   const Unfolding& unfolding() const { return *unfolding_; }

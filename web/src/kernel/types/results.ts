@@ -3,7 +3,7 @@
 import type { SurfacePoint } from './points.js';
 
 /**
- * What the narrowest place of the widest way is (web/docs/definitions.md, section 5).
+ * The kind of the narrowest place of the widest way (web/docs/definitions.md, section 5).
  *
  * - `'neck'`: A neck between the points: its loop is a closed geodesic, shorter than every other closed curve near it.
  * - `'pass'`: A place between them whose loop can be made shorter by moving it to one side.
@@ -33,7 +33,7 @@ export type HandleKind = 'handle' | 'tunnel' | 'unknown';
 export type LimbEnd = 'spreads' | 'slips' | 'splits' | 'handle' | 'boundary' | 'whole';
 
 /**
- * What a place of a shape is (paper, section 6.3).
+ * The kind of a place of a shape (paper, section 6.3).
  *
  * - `'body'`: thick
  * - `'tube'`: thin, and a short loop goes round it
@@ -52,7 +52,7 @@ export type PartKind = 'body' | 'tube' | 'plate' | 'unknown';
 export type LoopKind = 'loop' | 'antipodal' | 'unresolved';
 
 /**
- * What is wrong with a place.
+ * The fault of a place.
  *
  * - `'tube'`: a tube's diameter
  * - `'wall'`: a wall's thickness
@@ -79,7 +79,7 @@ export interface Bottleneck {
   centre: [number, number, number];
   /** The area that the loop encloses in its mean plane, in squared model units. */
   area: number;
-  /** Of a neck, what it separates its component into: as `Neck.sides`. */
+  /** The sides of a neck, as `Neck.sides`; empty for other kinds. */
   sides: LoopSide[];
   /**
    * The loop: of a neck the closed geodesic itself (of a band of parallel ones that in the middle),
@@ -96,7 +96,7 @@ export interface Bottleneck {
   way: SurfacePoint[];
 }
 
-/** What a closed curve separates a component into. */
+/** One of the pieces into which a closed curve separates a component. */
 export interface LoopSide {
   /** In squared model units. */
   area: number;
@@ -278,8 +278,8 @@ export interface Neck {
    */
   normal: [number, number, number];
   /**
-   * What it separates its component into, the larger area first; one where it separates nothing, as
-   * round a handle. Empty where the surface cannot be cut along it.
+   * The sides that it separates its component into, the larger area first; one where it separates
+   * nothing, as round a handle. Empty where the surface cannot be cut along it.
    */
   sides: LoopSide[];
   /**
@@ -490,7 +490,7 @@ export interface PreparationReport {
 export interface WeakPlace {
   /** Which limit it does not meet. */
   kind: WeakKind;
-  /** What is too small: "diameter", "thickness" or "clearance". */
+  /** The measure that is too small: "diameter", "thickness" or "clearance". */
   measure: string;
   /** The least diameter, thickness or clearance there, in model units. */
   least: number;
@@ -498,14 +498,14 @@ export interface WeakPlace {
   area: number;
   /** The point that has it. */
   thinnest: SurfacePoint;
-  /** Of walls and gaps, the point of the surface across from it, in model units. */
+  /** The point of the surface across from it, in model units; of walls and gaps only. */
   opposite?: [number, number, number];
   /**
-   * Those that do not meet the limit, in rising order; where only the inside of faces does not, the
+   * Vertices that do not meet the limit, in rising order; where only the inside of faces does not, the
    * corners of these.
    */
   vertices: Uint32Array;
-  /** Of walls and gaps, the faces that somewhere do not meet the limit, in rising order. */
+  /** Faces that somewhere do not meet the limit, of walls and gaps, in rising order. */
   faces: Uint32Array;
 }
 
@@ -533,7 +533,7 @@ export interface PrintCheck {
 export interface GirthAudit {
   /** Vertices that were compared. */
   vertices: number;
-  /** Those at which the two are equal to one part in a million. */
+  /** Vertices at which the two are equal to one part in a million. */
   equal: number;
   /**
    * The share of equal ones among all vertices lies between this and `atMost` with a probability of 95 %
@@ -620,7 +620,7 @@ export interface SectionCurve {
 }
 
 /**
- * What one plane cuts.
+ * The curves that one plane cuts.
  *
  * @experimental
  */
@@ -643,7 +643,7 @@ export interface Section {
 }
 
 /**
- * What several planes cut.
+ * The curves that several planes cut.
  *
  * @experimental
  */
@@ -680,7 +680,7 @@ export interface Tip {
   apexDistance: number;
   /** Its vertices, in rising order. */
   vertices: Uint32Array;
-  /** What cuts it off: usually one closed line. */
+  /** The line that cuts it off: usually one closed line. */
   contour: ContourLine[];
 }
 

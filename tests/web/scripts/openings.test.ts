@@ -1,0 +1,32 @@
+// The lint on how comments open.
+
+import { expect, test } from 'vitest';
+import { openingsIn } from '../../../web/scripts/openings.mjs';
+
+const linesOf = (path: string, text: string) => openingsIn(path, text).map(({ line }) => line);
+
+test('a comment that opens without its subject is found, in every form of comment', () => {
+  const text = [
+    '// What is meant.',
+    'int a;  // Of the other one.',
+    '/// Those below.',
+    '/** The same, twice. */',
+    '/**',
+    ' * Who asks.',
+    ' */',
+    '// And of that, the rest.',
+  ];
+  expect(linesOf('a.h', text.join('\n'))).toEqual([1, 2, 3, 4, 6, 8]);
+  expect(linesOf('a.cmake', '# What is meant.\nset(a b)  # Of it\n')).toEqual([1, 2]);
+});
+
+test('later lines of a comment, other words and code are left alone', () => {
+  const text = [
+    '// The area of a face, and of each',
+    '// Of its sides nothing.',
+    'const What = Of(Those);',
+    '// Whatever is there, Offsets included.',
+    'say("// What");',
+  ];
+  expect(linesOf('a.ts', text.join('\n'))).toEqual([]);
+});

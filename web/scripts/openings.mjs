@@ -1,0 +1,53 @@
+// Comments name their subject first: `npm run lint` refuses openings that point elsewhere, such as 'What' and 'Of'.
+
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { Complaint, repository } from './run.mjs';
+import { filesBelow } from './stale.mjs';
+
+/** Folders whose comments are checked. The others follow, folder by folder. */
+const folders = [
+  ...['cpp/cli', 'cpp/cmake', 'cpp/include', 'cpp/io/files', 'cpp/io/formats', 'cpp/io/text'],
+  ...['cpp/study', 'web/src/node', 'web/examples'],
+];
+
+const opening = /^(?:And of|Of|The same|Those|What|Who)\b/;
+
+/**
+ * The comments of a source that open without their subject, each as line and text.
+ * @param {string} path its ending says how comments look
+ * @param {string} text
+ * @returns {{ line: number, comment: string }[]}
+ */
+export function openingsIn(path, text) {
+  const isHash = /\.(?:cmake|in|py|pyi|sh)$|CMakeLists\.txt$/.test(path);
+  const whole = isHash ? /^\s*#+!?\s*(.*)$/ : /^\s*(?:\/\/[/<]*|\/\*\*?|\*(?!\/))\s*(.*)$/;
+  const behind = isHash ? /\s#\s+(.*)$/ : /\s\/\/[/<]*\s+(.*)$/;
+  /** @type {{ line: number, comment: string }[]} */
+  const found = [];
+  let isInside = false;
+  text.split('\n').forEach((line, i) => {
+    const own = whole.exec(line)?.[1];
+    const isBlock = !isHash && /^\s*\/\*/.test(line);
+    const isLater = isInside && !isBlock;
+    const begun = own === undefined ? behind.exec(line)?.[1] : isLater ? undefined : own;
+    if (begun !== undefined && opening.test(begun)) found.push({ line: i + 1, comment: begun });
+    isInside = own !== undefined && own !== '' && !line.trimEnd().endsWith('*/');
+  });
+  return found;
+}
+
+/** Fails where a comment of the checked folders opens so. */
+export function checkOpenings() {
+  const complaints = folders
+    .flatMap(filesBelow)
+    .filter((file) =>
+      /\.(?:cjs|cmake|cpp|def|h|in|js|mjs|py|pyi|sh|ts)$|CMakeLists\.txt$/.test(file),
+    )
+    .flatMap((file) =>
+      openingsIn(file, readFileSync(join(repository, file), 'utf8')).map(
+        ({ line, comment }) => `${file}:${line}: name the subject first: ${comment}`,
+      ),
+    );
+  if (complaints.length > 0) throw new Complaint(complaints.join('\n'));
+}
