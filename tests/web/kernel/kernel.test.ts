@@ -186,6 +186,26 @@ describe('a field by a pool', () => {
     expect((await second).values[7]).toBe(fakeValue(7));
   });
 
+  test('is rejected as a fetch is, with the reason of the signal', async () => {
+    const never = new Promise<object>(() => undefined);
+    const surface = fakeSurface(10);
+    const { kernel } = await fakeKernel((request, report) =>
+      request.operation === 'values' ? never : surface(request, report),
+    );
+    const mesh = await kernel.load(anyArrays);
+    const reason = new Error('the user has gone on');
+    const controller = new AbortController();
+    const field = mesh.field('igf', { signal: controller.signal });
+    controller.abort(reason);
+    await expect(field).rejects.toMatchObject({
+      name: 'AbortError',
+      code: 'CANCELLED',
+      cause: reason,
+    });
+    await expect(field).rejects.toBeInstanceOf(GirthError);
+    kernel.dispose();
+  });
+
   test('a worker that does not come back from a cancelled chunk is replaced', async () => {
     let stuck = true;
     const surface = fakeSurface(100);

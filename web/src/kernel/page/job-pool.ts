@@ -84,7 +84,7 @@ export class JobPool<T extends CommonOperations> {
     const stop = () => member?.client.terminate(this.#closed ?? cancelled());
     try {
       if (this.#closed) throw this.#closed;
-      if (signal.aborted) throw cancelled();
+      if (signal.aborted) throw cancelled('cancelled', signal.reason);
       member = this.#reserve(surfaces, passing);
       signal.addEventListener('abort', stop);
       return await job(member.client);

@@ -27,8 +27,8 @@ export const hints = {
 
 /** Every failure of the kernel. The code is stable; message and hint are for people. */
 export class GirthError extends Error implements GirthErrorFields {
-  /** Distinguishes it from other errors, as `instanceof` does. */
-  override readonly name = 'GirthError';
+  /** 'AbortError' where the code is CANCELLED, as of all that a signal stops; otherwise 'GirthError'. */
+  override readonly name: 'AbortError' | 'GirthError';
   /** A stable code, one of those in `error_codes.def`: 'OPEN_EDGE'. */
   readonly code: string;
   /** The first offending vertex, face, line or byte, as the message states; -1 where there is none. */
@@ -39,6 +39,7 @@ export class GirthError extends Error implements GirthErrorFields {
   /** An error of these fields. The options may carry its cause. */
   constructor(fields: GirthErrorFields, options?: ErrorOptions) {
     super(fields.message, options);
+    this.name = fields.code === 'CANCELLED' ? 'AbortError' : 'GirthError';
     this.code = fields.code;
     this.element = fields.element;
     this.hint = fields.hint;

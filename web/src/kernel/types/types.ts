@@ -127,7 +127,7 @@ export interface PrepareOptions {
 
 /** Options of every call. */
 export interface CallOptions {
-  /** Aborting stops the work. The promise is rejected with CANCELLED. */
+  /** Aborting stops the work: the promise is rejected with CANCELLED, an 'AbortError' with the signal's reason as its cause. */
   signal?: AbortSignal;
 }
 
