@@ -219,7 +219,7 @@ export async function buildDocs() {
   });
 }
 
-/** What the element has of the kernel's sources, beside types. */
+/** Sources of the kernel that the element has, beside types. */
 const usedOfKernel = [
   'page/abort',
   'types/errors',
@@ -228,7 +228,7 @@ const usedOfKernel = [
   'workers/worker-from-elsewhere',
 ];
 
-/** What pages run that `pygirth.show` of the Python package saves: the element without the kernel, in one file. */
+/** The program of pages that `pygirth.show` of the Python package saves: the element without the kernel, in one file. */
 export async function buildSavedPage() {
   await refresh({
     name: 'saved-page',

@@ -1,4 +1,4 @@
-// What editors and catalogues want to know of `<girth-viewer>`: its attributes, properties, methods, events, slots, parts
+// The manifest of `<girth-viewer>` for editors and catalogues: its attributes, properties, methods, events, slots, parts
 // and custom properties, read from the element's own sources, in the two forms that are in use.
 
 import { readFileSync } from 'node:fs';
@@ -60,7 +60,7 @@ function isPublic(member) {
   return !(flags & hidden) && member.name !== undefined && ts.isIdentifier(member.name);
 }
 
-/** What browsers call, and what every element has. */
+/** Members that browsers call, or that every element has. */
 const notForPages = /Callback$|^(add|remove)EventListener$/;
 
 /** @param {ts.ClassDeclaration} declaration */
@@ -160,7 +160,7 @@ export function elementManifest() {
 }
 
 /**
- * The same for the editors of JetBrains.
+ * The manifest for the editors of JetBrains.
  * @param {ReturnType<typeof elementManifest>} manifest
  */
 export function webTypes(manifest) {

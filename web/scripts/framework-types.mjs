@@ -1,4 +1,4 @@
-// What templates of frameworks want to know of `<girth-viewer>`: declarations that add it to a framework's own.
+// Types of `<girth-viewer>` for templates of frameworks: declarations that add it to a framework's own.
 // Each is an entry of the package of its own, since it can be compiled only where the framework is.
 
 /** @type {Record<'react' | 'vue', string>} declaration files beside `element.d.ts` */
@@ -9,7 +9,7 @@ export const frameworkTypes = {
  */
 import type { GirthViewer, GirthViewerAttributes, GirthViewerEvents } from './element.js';
 
-/** What hears the element's events: \`onfield\`, \`onpick\` and so on. */
+/** Listeners of the element's events: \`onfield\`, \`onpick\` and so on. */
 type Listeners = {
   [Name in keyof GirthViewerEvents as \`on\${Name}\`]?: (event: GirthViewerEvents[Name]) => void;
 };
@@ -34,7 +34,7 @@ export {};
  */
 import type { GirthViewer, GirthViewerAttributes, GirthViewerEvents } from './element.js';
 
-/** What hears the element's events: \`@field\`, \`@pick\` and so on. */
+/** Listeners of the element's events: \`@field\`, \`@pick\` and so on. */
 type Listeners = {
   [Name in keyof GirthViewerEvents as \`on\${Capitalize<Name>}\`]?: (
     event: GirthViewerEvents[Name],
@@ -45,7 +45,7 @@ declare module 'vue' {
   interface GlobalComponents {
     /** A surface, its girth as colours, and the loop under the pointer. */
     'girth-viewer': new () => GirthViewer & {
-      /** What a template can set. */
+      /** Properties that a template can set. */
       $props: Omit<HTMLAttributes, keyof GirthViewerAttributes | keyof Listeners> &
         GirthViewerAttributes &
         Listeners;

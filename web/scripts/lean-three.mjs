@@ -36,7 +36,7 @@ export function leanThree() {
           [...code.matchAll(piece)].map(([, , variable, text]) => [variable, text]),
         );
         const used = new Set();
-        // What every program begins with is named in the code: `ShaderChunk[ 'colorspace_pars_fragment' ]`.
+        // The beginning of every program is named in the code: `ShaderChunk[ 'colorspace_pars_fragment' ]`.
         const always = [...code.matchAll(/ShaderChunk\[ '(\w+)' \]/g)].map(
           ([, name]) => name ?? '',
         );

@@ -30,7 +30,7 @@ const privateMembers = {
   },
 };
 
-/** What a control shows is written in one place. */
+/** The value that a control shows is written in one place. */
 const shownText = {
   /** @param {Context} context */
   create: (context) => ({

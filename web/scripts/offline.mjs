@@ -1,4 +1,4 @@
-// What the page's service worker keeps: every file of the built page, with its hash.
+// Files that the page's service worker keeps: all of the built page, with their hashes.
 
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';

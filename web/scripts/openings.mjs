@@ -8,7 +8,8 @@ import { filesBelow } from './stale.mjs';
 /** Folders whose comments are checked. The others follow, folder by folder. */
 const folders = [
   ...['cpp/cli', 'cpp/cmake', 'cpp/include', 'cpp/io/files', 'cpp/io/formats', 'cpp/io/text'],
-  ...['cpp/study', 'web/src/node', 'web/examples'],
+  ...['cpp/python/backend', 'cpp/python/pygirth', 'cpp/study'],
+  ...['web/docs', 'web/examples', 'web/scripts', 'web/src/node'],
 ];
 
 const opening = /^(?:And of|Of|The same|Those|What|Who)\b/;

@@ -1,4 +1,4 @@
-// What stands beside the package's code: hashes for pages that name them, a list of materials (CycloneDX) and the
+// Papers beside the package's code: hashes for pages that name them, a list of materials (CycloneDX) and the
 // licences of all that is in it, and what editors want to know of the element.
 
 import { createHash } from 'node:crypto';

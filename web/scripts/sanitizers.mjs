@@ -14,7 +14,7 @@ const address = [
 ];
 
 /**
- * What CMake is asked for. `address`: AddressSanitizer and UndefinedBehaviorSanitizer, with the fuzzers;
+ * Options of CMake. `address`: AddressSanitizer and UndefinedBehaviorSanitizer, with the fuzzers;
  * `python`: the same libraries, so that the compiler's cache has them, in the Python package's module;
  * `thread`: ThreadSanitizer.
  * @type {Record<'address' | 'python' | 'thread', string[]>}

@@ -1,4 +1,4 @@
-// What has to be made again: a product is fresh while it exists and its inputs have the content they
+// Products that have to be made again: one is fresh while it exists and its inputs have the content they
 // had when it was made.
 
 import { createHash } from 'node:crypto';

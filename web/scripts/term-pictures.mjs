@@ -149,7 +149,7 @@ await script(async () => {
       await page.goto(`${address}#model=${model}&field=${field}`);
       await page.locator('#model b', { hasText: `${model}.glb` }).waitFor();
       const viewer = page.locator('girth-viewer');
-      // What colours the surface is shown a little later than it is computed.
+      // Colours are shown a little later than they are computed.
       await viewer.evaluate((viewer) => viewer.fieldOf('sdf'));
       await viewer.evaluate((viewer) => viewer.fieldOf('igf'));
       await page.waitForTimeout(1000);

@@ -36,7 +36,7 @@ export const reports = join(repository, 'build/reports');
  */
 
 /**
- * What vitest is told to run a project of vitest.config.ts and to write a report as JSON.
+ * Arguments of vitest to run a project of vitest.config.ts and to write a report as JSON.
  * @param {string} project its name, or a pattern of names
  * @param {{ report: string, workers: number }} options workers: processes that the files are shared out between
  */
@@ -143,7 +143,7 @@ function otherMachine(machine, count) {
 }
 
 /**
- * What the tests of page and element look at, and what they know of C++: its interface. The values that the core computes
+ * Files that the tests of page and element look at, and of C++ its interface. The values that the core computes
  * are the matter of its own tests and of the kernel's.
  */
 function pageFingerprint() {
@@ -205,7 +205,7 @@ export const parts = {
 };
 
 /**
- * What `npm run test:all` runs after them.
+ * Parts that `npm run test:all` runs after them.
  * @type {Record<string, Part>}
  */
 export const longParts = {

@@ -12,7 +12,7 @@ import { parseArgs } from 'node:util';
 import { Complaint, outputOf, repository, script } from './run.mjs';
 import { browserWorkers, reports, vitestArguments } from './test-parts.mjs';
 
-/** What the run that goes on has come to. */
+/** The progress of the run that goes on. */
 const progress = join(reports, 'repeat.log');
 /** @type {Map<string, number>} */
 const failures = new Map();

@@ -158,7 +158,7 @@ def _files(module: Path) -> dict[str, bytes]:
         if path.is_file() and path.suffix in (".py", ".pyi", ".typed")
     }
     content[f"pygirth/{module.name}"] = module.read_bytes()
-    # What `pygirth.show` needs; made by `npm run build:shown`, where there is Node.js.
+    # The viewer of `pygirth.show`; made by `npm run build:shown`, where there is Node.js.
     viewer = REPOSITORY / "build/shown/girth-shown.js"
     if viewer.exists():
         content["pygirth/girth-shown.js"] = viewer.read_bytes()

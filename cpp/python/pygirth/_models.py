@@ -77,7 +77,7 @@ def polydata_of(vertices: np.ndarray, faces: np.ndarray) -> Any:
     try:
         import pyvista
     except ModuleNotFoundError as error:
-        # What PyVista itself does not find is its own matter.
+        # A package that PyVista itself does not find is its own matter.
         if error.name != "pyvista":
             raise
         raise MissingPackageError.of("PyVista", "to_pyvista") from None

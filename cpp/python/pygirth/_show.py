@@ -204,7 +204,7 @@ def show(
         attributes=" ".join(
             f'{key}="{html.escape(value)}"' for key, value in attributes.items() if value
         ),
-        # What ends a script in HTML is written otherwise in JSON and in JavaScript.
+        # The end of a script in HTML is written otherwise in JSON and in JavaScript.
         content=json.dumps(content).replace("<", "\\u003c"),
         program=_program().replace("</script", "<\\/script"),
     )

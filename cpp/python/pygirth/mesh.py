@@ -944,7 +944,7 @@ class Mesh:
             raise input_error("INVALID_POINT", f"{len(shares)} weights are not three", "", number)
         if self._face_of_row is None:
             rows = self._surface.input_of_face().tolist()
-            # Of several faces on one triangle the first.
+            # The first of several faces on one triangle.
             self._face_of_row = {row: i for i, row in reversed(list(enumerate(rows)))}
         found = self._face_of_row.get(number)
         if found is None:

@@ -1,7 +1,7 @@
 // The names by which links refer to headings: those that repository views give them.
 
 /**
- * Of a heading, as it stands in Markdown.
+ * The anchor of a heading, as it stands in Markdown.
  * @param {string} heading
  */
 function nameOf(heading) {
@@ -13,7 +13,7 @@ function nameOf(heading) {
 }
 
 /**
- * Of all headings of a document, in order; the second one of a name is numbered.
+ * The anchors of all headings of a document, in order; the second one of a name is numbered.
  * @param {string[]} headings
  */
 export function anchorsOf(headings) {

@@ -7,7 +7,7 @@
  * @property {Record<string, string>} attributes of <girth-viewer>, beside src
  */
 
-/** Of the pictures, in pixels. */
+/** The size of the pictures, in pixels. */
 export const posterSize = { width: 960, height: 720 };
 
 /** @type {Record<string, Figure>} */

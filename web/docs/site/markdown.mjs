@@ -170,7 +170,7 @@ export function amendMarkdown(md) {
     for (const { children } of tokens) if (children) followLinks(children, place);
   });
   const { rules } = md.renderer;
-  // What may be wider than a phone can be scrolled, by the keyboard too.
+  // Tables that are wider than a phone can be scrolled, by the keyboard too.
   rules.table_open = () =>
     '<div class="wide" tabindex="0" role="group" aria-label="Table"><table>\n';
   rules.table_close = () => '</table></div>\n';

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { repository } from '../../scripts/run.mjs';
 
-/** Of surfaces of revolution: vertices of a ring. */
+/** Vertices of a ring of surfaces of revolution. */
 const segments = 30;
 
 /**

@@ -1,4 +1,4 @@
-// What a page of the documentation does beyond being read.
+// Behaviour of a page of the documentation, beyond being read.
 
 import { startFigures } from './figures.js';
 import { keepSearch, startSearch } from './search.js';

@@ -1,4 +1,4 @@
-// What the index of words is made and read with.
+// Options with which the index of words is made and read.
 
 /** For MiniSearch: a document is a piece of a page, under one heading; `id` is its address. */
 export const searchOptions = {
