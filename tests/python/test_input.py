@@ -1,5 +1,6 @@
 """Bad input ends in a clear error; what other libraries have is taken."""
 
+import errno
 import pickle
 import sys
 from types import SimpleNamespace
@@ -226,6 +227,11 @@ def test_options_out_of_range(call):
 def test_paths_that_are_no_mesh(tmp_path, repository):
     missing = error_of(lambda: pygirth.load(tmp_path / "missing.obj"))
     assert missing.code == "FILE_NOT_FOUND" and missing.file.endswith("missing.obj")
+    assert isinstance(missing, FileNotFoundError) and isinstance(missing, pygirth.InputError)
+    assert missing.errno == errno.ENOENT and missing.filename == str(tmp_path / "missing.obj")
+    assert type(missing) is pygirth.MissingFileError and "missing.obj: FILE_NOT_FOUND" in str(missing)
+    again = pickle.loads(pickle.dumps(missing))
+    assert (again.code, again.filename, str(again)) == (missing.code, missing.filename, str(missing))
     assert error_of(lambda: pygirth.load(tmp_path)).code in ("FILE_UNREADABLE", "FILE_NOT_FOUND")
     (tmp_path / "text.obj").write_text("It is not a model.\n")
     assert error_of(lambda: pygirth.igf(str(tmp_path / "text.obj"))).code == "UNKNOWN_FORMAT"
@@ -337,6 +343,41 @@ def test_pyvista_is_handed_what_it_takes(monkeypatch):
     assert np.array_equal(made.points, V) and made.faces.tolist()[:4] == [3, *F[0]]
     assert np.array_equal(made.point_data["igf"], field.values)
     assert np.array_equal(made.point_data["igf_kind"], field.kinds)
+
+
+def test_a_field_is_an_array():
+    field = pygirth.igf(V, F)
+    values = field.values
+    assert np.asarray(field) is values and field.shape == values.shape and field.dtype == values.dtype
+    for result, wanted in (
+        (field / 2 + 1, values / 2 + 1),
+        (2 * field, 2 * values),
+        (field - field, values - values),
+        (field > values.mean(), values > values.mean()),
+        (np.sqrt(field), np.sqrt(values)),
+        (field[3:7], values[3:7]),
+        (field[field < values.mean()], values[values < values.mean()]),
+        (np.percentile(field, 30), np.percentile(values, 30)),
+        (list(field), list(values)),
+    ):
+        assert np.array_equal(result, wanted)
+    assert type(field + 1) is np.ndarray and field[2] == values[2]
+    assert (field.min(), field.max(), field.mean()) == (values.min(), values.max(), values.mean())
+    assert (field.argmin(), field.argmax()) == (values.argmin(), values.argmax())
+    assert not np.add.reduce(field) - values.sum()
+
+
+def test_load_takes_the_unit_that_a_file_does_not_state(repository):
+    path = repository / "tests/data/prism.obj"
+    assert pygirth.load(path).unit == ""
+    assert pygirth.load(path, unit="millimetre").unit == "millimetre"
+    assert pygirth.load(repository / "tests/data/prism_seams.glb").unit == "metre"
+
+
+def test_igf_takes_a_persistence():
+    wanted = pygirth.Mesh(V, F).igf(persistence=0.2)
+    found = pygirth.igf(V, F, persistence=0.2)
+    assert found.persistence == 0.2 and np.array_equal(found.values, wanted.values)
 
 
 def test_meshes_and_results_go_to_other_processes(repository):

@@ -1,5 +1,6 @@
 """What `pygirth.show` refuses, and what its page consists of; how it looks is tested in a browser."""
 
+import importlib.resources
 import re
 
 import numpy as np
@@ -50,6 +51,12 @@ def test_a_page_is_whole_and_its_words_are_only_words(tmp_path):
     assert (tmp_path / "page.html").read_text(encoding="utf8") == shown.page
     with pytest.raises(OSError):
         shown.save(tmp_path / "missing/page.html")
+
+
+def test_without_the_viewer_there_is_one_command_to_have_it(monkeypatch, tmp_path):
+    monkeypatch.setattr(importlib.resources, "files", lambda package: tmp_path)
+    with pytest.raises(ImportError, match="npm run build:shown && python -m pip install ./cpp/python"):
+        pygirth.show(MESH)
 
 
 def test_the_same_input_gives_the_same_page():

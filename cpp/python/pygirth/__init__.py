@@ -8,7 +8,13 @@
 
 from pygirth import _girth, collection, errors, results
 from pygirth._show import Shown, show
-from pygirth.errors import GirthError, InputError, LimitError, MissingPackageError
+from pygirth.errors import (
+    GirthError,
+    InputError,
+    LimitError,
+    MissingFileError,
+    MissingPackageError,
+)
 from pygirth.mesh import FIELDS, Mesh, as_mesh, compare, igf, load
 from pygirth.results import (
     AxisLoop,
@@ -60,6 +66,7 @@ __all__ = [
     "LimitError",
     "Loop",
     "Mesh",
+    "MissingFileError",
     "MissingPackageError",
     "Neck",
     "Necks",

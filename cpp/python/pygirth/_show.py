@@ -14,7 +14,7 @@ import numpy as np
 
 from pygirth import _girth
 from pygirth._arguments import one_of, path_of, real_number, running, whole_number
-from pygirth.errors import LimitError, input_error
+from pygirth.errors import MissingPackageError, input_error
 from pygirth.mesh import FIELDS, Mesh, as_mesh
 from pygirth.results import Field
 
@@ -150,7 +150,7 @@ def show(
     ------
     InputError
         USAGE, INVALID_OPTION or VERTEX_OUT_OF_RANGE.
-    LimitError
+    MissingPackageError
         PROGRAM_NOT_LOADED where the package was installed without the viewer.
 
     Examples
@@ -214,10 +214,10 @@ def show(
 def _program() -> str:
     file = importlib.resources.files("pygirth") / "girth-shown.js"
     if not file.is_file():
-        raise LimitError(
+        raise MissingPackageError(
             "PROGRAM_NOT_LOADED",
-            "the package was installed without the viewer",
-            "with Node.js: npm run build:shown, and install it again",
+            "show needs the viewer, which was not built when the package was installed",
+            "in a clone with Node.js: npm run build:shown && python -m pip install ./cpp/python",
         )
     return file.read_text(encoding="utf8")
 

@@ -6,11 +6,19 @@ Every exception of Girth has a ``code`` of one table (`error_codes`), the first 
 
 from __future__ import annotations
 
+import errno
 import sys
 
 from pygirth import _girth
 
-__all__ = ["GirthError", "InputError", "LimitError", "MissingPackageError", "error_codes"]
+__all__ = [
+    "GirthError",
+    "InputError",
+    "LimitError",
+    "MissingFileError",
+    "MissingPackageError",
+    "error_codes",
+]
 
 #: The code of every error: (exit code of the command, general remedy).
 error_codes: dict[str, tuple[int, str]] = _girth.error_codes
@@ -54,6 +62,24 @@ class InputError(GirthError, ValueError):
     """An argument or a file is wrong."""
 
 
+class MissingFileError(InputError, FileNotFoundError):
+    """There is no file at a path.
+
+    Attributes
+    ----------
+    errno, strerror, filename
+        As of every `FileNotFoundError`.
+    """
+
+    def __init__(
+        self, code: str, message: str, hint: str = "", element: int = -1, file: str = ""
+    ) -> None:
+        super().__init__(code, message, hint, element, file)
+        self.errno = errno.ENOENT
+        self.strerror = message
+        self.filename = file
+
+
 class LimitError(GirthError, RuntimeError):
     """A limit was met: of memory, of size, or of the program itself."""
 
@@ -83,6 +109,8 @@ def exception_of(
     code: str, exit_code: int, element: int, message: str, hint: str, file: str
 ) -> GirthError:
     """The exception that stands for an error of the core."""
+    if code == "FILE_NOT_FOUND":
+        return MissingFileError(code, message, hint, element, file)
     kind = LimitError if exit_code == 3 else InputError
     return kind(code, message, hint, element, file)
 

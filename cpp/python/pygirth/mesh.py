@@ -126,10 +126,15 @@ class Mesh:
 
     @classmethod
     def _of(
-        cls, surface: "_girth.Surface", vertices: np.ndarray, faces: np.ndarray, options: tuple
+        cls,
+        surface: "_girth.Surface",
+        vertices: np.ndarray,
+        faces: np.ndarray,
+        options: tuple,
+        unit: str = "",
     ) -> "Mesh":
         mesh = cls.__new__(cls)
-        mesh._set(surface, vertices, faces, options, surface.unit)
+        mesh._set(surface, vertices, faces, options, unit or surface.unit)
         return mesh
 
     def _set(
@@ -466,7 +471,7 @@ class Mesh:
         Returns
         -------
         Necks
-            Those of the command ``girth necks``, to the bit.
+            Those of the command ``girth necks --min-prominence 0``, to the bit.
         """
         least = _not_negative(min_prominence, "min_prominence")
         found, unresolved = _girth.necks(self._surface, least, running(threads, progress))
@@ -538,7 +543,7 @@ class Mesh:
         Returns
         -------
         Segments
-            Those of the command ``girth segments``, to the bit.
+            Those of the command ``girth segments --min-prominence 0``, to the bit.
         """
         least = _not_negative(min_prominence, "min_prominence")
         limits = _thresholds(girth, thickness)
@@ -1040,6 +1045,7 @@ def load(
     components: Sequence[int] = (),
     min_component: float = 0.0,
     scale: float = 1.0,
+    unit: str = "",
 ) -> Mesh:
     """Reads a model: GLB, glTF, OBJ, PLY, STL or OFF, recognised by content.
 
@@ -1048,6 +1054,9 @@ def load(
     path : str or path
     weld, close_holes, components, min_component, scale
         As of `Mesh`.
+    unit : str, optional
+        The unit of the file's numbers, such as ``"metre"``, where the file does not state it; it replaces
+        the one that the file states.
 
     Returns
     -------
@@ -1056,11 +1065,14 @@ def load(
 
     Raises
     ------
+    MissingFileError
+        FILE_NOT_FOUND; it is a FileNotFoundError.
     InputError
-        Such as FILE_NOT_FOUND, UNKNOWN_FORMAT or MALFORMED_FILE, with the file's name.
+        Such as UNKNOWN_FORMAT or MALFORMED_FILE, with the file's name.
     """
     options = _preparing(weld, close_holes, components, min_component, scale)
-    return Mesh._of(*_girth.load(path_of(path), *options, running(None, None)), options)
+    read = _girth.load(path_of(path), *options, running(None, None))
+    return Mesh._of(*read, options, str(unit))
 
 
 def as_mesh(model: Any, F: Any = None) -> Mesh:
@@ -1097,6 +1109,7 @@ def igf(
     F: Any = None,
     *,
     method: str = "exact",
+    persistence: float = 0.0,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Girth:
@@ -1106,7 +1119,7 @@ def igf(
     ----------
     V : array_like of float, shape (n, 3), or anything that `as_mesh` takes
     F : array_like of int, shape (m, 3), optional
-    method, threads, progress
+    method, persistence, threads, progress
         As of `Mesh.igf`.
 
     Returns
@@ -1114,7 +1127,9 @@ def igf(
     Girth
         One value for each row of `V`, in model units.
     """
-    return as_mesh(V, F).igf(method=method, threads=threads, progress=progress)
+    return as_mesh(V, F).igf(
+        method=method, persistence=persistence, threads=threads, progress=progress
+    )
 
 
 def compare(

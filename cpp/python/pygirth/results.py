@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Iterator, Optional
 
 import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from pygirth import _members
 
@@ -59,8 +60,10 @@ class _Result:
         raise NotImplementedError
 
 
-class Field(_Result):
-    """Values at the vertices of a mesh.
+class Field(NDArrayOperatorsMixin, _Result):
+    """Values at the vertices of a mesh; an array wherever NumPy takes one.
+
+    Arithmetic, comparison, indexing and iteration are those of `values`, and give plain arrays.
 
     Attributes
     ----------
@@ -84,8 +87,48 @@ class Field(_Result):
         array = self.values if dtype is None else self.values.astype(dtype, copy=False)
         return array.copy() if copy else array
 
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        plain = (one.values if isinstance(one, Field) else one for one in inputs)
+        return getattr(ufunc, method)(*plain, **options)
+
     def __len__(self) -> int:
         return len(self.values)
+
+    def __getitem__(self, key: Any) -> Any:
+        return self.values[key]
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self.values)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """That of `values`."""
+        return self.values.shape
+
+    @property
+    def dtype(self) -> np.dtype:
+        """That of `values`."""
+        return self.values.dtype
+
+    def min(self, axis: Optional[int] = None) -> Any:
+        """The least of `values`; NaN where one of them is."""
+        return self.values.min(axis)
+
+    def max(self, axis: Optional[int] = None) -> Any:
+        """The greatest of `values`; NaN where one of them is."""
+        return self.values.max(axis)
+
+    def mean(self, axis: Optional[int] = None) -> Any:
+        """The mean of `values`; NaN where one of them is."""
+        return self.values.mean(axis)
+
+    def argmin(self, axis: Optional[int] = None) -> Any:
+        """The row of the least value."""
+        return self.values.argmin(axis)
+
+    def argmax(self, axis: Optional[int] = None) -> Any:
+        """The row of the greatest value."""
+        return self.values.argmax(axis)
 
     @property
     def range(self) -> tuple[float, float]:
