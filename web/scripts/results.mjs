@@ -14,6 +14,12 @@ const publicNames = /** @type {Record<string, string>} */ ({
 /** @param {string} struct */
 export const publicName = (struct) => publicNames[struct] ?? struct;
 
+/** Names of generated types that `types.ts` extends by members of JavaScript alone, under the public name. */
+const extended = /** @type {Record<string, string>} */ ({
+  HandleRemoval: 'MeasuredRemoval',
+  PathStation: 'MeasuredStation',
+});
+
 /** Structs that have a class in Python, and its name. */
 const pythonNames = /** @type {Record<string, string>} */ ({
   AxisStation: 'AxisLoop',
@@ -115,7 +121,7 @@ export function resultsText() {
   );
   const interfaces = all.map(({ name, file, comment, members }) => {
     const paragraphs = [sentences(comment), ...(isExperimental(file) ? ['@experimental'] : [])];
-    return `${commentOf(...paragraphs)}export interface ${name} {\n${members.map(memberText).join('')}}\n`;
+    return `${commentOf(...paragraphs)}export interface ${extended[name] ?? name} {\n${members.map(memberText).join('')}}\n`;
   });
   return `// Made of the headers in cpp/include/girth by \`npm run build:tables\`: not to be edited.
 

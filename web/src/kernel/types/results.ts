@@ -352,7 +352,7 @@ export interface Part {
  *
  * @experimental
  */
-export interface PathStation {
+export interface MeasuredStation {
   /** Along the path from its first point, in model units. */
   distance: number;
   /** There, in model units. */
@@ -558,7 +558,7 @@ export interface GirthAudit {
  *
  * @experimental
  */
-export interface HandleRemoval {
+export interface MeasuredRemoval {
   /** Of all components together. */
   genusBefore: number;
   /** The same of what is left. */

@@ -13,6 +13,8 @@ import type {
   Limbs,
   LoopKind,
   Maximum,
+  MeasuredRemoval,
+  MeasuredStation,
   Necks,
   Part,
   PartKind,
@@ -22,7 +24,6 @@ import type {
   Sections,
   Tips,
 } from './results.js';
-import type * as found from './results.js';
 
 export type {
   FieldName,
@@ -328,7 +329,7 @@ export interface NeckOptions extends WatchedOptions {
 }
 
 /** The girth at one place of a path. */
-export interface PathStation extends found.PathStation {
+export interface PathStation extends MeasuredStation {
   /** The same as `point`. */
   place: SurfacePoint;
 }
@@ -385,7 +386,7 @@ export interface RemovedHandle {
 }
 
 /** What was taken away from a surface, and what is left. */
-export interface HandleRemoval extends found.HandleRemoval {
+export interface HandleRemoval extends MeasuredRemoval {
   /** In the order of the cuts. */
   removed: RemovedHandle[];
 }
