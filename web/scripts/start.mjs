@@ -34,6 +34,7 @@ async function main() {
     return;
   }
   if (port !== undefined && !/^\d{1,5}$/.test(port)) throw new Complaint(`not a port: ${port}`);
+  const begin = performance.now();
   setUp();
   await buildPage();
   const { preview } = await import('vite');
@@ -51,6 +52,7 @@ async function main() {
   ]) {
     console.log(`Girth is at ${url}`);
   }
+  console.log(`It took ${Math.round((performance.now() - begin) / 1000)} s to get there.`);
   // A program of its own, so that this one can answer.
   const docs = spawn(process.execPath, ['web/scripts/build.mjs', 'docs'], {
     cwd: repository,
