@@ -209,8 +209,8 @@ struct Parameter {
 
   /// The fields of this command that have it.
   std::vector<std::string> ofFields() const {
-    std::istringstream words(fields);
-    std::vector<std::string> found{std::istream_iterator<std::string>(words), {}};
+    std::istringstream listed(fields);
+    std::vector<std::string> found{std::istream_iterator<std::string>(listed), {}};
     std::erase(found, "igf");
     return found;
   }
