@@ -33,6 +33,7 @@
 #include "girth/io/write_tips.h"
 #include "job_surface.h"
 #include "result_again.h"
+#include "surface_point.h"
 
 using emscripten::val;
 
@@ -167,8 +168,12 @@ Content partsFile(const Asked& asked) {
 
 Content weakPlacesFile(const Asked& asked) {
   if (asked.format != "json") return asked.unknownFormat("weak places are");
-  const auto check = asked.result<PrintCheck>();
+  auto check = asked.result<PrintCheck>();
   if (!check) return check.error();
+  // The thinnest points lie at vertices or in faces, never on edges, whatever their weights.
+  const val places = asked.found["result"]["places"];
+  std::vector<WeakPlace>& found = check.value().places;
+  for (std::size_t i = 0; i < found.size(); ++i) found[i].thinnest = pointOf(places[i]["thinnest"]);
   const WithFileContent with(asked.surface.loaded(), asked.found["content"]);
   return io::printCheckJson(asked.loaded, check.value(), limitsOf(asked.found["limits"]),
                             asked.name, asked.persistence);
