@@ -2,10 +2,10 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -44,11 +44,12 @@ py::tuple necksOf(const Shared& surface, double minProminence, const Running& ru
 }
 
 /// A list of sections.
-py::list sectionsOf(const Shared& surface, const std::array<double, 3>& normal,
+py::list sectionsOf(const Shared& surface, const std::tuple<double, double, double>& normal,
                     const std::vector<double>& offsets, const Running& running) {
   const Sections found =
       compute<Sections>(running, [surface, normal, offsets](const ExecutionContext& context) {
-        return findSections(surface->mesh(), {normal[0], normal[1], normal[2]}, offsets, context);
+        const auto& [x, y, z] = normal;
+        return findSections(surface->mesh(), {x, y, z}, offsets, context);
       });
   return listOf(surface->loaded(), found.sections);
 }

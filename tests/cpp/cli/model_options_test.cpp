@@ -54,7 +54,7 @@ class ModelOptions : public Command {
 
 TEST_F(ModelOptions, areThoseOfEveryCommandThatReadsAModel) {
   const Helps commands = readingCommands();
-  EXPECT_EQ(commands.size(), 19u);
+  EXPECT_EQ(commands.size(), 20u);
   for (const auto& [name, help] : commands) {
     for (const char* option :
          {"  --weld LENGTH ", "  --close-holes ", "  --component N ", "  --min-component SHARE ",
@@ -80,6 +80,7 @@ TEST_F(ModelOptions, reachTheModelInEveryCommand) {
       {"parts", {"parts", prism}},
       {"necks", {"necks", prism}},
       {"handles", {"handles", prism}},
+      {"section", {"section", prism}},
       {"segments", {"segments", prism}},
       {"cut", {"cut", prism, "--necks", "-o", path("c.glb")}},
       {"bottleneck", {"bottleneck", prism, "0", "1"}},

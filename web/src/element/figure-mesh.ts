@@ -62,11 +62,12 @@ async function meshOf(
   const refused = (): Promise<never> =>
     Promise.reject(failure('USAGE', 'the file was not read by the kernel', { hint: 'load it' }));
   return {
+    ...refusedCalls(refused),
+    // The file answers these itself.
     info,
     geometry: { positions, indices, boundary, origin: [0, 0, 0] },
     vertexOfInput: Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex),
     vertexAreas: ({ signal } = {}) => inSlices(vertexAreasOf(positions, indices), signal),
-    ...refusedCalls(refused),
     ...(tips ? { tips: () => Promise.resolve(tips) } : {}),
     dispose: () => undefined,
   };
