@@ -62,7 +62,7 @@ inline emscripten::val kindCodes(const std::vector<PartKind>& kinds) {
   return copyOut<std::uint8_t>("Uint8Array", codes);
 }
 
-/// The same again.
+/// Kinds that `kindCodes` made codes of, again.
 inline std::vector<PartKind> kindsAgain(const emscripten::val& codes) {
   std::vector<PartKind> kinds;
   for (const std::uint8_t code : copyIn<std::uint8_t>(codes)) {

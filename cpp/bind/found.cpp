@@ -44,7 +44,7 @@ Error notOfSurface() {
   return makeError(ErrorCode::InvalidPoint, -1, "the result is not one of this surface");
 }
 
-/// What is asked for: `WrittenFound` and `WrittenModel` of protocol.ts.
+/// A result to be written: `WrittenFound` and `WrittenModel` of protocol.ts.
 struct Asked {
   JobSurface& surface;
   const io::LoadedMesh& loaded;

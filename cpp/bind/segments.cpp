@@ -19,7 +19,7 @@ using emscripten::val;
 namespace girth::bind {
 namespace {
 
-/// What a body is divided by.
+/// The tips, necks and kinds that a body is divided by.
 struct Division {
   std::vector<PartKind> vertexKinds;
   PartOptions kinds;

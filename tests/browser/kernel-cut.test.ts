@@ -212,7 +212,7 @@ function coloured(isPly: boolean): string {
 }
 
 test('parts keep the colours, texture coordinates and fields of their file, and faces know their part, as by the command', async () => {
-  // The same as glTF: what the command makes of the PLY, in which no neck stands out so much.
+  // The model as glTF, by the command: no neck of the PLY stands out so much, and nothing is cut.
   const uncut = ['--necks', '--min-prominence', '1000'];
   const glb = byCommand(coloured(true), 'glb', 'whole.ply', uncut)[0]!;
   for (const name of ['coloured.ply', 'coloured.obj', 'coloured.glb']) {

@@ -387,7 +387,7 @@ test('what was found is written as the command writes it, byte by byte', async (
         files[`limbs ${format}`] = latin(await mesh.write(limbs, format));
       }
       files['limbs csv --profiles'] = latin(await mesh.write(limbs, 'csv', { profiles: true }));
-      // What is left of a list is a list.
+      // A shortened list of necks is written as a whole one is.
       const first = { ...necks, necks: necks.necks.slice(0, 1) };
       const rows =
         latin(await mesh.write(first, 'csv'))

@@ -1,4 +1,4 @@
-"""What `pygirth.show` refuses, and what its page consists of; how it looks is tested in a browser."""
+"""Refusals of `pygirth.show`, and the parts of its page; a browser tests how the page looks."""
 
 import importlib.resources
 import re

@@ -1,4 +1,4 @@
-// What is on the page as files: fields, tips, limbs, parts, necks, handles, the bottleneck, the pinned loops, the picture, and all of it.
+// Files of the page: fields, tips, limbs, parts, necks, handles, the bottleneck, pinned loops, the picture, and the whole project.
 
 import type { FieldFormat, FieldName, LoopFormat } from '../src/kernel/index.js';
 import {
@@ -166,7 +166,7 @@ export function offerExports(
       ]),
     ),
   ];
-  /** What the panel of necks lists, in the formats that it is written in. */
+  /** Entries for a result of the panel of necks, one for each format. */
   const listed = (name: keyof NecksPanel['listed'], formats: Readonly<Record<string, string>>) =>
     Object.entries(formats).map(([format, about]) =>
       entry(format, about, () =>

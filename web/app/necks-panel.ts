@@ -197,7 +197,7 @@ export class NecksPanel {
     return this.#between.plots;
   }
 
-  /** What is listed, and the bottleneck: as far as they are found. */
+  /** The listed necks and handles, and the bottleneck; each is missing until it is found. */
   get listed(): { necks?: Necks; handles?: Handles; bottleneck?: Bottleneck } {
     const { found } = this.#search;
     const { bottleneck } = this.#between;

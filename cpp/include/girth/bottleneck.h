@@ -35,7 +35,7 @@ GIRTH_EXPORT std::string_view toString(BottleneckKind kind);
 struct Bottleneck {
   /// The least girth on the widest way, in model units: the length of its loop.
   double girth{0};
-  BottleneckKind kind{BottleneckKind::End};  ///< what is there
+  BottleneckKind kind{BottleneckKind::End};  ///< a neck, a pass, or an end
   /// Where on the way the girth is least.
   SurfacePoint place;
   /// The loop: of a neck the closed geodesic itself (of a band of parallel ones that in the

@@ -57,7 +57,7 @@ struct PartOptions {
 
 /// A connected region of one kind.
 struct GIRTH_EXPORT Part {
-  PartKind kind{PartKind::Body};  ///< what all its vertices are
+  PartKind kind{PartKind::Body};  ///< that of all its vertices
   std::vector<Vertex> vertices;   ///< its vertices, in rising order
   double area{0};                 ///< sum of the vertices' areas, in squared model units
   /// Median of the girth over the region, in model units; NaN where it is unknown.

@@ -19,8 +19,8 @@ struct HandleRemoval {
   /// Loops that were cut along, in the order of the cuts: points of the surface as it was then.
   /// Each is the shortest round its handle, where `mayBeShorterBy` is 0, as in findHandles.
   std::vector<Handle> removed;
-  Index genusBefore{0};  ///< of all components together
-  Index genusAfter{0};   ///< the same of what is left
+  Index genusBefore{0};  ///< genus of all components together
+  Index genusAfter{0};   ///< genus of the surface that is left
   /// Faces that were made or moved and cross others, since there was no room for them; those of the
   /// surface that crossed each other before do not count.
   Index crossingFaces{0};

@@ -51,8 +51,8 @@ struct Section {
   Vec3 normal{0, 0, 1};
   /// normal · x of all points of the plane, in model units.
   double offset{0};
-  /// In the order of the components, then of the first edge that each crosses. Empty where the
-  /// plane misses the surface.
+  /// In the order of the first face that each runs through. Empty where the plane misses the
+  /// surface.
   std::vector<SectionCurve> curves;
   /// The sum of the curves' lengths, in model units.
   double perimeter{0};
@@ -93,8 +93,8 @@ GIRTH_EXPORT Result<HeightRange> heightRange(const SurfaceMesh& mesh, const Vec3
 /// lies round it and another curve of the section lies round that. Curves of bodies that overlap
 /// are measured one by one.
 ///
-/// On polyhedra the measures are exact to rounding. Time: O(n log m + c log c) for n faces, m
-/// planes and c crossed edges, on all threads; the same result for any number of them. Errors:
+/// On polyhedra the measures are exact to rounding. Time: O(n m + c log c) for n faces, m planes
+/// and c crossed edges, on all threads; the same result for any number of them. Errors:
 /// INVALID_OPTION (a normal without length, an offset that is not finite), CANCELLED.
 GIRTH_EXPORT Result<Sections> findSections(const SurfaceMesh& mesh, const Vec3& normal,
                                            std::span<const double> offsets,

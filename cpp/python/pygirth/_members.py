@@ -18,10 +18,10 @@ class Bottleneck(_Members):
     Attributes
     ----------
     kind : str
-        What is there. ``"neck"``: A neck between the points: its loop is a closed geodesic,
-        shorter than every other closed curve near it. ``"pass"``: A place between them whose
-        loop can be made shorter by moving it to one side. ``"end"``: One of the two points:
-        there is no neck between them.
+        A neck, a pass, or an end. ``"neck"``: A neck between the points: its loop is a closed
+        geodesic, shorter than every other closed curve near it. ``"pass"``: A place between
+        them whose loop can be made shorter by moving it to one side. ``"end"``: One of the two
+        points: there is no neck between them.
     girth : float
         The least girth on the widest way, in model units: the length of its loop.
     place : ndarray of float64, shape (3,)
@@ -250,7 +250,7 @@ class Part(_Members):
     Attributes
     ----------
     kind : str
-        What all its vertices are. ``"body"``: Thick. ``"tube"``: Thin, and a short loop goes
+        That of all its vertices. ``"body"``: Thick. ``"tube"``: Thin, and a short loop goes
         round it. ``"plate"``: Thin, but no short loop goes round it. ``"unknown"``: Its girth
         or its thickness has no value.
     area : float
@@ -342,8 +342,8 @@ class Section(_Members):
     area : float
         The sum of the areas of the curves that are no holes, in squared model units.
     curves : list of SectionCurve
-        In the order of the components, then of the first edge that each crosses. Empty where
-        the plane misses the surface.
+        In the order of the first face that each runs through. Empty where the plane misses the
+        surface.
     """
 
     normal: np.ndarray

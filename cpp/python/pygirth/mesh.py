@@ -202,7 +202,7 @@ class Mesh:
 
     @property
     def report(self) -> dict[str, Any]:
-        """What the preparation did, in counts; ``holes`` lists those that were filled."""
+        """Counts of the changes that the preparation made; ``holes`` lists the filled holes."""
         return self._surface.report()
 
     @property

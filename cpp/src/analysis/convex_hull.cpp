@@ -56,8 +56,7 @@ Widths widthsOf(const std::vector<Point2>& hull) {
       far = (far + 1) % count;
     }
     widths.least = std::min(widths.least, cross(a, b, hull[far]) / side);
-    // Of the two corners that are farthest apart, one is an end of a side and the other is farthest
-    // from it.
+    // The greatest width joins an end of some side to the corner that is farthest from that side.
     for (const Point2& p : {hull[far], hull[(far + count - 1) % count]}) {
       widths.greatest = std::max({widths.greatest, distanceOf(a, p), distanceOf(b, p)});
     }

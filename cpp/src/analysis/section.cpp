@@ -24,7 +24,7 @@ constexpr double kNoArea = 1e-14;
 /// So many planes are cut by one thread at a time: it looks for their faces in one pass.
 constexpr std::size_t kPlanesAtOnce = 16;
 
-/// Of length 1; nothing where it has no length, or none that is finite.
+/// The vector with length 1; nothing where its length is 0 or not finite.
 std::optional<Vec3> unitVector(const Vec3& normal) {
   const double greatest = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
   if (!(greatest > 0) || !std::isfinite(greatest)) return std::nullopt;

@@ -1,6 +1,7 @@
 // Meshes without a kernel: what takes one is refused, whatever it is called.
 
 import { expect, test } from 'vitest';
+import { refusedCalls } from '../../../web/src/element/refused-calls.js';
 import { shownMesh } from '../../../web/src/element/shown-mesh.js';
 import { MeshOfWorkers } from '../../../web/src/kernel/page/mesh.js';
 
@@ -24,4 +25,9 @@ test.each(calls.filter((name) => !known.includes(name)))('%s is refused', async 
 test('nothing else pretends to be a call', () => {
   const others = Object.keys(mesh).filter((name) => !calls.includes(name));
   expect(others.filter((name) => typeof mesh[name as 'tips'] === 'function')).toEqual([]);
+});
+
+test('members that every mesh answers are not refused, wherever the refusals stand', () => {
+  const refused = Object.keys(refusedCalls(() => Promise.reject(new Error('refused'))));
+  expect(refused.filter((name) => known.includes(name))).toEqual([]);
 });

@@ -11,7 +11,7 @@ interface Failed {
   message: string;
 }
 
-/** What is used of the module (`web/src/kernel/workers/wasm-modules.d.ts`). */
+/** Functions of the module that examples need (`web/src/kernel/workers/wasm-modules.d.ts`). */
 interface Module {
   jobSurface(
     positions: Float64Array,

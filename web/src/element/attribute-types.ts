@@ -10,8 +10,8 @@ import type { UpName } from '../view/up-axis.js';
 export type GirthMethod = 'exact' | 'coarse' | 'refined';
 
 /**
- * What the attributes do, and what they can be. Of those without a value `''` and `true` mean that they are there, `false`
- * that they are not.
+ * The attributes, with their effects and values. For an attribute without a value, `''` and `true` mean that it is there,
+ * `false` that it is not.
  */
 export interface GirthViewerAttributes {
   /** Address of a model: GLB, glTF with its buffers beside it, OBJ, PLY, STL, OFF, or a zip. */
@@ -34,14 +34,14 @@ export interface GirthViewerAttributes {
    */
   'shown-unit'?: string;
   /**
-   * What colours the surface: a field of the kernel (`FieldName`; `igf`, the girth, by default),
-   * `kind` (of the loop), `state` (how sure a refined girth is), `tips` (how far the girth rises
-   * at the tip that a place is in), `parts` (tubes, plates and body) or `none`; values of the
-   * file as in `_heat`; or two of these in one: their difference, `igf-sdf`, where they have the
-   * same unit, or their ratio, `igf/sdf`.
+   * The field that colours the surface: one of the kernel (`FieldName`; `igf`, the girth, by
+   * default), `kind` (of the loop), `state` (how sure a refined girth is), `tips` (how far the
+   * girth rises at the tip that a place is in), `parts` (tubes, plates and body) or `none`;
+   * values of the file as in `_heat`; or two of these in one: their difference, `igf-sdf`, where
+   * they have the same unit, or their ratio, `igf/sdf`.
    */
   field?: ShownName;
-  /** What the legend calls the field; by default its usual name. */
+  /** The field's name in the legend; by default its usual name. */
   'field-title'?: string;
   /**
    * `viridis` (default), `cividis`, `plasma`, `magma`, `turbo`, or `rdbu`, which diverges and is
@@ -74,14 +74,14 @@ export interface GirthViewerAttributes {
    */
   persistence?: number | string;
   /**
-   * Of `hks`, as a share of the surface's area, `0.002` by default; small times see small
-   * details.
+   * The time of `hks`, as a share of the surface's area, `0.002` by default; small times see
+   * small details.
    */
   time?: number | string;
-  /** Of `wks`, from `1` (low: the whole shape) to `100` (details); `20` by default. */
+  /** The energy of `wks`, from `1` (low: the whole shape) to `100` (details); `20` by default. */
   energy?: number | string;
   /**
-   * Of `sihks`, the frequency, from `1` (default) to `19`. Changed while its field is shown, each
+   * The frequency of `sihks`, from `1` (default) to `19`. Changed while its field is shown, each
    * of these three computes it anew.
    */
   component?: number | string;
@@ -154,8 +154,8 @@ export interface GirthViewerAttributes {
    */
   'one-scale'?: string;
   /**
-   * What lies on the surface beside it: `none`; the `legend` (default); or `full`, and without a
-   * value, a small bar too: first view, axes and straight views, drawing, pause.
+   * Controls beside the surface: `none`; the `legend` (default); or `full`, and without a value,
+   * a small bar too: first view, axes and straight views, drawing, pause.
    */
   controls?: boolean | '' | 'none' | 'legend' | 'full';
   /**

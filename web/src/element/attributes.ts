@@ -87,7 +87,7 @@ const rules: Record<AttributeName, Rule> = {
    */
   'shown-unit': lengthUnit,
   /**
-   * What colours the surface: a field of the kernel (`FieldName`; `igf`, the girth, by default),
+   * The field that colours the surface: one of the kernel (`FieldName`; `igf`, the girth, by default),
    * `kind` (of the loop), `state` (how sure a refined girth is), `tips` (how far the girth rises at
    * the tip that a place is in), `parts` (tubes, plates and body) or `none`; values of the file as
    * in `_heat`; or two of these in one: their difference, `igf-sdf`, where they have the same unit,
@@ -100,7 +100,7 @@ const rules: Record<AttributeName, Rule> = {
     ]),
     accepts: (text) => isShownName(text.replace(/_\w+/g, (own) => own.toLowerCase())),
   },
-  /** What the legend calls the field; by default its usual name. */
+  /** The field's name in the legend; by default its usual name. */
   'field-title': { allowed: 'words for the legend', accepts: () => true },
   /**
    * `viridis` (default), `cividis`, `plasma`, `magma`, `turbo`, or `rdbu`, which diverges and is
@@ -139,16 +139,16 @@ const rules: Record<AttributeName, Rule> = {
     accepts: (text) => 'length' in readLengthOrShare(text, 'm', 1),
   },
   /**
-   * Of `hks`, as a share of the surface's area, `0.002` by default; small times see small details.
+   * The time of `hks`, as a share of the surface's area, `0.002` by default; small times see small details.
    */
   time: {
     allowed: 'a number above 0',
     accepts: (text) => Number(text) > 0 && Number.isFinite(Number(text)),
   },
-  /** Of `wks`, from `1` (low: the whole shape) to `100` (details); `20` by default. */
+  /** The energy of `wks`, from `1` (low: the whole shape) to `100` (details); `20` by default. */
   energy: wholeNumber(1, signatureNumbers.wks.count),
   /**
-   * Of `sihks`, the frequency, from `1` (default) to `19`. Changed while its field is shown, each
+   * The frequency of `sihks`, from `1` (default) to `19`. Changed while its field is shown, each
    * of these three computes it anew.
    */
   component: wholeNumber(1, signatureNumbers.sihks.count),
@@ -242,7 +242,7 @@ const rules: Record<AttributeName, Rule> = {
    */
   'one-scale': named,
   /**
-   * What lies on the surface beside it: `none`; the `legend` (default); or `full`, and without a
+   * Controls beside the surface: `none`; the `legend` (default); or `full`, and without a
    * value, a small bar too: first view, axes and straight views, drawing, pause.
    */
   controls: {

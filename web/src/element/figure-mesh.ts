@@ -63,7 +63,6 @@ async function meshOf(
     Promise.reject(failure('USAGE', 'the file was not read by the kernel', { hint: 'load it' }));
   return {
     ...refusedCalls(refused),
-    // The file answers these itself.
     info,
     geometry: { positions, indices, boundary, origin: [0, 0, 0] },
     vertexOfInput: Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex),

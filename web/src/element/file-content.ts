@@ -1,9 +1,9 @@
-// What files have besides a surface.
+// Content of files besides the surface.
 
 import type { Loop, Tips } from '../kernel/types/types.js';
 import type { GivenField } from './given-fields.js';
 
-/** What a model's file has besides its surface. */
+/** Content of a model's file besides its surface. */
 export interface FileContent {
   /** Values at the surface's vertices. */
   fields: readonly GivenField[];

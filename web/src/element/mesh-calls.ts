@@ -1,5 +1,5 @@
-// What `<girth-viewer>` passes on to the mesh that it shows, as the kernel has read it: each call ends with the model, and
-// what it needs of fields is computed first.
+// Calls that `<girth-viewer>` passes on to the mesh that the kernel has read. Each ends with the model; fields that it
+// needs are computed first.
 
 import type {
   Barcode,
@@ -50,7 +50,7 @@ import type { LoopsOnSurface } from './loops-on-surface.js';
 import type { Model } from './model.js';
 import { ViewerShell } from './viewer-shell.js';
 
-/** What calls need of the model that is shown. */
+/** Parts of the shown model that calls need. */
 interface Asked {
   model: Model;
   mesh: Mesh;
@@ -135,7 +135,7 @@ export abstract class MeshCalls extends ViewerShell {
   }
 
   /**
-   * What is too thin to print or too close together, and the scale from which on nothing is; the fields that the
+   * Places too thin to print or too close together, and the least scale without any; the fields that the
    * limits need are computed first.
    */
   printCheck(limits: PrintLimits): Promise<PrintCheck> {
@@ -226,8 +226,8 @@ export abstract class MeshCalls extends ViewerShell {
   }
 
   /**
-   * What the surface falls into at its necks, and what each part is; girth and shape diameter are computed first. What is
-   * shown stays whole.
+   * The parts that the surface falls into at its necks, and the kind of each; girth and shape diameter are computed
+   * first. The shown surface stays whole.
    * @experimental
    */
   segments(options: SegmentOptions = {}): Promise<Segments> {

@@ -1,10 +1,11 @@
-// What only the kernel can answer of a mesh, refused: for surfaces that are shown with what is known of them already.
+// Refusals of the calls that only the kernel can answer, for surfaces that are shown without it.
 
 import { analysisNames } from '../kernel/types/operations/analysis.js';
 import type { Mesh } from '../kernel/types/types.js';
 
-/** What is known of every mesh. */
-type Known = 'info' | 'geometry' | 'vertexOfInput' | 'vertexAreas' | 'dispose';
+/** Members that every mesh answers without the kernel. */
+const known = ['info', 'geometry', 'vertexOfInput', 'vertexAreas', 'dispose'] as const;
+type Known = (typeof known)[number];
 
 /** Calls that are no operations of the module for analysis. */
 const others = [
@@ -22,7 +23,8 @@ const others = [
 
 /** All calls that compute, each answered by `refuse`. */
 export function refusedCalls(refuse: () => Promise<never>): Omit<Mesh, Known> {
-  const names = [...analysisNames, ...others];
+  const isKnown = (name: keyof Mesh): name is Known => known.some((one) => one === name);
+  const names = [...analysisNames, ...others].filter((name) => !isKnown(name));
   const calls = Object.fromEntries(names.map((name) => [name, refuse]));
-  return calls as Record<(typeof names)[number], typeof refuse>;
+  return calls as Record<Exclude<(typeof names)[number], Known>, typeof refuse>;
 }

@@ -175,7 +175,7 @@ export abstract class ViewerShell extends ElementOrNone {
     return this.core.require();
   }
 
-  /** What is drawn, of a model that the kernel has read, which can compute; rejected where none is. */
+  /** The drawn model, read by the kernel, so that it can compute; rejected where there is none. */
   protected async whole(): Promise<Presented> {
     this.require();
     return this.core!.whole();

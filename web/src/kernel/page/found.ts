@@ -7,7 +7,7 @@ interface Kind {
   name: string;
   /** A member that only its results have. */
   member: string;
-  /** What these are written by besides. */
+  /** A member of `FoundBesides` that its files need. */
   by?: keyof FoundBesides;
   /** Its files have faces by their numbers in the model's file. */
   hasFaces?: true;

@@ -128,7 +128,7 @@ export class MeshOfWorkers implements Mesh {
   readonly #jobSurface: SurfaceSource<SurfaceWithInput>;
   /** What the file has besides. */
   readonly #content: FileContent;
-  /** Of results that this mesh has found. */
+  /** Data that files of a result need, by the result that this mesh gave. */
   readonly #besides = new WeakMap<object, FoundBesides>();
   readonly #host: MeshHost;
   readonly #life = new AbortController();
@@ -325,7 +325,7 @@ export class MeshOfWorkers implements Mesh {
       .bytes;
   }
 
-  /** The same result. What files state of it besides is known from now on. */
+  /** Gives the result back, and keeps the data that its files need besides. */
   #found<Found extends object>(found: Found, besides: FoundBesides): Found {
     this.#besides.set(found, besides);
     return found;

@@ -201,21 +201,21 @@ export interface FoundTips extends Tips {
 
 /** Segments as a worker finds them. */
 export interface FoundSegments extends Segments {
-  /** What they are written by, for nothing to be searched for again. */
+  /** Tips, necks and kinds that their files need, so that nothing is searched for again. */
   by: object;
 }
 
-/** What files state of a result besides, or are written by. */
+/** Data besides the result that its file states or is written by. */
 export interface FoundBesides {
-  /** Of the girth that it was found by. Default: 0. */
+  /** The persistence of the girth that it was found by. Default: 0. */
   persistence?: number | undefined;
-  /** Of tips. */
+  /** For tips: {@link FoundTips.linePoints}. */
   linePoints?: Float64Array;
-  /** Of parts. */
+  /** For parts: the thresholds that they were divided by. */
   options?: Required<PartOptions>;
-  /** Of a print check. */
+  /** For a print check: its limits. */
   limits?: Required<PrintLimits>;
-  /** Of segments. */
+  /** For segments: {@link FoundSegments.by}. */
   by?: object;
 }
 
@@ -223,7 +223,7 @@ export interface FoundBesides {
 export interface WrittenFound extends FoundBesides {
   kind: string;
   result: object;
-  /** Of limbs as CSV: a row for each station. */
+  /** CSV of limbs has a row for each station. */
   profiles: boolean;
   /** Where files have faces by their numbers in the model's file. */
   content?: FileContent;

@@ -66,7 +66,7 @@ export type WeakKind = 'tube' | 'wall' | 'gap';
  * @experimental
  */
 export interface Bottleneck {
-  /** What is there. */
+  /** A neck, a pass, or an end. */
   kind: BottleneckKind;
   /** The least girth on the widest way, in model units: the length of its loop. */
   girth: number;
@@ -328,7 +328,7 @@ export interface PartThresholds {
 
 /** A connected region of one kind. */
 export interface Part {
-  /** What all its vertices are. */
+  /** That of all its vertices. */
   kind: PartKind;
   /** Sum of the vertices' areas, in squared model units. */
   area: number;
@@ -559,9 +559,9 @@ export interface GirthAudit {
  * @experimental
  */
 export interface MeasuredRemoval {
-  /** Of all components together. */
+  /** Genus of all components together. */
   genusBefore: number;
-  /** The same of what is left. */
+  /** Genus of the surface that is left. */
   genusAfter: number;
   /**
    * Faces that were made or moved and cross others, since there was no room for them; those of the
@@ -636,8 +636,7 @@ export interface Section {
   /** The sum of the areas of the curves that are no holes, in squared model units. */
   area: number;
   /**
-   * In the order of the components, then of the first edge that each crosses. Empty where the plane
-   * misses the surface.
+   * In the order of the first face that each runs through. Empty where the plane misses the surface.
    */
   curves: SectionCurve[];
 }

@@ -140,7 +140,7 @@ export interface ExportOptions extends CallOptions {
 
 /** Options of {@link Mesh.write}. */
 export interface WriteOptions extends ExportOptions {
-  /** Of limbs as CSV: a row for each station of each limb, instead of one for each limb. Default: false. */
+  /** CSV of limbs has a row for each station of each limb, instead of one for each limb. Default: false. */
   profiles?: boolean;
 }
 
@@ -330,7 +330,7 @@ export interface NeckOptions extends WatchedOptions {
 
 /** The girth at one place of a path. */
 export interface PathStation extends MeasuredStation {
-  /** The same as `point`. */
+  /** Another name of `point`. */
   place: SurfacePoint;
 }
 

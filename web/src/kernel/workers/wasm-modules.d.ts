@@ -3,7 +3,7 @@
 /* oxlint-disable typescript/consistent-type-imports --
    an ambient module has no other way to name the types beside it */
 
-/** What functions return instead of their result when they fail. */
+/** A failure, which functions return instead of their result. */
 interface Failed {
   code: string;
   element: number;
@@ -14,9 +14,9 @@ interface Failed {
 declare module '*/girth.mjs' {
   type Point = import('../types/types.js').SurfacePoint;
 
-  /** Of the fields it has 'igf' and 'angle', without persistence. */
+  /** A surface with the fields 'igf' and 'angle', without persistence. */
   export interface Surface {
-    /** What it was made from. */
+    /** The arrays that it was made from. */
     arrays(): { positions: Float64Array; indices: Uint32Array } | Failed;
     values(
       field: import('../types/protocol.js').FieldRequest,
@@ -100,7 +100,7 @@ declare module '*/girth-files.mjs' {
 
   /** A surface's arrays, and what follows from them. */
   export interface Described extends Arrays {
-    /** What drawn points are relative to. */
+    /** The point that drawn points are relative to. */
     origin: [number, number, number];
     /** Two vertices for each edge of the boundary. */
     boundary: Uint32Array<ArrayBuffer>;

@@ -1,4 +1,4 @@
-// What the module for analysis makes of a surface, and finds on it. Each has a call of a mesh that has its name.
+// Operations of the module for analysis: new surfaces, and results. A mesh has a call of the same name for each.
 
 import type { Described } from '../../wasm/girth-files.mjs';
 import type { FoundRefined, FoundSegments, FoundTips } from '../protocol.js';
@@ -25,7 +25,7 @@ interface Made {
   described: Described;
 }
 
-/** What is made of a surface, by the module for analysis: other surfaces. */
+/** Operations that make another surface. */
 export const makingSurfaces = {
   remesh: takes('surface', 'faces', 'even', 'onProgress').gives<Made>(),
   smooth: takes('surface', 'steps', 'onProgress').gives<Made>(),
@@ -34,7 +34,7 @@ export const makingSurfaces = {
   >(),
 };
 
-/** What is found on a surface, by the same module. Each has a call of a mesh that has its name, as those above have. */
+/** Operations that find something on a surface. */
 export const analysing = {
   difference: takes('surface', 'values', 'other', 'otherValues').gives<{ difference: number }>(),
   refinedGirth: takes('surface', 'request', 'onProgress').gives<FoundRefined>(),

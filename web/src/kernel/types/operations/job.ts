@@ -11,7 +11,7 @@ import type { analysing, makingSurfaces } from './analysis.js';
 import type { serving } from './serving.js';
 import type { GivenBy, MessagesOf, Sent } from './table.js';
 
-/** Those of the table of surfaces that are made. `info` is that of the original. */
+/** Messages for the operations that make surfaces. `info`: of the original. */
 type MakingMessages = {
   [K in keyof typeof makingSurfaces]: [
     Sent<(typeof makingSurfaces)[K]> & { info: MeshInfo },

@@ -1,4 +1,4 @@
-// What other calls of a mesh take of the module for analysis: what is carried, and files.
+// Operations of the module for analysis that other calls of a mesh need: carried values, and files.
 
 import { takes } from './table.js';
 

@@ -1,10 +1,10 @@
-// What the module for studies computes: spectra, and comparisons of shapes.
+// Operations of the module for studies: spectra, and comparisons of shapes.
 
 import type { CommonOperations, StudyFields } from '../protocol.js';
 import type { Maximum } from '../types.js';
 import { type MessagesOf, takes } from './table.js';
 
-/** What the module for studies computes: spectra, and comparisons of shapes. */
+/** Operations on spectra, and comparisons of shapes. */
 export const studying = {
   /** Keeps the spectrum for the next request on the same surface. */
   spectralField: takes('surface', 'signature', 'onProgress').gives<{

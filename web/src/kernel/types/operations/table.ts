@@ -101,11 +101,11 @@ export const takes = <const Names extends readonly ArgumentName[]>(...names: Nam
   gives: <Found extends object>(): Operation<Names, Found> => ({ takes: names }),
 });
 
-/** What an operation gives. */
+/** The result of an operation. */
 export type GivenBy<O> = O extends { readonly gives?: infer Found extends object } ? Found : never;
 type Everything = SurfaceNumbers & Inputs;
 
-/** What a message with an operation has: all that it takes, by name. */
+/** The content of an operation's message: all that it takes, by name. */
 export type Sent<O extends OperationTable[string]> = Pick<
   Everything,
   Extract<O['takes'][number], keyof Everything>
