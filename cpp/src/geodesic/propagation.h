@@ -146,6 +146,8 @@ class Propagation {
   bool passesStraight(Index vertex, double leaving) const;
   /// The vertices that a path has reached.
   const std::vector<Index>& reachedVertices() const { return reached_; }
+  /// The halfedges that windows have reached, where their face may have no corner that was reached.
+  const std::vector<Index>& reachedHalfedges() const { return lists_.touched(); }
 
   /// How many windows have entered the face through a halfedge and are kept; and one of them.
   std::uint32_t enteredCount(Index halfedge) const {

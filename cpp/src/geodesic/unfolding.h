@@ -163,9 +163,10 @@ class Unfolding {
   }
 
   /// Direction, at the vertex where `halfedge` starts, of a vector of its frame that points into
-  /// the face.
+  /// the face. A vector that rounding has put below the halfedge has a smaller one, even below 0:
+  /// the windows go on along the vector itself.
   double directionOf(Index halfedge, Vec2 vector) const {
-    return direction_[halfedge] + angleOf(vector.x, vector.y > 0 ? vector.y : 0);
+    return direction_[halfedge] + signedAngleOf(vector.x, vector.y);
   }
 
   /// A point given in the frame of a halfedge, in that of the next or the previous one of its face,

@@ -35,6 +35,8 @@ class WindowTable {
     }
     return lists_[slot];
   }
+  /// The halfedges to which windows have come.
+  const std::vector<Index>& touched() const { return touched_; }
   /// The halfedge has no windows any more.
   void close(Index halfedge) { release(slot_[halfedge], kEmpty); }
 
@@ -98,7 +100,7 @@ class WindowTable {
   std::vector<Index> slot_;        // of the halfedges: which list
   std::vector<WindowList> lists_;  // first the shared ones
   std::vector<Index> halfedge_;    // of the lists
-  std::vector<Index> touched_;     // halfedges to clear
+  std::vector<Index> touched_;     // halfedges that have been opened
   std::vector<Index> unused_;      // lists
   std::size_t worthwhile_{kFew};   // so many lists make it worth looking for those that are passed
 };

@@ -26,6 +26,14 @@ inline double angleOf(double x, double y) {
   return x < 0 ? kPi - angle : angle;
 }
 
+/// The angle of any vector but (0, 0) against the x axis, in [−π/2, 3π/2): just below the axis it
+/// is just below 0, or just above π.
+inline double signedAngleOf(double x, double y) {
+  const double angle = angleOf(x, std::fabs(y));
+  if (y >= 0) return angle;
+  return x > 0 ? -angle : 2 * kPi - angle;
+}
+
 struct CosSin {
   double cos, sin;
 };

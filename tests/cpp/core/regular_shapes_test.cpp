@@ -68,10 +68,11 @@ INSTANTIATE_TEST_SUITE_P(Unions, RegularShapes,
 // that bends round a window's end comes from there (5287, 8014); the enumeration cannot follow
 // lines that run along edges (4707, 4734). A midpoint beyond a side of its face is nearer there
 // over a third path (11114). A straight line past the end of a window refutes the loop (1558,
-// 15842).
+// 15842). A path arrives beside the first side of a face, and its direction was moved onto it, but
+// the windows went on along the path: a crack (19165).
 INSTANTIATE_TEST_SUITE_P(OnceFailed, RegularShapes,
                          testing::Values(73, 83, 95, 174, 320, 421, 764, 815, 1153, 1221, 1689,
-                                         1893, 11114, 1558, 15842));
+                                         1893, 11114, 1558, 15842, 19165));
 
 class RegularShapesEverywhere : public testing::TestWithParam<int> {};
 
@@ -82,8 +83,10 @@ TEST_P(RegularShapesEverywhere, CarryTheRest) {
 // Faults at single vertices: a maximum of rounding beside a saddle (103, 258), a third path to its
 // midpoint that ties (13250), a face whose first corner is beyond the frontier (14060), and a path
 // along the first direction of a vertex, which rounding has arrive at its total angle (14130).
+// Paths that meet in a face before they reach a corner of it (6400), a loop along a boundary that
+// passes a corner of it by 1e-8 (5750), and a saddle that rounding puts beside its edge (18000).
 INSTANTIATE_TEST_SUITE_P(OnceFailed, RegularShapesEverywhere,
-                         testing::Values(103, 258, 13250, 14060, 14130));
+                         testing::Values(103, 258, 13250, 14060, 14130, 5750, 6400, 18000));
 
 }  // namespace
 }  // namespace girth::test

@@ -147,7 +147,8 @@ void Ascent::goStraight(const SaddleSide& side) {
       const Vec2 start = unfolding.toFrame(in, h, from);
       const Vec2 ahead = unfolding.toFrame(in, h, from + direction) - start;
       if (!(ahead.y < 0)) continue;
-      const double x = start.x - start.y / ahead.y * ahead.x;
+      // A saddle that rounding has put beyond the side leaves at once, and never backwards.
+      const double x = start.x - std::min(start.y / ahead.y, 0.0) * ahead.x;
       if (!(x > 0 && x < unfolding.crossing(h).length())) continue;
       exit = h;
       at = x;

@@ -230,7 +230,7 @@ void PersistentSearch::leaveOutApart(const LoopCandidate& loop) {
 /// What becomes of a saddle, as far as its two sides show: whether both lead farther than `end`, or
 /// one of them is filled up to there.
 PersistentSearch::Fate PersistentSearch::foresee(const Saddle& saddle, double end, bool isPassed) {
-  if (!saddle.isPlain) return Fate::Unknown;
+  if (!saddle.isPlain || isBesideCorner(saddle)) return Fate::Unknown;
   const LoopCandidate& loop = saddle.loop;
   const double height = loop.length / 2;
   const std::array<Vec2, 2> roots{rootOf(loop, loop.there), rootOf(loop, loop.back)};
@@ -256,6 +256,21 @@ PersistentSearch::Fate PersistentSearch::foresee(const Saddle& saddle, double en
     if (!leads_[k]) return Fate::Unknown;
   }
   return Fate::Lasts;
+}
+
+/// Whether the midpoint of a loop is so near to a corner of its face that what lies between them is
+/// less than the walks on its sides can see.
+bool PersistentSearch::isBesideCorner(const Saddle& saddle) const {
+  constexpr double kBesideCorner = 1e-6;
+  const Unfolding& unfolding = propagation_->unfolding();
+  const Index face = faceOfSide(saddle.loop.halfedge);
+  double nearest = kInfinity, longest = 0;
+  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+    const Vec2 at = unfolding.toFrame(saddle.loop.halfedge, h, saddle.loop.midpoint);
+    nearest = std::min(nearest, norm(at));
+    longest = std::max(longest, unfolding.crossing(h).length());
+  }
+  return nearest <= kBesideCorner * longest;
 }
 
 /// Whether no other saddle is as high, up to rounding.

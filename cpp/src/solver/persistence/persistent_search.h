@@ -92,6 +92,7 @@ class PersistentSearch {
   geodesic::Vec2 rootOf(const LoopCandidate& loop, const PathHalf& half) const;
   enum class Fate : std::uint8_t { Lasts, Dies, Unknown };
   Fate foresee(const Saddle& saddle, double end, bool isPassed);
+  bool isBesideCorner(const Saddle& saddle) const;
   bool isAlone(const Saddle& saddle) const;
   void findEnds();
   bool measure(double frontier);

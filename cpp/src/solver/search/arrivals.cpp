@@ -70,9 +70,8 @@ double Arrivals::directionTo(const Unfolding& unfolding, Index halfedge, Vec2 po
                              Vec2 other) const {
   const Vec2 d =
       unfolding.toFrame(halfedge, base, other) - unfolding.toFrame(halfedge, base, point);
-  const double angle = angleOf(d.x, std::fabs(d.y));
-  if (d.y >= 0) return angle;
-  return open && d.x > 0 ? -angle : 2 * kPi - angle;
+  const double angle = signedAngleOf(d.x, d.y);
+  return angle < 0 && !open ? 2 * kPi + angle : angle;
 }
 
 void findArrivals(const Propagation& propagation, Index halfedge, Vec2 point, double reach,

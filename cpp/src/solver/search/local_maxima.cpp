@@ -130,26 +130,31 @@ bool MaximaSearch::find(double low, double high, std::size_t mostWork,
     const double distance = propagation_->distance(v);
     return distance >= low - longestSide_ && std::isfinite(distance);
   };
+  const auto goesOn = [&] {
+    return work_ <= mostWork && !(cancel != nullptr && cancel->load(std::memory_order_relaxed));
+  };
   for (const Index v : propagation_->reachedVertices()) {
     if (!isNear(v)) continue;
-    if (work_ > mostWork) return false;
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return false;
+    if (!goesOn()) return false;
     const double distance = propagation_->distance(v);
     if (distance >= low && distance <= high) tryVertex(v);
     // Each face once, at its first corner that is near.
     for (const Index out : unfolding.fan(v)) {
-      const Index face = faceOfSide(out);
-      Index first = 3 * face;
+      Index first = 3 * faceOfSide(out);
       while (first < out && !isNear(unfolding.crossing(first).from())) ++first;
-      if (out != first || propagation_->farthestWithin(face) < low) continue;
-      tryFace(face);
-      while (!cells_.empty()) {
-        if (work_ > mostWork) return false;
-        Cell cell = std::move(cells_.back());
-        cells_.pop_back();
-        tryCell(std::move(cell));
-      }
+      if (out == first && !tryFace(faceOfSide(out), mostWork)) return false;
     }
+  }
+  // In a long face paths can meet before they reach a corner.
+  for (const Index h : propagation_->reachedHalfedges()) {
+    if (!goesOn()) return false;
+    const Index begin = 3 * faceOfSide(h);
+    bool isFirst = propagation_->enteredCount(h) > 0;
+    for (Index side = begin; side < begin + 3 && isFirst; ++side) {
+      const bool isEarlier = side < h && propagation_->enteredCount(side) > 0;
+      isFirst = !isEarlier && !isNear(unfolding.crossing(side).from());
+    }
+    if (isFirst && !tryFace(faceOfSide(h), mostWork)) return false;
   }
   return true;
 }
@@ -216,9 +221,11 @@ bool MaximaSearch::allFromOneSide(Index face) {
   return true;
 }
 
-void MaximaSearch::tryFace(Index face) {
+/// The maxima within a face. False: that is more work than `mostWork`.
+bool MaximaSearch::tryFace(Index face, std::size_t mostWork) {
+  if (propagation_->farthestWithin(face) < low_) return true;
   ++work_;
-  if (allFromOneSide(face)) return;
+  if (allFromOneSide(face)) return true;
   findPseudosources(*propagation_, face, kInfinity, sources_);
   work_ += sources_.size();
   // Other corners only bound distances from above.
@@ -232,6 +239,13 @@ void MaximaSearch::tryFace(Index face) {
   tried_.clear();
   cells_.clear();
   cells_.push_back({cornersOf(propagation_->unfolding(), face), sources_});
+  while (!cells_.empty()) {
+    if (work_ > mostWork) return false;
+    Cell cell = std::move(cells_.back());
+    cells_.pop_back();
+    tryCell(std::move(cell));
+  }
+  return true;
 }
 
 void MaximaSearch::tryCell(Cell cell) {
@@ -243,7 +257,19 @@ void MaximaSearch::tryCell(Cell cell) {
   const Pseudosource* nearest = nullptr;
   const double slack = kTie * high_, usual = std::isfinite(slack) ? slack : kTie * low_;
   double atCentre = distanceAmong(cell.sources, centre, usual, nearest);
-  if (nearest == nullptr) return;
+  const bool isReached = nearest != nullptr;
+  if (!isReached) {
+    // The centre is beyond the frontier, or between two windows; paths reach the rest of the cell.
+    double farthest = 0;
+    for (const Pseudosource& source : cell.sources) {
+      farthest = std::max(farthest, source.distanceTo(centre));
+      if (nearest == nullptr || source.distanceTo(centre) < nearest->distanceTo(centre)) {
+        nearest = &source;
+      }
+    }
+    if (nearest == nullptr) return;
+    atCentre = std::min(farthest, high_);
+  }
   for (const Pseudosource& bound : bounds_) atCentre = std::min(atCentre, bound.distanceTo(centre));
   if (atCentre + radius < low_ || atCentre - radius > high_) return;
 
@@ -264,7 +290,7 @@ void MaximaSearch::tryCell(Cell cell) {
     return;
   }
   if (radius <= kTie * atCentre) {
-    tryPoint(centre, atCentre);
+    if (isReached) tryPoint(centre, atCentre);
     return;
   }
   std::size_t from = 0;

@@ -52,7 +52,7 @@ class MaximaSearch {
   void tryVertex(Index vertex);
   bool sendsInto(Index out) const;
   bool allFromOneSide(Index face);
-  void tryFace(Index face);
+  bool tryFace(Index face, std::size_t mostWork);
   void tryCell(Cell cell);
   void tryTriples(const std::vector<Pseudosource>& roots, const Cell& cell, geodesic::Vec2 centre,
                   double radius);
