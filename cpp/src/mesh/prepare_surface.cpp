@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "mesh/coordinates.h"
+#include "mesh/prepare/bodies.h"
 #include "mesh/prepare/close_holes.h"
 #include "mesh/prepare/cracks.h"
 #include "mesh/prepare/drop_faces.h"
@@ -160,11 +161,12 @@ class Preparation {
         extent = std::max(extent, std::fabs(soup_.positions[3 * std::size_t{v} + k]));
       }
     }
+    isOfFacets_ = used == soup_.triangles.size();
     faces_.scale = scaleFor(extent);
     faces_.positions = soup_.positions;
     if (options_.weldDistance > 0) {
       prepare::joinWithin(options_.weldDistance, soup_.positions, first_);
-    } else if (places < used && used < soup_.triangles.size()) {
+    } else if (places < used && !isOfFacets_) {
       // Corners that are all vertices of their own close nothing.
       faces_.place = first_;
       faces_.closedByFile = prepare::closedByTheFile(soup_.triangles, faces_.place);
@@ -189,14 +191,16 @@ class Preparation {
   }
 
   void weld() {
-    if (faces_.place.empty()) {
+    if (faces_.place.empty() && !isOfFacets_) {
       faces_.triangles = std::move(soup_.triangles);
     } else {
       faces_.triangles = soup_.triangles;
+    }
+    if (!faces_.place.empty()) {
       // Each vertex that is not closed stands for the first such at its place.
       std::vector<Index> firstOpen(first_.size(), kNoIndex);
       for (Index v = 0; v < first_.size(); ++v) {
-        first_[v] = faces_.place[v] == kNoIndex ? kNoIndex : v;
+        first_[v] = faces_.place[v] == kNoIndex ? kNoIndex : ownOf(v);
         if (first_[v] == kNoIndex || faces_.closedByFile[v]) continue;
         Index& first = firstOpen[faces_.place[v]];
         if (first == kNoIndex) first = v;
@@ -222,9 +226,11 @@ class Preparation {
                      countText(report_.inputFaces, "face has no area", "faces have no area"));
   }
 
-  /// Returns whether all has to be done again, as fewer vertices are closed than was thought.
+  /// Returns whether all has to be done again: bodies lie on one another, or fewer vertices are
+  /// closed than was thought.
   bool join() {
     prepare::JoinedFaces joined = prepare::joinFaces(faces_, report_);
+    if (separateBodies(joined)) return true;
     findInputOfCorners();
     split_ = prepare::splitVertices(faces_, joined, inputOfCorner_, report_);
     if (openWhatIsNotClosed()) return true;
@@ -237,6 +243,30 @@ class Preparation {
     faces_.triangles = std::move(split_.vertexOfCorner);
     return false;
   }
+
+  /// Whether edges of more than two faces stay open, and a file of facets lists bodies one after
+  /// the other that lie on one another. From then on each body has vertices of its own.
+  bool separateBodies(const prepare::JoinedFaces& joined) {
+    if (!isOfFacets_ || areBodiesKnown_ || options_.weldDistance > 0) return false;
+    areBodiesKnown_ = true;
+    if (std::none_of(joined.cut.begin(), joined.cut.end(),
+                     [&](Index h) { return joined.twin[h] == kNoIndex; })) {
+      return false;
+    }
+    std::vector<Index> place = prepare::firstAtSamePlace(soup_.positions, soup_.triangles);
+    own_ = prepare::firstInBody(soup_.triangles, place);
+    if (own_.empty()) return false;
+    faces_.place = std::move(place);
+    std::vector<Index> triangles = soup_.triangles;
+    for (Index& v : triangles) v = own_[v];
+    const std::vector<bool> closed = prepare::closedByTheFile(triangles, faces_.place);
+    faces_.closedByFile.resize(closed.size());
+    for (Index v = 0; v < closed.size(); ++v) faces_.closedByFile[v] = closed[own_[v]];
+    return true;
+  }
+
+  /// The vertex that stands for a vertex of the input within its body.
+  Index ownOf(Index vertex) const { return own_.empty() ? vertex : own_[vertex]; }
 
   /// Where vertices at one place may differ: the vertex of the input at each corner.
   void findInputOfCorners() {
@@ -266,11 +296,12 @@ class Preparation {
     const std::vector<bool> closed = prepare::closedByTheFile(split_.vertexOfCorner, place);
     bool opened = false;
     for (std::size_t corner = 0; corner < inputOfCorner_.size(); ++corner) {
-      const Index input = inputOfCorner_[corner];
+      const Index own = ownOf(inputOfCorner_[corner]);
       if (closed[split_.vertexOfCorner[corner]]) continue;
-      opened = opened || faces_.closedByFile[input];
-      faces_.closedByFile[input] = false;
+      opened = opened || faces_.closedByFile[own];
+      faces_.closedByFile[own] = false;
     }
+    for (Index v = 0; v < own_.size(); ++v) faces_.closedByFile[v] = faces_.closedByFile[own_[v]];
     return opened;
   }
 
@@ -460,6 +491,9 @@ class Preparation {
   PreparationReport report_;
   std::vector<Index> first_;  ///< for each vertex of the input the one that stands for it
   WorkingFaces faces_;
+  std::vector<Index> own_;  ///< the first vertex of its body at each place; empty: no bodies
+  bool isOfFacets_{false};  ///< every corner is a vertex of its own
+  bool areBodiesKnown_{false};
   std::vector<Index> inputOfCorner_;  ///< empty where vertices at one place are one
   prepare::SplitVertices split_;
   std::vector<Index> partOfFace_;

@@ -628,6 +628,18 @@ TEST(Prepare, WhatTheFileClosesStaysClosed) {
   EXPECT_NEAR(nested.parts[0].area, 42, 1e-12);
   EXPECT_NEAR(nested.parts[1].area, 6, 1e-12);
   expectSound(apart(crossing), nested);
+  // Where sides lie in one plane, what is inside of both cannot be told; the order of the facets
+  // can.
+  const auto atOffset = [&](double x, double y, double z) {
+    return apart(shifted(cubes, x, y, z));
+  };
+  const Shape inOnePlane = together(together(apart(cubes), atOffset(1, 0, 0)), atOffset(0, 1, 0));
+  const PreparedSurface bodies = prepared(inOnePlane);
+  EXPECT_EQ(bodies.report.boundaryCurves, 0u);
+  EXPECT_EQ(bodies.report.duplicateFaces, 0u);
+  ASSERT_EQ(bodies.report.components, 3u);
+  for (const SurfacePart& part : bodies.parts) EXPECT_NEAR(part.area, 24, 1e-12);
+  expectSound(inOnePlane, bodies);
   // The second cube open, and then with a seam round every side.
   for (const bool isOpen : {true, false}) {
     Shape second = shifted(cubes, 1, 1, 1);
