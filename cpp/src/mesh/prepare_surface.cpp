@@ -230,10 +230,9 @@ class Preparation {
   /// closed than was thought.
   bool join() {
     prepare::JoinedFaces joined = prepare::joinFaces(faces_, report_);
-    if (separateBodies(joined)) return true;
     findInputOfCorners();
     split_ = prepare::splitVertices(faces_, joined, inputOfCorner_, report_);
-    if (openWhatIsNotClosed()) return true;
+    if (separateBodies(joined) || openWhatIsNotClosed()) return true;
     soup_.triangles = {};
     report_.unreferencedVertices =
         report_.inputVertices - report_.weldedVertices -

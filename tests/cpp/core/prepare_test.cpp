@@ -633,13 +633,15 @@ TEST(Prepare, WhatTheFileClosesStaysClosed) {
   const auto atOffset = [&](double x, double y, double z) {
     return apart(shifted(cubes, x, y, z));
   };
-  const Shape inOnePlane = together(together(apart(cubes), atOffset(1, 0, 0)), atOffset(0, 1, 0));
-  const PreparedSurface bodies = prepared(inOnePlane);
-  EXPECT_EQ(bodies.report.boundaryCurves, 0u);
-  EXPECT_EQ(bodies.report.duplicateFaces, 0u);
-  ASSERT_EQ(bodies.report.components, 3u);
-  for (const SurfacePart& part : bodies.parts) EXPECT_NEAR(part.area, 24, 1e-12);
-  expectSound(inOnePlane, bodies);
+  const Shape pair = together(apart(cubes), atOffset(1, 0, 0));
+  for (const Shape& inOnePlane : {pair, together(pair, atOffset(0, 1, 0))}) {
+    const PreparedSurface bodies = prepared(inOnePlane);
+    EXPECT_EQ(bodies.report.boundaryCurves, 0u);
+    EXPECT_EQ(bodies.report.duplicateFaces, 0u);
+    ASSERT_EQ(48 * bodies.report.components, inOnePlane.triangles.size() / 3);
+    for (const SurfacePart& part : bodies.parts) EXPECT_NEAR(part.area, 24, 1e-12);
+    expectSound(inOnePlane, bodies);
+  }
   // The second cube open, and then with a seam round every side.
   for (const bool isOpen : {true, false}) {
     Shape second = shifted(cubes, 1, 1, 1);
