@@ -222,6 +222,7 @@ export async function buildDocs() {
 /** Sources of the kernel that the element has, beside types. */
 const usedOfKernel = [
   'page/abort',
+  'types/disposal',
   'types/errors',
   'unpack/crc',
   'workers/trusted-script',

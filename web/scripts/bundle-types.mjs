@@ -111,8 +111,18 @@ function bundled(program, { from, imported }) {
       : [];
   const declarations = [...chosen].map(([name, statement]) => written(statement, names.has(name)));
   const augmentations = globals.map((statement) => statement.getText());
+  // Projects whose libraries are of an older year do not know the symbol.
+  const isDisposable = declarations.some((text) => text.includes('[Symbol.dispose]'));
+  const libraries = isDisposable ? ['/// <reference lib="esnext.disposable" />'] : [];
   // Without the last line, all declarations would be exported.
-  const parts = [documentation, ...imports, ...declarations, ...augmentations, 'export {};'];
+  const parts = [
+    ...libraries,
+    documentation,
+    ...imports,
+    ...declarations,
+    ...augmentations,
+    'export {};',
+  ];
   return `${parts.filter(Boolean).join('\n')}\n`;
 }
 

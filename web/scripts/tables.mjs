@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { format } from 'oxfmt';
 import { attributes } from './element-manifest.mjs';
 import { headers, read, structOf } from './headers.mjs';
+import { optionNamesText } from './option-names.mjs';
 import { documentTables, pythonText, resultsText } from './results.mjs';
 import { repository } from './run.mjs';
 
@@ -311,6 +312,7 @@ export async function tables() {
     'web/src/kernel/types/length-units.ts': unitsText(),
     'web/src/kernel/types/defaults.ts': defaultsText(),
     'web/src/kernel/types/results.ts': resultsText(),
+    'web/src/kernel/types/option-names.ts': optionNamesText(),
     'web/docs/outputs.md': documentText('web/docs/outputs.md'),
     'web/docs/embedding.md': documentText('web/docs/embedding.md'),
     'web/src/element/attribute-types.ts': attributeTypes(),

@@ -6,8 +6,11 @@ import { GirthError, fieldsOf, hints } from '../../../web/src/kernel/types/error
 import { FieldRun, summaryOf } from '../../../web/src/kernel/page/field-run.js';
 import { openKernel } from '../../../web/src/kernel/page/kernel.js';
 import { chunkSize } from '../../../web/src/kernel/page/pool-engine.js';
+import { callOptionNames } from '../../../web/src/kernel/types/option-names.js';
 import type {
+  Field,
   FileWithPath,
+  Mesh,
   MeshArrays,
   PartialField,
 } from '../../../web/src/kernel/types/types.js';
@@ -240,6 +243,21 @@ describe('a field by a pool', () => {
     expect(workers.every(({ terminated }) => terminated)).toBe(true);
     expect(await codeOf(kernel.load(anyArrays))).toBe('CANCELLED');
     expect(await codeOf(mesh.loop(0))).toBe('CANCELLED');
+  });
+
+  test('the end of a block disposes of what it uses', async () => {
+    const surface = fakeSurface(10);
+    const { kernel } = await fakeKernel((request, report) =>
+      request.operation === 'values'
+        ? new Promise<object>(() => undefined)
+        : surface(request, report),
+    );
+    const mesh = await kernel.load(anyArrays);
+    const field = codeOf(mesh.field('igf'));
+    mesh[Symbol.dispose]();
+    expect(await field).toBe('CANCELLED');
+    kernel[Symbol.dispose]();
+    expect(await codeOf(kernel.load(anyArrays))).toBe('CANCELLED');
   });
 
   test('fails with its code when a worker crashes, and the next one uses a new worker', async () => {
@@ -566,6 +584,84 @@ describe('comparing shapes', () => {
     meshes[0]!.dispose();
     expect(await second).toBe('CANCELLED');
     expect(await codeOf(kernel.compare([{}] as never, { descriptors: [] }))).toBe('USAGE');
+  });
+});
+
+describe('names of options', () => {
+  const wrong = (options: object) => options as never;
+
+  test.each([
+    [
+      'persistance',
+      'did you mean persistence?',
+      (mesh: Mesh) => mesh.field('igf', wrong({ persistance: 0.1 })),
+    ],
+    [
+      'sdf.ray',
+      'did you mean sdf.rays?',
+      (mesh: Mesh) => mesh.field('sdf', wrong({ sdf: { ray: 7 } })),
+    ],
+    [
+      'station',
+      'did you mean stations?',
+      (mesh: Mesh) => mesh.exportLimbs({} as Field, 'csv', wrong({ station: 9 })),
+    ],
+    [
+      'thickness',
+      'there are tubeDiameter, wallThickness, gap',
+      (mesh: Mesh) => mesh.printCheck({}, wrong({ thickness: 1 })),
+    ],
+  ] as const)('%s is refused: %s', async (name, hint, call) => {
+    const { kernel } = await fakeKernel(fakeSurface(4));
+    const mesh = await kernel.load(anyArrays);
+    await expect(call(mesh)).rejects.toMatchObject({
+      code: 'USAGE',
+      message: `there is no option ${name}`,
+      hint,
+    });
+  });
+
+  test('of a kernel, and of its calls', async () => {
+    const { kernel } = await fakeKernel(fakeSurface(4));
+    const prepare = { weldDistances: 1 };
+    await expect(kernel.load(anyArrays, wrong({ prepare }))).rejects.toMatchObject({
+      message: 'there is no option prepare.weldDistances',
+      hint: 'did you mean prepare.weldDistance?',
+    });
+    await expect(kernel.compare([], wrong({ descriptor: [] }))).rejects.toMatchObject({
+      hint: 'did you mean descriptors?',
+    });
+    const none = { single: vi.fn(), threads: vi.fn(), job: vi.fn(), studies: vi.fn() };
+    await expect(openKernel(wrong({ thread: 2 }), none)).rejects.toMatchObject({
+      hint: 'did you mean threads?',
+    });
+    expect(none.job).not.toHaveBeenCalled();
+  });
+
+  test('a kernel that is given no model says which it takes', async () => {
+    const { kernel, readers } = await fakeKernel(fakeSurface(4));
+    for (const nothing of [undefined, null, 5, {}, { positions: new Float64Array(9) }]) {
+      await expect(kernel.load(nothing as never)).rejects.toMatchObject({
+        code: 'USAGE',
+        hint: expect.stringMatching(/^pass /) as string,
+      });
+    }
+    expect(readers.flatMap(({ operations }) => operations)).not.toContain('take');
+  });
+
+  test('the table has every call that takes options', async () => {
+    const { kernel } = await fakeKernel(fakeSurface(4));
+    const mesh = await kernel.load(anyArrays);
+    const calls = mesh as unknown as Record<string, (...args: unknown[]) => Promise<unknown>>;
+    for (const [call, places] of Object.entries(callOptionNames.Mesh)) {
+      for (const at of Object.keys(places)) {
+        const args = Array.from({ length: Number(at) + 1 }, () => ({}));
+        args[Number(at)] = { wrongName: 1 };
+        await expect(calls[call]!(...args), call).rejects.toMatchObject({
+          message: 'there is no option wrongName',
+        });
+      }
+    }
   });
 });
 

@@ -52,6 +52,12 @@ export async function measure(file: File): Promise<number> {
   }
 }
 
+export async function facesOf(address: string): Promise<number> {
+  using kernel = await createKernel();
+  using mesh = await kernel.load(address);
+  return mesh.info.faceCount;
+}
+
 export const bundled: () => Promise<Kernel> = createBundled;
 
 // @ts-expect-error There is no such field.

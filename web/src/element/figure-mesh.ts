@@ -1,6 +1,7 @@
 // The surface of a file that has its values in it, as a mesh that nothing can be computed on: whoever wants that
 // loads the file anew, by the kernel.
 
+import { disposal } from '../kernel/types/disposal.js';
 import { failure } from '../kernel/types/errors.js';
 import type { Mesh, MeshInfo } from '../kernel/types/types.js';
 import { inSlices } from '../view/index.js';
@@ -69,6 +70,7 @@ async function meshOf(
     vertexAreas: ({ signal } = {}) => inSlices(vertexAreasOf(positions, indices), signal),
     ...(tips ? { tips: () => Promise.resolve(tips) } : {}),
     dispose: () => undefined,
+    [disposal]: () => undefined,
   };
 }
 

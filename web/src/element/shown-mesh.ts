@@ -1,5 +1,6 @@
 // A mesh as the element asks for it, of which everything is known already and nothing is computed.
 
+import { disposal } from '../kernel/types/disposal.js';
 import { cancelled } from '../kernel/types/errors.js';
 import type { Field, FieldName, Loop, Mesh, MeshInfo } from '../kernel/types/types.js';
 import { nothingPrepared } from './nothing-prepared.js';
@@ -68,6 +69,7 @@ export function shownMesh(content: ShownContent): Mesh {
     },
     vertexAreas: () => Promise.resolve(content.areas),
     dispose: () => undefined,
+    [disposal]: () => undefined,
   };
 }
 

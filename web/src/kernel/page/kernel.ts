@@ -2,7 +2,9 @@
 
 import { linked, untilAborted } from './abort.js';
 import { BarcodeRun } from './barcodes.js';
+import { checkCalls, wrongOption } from './checked-options.js';
 import { compareShapes } from './compare.js';
+import { disposal } from '../types/disposal.js';
 import { cancelled, failure, fieldsOf, GirthError } from '../types/errors.js';
 import { barcodeRequest, hasKinds } from '../types/field-request.js';
 import { FieldRun, summaryOf, type FieldEngine } from './field-run.js';
@@ -12,6 +14,7 @@ import { MeshOfWorkers, progressOf } from './mesh.js';
 import type { MeshHost } from './mesh-host.js';
 import { page, type Platform } from './platform.js';
 import { PoolEngine } from './pool-engine.js';
+import { callOptionNames, kernelOptionNames } from '../types/option-names.js';
 import type { JobOperations } from '../types/operations/job.js';
 import type { StudiesOperations } from '../types/operations/studies.js';
 import type {
@@ -62,6 +65,8 @@ export async function openKernel(
   factory: WorkerFactory,
   platform: Platform = page,
 ): Promise<KernelOfWorkers> {
+  const wrong = wrongOption(options, kernelOptionNames);
+  if (wrong) throw wrong;
   const threads = threadsOf(options.threads, platform.cores);
   const models = new JobPool<JobOperations>(() => factory.job());
   // One job at a time, since the next one may need the same spectrum. Any surface's spectrum is heavy, and takes longer to
@@ -157,6 +162,10 @@ export class KernelOfWorkers implements Kernel, MeshHost {
   readonly #life = new AbortController();
   /** Settles when the workers have finished the latest field. */
   #fields: Promise<unknown> = Promise.resolve();
+
+  static {
+    checkCalls(this.prototype, callOptionNames.Kernel);
+  }
 
   constructor(
     mode: 'threads' | 'pool',
@@ -329,6 +338,10 @@ export class KernelOfWorkers implements Kernel, MeshHost {
     for (const one of [models, spectral, comparing, ...this.#workers]) {
       one.terminate(cancelled(reason));
     }
+  }
+
+  [disposal](): void {
+    this.dispose();
   }
 
   #run<T extends CommonOperations, R>(

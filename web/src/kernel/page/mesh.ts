@@ -1,6 +1,7 @@
 // A mesh on the page: it checks what is asked of it, and passes it to the workers.
 
 import { defaults } from '../types/defaults.js';
+import { disposal } from '../types/disposal.js';
 import { failure } from '../types/errors.js';
 import {
   checkName,
@@ -10,6 +11,8 @@ import {
   spectralNote,
   spectralRequest,
 } from '../types/field-request.js';
+import { callOptionNames } from '../types/option-names.js';
+import { checkCalls } from './checked-options.js';
 import { summaryOf } from './field-run.js';
 import { kindOf } from './found.js';
 import type { MeshHost } from './mesh-host.js';
@@ -132,6 +135,10 @@ export class MeshOfWorkers implements Mesh {
   readonly #besides = new WeakMap<object, FoundBesides>();
   readonly #host: MeshHost;
   readonly #life = new AbortController();
+
+  static {
+    checkCalls(this.prototype, callOptionNames.Mesh);
+  }
 
   constructor(host: MeshHost, opened: OpenedSurface) {
     const { info, arrays, origin, drawn, boundary, vertexOfInput, inputOfVertex } = opened;
@@ -298,10 +305,11 @@ export class MeshOfWorkers implements Mesh {
   async exportProfile(
     given: readonly SurfacePoint[] | Profile | LimbAxis,
     format: 'csv' | 'json' | 'obj' | 'glb',
-    options: ExportOptions & ProfileOptions = {},
+    { unit, ...options }: ExportOptions & ProfileOptions = {},
   ): Promise<Uint8Array> {
     const isMeasured = 'stations' in given || 'loops' in given;
-    return this.write(isMeasured ? given : await this.profile(given, options), format, options);
+    const along = isMeasured ? given : await this.profile(given, options);
+    return this.write(along, format, { unit, signal: options.signal });
   }
 
   async write(
@@ -418,9 +426,10 @@ export class MeshOfWorkers implements Mesh {
     igf: Field,
     sdf: Field,
     format: 'csv' | 'json' | 'glb',
-    options: ExportOptions & SegmentOptions = {},
+    { unit, ...options }: ExportOptions & SegmentOptions = {},
   ): Promise<Uint8Array> {
-    return this.write(await this.segments(igf, sdf, options), format, options);
+    const segments = await this.segments(igf, sdf, options);
+    return this.write(segments, format, { unit, signal: options.signal });
   }
 
   #contentSize(): number {
@@ -500,15 +509,16 @@ export class MeshOfWorkers implements Mesh {
     format: 'json' | 'obj',
     options: ExportOptions = {},
   ): Promise<Uint8Array> {
-    return this.write(await this.tips(igf, options), format, options);
+    return this.write(await this.tips(igf, { signal: options.signal }), format, options);
   }
 
   async exportLimbs(
     igf: Field,
     format: 'json' | 'csv',
-    options: ExportOptions & LimbOptions = {},
+    { unit, ...options }: ExportOptions & LimbOptions = {},
   ): Promise<Uint8Array> {
-    return this.write(await this.limbs(igf, options), format, options);
+    const limbs = await this.limbs(igf, options);
+    return this.write(limbs, format, { unit, signal: options.signal });
   }
 
   async exportParts(
@@ -518,7 +528,8 @@ export class MeshOfWorkers implements Mesh {
     format: 'json',
     options: ExportOptions = {},
   ): Promise<Uint8Array> {
-    return this.write(await this.parts(igf, sdf, parts, options), format, options);
+    const { signal } = options;
+    return this.write(await this.parts(igf, sdf, parts, { signal }), format, options);
   }
 
   async exportWeakPlaces(
@@ -527,7 +538,8 @@ export class MeshOfWorkers implements Mesh {
     format: 'json',
     options: ExportOptions = {},
   ): Promise<Uint8Array> {
-    return this.write(await this.printCheck(given, limits, options), format, options);
+    const { signal } = options;
+    return this.write(await this.printCheck(given, limits, { signal }), format, options);
   }
 
   async exportLoops(
@@ -549,7 +561,7 @@ export class MeshOfWorkers implements Mesh {
     const { opened } = await this.#ask('remesh', args, options, { passing });
     const mesh = new MeshOfWorkers(this.#host, opened);
     const none = new Uint8Array(0);
-    return Object.assign(mesh, {
+    const carrying = {
       carryBack: async (values: Float64Array, options: CallOptions = {}) =>
         (await this.#carryBack(mesh, values, none, options)).values,
       carryField: async (field: Field, options: CallOptions = {}) => {
@@ -558,7 +570,9 @@ export class MeshOfWorkers implements Mesh {
         const method = by && by.replace(/(?=,|$)/, ` on ${mesh.info.faceCount} faces`);
         return { ...field, ...carried, ...summaryOf(carried.values), method };
       },
-    });
+    };
+    checkCalls(carrying, callOptionNames.RemeshedMesh);
+    return Object.assign(mesh, carrying);
   }
 
   async smooth(steps: number, options: WatchedOptions = {}): Promise<Mesh> {
@@ -675,5 +689,9 @@ export class MeshOfWorkers implements Mesh {
     if (this.#life.signal.aborted) return;
     this.#life.abort('the mesh has been disposed of');
     this.#host.drop(this.surface.number);
+  }
+
+  [disposal](): void {
+    this.dispose();
   }
 }

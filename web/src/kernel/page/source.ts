@@ -17,6 +17,11 @@ export async function contentOf(
 ): Promise<SourceContent> {
   if (typeof source === 'string' || source instanceof URL) return contentAt(String(source), signal);
   if (source instanceof Blob) return { files: [withPath(source)] };
+  if (typeof source !== 'object' || source === null) {
+    throw failure('USAGE', `${String(source)} is no model`, {
+      hint: 'pass an address, a file, several files, bytes with a name, or arrays',
+    });
+  }
   if (isList(source)) {
     if (source.length === 0) {
       throw failure('FILE_NOT_FOUND', 'there is no file', { hint: 'choose a model' });
@@ -27,6 +32,11 @@ export async function contentOf(
     return {
       files: [{ path: source.name || 'model', content: new Blob([source.bytes as ArrayBuffer]) }],
     };
+  }
+  if (!('positions' in source && 'indices' in source)) {
+    throw failure('USAGE', 'an object without positions and indices is no model', {
+      hint: 'pass both arrays',
+    });
   }
   return {
     arrays: {

@@ -1017,6 +1017,8 @@ export interface Mesh {
   difference(field: Field, other: Mesh, otherField: Field, options?: CallOptions): Promise<number>;
   /** Stops its work and frees its memory. What was asked before fails with CANCELLED. */
   dispose(): void;
+  /** Disposes of it at the end of a block: `using mesh = await kernel.load(source)`. */
+  [Symbol.dispose](): void;
 }
 
 /** A mesh that lies where another one does, with other faces. */
@@ -1115,4 +1117,6 @@ export interface Kernel {
    * kernel keeps it alive only while something that was asked for is not done.
    */
   dispose(): void;
+  /** Disposes of it at the end of a block: `using kernel = await createKernel()`. */
+  [Symbol.dispose](): void;
 }
