@@ -137,6 +137,27 @@ function nameWorkers(folder) {
   }
 }
 
+/**
+ * Modules that the bundled workers have copies of: they take those of the kernel's own, so that the package has each once.
+ * @param {string} folder of the package
+ */
+function shareModules(folder) {
+  const assets = join(folder, 'assets');
+  const names = readdirSync(assets);
+  for (const copy of names.filter((name) => name.endsWith('.wasm'))) {
+    const own = copy.replace(/-[\w-]{8}\.wasm$/, '.wasm');
+    const [copied, kept] = [join(assets, copy), join(folder, 'kernel/wasm', own)];
+    if (!readFileSync(copied).equals(readFileSync(kept)))
+      throw new Complaint(`build: ${copy} is not the kernel's ${own}`);
+    for (const script of names.filter((name) => name.endsWith('.js'))) {
+      const path = join(assets, script);
+      const text = readFileSync(path, 'utf8');
+      if (text.includes(copy)) writeFileSync(path, text.replaceAll(copy, `../kernel/wasm/${own}`));
+    }
+    rmSync(copied);
+  }
+}
+
 /** The npm package: the kernel's modules one by one, the element, both with everything, the plots, the command. */
 export async function buildPackage() {
   buildWasm();
@@ -191,6 +212,7 @@ export async function buildPackage() {
         runTool('vite', [...vite, '--mode', mode]);
       }
       nameWorkers(join(repository, 'dist'));
+      shareModules(join(repository, 'dist'));
       const { writePackagePapers } = await import('./package-papers.mjs');
       writePackagePapers(join(repository, 'dist'));
     },

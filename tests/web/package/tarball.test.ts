@@ -3,6 +3,7 @@
 
 import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
 import { spawn, spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
 import { once } from 'node:events';
 import {
   existsSync,
@@ -209,6 +210,16 @@ test('everything that the package exports is in it, with licence, readme and cha
     expect(existsSync(join(packageFolder, file)), file).toBe(true);
   }
   expect(existsSync(join(packageFolder, 'dist/kernel/wasm'))).toBe(true);
+});
+
+test('it has each WebAssembly module once', () => {
+  const digests = filesOf('.wasm').map((file) =>
+    createHash('sha256')
+      .update(readFileSync(join(packageFolder, file)))
+      .digest('hex'),
+  );
+  expect(digests.length).toBeGreaterThan(7);
+  expect(new Set(digests).size).toBe(digests.length);
 });
 
 test('links and pictures of the readme lead to files that are in it, or to the web', () => {
