@@ -26,12 +26,16 @@ const pythonNames = /** @type {Record<string, string>} */ ({
   Bottleneck: 'Bottleneck',
   ContourLine: 'Contour',
   Handle: 'Handle',
+  HandleRemoval: 'HandleRemoval',
   Limb: 'Limb',
   Neck: 'Neck',
   Part: 'Part',
+  PersistentMaximum: 'Maximum',
+  PrintCheck: 'PrintCheck',
   Section: 'Section',
   SectionCurve: 'SectionCurve',
   Tip: 'Tip',
+  WeakPlace: 'WeakPlace',
 });
 
 /** Structs that are given, not found: their types have options. */
@@ -145,6 +149,7 @@ const pythonTypes = /** @type {Record<string, [string, string?]>} */ ({
   'std::vector<double>': ['np.ndarray', 'ndarray of float64'],
   'std::vector<Index>': ['list[int]', 'list of int'],
   'std::vector<Vertex>': ['np.ndarray', 'ndarray of int64'],
+  'std::vector<Face>': ['np.ndarray', 'ndarray of int64'],
   'std::vector<SurfacePoint>': ['np.ndarray', 'ndarray of float64, shape (k, 3)'],
 });
 
@@ -152,7 +157,7 @@ const pythonTypes = /** @type {Record<string, [string, string?]>} */ ({
 const snakeCase = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 
 /** A member as Python has it. @param {ReturnType<typeof results>[number]['members'][number]} member */
-function pythonMember({ name, type, comment, typescript, isEnumeration }) {
+function pythonMember({ how, name, type, comment, typescript, isEnumeration }) {
   const [, entry = ''] = /^std::vector<(\w+)>$/.exec(type) ?? [];
   const ofClass = pythonNames[entry];
   const [annotation, words = annotation] = isEnumeration
@@ -175,7 +180,13 @@ function pythonMember({ name, type, comment, typescript, isEnumeration }) {
     ...(type === 'Vertex' ? ['-1 where there is none, or the preparation made it.'] : []),
   ];
   const text = [sentences(comment), ...more].join(' ');
-  return { name: snakeCase(name), annotation, words, text: inPython(text) };
+  const isOptional = how === 'memberWhere';
+  return {
+    name: snakeCase(name),
+    annotation: isOptional ? `Optional[${annotation}]` : annotation,
+    words: isOptional ? `${words}, or None` : words,
+    text: inPython(text),
+  };
 }
 
 /** The numbers of each row, where a list of structs is an array. @param {string} struct */
@@ -216,7 +227,7 @@ export function pythonText() {
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Optional
 
 import numpy as np
 

@@ -61,12 +61,4 @@ io::Columns columnsOf(bool positions) {
   return positions ? io::Columns::Positions : io::Columns::Fields;
 }
 
-io::Format meshFormatOf(const std::string& ending) {
-  if (ending == ".obj") return io::Format::Obj;
-  if (ending == ".ply") return io::Format::Ply;
-  if (ending == ".stl") return io::Format::Stl;
-  if (ending == ".off") return io::Format::Off;
-  return io::Format::Glb;
-}
-
 }  // namespace girth::cli

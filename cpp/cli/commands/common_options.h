@@ -40,7 +40,4 @@ void addPositionsOption(OptionTable& table, bool& positions);
 /// The columns that the option asks of writers.
 io::Columns columnsOf(bool positions);
 
-/// The format of a surface by an output's ending: ".obj", ".ply", ".stl", ".off"; others are GLB.
-io::Format meshFormatOf(const std::string& ending);
-
 }  // namespace girth::cli

@@ -18,6 +18,7 @@
 #include "girth/handles.h"
 #include "girth/io/read_curves.h"
 #include "girth/io/write_cut.h"
+#include "girth/io/write_mesh.h"
 #include "girth/level_curves.h"
 #include "girth/necks.h"
 #include "model/clear_necks.h"
@@ -237,7 +238,7 @@ std::optional<Error> writeParts(const Options& options, const io::LoadedMesh& lo
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Output output = outputOf(options.output, i);
     if (auto error =
-            writeResult(output, io::partFile(loaded, model, i, meshFormatOf(output.ending())))) {
+            writeResult(output, io::partFile(loaded, model, i, *io::meshFormat(output.ending())))) {
       error->file = output.path;
       return error;
     }

@@ -166,7 +166,7 @@ int run(const Options& options) {
   if (!remeshed) return reportError(options.model, remeshed.error());
   const SurfaceMesh& mesh = remeshed.value() ? remeshed.value()->mesh : whole;
   const auto content =
-      io::meshFile(mesh, meshFormatOf(options.output.ending()), loaded.value().unit);
+      io::meshFile(mesh, *io::meshFormat(options.output.ending()), loaded.value().unit);
   if (!content) return reportError(options.output.path, content.error());
   if (auto error = writeOutput(options.output, content.value())) {
     return reportError(options.output.path, *error);

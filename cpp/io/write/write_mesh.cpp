@@ -126,4 +126,13 @@ Result<std::string> meshFile(const SurfaceMesh& mesh, Format format, std::string
   return error;
 }
 
+std::optional<Format> meshFormat(std::string_view ending) {
+  if (ending == ".obj") return Format::Obj;
+  if (ending == ".ply") return Format::Ply;
+  if (ending == ".stl") return Format::Stl;
+  if (ending == ".off") return Format::Off;
+  if (ending == ".glb") return Format::Glb;
+  return std::nullopt;
+}
+
 }  // namespace girth::io

@@ -12,7 +12,10 @@
 #include "bindings.h"
 #include "girth/describe/limbs.h"
 #include "girth/describe/parts.h"
+#include "girth/describe/persistent_maxima.h"
+#include "girth/describe/print_check.h"
 #include "girth/describe/tips.h"
+#include "girth/fields.h"
 #include "girth/io/write_segments.h"
 #include "girth/segments.h"
 #include "result_dict.h"
@@ -145,6 +148,47 @@ py::tuple segmentsByNecks(const Shared& surface, double minProminence, double gi
                         std::vector<Index>(found.crossing));
 }
 
+/// The maxima of values at the surface's vertices, or their minima.
+py::list maximaOf(const Shared& surface, const Array<double>& values, bool minima) {
+  const double sign = minima ? -1 : 1;
+  std::vector<double> heights;
+  for (const double value : spanOf(values)) heights.push_back(sign * value);
+  auto found = persistentMaxima(surface->mesh(), heights).value();
+  for (PersistentMaximum& maximum : found) maximum.value *= sign;
+  return listOf(surface->loaded(), found);
+}
+
+/// Computes the fields that the limits need, and checks them.
+Result<PrintCheck> checkByLimits(const Surface& surface, const PrintLimits& limits,
+                                 const ExecutionContext& context) {
+  const ExecutionContext quiet{context.threads, context.cancel, {}};
+  std::shared_ptr<const GirthField> girth;
+  FieldValues thickness;
+  if (limits.tubeDiameter > 0) {
+    auto found = surface.girth(0, context);
+    if (!found) return found.error();
+    girth = std::move(found).value();
+  }
+  if (limits.wallThickness > 0) {
+    auto found = fieldValues(surface.mesh(), "thickness", {}, quiet);
+    if (!found) return found.error();
+    thickness = std::move(found).value();
+  }
+  PrintFields fields{{}, thickness.values};
+  if (girth) fields.girth = girth->values;
+  return checkPrint(surface.mesh(), fields, limits, {}, quiet);
+}
+
+py::dict printCheckOf(const Shared& surface, double tubeDiameter, double wallThickness, double gap,
+                      const Running& running) {
+  const PrintLimits limits{tubeDiameter, wallThickness, gap};
+  const auto found =
+      compute<PrintCheck>(running, [surface, limits](const ExecutionContext& context) {
+        return checkByLimits(*surface, limits, context);
+      });
+  return dictOf(surface->loaded(), found);
+}
+
 }  // namespace
 
 void bindAnalysis(py::module_& module) {
@@ -152,6 +196,8 @@ void bindAnalysis(py::module_& module) {
   module.def("limbs", &limbsOf);
   module.def("parts", &partsByThresholds);
   module.def("segments", &segmentsByNecks);
+  module.def("maxima", &maximaOf);
+  module.def("print_check", &printCheckOf);
 }
 
 }  // namespace girth::python

@@ -10,9 +10,11 @@ namespace girth::python {
 void bindErrors(pybind11::module_& module);
 /// Surface: made of arrays or a file; fields, loops, distances, paths, other triangles.
 void bindSurface(pybind11::module_& module);
-/// Tips, limbs and parts.
+/// Files of surfaces and of fields.
+void bindFiles(pybind11::module_& module);
+/// Tips, limbs, parts, maxima and print checks.
 void bindAnalysis(pybind11::module_& module);
-/// Necks, sections, handles, bottlenecks, profiles and cuts.
+/// Necks, sections, handles and their removal, bottlenecks, profiles and cuts.
 void bindLoops(pybind11::module_& module);
 /// Fields that shapes are compared by, and the distances between shapes.
 void bindComparison(pybind11::module_& module);

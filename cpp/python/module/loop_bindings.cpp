@@ -17,6 +17,7 @@
 #include "girth/describe/handles.h"
 #include "girth/describe/limb_axis.h"
 #include "girth/describe/necks.h"
+#include "girth/describe/remove_handles.h"
 #include "girth/describe/section.h"
 #include "girth/io/write_cut.h"
 #include "girth/path_profile.h"
@@ -61,6 +62,27 @@ py::tuple handlesOf(const Shared& surface, std::size_t basePoints, const Running
         return findHandles(surface->mesh(), {basePoints}, context);
       });
   return py::make_tuple(listOf(surface->loaded(), found.handles), found.unresolved);
+}
+
+/// (vertices, faces, account) of the surface without its short handles; the account lists kind,
+/// length and centre of what was removed.
+py::tuple withoutHandles(const Shared& surface, double length, std::size_t basePoints,
+                         const Running& running) {
+  const auto removal = compute<HandleRemoval>(
+      running, [surface, length, basePoints](const ExecutionContext& context) {
+        return removeHandles(surface->mesh(), length, {basePoints}, context);
+      });
+  py::list removed;
+  for (const Handle& handle : removal.removed) {
+    py::dict one;
+    one["kind"] = std::string(toString(handle.kind));
+    one["length"] = handle.length;
+    one["centre"] = pointArray(handle.centre);
+    removed.append(one);
+  }
+  py::dict account = dictOf(surface->loaded(), removal);
+  account["removed"] = removed;
+  return py::make_tuple(positionArray(removal.mesh), triangleArray(removal.mesh), account);
 }
 
 py::dict bottleneckOf(const Shared& surface, const Point& from, const Point& to,
@@ -168,6 +190,7 @@ void bindLoops(py::module_& module) {
   module.def("necks", &necksOf);
   module.def("sections", &sectionsOf);
   module.def("handles", &handlesOf);
+  module.def("remove_handles", &withoutHandles);
   module.def("bottleneck", &bottleneckOf);
   module.def("profile", &profileOf);
   module.def("axis", &axisOf);

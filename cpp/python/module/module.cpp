@@ -11,6 +11,7 @@ PYBIND11_MODULE(_girth, module) {
   module.attr("version") = std::string(girth::version());
   girth::python::bindErrors(module);
   girth::python::bindSurface(module);
+  girth::python::bindFiles(module);
   girth::python::bindAnalysis(module);
   girth::python::bindLoops(module);
   girth::python::bindComparison(module);

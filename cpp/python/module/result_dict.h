@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -86,7 +87,13 @@ class ResultDict {
   template <class Word>
   requires std::is_enum_v<Word> std::string valueOf(Word word)
   const { return std::string(toString(word)); }
+  std::string valueOf(std::string_view word) const { return std::string(word); }
   Array<double> valueOf(const Vec3& point) const { return pointArray(point); }
+  /// None where a result has no such member.
+  template <class Value>
+  pybind11::object valueOf(const Value* value) const {
+    return value == nullptr ? pybind11::object(pybind11::none()) : valueOf(*value);
+  }
   Array<double> valueOf(const SurfacePoint& point) const {
     return pointArray(positionOf(loaded_.mesh, point));
   }
@@ -98,6 +105,15 @@ class ResultDict {
   Array<std::int64_t> valueOf(const std::vector<Vertex>& vertices) const {
     std::vector<std::int64_t> rows;
     forEachRow(vertices, [&](std::size_t row, Vertex) { rows.push_back(std::int64_t(row)); });
+    return arrayOf(std::move(rows));
+  }
+  /// Rows of the user's faces; those that the preparation made have none.
+  Array<std::int64_t> valueOf(const std::vector<Face>& faces) const {
+    std::vector<std::int64_t> rows;
+    for (const Face face : faces) {
+      const Index row = loaded_.inputOfFace[face];
+      if (row != kNoIndex) rows.push_back(row);
+    }
     return arrayOf(std::move(rows));
   }
   Array<double> valueOf(const VertexNumbers& numbers) const {

@@ -23,8 +23,10 @@
 #include "girth/heat_maxima.h"
 #include "girth/io/length_unit.h"
 #include "girth/io/load_mesh.h"
+#include "girth/io/vertex_field.h"
 #include "girth/limbs.h"
 #include "girth/path_profile.h"
+#include "girth/refine_surface.h"
 #include "girth/remesh.h"
 #include "girth/smooth_surface.h"
 #include "girth/spectrum.h"
@@ -84,7 +86,8 @@ Shared surfaceOf(io::ReadModel model, const PrepareOptions& options, const Runni
 
 Shared surfaceOfArrays(const Array<double>& positions, const Array<std::int64_t>& faces,
                        double weld, bool closeHoles, std::vector<Index> components,
-                       double minComponent, double scale, const Running& running) {
+                       double minComponent, double scale, std::string unit,
+                       const Running& running) {
   const auto numbers = spanOf(positions);
   if (numbers.size() / 3 >= kNoIndex || faces.size() / 3 >= kNoIndex / 3) {
     throwError(makeError(ErrorCode::LimitExceeded, -1, "there are too many faces to number"));
@@ -92,17 +95,20 @@ Shared surfaceOfArrays(const Array<double>& positions, const Array<std::int64_t>
   io::ReadModel model;
   model.soup.positions.assign(numbers.begin(), numbers.end());
   model.soup.triangles = trianglesOf(faces, numbers.size() / 3);
+  model.unit = std::move(unit);
   return surfaceOf(std::move(model),
                    prepareOptionsOf(weld, closeHoles, std::move(components), minComponent, scale),
                    running);
 }
 
-/// A model's surface, and its vertices and faces as they are in the file.
+/// A model's surface, and its vertices and faces as they are in the file. A unit replaces that of
+/// the file.
 py::tuple surfaceOfFile(const std::string& path, double weld, bool closeHoles,
                         std::vector<Index> components, double minComponent, double scale,
-                        const Running& running) {
+                        const std::string& unit, const Running& running) {
   auto model = compute<io::ReadModel>(
       running, [path](const ExecutionContext&) { return io::loadModel(path); });
+  if (!unit.empty()) model.unit = unit;
   std::vector<double> positions = model.soup.positions;
   std::vector<std::int64_t> faces(model.soup.triangles.begin(), model.soup.triangles.end());
   const PrepareOptions options =
@@ -192,23 +198,26 @@ struct Length {
   static void take(const py::object& given, double& parameter) { parameter = given.cast<double>(); }
 };
 
-/// A field but a spectral one, with the parameters that are given, by their keywords.
-Array<double> fieldOf(const Shared& surface, const std::string& name,
-                      const std::map<std::string, py::object>& given, const Running& running) {
-  // The shape diameter by default is kept, since parts are made of it.
-  if (name == "sdf" && given.empty()) {
-    return arrayOf(Values(*compute<std::shared_ptr<const Values>>(
-        running,
-        [surface](const ExecutionContext& context) { return surface->diameter(context); })));
-  }
+/// (values, method) of a field but a spectral one, with the parameters that are given, by their
+/// keywords.
+py::tuple fieldOf(const Shared& surface, const std::string& name,
+                  const std::map<std::string, py::object>& given, const Running& running) {
   FieldOptions options;
 #define GIRTH_FIELD_PARAMETER(keyword, value, fields, kind, member, least, greatest, words) \
   if (given.count(#keyword) > 0) kind::take(given.at(#keyword), options.member);
 #include "girth/fields.def"
-  return arrayOf(
+  const std::string method = io::methodText(name, options);
+  // The shape diameter by default is kept, since parts are made of it.
+  if (name == "sdf" && given.empty()) {
+    const auto kept = compute<std::shared_ptr<const Values>>(
+        running, [surface](const ExecutionContext& context) { return surface->diameter(context); });
+    return py::make_tuple(arrayOf(Values(*kept)), method);
+  }
+  auto found =
       compute<FieldValues>(running, [surface, name, options](const ExecutionContext& context) {
         return fieldValues(surface->mesh(), name, options, context);
-      }).values);
+      });
+  return py::make_tuple(arrayOf(std::move(found.values)), method);
 }
 
 /// The kinds of the parameters of a field, by their keywords.
@@ -239,6 +248,7 @@ py::dict defaults() {
   values["stations"] = LimbOptions{}.stations;
   values["base_points"] = HandleOptions{}.basePoints;
   values["samples"] = PathProfileOptions{}.samples;
+  values["time"] = kHeatMaximaTime;
   return values;
 }
 
@@ -251,13 +261,19 @@ py::dict lengthUnitSymbols() {
   return symbols;
 }
 
-/// A spectral field: all numbers of its signature. `shares`: of hks, times as shares of the area.
-Array<double> spectralFieldOf(const Shared& surface, const std::string& name,
-                              std::optional<Index> pairs, const std::optional<Values>& shares,
-                              const Running& running) {
-  auto signature = compute<VertexSignatures>(
-      running,
-      [surface, name, pairs, shares](const ExecutionContext& c) -> Result<VertexSignatures> {
+/// A spectral field and its method.
+struct SpectralValues {
+  VertexSignatures signature;
+  std::string method;
+};
+
+/// (all numbers of a spectral field's signature, method). `shares`: of hks, times as shares of the
+/// area.
+py::tuple spectralFieldOf(const Shared& surface, const std::string& name,
+                          std::optional<Index> pairs, const std::optional<Values>& shares,
+                          const Running& running) {
+  auto found = compute<SpectralValues>(
+      running, [surface, name, pairs, shares](const ExecutionContext& c) -> Result<SpectralValues> {
         const SpectrumOptions usual;
         const auto spectrum = laplaceSpectrum(surface->mesh(), {pairs.value_or(usual.pairs)}, c);
         if (!spectrum) return spectrum.error();
@@ -266,11 +282,15 @@ Array<double> spectralFieldOf(const Shared& surface, const std::string& name,
         Values scaled;
         for (const double time : shares.value_or(Values{kHeatMaximaTime}))
           scaled.push_back(time * area);
-        return fieldSignature(spectrum.value(), name, scaled);
+        auto signature = fieldSignature(spectrum.value(), name, scaled);
+        if (!signature) return signature.error();
+        const std::string count = std::to_string(spectrum.value().values.size());
+        return SpectralValues{std::move(signature).value(), count + " eigenpairs"};
       });
   const auto vertices = static_cast<py::ssize_t>(surface->mesh().vertexCount());
-  const auto dimensions = static_cast<py::ssize_t>(signature.dimensions);
-  return arrayOf(std::move(signature.values), {vertices, dimensions});
+  const auto dimensions = static_cast<py::ssize_t>(found.signature.dimensions);
+  return py::make_tuple(arrayOf(std::move(found.signature.values), {vertices, dimensions}),
+                        found.method);
 }
 
 py::dict loopDict(const SurfaceMesh& mesh, const SurfacePoint& point, const GirthLoop& loop) {
@@ -361,6 +381,17 @@ py::tuple smoothed(const Shared& surface, std::int64_t steps, const Running& run
   return py::make_tuple(positionArray(smooth), triangleArray(smooth));
 }
 
+/// Vertices and faces of the surface with its longest edges cut in two.
+py::tuple refinedSurface(const Shared& surface, std::int64_t faces, const Running& running) {
+  const Index wanted =
+      static_cast<Index>(std::clamp<std::int64_t>(faces, 0, std::int64_t{kNoIndex} - 1));
+  const auto fine =
+      compute<PreparedSurface>(running, [surface, wanted](const ExecutionContext& context) {
+        return refineSurface(PreparedSurface(surface->loaded()), wanted, context);
+      });
+  return py::make_tuple(positionArray(fine.mesh), triangleArray(fine.mesh));
+}
+
 }  // namespace
 
 void bindSurface(py::module_& module) {
@@ -406,6 +437,7 @@ void bindSurface(py::module_& module) {
       .def("distances", &distancesFrom)
       .def("path", &pathBetween)
       .def("remesh", &remeshed)
+      .def("refine", &refinedSurface)
       .def("smooth", &smoothed);
 }
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Optional
 
 import numpy as np
 
@@ -276,6 +276,112 @@ class Part(_Members):
     equivalent_radius: float
     thinnest: int
     vertices: np.ndarray
+
+
+class Maximum(_Members):
+    """A maximum of a field.
+
+    Attributes
+    ----------
+    vertex : int
+        Where it is. -1 where there is none, or the preparation made it.
+    value : float
+        The field there, in its unit.
+    persistence : float
+        How far one must go down from it, at least, to reach a higher maximum: 0 or more, in the
+        field's unit. Of the highest of a component: how far down to its least value.
+    saddle : int
+        The vertex where its surroundings meet those of a higher maximum; none for the highest.
+        -1 where there is none, or the preparation made it.
+    """
+
+    vertex: int
+    value: float
+    persistence: float
+    saddle: int
+
+
+class WeakPlace(_Members):
+    """A connected place that does not meet a limit.
+
+    Attributes
+    ----------
+    kind : str
+        Which limit it does not meet. ``"tube"``: A tube's diameter. ``"wall"``: A wall's
+        thickness. ``"gap"``: The clearance.
+    measure : str
+        The measure that is too small: "diameter", "thickness" or "clearance".
+    least : float
+        The least diameter, thickness or clearance there, in model units.
+    area : float
+        In squared model units; of faces that meet the limit in part, by samples.
+    thinnest : ndarray of float64, shape (3,)
+        The point that has it.
+    opposite : ndarray of float64, shape (3,), or None
+        The point of the surface across from it, in model units; of walls and gaps only.
+    vertices : ndarray of int64
+        Vertices that do not meet the limit, in rising order; where only the inside of faces
+        does not, the corners of these.
+    faces : ndarray of int64
+        Faces that somewhere do not meet the limit, of walls and gaps, in rising order.
+    """
+
+    kind: str
+    measure: str
+    least: float
+    area: float
+    thinnest: np.ndarray
+    opposite: Optional[np.ndarray]
+    vertices: np.ndarray
+    faces: np.ndarray
+
+
+class PrintCheck(_Members):
+    """The answer to a check.
+
+    Attributes
+    ----------
+    passes : bool
+        Whether nothing fails.
+    failing_share : float
+        The share of the surface's area, in [0, 1], that is in places.
+    passing_scale : float
+        From this scale of the shape on nothing fails: all measures grow with it. 1.12: it
+        passes at 112% of its size; at most 1 where it passes as it is, and so far at least it
+        may shrink. 0 where nothing is limited; infinite where something has no thickness at
+        all.
+    places : list of WeakPlace
+        The worst first, in shares of their limits.
+    """
+
+    passes: bool
+    failing_share: float
+    passing_scale: float
+    places: list["WeakPlace"]
+
+
+class HandleRemoval(_Members):
+    """A surface with fewer handles, and the account of what was done.
+
+    Attributes
+    ----------
+    genus_before : int
+        Genus of all components together.
+    genus_after : int
+        Genus of the surface that is left.
+    crossing_faces : int
+        Faces that were made or moved and cross others, since there was no room for them; those
+        of the surface that crossed each other before do not count.
+    proven_length : float
+        No loop is left that is shorter than this, in model units, but those that touch the
+        boundary: the length that was asked for, or less where the budget did not suffice to
+        prove it.
+    """
+
+    genus_before: int
+    genus_after: int
+    crossing_faces: int
+    proven_length: float
 
 
 class SectionCurve(_Members):

@@ -31,13 +31,16 @@ from pygirth.results import (
     Field,
     Girth,
     Handle,
+    HandleRemoval,
     Handles,
     Limb,
     Loop,
+    Maximum,
     Neck,
     Necks,
     Parts,
     Path,
+    PrintCheck,
     Profile,
     RefinedGirth,
     Section,
@@ -121,8 +124,8 @@ class Mesh:
     ) -> None:
         vertices, faces = vertices_of(V), faces_of(F)
         options = _preparing(weld, close_holes, components, min_component, scale)
-        surface = _girth.Surface(vertices, faces, *options, running(None, None))
-        self._set(surface, vertices, faces, options, str(unit))
+        surface = _girth.Surface(vertices, faces, *options, str(unit), running(None, None))
+        self._set(surface, vertices, faces, options)
 
     @classmethod
     def _of(
@@ -131,10 +134,9 @@ class Mesh:
         vertices: np.ndarray,
         faces: np.ndarray,
         options: tuple,
-        unit: str = "",
     ) -> "Mesh":
         mesh = cls.__new__(cls)
-        mesh._set(surface, vertices, faces, options, unit or surface.unit)
+        mesh._set(surface, vertices, faces, options)
         return mesh
 
     def _set(
@@ -143,13 +145,12 @@ class Mesh:
         vertices: np.ndarray,
         faces: np.ndarray,
         options: tuple,
-        unit: str,
     ) -> None:
         self._surface = surface
         self._vertices = _read_only(vertices)
         self._faces = _read_only(faces)
         self._options = options
-        self._unit = unit
+        self._unit = surface.unit
         self._vertex_of_row = surface.vertex_of_input()
         self._row_of_vertex = surface.input_of_vertex()
         own = np.arange(len(self._vertex_of_row))
@@ -576,11 +577,113 @@ class Mesh:
         Handles
             Those of the command ``girth handles``, to the bit.
         """
-        count = whole_number(base_points, "base_points")
-        if not 1 <= count < 2**63:
-            raise input_error("INVALID_OPTION", f"base_points is {count}", "choose 1 or more")
-        found, unresolved = _girth.handles(self._surface, count, running(threads, progress))
+        found, unresolved = _girth.handles(
+            self._surface, _base_points(base_points), running(threads, progress)
+        )
         return Handles([Handle(handle) for handle in found], unresolved)
+
+    def remove_handles(
+        self,
+        length: float,
+        *,
+        base_points: int = _DEFAULTS["base_points"],
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> HandleRemoval:
+        """The surface without the handles and tunnels whose loops are shorter than a length.
+
+        Each is cut along its loop, and both rims are closed. Away from the cuts no vertex moves.
+
+        Parameters
+        ----------
+        length : float
+            In model units; infinite: all handles.
+        base_points
+            As of `handles`.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        HandleRemoval
+            With the mesh that is left: that of the command ``girth remesh --remove-handles``.
+
+        Raises
+        ------
+        InputError
+            INVALID_OPTION.
+        """
+        shortest = _not_negative(length, "length")
+        count = _base_points(base_points)
+        vertices, faces, found = _girth.remove_handles(
+            self._surface, shortest, count, running(threads, progress)
+        )
+        return HandleRemoval(Mesh(vertices, faces, unit=self._unit), found)
+
+    def maxima(self, field: Any, *, minima: bool = False) -> list[Maximum]:
+        """The maxima of a field along the edges, the most persistent first.
+
+        Parameters
+        ----------
+        field : Field, str or array_like, shape (n,)
+            A field, the name of one, or one value for each row of `vertices`. Vertices without a
+            value (NaN) do not count.
+        minima : bool, optional
+            The minima instead.
+
+        Returns
+        -------
+        list of Maximum
+
+        Raises
+        ------
+        InputError
+            USAGE where there is not one value for each vertex.
+        """
+        values = self.field(field) if isinstance(field, str) else field
+        found = _girth.maxima(self._surface, self._of_vertices(values), bool(minima))
+        return [Maximum(one) for one in found]
+
+    def print_check(
+        self,
+        *,
+        tube_diameter: float = 0.0,
+        wall_thickness: float = 0.0,
+        gap: float = 0.0,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> PrintCheck:
+        """Whether a body can be printed: places that are too thin, or too close together.
+
+        Parameters
+        ----------
+        tube_diameter, wall_thickness, gap : float, optional
+            The least diameter of tubes, thickness of walls, and distance between surfaces that face
+            each other across empty space, in model units; 0: any.
+        threads, progress
+            As of `igf`.
+
+        Returns
+        -------
+        PrintCheck
+            That of the command ``girth parts --min-tube --min-wall --min-gap``, to the bit.
+
+        Raises
+        ------
+        InputError
+            INVALID_OPTION for a negative limit; NO_THICKNESS where the surface is inside out, or no
+            vertex has a thickness.
+        """
+        limits = [
+            _not_negative(limit, name)
+            for name, limit in (
+                ("tube_diameter", tube_diameter),
+                ("wall_thickness", wall_thickness),
+                ("gap", gap),
+            )
+        ]
+        run = running(threads, progress)
+        return PrintCheck(_girth.print_check(self._surface, *limits, run))
 
     def bottleneck(
         self,
@@ -766,15 +869,16 @@ class Mesh:
             return self.igf(threads=threads, progress=progress)
         given = {"rays": rays, "cone": cone, "sharp": sharp, "exact": exact}
         if _girth.is_spectral(name):
-            values = self._spectral_values(name, pairs, times, run)
+            values, made = self._spectral_values(name, pairs, times, run)
         else:
             parameters = {
                 keyword: _READERS[kind](given[keyword], keyword)
                 for keyword, kind in _girth.field_parameters(name).items()
                 if given.get(keyword) is not None
             }
-            values = self._surface.field(name, parameters, run)
-        return Field(self, name, self._by_row(values, np.nan), _girth.unit_of_field(name, self._unit))
+            values, made = self._surface.field(name, parameters, run)
+        unit = _girth.unit_of_field(name, self._unit)
+        return Field(self, name, self._by_row(values, np.nan), unit, made)
 
     def _spectral_values(
         self,
@@ -782,14 +886,19 @@ class Mesh:
         pairs: Optional[int],
         times: Optional[Sequence[float]],
         run: _girth.Running,
-    ) -> np.ndarray:
-        """One number for each vertex where the signature has one only, otherwise all."""
+    ) -> tuple[np.ndarray, str]:
+        """One number for each vertex where the signature has one only, otherwise all; the method."""
         count = None if pairs is None else whole_number(pairs, "pairs")
         if count is not None and not 2 <= count <= 100_000:
             raise input_error("INVALID_OPTION", f"pairs is {count}", "choose 2 to 100,000")
         shares = None if times is None else [real_number(time, "a time") for time in times]
-        values = self._surface.spectral_field(name, count, shares, run)
-        return values[:, 0] if values.shape[1] == 1 else values
+        values, made = self._surface.spectral_field(name, count, shares, run)
+        if values.shape[1] > 1:
+            return values, made
+        if name == "hks":
+            (time,) = shares or (_DEFAULTS["time"],)
+            made = f"{made}, time {time:.15g}"
+        return values[:, 0], made
 
     def geodesics(
         self, source: Union[Point, Iterable[Point]], *, radius: float = np.inf
@@ -813,7 +922,7 @@ class Mesh:
         else:
             sources = [self._point(one) for one in source]  # type: ignore[union-attr]
         values = self._surface.distances(sources, real_number(radius, "radius"), running(1, None))
-        return Field(self, "distance", self._by_row(values, np.nan), self._unit)
+        return Field(self, "distance", self._by_row(values, np.nan), self._unit, "exact")
 
     def path(self, a: Point, b: Point) -> Path:
         """A shortest path from one point to another, exact.
@@ -853,6 +962,30 @@ class Mesh:
         )
         return Mesh(*arrays, unit=self._unit)
 
+    def refine(self, n: int, *, progress: Progress = None) -> "Mesh":
+        """The same surface in more triangles: the longest edges are cut in two.
+
+        The surface stays where it is, and so does its girth; vertices keep their order, and new
+        ones follow.
+
+        Parameters
+        ----------
+        n : int
+            Faces wanted, up to 100 million; one more may come out. A mesh that has as many stays as
+            it is.
+        progress
+            As of `igf`.
+
+        Returns
+        -------
+        Mesh
+        """
+        count = whole_number(n, "n")
+        if not 1 <= count <= 100_000_000:
+            raise input_error("INVALID_OPTION", f"n is {count}", "choose 1 to 100,000,000")
+        arrays = self._surface.refine(count, running(None, progress))
+        return Mesh(*arrays, unit=self._unit)
+
     def smooth(self, steps: int, *, progress: Progress = None) -> "Mesh":
         """The mesh without the wrinkles of a rough scan: the same triangles, vertices moved.
 
@@ -876,6 +1009,40 @@ class Mesh:
         )
         return Mesh(*arrays, unit=self._unit)
 
+    def save(self, path: Union[str, "os.PathLike[str]"], *fields: Field) -> None:
+        """Writes the surface to a file, or fields of it, in the format of the name's ending.
+
+        Parameters
+        ----------
+        path : str or path
+            Without fields it ends with .obj, .ply, .stl, .off or .glb; with fields, which are
+            written as the command ``girth field`` does, with .csv, .json, .npy, .ply or .glb.
+            A file that is there is replaced by the whole new one, or not at all.
+        *fields : Field
+            Of this mesh. NPY holds one.
+
+        Raises
+        ------
+        InputError
+            USAGE for another ending, for a field of several numbers a vertex, and for two fields of
+            one name; FILE_UNWRITABLE.
+        """
+        target = path_of(path)
+        if not fields:
+            _girth.save_mesh(self._surface, target)
+            return
+        none = np.zeros(0, np.uint8)
+        given = []
+        for field in fields:
+            values = self._of_vertices(field)
+            made = field.method
+            if getattr(field, "persistence", 0) > 0:
+                made = _girth.persistent_method(field.persistence)
+            codes = [getattr(field, name, none) for name in ("kinds", "states")]
+            kinds, states = (self._at_vertices(one, _NONE) if len(one) else one for one in codes)
+            given.append((field.name, values, field.unit, made, kinds, states))
+        _girth.save_fields(self._surface, target, given)
+
     def to_pyvista(self) -> Any:
         """The mesh as PyVista's ``PolyData``.
 
@@ -898,6 +1065,17 @@ class Mesh:
         known = self._vertex_of_row >= 0
         rows[known] = values[self._vertex_of_row[known]]
         return rows
+
+    def _of_vertices(self, values: Any) -> np.ndarray:
+        """Values of the surface's vertices, of anything with one for each row of `vertices`."""
+        rows = np.asarray(values, np.float64)
+        if rows.shape != (len(self._vertices),):
+            raise input_error(
+                "USAGE",
+                f"values have the shape {rows.shape}, not ({len(self._vertices)},)",
+                "pass one value for each vertex of the mesh",
+            )
+        return self._at_vertices(rows, np.nan)
 
     def _at_vertices(self, values: np.ndarray, none: Any) -> np.ndarray:
         """Values of the rows of `vertices` for the surface's vertices."""
@@ -1008,6 +1186,13 @@ def _not_negative(value: Any, name: str) -> float:
     return number
 
 
+def _base_points(value: Any) -> int:
+    count = whole_number(value, "base_points")
+    if not 1 <= count < 2**63:
+        raise input_error("INVALID_OPTION", f"base_points is {count}", "choose 1 or more")
+    return count
+
+
 def _count(value: Any, name: str) -> int:
     """A number from 0 on that 32 bits hold."""
     number = whole_number(value, name)
@@ -1071,8 +1256,8 @@ def load(
         Such as UNKNOWN_FORMAT or MALFORMED_FILE, with the file's name.
     """
     options = _preparing(weld, close_holes, components, min_component, scale)
-    read = _girth.load(path_of(path), *options, running(None, None))
-    return Mesh._of(*read, options, str(unit))
+    read = _girth.load(path_of(path), *options, str(unit), running(None, None))
+    return Mesh._of(*read, options)
 
 
 def as_mesh(model: Any, F: Any = None) -> Mesh:

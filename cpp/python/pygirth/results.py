@@ -6,7 +6,8 @@ model units.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Iterator, Optional
+import os
+from typing import TYPE_CHECKING, Any, Iterator, Optional, Union
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
@@ -27,22 +28,27 @@ __all__ = [
     "Field",
     "Girth",
     "Handle",
+    "HandleRemoval",
     "Handles",
     "Limb",
     "Loop",
+    "Maximum",
     "Neck",
     "Necks",
     "Part",
     "Parts",
     "Path",
+    "PrintCheck",
     "Profile",
     "RefinedGirth",
+    "RemovedHandle",
     "Section",
     "SectionCurve",
     "Segment",
     "Segments",
     "Tip",
     "Tips",
+    "WeakPlace",
 ]
 
 
@@ -75,13 +81,18 @@ class Field(NDArrayOperatorsMixin, _Result):
         One for each row of ``mesh.vertices``; NaN where there is none.
     unit : str
         Such as ``"metre"``; empty where it is not known.
+    method : str
+        How it was computed, in words, such as ``"30 rays"``; may be empty.
     """
 
-    def __init__(self, mesh: "Mesh", name: str, values: np.ndarray, unit: str) -> None:
+    def __init__(
+        self, mesh: "Mesh", name: str, values: np.ndarray, unit: str, method: str = ""
+    ) -> None:
         self.mesh = mesh
         self.name = name
         self.values = values
         self.unit = unit
+        self.method = method
 
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> np.ndarray:
         array = self.values if dtype is None else self.values.astype(dtype, copy=False)
@@ -142,6 +153,16 @@ class Field(NDArrayOperatorsMixin, _Result):
         unit = _unit(self.unit)
         return f"{self.name} of {len(self)} vertices{shape}, {least:.4g} to {greatest:.4g}{unit}"
 
+    def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the field to a file: ``mesh.save(path, field)``.
+
+        Parameters
+        ----------
+        path : str or path
+            Ends with .csv, .json, .npy, .ply or .glb.
+        """
+        self.mesh.save(path, self)
+
     def to_pyvista(self) -> Any:
         """The mesh as PyVista's ``PolyData`` with the values as point data of the field's name.
 
@@ -186,9 +207,8 @@ class Girth(Field):
         unit: str,
         persistence: float = 0.0,
     ) -> None:
-        super().__init__(mesh, "igf", values, unit)
+        super().__init__(mesh, "igf", values, unit, method)
         self.kinds = kinds
-        self.method = method
         self.persistence = persistence
 
     def to_pyvista(self) -> Any:
@@ -405,6 +425,64 @@ class Handles(_Loops):
     """
 
     _name = "handles"
+
+
+class RemovedHandle(_Result):
+    """A handle or tunnel that was taken away: along its loop the surface was cut and closed.
+
+    Attributes
+    ----------
+    kind : str
+        As of `Handle`.
+    length : float
+        Of its loop, in model units.
+    centre : ndarray of float64, shape (3,)
+        Mean of the loop's points, in model units.
+    """
+
+    def __init__(self, found: dict) -> None:
+        self.kind: str = found["kind"]
+        self.length: float = found["length"]
+        self.centre: np.ndarray = found["centre"]
+
+    def _line(self) -> str:
+        return f"{self.kind}, length {self.length:.6g}"
+
+
+class HandleRemoval(_members.HandleRemoval, _Result):
+    __doc__ = f"""{_members.HandleRemoval.__doc__}mesh : Mesh
+        The surface that is left, with vertices and faces of its own.
+    removed : list of RemovedHandle
+        In the order of the cuts.
+    """
+
+    mesh: "Mesh"
+    removed: list[RemovedHandle]
+
+    def __init__(self, mesh: "Mesh", found: dict) -> None:
+        super().__init__({**found, "removed": [RemovedHandle(one) for one in found["removed"]]})
+        self.mesh = mesh
+
+    def _line(self) -> str:
+        return f"{len(self.removed)} removed, genus {self.genus_before} to {self.genus_after}"
+
+
+class Maximum(_members.Maximum, _Result):
+    def _line(self) -> str:
+        return f"vertex {self.vertex}, value {self.value:.6g}, persistence {self.persistence:.4g}"
+
+
+class WeakPlace(_members.WeakPlace, _Result):
+    def _line(self) -> str:
+        return f"{self.kind}, {self.measure} {self.least:.4g}"
+
+
+class PrintCheck(_members.PrintCheck, _Result):
+    def __init__(self, found: dict) -> None:
+        super().__init__({**found, "places": [WeakPlace(one) for one in found["places"]]})
+
+    def _line(self) -> str:
+        return f"{len(self.places)} weak places, passes from {self.passing_scale:.4g}"
 
 
 class Bottleneck(_members.Bottleneck, _Result):

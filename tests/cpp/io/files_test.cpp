@@ -11,6 +11,8 @@
 #include "../model_folder.h"
 #include "girth/io/load_mesh.h"
 #include "girth/io/save_field.h"
+#include "girth/io/save_mesh.h"
+#include "girth/io/write_mesh.h"
 
 namespace girth::io {
 namespace {
@@ -105,6 +107,27 @@ TEST_F(Files, AFieldIsSavedAsItsFilesNameEnds) {
   EXPECT_EQ(read("CAPITALS.CSV"), read("values.csv"));
   ASSERT_FALSE(saveField(pathOf("places.csv"), loaded, field, Columns::Positions).has_value());
   EXPECT_EQ(read("places.csv").substr(0, 18), "vertex,x,y,z,igf,k");
+}
+
+TEST_F(Files, ASurfaceIsSavedAsItsFilesNameEnds) {
+  const LoadedMesh loaded = loadMesh(pathOf("tetrahedron.obj")).value();
+  for (const std::string ending : {".obj", ".ply", ".stl", ".off", ".glb"}) {
+    ASSERT_FALSE(saveMesh(pathOf("body" + ending), loaded.mesh, "millimetre").has_value());
+    EXPECT_EQ(read("body" + ending),
+              meshFile(loaded.mesh, *meshFormat(ending), "millimetre").value());
+    const LoadedMesh again = loadMesh(pathOf("body" + ending)).value();
+    EXPECT_EQ(again.mesh.faceCount(), loaded.mesh.faceCount());
+    EXPECT_EQ(again.unit, ending == ".glb" ? "metre" : "millimetre");
+  }
+  ASSERT_FALSE(saveMesh(pathOf("BODY.OBJ"), loaded.mesh, "millimetre").has_value());
+  EXPECT_EQ(read("BODY.OBJ"), read("body.obj"));
+  for (const std::string name : {"body.gltf", "body.csv", "body"}) {
+    const auto error = saveMesh(pathOf(name), loaded.mesh);
+    ASSERT_TRUE(error.has_value()) << name;
+    EXPECT_EQ(error->code, ErrorCode::Usage);
+    EXPECT_EQ(error->file, pathOf(name));
+    EXPECT_EQ(error->hint, "write .obj, .ply, .stl, .off or .glb");
+  }
 }
 
 TEST_F(Files, WhatCannotBeSavedLeavesTheOldFile) {

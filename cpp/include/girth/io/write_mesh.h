@@ -1,6 +1,7 @@
 // A surface as a file's content: OBJ, PLY, STL, OFF or GLB.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,5 +22,9 @@ namespace girth::io {
 /// Errors: USAGE for Format::Gltf (write GLB), LIMIT_EXCEEDED where GLB would pass 4 GB.
 GIRTH_EXPORT Result<std::string> meshFile(const SurfaceMesh& mesh, Format format,
                                           std::string_view unit = {});
+
+/// The format that a file's name asks for by its ending, in small letters: ".obj", ".ply", ".stl",
+/// ".off" or ".glb". Nothing for another one.
+GIRTH_EXPORT std::optional<Format> meshFormat(std::string_view ending);
 
 }  // namespace girth::io
