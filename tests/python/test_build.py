@@ -3,18 +3,24 @@
 import importlib.util
 import sys
 import sysconfig
+import tarfile
+import zipfile
 
 import pytest
 
 
-@pytest.fixture
-def backend(repository):
+def backend_of(repository):
     spec = importlib.util.spec_from_file_location(
         "girth_build", repository / "cpp/python/backend/girth_build.py"
     )
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+@pytest.fixture
+def backend(repository):
+    return backend_of(repository)
 
 
 def test_what_is_needed_is_known_without_compiling(backend, tmp_path):
@@ -54,3 +60,40 @@ def test_a_python_without_headers_is_refused_before_compiling(backend, monkeypat
     for call in (backend.prepare_metadata_for_build_wheel, backend.build_wheel):
         with pytest.raises(SystemExit, match="Python.h is missing.*python3-dev.*/usr/bin/python3"):
             call(str(tmp_path))
+
+
+def test_the_source_archive_is_a_project_of_its_own(backend, repository, tmp_path):
+    name = backend.build_sdist(str(tmp_path))
+    assert name == f"pygirth-{backend._version()}.tar.gz"
+    data = (tmp_path / name).read_bytes()
+    assert backend.build_sdist(str(tmp_path)) == name and (tmp_path / name).read_bytes() == data
+    with tarfile.open(tmp_path / name) as archive:
+        archive.extractall(tmp_path)
+    root = tmp_path / name.removesuffix(".tar.gz")
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted([name, root.name])
+    project = (root / "pyproject.toml").read_text()
+    assert 'backend-path = ["cpp/python/backend"]' in project and 'name = "pygirth"' in project
+    assert (root / "PKG-INFO").read_text().startswith("Metadata-Version: 2.1\nName: pygirth\n")
+    # Its own backend knows version, address and metadata without the repository.
+    own = backend_of(root)
+    assert own.REPOSITORY == root and own._file_of_metadata() == backend._file_of_metadata()
+    (tmp_path / "metadata").mkdir()
+    own.prepare_metadata_for_build_wheel(str(tmp_path / "metadata"))
+    assert own.build_sdist(str(tmp_path / "metadata")) == name
+    assert not list(root.rglob("__pycache__")) and not (root / "cpp/cli").exists()
+    for folder in ("src", "io", "include", "python/pygirth"):
+        ours = sorted(p.name for p in (repository / "cpp" / folder).rglob("*.*") if p.suffix != ".pyc")
+        assert ours == sorted(path.name for path in (root / "cpp" / folder).rglob("*.*"))
+
+
+def test_a_wheel_has_the_package_and_says_how_it_was_made(backend, monkeypatch, tmp_path):
+    module = tmp_path / f"_girth{sysconfig.get_config_var('EXT_SUFFIX')}"
+    module.write_bytes(b"a module")
+    monkeypatch.setattr(backend, "_compile", lambda settings: module)
+    name = backend.build_wheel(str(tmp_path))
+    with zipfile.ZipFile(tmp_path / name) as wheel:
+        names = wheel.namelist()
+        record = wheel.read(f"pygirth-{backend._version()}.dist-info/RECORD").decode()
+    assert {"pygirth/__init__.py", "pygirth/_girth.pyi", "pygirth/py.typed"} <= set(names)
+    assert f"pygirth/{module.name}" in names
+    assert [line.split(",")[0] for line in record.splitlines()] == names

@@ -8,7 +8,12 @@ import { pathToFileURL } from 'node:url';
 import { buildDocs, buildNative, buildSavedPage, buildWasm } from './build.mjs';
 import { replayFuzzers, runFuzzers } from './fuzz.mjs';
 import { lint, lintNative } from './lint.mjs';
-import { installPythonPackage, runClusterTests, runPythonTests } from './python.mjs';
+import {
+  installBuiltPackage,
+  installPythonPackage,
+  runClusterTests,
+  runPythonTests,
+} from './python.mjs';
 import { testOnMachine } from './other-machines.mjs';
 import { Complaint, repository, run, runTool, script } from './run.mjs';
 import { testPythonWithSanitizers, testWithSanitizers } from './sanitizers.mjs';
@@ -114,6 +119,20 @@ async function pytest(count) {
     countJunit(report, count);
   }
   vitest('python', count);
+}
+
+/**
+ * The tests of the package as `npm run build:python` makes it of its source archive.
+ * @param {Count} count
+ */
+async function builtPython(count) {
+  const program = await installBuiltPackage();
+  const report = join(reports, 'pytest-built.xml');
+  try {
+    runPythonTests(report, undefined, { program });
+  } finally {
+    countJunit(report, count);
+  }
 }
 
 /** @param {Count} count */
@@ -245,6 +264,11 @@ export const longParts = {
   windows: {
     title: 'native tests on Windows',
     run: (count) => otherMachine('windows', count),
+  },
+  'built-python': {
+    title: 'Python package of its source archive',
+    needs: ['compile-native'],
+    run: builtPython,
   },
   clusters: {
     title: 'collections on Dask, Slurm and Snakemake',

@@ -9,7 +9,9 @@ build-dir
 from __future__ import annotations
 
 import base64
+import gzip
 import hashlib
+import io
 import json
 import os
 import re
@@ -17,10 +19,14 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+import tarfile
 import zipfile
 from pathlib import Path
 
 CMAKE = (3, 25)
+
+#: The viewer of `pygirth.show`; made by `npm run build:shown`, where there is Node.js.
+VIEWER = Path("build/shown/girth-shown.js")
 
 PACKAGE = Path(__file__).resolve().parent.parent
 REPOSITORY = PACKAGE.parent.parent
@@ -158,10 +164,9 @@ def _files(module: Path) -> dict[str, bytes]:
         if path.is_file() and path.suffix in (".py", ".pyi", ".typed")
     }
     content[f"pygirth/{module.name}"] = module.read_bytes()
-    # The viewer of `pygirth.show`; made by `npm run build:shown`, where there is Node.js.
-    viewer = REPOSITORY / "build/shown/girth-shown.js"
+    viewer = REPOSITORY / VIEWER
     if viewer.exists():
-        content["pygirth/girth-shown.js"] = viewer.read_bytes()
+        content[f"pygirth/{viewer.name}"] = viewer.read_bytes()
     return content
 
 
@@ -197,10 +202,43 @@ def build_wheel(
     return name
 
 
-class UnsupportedOperation(NotImplementedError):
-    """As PEP 517 names it."""
+#: All that a wheel is made of, besides the viewer: files and folders of the repository.
+SOURCES = (
+    *("CMakeLists.txt", "CHANGELOG.md", "CITATION.cff", "LICENSE", "package.json"),
+    *(f"cpp/{name}" for name in ("cmake", "include", "src", "io", "study", "python")),
+)
+
+
+def _sources() -> dict[str, bytes]:
+    """The files of the source archive, by their paths."""
+    paths = [*map(Path, SOURCES), *([VIEWER] if (REPOSITORY / VIEWER).exists() else [])]
+    files = (REPOSITORY / path for path in paths)
+    found = (one for file in files for one in (file.rglob("*") if file.is_dir() else [file]))
+    content = {
+        path.relative_to(REPOSITORY).as_posix(): path.read_bytes()
+        for path in sorted(found)
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+    project = content["cpp/python/pyproject.toml"].decode()
+    here = project.replace('backend-path = ["backend"]', 'backend-path = ["cpp/python/backend"]')
+    return {**content, "pyproject.toml": here.encode(), "PKG-INFO": _file_of_metadata()}
 
 
 def build_sdist(sdist_directory: str, config_settings: dict | None = None) -> str:
-    """There is none: the sources are those of the whole repository."""
-    raise UnsupportedOperation("install from a clone: pip install ./cpp/python")
+    """Makes the archive of the sources, of which pip makes a wheel as of the repository; its name."""
+    folder = f"pygirth-{_version()}"
+    name = f"{folder}.tar.gz"
+    with open(Path(sdist_directory) / name, "wb") as file:
+        # A fixed date: the same files always make the same archive.
+        with gzip.GzipFile(filename="", mode="wb", fileobj=file, mtime=0) as packed:
+            with tarfile.open(fileobj=packed, mode="w", format=tarfile.PAX_FORMAT) as archive:
+                for path, data in sorted(_sources().items()):
+                    entry = tarfile.TarInfo(f"{folder}/{path}")
+                    entry.size = len(data)
+                    archive.addfile(entry, io.BytesIO(data))
+    return name
+
+
+def get_requires_for_build_sdist(config_settings: dict | None = None) -> list[str]:
+    """What pip is to fetch before: nothing."""
+    return []
