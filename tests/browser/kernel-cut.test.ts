@@ -25,7 +25,7 @@ function byCommand(
   model: string | Buffer,
   ending: string,
   name = 'model.obj',
-  where = ['--neck', '1', '--cap'],
+  where = ['--neck', '0', '--cap'],
 ): Buffer[] {
   const input = join(scratch, name);
   writeFileSync(input, model);

@@ -567,7 +567,7 @@ for (const mode of ['threads', 'pool'] as const) {
         expect(vertices).toContain(apex);
         expect(contour.every(({ closed, polyline }) => closed && polyline.length >= 9)).toBe(true);
       }
-      expect(found.contours).toMatch(/^o tip_1\n/);
+      expect(found.contours).toMatch(/^o tip_0\n/);
       const named = found.parts.parts.map(({ kind, vertices }) => ({ kind, vertices }));
       expect(named).toEqual(
         (parts['parts'] as Written[]).map(({ kind, vertices }) => ({ kind, vertices })),

@@ -101,7 +101,7 @@ interface WrittenAxis {
 test('the axis of a limb is that of the command, and its files are, without measuring again', async () => {
   const input = join(scratch, 'axis.obj');
   writeFileSync(input, model);
-  const along = ['profile', input, '--limb', '1', '--samples', '20'];
+  const along = ['profile', input, '--limb', '0', '--samples', '20'];
   const formats = ['csv', 'json', 'obj', 'glb'] as const;
   const theirs = formats.map((format) => {
     const output = join(scratch, `axis-of-limb.${format}`);

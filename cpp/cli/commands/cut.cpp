@@ -72,13 +72,14 @@ Result<std::vector<SurfaceCurve>> neckCurves(const Options& options, const io::L
     for (const Neck& neck : necks) curves.push_back(neck.points);
     return curves;
   }
-  if (*options.neck < 1 || *options.neck > static_cast<std::int64_t>(necks.size())) {
+  if (*options.neck < 0 || *options.neck >= static_cast<std::int64_t>(necks.size())) {
     return usageError("there is no neck " + std::to_string(*options.neck),
-                      necks.empty() ? "the model has none; name a vertex, whose loop is cut along"
-                                    : "necks are numbered from 1 to " +
-                                          std::to_string(necks.size()) + ", as girth necks lists");
+                      necks.empty()
+                          ? "the model has none; name a vertex, whose loop is cut along"
+                          : "necks are numbered from 0 to " + std::to_string(necks.size() - 1) +
+                                ", as girth necks lists");
   }
-  curves.push_back(necks[static_cast<std::size_t>(*options.neck - 1)].points);
+  curves.push_back(necks[static_cast<std::size_t>(*options.neck)].points);
   return curves;
 }
 
@@ -98,14 +99,14 @@ Result<std::vector<SurfaceCurve>> handleCurves(const Options& options,
     }
     return curves;
   }
-  if (*options.handle < 1 || *options.handle > static_cast<std::int64_t>(handles.size())) {
+  if (*options.handle < 0 || *options.handle >= static_cast<std::int64_t>(handles.size())) {
     return usageError("there is no handle " + std::to_string(*options.handle),
                       handles.empty()
                           ? "the model has none"
-                          : "handles and tunnels are numbered from 1 to " +
-                                std::to_string(handles.size()) + ", as girth handles lists");
+                          : "handles and tunnels are numbered from 0 to " +
+                                std::to_string(handles.size() - 1) + ", as girth handles lists");
   }
-  curves.push_back(handles[static_cast<std::size_t>(*options.handle - 1)].points);
+  curves.push_back(handles[static_cast<std::size_t>(*options.handle)].points);
   return curves;
 }
 
@@ -178,8 +179,8 @@ void printText(const Options& options, const io::LoadedMesh& loaded, std::size_t
   std::printf("  %4s %12s %12s %6s %10s\n", "part", "area", "faces", "genus", "boundaries");
   for (std::size_t i = 0; i < count; ++i) {
     const SurfaceMesh& mesh = model.parts[i].mesh;
-    std::printf("  %4zu %12s %12u %6u %10u\n", i + 1, readable(mesh.area()).c_str(),
-                mesh.faceCount(), io::partGenus(mesh), mesh.boundaryCount(0));
+    std::printf("  %4zu %12s %12u %6u %10u\n", i, readable(mesh.area()).c_str(), mesh.faceCount(),
+                io::partGenus(mesh), mesh.boundaryCount(0));
   }
   printUnits(loaded.unit);
 }
@@ -194,10 +195,10 @@ Result<std::string> contentFor(const std::string& ending, const io::LoadedMesh& 
 
 bool hasFileForEachPart(const Output& output) { return output.path.find('*') != std::string::npos; }
 
-/// The output of one part: its number, from 1, in place of the star.
+/// The output of one part: its number in place of the star.
 Output outputOf(const Output& output, std::size_t part) {
   Output one = output;
-  one.path.replace(one.path.find('*'), 1, std::to_string(part + 1));
+  one.path.replace(one.path.find('*'), 1, std::to_string(part));
   return one;
 }
 
@@ -293,14 +294,12 @@ Run add(OptionTable& table) {
   table.add("MODEL", options->model, "The model to read").required();
   table.add("VERTEX", options->vertex,
             "Cut along the loop at this vertex, numbered as in the file from 0");
-  table.add("--neck N", options->neck,
-            "Cut along one neck, numbered from 1 as girth necks lists it");
+  table.add("--neck N", options->neck, "Cut along one neck, numbered as girth necks lists it");
   table.add("--necks", options->allNecks, "Cut along all necks");
   addProminenceOption(table, options->minProminence,
                       "Of the necks only those of at least this prominence");
-  table.add(
-      "--handle N", options->handle,
-      "Cut along the loop of one handle or tunnel, numbered from 1 as girth handles lists it");
+  table.add("--handle N", options->handle,
+            "Cut along the loop of one handle or tunnel, numbered as girth handles lists it");
   table.add("--handles", options->allHandles,
             "Cut along the loops round all handles: the material is cut, and tunnels are opened");
   addLengthOption(
@@ -318,11 +317,11 @@ Run add(OptionTable& table) {
                    "(what they measure), .csv (the part of each face); or a file for each, where "
                    "the name has a star for its number: 'part-*.stl', also .obj, .ply, .off, .glb");
   addMeasuringOptions(table, options->preparing, options->threads, options->json);
-  table.example("girth cut figure.stl --neck 1 --cap -o parts.glb",
+  table.example("girth cut figure.stl --neck 0 --cap -o parts.glb",
                 "In two at its clearest neck, both closed.");
   table.example("girth cut model.glb --necks --min-prominence 5mm -o segments.csv",
                 "The parts of a body, as a label for each face.");
-  table.example("girth cut ring.stl --handle 1 --cap -o 'part-*.stl'",
+  table.example("girth cut ring.stl --handle 0 --cap -o 'part-*.stl'",
                 "Along the loop of a handle, each part in a file of its own.");
   return [options] { return run(*options); };
 }

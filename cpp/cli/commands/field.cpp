@@ -120,7 +120,7 @@ std::string maximaJson(const io::LoadedMesh& loaded, const std::vector<Persisten
 void printMaxima(const io::LoadedMesh& loaded, const std::vector<PersistentMaximum>& maxima) {
   std::printf("  %7s %12s %12s  %s\n", "maximum", "value", "persistence", "vertex");
   for (std::size_t i = 0; i < maxima.size(); ++i) {
-    std::printf("  %7zu %12s %12s  %s\n", i + 1, readable(maxima[i].value).c_str(),
+    std::printf("  %7zu %12s %12s  %s\n", i, readable(maxima[i].value).c_str(),
                 readable(maxima[i].persistence).c_str(),
                 numberInFile(loaded, maxima[i].vertex).c_str());
   }

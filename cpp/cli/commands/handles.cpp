@@ -35,7 +35,7 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Han
   std::printf("  %4s %12s  %-8s %12s  %s\n", "loop", "length", "kind", "area", "centre");
   for (std::size_t i = 0; i < count; ++i) {
     const Handle& handle = handles.handles[i];
-    std::printf("  %4zu %12s  %-8s %12s  %s %s %s\n", i + 1, readable(handle.length).c_str(),
+    std::printf("  %4zu %12s  %-8s %12s  %s %s %s\n", i, readable(handle.length).c_str(),
                 std::string(toString(handle.kind)).c_str(), readable(handle.area).c_str(),
                 readable(handle.centre.x).c_str(), readable(handle.centre.y).c_str(),
                 readable(handle.centre.z).c_str());

@@ -43,7 +43,7 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Fou
               "base", "end", "apex vertex");
   for (std::size_t i = 0; i < count; ++i) {
     const Limb& limb = limbs.limbs[i];
-    std::printf("  %4zu %12s %12s %12s %12s  %-9s %s\n", i + 1, readable(limb.length).c_str(),
+    std::printf("  %4zu %12s %12s %12s %12s  %-9s %s\n", i, readable(limb.length).c_str(),
                 readableOrDash(limb.narrowest).c_str(), readableOrDash(limb.median).c_str(),
                 readableOrDash(limb.base).c_str(), std::string(toString(limb.end)).c_str(),
                 numberInFile(loaded, limb.apex).c_str());

@@ -32,7 +32,7 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Nec
               "centre");
   for (std::size_t i = 0; i < count; ++i) {
     const Neck& neck = necks.necks[i];
-    std::printf("  %4zu %12s %12s %12s %12s  %s %s %s%s\n", i + 1, readable(neck.length).c_str(),
+    std::printf("  %4zu %12s %12s %12s %12s  %s %s %s%s\n", i, readable(neck.length).c_str(),
                 std::isfinite(neck.prominence) ? readable(neck.prominence).c_str() : "-",
                 readable(neck.area).c_str(), readable(neck.width).c_str(),
                 readable(neck.centre.x).c_str(), readable(neck.centre.y).c_str(),

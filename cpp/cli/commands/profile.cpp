@@ -85,13 +85,14 @@ Result<std::vector<AxisStation>> axisOf(const Options& options, const SurfaceMes
                 {static_cast<Index>(options.profile.samples)}, watched(options.threads, progress));
   if (!found) return found.error();
   const std::vector<Limb>& limbs = found.value().limbs;
-  if (*options.limb < 1 || *options.limb > static_cast<std::int64_t>(limbs.size())) {
+  if (*options.limb < 0 || *options.limb >= static_cast<std::int64_t>(limbs.size())) {
     return usageError("there is no limb " + std::to_string(*options.limb),
-                      limbs.empty() ? "the model has none; name points of a path"
-                                    : "limbs are numbered from 1 to " +
-                                          std::to_string(limbs.size()) + ", as girth limbs lists");
+                      limbs.empty()
+                          ? "the model has none; name points of a path"
+                          : "limbs are numbered from 0 to " + std::to_string(limbs.size() - 1) +
+                                ", as girth limbs lists");
   }
-  return limbAxis(mesh, limbs[static_cast<std::size_t>(*options.limb - 1)].profile,
+  return limbAxis(mesh, limbs[static_cast<std::size_t>(*options.limb)].profile,
                   watched(options.threads, progress));
 }
 
@@ -195,10 +196,9 @@ Run add(OptionTable& table) {
   table.add("POINT", options->points,
             "Two points or more, joined by shortest paths: vertices, numbered as in the file from "
             "0, or points of faces, as in 7:0.2,0.3,0.5, the shares of the three vertices");
-  table.add(
-      "--limb N", options->limb,
-      "Along the axis of a limb instead, numbered from 1 as girth limbs lists it: the middles "
-      "of the loops round it");
+  table.add("--limb N", options->limb,
+            "Along the axis of a limb instead, numbered as girth limbs lists it: the middles "
+            "of the loops round it");
   table.add("--samples N", options->profile.samples,
             "Places at equal distances, both ends among them; 100 by default, 0 for none. Along a "
             "limb, so many loops at most");
@@ -213,7 +213,7 @@ Run add(OptionTable& table) {
                 "Along the shortest path: where it gets narrower, and how fast.");
   table.example("girth profile model.glb 12 431 97 --samples 500 --even -o profile.csv",
                 "Along a path drawn by three points, at 500 equal distances.");
-  table.example("girth profile hand.glb --limb 1 -o finger.csv",
+  table.example("girth profile hand.glb --limb 0 -o finger.csv",
                 "Along the axis of the longest limb, which is that of a tube.");
   return [options] { return run(*options); };
 }

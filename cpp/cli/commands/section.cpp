@@ -134,14 +134,14 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Sec
     const Section& section = sections.sections[s];
     for (std::size_t c = 0; c < section.curves.size(); ++c, ++rows) {
       const SectionCurve& curve = section.curves[c];
-      std::printf("  %7zu %12s %5zu %12s %12s %12s %12s %12s%s%s\n", s + 1,
-                  readable(section.offset).c_str(), c + 1, readable(curve.perimeter).c_str(),
+      std::printf("  %7zu %12s %5zu %12s %12s %12s %12s %12s%s%s\n", s,
+                  readable(section.offset).c_str(), c, readable(curve.perimeter).c_str(),
                   readable(curve.tape).c_str(), readable(curve.area).c_str(),
                   readable(curve.leastWidth).c_str(), readable(curve.greatestWidth).c_str(),
                   curve.hole ? "  (a hole)" : "", curve.closed ? "" : "  (open)");
     }
     if (section.curves.empty()) {
-      std::printf("  %7zu %12s  no curve\n", s + 1, readable(section.offset).c_str());
+      std::printf("  %7zu %12s  no curve\n", s, readable(section.offset).c_str());
       ++rows;
     }
     if (rows >= kMostRows && s + 1 < sections.sections.size()) {

@@ -81,7 +81,7 @@ void printText(const std::string& model, const io::LoadedMesh& loaded,
       tips += (tips.empty() ? "" : ", ") + numberInFile(loaded, segmented.tips[tip].apex);
     }
     const double share = segment.kindAreas[static_cast<std::size_t>(segment.kind())] / segment.area;
-    std::printf("  %7zu %12s %12u %-8s %5.0f%%  %s\n", i + 1, readable(segment.area).c_str(),
+    std::printf("  %7zu %12s %12u %-8s %5.0f%%  %s\n", i, readable(segment.area).c_str(),
                 segmented.model.parts[i].mesh.faceCount(),
                 std::string(toString(segment.kind())).c_str(), 100 * share,
                 tips.empty() ? "-" : tips.c_str());

@@ -47,7 +47,7 @@ void printText(const std::string& model, const io::LoadedMesh& loaded, const Fou
   }
   for (std::size_t i = 0; i < tips.tips.size(); ++i) {
     const Tip& tip = tips.tips[i];
-    std::printf("  %4zu %12s %12s %12s %12s  %s\n", i + 1, readable(tip.jump).c_str(),
+    std::printf("  %4zu %12s %12s %12s %12s  %s\n", i, readable(tip.jump).c_str(),
                 readable(tip.area).c_str(), readable(tip.boundaryLength).c_str(),
                 readable(tip.apexDistance).c_str(), numberInFile(loaded, tip.apex).c_str());
   }
@@ -72,7 +72,7 @@ void printTrials(const Tips& tips, const std::vector<study::TipTrial>& trials) {
     }
     std::string lost;
     for (std::size_t i = 0; i < trial.found.size(); ++i) {
-      if (!trial.found[i]) lost += (lost.empty() ? "tip " : ", ") + std::to_string(i + 1);
+      if (!trial.found[i]) lost += (lost.empty() ? "tip " : ", ") + std::to_string(i);
     }
     std::printf("  %-34s %5u %6u  %s\n", change.c_str(), trial.tips, trial.arcs,
                 tips.tips.empty() ? "-"

@@ -53,7 +53,8 @@ std::string_view programSummary() {
 std::string_view modelWords() {
   return "Models are glTF, GLB, OBJ, PLY, STL or OFF files, as they are, packed by gzip or in a "
          "zip; - "
-         "is standard input. Vertices and faces are numbered as in the file, from 0.";
+         "is standard input. All numbers count from 0: vertices and faces as in the file, tips, "
+         "limbs, necks and parts as they are listed.";
 }
 
 std::string helpEnd() {

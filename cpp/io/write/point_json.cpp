@@ -50,7 +50,7 @@ std::string numbersJson(const LoadedMesh& loaded, const VertexNumbers& numbers) 
 
 std::string numbersJson(std::span<const Index> places) {
   JsonList list;
-  for (const Index place : places) list.add(std::to_string(place + 1));
+  for (const Index place : places) list.add(std::to_string(place));
   return list.text();
 }
 

@@ -28,7 +28,7 @@ std::string facesJson(const LoadedMesh& loaded, const std::vector<Face>& faces);
 /// The numbers of those vertices that the file has.
 std::string numbersJson(const LoadedMesh& loaded, const VertexNumbers& numbers);
 
-/// Places in a list as a JSON array, counted from 1.
+/// Places in a list as a JSON array.
 std::string numbersJson(std::span<const Index> places);
 
 /// `position`, and the `vertices` of the file (one, the two of an edge, or the three of a face)

@@ -17,7 +17,7 @@
 namespace girth::io {
 namespace {
 
-std::string nameOf(std::size_t part) { return "part_" + std::to_string(part + 1); }
+std::string nameOf(std::size_t part) { return "part_" + std::to_string(part); }
 
 /// A channel of a screen's colour, in proportion to light.
 double linearOf(double channel) {
@@ -188,7 +188,7 @@ std::string cutCsv(const LoadedMesh& loaded, const CutModel& model) {
   std::string text = "face,part\n";
   for (std::size_t face = 0; face < parts.size(); ++face) {
     if (parts[face] == kNoIndex) continue;
-    text += std::to_string(face) + "," + std::to_string(parts[face] + 1) + "\n";
+    text += std::to_string(face) + "," + std::to_string(parts[face]) + "\n";
   }
   return text;
 }

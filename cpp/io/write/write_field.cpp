@@ -161,14 +161,14 @@ void addContours(GlbWriter& writer, const SurfaceMesh& mesh, const Tips& tips) {
     for (const ContourLine& line : tips.tips[i].contour) {
       const std::string what = JsonObject().add("tip", i).add("closed", line.closed).text();
       addContour(writer, mesh, line, JsonObject().addJson("contour", what).text(),
-                 "tip " + std::to_string(i + 1));
+                 "tip " + std::to_string(i));
     }
   }
   for (std::size_t i = 0; i < tips.arcs.size(); ++i) {
     const OpenArc& arc = tips.arcs[i];
     const std::string what = JsonObject().add("length", arc.length).add("jump", arc.jump).text();
     addContour(writer, mesh, arc.line, JsonObject().addJson("arc", what).text(),
-               "arc " + std::to_string(i + 1));
+               "arc " + std::to_string(i));
   }
 }
 

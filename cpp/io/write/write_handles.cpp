@@ -13,9 +13,9 @@ namespace {
 
 std::string kindOf(const Handle& handle) { return std::string(toString(handle.kind)); }
 
-/// Its kind and its number, from 1.
+/// Its kind and its number.
 std::string nameOf(const Handles& handles, std::size_t i) {
-  return kindOf(handles.handles[i]) + "_" + std::to_string(i + 1);
+  return kindOf(handles.handles[i]) + "_" + std::to_string(i);
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ std::string handlesCsv(const LoadedMesh& loaded, const Handles& handles) {
   std::string text = "handle,length,kind,component,area,x,y,z,unit,mayBeShorterBy\n";
   for (std::size_t i = 0; i < handles.handles.size(); ++i) {
     const Handle& handle = handles.handles[i];
-    text += std::to_string(i + 1) + "," + formatNumber(handle.length) + "," + kindOf(handle) + "," +
+    text += std::to_string(i) + "," + formatNumber(handle.length) + "," + kindOf(handle) + "," +
             std::to_string(handle.component) + "," + formatNumber(handle.area) + "," +
             pointText(handle.centre, ',') + "," + loaded.unit + "," +
             formatNumber(handle.mayBeShorterBy) + "\n";

@@ -32,7 +32,7 @@ std::string limbAxisObj(const LoadedMesh& loaded, std::span<const AxisStation> a
   std::string text;
   std::size_t count = 0;
   for (std::size_t i = 0; i < axis.size(); ++i) {
-    text += "o loop_" + std::to_string(i + 1) + "\n";
+    text += "o loop_" + std::to_string(i) + "\n";
     appendLine(loaded, axis[i].points, true, count, text);
   }
   if (axis.empty()) return text;
@@ -52,7 +52,7 @@ Result<std::string> limbAxisGlb(const LoadedMesh& loaded, std::span<const AxisSt
                 .add("distance", axis[i].distance)
                 .add("unit", loaded.unit)
                 .text(),
-            "loop_" + std::to_string(i + 1), writer);
+            "loop_" + std::to_string(i), writer);
   }
   return writer.file(loaded.unit);
 }

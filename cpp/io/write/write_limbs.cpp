@@ -25,9 +25,9 @@ std::string limbsCsv(const LoadedMesh& loaded, const Limbs& limbs) {
   for (std::size_t i = 0; i < limbs.limbs.size(); ++i) {
     const Limb& limb = limbs.limbs[i];
     const Index apex = loaded.inputOfVertex[limb.apex];
-    text += std::to_string(i + 1) + "," + formatNumber(limb.length) + "," + cell(limb.narrowest) +
-            "," + cell(limb.narrowestDistance) + "," + cell(limb.median) + "," + cell(limb.base) +
-            "," + std::string(toString(limb.end)) + "," +
+    text += std::to_string(i) + "," + formatNumber(limb.length) + "," + cell(limb.narrowest) + "," +
+            cell(limb.narrowestDistance) + "," + cell(limb.median) + "," + cell(limb.base) + "," +
+            std::string(toString(limb.end)) + "," +
             (apex == kNoIndex ? std::string() : std::to_string(apex)) + "," + loaded.unit + "\n";
   }
   return text;
@@ -37,7 +37,7 @@ std::string limbProfilesCsv(const LoadedMesh& loaded, const Limbs& limbs) {
   std::string text = "limb,distance,ring,median,least,unit\n";
   for (std::size_t i = 0; i < limbs.limbs.size(); ++i) {
     for (const GirthStation& station : limbs.limbs[i].profile) {
-      text += std::to_string(i + 1) + "," + formatNumber(station.distance) + "," +
+      text += std::to_string(i) + "," + formatNumber(station.distance) + "," +
               formatNumber(station.ring) + "," + cell(station.median) + "," + cell(station.least) +
               "," + loaded.unit + "\n";
     }

@@ -26,7 +26,7 @@ std::string necksCsv(const LoadedMesh& loaded, const Necks& necks) {
       "neck,length,prominence,width,area,radius,x,y,z,normalX,normalY,normalZ,measuresGirth,unit\n";
   for (std::size_t i = 0; i < necks.necks.size(); ++i) {
     const Neck& neck = necks.necks[i];
-    text += std::to_string(i + 1) + "," + formatNumber(neck.length) + "," +
+    text += std::to_string(i) + "," + formatNumber(neck.length) + "," +
             (std::isfinite(neck.prominence) ? formatNumber(neck.prominence) : "") + "," +
             formatNumber(neck.width) + "," + formatNumber(neck.area) + "," +
             formatNumber(neck.radius) + "," + pointText(neck.centre, ',') + "," +
@@ -40,7 +40,7 @@ std::string necksObj(const LoadedMesh& loaded, const Necks& necks) {
   std::string text;
   std::size_t count = 0;
   for (std::size_t i = 0; i < necks.necks.size(); ++i) {
-    text += "o neck_" + std::to_string(i + 1) + "\n";
+    text += "o neck_" + std::to_string(i) + "\n";
     appendLine(loaded, necks.necks[i].points, true, count, text);
   }
   return text;
@@ -57,7 +57,7 @@ Result<std::string> necksGlb(const LoadedMesh& loaded, const Necks& necks) {
                 .add("area", neck.area)
                 .add("unit", loaded.unit)
                 .text(),
-            "neck_" + std::to_string(i + 1), writer);
+            "neck_" + std::to_string(i), writer);
   }
   return writer.file(loaded.unit);
 }

@@ -12,13 +12,13 @@
 namespace girth::io {
 namespace {
 
-/// Calls `visit(section, its number, curve, its number)` for all curves; numbers from 1.
+/// Calls `visit(section, its number, curve, its number)` for all curves.
 template <class Visit>
 void forEachCurve(const Sections& sections, const Visit& visit) {
   for (std::size_t s = 0; s < sections.sections.size(); ++s) {
     const Section& section = sections.sections[s];
     for (std::size_t c = 0; c < section.curves.size(); ++c) {
-      visit(section, s + 1, section.curves[c], c + 1);
+      visit(section, s, section.curves[c], c);
     }
   }
 }

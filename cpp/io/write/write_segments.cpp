@@ -40,10 +40,8 @@ std::string segmentJson(const LoadedMesh& loaded, const SegmentedModel& segmente
   const Segment& segment = segmented.segments[number];
   JsonList tips;
   for (const Index tip : segment.tips) {
-    tips.add(ResultJson(&loaded)
-                 .addValue("tip", tip + 1)
-                 .addValue("apex", segmented.tips[tip].apex)
-                 .text());
+    tips.add(
+        ResultJson(&loaded).addValue("tip", tip).addValue("apex", segmented.tips[tip].apex).text());
   }
   return partJson(segmented.model.parts[number].mesh)
       .add("kind", kindText(segment))
@@ -52,11 +50,11 @@ std::string segmentJson(const LoadedMesh& loaded, const SegmentedModel& segmente
       .text();
 }
 
-/// The numbers of a segment's tips, from 1.
+/// The numbers of a segment's tips.
 std::string tipsText(const Segment& segment, const char* between) {
   std::string text;
   for (const Index tip : segment.tips) {
-    text += (text.empty() ? "" : between) + std::to_string(tip + 1);
+    text += (text.empty() ? "" : between) + std::to_string(tip);
   }
   return text;
 }
@@ -81,7 +79,7 @@ std::string segmentsJson(const LoadedMesh& loaded, const SegmentedModel& segment
     segments.add(segmentJson(loaded, segmented, i));
   }
   for (const Index label : partOfFaces(loaded, segmented.model)) {
-    faces.add(label == kNoIndex ? "null" : std::to_string(label + 1));
+    faces.add(label == kNoIndex ? "null" : std::to_string(label));
   }
   ResultJson json(file, loaded);
   json.addValue("thresholds", segmented.kinds.thresholds)
@@ -98,7 +96,7 @@ std::string segmentsCsv(const LoadedMesh& loaded, const SegmentedModel& segmente
   for (std::size_t face = 0; face < labels.size(); ++face) {
     if (labels[face] == kNoIndex) continue;
     const Segment& segment = segmented.segments[labels[face]];
-    text += std::to_string(face) + "," + std::to_string(labels[face] + 1) + "," +
+    text += std::to_string(face) + "," + std::to_string(labels[face]) + "," +
             std::string(kindText(segment)) + "," + tipsText(segment, " ") + "\n";
   }
   return text;
@@ -127,7 +125,7 @@ Result<std::string> segmentsGlb(const LoadedMesh& loaded, const SegmentedModel& 
                        .addJson("shares", sharesJson(segment))
                        .addJson("tips", "[" + tipsText(segment, ",") + "]")
                        .text(),
-                   "segment_" + std::to_string(i + 1));
+                   "segment_" + std::to_string(i));
   }
   return writer.file(loaded.unit);
 }

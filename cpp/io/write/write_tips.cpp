@@ -35,11 +35,11 @@ std::string tipsObj(const LoadedMesh& loaded, const Tips& tips) {
   std::string text;
   std::size_t count = 0;
   for (std::size_t i = 0; i < tips.tips.size(); ++i) {
-    text += "o tip_" + std::to_string(i + 1) + "\n";
+    text += "o tip_" + std::to_string(i) + "\n";
     for (const ContourLine& line : tips.tips[i].contour) appendLine(loaded, line, count, text);
   }
   for (std::size_t i = 0; i < tips.arcs.size(); ++i) {
-    text += "o arc_" + std::to_string(i + 1) + "\n";
+    text += "o arc_" + std::to_string(i) + "\n";
     appendLine(loaded, tips.arcs[i].line, count, text);
   }
   return text;

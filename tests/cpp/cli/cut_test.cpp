@@ -25,7 +25,7 @@ TEST_F(Command, aFrameIsCutAlongItsHandle) {
   // Cut round a bar it is a tube with two ends, and round its hole a band.
   const Json handles = Json::parse(run({"handles", model, "--json"}).output)["handles"];
   ASSERT_EQ(handles.size(), 2u);
-  for (const std::string which : {"1", "2"}) {
+  for (const std::string which : {"0", "1"}) {
     const Outcome outcome = run({"cut", model, "--handle", which, "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
     const Json parts = Json::parse(outcome.output)["parts"];
@@ -38,11 +38,11 @@ TEST_F(Command, aFrameIsCutAlongItsHandle) {
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(parts[0]["genus"], 0);
   EXPECT_EQ(parts[0]["boundaries"], 0);
-  EXPECT_TRUE(contains(run({"cut", model, "--handle", "3"}).errors,
-                       "there is no handle 3; handles and tunnels are numbered from 1 to 2"));
-  const Outcome none = run({"cut", kData + "/prism.obj", "--handle", "1"});
+  EXPECT_TRUE(contains(run({"cut", model, "--handle", "2"}).errors,
+                       "there is no handle 2; handles and tunnels are numbered from 0 to 1"));
+  const Outcome none = run({"cut", kData + "/prism.obj", "--handle", "0"});
   EXPECT_EQ(none.exitCode, 1);
-  EXPECT_TRUE(contains(none.errors, "there is no handle 1; the model has none")) << none.errors;
+  EXPECT_TRUE(contains(none.errors, "there is no handle 0; the model has none")) << none.errors;
   // Nothing to cut along leaves the model whole.
   EXPECT_EQ(
       Json::parse(run({"cut", kData + "/prism.obj", "--handles", "--json"}).output)["parts"].size(),
@@ -66,7 +66,7 @@ TEST_F(Command, anHourglassIsCutAtAContour) {
 
 TEST_F(Command, loopsOfAFileAreCutAlong) {
   const std::string model = write("hourglass.obj", hourglass());
-  const Json expected = Json::parse(run({"cut", model, "--neck", "1", "--json"}).output)["parts"];
+  const Json expected = Json::parse(run({"cut", model, "--neck", "0", "--json"}).output)["parts"];
   for (const std::vector<std::string>& finding : {std::vector<std::string>{"necks", model},
                                                   {"loop", model, "6"},
                                                   {"loop", model, "8"},
@@ -118,18 +118,18 @@ TEST_F(Command, eachPartHasAFile) {
   const std::string model = write("hourglass.obj", hourglass());
   for (const std::string ending : {"stl", "obj", "ply", "off", "glb"}) {
     const Outcome outcome =
-        run({"cut", model, "--neck", "1", "--cap", "-o", path("half-*." + ending)});
+        run({"cut", model, "--neck", "0", "--cap", "-o", path("half-*." + ending)});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
-    for (const char* number : {"1", "2"}) {
+    for (const char* number : {"0", "1"}) {
       const Outcome info =
           run({"info", path("half-" + std::string(number) + "." + ending), "--json"});
       ASSERT_EQ(info.exitCode, 0) << info.errors;
       EXPECT_EQ(Json::parse(info.output)["faces"], 16) << ending;  // twelve and a cap of four
     }
-    EXPECT_FALSE(fs::exists(path("half-3." + ending)));
+    EXPECT_FALSE(fs::exists(path("half-2." + ending)));
   }
   const auto refused = [&](const std::vector<std::string>& more, const std::string& words) {
-    std::vector<std::string> arguments{"cut", model, "--neck", "1", "-o"};
+    std::vector<std::string> arguments{"cut", model, "--neck", "0", "-o"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
@@ -139,23 +139,23 @@ TEST_F(Command, eachPartHasAFile) {
   refused({path("part-*.csv")}, "leave the star out");
   refused({path("part-*")}, "no known ending");
   // The second part would replace the model.
-  fs::copy_file(model, path("glass-2.obj"));
+  fs::copy_file(model, path("glass-1.obj"));
   const Outcome outcome =
-      run({"cut", path("glass-2.obj"), "--neck", "1", "-o", path("glass-*.obj")});
+      run({"cut", path("glass-1.obj"), "--neck", "0", "-o", path("glass-*.obj")});
   EXPECT_EQ(outcome.exitCode, 1);
   EXPECT_TRUE(contains(outcome.errors, "it would replace the model that is read"));
-  EXPECT_FALSE(fs::exists(path("glass-1.obj")));
+  EXPECT_FALSE(fs::exists(path("glass-0.obj")));
   // No folder to write to.
-  EXPECT_TRUE(contains(run({"cut", model, "--neck", "1", "-o", path("none/part-*.stl")}).errors,
+  EXPECT_TRUE(contains(run({"cut", model, "--neck", "0", "-o", path("none/part-*.stl")}).errors,
                        "FILE_UNWRITABLE"));
 }
 
 TEST_F(Command, oneThingIsCutAlong) {
   const std::string model = write("hourglass.obj", hourglass());
   for (const std::vector<std::string>& two : {std::vector<std::string>{"6", "--necks"},
-                                              {"--neck", "1", "--handles"},
+                                              {"--neck", "0", "--handles"},
                                               {"--at", "7", "--along", "x.json"},
-                                              {"--neck", "1", "--necks"}}) {
+                                              {"--neck", "0", "--necks"}}) {
     std::vector<std::string> arguments{"cut", model};
     arguments.insert(arguments.end(), two.begin(), two.end());
     const Outcome outcome = run(arguments);
@@ -272,9 +272,9 @@ TEST_F(Command, partsKeepColoursAndFields) {
     }
   }
   // A part is a coloured model again.
-  ASSERT_EQ(run({"cut", path("part-1.ply"), "--handles", "-o", path("again-*.ply")}).exitCode, 0);
-  std::vector<ColouredVertex> once = colouredVertices(contentOf(path("part-1.ply")));
-  const std::vector<ColouredVertex> again = colouredVertices(contentOf(path("again-1.ply")));
+  ASSERT_EQ(run({"cut", path("part-0.ply"), "--handles", "-o", path("again-*.ply")}).exitCode, 0);
+  std::vector<ColouredVertex> once = colouredVertices(contentOf(path("part-0.ply")));
+  const std::vector<ColouredVertex> again = colouredVertices(contentOf(path("again-0.ply")));
   ASSERT_EQ(once.size(), again.size());
   for (std::size_t i = 0; i < once.size(); ++i) {
     EXPECT_EQ(once[i].colour, again[i].colour);
@@ -379,7 +379,7 @@ TEST_F(Command, partsOfGltfKeepAttributes) {
     known[{places[3 * v], places[3 * v + 1], places[3 * v + 2]}] = v;
   }
   std::size_t old = 0, made = 0;
-  for (const char* number : {"1", "2"}) {
+  for (const char* number : {"0", "1"}) {
     const std::string part = contentOf(path("part-" + std::string(number) + ".glb"));
     const std::vector<float> positions = floatsOf(part, "POSITION");
     for (const auto& [name, width] : attributes) {
@@ -406,14 +406,14 @@ TEST_F(Command, partsOfGltfKeepAttributes) {
   EXPECT_GE(made, 3 * 8u);
   // PLY has colours as on a screen, and a field beside its own x.
   ASSERT_EQ(run({"cut", model, "--at", level, "-o", path("part-*.ply")}).exitCode, 0);
-  const std::string ply = contentOf(path("part-1.ply"));
+  const std::string ply = contentOf(path("part-0.ply"));
   EXPECT_TRUE(contains(ply,
                        "property uchar alpha\nproperty double s\nproperty double t\n"
                        "property double _x\n"));
   // Back to GLB, a step of a byte away at most.
-  ASSERT_EQ(run({"cut", path("part-1.ply"), "--handles", "-o", path("again-*.glb")}).exitCode, 0);
-  const std::vector<float> before = floatsOf(contentOf(path("part-1.glb")), "COLOR_0"),
-                           after = floatsOf(contentOf(path("again-1.glb")), "COLOR_0");
+  ASSERT_EQ(run({"cut", path("part-0.ply"), "--handles", "-o", path("again-*.glb")}).exitCode, 0);
+  const std::vector<float> before = floatsOf(contentOf(path("part-0.glb")), "COLOR_0"),
+                           after = floatsOf(contentOf(path("again-0.glb")), "COLOR_0");
   ASSERT_EQ(before.size(), after.size());
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(before[i], after[i], 0.005);
 }
@@ -441,7 +441,7 @@ TEST_F(Command, partsKeepTheSeamOfATexture) {
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   // Each face still has one value, wherever it was cut.
   std::map<std::string, std::size_t> counts;
-  for (const char* number : {"1", "2"}) {
+  for (const char* number : {"0", "1"}) {
     std::vector<std::string> texture;
     for (const std::string& line :
          linesOf(contentOf(path("part-" + std::string(number) + ".obj")))) {

@@ -36,11 +36,11 @@ TEST_F(Command, handlesOfAFrame) {
   ASSERT_EQ(run({"handles", model, "-o", path("handles.csv")}).exitCode, 0);
   const auto rows = linesOf(contentOf(path("handles.csv")));
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[2].rfind("2,4,tunnel,0,1,", 0), 0u) << rows[2];
+  EXPECT_EQ(rows[2].rfind("1,4,tunnel,0,1,", 0), 0u) << rows[2];
   ASSERT_EQ(run({"handles", model, "-o", path("handles.obj")}).exitCode, 0);
-  EXPECT_TRUE(contains(contentOf(path("handles.obj")), "o tunnel_2\n"));
+  EXPECT_TRUE(contains(contentOf(path("handles.obj")), "o tunnel_1\n"));
   ASSERT_EQ(run({"handles", model, "-o", path("handles.glb")}).exitCode, 0);
-  EXPECT_TRUE(contains(contentOf(path("handles.glb")), "\"handle_1\""));
+  EXPECT_TRUE(contains(contentOf(path("handles.glb")), "\"handle_0\""));
 }
 
 TEST_F(Command, handlesAreRemovedUpToALength) {

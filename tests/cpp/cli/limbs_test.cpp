@@ -81,7 +81,7 @@ TEST_F(Command, limbsOfAPencil) {
   const std::vector<std::string> stations = linesOf(contentOf(path("p.csv")));
   ASSERT_EQ(stations.size(), 6u);
   EXPECT_EQ(stations[0], "limb,distance,ring,median,least,unit");
-  EXPECT_EQ(stations[1].rfind("1,", 0), 0u);
+  EXPECT_EQ(stations[1].rfind("0,", 0), 0u);
 
   const Outcome text = run({"limbs", model, "--unit", "cm"});
   EXPECT_NE(text.output.find("1 limb"), std::string::npos) << text.output;
@@ -90,7 +90,7 @@ TEST_F(Command, limbsOfAPencil) {
 
 TEST_F(Command, profileAlongTheAxisOfAPencil) {
   const std::string model = write("pencil.obj", pencil());
-  const Outcome outcome = run({"profile", model, "--limb", "1", "--samples", "48", "--unit", "cm",
+  const Outcome outcome = run({"profile", model, "--limb", "0", "--samples", "48", "--unit", "cm",
                                "-o", path("axis.json"), "--json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   EXPECT_EQ(contentOf(path("axis.json")), outcome.output);
@@ -112,31 +112,31 @@ TEST_F(Command, profileAlongTheAxisOfAPencil) {
   EXPECT_GE(round, 8u);
   EXPECT_EQ(axis["length"].get<double>(), before);
 
-  EXPECT_EQ(run({"profile", model, "--limb", "1", "--samples", "48", "-o", path("a.csv")}).exitCode,
+  EXPECT_EQ(run({"profile", model, "--limb", "0", "--samples", "48", "-o", path("a.csv")}).exitCode,
             0);
   const std::vector<std::string> rows = linesOf(contentOf(path("a.csv")));
   EXPECT_EQ(rows[0], "distance,along,girth,area,x,y,z,unit");
   EXPECT_EQ(rows.size(), axis["loops"].size() + 1);
   for (const std::string ending : {"obj", "glb"}) {
     const std::string file = path("loops." + ending);
-    EXPECT_EQ(run({"profile", model, "--limb", "1", "-o", file}).exitCode, 0);
+    EXPECT_EQ(run({"profile", model, "--limb", "0", "-o", file}).exitCode, 0);
     EXPECT_FALSE(contentOf(file).empty());
   }
   EXPECT_TRUE(contains(contentOf(path("loops.obj")), "o axis\n"));
-  EXPECT_TRUE(contains(run({"profile", model, "--limb", "1"}).output, "loops along an axis"));
+  EXPECT_TRUE(contains(run({"profile", model, "--limb", "0"}).output, "loops along an axis"));
   // The loops are curves to cut along.
   const Outcome few =
-      run({"profile", model, "--limb", "1", "--samples", "4", "-o", path("few.json")});
+      run({"profile", model, "--limb", "0", "--samples", "4", "-o", path("few.json")});
   ASSERT_EQ(few.exitCode, 0) << few.errors;
   EXPECT_EQ(run({"cut", model, "--along", path("few.json")}).exitCode, 0);
 
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"profile", model, "--limb", "2"},
-        {"profile", model, "--limb", "0"},
-        {"profile", model, "0", "5", "--limb", "1"},
-        {"profile", model, "--limb", "1", "--even"},
-        {"profile", model, "--limb", "1", "--samples", "0"},
-        {"profile", model, "--limb", "1", "--samples", "10001"},
+       {std::vector<std::string>{"profile", model, "--limb", "1"},
+        {"profile", model, "--limb=-1"},
+        {"profile", model, "0", "5", "--limb", "0"},
+        {"profile", model, "--limb", "0", "--even"},
+        {"profile", model, "--limb", "0", "--samples", "0"},
+        {"profile", model, "--limb", "0", "--samples", "10001"},
         {"profile", model, "0", "5", "-o", path("path.obj")}}) {
     const Outcome refused = run(arguments);
     EXPECT_EQ(refused.exitCode, 1) << arguments.back();

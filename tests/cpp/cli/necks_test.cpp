@@ -29,16 +29,16 @@ TEST_F(Command, necksOfAnHourglass) {
   ASSERT_EQ(run({"necks", model, "-o", path("necks.csv")}).exitCode, 0);
   const auto rows = linesOf(contentOf(path("necks.csv")));
   ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[1].rfind("1,", 0), 0u);
+  EXPECT_EQ(rows[1].rfind("0,", 0), 0u);
   ASSERT_EQ(run({"necks", model, "-o", path("necks.obj")}).exitCode, 0);
   EXPECT_TRUE(contains(contentOf(path("necks.obj")), "l 1 2 3 4 5 6 1\n"));
   ASSERT_EQ(run({"necks", model, "-o", path("necks.glb")}).exitCode, 0);
-  EXPECT_TRUE(contains(contentOf(path("necks.glb")), "\"neck_1\""));
+  EXPECT_TRUE(contains(contentOf(path("necks.glb")), "\"neck_0\""));
 }
 
 TEST_F(Command, anHourglassIsCutAtItsNeck) {
   const std::string model = write("hourglass.obj", hourglass());
-  const Outcome whole = run({"cut", model, "--neck", "1", "--json"});
+  const Outcome whole = run({"cut", model, "--neck", "0", "--json"});
   ASSERT_EQ(whole.exitCode, 0) << whole.errors;
   const Json parts = Json::parse(whole.output)["parts"];
   ASSERT_EQ(parts.size(), 2u);
@@ -54,10 +54,10 @@ TEST_F(Command, anHourglassIsCutAtItsNeck) {
   // The loop at a vertex of the neck is the neck. Caps have four triangles.
   ASSERT_EQ(run({"cut", model, "6", "--cap", "-o", path("parts.obj")}).exitCode, 0);
   const std::string obj = contentOf(path("parts.obj"));
-  EXPECT_TRUE(contains(obj, "o part_1\n") && contains(obj, "o part_2\n"));
+  EXPECT_TRUE(contains(obj, "o part_0\n") && contains(obj, "o part_1\n"));
   EXPECT_TRUE(contains(run({"info", path("parts.obj"), "--component", "0"}).output, "16 faces"));
   ASSERT_EQ(run({"cut", model, "--necks", "-o", path("parts.glb")}).exitCode, 0);
-  EXPECT_TRUE(contains(contentOf(path("parts.glb")), "\"part_2\""));
+  EXPECT_TRUE(contains(contentOf(path("parts.glb")), "\"part_1\""));
   ASSERT_EQ(run({"cut", model, "--necks", "-o", path("parts.csv")}).exitCode, 0);
   const auto rows = linesOf(contentOf(path("parts.csv")));
   ASSERT_EQ(rows.size(), 25u);
@@ -76,8 +76,8 @@ TEST_F(Command, whatCannotBeCutIsNamed) {
   refused({}, "no loop is named");
   refused({"99"}, "there is no vertex 99; its vertices are numbered from 0 to 17");
   refused({"-1"}, "");
-  refused({"--neck", "2"}, "there is no neck 2; necks are numbered from 1 to 1");
-  refused({"--neck", "0"}, "there is no neck 0");
+  refused({"--neck", "1"}, "there is no neck 1; necks are numbered from 0 to 0");
+  refused({"--neck=-1"}, "there is no neck -1");
   const Outcome beyond = run({"cut", model, "--at", "100", "-o", path("uncut.obj")});
   EXPECT_EQ(beyond.exitCode, 2) << beyond.errors;
   EXPECT_TRUE(contains(beyond.errors,

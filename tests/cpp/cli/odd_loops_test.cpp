@@ -32,7 +32,7 @@ TEST_F(Command, everyComponentCountsByItself) {
   ASSERT_EQ(necks.size(), 2u);
   for (const Json& neck : necks) EXPECT_TRUE(neck["prominence"].is_null());
   EXPECT_EQ(Json::parse(run({"cut", model, "--necks", "--json"}).output)["parts"].size(), 4u);
-  EXPECT_EQ(Json::parse(run({"cut", model, "--neck", "1", "--json"}).output)["parts"].size(), 3u);
+  EXPECT_EQ(Json::parse(run({"cut", model, "--neck", "0", "--json"}).output)["parts"].size(), 3u);
   EXPECT_EQ(Json::parse(run({"bottleneck", model, "18", "33", "--json"}).output)["kind"], "neck");
 }
 

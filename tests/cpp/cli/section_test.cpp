@@ -38,12 +38,12 @@ TEST_F(Command, sectionsOfABox) {
   ASSERT_EQ(run({"section", model, "--every", "1.5", "-o", path("s.csv")}).exitCode, 0);
   const auto rows = linesOf(contentOf(path("s.csv")));
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[1].rfind("1,1.5,1,10,10,6,", 0), 0u) << rows[1];
+  EXPECT_EQ(rows[1].rfind("0,1.5,0,10,10,6,", 0), 0u) << rows[1];
   ASSERT_EQ(run({"section", model, "--through", "2", "--along", "x", "-o", path("s.obj")}).exitCode,
             0);
   EXPECT_TRUE(contains(contentOf(path("s.obj")), "l 1 2 3 4 1\n"));
   ASSERT_EQ(run({"section", model, "-o", path("s.glb")}).exitCode, 0);
-  EXPECT_TRUE(contains(contentOf(path("s.glb")), "\"section_1_curve_1\""));
+  EXPECT_TRUE(contains(contentOf(path("s.glb")), "\"section_0_curve_0\""));
 }
 
 TEST_F(Command, planesThatMissAreToldTheRange) {

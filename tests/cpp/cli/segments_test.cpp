@@ -80,7 +80,7 @@ TEST_F(Command, segmentsOfABottle) {
   const std::size_t faces = 2 * kSides * 7 + 2 * kSides;
   ASSERT_EQ(found["faces"].size(), faces);
   std::size_t below = 0;
-  for (const Json& label : found["faces"]) below += label == 1 ? 1 : 0;
+  for (const Json& label : found["faces"]) below += label == 0 ? 1 : 0;
   EXPECT_EQ(below, 2u * kSides * 3 + kSides);
   // Tips are those of girth tips, each on the side where it is.
   const Json tips = Json::parse(run({"tips", model, "--json"}).output)["tips"];
@@ -90,7 +90,7 @@ TEST_F(Command, segmentsOfABottle) {
     for (const Json& tip : segment["tips"]) {
       const int number = tip["tip"];
       EXPECT_TRUE(numbers.insert(number).second);
-      EXPECT_EQ(tip["apex"], tips[static_cast<std::size_t>(number - 1)]["apex"]);
+      EXPECT_EQ(tip["apex"], tips[static_cast<std::size_t>(number)]["apex"]);
       EXPECT_EQ(tip["apex"]["position"][2].get<double>() > 3, segment["kind"] == "tube");
     }
   }
@@ -101,8 +101,8 @@ TEST_F(Command, segmentsOfABottle) {
   ASSERT_EQ(lines.size(), faces + 1);
   EXPECT_EQ(lines[0], "face,segment,kind,tips");
   for (std::size_t face = 0; face < faces; ++face) {
-    const bool isBody = found["faces"][face] == 1;
-    std::string expected = std::to_string(face) + (isBody ? ",1,body," : ",2,tube,");
+    const bool isBody = found["faces"][face] == 0;
+    std::string expected = std::to_string(face) + (isBody ? ",0,body," : ",1,tube,");
     std::string list;
     for (const Json& tip : (isBody ? body : tube)["tips"]) {
       list += (list.empty() ? "" : " ") + std::to_string(tip["tip"].get<int>());
@@ -111,7 +111,7 @@ TEST_F(Command, segmentsOfABottle) {
   }
   ASSERT_EQ(with({"-o", path("s.glb")}).exitCode, 0);
   const std::string glb = contentOf(path("s.glb"));
-  for (const char* part : {"\"segment_1\"", "\"segment_2\"", "\"COLOR_0\"", "\"kind\":\"tube\""}) {
+  for (const char* part : {"\"segment_0\"", "\"segment_1\"", "\"COLOR_0\"", "\"kind\":\"tube\""}) {
     EXPECT_TRUE(contains(glb, part)) << part;
   }
   EXPECT_EQ(Json::parse(run({"info", path("s.glb"), "--json"}).output)["faces"], faces);

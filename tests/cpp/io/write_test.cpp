@@ -495,9 +495,9 @@ TEST(WriteField, glbWithLoopsAndTips) {
   EXPECT_EQ(aboutLoop["length"], 2.5);
   EXPECT_EQ(aboutLoop["kind"], "loop");
   EXPECT_EQ(aboutLoop["midpoint"].size(), 3u);
-  EXPECT_EQ(document["nodes"][2]["name"], "tip 1");
+  EXPECT_EQ(document["nodes"][2]["name"], "tip 0");
   EXPECT_EQ(document["meshes"][2]["extras"]["contour"], Json::parse(R"({"tip":0,"closed":true})"));
-  EXPECT_EQ(document["nodes"][3]["name"], "arc 1");
+  EXPECT_EQ(document["nodes"][3]["name"], "arc 0");
   EXPECT_EQ(document["meshes"][3]["extras"]["arc"], Json::parse(R"({"length":4,"jump":0.25})"));
   // Three points and the first one again.
   const auto positions = [&](std::size_t mesh) {

@@ -23,7 +23,7 @@ struct Line {
   std::span<const SurfacePoint> points;  ///< in order
 };
 
-/// Places in a list, from 0; what people read counts them from 1.
+/// Places in a list.
 struct Numbers {
   std::span<const Index> places;  ///< in the order of the result
 };

@@ -12,7 +12,7 @@
 
 namespace girth::io {
 
-/// The parts of a model that was cut, the largest area first, which outputs number from 1.
+/// The parts of a model that was cut, the largest area first.
 struct CutModel {
   std::vector<SurfaceComponent> parts;  ///< vertices and faces are those of the cut surface
   std::vector<Face> faces;              ///< of the cut surface: CutSurface::faces
@@ -35,11 +35,11 @@ GIRTH_EXPORT Index partGenus(const SurfaceMesh& part);
 // a texture, it is written several times. OBJ has colours and texture coordinates, PLY colours as
 // bytes.
 
-/// Each part as a node `part_1`, ... with its triangles, positions rounded to floats. glTF is in
+/// Each part as a node `part_0`, ... with its triangles, positions rounded to floats. glTF is in
 /// metres, as in meshFile. Error: LIMIT_EXCEEDED where the file would pass 4 GB.
 GIRTH_EXPORT Result<std::string> cutGlb(const LoadedMesh& loaded, const CutModel& model);
 
-/// Each part as an object `part_1`, ...
+/// Each part as an object `part_0`, ...
 GIRTH_EXPORT std::string cutObj(const LoadedMesh& loaded, const CutModel& model);
 
 /// One part, from 0, in a file of its own. Errors: as meshFile.

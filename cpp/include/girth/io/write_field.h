@@ -70,7 +70,7 @@ struct LinesOnSurface {
 /// known ("millimetre", ...) is scaled by its node; positions and fields stay in the model's unit.
 /// Units and methods stand in the mesh's `extras`.
 ///
-/// Each line is a mesh of its own, a line strip in a node called `loop 12`, `tip 1` or `arc 1`, so
+/// Each line is a mesh of its own, a line strip in a node called `loop 12`, `tip 0` or `arc 0`, so
 /// that any viewer shows it: readModel leaves them out. In their `extras`, a loop has `loop` with
 /// `vertex` (of the surface), `length`, `kind`, `angle` and `midpoint`; the contour of a tip has
 /// `contour` with the number of the `tip`, from 0, and whether it is `closed`; what cuts no tip off

@@ -21,10 +21,10 @@ GIRTH_EXPORT std::string handlesJson(const LoadedMesh& loaded, const Handles& ha
 /// `handle,length,kind,component,area,x,y,z,unit` and a row for each; x, y, z is the centre.
 GIRTH_EXPORT std::string handlesCsv(const LoadedMesh& loaded, const Handles& handles);
 
-/// Each as an object `handle_1`, `tunnel_2`, ... with a closed line element.
+/// Each as an object `handle_0`, `tunnel_1`, ... with a closed line element.
 GIRTH_EXPORT std::string handlesObj(const LoadedMesh& loaded, const Handles& handles);
 
-/// Each as a node `handle_1`, `tunnel_2`, ... with a line strip (mode 3), positions rounded to
+/// Each as a node `handle_0`, `tunnel_1`, ... with a line strip (mode 3), positions rounded to
 /// floats; in the mesh's `extras` its `length`, `kind` and `unit`. glTF is in metres, as in
 /// fieldGlb. An empty scene where there is none. Error: LIMIT_EXCEEDED where the file would pass
 /// 4 GB.

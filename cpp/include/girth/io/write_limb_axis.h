@@ -21,10 +21,10 @@ GIRTH_EXPORT std::string limbAxisCsv(const LoadedMesh& loaded, std::span<const A
 GIRTH_EXPORT std::string limbAxisJson(const LoadedMesh& loaded, std::span<const AxisStation> axis,
                                       std::string_view file);
 
-/// The loops as closed lines, objects `loop_1`, ..., and the axis as an open one, `axis`.
+/// The loops as closed lines, objects `loop_0`, ..., and the axis as an open one, `axis`.
 GIRTH_EXPORT std::string limbAxisObj(const LoadedMesh& loaded, std::span<const AxisStation> axis);
 
-/// The loops as line strips, nodes `loop_1`, ... Error: LIMIT_EXCEEDED where the file would pass
+/// The loops as line strips, nodes `loop_0`, ... Error: LIMIT_EXCEEDED where the file would pass
 /// 4 GB.
 GIRTH_EXPORT Result<std::string> limbAxisGlb(const LoadedMesh& loaded,
                                              std::span<const AxisStation> axis);

@@ -10,7 +10,7 @@
 
 namespace girth::io {
 
-/// One JSON object: `file`, `unit`, `limbs` and `tipsWithoutLimb` (numbers of tips, from 1, as
+/// One JSON object: `file`, `unit`, `limbs` and `tipsWithoutLimb` (numbers of tips, as
 /// `tips`). Of a limb: `length`, `narrowest`, `narrowestDistance`, `median`, `base`, `end`, `tips`,
 /// `apex` (as a point of `loopJson`), `vertices` (of the file), and `profile`: stations with
 /// `distance`, `ring`, `median`, `least` and the point `place` of the least. Numbers that there are

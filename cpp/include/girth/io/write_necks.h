@@ -21,10 +21,10 @@ GIRTH_EXPORT std::string necksJson(const LoadedMesh& loaded, const Necks& necks,
 /// a row for each neck; x, y, z is the centre. The prominence is empty where it is infinite.
 GIRTH_EXPORT std::string necksCsv(const LoadedMesh& loaded, const Necks& necks);
 
-/// Each neck as an object `neck_1`, ... with a closed line element.
+/// Each neck as an object `neck_0`, ... with a closed line element.
 GIRTH_EXPORT std::string necksObj(const LoadedMesh& loaded, const Necks& necks);
 
-/// Each neck as a node `neck_1`, ... with a line strip (mode 3), positions rounded to floats; in
+/// Each neck as a node `neck_0`, ... with a line strip (mode 3), positions rounded to floats; in
 /// the mesh's `extras` its `length`, `prominence`, `area` and `unit`. glTF is in metres, as in
 /// fieldGlb. An empty scene where there is no neck. Error: LIMIT_EXCEEDED where the file would pass
 /// 4 GB.

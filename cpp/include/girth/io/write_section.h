@@ -16,14 +16,14 @@ GIRTH_EXPORT std::string sectionsJson(const LoadedMesh& loaded, const Sections& 
                                       std::string_view file);
 
 /// `section,offset,curve,perimeter,tape,area,equivalentDiameter,leastWidth,greatestWidth,x,y,z,
-/// closed,hole,component,unit` and a row for each curve; sections and curves are numbered from 1,
+/// closed,hole,component,unit` and a row for each curve; sections and curves are numbered from 0,
 /// x, y, z is the centre.
 GIRTH_EXPORT std::string sectionsCsv(const LoadedMesh& loaded, const Sections& sections);
 
-/// Each curve as an object `section_1_curve_1`, ... with a line element.
+/// Each curve as an object `section_0_curve_0`, ... with a line element.
 GIRTH_EXPORT std::string sectionsObj(const LoadedMesh& loaded, const Sections& sections);
 
-/// Each curve as a node `section_1_curve_1`, ... with a line strip (mode 3), positions rounded to
+/// Each curve as a node `section_0_curve_0`, ... with a line strip (mode 3), positions rounded to
 /// floats; in the mesh's `extras` its `offset`, `perimeter`, `tape`, `area` and `unit`. glTF is in
 /// metres, as in fieldGlb. An empty scene where there is no curve. Error: LIMIT_EXCEEDED where the
 /// file would pass 4 GB.

@@ -33,20 +33,20 @@ GIRTH_EXPORT Result<SegmentedModel> segmentedModel(
     const PartOptions& options, std::vector<Tip> tips, const ExecutionContext& context = {});
 
 /// One JSON object: `file`, `unit`, `thresholds` (`girth`, `thickness`), `smoothing`, `crossing`
-/// (necks that were passed over, from 1), `segments` and `faces`: for each face of the file the
-/// segment that has most of its area, from 1, null where it is not on the surface. Of a segment:
+/// (numbers of necks that were passed over), `segments` and `faces`: for each face of the file the
+/// segment that has most of its area, null where it is not on the surface. Of a segment:
 /// `area`, `volume`, `faces`, `genus` and `boundaries` as in cutJson, `kind`, `shares` (of its
-/// area, `body`, `tube`, `plate` and `unknown`) and `tips`: of each its number `tip`, from 1, and
+/// area, `body`, `tube`, `plate` and `unknown`) and `tips`: of each its number `tip` and
 /// its `apex`, as a point of `loopJson`.
 GIRTH_EXPORT std::string segmentsJson(const LoadedMesh& loaded, const SegmentedModel& segmented,
                                       std::string_view file);
 
 /// `face,segment,kind,tips` and a row for every face of the file that is on the surface: the
-/// segment that has most of its area, from 1, what that is, and the numbers of its tips with spaces
+/// segment that has most of its area, what that is, and the numbers of its tips with spaces
 /// between them.
 GIRTH_EXPORT std::string segmentsCsv(const LoadedMesh& loaded, const SegmentedModel& segmented);
 
-/// Each segment as a node `segment_1`, ... in one of eight colours, in turn, with `kind`, `shares`
+/// Each segment as a node `segment_0`, ... in one of eight colours, in turn, with `kind`, `shares`
 /// and `tips` (numbers) in its mesh's extras. Error: as cutGlb.
 GIRTH_EXPORT Result<std::string> segmentsGlb(const LoadedMesh& loaded,
                                              const SegmentedModel& segmented);

@@ -18,7 +18,7 @@ namespace girth::io {
 GIRTH_EXPORT std::string tipsJson(const LoadedMesh& loaded, const Tips& tips, std::string_view file,
                                   std::string_view trials = {}, double persistence = 0);
 
-/// The contours as OBJ line elements: one object a tip (`o tip_1`, …) and one an arc (`o arc_1`,
+/// The contours as OBJ line elements: one object a tip (`o tip_0`, …) and one an arc (`o arc_0`,
 /// …).
 GIRTH_EXPORT std::string tipsObj(const LoadedMesh& loaded, const Tips& tips);
 
