@@ -81,21 +81,21 @@ def test_maxima_are_vertices_above_all_their_neighbours(example, command):
         mesh.maxima(field.values[1:])
 
 
-def test_a_refined_mesh_has_the_girth_of_the_coarse_one(tmp_path):
+def test_a_subdivided_mesh_has_the_girth_of_the_coarse_one(tmp_path):
     mesh = pygirth.Mesh(*prism(6, length=4.0, rings=5), unit="millimetre")
-    fine = mesh.refine(200)
+    fine = mesh.subdivide(200)
     assert len(fine.faces) in (200, 201) and fine.unit == "millimetre"
     assert_same_bits(fine.vertices[: len(mesh.vertices)], mesh.vertices)
     np.testing.assert_allclose(
         fine.igf().values[: len(mesh.vertices)], mesh.igf().values, rtol=1e-9
     )
-    assert len(mesh.refine(3).faces) == len(mesh.faces)
+    assert len(mesh.subdivide(3).faces) == len(mesh.faces)
     mesh.save(tmp_path / "coarse.obj")
-    typed("remesh", tmp_path / "coarse.obj", "--refine", 200, "-o", tmp_path / "fine.ply")
+    typed("remesh", tmp_path / "coarse.obj", "--subdivide", 200, "-o", tmp_path / "fine.ply")
     assert_same_bits(pygirth.load(tmp_path / "fine.ply").vertices, fine.vertices)
     for wrong in (0, 10**9):
         with pytest.raises(pygirth.InputError, match="INVALID_OPTION"):
-            mesh.refine(wrong)
+            mesh.subdivide(wrong)
 
 
 @pytest.mark.parametrize("ending", [".obj", ".ply", ".stl", ".off", ".glb"])

@@ -62,6 +62,10 @@ int runOneOf(std::span<const Command* const> commands, const std::string& above,
       table.options().begin(), table.options().end(),
       [](const Option& option) { return option.hasName("--json") && option.isGiven(); });
   if (isJson) printErrorsAsJson();
+  for (const Option& option : table.options()) {
+    if (!option.isFormerNameTyped()) continue;
+    printNote("", option.formerName() + " is the older name of " + option.title() + ", until 2.0");
+  }
   return run();
 }
 

@@ -14,16 +14,16 @@ void addThreadsOption(OptionTable& table, unsigned& threads) {
 
 void addMeasuringOptions(OptionTable& table, ModelOptions& preparing, unsigned& threads,
                          bool& json) {
-  addRefineOption(table, preparing);
+  addSubdivideOption(table, preparing);
   addModelOptions(table, preparing);
   addThreadsOption(table, threads);
   table.add("--json", json, "Print everything as JSON");
 }
 
-void addLengthOption(OptionTable& table, const char* declaration, std::string& length,
-                     const char* text) {
+Option& addLengthOption(OptionTable& table, const char* declaration, std::string& length,
+                        const char* text) {
   // An empty one is a slip, such as a variable of a script that is not set: not the same as none.
-  table.onValue(
+  return table.onValue(
       declaration,
       [&length](const std::string& typed) {
         length = typed;

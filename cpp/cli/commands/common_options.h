@@ -15,14 +15,14 @@ namespace girth::cli {
 /// Adds `--threads`. 0, the default: as many as there are cores.
 void addThreadsOption(OptionTable& table, unsigned& threads);
 
-/// Adds what commands that measure one model have: `--refine`, the options on how a model is
+/// Adds what commands that measure one model have: `--subdivide`, the options on how a model is
 /// prepared, `--threads` and `--json`.
 void addMeasuringOptions(OptionTable& table, ModelOptions& preparing, unsigned& threads,
                          bool& json);
 
 /// Adds an option for a length as it is typed, with or without a unit.
-void addLengthOption(OptionTable& table, const char* declaration, std::string& length,
-                     const char* text);
+Option& addLengthOption(OptionTable& table, const char* declaration, std::string& length,
+                        const char* text);
 
 /// Reads such a length in a unit; leaves `length` as it is where none was given. Error: USAGE.
 std::optional<Error> readLength(const std::string& text, const std::string& unit, double& length);

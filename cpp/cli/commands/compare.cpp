@@ -140,7 +140,7 @@ Run add(OptionTable& table) {
   const auto options = std::make_shared<Options>();
   table.add("MODEL", options->models, "Two models or more").required();
   addComparisonOptions(table, *options);
-  addRefineOption(table, options->preparing);
+  addSubdivideOption(table, options->preparing);
   addModelOptions(table, options->preparing);
   table.add("--json", options->json, "Print the distances as JSON");
   table.note(

@@ -280,7 +280,7 @@ Run add(OptionTable& table) {
            "first; with hks: persistent heat maxima")
       .range(1, 1'000'000);
   addPositionsOption(table, options->positions);
-  addRefineOption(table, options->preparing);
+  addSubdivideOption(table, options->preparing);
   addModelOptions(table, options->preparing);
   addThreadsOption(table, options->threads);
   table.add("--json", options->json, "Print the summary as JSON");

@@ -311,16 +311,14 @@ Run add(OptionTable& table) {
   table.add("MODEL", options->model, "The model to read").required();
   addLengthOption(table, "--girth LENGTH", options->girth,
                   "Tubes have a girth below this length (tau 1)");
-  addLengthOption(
-      table, "--thickness,--shape-diameter LENGTH", options->diameter,
-      "Tubes and plates have a shape diameter below this length (tau 2); --thickness is "
-      "the older name, until 2.0");
+  addLengthOption(table, "--shape-diameter LENGTH", options->diameter,
+                  "Tubes and plates have a shape diameter below this length (tau 2)")
+      .formerly("--thickness");
   table
-      .add("--smooth,--smooth-labels WEIGHT", options->smoothing,
-           "Weight of all neighbours of a vertex against its own kind, 0 by default; --smooth is "
-           "the "
-           "older name, until 2.0")
-      .range(0, 1e6);
+      .add("--smooth-labels WEIGHT", options->smoothing,
+           "Weight of all neighbours of a vertex against its own kind, 0 by default")
+      .range(0, 1e6)
+      .formerly("--smooth");
   addLengthOption(table, "--min-tube LENGTH", options->minTube,
                   "List tubes thinner than this diameter, as in 3mm; ends with 4 if there are any");
   addLengthOption(table, "--min-wall LENGTH", options->minWall,

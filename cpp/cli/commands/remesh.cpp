@@ -111,7 +111,7 @@ Index mostFaces(const Options& options) {
   const bool isOther = !options.removeHandles.empty() || options.smoothing > 0;
   if (options.faces == 0 && isOther) return kMostFaces;
   constexpr Index kDefault = 10'000;
-  return options.faces > 0 ? options.faces : std::max(kDefault, options.preparing.refine);
+  return options.faces > 0 ? options.faces : std::max(kDefault, options.preparing.subdivide);
 }
 
 int run(const Options& options) {
@@ -189,7 +189,7 @@ Run add(OptionTable& table) {
   table.add("--even", options->even,
             "Triangles of even size and shape, instead of those that keep the surface's shape "
             "best");
-  addRefineOption(table, options->preparing);
+  addSubdivideOption(table, options->preparing);
   addLengthOption(table, "--remove-handles LENGTH", options->removeHandles,
                   "Cut every handle and close every tunnel with a loop shorter than this, as in "
                   "2mm; keeps the other triangles, unless --faces is given");
@@ -209,7 +209,7 @@ Run add(OptionTable& table) {
   table.add("--json", options->json, "Print the summary as JSON");
   table.example("girth remesh model.glb --faces 10000 -o fewer.obj",
                 "10,000 triangles that keep the shape.");
-  table.example("girth remesh model.glb --refine 50000 -o finer.obj",
+  table.example("girth remesh model.glb --subdivide 50000 -o finer.obj",
                 "50,000 triangles of the same surface, where it has fewer.");
   table.example("girth remesh scan.ply --remove-handles 2mm --unit mm -o repaired.ply",
                 "Without the handles and tunnels that noise has made.");

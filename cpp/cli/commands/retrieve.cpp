@@ -56,7 +56,7 @@ Run add(OptionTable& table) {
             "A .csv with the columns file and class, or a .cla, for each folder; by default its "
             "classes.csv, its only .cla, or else its folders are the classes");
   addComparisonOptions(table, *options);
-  addRefineOption(table, options->preparing);
+  addSubdivideOption(table, options->preparing);
   addModelOptions(table, options->preparing);
   table
       .onValue(

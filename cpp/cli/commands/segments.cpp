@@ -103,16 +103,14 @@ Run add(OptionTable& table) {
   addProminenceOption(table, options->minProminence, "Divide at necks of at least this prominence");
   addLengthOption(table, "--girth LENGTH", options->girth,
                   "Tubes have a girth below this length (tau 1)");
-  addLengthOption(
-      table, "--thickness,--shape-diameter LENGTH", options->thickness,
-      "Tubes and plates have a shape diameter below this length (tau 2); --thickness is "
-      "the older name, until 2.0");
+  addLengthOption(table, "--shape-diameter LENGTH", options->thickness,
+                  "Tubes and plates have a shape diameter below this length (tau 2)")
+      .formerly("--thickness");
   table
-      .add("--smooth,--smooth-labels WEIGHT", options->smoothing,
-           "Weight of all neighbours of a vertex against its own kind, 0 by default; --smooth is "
-           "the "
-           "older name, until 2.0")
-      .range(0, 1e6);
+      .add("--smooth-labels WEIGHT", options->smoothing,
+           "Weight of all neighbours of a vertex against its own kind, 0 by default")
+      .range(0, 1e6)
+      .formerly("--smooth");
   addOutputOptions(table, options->output, writers.endings(),
                    "Write the segments: .json, .csv (the segment of each face, its kind and its "
                    "tips), .glb (a node for each, coloured)");

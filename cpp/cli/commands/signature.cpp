@@ -116,7 +116,7 @@ Run add(OptionTable& table) {
   addOutputOptions(table, options->output, {".csv", ".json"}, "Write them: .csv or .json")
       .required();
   addComparisonOptions(table, *options);
-  addRefineOption(table, options->preparing);
+  addSubdivideOption(table, options->preparing);
   addModelOptions(table, options->preparing);
   table.example("girth signature a.obj -o a.csv",
                 "The histogram of the girth: descriptor, low, high, share, cumulative.");

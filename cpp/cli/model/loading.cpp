@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "girth/io/length_unit.h"
-#include "girth/refine_surface.h"
+#include "girth/subdivide_surface.h"
 #include "model/fewer_triangles.h"
 #include "model/model_file.h"
 #include "process/interrupt.h"
@@ -151,9 +151,9 @@ Result<io::LoadedMesh> loadModelWithoutNotes(const std::string& path, const Mode
   const TriangleSoup soup = read.attributes.empty() ? TriangleSoup{} : read.soup;
   auto prepared = prepareSurface(std::move(read.soup), prepare);
   if (!prepared) return prepared.error();
-  if (options.refine > 0) {
-    prepared =
-        refineSurface(std::move(prepared).value(), options.refine, {0, &catchInterrupts(), {}});
+  if (options.subdivide > 0) {
+    prepared = subdivideSurface(std::move(prepared).value(), options.subdivide,
+                                {0, &catchInterrupts(), {}});
     if (!prepared) return prepared.error();
   }
   std::vector<io::Attribute> attributes;

@@ -44,11 +44,12 @@ void addModelOptions(OptionTable& table, ModelOptions& options) {
             "The model in a zip, by its path in it; by default the first");
 }
 
-void addRefineOption(OptionTable& table, ModelOptions& options) {
+void addSubdivideOption(OptionTable& table, ModelOptions& options) {
   table
-      .add("--refine N", options.refine,
+      .add("--subdivide N", options.subdivide,
            "Cut triangles until there are N, if there are fewer; the surface stays as it is")
-      .range(4, kMostFaces);
+      .range(4, kMostFaces)
+      .formerly("--refine");
 }
 
 void addFacesOption(OptionTable& table, ModelOptions& options) {
@@ -56,7 +57,7 @@ void addFacesOption(OptionTable& table, ModelOptions& options) {
       .add("--faces N", options.faces,
            "Measure on at most so many triangles: a larger model is remeshed to them")
       .range(4, kMostFaces)
-      .excludes("--refine");
+      .excludes("--subdivide");
 }
 
 std::string preparationText(const ModelOptions& options) {
@@ -74,7 +75,7 @@ std::string preparationText(const ModelOptions& options) {
   add("--height", options.height);
   add("--up", options.up);
   add("--entry", options.entry);
-  if (options.refine > 0) add("--refine", std::to_string(options.refine));
+  if (options.subdivide > 0) add("--subdivide", std::to_string(options.subdivide));
   if (options.faces > 0) add("--faces", std::to_string(options.faces));
   return text;
 }

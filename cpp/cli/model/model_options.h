@@ -14,7 +14,7 @@ struct ModelOptions {
   std::string weldDistance;
   bool closeHoles{false};
   /// Cut into so many triangles, if there are fewer; 0: as they are.
-  std::uint32_t refine{0};
+  std::uint32_t subdivide{0};
   /// Remeshed to at most so many triangles; 0: as it is.
   std::uint32_t faces{0};
   /// Which file of a zip; empty: the first model.
@@ -48,8 +48,8 @@ std::string preparationText(const ModelOptions& options);
 /// The most faces that can be asked for.
 constexpr std::uint32_t kMostFaces = 100'000'000;
 
-/// Adds `--refine`.
-void addRefineOption(OptionTable& table, ModelOptions& options);
+/// Adds `--subdivide`.
+void addSubdivideOption(OptionTable& table, ModelOptions& options);
 
 /// Adds `--faces`, for commands that measure.
 void addFacesOption(OptionTable& table, ModelOptions& options);

@@ -125,6 +125,11 @@ Option& Option::excludes(std::string other) {
   return *this;
 }
 
+Option& Option::formerly(std::string name) {
+  formerName_ = std::move(name);
+  return *this;
+}
+
 Option& Option::needs(std::string other) {
   needed_ = std::move(other);
   return *this;
@@ -137,8 +142,9 @@ Option& Option::onlyFor(std::string other, std::vector<std::string> values) {
 }
 
 bool Option::hasName(std::string_view name) const {
-  return isArgument() ? name == valueName_
-                      : std::find(names_.begin(), names_.end(), name) != names_.end();
+  if (isArgument()) return name == valueName_;
+  return (name == formerName_ && !name.empty()) ||
+         std::find(names_.begin(), names_.end(), name) != names_.end();
 }
 
 const std::string& Option::title() const { return isArgument() ? valueName_ : names_.back(); }

@@ -26,6 +26,8 @@ class Option {
   Option(std::string_view declaration, std::string text, Values values, Store store);
 
   Option& required();
+  /// Has an older name too, which help leaves out and a note points away from.
+  Option& formerly(std::string name);
   /// Numbers from `least` to `greatest` only.
   Option& range(double least, double greatest);
   /// These values only.
@@ -42,6 +44,11 @@ class Option {
   /// elsewhere.
   Option& onlyFor(std::string other, std::vector<std::string> values);
 
+  /// The older name; empty where there is none.
+  const std::string& formerName() const { return formerName_; }
+  /// Whether it was given by that name.
+  bool isFormerNameTyped() const { return formerNameTyped_; }
+  void typedBy(std::string_view name) { formerNameTyped_ |= !name.empty() && name == formerName_; }
   /// "-o", "--output"; none for an argument.
   const std::vector<std::string>& names() const { return names_; }
   /// The name of the value in help: "FILE"; empty for a flag.
@@ -72,12 +79,12 @@ class Option {
   std::string takeOne(const std::string& value);
 
   std::vector<std::string> names_;
-  std::string valueName_;
+  std::string valueName_, formerName_;
   std::string text_;
   Values values_;
   Store store_;
   std::vector<std::string> choices_;
-  bool hasRange_{false};
+  bool hasRange_{false}, formerNameTyped_{false};
   double least_{0}, greatest_{0};
   bool required_{false}, separated_{false}, greedy_{false}, given_{false};
   std::string excluded_, needed_, decider_, typed_;

@@ -121,6 +121,7 @@ class Parsing {
   }
 
   std::optional<Error> taken(Option& option, const std::string& name, const std::string& value) {
+    option.typedBy(name);
     const std::string fault = option.take(value);
     if (fault.empty()) return std::nullopt;
     const std::string near = nearestName(value, option.choices());

@@ -37,6 +37,7 @@
 #include "girth/segments.h"
 #include "girth/smooth_surface.h"
 #include "girth/spectrum.h"
+#include "girth/subdivide_surface.h"
 #include "girth/surface_mesh.h"
 #include "girth/surface_point.h"
 #include "girth/tips.h"

@@ -26,10 +26,10 @@
 #include "girth/io/vertex_field.h"
 #include "girth/limbs.h"
 #include "girth/path_profile.h"
-#include "girth/refine_surface.h"
 #include "girth/remesh.h"
 #include "girth/smooth_surface.h"
 #include "girth/spectrum.h"
+#include "girth/subdivide_surface.h"
 #include "girth/vertex_areas.h"
 #include "points.h"
 #include "result_dict.h"
@@ -382,12 +382,12 @@ py::tuple smoothed(const Shared& surface, std::int64_t steps, const Running& run
 }
 
 /// Vertices and faces of the surface with its longest edges cut in two.
-py::tuple refinedSurface(const Shared& surface, std::int64_t faces, const Running& running) {
+py::tuple subdivided(const Shared& surface, std::int64_t faces, const Running& running) {
   const Index wanted =
       static_cast<Index>(std::clamp<std::int64_t>(faces, 0, std::int64_t{kNoIndex} - 1));
   const auto fine =
       compute<PreparedSurface>(running, [surface, wanted](const ExecutionContext& context) {
-        return refineSurface(PreparedSurface(surface->loaded()), wanted, context);
+        return subdivideSurface(PreparedSurface(surface->loaded()), wanted, context);
       });
   return py::make_tuple(positionArray(fine.mesh), triangleArray(fine.mesh));
 }
@@ -437,7 +437,7 @@ void bindSurface(py::module_& module) {
       .def("distances", &distancesFrom)
       .def("path", &pathBetween)
       .def("remesh", &remeshed)
-      .def("refine", &refinedSurface)
+      .def("subdivide", &subdivided)
       .def("smooth", &smoothed);
 }
 

@@ -962,7 +962,7 @@ class Mesh:
         )
         return Mesh(*arrays, unit=self._unit)
 
-    def refine(self, n: int, *, progress: Progress = None) -> "Mesh":
+    def subdivide(self, n: int, *, progress: Progress = None) -> "Mesh":
         """The same surface in more triangles: the longest edges are cut in two.
 
         The surface stays where it is, and so does its girth; vertices keep their order, and new
@@ -983,7 +983,7 @@ class Mesh:
         count = whole_number(n, "n")
         if not 1 <= count <= 100_000_000:
             raise input_error("INVALID_OPTION", f"n is {count}", "choose 1 to 100,000,000")
-        arrays = self._surface.refine(count, running(None, progress))
+        arrays = self._surface.subdivide(count, running(None, progress))
         return Mesh(*arrays, unit=self._unit)
 
     def smooth(self, steps: int, *, progress: Progress = None) -> "Mesh":

@@ -223,7 +223,7 @@ TEST_F(Command, tipsPartsAndFieldsOfASurface) {
   // A square prism of sides 1, 20 long: all tube, 4 / π across.
   const Json parts = Json::parse(run({"parts", model, "--json"}).output);
   EXPECT_EQ(parts["parts"][0]["kind"], "tube");
-  EXPECT_EQ(Json::parse(run({"parts", model, "--json", "--girth", "1", "--thickness", "0.01"})
+  EXPECT_EQ(Json::parse(run({"parts", model, "--json", "--girth", "1", "--shape-diameter", "0.01"})
                             .output)["parts"][0]["kind"],
             "body");
   EXPECT_EQ(run({"parts", model, "--girth", "wide"}).exitCode, 1);
@@ -375,8 +375,8 @@ TEST_F(Command, remeshWritesAsManyFacesAsWanted) {
   const std::string prism = kData + "/prism.obj";
   for (const char* ending : {"obj", "ply", "stl", "off", "glb"}) {
     const std::string written = path(std::string("out.") + ending);
-    const Outcome outcome = run({"remesh", prism, "--refine", "2000", "--faces", "1000", "--even",
-                                 "-o", written, "--json"});
+    const Outcome outcome = run({"remesh", prism, "--subdivide", "2000", "--faces", "1000",
+                                 "--even", "-o", written, "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
     const Json summary = Json::parse(outcome.output);
     EXPECT_EQ(summary["facesBefore"], 84);
@@ -416,7 +416,8 @@ TEST_F(Command, remeshWritesAsManyFacesAsWanted) {
 
 TEST_F(Command, remeshSmoothsWhatIsRough) {
   const std::string prism = kData + "/prism.obj";
-  ASSERT_EQ(run({"remesh", prism, "--refine", "20000", "-o", path("fine.ply"), "-q"}).exitCode, 0);
+  ASSERT_EQ(run({"remesh", prism, "--subdivide", "20000", "-o", path("fine.ply"), "-q"}).exitCode,
+            0);
   const auto smooth = [&](const std::vector<std::string>& options) {
     std::vector<std::string> arguments{"remesh", path("fine.ply"), "-o",      path("smooth.ply"),
                                        "--json", "--force",        "--smooth"};
@@ -451,16 +452,16 @@ TEST_F(Command, facesAreAtMostAndRefiningIsAtLeastSoMany) {
   EXPECT_EQ(facesOf({}), 84);
   EXPECT_LE(facesOf({"--even"}), 84);
   EXPECT_LE(facesOf({"--faces", "60"}), 60);
-  EXPECT_EQ(facesOf({"--refine", "80"}), 84);
+  EXPECT_EQ(facesOf({"--subdivide", "80"}), 84);
   for (const int faces : {114, 3000, 20000}) {
-    const int made = facesOf({"--refine", std::to_string(faces)});
+    const int made = facesOf({"--subdivide", std::to_string(faces)});
     EXPECT_TRUE(made == faces || made == faces + 1) << made;
   }
   // The surface is the same one, and so are its values; those of the file's vertices come first.
   ASSERT_EQ(run({"igf", prism, "-o", path("a.json")}).exitCode, 0);
   ASSERT_EQ(run({"igf", prism, "--faces", "1000", "-o", path("b.json")}).exitCode, 0);
   EXPECT_EQ(contentOf(path("a.json")), contentOf(path("b.json"))) << "it has fewer anyway";
-  ASSERT_EQ(run({"igf", prism, "--refine", "300", "-o", path("c.json")}).exitCode, 0);
+  ASSERT_EQ(run({"igf", prism, "--subdivide", "300", "-o", path("c.json")}).exitCode, 0);
   const Json before = Json::parse(contentOf(path("a.json")))["igf"];
   const Json after = Json::parse(contentOf(path("c.json")))["igf"];
   ASSERT_EQ(before.size(), after.size());
@@ -506,7 +507,7 @@ TEST_F(Command, igfOnARemeshedSurfaceComesBack) {
   const std::string prism = kData + "/prism.obj";
   ASSERT_EQ(run({"igf", prism, "-o", path("a.json")}).exitCode, 0);
   const Outcome outcome =
-      run({"igf", prism, "--refine", "3000", "--faces", "2000", "-o", path("b.json")});
+      run({"igf", prism, "--subdivide", "3000", "--faces", "2000", "-o", path("b.json")});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   const Json there = Json::parse(contentOf(path("a.json")));
   const Json back = Json::parse(contentOf(path("b.json")));

@@ -131,7 +131,7 @@ TEST_F(FewerTriangles, facesAreNotThoseOfTheFile) {
 TEST_F(FewerTriangles, whatTakesHoursIsSaidBefore) {
   using namespace std::chrono_literals;
   for (const std::string command : {"tips", "igf"}) {
-    const Process child = start({command, model_, "--refine", "100000"});
+    const Process child = start({command, model_, "--subdivide", "100000"});
     waitUntilInterruptible(child);
     for (int i = 0; i < 3000 && !contains(contentOf(path("stderr")), "--faces 10000"); ++i) {
       std::this_thread::sleep_for(10ms);

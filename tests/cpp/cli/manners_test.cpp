@@ -138,7 +138,17 @@ TEST_F(Command, olderNamesOfOptionsDoTheSame) {
     };
     EXPECT_EQ(with("--thickness", "--smooth"), with("--shape-diameter", "--smooth-labels"));
     EXPECT_NE(with("--thickness", "--smooth"), "");
+    // A note says what they are called now, and help has only that.
+    std::vector<std::string> older = arguments;
+    older.insert(older.end(), {"--thickness", "2"});
+    EXPECT_EQ(run(older).errors,
+              "girth: note: --thickness is the older name of --shape-diameter, until 2.0\n");
+    older.emplace_back("-q");
+    EXPECT_EQ(run(older).errors, "");
+    EXPECT_FALSE(contains(run({command, "--help"}).output, "--thickness"));
   }
+  EXPECT_EQ(run({"tips", prism, "--json", "--refine", "200"}).output,
+            run({"tips", prism, "--json", "--subdivide", "200"}).output);
 }
 
 TEST_F(Command, optionsAreReadInEveryWayThatIsUsual) {

@@ -148,7 +148,7 @@ TEST_F(Command, wallsOfASurfaceThatIsInsideOutDoNotPass) {
 
 TEST_F(Command, lengthsThatAreNoneAreRefusedBeforeTheWork) {
   const std::string prism = kData + "/prism.obj";
-  for (const char* option : {"--girth", "--thickness", "--min-tube", "--min-wall"}) {
+  for (const char* option : {"--girth", "--shape-diameter", "--min-tube", "--min-wall"}) {
     for (const char* value :
          {"nan", "-1", "-0.5mm", "inf", "", "3 parsecs", "mm", "1e400", "1,5,0"}) {
       const Outcome outcome = run({"parts", prism, "--unit", "mm", option, value});
@@ -159,7 +159,7 @@ TEST_F(Command, lengthsThatAreNoneAreRefusedBeforeTheWork) {
     EXPECT_EQ(run({"parts", prism, option}).exitCode, 1) << option << " without a length";
   }
   for (const char* value : {"nan", "-1", "much"}) {
-    EXPECT_EQ(run({"parts", prism, "--smooth", value}).exitCode, 1) << value;
+    EXPECT_EQ(run({"parts", prism, "--smooth-labels", value}).exitCode, 1) << value;
   }
   for (const char* value : {"nan", "0", "-30", "180", "wide"}) {
     EXPECT_EQ(run({"field", prism, "--field", "sdf", "--cone", value}).exitCode, 1) << value;

@@ -48,7 +48,7 @@ std::string bottle() {
 TEST_F(Command, segmentsOfABottle) {
   const std::string model = write("bottle.obj", bottle());
   const std::vector<std::string> arguments{"segments", model, "--min-prominence", "0.5",
-                                           "--girth",  "7",   "--thickness",      "2.5"};
+                                           "--girth",  "7",   "--shape-diameter", "2.5"};
   const auto with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = arguments;
     all.insert(all.end(), more.begin(), more.end());
@@ -124,7 +124,7 @@ TEST_F(Command, segmentsWithoutNecksAndBadLengths) {
       run({"segments", kData + "/prism.obj", "--min-prominence", "1000", "--json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   EXPECT_EQ(Json::parse(outcome.output)["segments"].size(), 1u);
-  for (const std::string option : {"--min-prominence", "--girth", "--thickness"}) {
+  for (const std::string option : {"--min-prominence", "--girth", "--shape-diameter"}) {
     for (const std::string length : {"-1", "nan", "wide"}) {
       EXPECT_EQ(run({"segments", kData + "/prism.obj", option, length}).exitCode, 1) << option;
     }

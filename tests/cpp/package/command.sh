@@ -144,7 +144,7 @@ expect 0 '' "$girth" igf model.obj -q -o link.csv
 same values.csv private.csv
 [ -L link.csv ] || { echo 'wrong: the link was replaced'; failed=1; }
 expect 0 '600' stat -c %a private.csv
-if "$girth" remesh model.obj --refine 20000 -q -o large.obj; then
+if "$girth" remesh model.obj --subdivide 20000 -q -o large.obj; then
   printf whole > large.csv
   "$girth" igf large.obj --threads 1 -o large.csv > stopped 2>&1 &
   # As soon as it catches interrupts: the second bit of what /proc calls SigCgt.

@@ -50,7 +50,7 @@ expect 0 '' build/mine model.obj
 if [ -x "$prefix/bin/girth" ]; then
   mkdir command && cd command || exit 1
   PATH=$prefix/bin:$PATH
-  girth remesh ../model.obj --refine 400 -q -o model.glb && girth remesh model.glb --faces 300 -q -o model.stl &&
+  girth remesh ../model.obj --subdivide 400 -q -o model.glb && girth remesh model.glb --faces 300 -q -o model.stl &&
     girth remesh model.glb --faces 200 -q -o a.obj && girth remesh model.glb --faces 200 --even -q -o b.obj &&
     girth remesh model.glb --faces 200 -q -o scan.ply && cp model.stl vessel.stl || failed=1
   # An hourglass: three rings of six, the middle one half as wide, and a lid on each end.

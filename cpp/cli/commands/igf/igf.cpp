@@ -230,7 +230,7 @@ Run add(OptionTable& table) {
            "Compute on at most so many triangles: a larger model is remeshed to them, and the "
            "values are carried back")
       .range(4, kMostFaces);
-  addRefineOption(table, options->preparing);
+  addSubdivideOption(table, options->preparing);
   addPersistenceOption(table, options->persistence);
   table
       .add("--barcode FILE", options->barcodes.path,

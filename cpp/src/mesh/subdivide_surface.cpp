@@ -1,4 +1,4 @@
-#include "girth/refine_surface.h"
+#include "girth/subdivide_surface.h"
 
 #include <algorithm>
 #include <array>
@@ -114,8 +114,8 @@ class Bisection {
 
 }  // namespace
 
-Result<PreparedSurface> refineSurface(PreparedSurface surface, Index faces,
-                                      const ExecutionContext& context) {
+Result<PreparedSurface> subdivideSurface(PreparedSurface surface, Index faces,
+                                         const ExecutionContext& context) {
   if (surface.mesh.faceCount() >= faces) return surface;
   Bisection bisection(surface);
   while (bisection.faces() < faces) {

@@ -1,5 +1,5 @@
 // The same surface in more triangles.
-#include "girth/refine_surface.h"
+#include "girth/subdivide_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -26,13 +26,13 @@ TriangleSoup beam(double length) {
        1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7}};
 }
 
-TEST(RefineSurface, hasAsManyFacesAsWantedOnAnySurface) {
+TEST(SubdivideSurface, hasAsManyFacesAsWantedOnAnySurface) {
   // A closed one, one with a boundary, and one whose faces are needles.
   const TriangleSoup sheet{{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}};
   for (const TriangleSoup& soup : {beam(1), beam(1000), sheet}) {
     const PreparedSurface coarse = prepared(soup);
     for (const Index faces : {1u, 13u, 114u, 3000u}) {
-      const auto fine = refineSurface(prepared(soup), faces);
+      const auto fine = subdivideSurface(prepared(soup), faces);
       ASSERT_TRUE(fine.ok()) << fine.error().message;
       const PreparedSurface& surface = fine.value();
       EXPECT_GE(surface.mesh.faceCount(), std::max(faces, coarse.mesh.faceCount()));
@@ -53,9 +53,9 @@ TEST(RefineSurface, hasAsManyFacesAsWantedOnAnySurface) {
   }
 }
 
-TEST(RefineSurface, facesCoverTheirTriangleOfTheInput) {
+TEST(SubdivideSurface, facesCoverTheirTriangleOfTheInput) {
   const TriangleSoup soup = beam(3);
-  const auto fine = refineSurface(prepared(soup), 200);
+  const auto fine = subdivideSurface(prepared(soup), 200);
   ASSERT_TRUE(fine.ok());
   const SurfaceMesh coarse = prepared(soup).mesh;
   std::vector<double> covered(soup.triangles.size() / 3);
@@ -65,10 +65,10 @@ TEST(RefineSurface, facesCoverTheirTriangleOfTheInput) {
   for (const Face f : coarse.faces()) EXPECT_NEAR(covered[f], coarse.area(f), 1e-12);
 }
 
-TEST(RefineSurface, theGirthStays) {
+TEST(SubdivideSurface, theGirthStays) {
   const TriangleSoup soup = beam(10);
   const SurfaceMesh coarse = prepared(soup).mesh;
-  const auto fine = refineSurface(prepared(soup), 500);
+  const auto fine = subdivideSurface(prepared(soup), 500);
   ASSERT_TRUE(fine.ok());
   GirthSolver before(coarse), after(fine.value().mesh);
   for (const Vertex v : coarse.vertices()) {
@@ -77,11 +77,11 @@ TEST(RefineSurface, theGirthStays) {
   }
 }
 
-TEST(RefineSurface, stopsAtOnce) {
+TEST(SubdivideSurface, stopsAtOnce) {
   std::atomic<bool> cancel{true};
   ExecutionContext context;
   context.cancel = &cancel;
-  const auto stopped = refineSurface(prepared(beam(1)), 100'000, context);
+  const auto stopped = subdivideSurface(prepared(beam(1)), 100'000, context);
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
 }
