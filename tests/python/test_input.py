@@ -371,6 +371,9 @@ def test_load_takes_the_unit_that_a_file_does_not_state(repository):
     path = repository / "tests/data/prism.obj"
     assert pygirth.load(path).unit == ""
     assert pygirth.load(path, unit="millimetre").unit == "millimetre"
+    assert pygirth.load(path, unit="mm").unit == "millimetre"
+    with pytest.raises(pygirth.InputError, match="INVALID_OPTION.*parsec.*um, mm, cm"):
+        pygirth.load(path, unit="parsec")
     assert pygirth.load(repository / "tests/data/prism_seams.glb").unit == "metre"
 
 

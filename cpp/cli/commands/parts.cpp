@@ -151,11 +151,11 @@ std::string verticesFor(const Options& options, const io::LoadedMesh& loaded,
   for (const PartKind kind : parts.kinds) kinds.push_back(static_cast<double>(kind));
   io::VertexField igf = io::girthVertexField(girth, GirthMethod::Exact, loaded.unit);
   igf.method = io::methodText(GirthOptions{GirthMethod::Exact, persistence});
-  igf.kindName = "loop_kind";
+  igf.kindName = "loopKind";
   const std::array<io::VertexField, 4> fields{
       igf, io::VertexField{"sdf", diameter.values, loaded.unit, "", {}},
       io::VertexField{"part", numbers, "", "", {}},
-      io::VertexField{"part_kind", kinds, "", "", {}, "", words}};
+      io::VertexField{"partKind", kinds, "", "", {}, "", words}};
   return options.output.ending() == ".csv"
              ? io::fieldCsv(loaded, fields, columnsOf(options.positions))
              : io::fieldPly(loaded, fields);

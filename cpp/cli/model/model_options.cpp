@@ -21,10 +21,11 @@ void addModelOptions(OptionTable& table, ModelOptions& options) {
       .range(0, 1);
   std::vector<std::string> units;
   for (const io::LengthUnit& unit : io::lengthUnits()) units.emplace_back(unit.symbol);
+  for (const io::LengthUnit& unit : io::lengthUnits()) units.emplace_back(unit.name);
   table
       .add("--unit UNIT", options.unit,
            "The unit of the file's numbers: " + io::lengthUnitWords() +
-               "; by default what the file states")
+               ", or its name, as millimetre; by default what the file states")
       .oneOf(units);
   table
       .add("--in UNIT", options.shownUnit,

@@ -4,12 +4,14 @@
 #include <utility>
 
 #include "girth/subdivide_surface.h"
+#include "girth/version.h"
 
 namespace girth {
 
 /// subdivideSurface.
-[[deprecated("use subdivideSurface")]] inline Result<PreparedSurface> refineSurface(
-    PreparedSurface surface, Index faces, const ExecutionContext& context = {}) {
+GIRTH_DEPRECATED("use subdivideSurface")
+inline Result<PreparedSurface> refineSurface(PreparedSurface surface, Index faces,
+                                             const ExecutionContext& context = {}) {
   return subdivideSurface(std::move(surface), faces, context);
 }
 

@@ -5,8 +5,8 @@
 // minor version may change the interface, from then on only a new major version does. What changed
 // is in CHANGELOG.md, with the old names and the new ones.
 //
-// A name that is to be removed is marked with GIRTH_DEPRECATED for one minor version at least, with
-// what to use instead; compilers warn where it is used.
+// A name that is to be removed is marked with GIRTH_DEPRECATED, with what to use instead, and stays
+// until the next major version; compilers warn where it is used.
 //
 // A header with GIRTH_EXPERIMENTAL in the comment at its top may change in any version, a patch
 // too. All of girth/study/ is experimental. Everything else is meant to last.

@@ -14,8 +14,9 @@ namespace {
 bool isName(std::string_view text) {
   const auto isSmall = [](char c) { return c >= 'a' && c <= 'z'; };
   return !text.empty() && isSmall(text.front()) &&
-         std::all_of(text.begin(), text.end(),
-                     [&](char c) { return isSmall(c) || (c >= '0' && c <= '9') || c == '_'; });
+         std::all_of(text.begin(), text.end(), [&](char c) {
+           return isSmall(c) || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+         });
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ std::optional<Error> checkFields(const LoadedMesh& loaded, std::span<const Verte
   for (const VertexField& field : fields) {
     if (!isName(field.name)) {
       return fault("'" + field.name +
-                   "' is not a name of a small letter, then small letters, digits and underscores");
+                   "' is not a name of a small letter, then letters, digits and underscores");
     }
     if (!names.insert(field.name).second) {
       return fault("the name '" + field.name + "' is taken by another column");

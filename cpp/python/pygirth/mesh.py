@@ -96,7 +96,7 @@ class Mesh:
     scale : float, optional
         Multiplies all positions first.
     unit : str, optional
-        What lengths are in, such as ``"metre"``; empty where it is not known.
+        What lengths are in, such as ``"mm"`` or ``"millimetre"``; empty where it is not known.
 
     Raises
     ------
@@ -124,7 +124,7 @@ class Mesh:
     ) -> None:
         vertices, faces = vertices_of(V), faces_of(F)
         options = _preparing(weld, close_holes, components, min_component, scale)
-        surface = _girth.Surface(vertices, faces, *options, str(unit), running(None, None))
+        surface = _girth.Surface(vertices, faces, *options, _unit_name(unit), running(None, None))
         self._set(surface, vertices, faces, options)
 
     @classmethod
@@ -1186,6 +1186,16 @@ def _not_negative(value: Any, name: str) -> float:
     return number
 
 
+def _unit_name(unit: Any) -> str:
+    """The name of a unit that is given by its name or symbol; empty where none is."""
+    symbols = _girth.length_unit_symbols()
+    names = {"": "", **{name: name for name in symbols}, **{s: name for name, s in symbols.items()}}
+    if unit not in names:
+        words = ", ".join(symbols.values())
+        raise input_error("INVALID_OPTION", f"unit is {unit!r}", f"choose one of {words}, or its name")
+    return names[unit]
+
+
 def _base_points(value: Any) -> int:
     count = whole_number(value, "base_points")
     if not 1 <= count < 2**63:
@@ -1240,7 +1250,7 @@ def load(
     weld, close_holes, components, min_component, scale
         As of `Mesh`.
     unit : str, optional
-        The unit of the file's numbers, such as ``"metre"``, where the file does not state it; it replaces
+        The unit of the file's numbers, such as ``"mm"`` or ``"millimetre"``, where the file does not state it; it replaces
         the one that the file states.
 
     Returns
@@ -1256,7 +1266,7 @@ def load(
         Such as UNKNOWN_FORMAT or MALFORMED_FILE, with the file's name.
     """
     options = _preparing(weld, close_holes, components, min_component, scale)
-    read = _girth.load(path_of(path), *options, str(unit), running(None, None))
+    read = _girth.load(path_of(path), *options, _unit_name(unit), running(None, None))
     return Mesh._of(*read, options)
 
 

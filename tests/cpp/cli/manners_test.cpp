@@ -127,6 +127,16 @@ TEST_F(Command, withoutACommandThereIsHelp) {
   EXPECT_EQ(alone.errors, "");
 }
 
+TEST_F(Command, unitsAreGivenByTheirSymbolOrTheirName) {
+  const std::string prism = kData + "/prism.obj";
+  const auto with = [&](const std::string& unit) {
+    return run({"info", prism, "--json", "--unit", unit}).output;
+  };
+  EXPECT_EQ(with("mm"), with("millimetre"));
+  EXPECT_TRUE(contains(with("micrometre"), "\"unit\":\"micrometre\""));
+  EXPECT_EQ(run({"info", prism, "--unit", "parsec"}).exitCode, 1);
+}
+
 TEST_F(Command, olderNamesOfOptionsDoTheSame) {
   const std::string prism = kData + "/prism.obj";
   for (const std::string command : {"parts", "segments"}) {

@@ -3,7 +3,7 @@
 
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { basename, dirname, join, normalize } from 'node:path';
-import { expect, test } from 'vitest';
+import { describe, expect, test } from 'vitest';
 import { anchorsOf } from '../../../web/docs/site/anchors.mjs';
 import { repository } from '../../../web/scripts/run.mjs';
 
@@ -87,6 +87,42 @@ test.each(documents)('%s: paths of the repository exist', (path) => {
     ([, name]) => name!,
   );
   expect(named.filter((name) => !matches(name))).toEqual([]);
+});
+
+test('the change log has one line an entry, by what happened, without benchmarks', () => {
+  const log = text('CHANGELOG.md');
+  const unreleased = log.slice(log.indexOf('## [Unreleased]'), log.indexOf('## [0.1.0]'));
+  const lines = unreleased.split('\n').slice(1);
+  const headings = lines.filter((line) => line.startsWith('#'));
+  expect(headings).toEqual(['### Added', '### Changed', '### Removed', '### Fixed']);
+  const [first = ''] = lines.filter((line) => line !== '');
+  expect(first).toContain('(web/docs/stable.md)');
+  const entries = lines.filter((line) => line !== '' && line !== first && !line.startsWith('#'));
+  expect(entries.filter((line) => !/^- \S.*[.?]$/.test(line))).toEqual([]);
+  expect(entries.filter((line) => line.length > 330)).toEqual([]);
+  expect(entries.filter((line) => /\b(faster|slower|times as long)\b/.test(line))).toEqual([]);
+});
+
+describe('what is stable', () => {
+  const page = text('web/docs/stable.md');
+
+  test('lists the experimental headers', () => {
+    const headers = filesBelow('cpp/include/girth', '.h')
+      .filter((path) => /^\/\/ GIRTH_EXPERIMENTAL/m.test(text(path)))
+      .map((path) => path.slice('cpp/include/girth/'.length))
+      .filter((path) => !path.startsWith('study/'));
+    const [, listed = ''] = page.split('## Experimental headers');
+    expect([...listed.matchAll(/`([\w/]+\.h)`/g)].map(([, name]) => name!).sort()).toEqual(
+      headers.sort(),
+    );
+  });
+
+  test('lists the older names of options', () => {
+    const sources = filesBelow('cpp/cli', '.cpp').map(text).join('');
+    const former = [...sources.matchAll(/\.formerly\("([^"]+)"\)/g)].map(([, name]) => name!);
+    const listed = [...page.matchAll(/^\| `(--[\w-]+)`/gm)].map(([, name]) => name!);
+    expect(listed).toEqual([...new Set(former)].sort());
+  });
 });
 
 test('the citation is of the latest release', () => {

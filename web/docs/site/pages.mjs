@@ -79,6 +79,7 @@ const placed = [
       // Made of the table of codes (errors.mjs).
       { file: 'errors', url: 'errors.html' },
       document('definitions', 'Definitions'),
+      document('stable'),
     ],
     others: [
       { url: 'reference/cpp/index.html', label: 'C++ reference' },

@@ -19,7 +19,7 @@ namespace girth::io {
 
 /// Values at the vertices of a surface. Does not own them.
 struct GIRTH_EXPORT VertexField {
-  /// Its name in files: a small letter, then small letters, digits and underscores: "igf", "sdf".
+  /// Its name in files: a small letter, then letters, digits and underscores: "igf", "sdf".
   std::string name;
   /// One for each vertex of the surface; NaN where there is none.
   std::span<const double> values;

@@ -278,7 +278,7 @@ export interface RefinedGirth extends Field {
 
 /** A field to write or to analyse. It need not have been computed by the kernel. */
 export interface NamedField {
-  /** A small letter, then small letters, digits and underscores: 'part'. */
+  /** A small letter, then letters, digits and underscores: 'part'. */
   name: string;
   /** One value per vertex of the surface; NaN where there is none. */
   values: Float64Array;
